@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-/// Axes: right-handed, z up. Floor axes are fixed to the floor; item axes have x forward, y left and
-/// their origin on the floor below the middle of the item. SI units throughout.
+/// Axes: right-handed, z up. Floor axes are fixed to the floor; item axes have x forward, y left
+/// and their origin on the floor below the middle of the item. SI units throughout.
 namespace gurney {
 
 using Vector2 = Eigen::Vector2d;

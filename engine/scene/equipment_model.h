@@ -34,11 +34,12 @@ struct Tread {
   double normal_damping = 500;        ///< c_n >= 0 [N s/m]
   double tangential_stiffness = 1e5;  ///< k_t > 0 [N/m]
   double tangential_damping = 20;     ///< c_t >= 0 [N s/m]
-  double relaxation_length = 0.01;    ///< sigma > 0: the patch forgets its deflection over this roll [m]
-  double patch_width = 0.008;         ///< w >= 0: scrub torque is at most mu N w / 4 [m]
-  double rolling_resistance = 1e-3;   ///< Cr >= 0, a length: f_r = (Cr / R) N [m]
-  double static_friction = 0.6;       ///< mu_s >= mu_k [-]
-  double kinetic_friction = 0.6;      ///< mu_k >= 0 [-]
+  double relaxation_length =
+      0.01;                    ///< sigma > 0: the patch forgets its deflection over this roll [m]
+  double patch_width = 0.008;  ///< w >= 0: scrub torque is at most mu N w / 4 [m]
+  double rolling_resistance = 1e-3;  ///< Cr >= 0, a length: f_r = (Cr / R) N [m]
+  double static_friction = 0.6;      ///< mu_s >= mu_k [-]
+  double kinetic_friction = 0.6;     ///< mu_k >= 0 [-]
 };
 
 /// Friction of a bearing: |torque| <= coulomb at rest, coulomb + viscous |rate| in motion.
@@ -56,12 +57,12 @@ struct Caster {
   Vector3 mount = Vector3::Zero();  ///< where the swivel axis meets the top plate; z = height [m]
   double height = 0.131;            ///< top plate to floor, unloaded, > wheel_radius [m]
   bool swivels = true;              ///< false: the fork is fixed to the chassis at `heading`
-  double heading = 0;               ///< initial angle of the fork's x axis from the item's x axis [rad]
-  double trail = 0.034;             ///< swivel axis to wheel centre, >= 0 [m]
-  double wheel_radius = 0.05;       ///< R > 0 [m]
-  double wheel_width = 0.032;       ///< for the shape, > 0 [m]
-  double wheel_mass = 0.25;         ///< > 0 [kg]
-  double wheel_axial_inertia = 0;   ///< about the axle, > 0 [kg m2]
+  double heading = 0;          ///< initial angle of the fork's x axis from the item's x axis [rad]
+  double trail = 0.034;        ///< swivel axis to wheel centre, >= 0 [m]
+  double wheel_radius = 0.05;  ///< R > 0 [m]
+  double wheel_width = 0.032;  ///< for the shape, > 0 [m]
+  double wheel_mass = 0.25;    ///< > 0 [kg]
+  double wheel_axial_inertia = 0;                 ///< about the axle, > 0 [kg m2]
   double wheel_transverse_inertia = 0;            ///< about a diameter, > 0 [kg m2]
   double fork_mass = 0.25;                        ///< > 0 [kg]
   Vector3 fork_center_of_mass = Vector3::Zero();  ///< fork axes [m]
@@ -69,7 +70,7 @@ struct Caster {
   Tread tread;
   BearingFriction axle;
   BearingFriction swivel;
-  double brake_torque = 0;        ///< on the axle; 0: brake off; infinite: the wheel cannot turn [N m]
+  double brake_torque = 0;  ///< on the axle; 0: brake off; infinite: the wheel cannot turn [N m]
   double swivel_lock_torque = 0;  ///< on the swivel; 0: free; infinite: cannot turn [N m]
 };
 

@@ -8,7 +8,8 @@
 namespace gurney {
 
 /// The floor's translational acceleration in floor axes, piecewise linear between samples and zero
-/// before the first and after the last. Record times are simulation times: the first sample is at 0 s.
+/// before the first and after the last. Record times are simulation times: the first sample is at 0
+/// s.
 class FloorMotion {
  public:
   FloorMotion() = default;  ///< a floor at rest

@@ -27,9 +27,10 @@ struct StringPotentiometer {
 
 /// A weight that falls on a cable over a pulley and pulls the item.
 ///
-/// The cable runs from `point` along `direction`, far enough for the direction to stay. Its tension T is
-/// not m g while the weight moves: (m + I_p / r_p^2) x'' = m g - T - potentiometer_tension.
-/// The cable is elastic and slack cables carry nothing. After `drop_height` the weight rests on the floor.
+/// The cable runs from `point` along `direction`, far enough for the direction to stay. Its tension
+/// T is not m g while the weight moves: (m + I_p / r_p^2) x'' = m g - T - potentiometer_tension.
+/// The cable is elastic and slack cables carry nothing. After `drop_height` the weight rests on the
+/// floor.
 struct DropWeight {
   Vector3 point = Vector3::Zero();       ///< item axes [m]
   Vector3 direction = Vector3::UnitX();  ///< of the pull, floor axes
@@ -42,8 +43,8 @@ struct DropWeight {
   double cable_damping = 500;            ///< >= 0 [N s/m]
 };
 
-/// Holds a point of the chassis against horizontal motion until `release_time`: the blocks before the
-/// casters in phase I of a pulling test.
+/// Holds a point of the chassis against horizontal motion until `release_time`: the blocks before
+/// the casters in phase I of a pulling test.
 struct Blocks {
   Vector3 point = Vector3::Zero();  ///< item axes [m]
   double stiffness = 1e7;           ///< > 0 [N/m]
@@ -51,7 +52,8 @@ struct Blocks {
   double release_time = 0;          ///< > 0 [s]
 };
 
-/// What a fixture does with one degree of freedom of the chassis (floor axes, at its centre of mass).
+/// What a fixture does with one degree of freedom of the chassis (floor axes, at its centre of
+/// mass).
 struct Guide {
   enum class Kind { kFree, kHeld, kVelocity, kSpring };
   Kind kind = Kind::kFree;
@@ -70,7 +72,7 @@ struct InitialMotion {
   double yaw = 0;                      ///< [rad]
   Vector3 velocity = Vector3::Zero();  ///< of the centre of mass of the chassis [m/s]
   double yaw_rate = 0;                 ///< [rad/s]
-  bool wheels_roll = true;             ///< wheels turn with the motion; false: they start without spin
+  bool wheels_roll = true;  ///< wheels turn with the motion; false: they start without spin
 };
 
 }  // namespace gurney

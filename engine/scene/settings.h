@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+namespace gurney {
+
+/// Who solves the contact problem of each step.
+enum class Solver {
+  kStar,     ///< ours: casters eliminated analytically, one 6x6 system (docs/theory/solver.md)
+  kGeneral,  ///< ours on Bullet's mass matrix, dense: any tree of joints; the check on kStar
+  kBullet,   ///< stock Bullet: sequential impulse, 50 iterations; a baseline
+  kBulletDantzig,  ///< stock Bullet, well configured: direct (Dantzig) contact solver; a baseline
+};
+
+/// How a run is integrated. Defaults are written here and nowhere else.
+struct SimulationSettings {
+  Solver solver = Solver::kStar;
+  double time_step = 0.004;  ///< (0, 0.02] [s]
+  double residual = 1e-9;    ///< momentum residual per step, as a fraction of M g dt, (0, 1e-3]
+  int max_newton_iterations = 40;  ///< per stage before the step is subdivided, 4..1000
+  int max_subdivisions = 10;  ///< halvings of one step before the run counts as diverged, 0..20
+  double settle_time = 60;    ///< longest time after the excitation until the item rests, >= 0 [s]
+  double duration = 0;        ///< > 0: stop exactly then, resting or not [s]
+  double rest_speed = 1e-3;   ///< slower than this everywhere ... > 0 [m/s]
+  double rest_hold = 0.5;     ///< ... for this long is rest, > 0 [s]
+  double overturn_tilt = 1.0471975511965976;  ///< the run ends as overturned here, (0, pi/2) [rad]
+  double history_step = 0.01;                 ///< spacing of the histories; 0: none kept [s]
+  bool skip_clear_collision_passes =
+      true;  ///< skip Bullet's collision pass while nothing can be near
+};
+
+/// @throws Error naming every setting outside its range.
+void validate(const SimulationSettings& settings);
+
+}  // namespace gurney
