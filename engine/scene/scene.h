@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/scene/equipment_model.h"
-#include "engine/scene/floor_motion.h"
+#include "engine/base/floor_motion.h"
 #include "engine/scene/loads.h"
 
 namespace gurney {
