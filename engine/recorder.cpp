@@ -30,9 +30,7 @@ Recorder::Recorder(const Scene& scene, const Mechanism& mechanism, const State& 
   origin_start_ = start.position + rotation * origin_;
   yaw_start_ = yaw_ = yaw_of(rotation);
   for (const auto& caster : scene.item.casters) trails_.push_back(caster.trail);
-  for (std::size_t i = 0; i < mechanism.legs.size(); ++i)
-    start_headings_.push_back(start.legs[i].swivel_angle);
-  was_lifted_.assign(mechanism.legs.size(), false);
+  gaps_.resize(mechanism.legs.size());
   demands_.wheels.resize(mechanism.legs.size());
   demands_.points.resize(points_.size());
   current_.points.resize(points_.size());
@@ -45,6 +43,7 @@ Recorder::Recorder(const Scene& scene, const Mechanism& mechanism, const State& 
     Leg::Geometry g;
     mechanism.legs[i].evaluate(start.pose(), start.legs[i].swivel_angle, start.velocity.chassis,
                                start.velocity.joints[i], Vector3::Zero(), g);
+    gaps_[i] = {g.height, 0, g.height >= 0};
     WheelSample& wheel = current_.wheels[i];
     wheel.swivel_angle = start.legs[i].swivel_angle;
     wheel.swivel_rate = start.velocity.joints[i][0];
@@ -94,7 +93,6 @@ void Recorder::observe(const Stepper::Step& step) {
 
 void Recorder::observe_wheels(const Stepper::Step& step) {
   const State& to = *step.to;
-  int lifted = 0;
   for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
     const Leg& leg = mechanism_.legs[i];
     const TreadLaw::Result& tread = step.end->treads[i];
@@ -118,19 +116,44 @@ void Recorder::observe_wheels(const Stepper::Step& step) {
     d.peak_normal_force = std::max(d.peak_normal_force, wheel.normal_force);
     d.peak_tangential_force = std::max(d.peak_tangential_force, tangential.norm());
     d.skid_distance += tread.slip_speed * step.duration;
-    const bool off = wheel.mode == WheelMode::kLifted;
-    if (off) {
-      ++lifted;
-      d.lifted_time += step.duration;
-      if (!was_lifted_[i]) ++d.liftoffs;
-    }
-    was_lifted_[i] = off;
     demands_.peak_normal_force = std::max(demands_.peak_normal_force, wheel.normal_force);
   }
-  if (lifted > 0) demands_.lifted_time += step.duration;
-  demands_.most_wheels_lifted = std::max(demands_.most_wheels_lifted, lifted);
+  observe_lift(step);
   current_.cable_tension = mechanism_.loads.cable_tension(to.loads);
   current_.pull_force = mechanism_.loads.pull_force(to.time);
+}
+
+void Recorder::observe_lift(const Stepper::Step& step) {
+  const double h = step.duration;
+  bool near = false;
+  std::array<Gap, kMaxLegs> now;
+  for (std::size_t i = 0; i < gaps_.size(); ++i) {
+    const TreadLaw::Result& tread = step.end->treads[i];
+    now[i] = {-tread.compression, -tread.compression_rate, tread.compression <= 0};
+    near |= gaps_[i].height + h * std::max(gaps_[i].rate, 0.0) > 0 ||
+            now[i].height + h * std::max(-now[i].rate, 0.0) > 0;
+  }
+  // The gap between the ends of the step is the cubic through its heights and rates there.
+  constexpr int kParts = 16;
+  for (int part = 0; near && part < kParts; ++part) {
+    const double s = (part + 0.5) / kParts, r = 1 - s;
+    int lifted = 0;
+    for (std::size_t i = 0; i < gaps_.size(); ++i) {
+      const Gap& a = gaps_[i];
+      const Gap& b = now[i];
+      const double height = a.height * r * r * (1 + 2 * s) + b.height * s * s * (1 + 2 * r) +
+                            h * s * r * (a.rate * r - b.rate * s);
+      if (height < 0) continue;
+      ++lifted;
+      demands_.wheels[i].lifted_time += h / kParts;
+    }
+    if (lifted > 0) demands_.lifted_time += h / kParts;
+    demands_.most_wheels_lifted = std::max(demands_.most_wheels_lifted, lifted);
+  }
+  for (std::size_t i = 0; i < gaps_.size(); ++i) {
+    if (now[i].lifted && !gaps_[i].lifted) ++demands_.wheels[i].liftoffs;
+    gaps_[i] = now[i];
+  }
 }
 
 void Recorder::observe_points(const Stepper::Step& step, const Matrix3& rotation) {

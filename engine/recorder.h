@@ -31,14 +31,19 @@ class Recorder {
  private:
   EnergyAccount complete(const State& state, const EnergyAccount& account) const;
   void observe_wheels(const Stepper::Step& step);
+  void observe_lift(const Stepper::Step& step);
   void observe_points(const Stepper::Step& step, const Matrix3& rotation);
 
   const Mechanism& mechanism_;
   std::vector<Vector3> points_;  // marked points relative to the chassis' centre, chassis axes
   std::vector<Vector3> point_starts_;
   std::vector<double> trails_;
-  std::vector<bool> was_lifted_;
-  std::vector<double> start_headings_;
+  struct Gap {
+    double height = 0;  // of the tread above the floor [m]
+    double rate = 0;    // [m/s]
+    bool lifted = false;
+  };
+  std::vector<Gap> gaps_;
   Vector3 origin_;  // the item's origin relative to the chassis' centre, chassis axes
   Vector3 origin_start_;
   double yaw_start_, yaw_;

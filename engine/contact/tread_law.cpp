@@ -71,6 +71,7 @@ TreadLaw::Result TreadLaw::finish(const Stage& stage, const Vector5& u) const {
   Matrix5 slope;
   result.force = force(stage, u, slope);
   result.compression = stage.compression - stage.tau * u[2];
+  result.compression_rate = -u[2];
   const Normal n = normal(result.compression, u[2], stage.tau);
   result.damping_power = -n.damping_force * u[2];
   if (n.force <= 0) return result;  // off the floor the patch springs back at once

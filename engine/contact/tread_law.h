@@ -56,9 +56,10 @@ class TreadLaw {
   struct Result {
     Vector5 force = Vector5::Zero();
     TreadState end;
-    double compression = 0;    ///< at the end of the stage [m]
-    double sliding_power = 0;  ///< dissipated by sliding and scrub, >= 0 [W]
-    double rolling_power = 0;  ///< by rolling resistance [W]
+    double compression = 0;       ///< at the end of the stage [m]
+    double compression_rate = 0;  ///< [m/s]
+    double sliding_power = 0;     ///< dissipated by sliding and scrub, >= 0 [W]
+    double rolling_power = 0;     ///< by rolling resistance [W]
     double relaxation_power = 0;
     double damping_power = 0;  ///< by c_n and c_t [W]
     double slip_speed = 0;     ///< of the sliding patch, translation only [m/s]
