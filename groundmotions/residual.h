@@ -10,10 +10,10 @@ namespace gurney {
 
 /// What a floor motion leaves at its end, and whether that is plausible.
 ///
-/// An item on casters integrates the floor's acceleration twice by itself. A baseline error of
-/// 0.001 g in a 20 s record moved a trolley's peak displacement from 0.38 to 0.56 m; the
-/// effect is about linear, so 0.0001 g is worth some 5 % of the peak. Two rules, on the horizontal
-/// resultants, with T the duration of the record:
+/// An item on casters integrates the floor's acceleration twice by itself. In a prototype of this
+/// engine a baseline error of 0.001 g moved a trolley's peak displacement from 0.38 to 0.56 m. If
+/// the effect is linear (an assumption), 0.0001 g is worth some 5 % of the peak. Two rules, on the
+/// horizontal resultants, with T the duration of the record:
 ///
 /// 1. |v_residual| > clamp(0.0001 g T, 0.01 m/s, 0.05 m/s): the mean acceleration of the
 ///    record, v_residual / T, is a baseline error that matters. Below 0.01 m/s what is left moves

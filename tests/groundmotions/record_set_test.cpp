@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -20,8 +21,8 @@ class ReadRecord : public testing::Test {
  protected:
   ReadRecord() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ =
-        std::filesystem::temp_directory_path() / ("gurney_record_set_" + std::string(test->name()));
+    folder_ = std::filesystem::temp_directory_path() /
+              fmt::format("gurney_{}_{}", test->name(), getpid());
     std::filesystem::create_directories(folder_);
   }
   ~ReadRecord() override { std::filesystem::remove_all(folder_); }
