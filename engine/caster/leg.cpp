@@ -35,7 +35,8 @@ Leg::Leg(const Caster& caster, const Vector3& chassis_center)
           Vector3(transverse, axial_inertia_, transverse).asDiagonal());
   center_ = leg.center_of_mass;
   inertia_ = leg.inertia;
-  reach_ = mount_.norm() + wheel_center_.norm() + std::hypot(radius_, caster.wheel_width / 2);
+  swing_ = wheel_center_.norm() + std::hypot(radius_, caster.wheel_width / 2);
+  reach_ = mount_.norm() + swing_;
 }
 
 Matrix3 Leg::fork_rotation(const Pose& pose, double swivel_angle) const {

@@ -70,6 +70,9 @@ class Leg {
   double mass() const { return mass_; }
   double wheel_radius() const { return radius_; }
   double heading() const { return heading_; }
+  double swing() const {
+    return swing_;
+  }  ///< largest distance of any of its points from the mount [m]
   double reach() const { return reach_; }  ///< largest distance of any of its points from O [m]
 
  private:
@@ -79,7 +82,7 @@ class Leg {
   DryFriction axle_, swivel_;
   double axle_limit_, swivel_limit_;
   bool swivels_, braked_;
-  double heading_, radius_, mass_, axial_inertia_, reach_;
+  double heading_, radius_, mass_, axial_inertia_, swing_, reach_;
   Vector3 mount_;         // chassis axes, relative to O
   Vector3 wheel_center_;  // fork axes, relative to the mount
   Vector3 center_;        // of fork and wheel, fork axes, relative to the mount

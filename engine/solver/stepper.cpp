@@ -11,6 +11,8 @@ namespace {
 constexpr double kLandingTolerance = 1e-10;  // [m]
 constexpr int kMaxLandingTrials = 20;
 
+constexpr double kSameContactDistance = 0.02;  // [m]
+
 /// A step that no subdivision makes converge is still accepted below this residual, and counted.
 constexpr double kAcceptableResidual = 1e-5;
 
@@ -79,6 +81,29 @@ Stepper::Stepper(const Mechanism& mechanism, const FloorMotion& floor,
       floor_(floor),
       settings_(settings),
       solver_(mechanism, {settings.residual, settings.max_newton_iterations}) {}
+
+void Stepper::set_contacts(const std::vector<ContactAnchor>& anchors, State& state) {
+  if (anchors.empty() && anchors_.empty()) return;
+  std::vector<BodyContactState> memories(anchors.size());
+  for (std::size_t i = 0; i < anchors.size(); ++i) {
+    double nearest = kSameContactDistance;
+    for (std::size_t j = 0; j < anchors_.size(); ++j) {
+      if (anchors_[j].body != anchors[i].body || anchors_[j].leg != anchors[i].leg) continue;
+      const double distance = (anchors_[j].local - anchors[i].local).norm();
+      if (distance >= nearest) continue;
+      nearest = distance;
+      memories[i] = state.contacts[j];
+    }
+  }
+  anchors_ = anchors;
+  state.contacts = std::move(memories);
+}
+
+void Stepper::change_loads(State& state) {
+  if (!mechanism_.loads.empty())
+    account_.damper_loss += mechanism_.loads.release(state.time, state.loads);
+  acceleration_known_ = false;
+}
 
 std::vector<BodyContact> Stepper::contacts_at(const State& state) const {
   std::vector<BodyContact> contacts;

@@ -44,17 +44,15 @@ class Stepper {
   /// @returns a cause when the run cannot go on.
   std::optional<std::string> advance(State& state, double time, const Observer& observer);
 
-  /// Contacts of bodies that hold from now on; memories of contacts that persist are kept by the
-  /// caller.
-  void set_contacts(std::vector<ContactAnchor> anchors) { anchors_ = std::move(anchors); }
+  /// The contacts of bodies from now on. A contact that persists (same body, nearly the same place)
+  /// keeps what it remembers in `state`.
+  void set_contacts(const std::vector<ContactAnchor>& anchors, State& state);
+
+  /// Loads change at the state's time: blocks let go, and the last acceleration predicts nothing.
+  void change_loads(State& state);
 
   const EnergyAccount& account() const { return account_; }
-  EnergyAccount& account() { return account_; }
   const Quality& quality() const { return quality_; }
-  Quality& quality() { return quality_; }
-
-  /// Forgets the acceleration that predicts the next step: after a jump of the loads.
-  void forget_acceleration() { acceleration_known_ = false; }
 
  private:
   bool attempt(const State& from, double duration);
