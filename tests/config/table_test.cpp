@@ -194,6 +194,8 @@ TEST(NearestName, CountsEdits) {
 TEST(NearestName, SuggestsANeighbourOrListsAll) {
   EXPECT_EQ(suggestion("trial", {"height", "trail"}), "; did you mean 'trail'?");
   EXPECT_EQ(suggestion("colour_of_it", {"height", "trail"}), "; known: height, trail");
+  EXPECT_EQ(suggestion("timestep", {"time_step_s", "residual"}), "; did you mean 'time_step_s'?");
+  EXPECT_EQ(suggestion("mass", {"mass_kg", "size_mm"}), "; did you mean 'mass_kg'?");
   EXPECT_EQ(suggestion("x", {}), "");
 }
 

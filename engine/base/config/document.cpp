@@ -68,8 +68,7 @@ void Document::finish() {
     if (!lines.empty()) lines += "\n";
     lines += line;
   };
-  for (const Problem& problem : problems_)
-    add(where(problem.place) + ": " + problem.message);
+  for (const Problem& problem : problems_) add(where(problem.place) + ": " + problem.message);
   for (const std::string& text : foreign_) add(text);
   throw Error(lines);
 }

@@ -39,7 +39,8 @@ class Document {
 
   void note(Place place, const std::string& message);
   void note(const Error& error);  ///< mistakes of another file that this one names
-  bool clean() const { return problems_.empty() && foreign_.empty(); }
+  std::size_t mistakes() const { return problems_.size() + foreign_.size(); }
+  bool clean() const { return mistakes() == 0; }
 
   /// @throws Error with every noted mistake and every key nobody asked for, sorted by line.
   void finish();

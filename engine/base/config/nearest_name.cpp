@@ -20,6 +20,22 @@ int edit_distance(const std::string& a, const std::string& b) {
   return cost.back();
 }
 
+namespace {
+
+std::string without_underscores(std::string name) {
+  std::erase(name, '_');
+  return name;
+}
+
+/// `mass` for `mass_kg`, `timestep` for `time_step_s`.
+bool is_beginning(const std::string& name, const std::string& known) {
+  constexpr std::size_t kFewestLetters = 3;
+  return name.size() >= kFewestLetters &&
+         without_underscores(known).rfind(without_underscores(name), 0) == 0;
+}
+
+}  // namespace
+
 std::string suggestion(const std::string& name, const std::vector<std::string>& known) {
   if (known.empty()) return "";
   const auto nearest =
@@ -29,6 +45,8 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
   // A third of the letters wrong is still a typo; more is another word.
   const int limit = std::max(2, static_cast<int>(name.size()) / 3);
   if (edit_distance(name, *nearest) <= limit) return "; did you mean '" + *nearest + "'?";
+  for (const std::string& each : known)
+    if (is_beginning(name, each)) return "; did you mean '" + each + "'?";
   std::string list;
   for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
   return "; known: " + list;
