@@ -66,6 +66,8 @@ TEST(Quantity, SaysWhatIsWrong) {
             "a.toml:1:5: x.range: missing; must be an array of 2 numbers");
   EXPECT_EQ(mistakes("x = { value = 1, assumption = 'a', range = [2, 3] }"),
             "a.toml:1:44: x.range = [2, 3]: must be [low, high] with low < high around 1");
+  EXPECT_EQ(mistakes("x = { value = 1, assumption = 'a', range = [0.1, 0.5] }"),
+            "a.toml:1:44: x.range = [0.1, 0.5]: must be [low, high] with low < high around 1");
   EXPECT_EQ(mistakes("x = { value = 1, sauce = 's' }"),
             "a.toml:1:5: x: must have a source, an assumption with its range, or both\n"
             "a.toml:1:18: x.sauce: unknown key; did you mean 'source'?");
