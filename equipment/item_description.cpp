@@ -41,7 +41,7 @@ void read_chassis(Quantities in, ItemDescription& item) {
 /// Casters named in one item; each file is read once, and its mistakes are noted once.
 class CasterTypes {
  public:
-  CasterType read(Table& place, std::vector<Assumption>& assumptions) {
+  CasterType read(Table& place) {
     const bool inline_type = place.has("inline");
     if (inline_type == place.has("type"))
       place.note("type", ": must name a caster, or a table 'inline' must describe it, not both");
@@ -50,7 +50,15 @@ class CasterTypes {
       return table ? read_caster_type(*table) : CasterType{};
     }
     if (!place.has("type")) return {};
-    const std::string name = Quantities(place, assumptions).text("type");
+    std::vector<Assumption> choice;
+    const std::string name = Quantities(place, choice).text("type");
+    CasterType type = load(place, name);
+    add_assumptions(type.assumptions, choice);
+    return type;
+  }
+
+ private:
+  CasterType load(Table& place, const std::string& name) {
     std::string file;
     try {
       file = find_data(DataKind::kCaster, name, place.document().path());
@@ -69,7 +77,6 @@ class CasterTypes {
     return types_[file] = type;
   }
 
- private:
   std::map<std::string, CasterType> types_;
 };
 
@@ -78,7 +85,7 @@ CasterPlace read_place(Table table, std::size_t index, CasterTypes& types,
   CasterPlace place;
   Quantities in(table, assumptions);
   place.name = table.text("name", fmt::format("caster {}", index + 1));
-  place.type = types.read(table, assumptions);
+  place.type = types.read(table);
   place.mount = in.vector_mm("position_mm", Range::any());
   place.heading = in.number("heading_deg", Range::any(), 0.0) * kRadiansPerDegree;
   place.swivels = table.boolean("swivels", true);

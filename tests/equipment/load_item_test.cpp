@@ -129,6 +129,10 @@ TEST(LoadItem, ListsOnlyAssumptionsInUse) {
   EXPECT_FALSE(assumes(free, "brake_torque_n_m"));
   EXPECT_FALSE(assumes(free, "swivel_lock_torque_n_m"));
   EXPECT_FALSE(assumes(free, "payload[0].size_mm.x"));
+  ItemOptions other;
+  other.caster = caster("R125");
+  EXPECT_TRUE(assumes(load_item(item_file("icu_ventilator")), "caster[3].type"));
+  EXPECT_FALSE(assumes(load_item(item_file("icu_ventilator"), other), "caster[3].type"));
   ItemOptions options;
   options.brakes = {false, false, false, true};
   options.payloads = {{"paver", 1}};
