@@ -1,0 +1,20 @@
+#include <fmt/core.h>
+
+#include <cstdlib>
+#include <exception>
+#include <string_view>
+
+#include "tests/benchmark/sections.h"
+
+/// Prints accuracy and speed in one run. `--quick` takes a small ensemble.
+int main(int argc, char** argv) try {
+  using namespace gurney::benchmark;
+  const bool quick = argc > 1 && std::string_view(argv[1]) == "--quick";
+  print_pulling_accuracy();
+  print_ensemble_accuracy(quick ? 2 : 8, quick ? 3 : 7);
+  print_peers();
+  return 0;
+} catch (const std::exception& error) {
+  fmt::print(stderr, "{}\n", error.what());
+  return 1;
+}

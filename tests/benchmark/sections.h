@@ -1,0 +1,12 @@
+#pragma once
+
+namespace gurney::benchmark {
+
+/// Pulling tests against closed form, and three-component ensembles at 4 ms against 0.125 ms.
+void print_pulling_accuracy();
+void print_ensemble_accuracy(int records, int headings);
+
+/// The same scene on our solver and on stock Bullet: error and speed at equal accuracy.
+void print_peers();
+
+}  // namespace gurney::benchmark

@@ -1,0 +1,81 @@
+#include "tests/benchmark/workload.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/units.h"
+#include "equipment/catalogue.h"
+#include "equipment/load_item.h"
+#include "groundmotions/record_motion.h"
+#include "groundmotions/synthetic.h"
+
+namespace gurney::benchmark {
+
+Scene trolley(const std::vector<double>& headings_deg) {
+  ItemOptions options;
+  for (double heading : headings_deg) options.headings.push_back(heading * kRadiansPerDegree);
+  Scene scene;
+  scene.item = load_item(find_data(DataKind::kItem, "xu_trolley", ""), options).model;
+  return scene;
+}
+
+void make_rigid(Scene& scene, double normal_stiffness, double tangential_stiffness) {
+  for (Caster& caster : scene.item.casters) {
+    Tread& tread = caster.tread;
+    tread.normal_damping *= std::sqrt(normal_stiffness / tread.normal_stiffness);
+    tread.tangential_damping *= std::sqrt(tangential_stiffness / tread.tangential_stiffness);
+    tread.normal_stiffness = normal_stiffness;
+    tread.tangential_stiffness = tangential_stiffness;
+    tread.patch_width = 0;
+    caster.swivel = {};
+  }
+}
+
+FloorMotion shaking(unsigned seed, double peak_g) {
+  SyntheticMotion motion = shipped_synthetic_motion();
+  motion.seed = seed;
+  motion.samples = static_cast<int>(20 / motion.time_step) + 1;
+  constexpr double kRatio[3] = {1, 0.75, 0.5};
+  for (std::size_t i = 0; i < 3; ++i)
+    motion.components[i].peak_acceleration = kRatio[i] * peak_g * kStandardGravity;
+  return floor_motion(synthetic_record(motion));
+}
+
+Excitation pull() {
+  Excitation excitation;
+  excitation.forces.push_back({.name = "pull",
+                               .point = {-0.55, 0, 0.618},
+                               .direction = Vector3::UnitX(),
+                               .time = {0, 3},
+                               .force = {40, 40}});
+  return excitation;
+}
+
+PullReference pull_reference(const Scene& scene) {
+  const double mass = whole_item(scene.item).mass;
+  double rolling_inertia = 0;
+  for (const Caster& c : scene.item.casters)
+    rolling_inertia += c.wheel_axial_inertia / (c.wheel_radius * c.wheel_radius);
+  const Caster& c = scene.item.casters.front();
+  const double resistance = c.tread.rolling_resistance / c.wheel_radius * mass * scene.gravity;
+  const double a1 = (40 - resistance) / (mass + rolling_inertia);
+  const double a2 = resistance / (mass + rolling_inertia);
+  const double speed = 3 * a1;
+  return {0.5 * a1 * 9, 0.5 * a1 * 9 + 0.5 * speed * speed / a2};
+}
+
+Timed timed(const Scene& scene, const Excitation& excitation, const SimulationSettings& settings,
+            int repeats) {
+  Timed result{{}, 1e300};
+  for (int i = 0; i < repeats; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    result.response = simulate(scene, excitation, settings);
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    result.seconds = std::min(result.seconds, wall.count());
+  }
+  return result;
+}
+
+}  // namespace gurney::benchmark

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/simulate.h"
+
+/// What the benchmarks run: the shipped pulling-test trolley under synthetic three-component
+/// motions.
+namespace gurney::benchmark {
+
+/// The trolley of equipment/items/xu_trolley.toml with its casters at `headings_deg`.
+Scene trolley(const std::vector<double>& headings_deg);
+
+/// Treads so stiff that they act as rigid, and no scrub: the only scene all solvers share.
+void make_rigid(Scene& scene, double normal_stiffness, double tangential_stiffness);
+
+/// Synthetic motion of one seed, horizontal peak `peak_g` (other components 0.75 and 0.5 of it), 20
+/// s.
+FloorMotion shaking(unsigned seed, double peak_g);
+
+/// A pull of 40 N for 3 s along x at the height of the centre of mass, then coasting.
+Excitation pull();
+
+/// Closed form of `pull` on aligned casters: displacement at release and at rest [m].
+struct PullReference {
+  double at_release, at_rest;
+};
+PullReference pull_reference(const Scene& scene);
+
+/// Seconds of wall time of one run, the best of `repeats`, and its response.
+struct Timed {
+  Response response;
+  double seconds;
+};
+Timed timed(const Scene& scene, const Excitation& excitation, const SimulationSettings& settings,
+            int repeats);
+
+}  // namespace gurney::benchmark
