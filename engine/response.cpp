@@ -1,0 +1,42 @@
+#include "engine/response.h"
+
+namespace gurney {
+
+const char* name_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kRested:
+      return "rested";
+    case Outcome::kStillMoving:
+      return "still moving";
+    case Outcome::kStopped:
+      return "stopped";
+    case Outcome::kOverturned:
+      return "overturned";
+    case Outcome::kDiverged:
+      return "diverged";
+  }
+  return "unknown";
+}
+
+const char* name_of(WheelMode mode) {
+  switch (mode) {
+    case WheelMode::kSticks:
+      return "sticks";
+    case WheelMode::kRolls:
+      return "rolls";
+    case WheelMode::kSkids:
+      return "skids";
+    case WheelMode::kBraked:
+      return "braked";
+    case WheelMode::kLifted:
+      return "lifted";
+  }
+  return "unknown";
+}
+
+double EnergyAccount::loss() const {
+  return rolling_loss + sliding_loss + relaxation_loss + tread_loss + axle_loss + swivel_loss +
+         damper_loss + contact_loss + numerical_loss;
+}
+
+}  // namespace gurney
