@@ -7,7 +7,7 @@ const char* name_of(Outcome outcome) {
     case Outcome::kRested:
       return "rested";
     case Outcome::kStillMoving:
-      return "still moving";
+      return "still_moving";
     case Outcome::kStopped:
       return "stopped";
     case Outcome::kOverturned:
