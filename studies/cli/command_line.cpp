@@ -43,7 +43,6 @@ int run_command_line(int argc, char** argv) {
   handle_signals();
   CLI::App app("What will hospital equipment on casters do when the floor shakes?", "gurney");
   app.set_version_flag("--version", version());
-  app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 a run diverged, 130/143 interrupted.");
   RunOptions run_options;
@@ -54,6 +53,10 @@ int run_command_line(int argc, char** argv) {
     if (help->parsed()) {
       fmt::print("{}", app.help());
       return kDone;
+    }
+    if (app.get_subcommands().empty()) {
+      fmt::print(stderr, "a command is needed\n\n{}", app.help());
+      return kBadUsage;
     }
     return run_command(run_options);
   } catch (const CLI::ParseError& error) {

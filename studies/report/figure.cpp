@@ -50,7 +50,7 @@ Panel vector_panel(const std::string& title, const std::string& y_label,
     for (const Sample& sample : history)
       largest = std::max(largest, (sample.*member).cwiseAbs().maxCoeff());
     const bool moves = std::any_of(history.begin(), history.end(), [&](const Sample& s) {
-      return std::abs(value(s)) > 0.01 * largest;
+      return std::abs(value(s)) > 0.05 * largest;
     });
     if (axis < 2 || moves)
       panel.curves.push_back(curve(names[axis], history, static_cast<std::size_t>(axis), value));

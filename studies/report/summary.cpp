@@ -46,7 +46,7 @@ std::string shown(double value, std::string& units, bool whole) {
   if (value == 0) return "0";
   const double size = std::abs(value);
   if (!(size >= 1e-4 && size < 1e6)) return fmt::format("{:.2e}", value);
-  const int decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 5);
+  const int decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
   return fmt::format("{:.{}f}", value, decimals);
 }
 
@@ -128,16 +128,30 @@ std::string record_text(const RunFacts& facts) {
   return text;
 }
 
+std::string assumed_in(const std::string& file, const std::vector<AssumptionFacts>& assumptions) {
+  std::string text = file + ":";
+  for (const AssumptionFacts& a : assumptions) {
+    if (a.file != file) continue;
+    text += fmt::format("{} {} = {}", text.back() == ':' ? "" : ",", a.key, a.value);
+    if (!a.range.empty()) text += fmt::format(" [{}]", a.range);
+  }
+  return text;
+}
+
 std::string notes(const RunFacts& facts) {
   std::string text;
   for (const std::string& warning : facts.warnings)
     text += fmt::format("\nwarning: {}\n", wrapped(warning, 9, 9));
   if (facts.assumptions.empty()) return text;
-  text += "\nThese numbers rest on assumptions (value; range; why; where):\n";
+  text += fmt::format(
+      "\n{} numbers have no source and are assumed (ranges in brackets; reasons: --json, or "
+      "/assumptions\nin the results file):\n",
+      facts.assumptions.size());
+  std::vector<std::string> files;
   for (const AssumptionFacts& a : facts.assumptions)
-    text += fmt::format("  {}\n", wrapped(fmt::format("{} = {}; {}; {}; {}", a.key, a.value,
-                                                      a.range, a.reason, a.file),
-                                          6, 2));
+    if (std::find(files.begin(), files.end(), a.file) == files.end()) files.push_back(a.file);
+  for (const std::string& file : files)
+    text += fmt::format("  {}\n", wrapped(assumed_in(file, facts.assumptions), 6, 2));
   return text;
 }
 

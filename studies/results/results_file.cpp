@@ -105,7 +105,7 @@ void add_runs(Hdf5Writer& file, const RunFacts& facts, const Response& response)
   one_text("item", "name of the item", facts.scene.item.name);
   one_text("record", "name of the floor motion; empty: the floor is at rest",
            facts.record ? facts.record->name : "");
-  one_text("outcome", "how the run ended: rested, still moving, stopped, overturned or diverged",
+  one_text("outcome", "how the run ended: rested, still_moving, stopped, overturned or diverged",
            name_of(response.outcome));
   one_text("cause", "why the run diverged; empty: it did not", response.cause);
   file.add({"/runs/end_time", "s", "end of the run", kRun}, std::vector<double>{response.end_time});
