@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "engine/scene/equipment_model.h"
 #include "engine/base/floor_motion.h"
+#include "engine/scene/equipment_model.h"
 #include "engine/scene/loads.h"
 
 namespace gurney {

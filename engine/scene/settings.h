@@ -6,9 +6,8 @@ namespace gurney {
 
 /// Who solves the contact problem of each step.
 enum class Solver {
-  kStar,     ///< ours: casters eliminated analytically, one 6x6 system (docs/theory/solver.md)
-  kGeneral,  ///< ours on Bullet's mass matrix, dense: any tree of joints; the check on kStar
-  kBullet,   ///< stock Bullet: sequential impulse, 50 iterations; a baseline
+  kStar,    ///< ours: casters eliminated analytically, one 6x6 system (docs/theory/solver.md)
+  kBullet,  ///< stock Bullet: sequential impulse, 50 iterations; a baseline
   kBulletDantzig,  ///< stock Bullet, well configured: direct (Dantzig) contact solver; a baseline
 };
 

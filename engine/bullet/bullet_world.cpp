@@ -1,0 +1,172 @@
+#include "engine/bullet/bullet_world.h"
+
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/bullet/convert.h"
+#include "engine/bullet/multibody_item.h"
+
+namespace gurney {
+namespace {
+
+/// Bullet reports contacts from this far; nearer than this a pass is always made [m].
+constexpr double kContactMargin = 0.02;
+
+double largest_swing(const Mechanism& mechanism) {
+  double swing = 0;
+  for (const Leg& leg : mechanism.legs) swing = std::max(swing, leg.swing());
+  return swing;
+}
+
+/// What Bullet's world needs before it can be made.
+struct Foundations {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+  btMultiBodyConstraintSolver solver;
+};
+
+}  // namespace
+
+class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld {
+ public:
+  World(const Scene& scene, const Mechanism& mechanism, bool skip_clear_passes)
+      : btMultiBodyDynamicsWorld(&dispatcher, &broadphase, &solver, &configuration),
+        floor_shape_(btVector3(0, 0, 1), 0),
+        item_(scene, mechanism, MultibodyItem::Wheels::kCylinders, *this),
+        reach_(mechanism.reach),
+        swing_(largest_swing(mechanism)),
+        skip_clear_passes_(skip_clear_passes) {
+    floor_.setCollisionShape(&floor_shape_);
+    addCollisionObject(&floor_, MultibodyItem::kFloor,
+                       MultibodyItem::kChassis | MultibodyItem::kCasters);
+  }
+
+  ~World() override { removeCollisionObject(&floor_); }
+
+  void step(double duration, State& state, const Solve& solve) {
+    state_ = &state;
+    solve_ = &solve;
+    speed_ = speed_of(state);
+    stepSimulation(duration, 0);
+    travelled_ += duration * std::max(speed_, speed_of(state));
+  }
+
+  long passes() const { return passes_; }
+
+  void performDiscreteCollisionDetection() override {
+    contacts_.clear();
+    const double needed = kContactMargin + 2 * step_ * speed_;
+    if (skip_clear_passes_ && clearance_ - travelled_ > needed) return;
+    item_.set(*state_);
+    btMultiBodyDynamicsWorld::performDiscreteCollisionDetection();
+    ++passes_;
+    travelled_ = 0;
+    clearance_ = measure_clearance();
+    collect_contacts();
+  }
+
+  void predictUnconstraintMotion(btScalar duration) override { step_ = duration; }
+  void createPredictiveContacts(btScalar) override {}
+  void calculateSimulationIslands() override {}
+  void solveConstraints(btContactSolverInfo& info) override {
+    (*solve_)(info.m_timeStep, contacts_);
+  }
+  void integrateTransforms(btScalar) override {}
+  void updateActivationState(btScalar) override {}
+  void saveKinematicState(btScalar) override {}
+  void applyGravity() override {}
+  void clearForces() override {}
+  void synchronizeMotionStates() override {}
+
+ private:
+  double speed_of(const State& state) const {
+    double speed =
+        state.velocity.chassis.head<3>().norm() + state.velocity.chassis.tail<3>().norm() * reach_;
+    double joints = 0;
+    for (const auto& rates : state.velocity.joints)
+      joints = std::max(joints, std::abs(rates[0]) + std::abs(rates[1]));
+    return speed + joints * swing_;
+  }
+
+  /// Least distance between boxes around what may touch; the floor is the plane z = 0.
+  double measure_clearance() {
+    double clearance = std::numeric_limits<double>::infinity();
+    const auto& objects = getCollisionObjectArray();
+    for (int a = 0; a < objects.size(); ++a) {
+      const auto* item = btMultiBodyLinkCollider::upcast(objects[a]);
+      if (item == nullptr) continue;
+      btVector3 low, high;
+      item->getCollisionShape()->getAabb(item->getWorldTransform(), low, high);
+      if (item->m_link < 0) clearance = std::min(clearance, low.z());
+      for (int b = 0; b < objects.size(); ++b) {
+        if (objects[b] == &floor_ || btMultiBodyLinkCollider::upcast(objects[b]) != nullptr)
+          continue;
+        btVector3 other_low, other_high;
+        objects[b]->getCollisionShape()->getAabb(objects[b]->getWorldTransform(), other_low,
+                                                 other_high);
+        double distance = 0;
+        for (int k = 0; k < 3; ++k)
+          distance = std::max({distance, low[k] - other_high[k], other_low[k] - high[k]});
+        clearance = std::min(clearance, distance);
+      }
+    }
+    return clearance;
+  }
+
+  void collect_contacts() {
+    const Quaternion to_chassis = state_->rotation.conjugate();
+    for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
+      const btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(m);
+      const auto* a = btMultiBodyLinkCollider::upcast(manifold->getBody0());
+      const auto* b = btMultiBodyLinkCollider::upcast(manifold->getBody1());
+      const btMultiBodyLinkCollider* item = a != nullptr ? a : b;
+      if (item == nullptr) continue;
+      for (int k = 0; k < manifold->getNumContacts(); ++k) {
+        const btManifoldPoint& point = manifold->getContactPoint(k);
+        const Vector3 on_item =
+            from_bullet(a != nullptr ? point.getPositionWorldOnA() : point.getPositionWorldOnB());
+        const Vector3 normal = (a != nullptr ? 1.0 : -1.0) * from_bullet(point.m_normalWorldOnB);
+        ContactAnchor anchor;
+        anchor.leg = item->m_link < 0 ? -1 : item->m_link / 2;
+        anchor.body = item->m_link < 0        ? BodyContact::Body::kChassis
+                      : item->m_link % 2 == 0 ? BodyContact::Body::kFork
+                                              : BodyContact::Body::kWheel;
+        anchor.local = to_chassis * (on_item - state_->position);
+        anchor.normal = normal;
+        anchor.offset = normal.dot(on_item) - point.getDistance();
+        contacts_.push_back(anchor);
+      }
+    }
+  }
+
+  btStaticPlaneShape floor_shape_;
+  btCollisionObject floor_;
+  MultibodyItem item_;
+  double reach_, swing_;
+  bool skip_clear_passes_;
+  State* state_ = nullptr;
+  const Solve* solve_ = nullptr;
+  std::vector<ContactAnchor> contacts_;
+  double step_ = 0, speed_ = 0, travelled_ = 0, clearance_ = 0;
+  long passes_ = 0;
+};
+
+BulletWorld::BulletWorld(const Scene& scene, const Mechanism& mechanism, bool skip_clear_passes)
+    : world_(std::make_unique<World>(scene, mechanism, skip_clear_passes)) {}
+BulletWorld::~BulletWorld() = default;
+
+void BulletWorld::step(double duration, State& state, const Solve& solve) {
+  world_->step(duration, state, solve);
+}
+
+long BulletWorld::collision_passes() const { return world_->passes(); }
+
+}  // namespace gurney

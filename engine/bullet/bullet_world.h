@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "engine/scene/scene.h"
+#include "engine/solver/mechanism.h"
+#include "engine/solver/stepper.h"
+
+namespace gurney {
+
+/// Bullet's world with our solve in it.
+///
+/// A subclass of btMultiBodyDynamicsWorld holds the item as a btMultiBody with its shapes, and the
+/// floor. Each call of step() is one stepSimulation: Bullet finds the contacts that are not wheel
+/// on flat floor (those are analytic), and where it would solve constraints and integrate, it calls
+/// us.
+///
+/// The collision pass is skipped while bounds on the distance to everything else and on the motion
+/// since the last pass prove that nothing can be near; results are the same bits either way.
+class BulletWorld {
+ public:
+  BulletWorld(const Scene& scene, const Mechanism& mechanism, bool skip_clear_passes);
+  ~BulletWorld();
+
+  /// Advances `state` by `duration` with `solve`, which receives the contacts found at the start.
+  using Solve = std::function<void(double duration, const std::vector<ContactAnchor>& contacts)>;
+  void step(double duration, State& state, const Solve& solve);
+
+  long collision_passes() const;
+
+ private:
+  class World;
+  std::unique_ptr<World> world_;
+};
+
+}  // namespace gurney

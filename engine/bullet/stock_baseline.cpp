@@ -1,0 +1,183 @@
+#include "engine/bullet/stock_baseline.h"
+
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <BulletDynamics/Featherstone/btMultiBodyJointMotor.h>
+#include <BulletDynamics/Featherstone/btMultiBodyMLCPConstraintSolver.h>
+#include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/error.h"
+#include "engine/bullet/convert.h"
+#include "engine/bullet/multibody_item.h"
+#include "engine/recorder.h"
+#include "engine/run_clock.h"
+
+namespace gurney {
+namespace {
+
+constexpr double kUnlimitedTorque = 1e6;  // [N m]
+
+class StockWorld {
+ public:
+  StockWorld(const Scene& scene, const Mechanism& mechanism, Solver solver)
+      : mechanism_(mechanism),
+        solver_(solver == Solver::kBulletDantzig
+                    ? std::unique_ptr<btMultiBodyConstraintSolver>(
+                          std::make_unique<btMultiBodyMLCPConstraintSolver>(&dantzig_))
+                    : std::make_unique<btMultiBodyConstraintSolver>()),
+        world_(&dispatcher_, &broadphase_, solver_.get(), &configuration_),
+        floor_shape_(btVector3(0, 0, 1), 0),
+        item_(scene, mechanism, MultibodyItem::Wheels::kSpheres, world_) {
+    floor_.setCollisionShape(&floor_shape_);
+    floor_.setFriction(1);  // Bullet multiplies the two: the tread's coefficient is left
+    world_.addCollisionObject(&floor_, MultibodyItem::kFloor,
+                              MultibodyItem::kChassis | MultibodyItem::kCasters);
+    btContactSolverInfo& info = world_.getSolverInfo();
+    info.m_numIterations = 50;
+    info.m_restitution = 0;
+    info.m_linearSlop = 0;
+    if (solver == Solver::kBulletDantzig) info.m_globalCfm = 1e-9;
+    for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
+      const int link = static_cast<int>(2 * i);
+      const Caster& c = scene.item.casters[i];
+      const auto add_motor = [&](int at) {
+        motors_.push_back(std::make_unique<btMultiBodyJointMotor>(&item_.body(), at, 0, 0));
+        world_.addMultiBodyConstraint(motors_.back().get());
+        return motors_.back().get();
+      };
+      axles_.push_back(add_motor(link + 1));
+      swivels_.push_back(c.swivels ? add_motor(link) : nullptr);
+      resistance_.push_back(c.tread.rolling_resistance);
+      normal_.push_back(mechanism.total_mass * -mechanism.gravity.z() /
+                        static_cast<double>(mechanism.legs.size()));
+    }
+  }
+
+  ~StockWorld() {
+    for (auto& motor : motors_) world_.removeMultiBodyConstraint(motor.get());
+    world_.removeCollisionObject(&floor_);
+  }
+
+  void step(double duration, const Vector3& gravity, const std::vector<Loads::Row>& rows,
+            const State& before, State& after, StageSolver::Output& output) {
+    world_.setGravity(to_bullet(gravity));
+    item_.body().clearForcesAndTorques();
+    for (const auto& row : rows) {
+      item_.body().addBaseForce(to_bullet(Vector3(row.force * row.direction.head<3>())));
+      item_.body().addBaseTorque(to_bullet(Vector3(row.force * row.direction.tail<3>())));
+    }
+    for (std::size_t i = 0; i < axles_.size(); ++i) {
+      const Leg& leg = mechanism_.legs[i];
+      const double axle = std::min(leg.axle_limit(), kUnlimitedTorque);
+      axles_[i]->setMaxAppliedImpulse((resistance_[i] * normal_[i] + axle) * duration);
+      if (swivels_[i] != nullptr)
+        swivels_[i]->setMaxAppliedImpulse(std::min(leg.swivel_limit(), kUnlimitedTorque) *
+                                          duration);
+    }
+    world_.stepSimulation(duration, 0);
+    item_.get(after);
+    after.time = before.time + duration;
+    read_normal_forces(duration);
+    fill(duration, before, after, output);
+  }
+
+ private:
+  void read_normal_forces(double duration) {
+    std::fill(normal_.begin(), normal_.end(), 0.0);
+    for (int m = 0; m < dispatcher_.getNumManifolds(); ++m) {
+      const btPersistentManifold* manifold = dispatcher_.getManifoldByIndexInternal(m);
+      const auto* a = btMultiBodyLinkCollider::upcast(manifold->getBody0());
+      const auto* b = btMultiBodyLinkCollider::upcast(manifold->getBody1());
+      const auto* item = a != nullptr ? a : b;
+      if (item == nullptr || item->m_link < 0) continue;
+      for (int k = 0; k < manifold->getNumContacts(); ++k)
+        normal_[static_cast<std::size_t>(item->m_link / 2)] +=
+            manifold->getContactPoint(k).m_appliedImpulse / duration;
+    }
+  }
+
+  void fill(double duration, const State& before, const State& after,
+            StageSolver::Output& output) const {
+    output.acceleration.chassis = (after.velocity.chassis - before.velocity.chassis) / duration;
+    for (std::size_t i = 0; i < normal_.size(); ++i) {
+      TreadLaw::Result& tread = output.treads[i];
+      tread = TreadLaw::Result();
+      tread.force[2] = normal_[i];
+      tread.compression = normal_[i] > 0 ? 1e-6 : -1e-6;
+      tread.end.rolling = true;
+      const Matrix3 rotation = after.rotation.toRotationMatrix();
+      const double yaw = std::atan2(rotation(1, 0), rotation(0, 0)) + after.legs[i].swivel_angle;
+      output.heading[i] = {std::cos(yaw), std::sin(yaw)};
+    }
+  }
+
+  const Mechanism& mechanism_;
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_{&configuration_};
+  btDbvtBroadphase broadphase_;
+  btDantzigSolver dantzig_;
+  std::unique_ptr<btMultiBodyConstraintSolver> solver_;
+  btMultiBodyDynamicsWorld world_;
+  btStaticPlaneShape floor_shape_;
+  btCollisionObject floor_;
+  MultibodyItem item_;
+  std::vector<std::unique_ptr<btMultiBodyJointMotor>> motors_;
+  std::vector<btMultiBodyJointMotor*> axles_, swivels_;
+  std::vector<double> resistance_, normal_;
+};
+
+}  // namespace
+
+Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitation,
+                                  const SimulationSettings& settings) {
+  bool free = true;
+  for (const Guide& guide : excitation.fixture.guides) free &= guide.kind == Guide::Kind::kFree;
+  require(free && excitation.drop_weights.empty() && excitation.blocks.empty(),
+          "the stock Bullet baselines know no drop weights, blocks or fixtures; use solver = "
+          "\"star\" for this job");
+  const Mechanism mechanism(scene, excitation);
+  State state = mechanism.placed(scene.initial);
+  mechanism.set_in_motion(scene.initial, state);
+  Recorder recorder(scene, mechanism, state);
+  RunClock clock(excitation, mechanism.loads.breakpoints(), settings);
+  StockWorld world(scene, mechanism, settings.solver);
+  Response response;
+  EnergyAccount account;
+  StageSolver::Output output;
+  std::vector<Loads::Row> rows;
+  State next = state;
+  recorder.sample(state, account, clock.keeps_history());
+  while (clock.next(state.time)) {
+    const double duration = clock.target() - state.time;
+    const Vector3 floor =
+        (excitation.floor.velocity_at(clock.target()) - excitation.floor.velocity_at(state.time)) /
+        duration;
+    const Loads::Stage stage{duration, state.time, clock.target(), true, &state.loads};
+    mechanism.loads.evaluate(stage, state.pose(), state.velocity.chassis, rows);
+    world.step(duration, mechanism.gravity - floor, rows, state, next, output);
+    ++response.quality.steps;
+    if (!next.position.allFinite()) {
+      clock.stop(Outcome::kDiverged, "the position is not finite");
+      break;
+    }
+    recorder.observe({&state, &next, &output, floor, duration});
+    state = next;
+    state.time = clock.target();
+    if (clock.sample_due()) recorder.sample(state, account, clock.keeps_history());
+    clock.observe(state.time, recorder.speed(), recorder.tilt());
+  }
+  response.outcome = clock.outcome();
+  response.cause = clock.cause();
+  recorder.finish(state, account, response);
+  response.quality.energy_closure = response.quality.numerical_loss = 0;
+  return response;
+}
+
+}  // namespace gurney

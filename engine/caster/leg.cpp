@@ -1,0 +1,126 @@
+#include "engine/caster/leg.h"
+
+#include <cmath>
+
+namespace gurney {
+namespace {
+
+/// Stuck bearings, brakes and locks are this much stiffer than the tread at their lever arm.
+constexpr double kStickStiffnessRatio = 10;
+
+double stick_stiffness(const Caster& caster, double lever) {
+  return kStickStiffnessRatio * caster.tread.tangential_stiffness * lever * lever;
+}
+
+}  // namespace
+
+Leg::Leg(const Caster& caster, const Vector3& chassis_center)
+    : tread_(caster.tread, caster.wheel_radius),
+      axle_limit_(caster.axle.coulomb + caster.brake_torque),
+      swivel_limit_(caster.swivel.coulomb + caster.swivel_lock_torque),
+      swivels_(caster.swivels),
+      braked_(caster.brake_torque > 0),
+      heading_(caster.heading),
+      radius_(caster.wheel_radius),
+      mass_(caster.fork_mass + caster.wheel_mass),
+      axial_inertia_(caster.wheel_axial_inertia),
+      mount_(caster.mount - chassis_center),
+      wheel_center_(-caster.trail, 0, -(caster.height - caster.wheel_radius)) {
+  axle_ = {stick_stiffness(caster, radius_), caster.axle.viscous};
+  swivel_ = {stick_stiffness(caster, std::max(caster.trail, radius_)), caster.swivel.viscous};
+  const double transverse = caster.wheel_transverse_inertia;
+  MassProperties leg;
+  leg.add(caster.fork_mass, caster.fork_center_of_mass, caster.fork_inertia);
+  leg.add(caster.wheel_mass, wheel_center_,
+          Vector3(transverse, axial_inertia_, transverse).asDiagonal());
+  center_ = leg.center_of_mass;
+  inertia_ = leg.inertia;
+  swing_ = wheel_center_.norm() + std::hypot(radius_, caster.wheel_width / 2);
+  reach_ = mount_.norm() + swing_;
+}
+
+Matrix3 Leg::fork_rotation(const Pose& pose, double swivel_angle) const {
+  const double c = std::cos(swivel_angle), s = std::sin(swivel_angle);
+  Matrix3 fork;
+  fork << c, -s, 0, s, c, 0, 0, 0, 1;
+  return pose.rotation * fork;
+}
+
+Vector3 Leg::center_of_mass(const Pose& pose, double swivel_angle) const {
+  return pose.rotation * mount_ + fork_rotation(pose, swivel_angle) * center_;
+}
+
+void Leg::evaluate(const Pose& pose, double swivel_angle, const Vector6& chassis_velocity,
+                   const Eigen::Vector2d& joint_rates, const Vector3& gravity,
+                   Geometry& out) const {
+  const Matrix3 fork = fork_rotation(pose, swivel_angle);
+  const Vector3 s = fork.col(2), a = fork.col(1);
+  out.swivel_axis = s;
+  out.axle = a;
+  out.mount = pose.rotation * mount_;
+  const Vector3 arm = fork * wheel_center_;
+  out.wheel_center = out.mount + arm;
+
+  // The lowest point of the disc lies against the component of z in the wheel's plane.
+  const Vector3 up = (Vector3::UnitZ() - a.z() * a).normalized();
+  const Vector3 down = -radius_ * up;
+  out.contact = out.wheel_center + down;
+  out.height = pose.position.z() + out.contact.z();
+  out.axle_level = Vector3(a.x(), a.y(), 0).normalized();
+  out.heading = out.axle_level.cross(Vector3::UnitZ());
+
+  // Inertia: momentum of the leg m v_L and J w_f + I_a theta' a about its centre.
+  const Vector3 rho = fork * center_;
+  const Vector3 r = out.mount + rho;
+  const Matrix3 J = fork * inertia_ * fork.transpose();
+  const double swivel = swivels_ ? 1.0 : 0.0;
+  const Vector3 d = swivel * s.cross(rho);
+  const Vector3 Js = swivel * (J * s);
+  const Vector3 spin_momentum = axial_inertia_ * a;
+
+  out.mass_chassis.topLeftCorner<3, 3>() = mass_ * Matrix3::Identity();
+  Matrix3 rx;
+  rx << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+  out.mass_chassis.topRightCorner<3, 3>() = -mass_ * rx;
+  out.mass_chassis.bottomLeftCorner<3, 3>() = mass_ * rx;
+  out.mass_chassis.bottomRightCorner<3, 3>() = J - mass_ * rx * rx;
+  out.mass_coupling.col(0) << mass_ * d, mass_ * r.cross(d) + Js;
+  out.mass_coupling.col(1) << Vector3::Zero(), spin_momentum;
+  out.mass_joints << (swivels_ ? mass_ * d.squaredNorm() + s.dot(Js) : 1.0),
+      swivel * spin_momentum.dot(s), swivel * spin_momentum.dot(s), axial_inertia_;
+
+  const Vector3 w = chassis_velocity.tail<3>();
+  const double psi = swivel * joint_rates[0], theta = joint_rates[1];
+  const Vector3 w_fork = w + psi * s;
+  const Vector3 s_rate = w.cross(s);
+  const Vector3 r_rate = w.cross(r) + psi * s.cross(rho);
+  const Vector3 linear =
+      mass_ * (w.cross(r_rate) + psi * (s_rate.cross(rho) + s.cross(w_fork.cross(rho))) - gravity);
+  const Vector3 swivel_rate_change = psi * s_rate;
+  const Vector3 angular =
+      J * swivel_rate_change + w_fork.cross(J * w_fork) + theta * w_fork.cross(spin_momentum);
+  out.bias_chassis << linear, r.cross(linear) + angular;
+  out.bias_joints << d.dot(linear) + swivel * s.dot(angular), spin_momentum.dot(swivel_rate_change);
+
+  auto& jc = out.jacobian_chassis;
+  auto& jl = out.jacobian_joints;
+  const Vector3& p = out.contact;
+  const Vector3 swivel_speed = swivel * s.cross(arm + down);
+  const Vector3 axle_speed = a.cross(down);
+  jc.setZero();
+  jc.topLeftCorner<3, 3>().setIdentity();
+  jc.block<3, 3>(0, 3) << 0, p.z(), -p.y(), -p.z(), 0, p.x(), p.y(), -p.x(), 0;
+  jl.topRows<3>() << swivel_speed, axle_speed;
+  const double rs = tread_.spin_radius();
+  jc(3, 5) = rs;
+  jl.row(3) << swivel * rs * s.z(), rs * a.z();
+  jc.block<1, 3>(4, 3) = out.axle_level.transpose();
+  jl.row(4) << swivel * s.dot(out.axle_level), a.dot(out.axle_level);
+}
+
+double Leg::kinetic_energy(const Geometry& g, const Vector6& v, const Eigen::Vector2d& rates) {
+  return 0.5 * v.dot(g.mass_chassis * v) + v.dot(g.mass_coupling * rates) +
+         0.5 * rates.dot(g.mass_joints * rates);
+}
+
+}  // namespace gurney

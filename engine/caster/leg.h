@@ -1,0 +1,92 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "engine/base/vector.h"
+#include "engine/contact/dry_friction.h"
+#include "engine/contact/tread_law.h"
+#include "engine/scene/equipment_model.h"
+
+namespace gurney {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Matrix2 = Eigen::Matrix2d;
+
+/// Pose of the chassis: its centre of mass O and the rotation from chassis to floor axes.
+struct Pose {
+  Vector3 position = Vector3::Zero();
+  Matrix3 rotation = Matrix3::Identity();
+};
+
+/// One caster as part of the mechanism: two joints (swivel, axle) on the chassis. The fork with the
+/// wheel is one rigid body that swivels (the wheel is axisymmetric); the spin adds the momentum
+/// I_a w a along the axle.
+///
+/// Velocities: V = (velocity of O, angular velocity), floor axes; joint rates q' = (swivel, axle).
+class Leg {
+ public:
+  /// @param chassis_center  O in item axes
+  Leg(const Caster& caster, const Vector3& chassis_center);
+
+  /// Mass matrix blocks, bias and contact Jacobian of the leg at one configuration.
+  struct Geometry {
+    Vector3 swivel_axis;
+    Vector3 axle;          ///< unit, to the left
+    Vector3 heading;       ///< horizontal rolling direction, unit
+    Vector3 axle_level;    ///< horizontal direction of the axle, unit
+    Vector3 mount;         ///< relative to O
+    Vector3 wheel_center;  ///< relative to O
+    Vector3 contact;       ///< lowest point of the undeformed wheel, relative to O
+    double height = 0;     ///< of that point above the floor (negative: compressed) [m]
+
+    Matrix6 mass_chassis;                       ///< added to the chassis
+    Eigen::Matrix<double, 6, 2> mass_coupling;  ///< chassis x joints
+    Matrix2 mass_joints;
+    Vector6
+        bias_chassis;  ///< forces at zero acceleration: inertia (Coriolis, gyroscopic) minus weight
+    Eigen::Vector2d bias_joints;
+    Eigen::Matrix<double, 5, 6> jacobian_chassis;  ///< contact rates u = Jc V + Jl q'
+    Eigen::Matrix<double, 5, 2> jacobian_joints;
+  };
+
+  /// @param gravity  acceleration that acts on every mass: gravity minus that of the floor [m/s2]
+  void evaluate(const Pose& pose, double swivel_angle, const Vector6& chassis_velocity,
+                const Eigen::Vector2d& joint_rates, const Vector3& gravity, Geometry& out) const;
+
+  /// Momentum-free part of evaluate(): kinetic energy of the leg [J].
+  static double kinetic_energy(const Geometry& g, const Vector6& v, const Eigen::Vector2d& rates);
+
+  /// Position of the leg's centre of mass relative to O, for the potential energy.
+  Vector3 center_of_mass(const Pose& pose, double swivel_angle) const;
+
+  const TreadLaw& tread() const { return tread_; }
+  const DryFriction& axle_friction() const { return axle_; }
+  const DryFriction& swivel_friction() const { return swivel_; }
+  double axle_limit() const { return axle_limit_; }
+  double swivel_limit() const { return swivel_limit_; }
+  bool swivels() const { return swivels_; }
+  bool braked() const { return braked_; }
+  double mass() const { return mass_; }
+  double wheel_radius() const { return radius_; }
+  double heading() const { return heading_; }
+  double swing() const {
+    return swing_;
+  }  ///< largest distance of any of its points from the mount [m]
+  double reach() const { return reach_; }  ///< largest distance of any of its points from O [m]
+
+ private:
+  Matrix3 fork_rotation(const Pose& pose, double swivel_angle) const;
+
+  TreadLaw tread_;
+  DryFriction axle_, swivel_;
+  double axle_limit_, swivel_limit_;
+  bool swivels_, braked_;
+  double heading_, radius_, mass_, axial_inertia_, swing_, reach_;
+  Vector3 mount_;         // chassis axes, relative to O
+  Vector3 wheel_center_;  // fork axes, relative to the mount
+  Vector3 center_;        // of fork and wheel, fork axes, relative to the mount
+  Matrix3 inertia_;  // of fork and wheel about center_, fork axes; wheel counted as not spinning
+};
+
+}  // namespace gurney

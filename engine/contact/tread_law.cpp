@@ -1,0 +1,123 @@
+#include "engine/contact/tread_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gurney {
+namespace {
+
+/// The stuck rolling resistance is this much stiffer than the tread it acts through.
+constexpr double kStickStiffnessRatio = 10;
+
+Vector3 slip_rates(const Vector5& u) { return {u[0], u[1], u[3]}; }
+
+}  // namespace
+
+TreadLaw::TreadLaw(const Tread& tread, double wheel_radius)
+    : tread_(tread), radius_(wheel_radius), spin_radius_(tread.patch_width / 4) {
+  roll_.stiffness = kStickStiffnessRatio * tread.tangential_stiffness * wheel_radius * wheel_radius;
+}
+
+TreadLaw::Normal TreadLaw::normal(double compression, double u_z, double tau) const {
+  if (compression <= 0) return {0, 0, 0};
+  const double elastic = tread_.normal_stiffness * compression;
+  const double damping = -tread_.normal_damping * u_z;
+  const double elastic_slope = tread_.normal_stiffness * tau;
+  if (damping <= -elastic) return {0, 0, -elastic};
+  if (damping >= elastic) return {2 * elastic, 2 * elastic_slope, elastic};
+  return {elastic + damping, elastic_slope + tread_.normal_damping, damping};
+}
+
+Vector5 TreadLaw::force(const Stage& stage, const Vector5& u, Matrix5& slope) const {
+  slope.setZero();
+  Vector5 force = Vector5::Zero();
+  const Normal n = normal(stage.compression - stage.tau * u[2], u[2], stage.tau);
+  if (n.force <= 0) return force;
+  force[2] = n.force;
+  slope(2, 2) = n.slope;
+
+  const double memory = 1 / (1 + stage.tau * stage.rolling_speed / tread_.relaxation_length);
+  const double damping_rate = tread_.tangential_damping / stage.tau;
+  const double stiffness = tread_.tangential_stiffness + damping_rate;
+  const Vector3 trial_deflection = memory * (stage.start.deflection + stage.tau * slip_rates(u));
+  Vector3 patch = damping_rate * stage.start.deflection - stiffness * trial_deflection;
+  const double mu = stage.start.sliding ? tread_.kinetic_friction : tread_.static_friction;
+  const double limit = mu * n.force;
+  const double size = patch.norm();
+  Matrix3 patch_slope = Matrix3::Identity() * (stiffness * memory * stage.tau);
+  constexpr int kRow[3] = {0, 1, 3};
+  if (size > limit) {
+    const Vector3 direction = patch / size;
+    patch = limit * direction;
+    patch_slope =
+        (limit / size) * (patch_slope - patch_slope(0, 0) * direction * direction.transpose());
+    for (int i = 0; i < 3; ++i) slope(kRow[i], 2) = mu * n.slope * direction[i];
+  }
+  for (int i = 0; i < 3; ++i) {
+    force[kRow[i]] = patch[i];
+    for (int j = 0; j < 3; ++j) slope(kRow[i], kRow[j]) = patch_slope(i, j);
+  }
+
+  const auto roll = roll_.evaluate(stage.start.roll_deflection, u[4],
+                                   tread_.rolling_resistance * n.force, stage.tau);
+  force[4] = roll.torque;
+  slope(4, 4) = roll.rate_slope;
+  slope(4, 2) = roll.limit_slope * tread_.rolling_resistance * n.slope;
+  return force;
+}
+
+TreadLaw::Result TreadLaw::finish(const Stage& stage, const Vector5& u) const {
+  Result result;
+  Matrix5 slope;
+  result.force = force(stage, u, slope);
+  result.compression = stage.compression - stage.tau * u[2];
+  result.compression_rate = -u[2];
+  const Normal n = normal(result.compression, u[2], stage.tau);
+  result.damping_power = -n.damping_force * u[2];
+  if (n.force <= 0) return result;  // off the floor the patch springs back at once
+
+  const double damping_rate = tread_.tangential_damping / stage.tau;
+  const double stiffness = tread_.tangential_stiffness + damping_rate;
+  const Vector3 patch = slip_rates(result.force);
+  const Vector3& start = stage.start.deflection;
+  const Vector3 end = (damping_rate * start - patch) / stiffness;
+  const Vector3 deflection_rate = (end - start) / stage.tau;
+  const Vector3 relaxation = stage.rolling_speed / tread_.relaxation_length * end;
+  const Vector3 slip = slip_rates(u) - relaxation - deflection_rate;
+  result.end.deflection = end;
+  const double mu = stage.start.sliding ? tread_.kinetic_friction : tread_.static_friction;
+  result.end.sliding = patch.norm() >= mu * n.force * (1 - 1e-12);
+  result.relaxation_power = -patch.dot(relaxation);
+  result.damping_power += tread_.tangential_damping * deflection_rate.squaredNorm();
+  if (result.end.sliding) {
+    result.sliding_power = -patch.dot(slip);
+    result.slip_speed = slip.head<2>().norm();
+  } else {
+    result.damping_power += -patch.dot(slip);  // zero but for rounding
+  }
+
+  const double roll_limit = tread_.rolling_resistance * n.force;
+  const auto roll = roll_.evaluate(stage.start.roll_deflection, u[4], roll_limit, stage.tau);
+  result.end.roll_deflection = roll.deflection;
+  result.end.rolling = roll.slips;
+  const double elastic_rate = (roll.deflection - stage.start.roll_deflection) / stage.tau;
+  result.rolling_power = -roll.torque * (u[4] - elastic_rate);
+  return result;
+}
+
+double TreadLaw::spring_rates(const Stage& stage, const Vector5& u, const Result& result) const {
+  const Vector3 rate = (result.end.deflection - stage.start.deflection) / stage.tau;
+  const double roll = (result.end.roll_deflection - stage.start.roll_deflection) / stage.tau;
+  const double normal = result.compression > 0 ? u[2] : 0;
+  return tread_.normal_stiffness * normal * normal +
+         tread_.tangential_stiffness * rate.squaredNorm() + roll_.stiffness * roll * roll;
+}
+
+double TreadLaw::stored_energy(double compression, const TreadState& state) const {
+  const double d = std::max(compression, 0.0);
+  return 0.5 * tread_.normal_stiffness * d * d +
+         0.5 * tread_.tangential_stiffness * state.deflection.squaredNorm() +
+         0.5 * roll_.stiffness * state.roll_deflection * state.roll_deflection;
+}
+
+}  // namespace gurney

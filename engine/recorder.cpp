@@ -1,0 +1,211 @@
+#include "engine/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gurney {
+namespace {
+
+double yaw_of(const Matrix3& rotation) { return std::atan2(rotation(1, 0), rotation(0, 0)); }
+
+double horizontal(const Vector3& v) { return v.head<2>().norm(); }
+
+WheelMode mode_of(const Leg& leg, const TreadLaw::Result& tread, bool axle_slips) {
+  if (tread.force[2] <= 0) return WheelMode::kLifted;
+  if (tread.end.sliding) return WheelMode::kSkids;
+  if (leg.braked() && !axle_slips) return WheelMode::kBraked;
+  return tread.end.rolling ? WheelMode::kRolls : WheelMode::kSticks;
+}
+
+}  // namespace
+
+Recorder::Recorder(const Scene& scene, const Mechanism& mechanism, const State& start)
+    : mechanism_(mechanism), origin_(-mechanism.chassis.center_of_mass) {
+  const Matrix3 rotation = start.rotation.toRotationMatrix();
+  for (const auto& point : scene.item.marked_points) {
+    points_.push_back(point.position + origin_);
+    point_starts_.push_back(start.position + rotation * points_.back());
+  }
+  origin_start_ = start.position + rotation * origin_;
+  yaw_start_ = yaw_ = yaw_of(rotation);
+  for (const auto& caster : scene.item.casters) trails_.push_back(caster.trail);
+  gaps_.resize(mechanism.legs.size());
+  demands_.wheels.resize(mechanism.legs.size());
+  demands_.points.resize(points_.size());
+  current_.points.resize(points_.size());
+  gravitational_start_ = mechanism.gravitational_energy(start);
+  stored_start_ = complete(start, {}).stored();
+  current_.velocity =
+      start.velocity.chassis.head<3>() + start.velocity.chassis.tail<3>().cross(rotation * origin_);
+  demands_.peak_velocity = horizontal(current_.velocity);
+  for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
+    Leg::Geometry g;
+    mechanism.legs[i].evaluate(start.pose(), start.legs[i].swivel_angle, start.velocity.chassis,
+                               start.velocity.joints[i], Vector3::Zero(), g);
+    gaps_[i] = {g.height, 0, g.height >= 0};
+    WheelSample& wheel = current_.wheels[i];
+    wheel.swivel_angle = start.legs[i].swivel_angle;
+    wheel.swivel_rate = start.velocity.joints[i][0];
+    wheel.wheel_rate = start.velocity.joints[i][1];
+    wheel.normal_force = mechanism.legs[i].tread().static_force(-g.height);
+    wheel.mode = wheel.normal_force > 0 ? WheelMode::kSticks : WheelMode::kLifted;
+    demands_.wheels[i].peak_normal_force = wheel.normal_force;
+    demands_.peak_normal_force = std::max(demands_.peak_normal_force, wheel.normal_force);
+  }
+}
+
+void Recorder::observe(const Stepper::Step& step) {
+  const State& to = *step.to;
+  const Matrix3 rotation = to.rotation.toRotationMatrix();
+  const Vector3 v = to.velocity.chassis.head<3>(), w = to.velocity.chassis.tail<3>();
+  const Vector6& a = step.end->acceleration.chassis;
+  const Vector3 r = rotation * origin_;
+  const Vector3 before = current_.displacement;
+  current_.time = to.time;
+  current_.displacement = to.position + r - origin_start_;
+  current_.velocity = v + w.cross(r);
+  current_.acceleration = a.head<3>() + a.tail<3>().cross(r) + w.cross(w.cross(r));
+  const double yaw = yaw_of(rotation);
+  yaw_ += std::remainder(yaw - yaw_, 2 * std::numbers::pi);
+  current_.yaw = yaw_ - yaw_start_;
+  current_.tilt = std::acos(std::clamp(rotation(2, 2), -1.0, 1.0));
+
+  Demands& d = demands_;
+  d.path_length += horizontal(current_.displacement - before);
+  const double distance = horizontal(current_.displacement);
+  if (distance > d.peak_displacement) {
+    d.peak_displacement = distance;
+    d.time_of_peak_displacement = to.time;
+  }
+  d.peak_displacement_x = std::max(d.peak_displacement_x, std::abs(current_.displacement.x()));
+  d.peak_displacement_y = std::max(d.peak_displacement_y, std::abs(current_.displacement.y()));
+  d.peak_velocity = std::max(d.peak_velocity, horizontal(current_.velocity));
+  d.peak_yaw = std::max(d.peak_yaw, std::abs(current_.yaw));
+  if (current_.tilt > d.peak_tilt) {
+    d.peak_tilt = current_.tilt;
+    d.time_of_peak_tilt = to.time;
+  }
+  speed_ = v.norm() + w.norm() * mechanism_.reach;
+  observe_wheels(step);
+  observe_points(step, rotation);
+}
+
+void Recorder::observe_wheels(const Stepper::Step& step) {
+  const State& to = *step.to;
+  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
+    const Leg& leg = mechanism_.legs[i];
+    const TreadLaw::Result& tread = step.end->treads[i];
+    const Eigen::Vector2d& rates = to.velocity.joints[i];
+    WheelSample& wheel = current_.wheels[i];
+    wheel.swivel_angle = to.legs[i].swivel_angle;
+    wheel.swivel_rate = rates[0];
+    wheel.wheel_rate = rates[1];
+    wheel.normal_force = tread.force[2];
+    const Vector2 tangential = tread.force.head<2>();
+    const Vector2& heading = step.end->heading[i];
+    wheel.longitudinal_force = heading.dot(tangential);
+    wheel.lateral_force = heading.x() * tangential.y() - heading.y() * tangential.x();
+    wheel.scrub_torque = leg.tread().spin_radius() * tread.force[3];
+    wheel.rolling_resistance = tread.force[4] / leg.wheel_radius();
+    wheel.mode = mode_of(leg, tread, step.end->axle_slips[i]);
+    speed_ = std::max({speed_, std::abs(rates[0]) * (trails_[i] + leg.wheel_radius()),
+                       std::abs(rates[1]) * leg.wheel_radius()});
+
+    WheelDemands& d = demands_.wheels[i];
+    d.peak_normal_force = std::max(d.peak_normal_force, wheel.normal_force);
+    d.peak_tangential_force = std::max(d.peak_tangential_force, tangential.norm());
+    d.skid_distance += tread.slip_speed * step.duration;
+    demands_.peak_normal_force = std::max(demands_.peak_normal_force, wheel.normal_force);
+  }
+  observe_lift(step);
+  current_.cable_tension = mechanism_.loads.cable_tension(to.loads);
+  current_.pull_force = mechanism_.loads.pull_force(to.time);
+}
+
+void Recorder::observe_lift(const Stepper::Step& step) {
+  const double h = step.duration;
+  bool near = false;
+  std::array<Gap, kMaxLegs> now;
+  for (std::size_t i = 0; i < gaps_.size(); ++i) {
+    const TreadLaw::Result& tread = step.end->treads[i];
+    now[i] = {-tread.compression, -tread.compression_rate, tread.compression <= 0};
+    near |= gaps_[i].height + h * std::max(gaps_[i].rate, 0.0) > 0 ||
+            now[i].height + h * std::max(-now[i].rate, 0.0) > 0;
+  }
+  // The gap between the ends of the step is the cubic through its heights and rates there.
+  constexpr int kParts = 16;
+  for (int part = 0; near && part < kParts; ++part) {
+    const double s = (part + 0.5) / kParts, r = 1 - s;
+    int lifted = 0;
+    for (std::size_t i = 0; i < gaps_.size(); ++i) {
+      const Gap& a = gaps_[i];
+      const Gap& b = now[i];
+      const double height = a.height * r * r * (1 + 2 * s) + b.height * s * s * (1 + 2 * r) +
+                            h * s * r * (a.rate * r - b.rate * s);
+      if (height < 0) continue;
+      ++lifted;
+      demands_.wheels[i].lifted_time += h / kParts;
+    }
+    if (lifted > 0) demands_.lifted_time += h / kParts;
+    demands_.most_wheels_lifted = std::max(demands_.most_wheels_lifted, lifted);
+  }
+  for (std::size_t i = 0; i < gaps_.size(); ++i) {
+    if (now[i].lifted && !gaps_[i].lifted) ++demands_.wheels[i].liftoffs;
+    gaps_[i] = now[i];
+  }
+}
+
+void Recorder::observe_points(const Stepper::Step& step, const Matrix3& rotation) {
+  const State& to = *step.to;
+  const Vector3 v = to.velocity.chassis.head<3>(), w = to.velocity.chassis.tail<3>();
+  const Vector6& a = step.end->acceleration.chassis;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Vector3 r = rotation * points_[i];
+    PointSample& point = current_.points[i];
+    point.displacement = to.position + r - point_starts_[i];
+    point.velocity = v + w.cross(r);
+    point.absolute_acceleration =
+        a.head<3>() + a.tail<3>().cross(r) + w.cross(w.cross(r)) + step.floor_acceleration;
+    PointDemands& d = demands_.points[i];
+    d.peak_displacement = std::max(d.peak_displacement, horizontal(point.displacement));
+    d.peak_absolute_acceleration =
+        std::max(d.peak_absolute_acceleration, point.absolute_acceleration.norm());
+  }
+}
+
+EnergyAccount Recorder::complete(const State& state, const EnergyAccount& account) const {
+  EnergyAccount energy = account;
+  energy.kinetic = mechanism_.kinetic_energy(state);
+  energy.gravitational = mechanism_.gravitational_energy(state) - gravitational_start_;
+  energy.elastic = mechanism_.elastic_energy(state);
+  energy.weight_energy = mechanism_.loads.weight_energy(state.loads);
+  return energy;
+}
+
+void Recorder::sample(const State& state, const EnergyAccount& account, bool keep) {
+  current_.energy = complete(state, account);
+  const EnergyAccount& e = current_.energy;
+  largest_energy_ = std::max({largest_energy_, e.kinetic, std::abs(e.work()), e.loss(),
+                              std::abs(e.weight_energy), e.elastic});
+  largest_closure_ = std::max(largest_closure_, std::abs(e.closure(stored_start_)));
+  if (keep) history_.push_back(current_);
+}
+
+void Recorder::finish(const State& state, const EnergyAccount& account, Response& response) const {
+  response.demands = demands_;
+  response.demands.residual_displacement = horizontal(current_.displacement);
+  response.demands.residual_displacement_x = current_.displacement.x();
+  response.demands.residual_displacement_y = current_.displacement.y();
+  response.demands.residual_yaw = current_.yaw;
+  response.energy = complete(state, account);
+  response.stored_energy_at_start = stored_start_;
+  response.end_time = state.time;
+  response.history = history_;
+  if (largest_energy_ > 0) {
+    response.quality.energy_closure = largest_closure_ / largest_energy_;
+    response.quality.numerical_loss = response.energy.numerical_loss / largest_energy_;
+  }
+}
+
+}  // namespace gurney

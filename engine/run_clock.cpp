@@ -1,0 +1,54 @@
+#include "engine/run_clock.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gurney {
+namespace {
+
+constexpr double kTimeTolerance = 1e-9;  // [s]; stops nearer than this are one
+constexpr double kAccountStep = 0.1;     // [s]; checks of the energy account without a history
+
+}  // namespace
+
+RunClock::RunClock(const Excitation& excitation, std::vector<double> breakpoints,
+                   const SimulationSettings& settings)
+    : settings_(settings),
+      breakpoints_(std::move(breakpoints)),
+      outcome_(settings.duration > 0 ? Outcome::kStopped : Outcome::kStillMoving) {
+  if (!excitation.floor.at_rest()) breakpoints_.push_back(excitation.floor.duration());
+  std::sort(breakpoints_.begin(), breakpoints_.end());
+  excitation_end_ = breakpoints_.empty() ? 0.0 : breakpoints_.back();
+  limit_ = settings.duration > 0 ? settings.duration : excitation_end_ + settings.settle_time;
+  const double spacing = keeps_history() ? settings.history_step : kAccountStep;
+  stride_ = std::max(1L, std::lround(spacing / settings.time_step));
+}
+
+bool RunClock::next(double time) {
+  if (over_ || time >= limit_ - kTimeTolerance) return false;
+  if (on_grid_) ++grid_;
+  const double stop = std::min(static_cast<double>(grid_) * settings_.time_step, limit_);
+  while (next_break_ < breakpoints_.size() && breakpoints_[next_break_] <= time + kTimeTolerance)
+    ++next_break_;
+  const bool breaks = next_break_ < breakpoints_.size();
+  on_grid_ = !breaks || breakpoints_[next_break_] >= stop - kTimeTolerance;
+  at_breakpoint_ = breaks && breakpoints_[next_break_] <= stop + kTimeTolerance;
+  target_ = on_grid_ ? stop : breakpoints_[next_break_];
+  return true;
+}
+
+void RunClock::observe(double time, double speed, double tilt) {
+  if (tilt > settings_.overturn_tilt) return stop(Outcome::kOverturned);
+  if (speed > settings_.rest_speed) resting_since_ = time;
+  if (settings_.duration == 0 && time >= excitation_end_ &&
+      time - resting_since_ >= settings_.rest_hold)
+    stop(Outcome::kRested);
+}
+
+void RunClock::stop(Outcome outcome, std::string cause) {
+  over_ = true;
+  outcome_ = outcome;
+  cause_ = std::move(cause);
+}
+
+}  // namespace gurney

@@ -1,0 +1,261 @@
+#include "engine/solver/loads.h"
+
+#include <algorithm>
+
+#include "engine/solver/quadrature.h"
+
+namespace gurney {
+namespace {
+
+Vector6 row_of(const Pose& pose, const Vector3& point, const Vector3& direction) {
+  Vector6 row;
+  row << direction, (pose.rotation * point).cross(direction);
+  return row;
+}
+
+/// Integral from the first time to `time` of a table that is linear between its points, zero
+/// outside.
+double table_integral(const PointForce& table, double time) {
+  double sum = 0;
+  for (std::size_t i = 1; i < table.time.size() && table.time[i - 1] < time; ++i) {
+    const double t0 = table.time[i - 1], t1 = table.time[i], end = std::min(time, t1);
+    const double f0 = table.force[i - 1];
+    const double f_end = f0 + (table.force[i] - f0) * (end - t0) / (t1 - t0);
+    sum += 0.5 * (f0 + f_end) * (end - t0);
+  }
+  return sum;
+}
+
+double table_value(const PointForce& table, double time) {
+  for (std::size_t i = 1; i < table.time.size(); ++i) {
+    const double t0 = table.time[i - 1], t1 = table.time[i];
+    if (time >= t0 && time <= t1)
+      return table.force[i - 1] + (table.force[i] - table.force[i - 1]) * (time - t0) / (t1 - t0);
+  }
+  return 0;
+}
+
+constexpr std::size_t kWeightState = 4;
+
+}  // namespace
+
+Loads::Loads(const Excitation& excitation, const Vector3& chassis_center, double gravity)
+    : forces_(excitation.forces), strings_(excitation.string_potentiometers) {
+  for (auto& f : forces_) {
+    f.point -= chassis_center;
+    f.direction.normalize();
+  }
+  for (auto& s : strings_) {
+    s.point -= chassis_center;
+    s.direction.normalize();
+  }
+  for (const auto& w : excitation.drop_weights)
+    weights_.push_back({w.point - chassis_center, w.direction.normalized(), w.mass,
+                        w.mass + w.pulley_inertia / (w.pulley_radius * w.pulley_radius),
+                        w.mass * gravity - w.potentiometer_tension, w.drop_height, gravity,
+                        w.cable_stiffness, w.cable_damping, w.potentiometer_tension});
+  for (const auto& b : excitation.blocks)
+    blocks_.push_back({b.point - chassis_center, b.stiffness, b.damping, b.release_time});
+  for (int dof = 0; dof < 6; ++dof) {
+    const Guide& guide = excitation.fixture.guides[dof];
+    if (guide.kind == Guide::Kind::kSpring)
+      springs_.push_back({dof, guide.stiffness, guide.damping});
+  }
+  element_count_ =
+      forces_.size() + strings_.size() + weights_.size() + blocks_.size() + springs_.size();
+}
+
+std::vector<double> Loads::initial_state() const {
+  std::vector<double> state;
+  for (const auto& w : weights_) {
+    // Held by blocks, the cable carries the weight; released at once, it starts unstretched.
+    const double stretch = blocks_.empty() ? 0.0 : w.force / w.stiffness;
+    state.insert(state.end(), {0, 0, stretch, 0});
+  }
+  state.insert(state.end(), 2 * blocks_.size() + springs_.size(), 0.0);
+  return state;
+}
+
+std::vector<double> Loads::breakpoints() const {
+  std::vector<double> times;
+  for (const auto& f : forces_) times.insert(times.end(), f.time.begin(), f.time.end());
+  for (const auto& b : blocks_) times.push_back(b.release_time);
+  return times;
+}
+
+Loads::Cable Loads::cable(const Weight& w, const double* start, double u, double tau) const {
+  const double speed = start[1], stretch = start[2];
+  const bool landed = start[3] != 0;
+  const double kappa = w.stiffness * tau + w.damping;
+  // T = k (s + tau (w - u)) + c (w - u), weight: inertia (w - w0) = tau (force - T).
+  const double free_speed = landed ? 0.0 : speed + tau * w.force / w.inertia;
+  const double factor = landed ? 1.0 : 1 / (1 + kappa * tau / w.inertia);
+  const double tension = factor * (w.stiffness * stretch + kappa * (free_speed - u));
+  Cable result;
+  const bool taut = tension > 0;
+  result.tension = taut ? tension : 0;
+  result.slope = taut ? factor * kappa : 0;
+  result.weight_speed = landed ? 0.0 : free_speed - tau * result.tension / w.inertia;
+  result.stretch_rate = result.weight_speed - u;
+  return result;
+}
+
+void Loads::evaluate(const Stage& stage, const Pose& pose, const Vector6& velocity,
+                     std::vector<Row>& rows) const {
+  rows.clear();
+  for (const auto& f : forces_) {
+    const StageMeans mean =
+        stage_means(stage.from, stage.to, [&](double t) { return table_integral(f, t); });
+    rows.push_back({row_of(pose, f.point, f.direction), stage.first ? mean.first : mean.second, 0});
+  }
+  for (const auto& s : strings_) rows.push_back({row_of(pose, s.point, s.direction), s.tension, 0});
+  const double* state = stage.start->data();
+  for (const auto& w : weights_) {
+    const Vector6 row = row_of(pose, w.point, w.direction);
+    const Cable c = cable(w, state, row.dot(velocity), stage.tau);
+    rows.push_back({row, c.tension, c.slope});
+    state += kWeightState;
+  }
+  for (const auto& b : blocks_) {
+    for (int axis = 0; axis < 2; ++axis, ++state) {
+      if (stage.to > b.release_time) continue;
+      const Vector6 row = row_of(pose, b.point, Vector3::Unit(axis));
+      const double slope = b.stiffness * stage.tau + b.damping;
+      rows.push_back({row, -b.stiffness * *state - slope * row.dot(velocity), slope});
+    }
+  }
+  for (const auto& s : springs_) {
+    const double slope = s.stiffness * stage.tau + s.damping;
+    rows.push_back({Vector6::Unit(s.dof), -s.stiffness * *state - slope * velocity[s.dof], slope});
+    ++state;
+  }
+}
+
+double Loads::finish(const Stage& stage, const Pose& pose, const Vector6& velocity,
+                     EnergyAccount& power, std::vector<double>& end) const {
+  end = *stage.start;
+  double spring_rates = 0;
+  std::vector<Row> rows;
+  evaluate(stage, pose, velocity, rows);
+  for (std::size_t i = 0; i < forces_.size() + strings_.size(); ++i)
+    power.work_of_forces += rows[i].force * rows[i].direction.dot(velocity);
+
+  double* state = end.data();
+  for (const auto& w : weights_) {
+    const double u = row_of(pose, w.point, w.direction).dot(velocity);
+    const Cable c = cable(w, state, u, stage.tau);
+    const bool landed = state[3] != 0;
+    const double acceleration = landed ? 0 : (c.weight_speed - state[1]) / stage.tau;
+    power.work_of_forces += landed ? 0 : -w.tension_on_weight * c.weight_speed;
+    state[0] += stage.tau * c.weight_speed;
+    state[1] = c.weight_speed;
+    // A slack cable hangs through: its stretch stays negative until it is taut again.
+    state[2] += stage.tau * c.stretch_rate;
+    if (c.tension > 0) {
+      power.damper_loss += (c.tension - w.stiffness * state[2]) * c.stretch_rate;
+      spring_rates += w.stiffness * c.stretch_rate * c.stretch_rate;
+    }
+    spring_rates += w.inertia * acceleration * acceleration;
+    state += kWeightState;
+  }
+  for (const auto& b : blocks_) {
+    for (int axis = 0; axis < 2; ++axis, ++state) {
+      if (stage.to > b.release_time) continue;
+      const double u = row_of(pose, b.point, Vector3::Unit(axis)).dot(velocity);
+      *state += stage.tau * u;
+      power.damper_loss += b.damping * u * u;
+      spring_rates += b.stiffness * u * u;
+    }
+  }
+  for (const auto& s : springs_) {
+    const double u = velocity[s.dof];
+    *state++ += stage.tau * u;
+    power.damper_loss += s.damping * u * u;
+    spring_rates += s.stiffness * u * u;
+  }
+  return spring_rates;
+}
+
+double Loads::stored_energy(const std::vector<double>& state) const {
+  double energy = 0;
+  const double* s = state.data();
+  for (const auto& w : weights_) {
+    const double stretch = std::max(s[2], 0.0);
+    energy += 0.5 * w.stiffness * stretch * stretch;
+    s += kWeightState;
+  }
+  for (const auto& b : blocks_) {
+    energy += 0.5 * b.stiffness * (s[0] * s[0] + s[1] * s[1]);
+    s += 2;
+  }
+  for (const auto& spring : springs_) {
+    energy += 0.5 * spring.stiffness * *s * *s;
+    ++s;
+  }
+  return energy;
+}
+
+double Loads::weight_energy(const std::vector<double>& state) const {
+  double energy = 0;
+  const double* s = state.data();
+  for (const auto& w : weights_) {
+    energy += 0.5 * w.inertia * s[1] * s[1] - w.weight_mass * w.gravity * s[0];
+    s += kWeightState;
+  }
+  return energy;
+}
+
+double Loads::pull_force(double time) const {
+  double sum = 0;
+  for (const auto& f : forces_) sum += table_value(f, time);
+  return sum;
+}
+
+double Loads::cable_tension(const std::vector<double>& state) const {
+  double sum = 0;
+  const double* s = state.data();
+  for (const auto& w : weights_) {
+    sum += w.stiffness * std::max(s[2], 0.0);
+    s += kWeightState;
+  }
+  return sum;
+}
+
+double Loads::penetration(const std::vector<double>& state) const {
+  double deepest = -1;
+  const double* s = state.data();
+  for (const auto& w : weights_) {
+    if (s[3] == 0) deepest = std::max(deepest, s[0] - w.drop_height);
+    s += kWeightState;
+  }
+  return deepest;
+}
+
+double Loads::land(std::vector<double>& state) const {
+  double lost = 0;
+  double* s = state.data();
+  for (const auto& w : weights_) {
+    if (s[3] == 0 && s[0] >= w.drop_height - 1e-9) {
+      lost += 0.5 * w.inertia * s[1] * s[1];
+      s[1] = 0;
+      s[3] = 1;
+    }
+    s += kWeightState;
+  }
+  return lost;
+}
+
+double Loads::release(double time, std::vector<double>& state) const {
+  double lost = 0;
+  double* s = state.data() + kWeightState * weights_.size();
+  for (const auto& b : blocks_) {
+    if (time >= b.release_time - 1e-12) {
+      lost += 0.5 * b.stiffness * (s[0] * s[0] + s[1] * s[1]);
+      s[0] = s[1] = 0;
+    }
+    s += 2;
+  }
+  return lost;
+}
+
+}  // namespace gurney

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/caster/leg.h"
+#include "engine/response.h"
+#include "engine/scene/scene.h"
+
+namespace gurney {
+
+/// All loads and springs on the chassis, each a force along one generalised direction of the
+/// chassis: with `row` the direction, u = row . V and the force T(u) row.
+///
+/// Drop weights are solved with the step: the weight's own equation is eliminated, so that T(u) of
+/// an elastic cable holds its inertia exactly, and a slack cable carries nothing.
+class Loads {
+ public:
+  Loads(const Excitation& excitation, const Vector3& chassis_center, double gravity);
+
+  /// Initial internal state for State::loads: cables taut under the weight when blocks hold the
+  /// item.
+  std::vector<double> initial_state() const;
+
+  /// Times at which a load starts, stops or changes slope.
+  std::vector<double> breakpoints() const;
+
+  /// One implicit stage.
+  struct Stage {
+    double tau = 0;
+    double from = 0, to = 0;  ///< the step this stage belongs to [s]
+    bool first = true;        ///< first or second stage of the step
+    const std::vector<double>* start = nullptr;
+  };
+
+  struct Row {
+    Vector6 direction;
+    double force = 0;
+    double slope = 0;  ///< -dT/du >= 0
+  };
+
+  /// Rows and forces at chassis velocity V.
+  void evaluate(const Stage& stage, const Pose& pose, const Vector6& velocity,
+                std::vector<Row>& rows) const;
+
+  /// Adds powers (W) to `power`, writes the new state, and returns the sum of k x'^2 of its
+  /// springs.
+  double finish(const Stage& stage, const Pose& pose, const Vector6& velocity, EnergyAccount& power,
+                std::vector<double>& end) const;
+
+  double stored_energy(const std::vector<double>& state) const;
+  double weight_energy(const std::vector<double>& state) const;
+  double pull_force(double time) const;
+  double cable_tension(const std::vector<double>& state) const;
+
+  /// How far the first unlanded weight is below its floor (> 0: it has hit); -1 when none falls.
+  double penetration(const std::vector<double>& state) const;
+  /// Ends the fall of every weight that has reached its floor; returns the energy it loses [J].
+  double land(std::vector<double>& state) const;
+  /// Blocks whose time has come let go of what they hold; returns the energy lost [J].
+  double release(double time, std::vector<double>& state) const;
+
+  bool holds_at_start() const { return !blocks_.empty(); }
+  bool empty() const { return element_count_ == 0; }
+
+ private:
+  struct Weight {
+    Vector3 point, direction;
+    double weight_mass, inertia, force, drop_height, gravity, stiffness, damping, tension_on_weight;
+  };
+  struct Block {
+    Vector3 point;
+    double stiffness, damping, release_time;
+  };
+  struct Spring {
+    int dof;
+    double stiffness, damping;
+  };
+  struct Cable {
+    double tension, slope, weight_speed, stretch_rate;
+  };
+  Cable cable(const Weight& weight, const double* start, double u, double tau) const;
+
+  std::vector<PointForce> forces_;
+  std::vector<StringPotentiometer> strings_;
+  std::vector<Weight> weights_;  // state: fall, speed, stretch, landed (0 or 1)
+  std::vector<Block> blocks_;    // state: x, y deflection
+  std::vector<Spring> springs_;  // state: deflection
+  std::size_t element_count_ = 0;
+};
+
+}  // namespace gurney

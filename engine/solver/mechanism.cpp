@@ -1,0 +1,106 @@
+#include "engine/solver/mechanism.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace gurney {
+namespace {
+
+Vector3 sloped_gravity(double gravity, double slope) {
+  const double angle = std::atan(slope);
+  return {-gravity * std::sin(angle), 0, -gravity * std::cos(angle)};
+}
+
+Leg::Geometry geometry(const Leg& leg, const State& state, std::size_t i) {
+  Leg::Geometry g;
+  leg.evaluate(state.pose(), state.legs[i].swivel_angle, state.velocity.chassis,
+               state.velocity.joints[i], Vector3::Zero(), g);
+  return g;
+}
+
+}  // namespace
+
+Mechanism::Mechanism(const Scene& scene, const Excitation& excitation)
+    : chassis(chassis_with_payloads(scene.item)),
+      loads(excitation, chassis.center_of_mass, scene.gravity),
+      fixture(excitation.fixture),
+      gravity(sloped_gravity(scene.gravity, scene.slope)),
+      total_mass(chassis.mass),
+      length(0),
+      reach(0) {
+  for (const auto& caster : scene.item.casters) {
+    legs.emplace_back(caster, chassis.center_of_mass);
+    total_mass += legs.back().mass();
+    length =
+        std::max({length, (caster.mount - chassis.center_of_mass).norm(), caster.wheel_radius});
+    reach = std::max(reach, legs.back().reach());
+  }
+  for (const auto& box : scene.item.shape)
+    reach = std::max(reach, (box.center - chassis.center_of_mass).norm() + 0.5 * box.size.norm());
+}
+
+double Mechanism::gravitational_energy(const State& state) const {
+  const Pose pose = state.pose();
+  double energy = -total_mass * gravity.dot(state.position);
+  for (std::size_t i = 0; i < legs.size(); ++i)
+    energy -=
+        legs[i].mass() * gravity.dot(legs[i].center_of_mass(pose, state.legs[i].swivel_angle));
+  return energy;
+}
+
+double Mechanism::kinetic_energy(const State& state) const {
+  const Matrix3 R = state.rotation.toRotationMatrix();
+  const Vector6& v = state.velocity.chassis;
+  const Vector3 w = R.transpose() * v.tail<3>();
+  double energy = 0.5 * chassis.mass * v.head<3>().squaredNorm() + 0.5 * w.dot(chassis.inertia * w);
+  for (std::size_t i = 0; i < legs.size(); ++i)
+    energy += Leg::kinetic_energy(geometry(legs[i], state, i), v, state.velocity.joints[i]);
+  return energy;
+}
+
+double Mechanism::elastic_energy(const State& state) const {
+  double energy = loads.stored_energy(state.loads);
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const Leg& leg = legs[i];
+    const LegState& s = state.legs[i];
+    energy += leg.tread().stored_energy(-geometry(leg, state, i).height, s.tread) +
+              0.5 * leg.swivel_friction().stiffness * s.swivel_wind * s.swivel_wind +
+              0.5 * leg.axle_friction().stiffness * s.axle_wind * s.axle_wind;
+  }
+  return energy;
+}
+
+State Mechanism::placed(const InitialMotion& initial) const {
+  State state;
+  state.rotation = Quaternion(Eigen::AngleAxisd(initial.yaw, Vector3::UnitZ()));
+  const Vector3 origin(initial.position.x(), initial.position.y(), 0);
+  state.position = origin + state.rotation * chassis.center_of_mass;
+  for (std::size_t i = 0; i < legs.size(); ++i) state.legs[i].swivel_angle = legs[i].heading();
+  state.loads = loads.initial_state();
+  return state;
+}
+
+void Mechanism::set_in_motion(const InitialMotion& initial, State& state) const {
+  state.velocity = Velocity();
+  state.velocity.chassis << initial.velocity, Vector3(0, 0, initial.yaw_rate);
+  for (int dof = 0; dof < 6; ++dof) {
+    const Guide& guide = fixture.guides[dof];
+    if (guide.kind == Guide::Kind::kVelocity) state.velocity.chassis[dof] = guide.velocity;
+    if (guide.kind == Guide::Kind::kHeld) state.velocity.chassis[dof] = 0;
+  }
+  if (!initial.wheels_roll) return;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const auto g = geometry(legs[i], state, i);
+    const Eigen::Vector2d slip = (g.jacobian_chassis * state.velocity.chassis).head<2>();
+    const Matrix2 joints = g.jacobian_joints.topRows<2>();
+    if (legs[i].swivels() && std::abs(joints.determinant()) > 1e-9) {
+      state.velocity.joints[i] = -joints.inverse() * slip;
+    } else {
+      const Eigen::Vector2d axle = joints.col(1);
+      state.velocity.joints[i] = {0, -axle.dot(slip) / axle.squaredNorm()};
+    }
+  }
+}
+
+}  // namespace gurney

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/caster/leg.h"
+#include "engine/scene/scene.h"
+#include "engine/solver/loads.h"
+#include "engine/solver/state.h"
+
+namespace gurney {
+
+/// The constants of one item on its casters under its loads: what a run reads and never changes.
+struct Mechanism {
+  Mechanism(const Scene& scene, const Excitation& excitation);
+
+  MassProperties chassis;  ///< with payloads; item axes
+  std::vector<Leg> legs;
+  Loads loads;
+  Fixture fixture;
+  Vector3 gravity;    ///< floor axes: the floor may slope
+  double total_mass;  ///< [kg]
+  double length;      ///< characteristic, for residuals of moments [m]
+  double reach;       ///< largest distance of any point of the item from the chassis' centre [m]
+
+  /// Potential energy of gravity, any constant origin [J].
+  double gravitational_energy(const State& state) const;
+  double kinetic_energy(const State& state) const;
+  /// Energy in treads, stuck bearings, springs and cables [J].
+  double elastic_energy(const State& state) const;
+
+  /// The item as it is placed: chassis pose, headings, initial velocity with rolling wheels; treads
+  /// unloaded.
+  State placed(const InitialMotion& initial) const;
+  /// Sets velocities of a state: wheels roll without slip, or stand still.
+  void set_in_motion(const InitialMotion& initial, State& state) const;
+};
+
+}  // namespace gurney

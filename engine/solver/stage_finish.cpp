@@ -1,0 +1,89 @@
+#include <cmath>
+
+#include "engine/solver/stage_solver.h"
+
+namespace gurney {
+
+void StageSolver::finish(const Input& input, const Velocity& v, Output& out) {
+  const State& start = *input.start;
+  const double tau = input.tau;
+  State& end = out.end;
+  EnergyAccount& power = out.power;
+  power = EnergyAccount();
+
+  end.position = start.position + tau * v.chassis.head<3>();
+  end.rotation = rotated(tau * v.chassis.tail<3>(), start.rotation);
+  end.velocity = v;
+  out.acceleration.chassis = (v.chassis - start.velocity.chassis) / tau;
+
+  const Vector6& a = out.acceleration.chassis;
+  double rates = a.dot(mass_ * a);
+  Vector3 momentum = mechanism_.chassis.mass * v.chassis.head<3>();
+  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
+    const Leg& leg = mechanism_.legs[i];
+    const LegWork& work = legs_[i];
+    const LegState& was = start.legs[i];
+    LegState& is = end.legs[i];
+    const Eigen::Vector2d& q = v.joints[i];
+    out.acceleration.joints[i] = (q - start.velocity.joints[i]) / tau;
+    const Eigen::Vector2d& b = out.acceleration.joints[i];
+    rates += 2 * a.dot(work.g.mass_coupling * b) + b.dot(work.g.mass_joints * b);
+    momentum +=
+        work.g.mass_chassis.topRows<3>() * v.chassis + work.g.mass_coupling.topRows<3>() * q;
+
+    is.swivel_angle = was.swivel_angle + tau * q[0];
+    is.axle_angle = was.axle_angle + tau * q[1];
+    out.treads[i] = leg.tread().finish(work.tread, work.rates);
+    const TreadLaw::Result& tread = out.treads[i];
+    is.tread = tread.end;
+    is.swivel_wind = work.swivel.deflection;
+    is.axle_wind = work.axle.deflection;
+    out.axle_slips[i] = work.axle.slips;
+    out.heading[i] = work.g.heading.head<2>();
+
+    power.rolling_loss += tread.rolling_power;
+    power.sliding_loss += tread.sliding_power;
+    power.relaxation_loss += tread.relaxation_power;
+    power.tread_loss += tread.damping_power;
+    const double swivel_wind_rate = (is.swivel_wind - was.swivel_wind) / tau;
+    const double axle_wind_rate = (is.axle_wind - was.axle_wind) / tau;
+    const double swivel_dry = -leg.swivel_friction().stiffness * is.swivel_wind;
+    const double axle_dry = -leg.axle_friction().stiffness * is.axle_wind;
+    if (leg.swivels())
+      power.swivel_loss +=
+          leg.swivel_friction().viscous * q[0] * q[0] - swivel_dry * (q[0] - swivel_wind_rate);
+    power.axle_loss +=
+        leg.axle_friction().viscous * q[1] * q[1] - axle_dry * (q[1] - axle_wind_rate);
+    rates += leg.swivel_friction().stiffness * swivel_wind_rate * swivel_wind_rate +
+             leg.axle_friction().stiffness * axle_wind_rate * axle_wind_rate +
+             leg.tread().spring_rates(work.tread, work.rates, tread);
+  }
+  power.work_of_floor = -input.floor_acceleration.dot(momentum);
+  for (int dof = 0; dof < 6; ++dof) {
+    const Guide& guide = mechanism_.fixture.guides[dof];
+    if (guide.kind == Guide::Kind::kVelocity)
+      power.work_of_fixtures += reaction_[static_cast<std::size_t>(dof)] / tau * v.chassis[dof];
+  }
+
+  end.contacts.resize(contacts_.size());
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const ContactWork& work = contacts_[c];
+    Vector3 u = work.jacobian_chassis * v.chassis;
+    const int leg = (*input.contacts)[c].leg;
+    if (leg >= 0) u += work.jacobian_joints * v.joints[static_cast<std::size_t>(leg)];
+    Vector5 rates_here;
+    rates_here << u, 0, 0;
+    const auto result = body_law_.finish(work.stage, rates_here);
+    end.contacts[c].patch = result.end;
+    power.contact_loss += result.sliding_power + result.damping_power + result.relaxation_power;
+    rates += body_law_.spring_rates(work.stage, rates_here, result);
+  }
+  if (mechanism_.loads.empty()) {
+    end.loads.clear();
+  } else {
+    rates += mechanism_.loads.finish(input.loads, pose_, v.chassis, power, end.loads);
+  }
+  out.spring_rates = rates;
+}
+
+}  // namespace gurney

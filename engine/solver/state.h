@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/base/vector.h"
+#include "engine/caster/leg.h"
+#include "engine/response.h"
+#include "engine/scene/equipment_model.h"
+
+namespace gurney {
+
+inline constexpr std::size_t kMaxLegs = EquipmentModel::kMaxCasters;
+
+/// Generalised velocity: of the chassis (its centre of mass, floor axes) and of every leg's joints.
+struct Velocity {
+  Vector6 chassis = Vector6::Zero();
+  std::array<Eigen::Vector2d, kMaxLegs> joints;
+
+  Velocity() { joints.fill(Eigen::Vector2d::Zero()); }
+};
+
+/// What one leg remembers.
+struct LegState {
+  double swivel_angle = 0;  ///< of the fork from the item's x axis [rad]
+  double axle_angle = 0;    ///< [rad]
+  TreadState tread;
+  double swivel_wind = 0;  ///< deflection of stuck swivel friction [rad]
+  double axle_wind = 0;    ///< of stuck axle friction or brake [rad]
+};
+
+/// What one contact of a body with something else than wheel on floor remembers.
+struct BodyContactState {
+  TreadState patch;
+};
+
+/// Everything that evolves.
+struct State {
+  double time = 0;
+  Vector3 position = Vector3::Zero();  ///< of the chassis' centre of mass, floor axes
+  Quaternion rotation = Quaternion::Identity();
+  Velocity velocity;
+  std::array<LegState, kMaxLegs> legs;
+  std::vector<double> loads;  ///< see Loads
+  std::vector<BodyContactState> contacts;
+
+  Pose pose() const { return {position, rotation.toRotationMatrix()}; }
+};
+
+/// Rotation by the vector `angle` (axis times angle), after `rotation`.
+inline Quaternion rotated(const Vector3& angle, const Quaternion& rotation) {
+  const double half = 0.5 * angle.norm();
+  const double sinc = half > 1e-8 ? std::sin(half) / half : 1 - half * half / 6;
+  const Vector3 v = 0.5 * sinc * angle;
+  Quaternion result = Quaternion(std::cos(half), v.x(), v.y(), v.z()) * rotation;
+  result.normalize();
+  return result;
+}
+
+}  // namespace gurney

@@ -1,0 +1,249 @@
+#include "groundmotions/formats/columns_csv.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "engine/base/units.h"
+#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/numbers.h"
+
+namespace gurney {
+
+namespace {
+
+constexpr double kTimeTolerance = 0.01;  ///< of a time from the even grid, as a share of the step
+
+struct Column {
+  std::string name;
+  std::string unit;
+  double to_si;
+  std::optional<Direction> direction;
+};
+
+/// Every column of accelerations that the format knows.
+const std::vector<Column>& known_columns() {
+  static const std::vector<Column> columns = [] {
+    const std::pair<std::string, std::optional<Direction>> names[] = {
+        {"x", Direction::kH1}, {"y", Direction::kH2}, {"z", Direction::kVertical}, {"a", {}}};
+    std::vector<Column> result;
+    for (const auto& [name, direction] : names) {
+      result.push_back({name + "_m_per_s2", "m/s2", 1, direction});
+      result.push_back({name + "_cm_per_s2", "cm/s2", 0.01, direction});
+      result.push_back({name + "_g", "g", kStandardGravity, direction});
+    }
+    return result;
+  }();
+  return columns;
+}
+
+const Column* find_column(std::string_view name) {
+  const auto at = std::ranges::find(known_columns(), name, &Column::name);
+  return at == known_columns().end() ? nullptr : &*at;
+}
+
+struct Cell {
+  std::string_view text;
+  std::size_t column = 1;  ///< of its first character, from 1
+};
+
+std::vector<Cell> cells_of(std::string_view line) {
+  std::vector<Cell> cells;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(',', begin), line.size());
+    const auto text = line.substr(begin, end - begin);
+    const auto blanks = std::min(text.find_first_not_of(" \t"), text.size());
+    cells.push_back({trimmed(text), begin + blanks + 1});
+    begin = end + 1;
+  }
+  return cells;
+}
+
+bool is_content(std::string_view line) {
+  line = trimmed(line);
+  return !line.empty() && line[0] != '#';
+}
+
+std::size_t header_line(const SourceFile& file) {
+  const auto at = std::ranges::find_if(file.lines(), is_content);
+  return static_cast<std::size_t>(at - file.lines().begin());
+}
+
+/// Levenshtein's edit distance.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j)
+      diagonal = std::exchange(row[j + 1],
+                               std::min({row[j] + 1, row[j + 1] + 1, diagonal + (a[i] != b[j])}));
+  }
+  return row.back();
+}
+
+std::string nearest(std::string_view name) {
+  std::string best = "time_s";
+  for (const Column& column : known_columns())
+    if (distance(name, column.name) < distance(name, best)) best = column.name;
+  return best;
+}
+
+/// Columns of a file in their order after time_s; unknown ones are null and mistakes.
+std::vector<const Column*> columns_of(const SourceFile& file, std::size_t line,
+                                      Mistakes& mistakes) {
+  const auto cells = cells_of(file.lines()[line]);
+  if (cells[0].text != "time_s")
+    mistakes.add(line + 1, cells[0].column,
+                 fmt::format("the first column must be time_s, got '{}'", cells[0].text));
+  std::vector<const Column*> columns;
+  for (const Cell& cell : std::vector(cells.begin() + 1, cells.end())) {
+    const Column* column = find_column(cell.text);
+    if (!column)
+      mistakes.add(
+          line + 1, cell.column,
+          fmt::format("unknown column '{}'; did you mean '{}'? Known: time_s, then x, y, z "
+                      "or a with _m_per_s2, _cm_per_s2 or _g",
+                      cell.text, nearest(cell.text)));
+    for (const Column* other : columns)
+      if (column && other && column->name[0] == other->name[0])
+        mistakes.add(line + 1, cell.column,
+                     fmt::format("column '{}' repeats component {}", cell.text, column->name[0]));
+    columns.push_back(column);
+  }
+  if (columns.empty()) mistakes.add(line + 1, 1, "no column of accelerations");
+  if (columns.size() > 1 && std::ranges::any_of(columns, [](auto c) { return c && !c->direction; }))
+    mistakes.add(line + 1, 1, "column a stands alone; with others, name it x, y or z");
+  return columns;
+}
+
+/// The step of evenly spaced times, to twelve digits so that 0.005 is 0.005.
+double even_step(const std::vector<double>& times, const std::vector<std::size_t>& lines,
+                 Mistakes& mistakes) {
+  std::vector<double> steps(times.size());
+  std::adjacent_difference(times.begin(), times.end(), steps.begin());
+  auto sorted = std::vector(steps.begin() + 1, steps.end());
+  std::ranges::nth_element(sorted, sorted.begin() + static_cast<long>(sorted.size() / 2));
+  const double usual = sorted[sorted.size() / 2];
+  if (!(usual > 0 && usual <= 1)) {
+    mistakes.add(lines[1], 1, fmt::format("time steps must be in (0, 1] s, got {:.9g}", usual));
+    return usual;
+  }
+  for (std::size_t i = 1; i < steps.size(); ++i)
+    if (!(std::abs(steps[i] - usual) <= 0.5 * usual)) {
+      mistakes.add(lines[i], 1,
+                   fmt::format("the time goes from {} to {} s where the step is {:.9g} s",
+                               times[i - 1], times[i], usual));
+      return usual;
+    }
+  const double mean = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+  const double step = *number(fmt::format("{:.12g}", mean));
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double even = times.front() + static_cast<double>(i) * mean;
+    if (!(std::abs(times[i] - even) <= kTimeTolerance * mean)) {
+      mistakes.add(lines[i], 1,
+                   fmt::format("time {} s is off the even grid ({:.9g} s, step {:.9g} s) by more "
+                               "than {} of the step",
+                               times[i], even, step, kTimeTolerance));
+      break;
+    }
+  }
+  return step;
+}
+
+void check_options(const ReadOptions& options, double step, Mistakes& mistakes) {
+  if (!options.unit.empty())
+    mistakes.add(fmt::format(
+        "unit = \"{}\" was given, but the columns of this file state their units", options.unit));
+  if (options.time_step && std::abs(*options.time_step - step) > 1e-6 * step)
+    mistakes.add(fmt::format("the file has a time step of {} s, but time_step_s = {} was given",
+                             step, *options.time_step));
+}
+
+}  // namespace
+
+bool recognises_columns_csv(const SourceFile& file) {
+  const std::size_t line = header_line(file);
+  if (line == file.lines().size()) return false;
+  const auto cells = cells_of(file.lines()[line]);
+  return cells.size() > 1 && std::ranges::any_of(cells, [](const Cell& cell) {
+           return cell.text.starts_with("time") || find_column(cell.text);
+         });
+}
+
+std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOptions& options) {
+  Mistakes mistakes(file.name());
+  const std::size_t head = header_line(file);
+  const auto columns = columns_of(file, head, mistakes);
+  if (!file.ends_with_line_end())
+    mistakes.add(file.lines().size(), file.lines().back().size(),
+                 "the last line has no line end: the file seems to be cut");
+
+  std::vector<std::vector<double>> values(columns.size() + 1);
+  std::vector<std::size_t> lines;
+  for (std::size_t i = head + 1; i < file.lines().size(); ++i) {
+    if (!is_content(file.lines()[i])) continue;
+    const auto cells = cells_of(file.lines()[i]);
+    if (cells.size() != values.size()) {
+      mistakes.add(i + 1, 1,
+                   fmt::format("{} columns, the header has {}", cells.size(), values.size()));
+      continue;
+    }
+    lines.push_back(i + 1);
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const auto value = number(cells[k].text);
+      if (!value)
+        mistakes.add(i + 1, cells[k].column,
+                     fmt::format("'{}' is not a finite number", cells[k].text.substr(0, 40)));
+      values[k].push_back(value.value_or(0));
+    }
+  }
+  if (lines.size() < 2)
+    mistakes.add(fmt::format("{} samples are no record (2 at least)", lines.size()));
+  mistakes.throw_if_any();
+  const double step = even_step(values[0], lines, mistakes);
+  check_options(options, step, mistakes);
+  mistakes.throw_if_any();
+
+  std::vector<Component> components;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    Component component;
+    component.name = columns[k]->name;
+    component.time_step = step;
+    component.unit = columns[k]->unit;
+    component.direction = columns[k]->direction;
+    component.acceleration =
+        columns[k]->to_si * Eigen::Map<const Eigen::VectorXd>(
+                                values[k + 1].data(), static_cast<Eigen::Index>(lines.size()));
+    if (k == 0 && std::abs(values[0][0]) > kTimeTolerance * step)
+      component.warnings.push_back(fmt::format(
+          "the first time is {} s; the motion starts there, at 0 s of the run", values[0][0]));
+    components.push_back(std::move(component));
+  }
+  return components;
+}
+
+std::string columns_csv_text(const Record& record, const std::vector<std::string>& comments) {
+  constexpr std::array kAxes = {"x", "y", "z"};
+  std::string text;
+  for (const std::string& comment : comments)
+    text += comment.empty() ? "#\n" : "# " + comment + "\n";
+  text += "time_s";
+  for (const Direction direction : kDirections)
+    if (record[direction])
+      text += fmt::format(",{}_m_per_s2", kAxes[static_cast<std::size_t>(direction)]);
+  text += "\n";
+  for (Eigen::Index i = 0; i < record.samples(); ++i) {
+    text += fmt::format("{:.10g}", static_cast<double>(i) * record.time_step());
+    for (const auto& component : record.components)
+      if (component) text += fmt::format(",{:.5f}", component->acceleration[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace gurney

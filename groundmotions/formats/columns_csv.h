@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "groundmotions/formats/format.h"
+
+namespace gurney {
+
+/// Gurney's own text format (docs/formats/record_csv.md): `#` comments, a header row such as
+/// `time_s, x_m_per_s2, y_m_per_s2, z_m_per_s2`, then rows of numbers.
+bool recognises_columns_csv(const SourceFile& file);
+
+/// @throws Error for unknown, doubled or missing columns, rows of another length, what is no
+///         number, times that are not evenly spaced, and a file that ends within a row.
+std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOptions& options);
+
+/// A record in this format, accelerations in m/s2 with five digits after the point.
+/// @param comments  lines without `#` and line ends
+std::string columns_csv_text(const Record& record, const std::vector<std::string>& comments);
+
+}  // namespace gurney

@@ -1,0 +1,51 @@
+#include "groundmotions/formats/format.h"
+
+#include <fmt/format.h>
+
+#include "engine/base/error.h"
+#include "groundmotions/acceleration_unit.h"
+#include "groundmotions/formats/columns_csv.h"
+#include "groundmotions/formats/peer_at2.h"
+#include "groundmotions/formats/plain_column.h"
+
+namespace gurney {
+
+const std::vector<Format>& formats() {
+  static const std::vector<Format> table = {
+      {"PEER AT2", recognises_peer_at2, read_peer_at2},
+      {"columns CSV", recognises_columns_csv, read_columns_csv},
+      {"plain column", recognises_plain_column, read_plain_column},
+  };
+  return table;
+}
+
+std::vector<Component> read_components(const std::filesystem::path& path,
+                                       const ReadOptions& options) {
+  return read_components(SourceFile(path), options);
+}
+
+std::vector<Component> read_components(const SourceFile& file, const ReadOptions& options) {
+  require(options.unit.empty() || acceleration_unit(options.unit),
+          fmt::format("'{}' is not a unit of acceleration: {} are allowed", options.unit,
+                      kAccelerationUnits));
+  require(!options.time_step || (*options.time_step > 0 && *options.time_step <= 1),
+          fmt::format("the time step of a record must be in (0, 1] s, got {}",
+                      options.time_step.value_or(0)));
+  std::string names;
+  for (const Format& format : formats()) {
+    if (format.recognises(file)) {
+      auto components = format.read(file, options);
+      for (Component& component : components) {
+        component.file = file.name();
+        component.format = format.name;
+        component.sha256 = file.sha256();
+      }
+      return components;
+    }
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", format.name);
+  }
+  throw Error(fmt::format("{}:1:1: not a record in a known format ({}); the file starts with '{}'",
+                          file.name(), names, file.lines().front().substr(0, 60)));
+}
+
+}  // namespace gurney

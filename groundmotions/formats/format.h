@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "groundmotions/formats/source_file.h"
+#include "groundmotions/record.h"
+
+namespace gurney {
+
+/// What a file does not say itself must be said here; what it says too is checked against this.
+struct ReadOptions {
+  std::string unit;                 ///< as acceleration_unit() takes it; empty: not said
+  std::optional<double> time_step;  ///< > 0 [s]
+};
+
+/// One layout of record files.
+struct Format {
+  const char* name;
+
+  /// Looks at the content, never at the file's name; never throws.
+  bool (*recognises)(const SourceFile& file);
+
+  /// @returns at least one component, warnings included; `file`, `format` and `sha256` are left to
+  ///          the caller.
+  /// @throws  Error with a line for each mistake in the file.
+  std::vector<Component> (*read)(const SourceFile& file, const ReadOptions& options);
+};
+
+/// All formats, those with the surest marks first: the first that recognises a file reads it.
+const std::vector<Format>& formats();
+
+/// The components of one file.
+/// @throws Error if the file cannot be read, no format recognises it, or its content is wrong.
+std::vector<Component> read_components(const std::filesystem::path& path,
+                                       const ReadOptions& options = {});
+std::vector<Component> read_components(const SourceFile& file, const ReadOptions& options = {});
+
+}  // namespace gurney

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gurney {
+
+/// Collects what is wrong with one file, so that one Error tells all of it.
+class Mistakes {
+ public:
+  explicit Mistakes(std::string file) : file_(std::move(file)) {}
+
+  /// @param line, column  counted from 1
+  void add(std::size_t line, std::size_t column, const std::string& message);
+
+  /// A mistake of the whole file.
+  void add(const std::string& message);
+
+  bool any() const { return count_ > 0; }
+
+  /// @throws Error with one line for each mistake, the first 20 in full.
+  void throw_if_any() const;
+
+ private:
+  void keep(std::string line);
+
+  std::string file_;
+  std::vector<std::string> lines_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace gurney

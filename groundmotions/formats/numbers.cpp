@@ -1,0 +1,94 @@
+#include "groundmotions/formats/numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+namespace gurney {
+
+namespace {
+
+constexpr std::string_view kBlanks = " \t\v\f\x1a";  // 0x1a: end of text in DOS files
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_sign(char c) { return c == '+' || c == '-'; }
+
+/// A sign and three digits, and then no further part of a number.
+bool is_bare_exponent(std::string_view text) {
+  return text.size() >= 4 && is_sign(text[0]) && is_digit(text[1]) && is_digit(text[2]) &&
+         is_digit(text[3]) && (text.size() == 4 || is_sign(text[4]));
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::optional<double> take_number(std::string_view& text) {
+  std::string_view digits = text;
+  if (!digits.empty() && is_sign(digits[0])) digits.remove_prefix(1);
+  // from_chars would take "inf", "nan" and a second minus.
+  if (digits.empty() || !(is_digit(digits[0]) || digits[0] == '.')) return {};
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc()) return {};
+  const bool negative = text[0] == '-';
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return negative ? -value : value;
+}
+
+std::optional<double> number(std::string_view text) {
+  text = trimmed(text);
+  const auto value = take_number(text);
+  return text.empty() ? value : std::nullopt;
+}
+
+std::size_t NumberReader::read_line(std::size_t index) {
+  const std::string_view line = file_.lines()[index];
+  const std::size_t before = values_.size();
+  for (std::size_t begin = line.find_first_not_of(kBlanks); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
+    read_word(line.substr(begin, end - begin), index + 1, begin + 1);
+    begin = line.find_first_not_of(kBlanks, end);
+  }
+  return values_.size() - before;
+}
+
+void NumberReader::read_word(std::string_view word, std::size_t line, std::size_t column) {
+  std::string_view rest = word;
+  while (!rest.empty()) {
+    const std::string_view start = rest;
+    auto value = take_number(rest);
+    if (value && is_bare_exponent(rest)) {
+      const auto mantissa = start.substr(0, start.size() - rest.size());
+      value = number(fmt::format("{}E{}", mantissa, rest.substr(0, 4)));
+      rest.remove_prefix(4);
+    }
+    const std::string_view text = start.substr(0, start.size() - rest.size());
+    const auto point = text.find('.');
+    const bool glued = start.size() < word.size() || !rest.empty();
+    const bool ends_well = rest.empty() || is_sign(rest[0]);
+    if (!value || !ends_well || (glued && point == std::string_view::npos)) {
+      mistakes_.add(line, column + (word.size() - start.size()),
+                    fmt::format("'{}' is not a finite number", word.substr(0, 40)));
+      return;
+    }
+    values_.push_back(*value);
+    if (values_.size() > 1) shortest_tail_ = std::min(shortest_tail_, last_tail_);
+    last_tail_ = point == std::string_view::npos ? 0 : text.size() - point;
+  }
+}
+
+void NumberReader::check_end() const {
+  if (file_.ends_with_line_end() || values_.size() < 2 || last_tail_ >= shortest_tail_) return;
+  mistakes_.add(file_.lines().size(), file_.lines().back().size(),
+                "the file ends within a line and its last number is shorter than all others: the "
+                "file seems to be cut");
+}
+
+}  // namespace gurney

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/source_file.h"
+
+namespace gurney {
+
+/// The longest number at the start of `text`, which is shortened by it; nothing if there is none.
+/// Decimal only, whatever the locale; a leading '+' is fine; NaN, infinities and numbers beyond
+/// the range of double are not numbers.
+std::optional<double> take_number(std::string_view& text);
+
+/// The number that `text` is, blanks around it apart.
+std::optional<double> number(std::string_view text);
+
+std::string_view trimmed(std::string_view text);
+
+/// Reads series of numbers from lines of Fortran or of people.
+///
+/// Numbers are apart by blanks or tabs, or by nothing where the next one starts with its sign and
+/// has a decimal point: `.123E-01-.456E-02`. Exponents of three digits may have lost their letter,
+/// as Fortran writes them: `.123-103`.
+class NumberReader {
+ public:
+  NumberReader(const SourceFile& file, Mistakes& mistakes) : file_(file), mistakes_(mistakes) {}
+
+  /// Reads a line (index from 0); what is no number becomes a mistake.
+  /// @returns how many numbers it holds.
+  std::size_t read_line(std::size_t index);
+
+  /// To be called after the last line: a file that ends in the middle of a line, with a last
+  /// number shorter behind its point than all others, was cut.
+  void check_end() const;
+
+  const std::vector<double>& values() const { return values_; }
+
+ private:
+  void read_word(std::string_view word, std::size_t line, std::size_t column);
+
+  const SourceFile& file_;
+  Mistakes& mistakes_;
+  std::vector<double> values_;
+  std::size_t shortest_tail_ = std::string_view::npos;  ///< of all but the last number
+  std::size_t last_tail_ = std::string_view::npos;      ///< characters after the decimal point
+};
+
+}  // namespace gurney

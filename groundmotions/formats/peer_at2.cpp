@@ -1,0 +1,222 @@
+#include "groundmotions/formats/peer_at2.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+#include "engine/base/units.h"
+#include "groundmotions/acceleration_unit.h"
+#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/numbers.h"
+
+namespace gurney {
+
+namespace {
+
+constexpr std::size_t kHeaderLines = 20;  ///< a header ends within these
+constexpr auto kNone = std::string_view::npos;
+
+std::string upper(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return result;
+}
+
+bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+/// Where `word` stands alone in `line`.
+std::size_t find_word(std::string_view line, std::string_view word) {
+  for (auto at = line.find(word); at != kNone; at = line.find(word, at + 1)) {
+    const auto end = at + word.size();
+    if ((at == 0 || !is_letter(line[at - 1])) && (end == line.size() || !is_letter(line[end])))
+      return at;
+  }
+  return kNone;
+}
+
+/// A number of the header and the line that has it (from 0).
+struct Entry {
+  std::optional<double> value;
+  std::size_t line = kNone;
+};
+
+/// NPTS and DT, as `KEY= value` or as `value value NPTS, DT`.
+struct Header {
+  Entry samples, time_step;
+  std::size_t quantity_line = kNone;
+  std::string quantity;  ///< "ACCELERATION", "VELOCITY", "DISPLACEMENT" or empty
+  std::size_t unit_line = kNone;
+  std::string unit;
+
+  std::size_t first_data_line() const {
+    std::size_t first = 0;
+    for (const auto line : {samples.line, time_step.line, quantity_line, unit_line})
+      if (line != kNone) first = std::max(first, line + 1);
+    return first;
+  }
+};
+
+void find_entry(std::string_view line, std::string_view key, std::size_t index, Entry& entry) {
+  const auto at = find_word(line, key);
+  if (at == kNone || entry.value) return;
+  auto rest = line.substr(at + key.size());
+  rest.remove_prefix(std::min(rest.find_first_not_of(" \t=:"), rest.size()));
+  if (const auto value = take_number(rest)) entry = {value, index};
+}
+
+void find_leading_pair(std::string_view line, std::size_t index, Header& header) {
+  const auto key = find_word(line, "NPTS");
+  if (key == kNone || find_word(line, "DT") == kNone) return;
+  auto rest = trimmed(line.substr(0, key));
+  const auto samples = take_number(rest);
+  const auto time_step = number(rest);
+  if (!samples || !time_step) return;
+  header.samples = {samples, index};
+  header.time_step = {time_step, index};
+}
+
+void find_quantity(std::string_view line, std::size_t index, Header& header) {
+  for (const char* quantity : {"ACCELERATION", "VELOCITY", "DISPLACEMENT"}) {
+    const auto at = line.find(quantity);
+    if (at == kNone || !header.quantity.empty()) continue;
+    const auto rest = trimmed(line.substr(at + std::string_view(quantity).size()));
+    if (!rest.starts_with("TIME SERIES") && !rest.starts_with("TIME HISTORY")) continue;
+    header.quantity = quantity;
+    header.quantity_line = index;
+  }
+  const auto units = find_word(line, "UNITS");
+  if (units == kNone || !header.unit.empty()) return;
+  auto rest = line.substr(units + 5);
+  for (const std::string_view filler : {"OF", "ARE"}) {
+    rest = trimmed(rest);
+    if (rest.starts_with(filler)) rest.remove_prefix(filler.size());
+  }
+  rest.remove_prefix(std::min(rest.find_first_not_of(" \t(=:"), rest.size()));
+  header.unit = rest.substr(0, rest.find_first_of(" \t).,;"));
+  header.unit_line = index;
+}
+
+Header header_of(const SourceFile& file) {
+  Header header;
+  for (std::size_t i = 0; i < std::min(kHeaderLines, file.lines().size()); ++i) {
+    const std::string line = upper(file.lines()[i].substr(0, 1000));
+    find_quantity(line, i, header);
+    find_leading_pair(line, i, header);
+    find_entry(line, "NPTS", i, header.samples);
+    find_entry(line, "DT", i, header.time_step);
+  }
+  return header;
+}
+
+/// The last field of the second line names the component: "228", "360 (CDMG STATION 24461)", "UP".
+void name_component(const SourceFile& file, Component& component) {
+  if (file.lines().size() < 2) return;
+  const std::string_view event = trimmed(file.lines()[1]);
+  component.header.emplace_back("event", event);
+  const auto comma = event.rfind(',');
+  if (comma == kNone) return;
+  const auto field = trimmed(event.substr(comma + 1));
+  component.name = trimmed(field.substr(0, field.find('(')));
+  const auto degrees = number(component.name);
+  if (degrees && *degrees >= 0 && *degrees <= 360)
+    component.azimuth = *degrees * kRadiansPerDegree;
+  else if (component.name == "N" || component.name == "E")
+    component.azimuth = component.name == "N" ? 0 : 90 * kRadiansPerDegree;
+}
+
+double time_step_of(const Header& header, const ReadOptions& options, Mistakes& mistakes) {
+  const auto& [value, line] = header.time_step;
+  if (!value) {
+    if (!options.time_step)
+      mistakes.add("the header states no time step (DT= ... SEC); state it as time_step_s");
+    return options.time_step.value_or(0);
+  }
+  if (!(*value > 0 && *value <= 1))
+    mistakes.add(line + 1, 1, fmt::format("DT must be in (0, 1] s, got {}", *value));
+  if (options.time_step && std::abs(*options.time_step - *value) > 1e-6 * *value)
+    mistakes.add(line + 1, 1,
+                 fmt::format("the file states a time step of {} s, but time_step_s = {} was given",
+                             *value, *options.time_step));
+  return *value;
+}
+
+AccelerationUnit unit_of(const Header& header, const ReadOptions& options, Mistakes& mistakes) {
+  const std::size_t line = header.unit_line + 1;
+  const auto given = acceleration_unit(options.unit);
+  if (header.unit.empty()) {
+    if (!given)
+      mistakes.add("the header states no unit (IN UNITS OF ...); state it as unit = \"g\"");
+    return given.value_or(AccelerationUnit{"", 1});
+  }
+  const auto stated = acceleration_unit(header.unit);
+  if (!stated)
+    mistakes.add(line, 1,
+                 fmt::format("'{}' is not a unit of acceleration: {} are allowed", header.unit,
+                             kAccelerationUnits));
+  else if (given && given->to_si != stated->to_si)
+    mistakes.add(line, 1,
+                 fmt::format("the file states the unit {}, but unit = \"{}\" was given",
+                             stated->name, options.unit));
+  return stated.value_or(AccelerationUnit{"", 1});
+}
+
+void check_count(const Header& header, std::size_t count, Component& component,
+                 Mistakes& mistakes) {
+  if (!header.samples.value) {
+    component.warnings.push_back(
+        fmt::format("the header states no NPTS: all {} numbers were taken", count));
+    if (count < 2) mistakes.add(fmt::format("{} samples are no record (2 at least)", count));
+    return;
+  }
+  const double stated = *header.samples.value;
+  const std::size_t line = header.samples.line + 1;
+  if (!(stated >= 2 && stated == std::floor(stated)))
+    mistakes.add(line, 1, fmt::format("NPTS must be a whole number above 1, got {}", stated));
+  else if (stated != static_cast<double>(count))
+    mistakes.add(line, 1,
+                 fmt::format("NPTS states {} samples, but the file holds {}", stated, count));
+}
+
+}  // namespace
+
+bool recognises_peer_at2(const SourceFile& file) {
+  const Header header = header_of(file);
+  return (header.samples.value && header.time_step.value) ||
+         (!header.quantity.empty() && !header.unit.empty());
+}
+
+std::vector<Component> read_peer_at2(const SourceFile& file, const ReadOptions& options) {
+  Mistakes mistakes(file.name());
+  const Header header = header_of(file);
+  if (!header.quantity.empty() && header.quantity != "ACCELERATION") {
+    const std::size_t line = header.quantity_line;
+    mistakes.add(line + 1, 1,
+                 fmt::format("a record must be acceleration, but this is a {} file ('{}'); "
+                             "take the .AT2 file of this component",
+                             header.quantity == "VELOCITY" ? "velocity" : "displacement",
+                             trimmed(file.lines()[line])));
+    mistakes.throw_if_any();
+  }
+
+  Component component;
+  component.time_step = time_step_of(header, options, mistakes);
+  const AccelerationUnit unit = unit_of(header, options, mistakes);
+  component.unit = unit.name;
+  NumberReader reader(file, mistakes);
+  for (std::size_t i = header.first_data_line(); i < file.lines().size(); ++i) reader.read_line(i);
+  reader.check_end();
+  if (!mistakes.any()) check_count(header, reader.values().size(), component, mistakes);
+  mistakes.throw_if_any();
+
+  component.acceleration =
+      unit.to_si * Eigen::Map<const Eigen::VectorXd>(
+                       reader.values().data(), static_cast<Eigen::Index>(reader.values().size()));
+  component.header.emplace_back("title", trimmed(file.lines()[0]));
+  name_component(file, component);
+  return {component};
+}
+
+}  // namespace gurney

@@ -1,0 +1,79 @@
+#include "groundmotions/formats/source_file.h"
+
+#include <fmt/format.h>
+#include <openssl/sha.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "engine/base/error.h"
+
+namespace gurney {
+
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{256} << 20;
+
+std::string bytes_of(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  std::error_code failure;
+  const auto status = std::filesystem::status(path, failure);
+  require(std::filesystem::exists(status), name + ": no such file");
+  require(std::filesystem::is_regular_file(status), name + ": not a file (a folder or a device)");
+  const auto size = std::filesystem::file_size(path, failure);
+  require(!failure && size <= kLargestFile,
+          fmt::format("{}: {} bytes are more than a record can have ({} at most)", name, size,
+                      kLargestFile));
+  std::ifstream stream(path, std::ios::binary);
+  require(stream.is_open(), name + ": cannot be opened for reading");
+  std::string bytes(size, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(size));
+  require(stream.gcount() == static_cast<std::streamsize>(size), name + ": cannot be read");
+  return bytes;
+}
+
+bool is_binary(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return (byte < 0x20 && (byte < '\t' || byte > '\r') && byte != 0x1a) || byte == 0x7f;
+}
+
+}  // namespace
+
+SourceFile::SourceFile(const std::filesystem::path& path)
+    : SourceFile(path.string(), bytes_of(path)) {}
+
+SourceFile::SourceFile(std::string name, std::string bytes)
+    : name_(std::move(name)), bytes_(std::move(bytes)) {
+  require(!bytes_.empty() && bytes_ != kByteOrderMark, name_ + ": the file is empty");
+  const auto binary = std::ranges::find_if(bytes_, is_binary);
+  if (binary != bytes_.end())
+    throw Error(fmt::format("{}: not a text file (byte {} is 0x{:02x})", name_,
+                            binary - bytes_.begin() + 1, static_cast<unsigned char>(*binary)));
+  cut();
+}
+
+void SourceFile::cut() {
+  std::string_view rest = bytes_;
+  if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
+  while (!rest.empty()) {
+    const auto length = std::min(rest.find_first_of("\r\n"), rest.size());
+    lines_.push_back(rest.substr(0, length));
+    rest.remove_prefix(length);
+    const auto end = std::min(rest.find_first_not_of('\r'), rest.size());
+    if (end < rest.size() && rest[end] == '\n')
+      rest.remove_prefix(end + 1);
+    else if (!rest.empty())
+      rest.remove_prefix(1);
+  }
+}
+
+std::string SourceFile::sha256() const {
+  unsigned char digest[SHA256_DIGEST_LENGTH];
+  SHA256(reinterpret_cast<const unsigned char*>(bytes_.data()), bytes_.size(), digest);
+  std::string text;
+  for (const unsigned char byte : digest) text += fmt::format("{:02x}", byte);
+  return text;
+}
+
+}  // namespace gurney

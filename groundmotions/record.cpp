@@ -1,0 +1,29 @@
+#include "groundmotions/record.h"
+
+namespace gurney {
+
+const char* name_of(Direction direction) {
+  switch (direction) {
+    case Direction::kH1:
+      return "h1";
+    case Direction::kH2:
+      return "h2";
+    case Direction::kVertical:
+      return "vertical";
+  }
+  return "";
+}
+
+double Record::time_step() const {
+  for (const auto& component : components)
+    if (component) return component->time_step;
+  return 0;
+}
+
+Eigen::Index Record::samples() const {
+  for (const auto& component : components)
+    if (component) return component->acceleration.size();
+  return 0;
+}
+
+}  // namespace gurney

@@ -1,0 +1,125 @@
+#include "groundmotions/synthetic.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/floor_motion.h"
+#include "engine/base/units.h"
+#include "groundmotions/formats/columns_csv.h"
+#include "groundmotions/normal_draw.h"
+#include "groundmotions/oscillator.h"
+
+namespace gurney {
+
+namespace {
+
+using std::numbers::pi;
+
+double envelope(const SyntheticComponent& component, double time) {
+  const double ratio = time / component.peak_time;
+  return std::pow(ratio * std::exp(1 - ratio), component.envelope_power);
+}
+
+Eigen::VectorXd filtered_noise(const SyntheticMotion& motion, std::uint64_t stream) {
+  const SyntheticComponent& component = motion.components[stream];
+  const double og = component.ground_frequency, zg = component.ground_damping;
+  const double of = component.low_cut_frequency, zf = component.low_cut_damping;
+  Oscillator ground(og, zg, motion.time_step), low_cut(of, zf, motion.time_step);
+  Eigen::VectorXd acceleration(motion.samples);
+  double noise = 0, base = 0;
+  acceleration[0] = 0;
+  for (int i = 1; i < motion.samples; ++i) {
+    const double next_noise = envelope(component, i * motion.time_step) *
+                              normal_draw(motion.seed, stream, static_cast<std::uint64_t>(i));
+    ground.step(-noise, -next_noise);
+    noise = next_noise;
+    const double next_base = -2 * zg * og * ground.velocity() - og * og * ground.displacement();
+    low_cut.step(-base, -next_base);
+    base = next_base;
+    acceleration[i] = -base - 2 * zf * of * low_cut.velocity() - of * of * low_cut.displacement();
+  }
+  return acceleration;
+}
+
+/// Velocity and displacement at the end.
+Eigen::Vector2d ends(double time_step, const Eigen::VectorXd& acceleration) {
+  Eigen::Matrix3Xd motion = Eigen::Matrix3Xd::Zero(3, acceleration.size());
+  motion.row(0) = acceleration.transpose();
+  const FloorMotion floor(time_step, std::move(motion));
+  return {floor.residual_velocity().x(), floor.residual_displacement().x()};
+}
+
+void end_at_rest(double time_step, Eigen::VectorXd& acceleration) {
+  const Eigen::ArrayXd phase = Eigen::ArrayXd::LinSpaced(acceleration.size(), 0, pi);
+  const Eigen::VectorXd even = phase.sin().square(), odd = phase.sin().square() * phase.cos();
+  Eigen::Matrix2d effect;
+  effect << ends(time_step, even), ends(time_step, odd);
+  const Eigen::Vector2d c = effect.inverse() * ends(time_step, acceleration);
+  acceleration -= c[0] * even + c[1] * odd;
+}
+
+}  // namespace
+
+Record synthetic_record(const SyntheticMotion& motion) {
+  assert(motion.time_step > 0 && motion.samples > 2);
+  Record record;
+  record.name = fmt::format("synthetic {}", motion.seed);
+  for (const Direction direction : kDirections) {
+    const auto index = static_cast<std::size_t>(direction);
+    Component component;
+    component.name = name_of(direction);
+    component.direction = direction;
+    component.time_step = motion.time_step;
+    component.unit = "m/s2";
+    component.acceleration = filtered_noise(motion, index);
+    end_at_rest(motion.time_step, component.acceleration);
+    component.acceleration *=
+        motion.components[index].peak_acceleration / component.acceleration.cwiseAbs().maxCoeff();
+    record.components[index] = std::move(component);
+  }
+  return record;
+}
+
+SyntheticMotion shipped_synthetic_motion() {
+  const SyntheticComponent horizontal{.peak_time = 6,
+                                      .envelope_power = 3,
+                                      .ground_frequency = 5 * pi,
+                                      .ground_damping = 0.6,
+                                      .low_cut_frequency = 0.4 * pi,
+                                      .low_cut_damping = 0.6};
+  SyntheticMotion motion{.seed = 1, .time_step = 0.005, .samples = 6001, .components = {}};
+  motion.components = {horizontal, horizontal, horizontal};
+  motion.components[0].peak_acceleration = 0.4 * kStandardGravity;
+  motion.components[1].peak_acceleration = 0.3 * kStandardGravity;
+  SyntheticComponent& vertical = motion.components[2];
+  vertical.peak_acceleration = 0.2 * kStandardGravity;
+  vertical.peak_time = 4.5;
+  vertical.ground_frequency = 10 * pi;
+  vertical.low_cut_frequency = 0.8 * pi;
+  return motion;
+}
+
+std::string shipped_synthetic_text() {
+  const SyntheticMotion motion = shipped_synthetic_motion();
+  std::vector<std::string> comments = {
+      "SYNTHETIC ground motion, made by Gurney. It was never recorded anywhere.",
+      "Modulated white noise through Kanai-Tajimi and Clough-Penzien filters;",
+      "equations and sources: docs/theory/synthetic_record.md.",
+      "Made again by: cmake --build --preset release --target make_synthetic_record",
+      fmt::format("seed {}, time step {} s, {} samples", motion.seed, motion.time_step,
+                  motion.samples)};
+  for (const Direction direction : kDirections) {
+    const SyntheticComponent& c = motion.components[static_cast<std::size_t>(direction)];
+    comments.push_back(fmt::format(
+        "{}: peak {:.2f} g; envelope t_p {} s, p {}; omega_g {:.4f} rad/s, zeta_g {}; "
+        "omega_f {:.4f} rad/s, zeta_f {}",
+        name_of(direction), c.peak_acceleration / kStandardGravity, c.peak_time, c.envelope_power,
+        c.ground_frequency, c.ground_damping, c.low_cut_frequency, c.low_cut_damping));
+  }
+  return columns_csv_text(synthetic_record(motion), comments);
+}
+
+}  // namespace gurney

@@ -1,0 +1,157 @@
+#include "groundmotions/formats/peer_at2.h"
+
+#include <gmock/gmock.h>
+
+#include "engine/base/units.h"
+#include "tests/groundmotions/error_text.h"
+
+namespace gurney {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kG = kStandardGravity;
+
+std::vector<Component> read(const std::string& text, const ReadOptions& options = {}) {
+  return read_components(SourceFile("f.AT2", text), options);
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+std::string file_with(const std::string& count_and_step) {
+  return "PEER NGA STRONG MOTION DATABASE RECORD\n"
+         "Nowhere-01, 1/2/2003, Some Station, 228\n"
+         "ACCELERATION TIME SERIES IN UNITS OF G\n" +
+         count_and_step +
+         "\n"
+         "   .1000000E+00  -.2000000E+00   .3000000E+00\n"
+         "  -.4000000E+00   .5000000E-01\n";
+}
+
+void expect_the_motion(const std::vector<Component>& components, double time_step = 0.02) {
+  ASSERT_EQ(components.size(), 1u);
+  const Component& component = components[0];
+  EXPECT_EQ(component.format, "PEER AT2");
+  EXPECT_EQ(component.unit, "g");
+  EXPECT_EQ(component.time_step, time_step);
+  ASSERT_EQ(component.acceleration.size(), 5);
+  const double expected[] = {0.1, -0.2, 0.3, -0.4, 0.05};
+  for (int i = 0; i < 5; ++i) EXPECT_DOUBLE_EQ(component.acceleration[i], expected[i] * kG);
+}
+
+TEST(PeerAt2, ReadsEverySpellingOfCountAndStep) {
+  for (const char* spelling :
+       {"NPTS=   5, DT=   .0200 SEC", "NPTS=   5, DT=   .0200 SEC,", "NPTS=  5, DT= .02000 SEC   ",
+        "NPTS=   5, dt=  .02000", "5    0.0200    NPTS, DT", "   5   .0200   NPTS, DT",
+        "NPTS=5,DT=.02SEC", "NPTS=   5, DT=   .0200 SEC,   0 POLE @    30.0 HZ,  -5 POLE @   .05",
+        "NPTS= 5\nDT= 0.02 SEC", "NPTS: 5  DT: 2.0E-02", "NPTS=  5, DT=    0.02 SEC",
+        "FILTER POINTS: HP=0.12 Hz LP=25.0 Hz\nNPTS=  5, DT= .02000 SEC"})
+    expect_the_motion(read(file_with(spelling)));
+}
+
+TEST(PeerAt2, ReadsEveryKindOfLineEnd) {
+  const std::string text = file_with("NPTS=   5, DT=   .0200 SEC");
+  for (const char* end : {"\r\n", "\r\r\n", "\r"})
+    expect_the_motion(read(replaced(text, "\n", end)));
+  expect_the_motion(read(text.substr(0, text.size() - 1)));
+}
+
+TEST(PeerAt2, ReadsOldAndEasternTitles) {
+  const std::string text = file_with("NPTS=   5, DT=   .0200 SEC");
+  expect_the_motion(read(replaced(text, "SERIES IN UNITS OF G", "HISTORY IN UNITS OF G. FILTER")));
+  expect_the_motion(
+      read(replaced(text, "ACCELERATION TIME SERIES IN UNITS OF G", "The units are (g)")));
+  expect_the_motion(read(replaced(text, "PEER NGA STRONG MOTION DATABASE RECORD",
+                                  "PACIFIC ENGINEERING AND ANALYSIS STRONG-MOTION DATA   ")));
+}
+
+TEST(PeerAt2, ReadsGluedAndWideNumbers) {
+  const std::string head =
+      file_with("NPTS= 5, DT= .02 SEC").substr(0, file_with("NPTS= 5, DT= .02 SEC").find("   .1"));
+  expect_the_motion(read(head + ".1000000E+00-.2000000E+00 .3000000E+00\n-.4000000E+00+.5E-01\n"));
+  expect_the_motion(read(head + "  1.0000000E-01 -2.0000000E-01  3.0000000E-01\n"
+                                " -4.0000000E-01  5.0000000E-02\n"));
+  expect_the_motion(read(head + "   0.10000  -0.20000   0.30000  -0.40000   0.05000\n"));
+}
+
+TEST(PeerAt2, TakesAllNumbersAndWarnsWithoutNpts) {
+  const auto components = read(file_with("DT= .0200 SEC"));
+  expect_the_motion(components);
+  EXPECT_THAT(components[0].warnings,
+              testing::ElementsAre("the header states no NPTS: all 5 numbers were taken"));
+}
+
+TEST(PeerAt2, KnowsTheComponentAndItsAzimuth) {
+  const std::string text = file_with("NPTS= 5, DT= .02 SEC");
+  const auto with = [&](const char* name) { return read(replaced(text, "228", name))[0]; };
+  EXPECT_EQ(with("228").name, "228");
+  EXPECT_DOUBLE_EQ(*with("228").azimuth, 228 * kRadiansPerDegree);
+  EXPECT_DOUBLE_EQ(*with("360 (CDMG STATION 24461)").azimuth, 360 * kRadiansPerDegree);
+  EXPECT_DOUBLE_EQ(*with("E").azimuth, 90 * kRadiansPerDegree);
+  EXPECT_EQ(with("UP").name, "UP");
+  EXPECT_FALSE(with("UP").azimuth);
+  EXPECT_FALSE(with("8 points across").azimuth);
+  EXPECT_EQ(with("228").sha256, SourceFile("f", text).sha256());
+}
+
+TEST(PeerAt2, RefusesVelocityAndDisplacement) {
+  const std::string text = file_with("NPTS= 5, DT= .02 SEC");
+  EXPECT_EQ(error_text([&] {
+              read(replaced(text, "ACCELERATION TIME SERIES IN UNITS OF G",
+                            "VELOCITY TIME SERIES IN UNITS OF CM/S"));
+            }),
+            "f.AT2:3:1: a record must be acceleration, but this is a velocity file ('VELOCITY TIME "
+            "SERIES IN UNITS OF CM/S'); take the .AT2 file of this component");
+  EXPECT_THAT(
+      error_text([&] {
+        read(replaced(text, "ACCELERATION TIME SERIES IN UNITS OF G",
+                      "DISPLACEMENT TIME HISTORY IN UNITS OF CM. FILTER POINTS"));
+      }),
+      HasSubstr("f.AT2:3:1: a record must be acceleration, but this is a displacement file"));
+  EXPECT_THAT(error_text([&] { read(replaced(text, "UNITS OF G", "UNITS OF CM/S")); }),
+              HasSubstr("f.AT2:3:1: 'CM/S' is not a unit of acceleration: g, m/s2"));
+}
+
+TEST(PeerAt2, RefusesACountThatDoesNotMatch) {
+  EXPECT_EQ(error_text([] { read(file_with("NPTS= 6, DT= .02 SEC")); }),
+            "f.AT2:4:1: NPTS states 6 samples, but the file holds 5");
+  EXPECT_EQ(error_text([] { read(file_with("NPTS= 4, DT= .02 SEC")); }),
+            "f.AT2:4:1: NPTS states 4 samples, but the file holds 5");
+  EXPECT_EQ(error_text([] { read(file_with("NPTS= -5, DT= .02 SEC")); }),
+            "f.AT2:4:1: NPTS must be a whole number above 1, got -5");
+}
+
+TEST(PeerAt2, TellsAllBadNumbersAtOnce) {
+  const std::string text = file_with("NPTS= 5, DT= .02 SEC");
+  EXPECT_EQ(error_text([&] {
+              read(replaced(replaced(text, "-.2000000E+00", "NaN"), "-.4000000E+00", "******"));
+            }),
+            "f.AT2:5:18: 'NaN' is not a finite number\nf.AT2:6:3: '******' is not a finite number");
+}
+
+TEST(PeerAt2, ChecksTheStepAndTheUnitAgainstTheUser) {
+  const std::string text = file_with("NPTS= 5, DT= .02 SEC");
+  expect_the_motion(read(text, {.unit = "g", .time_step = 0.02}));
+  EXPECT_EQ(error_text([&] { read(text, {.unit = "cm/s2", .time_step = 0.01}); }),
+            "f.AT2:4:1: the file states a time step of 0.02 s, but time_step_s = 0.01 was given\n"
+            "f.AT2:3:1: the file states the unit g, but unit = \"cm/s2\" was given");
+  EXPECT_EQ(error_text([&] { read(replaced(text, "DT= .02", "DT= 0.0")); }),
+            "f.AT2:4:1: DT must be in (0, 1] s, got 0");
+  EXPECT_EQ(error_text([&] { read(replaced(text, ", DT= .02 SEC", "")); }),
+            "f.AT2: the header states no time step (DT= ... SEC); state it as time_step_s");
+  expect_the_motion(read(replaced(text, ", DT= .02 SEC", ""), {.unit = "", .time_step = 0.02}));
+}
+
+// Whatever is cut off or changed must be told; only the last line end may go.
+TEST(PeerAt2, RefusesEveryTruncation) {
+  const std::string text = file_with("NPTS=   5, DT=   .0200 SEC");
+  for (std::size_t length = 0; length + 1 < text.size(); ++length)
+    EXPECT_NE(error_text([&] { read(text.substr(0, length)); }), "") << length;
+}
+
+}  // namespace
+}  // namespace gurney

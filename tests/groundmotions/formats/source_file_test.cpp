@@ -1,0 +1,51 @@
+#include "groundmotions/formats/source_file.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "tests/groundmotions/error_text.h"
+
+namespace gurney {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(SourceFile, CutsAtEveryKindOfLineEnd) {
+  EXPECT_THAT(SourceFile("f", "a\nb\r\nc\r\r\nd\re").lines(), ElementsAre("a", "b", "c", "d", "e"));
+  EXPECT_THAT(SourceFile("f", "a\n\nb\r\n\r\n").lines(), ElementsAre("a", "", "b", ""));
+}
+
+TEST(SourceFile, DropsTheByteOrderMark) {
+  EXPECT_THAT(SourceFile("f", "\xef\xbb\xbftime_s\n").lines(), ElementsAre("time_s"));
+}
+
+TEST(SourceFile, KnowsWhetherTheLastLineIsWhole) {
+  EXPECT_TRUE(SourceFile("f", "a\n").ends_with_line_end());
+  EXPECT_FALSE(SourceFile("f", "a\nb").ends_with_line_end());
+}
+
+// FIPS 180-4, the one-block example of NIST's "SHA-256" example file: "abc".
+TEST(SourceFile, HashesItsBytes) {
+  EXPECT_EQ(SourceFile("f", "abc").sha256(),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST(SourceFile, RefusesWhatIsNoText) {
+  EXPECT_EQ(error_text([] { SourceFile("f", ""); }), "f: the file is empty");
+  EXPECT_EQ(error_text([] { SourceFile("f", std::string("ab\0c", 4)); }),
+            "f: not a text file (byte 3 is 0x00)");
+}
+
+TEST(SourceFile, RefusesWhatCannotBeRead) {
+  EXPECT_EQ(error_text([] { SourceFile(std::filesystem::path("no/such.AT2")); }),
+            "no/such.AT2: no such file");
+  EXPECT_THAT(error_text([] { SourceFile(std::filesystem::temp_directory_path()); }),
+              HasSubstr("not a file (a folder or a device)"));
+  EXPECT_THAT(error_text([] { SourceFile(std::filesystem::path("/dev/zero")); }),
+              HasSubstr("not a file (a folder or a device)"));
+}
+
+}  // namespace
+}  // namespace gurney

@@ -1,0 +1,39 @@
+#include "groundmotions/oscillator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gurney {
+namespace {
+
+// A constant load p from rest: u = p / w^2 (1 - exp(-z w t) (cos(wd t) + z w / wd sin(wd t))).
+TEST(Oscillator, AnswersAConstantLoadExactly) {
+  const double w = 7, z = 0.3, wd = w * std::sqrt(1 - z * z), step = 0.13;
+  Oscillator oscillator(w, z, step);
+  for (int i = 1; i <= 20; ++i) {
+    oscillator.step(2, 2);
+    const double t = i * step;
+    const double u =
+        2 / (w * w) *
+        (1 - std::exp(-z * w * t) * (std::cos(wd * t) + z * w / wd * std::sin(wd * t)));
+    const double v = 2 / wd * std::exp(-z * w * t) * std::sin(wd * t);
+    EXPECT_NEAR(oscillator.displacement(), u, 1e-15);
+    EXPECT_NEAR(oscillator.velocity(), v, 1e-14);
+  }
+}
+
+// A load that grows as r t, undamped, from rest: u = r / w^2 (t - sin(w t) / w).
+TEST(Oscillator, AnswersARampExactly) {
+  const double w = 5, step = 0.2, r = 3;
+  Oscillator oscillator(w, 0, step);
+  for (int i = 1; i <= 20; ++i) {
+    oscillator.step(r * (i - 1) * step, r * i * step);
+    const double t = i * step;
+    EXPECT_NEAR(oscillator.displacement(), r / (w * w) * (t - std::sin(w * t) / w), 1e-14);
+    EXPECT_NEAR(oscillator.velocity(), r / (w * w) * (1 - std::cos(w * t)), 1e-14);
+  }
+}
+
+}  // namespace
+}  // namespace gurney
