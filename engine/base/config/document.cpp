@@ -1,0 +1,96 @@
+#include "engine/base/config/document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+#include "engine/base/config/nearest_name.h"
+#include "engine/base/config/table.h"
+#include "engine/base/config/toml_reader.h"
+
+namespace gurney::config {
+namespace {
+
+std::string read_file(const std::string& path) {
+  std::error_code ignored;
+  require(!std::filesystem::is_directory(path, ignored), path + ": is a folder, not a file");
+  require(std::filesystem::exists(path, ignored), path + ": no such file");
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
+  require(in.is_open() && !in.bad() && !text.fail(), path + ": cannot be read");
+  return text.str();
+}
+
+std::string joined(const std::string& path, const std::string& key) {
+  return path.empty() ? key : path + '.' + key;
+}
+
+void collect_keys(const Node& node, const std::string& path, std::set<std::string>& keys) {
+  for (const std::string& key : node.asked) keys.insert(joined(path, key));
+  const bool array = node.kind == Node::Kind::kArray;
+  for (const Node& element : node.elements)
+    collect_keys(element, array ? path + "[]" : joined(path, element.key), keys);
+}
+
+}  // namespace
+
+Document::Document(const std::string& path) : Document(read_file(path), path) {}
+
+Document::Document(const std::string& text, const std::string& path)
+    : path_(path), text_(text), tree_(read_toml(text, path)) {}
+
+Table Document::root() { return Table(*this, tree_, ""); }
+
+std::string Document::where(Place place) const {
+  return fmt::format("{}:{}:{}", path_, place.line, place.column);
+}
+
+void Document::note(Place place, const std::string& message) {
+  problems_.push_back({place, message});
+}
+
+void Document::note(const Error& error) { foreign_.push_back(error.what()); }
+
+void Document::finish() {
+  note_unread(tree_, "");
+  if (clean()) return;
+  std::stable_sort(problems_.begin(), problems_.end(), [](const Problem& a, const Problem& b) {
+    return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
+  });
+  std::string lines;
+  const auto add = [&](const std::string& line) {
+    if (!lines.empty()) lines += "\n";
+    lines += line;
+  };
+  for (const Problem& problem : problems_) add(where(problem.place) + ": " + problem.message);
+  for (const std::string& text : foreign_) add(text);
+  throw Error(lines);
+}
+
+std::vector<std::string> Document::asked_keys() const {
+  std::set<std::string> keys;
+  collect_keys(tree_, "", keys);
+  return {keys.begin(), keys.end()};
+}
+
+void Document::note_unread(const Node& node, const std::string& path) {
+  for (std::size_t i = 0; i < node.elements.size(); ++i) {
+    const Node& element = node.elements[i];
+    const bool in_table = node.kind == Node::Kind::kTable;
+    const std::string name = in_table ? joined(path, element.key) : fmt::format("{}[{}]", path, i);
+    if (in_table && !element.read) {
+      const std::vector<std::string> known(node.asked.begin(), node.asked.end());
+      note(element.key_place, name + ": unknown key" + suggestion(element.key, known));
+    } else {
+      note_unread(element, name);
+    }
+  }
+}
+
+}  // namespace gurney::config

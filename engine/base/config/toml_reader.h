@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "engine/base/config/node.h"
+
+namespace gurney::config {
+
+/// @param name  of the file, for messages
+/// @throws Error `name:line:column: ...` where the text is not TOML 1.0.
+Node read_toml(const std::string& text, const std::string& name);
+
+}  // namespace gurney::config

@@ -1,0 +1,16 @@
+#include "equipment/assumption.h"
+
+#include <algorithm>
+
+namespace gurney {
+
+void add_assumptions(std::vector<Assumption>& list, const std::vector<Assumption>& more) {
+  for (const Assumption& candidate : more) {
+    const bool known = std::any_of(list.begin(), list.end(), [&](const Assumption& each) {
+      return each.file == candidate.file && each.key == candidate.key;
+    });
+    if (!known) list.push_back(candidate);
+  }
+}
+
+}  // namespace gurney

@@ -1,0 +1,76 @@
+#include "equipment/catalogue.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "engine/base/config/nearest_name.h"
+#include "engine/base/error.h"
+
+namespace gurney {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct KindNames {
+  const char* folder;
+  const char* noun;
+};
+
+KindNames names_of(DataKind kind) {
+  switch (kind) {
+    case DataKind::kItem:
+      return {"items", "item of equipment"};
+    case DataKind::kCaster:
+      return {"casters", "caster"};
+    case DataKind::kFloor:
+      break;
+  }
+  return {"floors", "floor covering"};
+}
+
+fs::path folder_of(DataKind kind) {
+  return fs::path(data_folder()) / "equipment" / names_of(kind).folder;
+}
+
+}  // namespace
+
+std::string data_folder() {
+  const char* set = std::getenv("GURNEY_DATA");
+  return set != nullptr && *set != '\0' ? set : GURNEY_DATA_DIR;
+}
+
+std::vector<std::string> catalogue_names(DataKind kind) {
+  const fs::path folder = folder_of(kind);
+  std::error_code problem;
+  fs::directory_iterator files(folder, problem);
+  require(!problem, folder.string() +
+                        ": the catalogue is not there; the environment variable GURNEY_DATA names "
+                        "the folder that holds equipment/");
+  std::vector<std::string> names;
+  for (const fs::directory_entry& file : files)
+    if (file.path().extension() == ".toml") names.push_back(file.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string find_data(DataKind kind, const std::string& name, const std::string& named_in) {
+  const std::string noun = names_of(kind).noun;
+  if (name.find('/') != std::string::npos || fs::path(name).extension() == ".toml") {
+    const fs::path path = (fs::path(named_in).parent_path() / name).lexically_normal();
+    std::error_code ignored;
+    require(fs::is_regular_file(path, ignored), "no such file: " + path.string());
+    return path.string();
+  }
+  const std::vector<std::string> names = catalogue_names(kind);
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    std::string list;
+    for (const std::string& each : names) list += (list.empty() ? "" : ", ") + each;
+    const std::string hint = config::suggestion(name, names);
+    throw Error("unknown " + noun + (hint.find("did you") == 2 ? hint : "") +
+                " (the catalogue has " + list + ")");
+  }
+  return (folder_of(kind) / (name + ".toml")).string();
+}
+
+}  // namespace gurney

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/base/config/table.h"
+#include "engine/scene/equipment_model.h"
+#include "equipment/assumption.h"
+#include "equipment/caster_type.h"
+
+namespace gurney {
+
+/// One place for a caster on the base plate.
+struct CasterPlace {
+  std::string name;
+  CasterType type;
+  Vector3 mount = Vector3::Zero();  ///< of the swivel axis, base axes [m]
+  double heading = 0;               ///< initial [rad]
+  bool swivels = true;
+  bool brake_on = false;
+  bool swivel_locked = false;
+};
+
+/// Something an item can carry, stacked upwards from `position`.
+struct PayloadKind {
+  std::string name;
+  double mass = 0;                     ///< of one [kg]
+  Vector3 size = Vector3::Zero();      ///< of one, a uniform box [m]
+  Vector3 position = Vector3::Zero();  ///< middle of the underside of the lowest, base axes [m]
+  int count = 0;                       ///< unless a job says otherwise
+  std::vector<Assumption> assumptions;
+};
+
+/// An item as its file describes it (docs/formats/equipment_file.md), in base axes: x forward,
+/// y left, z up from the underside of the base plate, which rests on the casters.
+struct ItemDescription {
+  std::string name;
+  std::string file;
+  double chassis_mass = 0;                           ///< without casters and payloads [kg]
+  Vector3 chassis_center_of_mass = Vector3::Zero();  ///< [m]
+  Matrix3 chassis_inertia = Matrix3::Zero();         ///< about its centre of mass [kg m2]
+  std::vector<Box> shape;
+  std::vector<CasterPlace> casters;
+  std::vector<PayloadKind> payloads;
+  std::vector<MarkedPoint> marked_points;
+  std::vector<Assumption> assumptions;  ///< besides those of casters and payloads
+};
+
+/// Reads an item from its own file's root or from a table of a job. Mistakes are noted in the
+/// table's document; the result is for use only after its `finish`.
+ItemDescription read_item(config::Table table);
+
+/// @throws Error with every mistake of the file and of the casters it names.
+ItemDescription load_item_description(const std::string& file);
+
+}  // namespace gurney

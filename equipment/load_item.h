@@ -1,0 +1,40 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scene/equipment_model.h"
+#include "equipment/assumption.h"
+#include "equipment/floor_covering.h"
+#include "equipment/item_description.h"
+
+namespace gurney {
+
+/// What a job may change of an item. Empty: as the item's file has it.
+struct ItemOptions {
+  std::optional<CasterType> caster;     ///< at every place
+  std::optional<FloorCovering> floor;   ///< none: the casters' constants as they are
+  std::vector<double> headings;         ///< one for each caster [rad]
+  std::vector<bool> brakes;             ///< one for each caster, true: on
+  std::vector<bool> swivel_locks;       ///< one for each caster, true: locked
+  std::map<std::string, int> payloads;  ///< how many of each kind the item knows
+};
+
+/// An item ready for the engine, with what its numbers rest on.
+struct LoadedItem {
+  EquipmentModel model;
+  std::vector<Assumption> assumptions;  ///< those in use: brakes that are off count for nothing
+  std::vector<std::string> warnings;    ///< of equipment/stability.h
+};
+
+/// Base axes become item axes: the base plate is as high as its casters.
+/// @throws Error with a line for each mistake (a brake that is on but does not exist, base heights
+///         that differ between casters, constants outside the engine's ranges), without a place.
+LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options = {});
+
+/// @throws Error for mistakes of the file and of `assemble_item`.
+LoadedItem load_item(const std::string& file, const ItemOptions& options = {});
+
+}  // namespace gurney

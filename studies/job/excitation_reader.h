@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/base/config/table.h"
+#include "engine/scene/scene.h"
+#include "equipment/assumption.h"
+#include "studies/job/job.h"
+
+namespace gurney {
+
+/// Each reader notes mistakes in its table's document.
+
+/// [excitation.record], if it is there; the files it names exist.
+std::optional<RecordRequest> read_record_request(config::Table& excitation);
+
+/// [[excitation.force]], drop weights, string potentiometers and blocks, appended to `loads`.
+void read_loads(config::Table& excitation, std::vector<Assumption>& assumptions, Excitation& loads);
+
+/// [fixture]
+Fixture read_fixture(config::Table& fixture, std::vector<Assumption>& assumptions);
+
+}  // namespace gurney

@@ -1,0 +1,111 @@
+#include "studies/job/job.h"
+
+#include <fmt/format.h>
+
+#include <numbers>
+#include <sstream>
+
+#include "engine/base/config/table.h"
+#include "engine/base/units.h"
+#include "equipment/quantity.h"
+#include "studies/job/excitation_reader.h"
+#include "studies/job/item_reader.h"
+
+namespace gurney {
+namespace {
+
+using config::Range;
+using config::Table;
+
+void read_initial(Table& root, std::vector<Assumption>& assumptions, InitialMotion& initial) {
+  auto table = root.table("initial");
+  if (!table) return;
+  Quantities in(*table, assumptions);
+  initial.velocity = in.vector("velocity_m_per_s", Range::any(), Vector3::Zero());
+  initial.yaw_rate = in.number("yaw_rate_deg_per_s", Range::any(), 0.0) * kRadiansPerDegree;
+  initial.wheels_roll = table->boolean("wheels_roll", initial.wheels_roll);
+}
+
+void read_settings(Table& root, SimulationSettings& settings) {
+  auto found = root.table("settings");
+  if (!found) return;
+  Table& in = *found;
+  static const std::vector<std::string> kSolvers = {"star", "general", "bullet", "bullet-dantzig"};
+  settings.solver =
+      static_cast<Solver>(in.choice("solver", kSolvers, static_cast<std::size_t>(settings.solver)));
+  settings.time_step =
+      in.number("time_step_s", Range::within(0, 0.02).open_below(), settings.time_step);
+  settings.residual = in.number("residual", Range::within(0, 1e-3).open_below(), settings.residual);
+  settings.max_newton_iterations =
+      in.integer("max_newton_iterations", 4, 1000, settings.max_newton_iterations);
+  settings.max_subdivisions = in.integer("max_subdivisions", 0, 20, settings.max_subdivisions);
+  settings.settle_time = in.number("settle_time_s", Range::not_negative(), settings.settle_time);
+  settings.duration = in.number("duration_s", Range::positive(), settings.duration);
+  settings.rest_speed = in.number("rest_speed_m_per_s", Range::positive(), settings.rest_speed);
+  settings.rest_hold = in.number("rest_hold_s", Range::positive(), settings.rest_hold);
+  if (in.has("overturn_tilt_deg"))
+    settings.overturn_tilt =
+        in.number("overturn_tilt_deg", Range::within(0, 90).open_below().open_above()) *
+        kRadiansPerDegree;
+  settings.skip_clear_collision_passes =
+      in.boolean("skip_clear_collision_passes", settings.skip_clear_collision_passes);
+}
+
+void read_output(Table& root, SimulationSettings& settings) {
+  auto table = root.table("output");
+  if (!table) return;
+  const bool histories = table->boolean("histories", true);
+  const double step = table->number("history_step_s", Range::positive(), settings.history_step);
+  settings.history_step = histories ? step : 0;
+}
+
+void read_floor(Table& root, std::vector<Assumption>& assumptions, Scene& scene,
+                ItemOptions& options) {
+  auto table = root.table("floor");
+  if (!table) return;
+  Quantities in(*table, assumptions);
+  options.floor = read_floor_covering(*table);
+  scene.slope = in.number("slope", Range::within(-1, 1), scene.slope);
+  scene.gravity = in.number("gravity_m_per_s2", Range::not_negative(), scene.gravity);
+}
+
+}  // namespace
+
+Job read_job(const std::string& path) {
+  config::Document document(path);
+  return read_job(document);
+}
+
+Job read_job(config::Document& document) {
+  Job job;
+  job.file = document.path();
+  job.text = document.text();
+  Table root = document.root();
+  root.choice("schema", {"gurney-job/1"});
+  job.title = root.text("title", "");
+
+  ItemOptions options;
+  std::optional<LoadedItem> item;
+  read_floor(root, job.assumptions, job.scene, options);
+  if (auto table = root.table("item"))
+    item = read_job_item(*table, options, job.scene.initial, job.assumptions);
+  else if (!root.has("item"))
+    root.note("item", ": missing; must be a table [item]");
+  if (auto table = root.table("excitation")) {
+    job.record = read_record_request(*table);
+    read_loads(*table, job.assumptions, job.excitation);
+  }
+  if (auto table = root.table("fixture"))
+    job.excitation.fixture = read_fixture(*table, job.assumptions);
+  read_initial(root, job.assumptions, job.scene.initial);
+  read_settings(root, job.settings);
+  read_output(root, job.settings);
+  document.finish();
+
+  job.scene.item = std::move(item->model);
+  job.warnings = std::move(item->warnings);
+  add_assumptions(job.assumptions, item->assumptions);
+  return job;
+}
+
+}  // namespace gurney
