@@ -65,6 +65,8 @@ class StockWorld {
     world_.removeCollisionObject(&floor_);
   }
 
+  void place(const State& state) { item_.set(state); }
+
   void step(double duration, const Vector3& gravity, const std::vector<Loads::Row>& rows,
             const State& before, State& after, StageSolver::Output& output) {
     world_.setGravity(to_bullet(gravity));
@@ -148,6 +150,7 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
   Recorder recorder(scene, mechanism, state);
   RunClock clock(excitation, mechanism.loads.breakpoints(), settings);
   StockWorld world(scene, mechanism, settings.solver);
+  world.place(state);
   Response response;
   EnergyAccount account;
   StageSolver::Output output;
