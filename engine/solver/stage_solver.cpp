@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/units.h"
+
 namespace gurney {
 namespace {
 
@@ -153,7 +155,7 @@ double StageSolver::evaluate_forces(const Input& input, const Velocity& v) {
     reaction_[static_cast<std::size_t>(dof)] = chassis_residual_[dof];
     chassis_residual_[dof] = mechanism_.total_mass * (v.chassis[dof] - guide.velocity);
   }
-  const double scale = 1 / (mechanism_.total_mass * 9.81 * tau);
+  const double scale = 1 / (mechanism_.total_mass * kStandardGravity * tau);
   return scale * std::max({chassis_residual_.head<3>().cwiseAbs().maxCoeff(),
                            chassis_residual_.tail<3>().cwiseAbs().maxCoeff() / mechanism_.length,
                            leg_residual});

@@ -30,7 +30,7 @@ void read_settings(Table& root, SimulationSettings& settings) {
   auto found = root.table("settings");
   if (!found) return;
   Table& in = *found;
-  static const std::vector<std::string> kSolvers = {"star", "general", "bullet", "bullet-dantzig"};
+  static const std::vector<std::string> kSolvers = {"star", "bullet", "bullet-dantzig"};
   settings.solver =
       static_cast<Solver>(in.choice("solver", kSolvers, static_cast<std::size_t>(settings.solver)));
   settings.time_step =

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+namespace gurney {
+
+struct RunOptions {
+  std::string job;     ///< path of the job file
+  std::string output;  ///< path of the results file; empty: out/<name of the job>.h5
+  bool overwrite = false;
+  bool json = false;
+  bool no_figure = false;
+};
+
+/// `gurney run`: reads the job, checks that its files can be written, simulates, writes the results
+/// file, the figure and the log, and prints the summary.
+/// @returns 0, or 3 for a run that diverged (its files are written, with the cause)
+/// @throws Error for bad input and for files that cannot be written
+int run_command(const RunOptions& options);
+
+}  // namespace gurney

@@ -1,0 +1,45 @@
+#include "studies/cli/signals.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <string_view>
+
+namespace gurney {
+namespace {
+
+extern "C" void leave(int signal_number) {
+  constexpr std::string_view kMessage = "gurney: interrupted\n";
+  [[maybe_unused]] const auto ignored = ::write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  _exit(128 + signal_number);
+}
+
+sigset_t interruptions() {
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGINT);
+  sigaddset(&set, SIGTERM);
+  return set;
+}
+
+}  // namespace
+
+void handle_signals() {
+  struct sigaction action {};
+  action.sa_handler = leave;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  signal(SIGXFSZ, SIG_IGN);
+}
+
+SignalsHeld::SignalsHeld() {
+  const sigset_t set = interruptions();
+  pthread_sigmask(SIG_BLOCK, &set, nullptr);
+}
+
+SignalsHeld::~SignalsHeld() {
+  const sigset_t set = interruptions();
+  pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+}
+
+}  // namespace gurney

@@ -1,0 +1,158 @@
+#include "studies/report/figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/units.h"
+#include "studies/report/panel.h"
+#include "studies/report/plan_view.h"
+
+namespace gurney {
+namespace {
+
+constexpr double kWidth = 1060, kLeft = 70, kColumn = 560, kPanelWidth = 430, kPanelHeight = 150,
+                 kTop = 112, kRow = 225;
+
+Frame frame_at(int column, int row, int rows = 1) {
+  return {kLeft + column * (kColumn - kLeft + 30.0), kTop + row * kRow, kPanelWidth,
+          kPanelHeight + (rows - 1) * kRow};
+}
+
+template <class Get>
+Curve curve(const std::string& label, const std::vector<Sample>& history, std::size_t color,
+            Get get) {
+  Curve result{label, {}, {}, {.stroke = palette(color), .width = 1.3}};
+  for (const Sample& sample : history) {
+    result.x.push_back(sample.time);
+    result.y.push_back(get(sample));
+  }
+  return result;
+}
+
+Panel time_panel(const std::string& title, const std::string& y_label, int legend_columns) {
+  return {.title = title,
+          .x_label = "Time (s)",
+          .y_label = y_label,
+          .curves = {},
+          .legend_columns = legend_columns};
+}
+
+/// A curve for each axis; the vertical only where something moves vertically.
+Panel vector_panel(const std::string& title, const std::string& y_label,
+                   const std::vector<Sample>& history, Vector3 Sample::*member) {
+  Panel panel = time_panel(title, y_label, 3);
+  const char* const names[] = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto value = [&](const Sample& s) { return (s.*member)[axis]; };
+    double largest = 0;
+    for (const Sample& sample : history)
+      largest = std::max(largest, (sample.*member).cwiseAbs().maxCoeff());
+    const bool moves = std::any_of(history.begin(), history.end(), [&](const Sample& s) {
+      return std::abs(value(s)) > 0.05 * largest;
+    });
+    if (axis < 2 || moves)
+      panel.curves.push_back(curve(names[axis], history, static_cast<std::size_t>(axis), value));
+  }
+  return panel;
+}
+
+Panel wheel_panel(const std::string& title, const std::string& y_label, const RunFacts& facts,
+                  const std::vector<Sample>& history, double WheelSample::*member, double unit) {
+  Panel panel = time_panel(title, y_label, 2);
+  const auto& casters = facts.scene.item.casters;
+  for (std::size_t i = 0; i < casters.size(); ++i)
+    panel.curves.push_back(curve(casters[i].name, history, i,
+                                 [&](const Sample& s) { return s.wheels[i].*member / unit; }));
+  return panel;
+}
+
+Panel energy_panel(const std::vector<Sample>& history, double stored_at_start) {
+  Panel panel = time_panel("Energy account", "Energy (J)", 4);
+  const auto add = [&](const char* label, auto get) {
+    panel.curves.push_back(
+        curve(label, history, panel.curves.size(), [&](const Sample& s) { return get(s.energy); }));
+  };
+  add("work", [](const EnergyAccount& e) { return e.work(); });
+  add("kinetic", [](const EnergyAccount& e) { return e.kinetic; });
+  add("stored", [&](const EnergyAccount& e) { return e.stored() - e.kinetic - stored_at_start; });
+  add("rolling", [](const EnergyAccount& e) { return e.rolling_loss; });
+  add("sliding", [](const EnergyAccount& e) { return e.sliding_loss; });
+  add("other loss",
+      [](const EnergyAccount& e) { return e.loss() - e.rolling_loss - e.sliding_loss; });
+  add("closure", [&](const EnergyAccount& e) { return e.closure(stored_at_start); });
+  panel.curves.back().pen.dash = "4 3";
+  return panel;
+}
+
+Panel pull_panel(const std::vector<Sample>& history) {
+  Panel panel = time_panel("Pull", "Force (N)", 2);
+  panel.curves = {
+      curve("cable tension", history, 0, [](const Sample& s) { return s.cable_tension; }),
+      curve("point forces", history, 1, [](const Sample& s) { return s.pull_force; })};
+  return panel;
+}
+
+Panel turn_panel(const std::vector<Sample>& history) {
+  Panel panel = time_panel("Yaw and tilt", "Angle (deg)", 2);
+  panel.curves = {
+      curve("yaw", history, 0, [](const Sample& s) { return s.yaw / kRadiansPerDegree; }),
+      curve("tilt", history, 1, [](const Sample& s) { return s.tilt / kRadiansPerDegree; })};
+  return panel;
+}
+
+void draw_heading(Svg& svg, const RunFacts& facts, const Response& response) {
+  const std::string floor = facts.record ? facts.record->name : "floor at rest";
+  svg.text(kLeft, 34, facts.title.empty() ? facts.job_name : facts.title,
+           {.size = 17, .bold = true});
+  svg.text(kLeft, 55,
+           fmt::format("{}   \u00b7   {}   \u00b7   {} at {:.2f} s{}", facts.scene.item.name, floor,
+                       name_of(response.outcome), response.end_time,
+                       response.cause.empty() ? "" : ": " + response.cause),
+           {.size = 12, .color = "#555555"});
+}
+
+bool pulled(const std::vector<Sample>& history) {
+  return std::any_of(history.begin(), history.end(),
+                     [](const Sample& s) { return s.cable_tension != 0 || s.pull_force != 0; });
+}
+
+}  // namespace
+
+std::string figure(const RunFacts& facts, const Response& response) {
+  const std::vector<Sample>& history = response.history;
+  if (history.empty()) {
+    Svg svg(kWidth, 120);
+    draw_heading(svg, facts, response);
+    svg.text(kLeft, 90, "No history was kept, so there is nothing to draw.");
+    return svg.str();
+  }
+  const bool with_pull = pulled(history);
+  Svg svg(kWidth, kTop + (with_pull ? 5 : 4) * kRow - 25);
+  draw_heading(svg, facts, response);
+  draw_plan(svg, frame_at(0, 0, 2), facts.scene, history);
+  draw(svg, frame_at(1, 0),
+       vector_panel("Displacement relative to the floor", "Displacement (m)", history,
+                    &Sample::displacement));
+  draw(
+      svg, frame_at(1, 1),
+      vector_panel("Velocity relative to the floor", "Velocity (m/s)", history, &Sample::velocity));
+  draw(svg, frame_at(1, 2),
+       vector_panel("Acceleration relative to the floor", "Acceleration (m/s\u00b2)", history,
+                    &Sample::acceleration));
+  draw(svg, frame_at(0, 2),
+       wheel_panel("Normal forces", "Normal force (N)", facts, history, &WheelSample::normal_force,
+                   1));
+  draw(svg, frame_at(0, 3),
+       wheel_panel("Swivel angles", "Swivel angle (deg)", facts, history,
+                   &WheelSample::swivel_angle, kRadiansPerDegree));
+  draw(svg, frame_at(1, 3), energy_panel(history, response.stored_energy_at_start));
+  if (with_pull) {
+    draw(svg, frame_at(0, 4), pull_panel(history));
+    draw(svg, frame_at(1, 4), turn_panel(history));
+  }
+  return svg.str();
+}
+
+}  // namespace gurney

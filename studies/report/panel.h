@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "studies/report/svg.h"
+
+namespace gurney {
+
+/// Smallest and largest value of an axis.
+struct Range {
+  double low = 0, high = 0;
+  double span() const { return high - low; }
+};
+
+/// Round numbers (1, 2, 2.5 or 5 times a power of ten) inside `range`, about `wanted` of them.
+std::vector<double> ticks(const Range& range, int wanted);
+
+/// One curve: `y` over `x`, of equal length. Values that are not finite break the curve.
+struct Curve {
+  std::string label;  ///< in the legend; empty: not there
+  std::vector<double> x, y;
+  Pen pen;
+};
+
+/// Axes with curves.
+struct Panel {
+  std::string title;
+  std::string x_label, y_label;  ///< with their units
+  std::vector<Curve> curves = {};
+  bool zero_line = true;
+  bool equal_scales = false;         ///< a plan: one metre is as long on both axes
+  int legend_columns = 0;            ///< 0: no legend
+  Range x_range = {}, y_range = {};  ///< span 0: from the curves
+};
+
+/// Where in the picture a panel stands: the rectangle of its axes, without labels [px].
+struct Frame {
+  double x, y, width, height;
+};
+
+/// Maps values to px inside a frame.
+class Scaling {
+ public:
+  Scaling(const Frame& frame, const Range& x, const Range& y) : frame_(frame), x_(x), y_(y) {}
+  double x(double value) const { return frame_.x + (value - x_.low) / x_.span() * frame_.width; }
+  double y(double value) const { return frame_.y + (y_.high - value) / y_.span() * frame_.height; }
+
+ private:
+  Frame frame_;
+  Range x_, y_;
+};
+
+/// Draws the panel and returns the scaling of its axes, for what else belongs into it.
+Scaling draw(Svg& svg, const Frame& frame, const Panel& panel);
+
+/// Colour-blind safe colours (Okabe & Ito 2008), repeated after the seventh.
+std::string palette(std::size_t index);
+
+}  // namespace gurney

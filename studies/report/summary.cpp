@@ -1,0 +1,182 @@
+#include "studies/report/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "engine/base/units.h"
+#include "studies/results/columns.h"
+
+namespace gurney {
+namespace {
+
+constexpr std::size_t kColumns = 100;
+
+/// Breaks a text between words; lines after the first start with `indent` blanks.
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t used) {
+  std::istringstream words(text);
+  std::string result, word;
+  std::size_t column = used;
+  bool first = true;
+  while (words >> word) {
+    if (!first && column + 1 + word.size() > kColumns) {
+      result.append("\n").append(indent, ' ');
+      column = indent;
+    } else if (!first) {
+      result += " ";
+      ++column;
+    }
+    result += word;
+    column += word.size();
+    first = false;
+  }
+  return result;
+}
+
+/// For reading: four digits, angles in degrees.
+std::string shown(double value, std::string& units, bool whole) {
+  if (units == "rad") {
+    units = "deg";
+    value /= kRadiansPerDegree;
+  }
+  if (units == "1") units.clear();
+  if (whole) return fmt::format("{:.0f}", value);
+  if (value == 0) return "0";
+  const double size = std::abs(value);
+  if (!(size >= 1e-4 && size < 1e6)) return fmt::format("{:.2e}", value);
+  const int decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
+  return fmt::format("{:.{}f}", value, decimals);
+}
+
+std::string words_of(std::string name) {
+  for (char& c : name)
+    if (c == '_') c = ' ';
+  return name;
+}
+
+std::string number_line(const std::string& name, const std::string& value,
+                        const std::string& units) {
+  return fmt::format("  {:<32}{:>12}{}\n", words_of(name), value, units.empty() ? "" : " " + units);
+}
+
+template <class Row>
+std::string list(std::span<const Column<Row>> columns, const Row& row) {
+  std::string result;
+  for (const Column<Row>& column : columns) {
+    const double value = column.value(row);
+    if (column.missing != 0 && value == column.missing) continue;
+    std::string units = column.units;
+    const std::string text = shown(value, units, column.whole);
+    result += number_line(column.name, text, units);
+  }
+  return result;
+}
+
+/// A column for each quantity, a row for each wheel or point. `prefix` is cut from the names.
+template <class Row>
+std::string table(const std::string& heading, std::span<const Column<Row>> columns,
+                  const std::vector<std::string>& names, const std::vector<Row>& rows,
+                  std::size_t prefix) {
+  std::size_t width = 18;
+  for (const std::string& name : names) width = std::max(width, name.size());
+  std::string titles = fmt::format("\n  {:<{}}", heading, width);
+  std::string units_line = fmt::format("  {:<{}}", "", width);
+  for (const Column<Row>& column : columns) {
+    std::string units = column.units;
+    shown(0, units, false);
+    const std::string words = words_of(column.name + prefix);
+    titles += "  " + words;
+    units_line += fmt::format("  {:>{}}", units, words.size());
+  }
+  std::string result = titles + "\n" + units_line + "\n";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    result += fmt::format("  {:<{}}", names.at(i), width);
+    for (const Column<Row>& column : columns) {
+      std::string units = column.units;
+      const std::string text = shown(column.value(rows[i]), units, column.whole);
+      result += fmt::format("  {:>{}}", text, words_of(column.name + prefix).size());
+    }
+    result += "\n";
+  }
+  return result;
+}
+
+double mass_of(const EquipmentModel& item) {
+  double mass = item.chassis_mass;
+  for (const Payload& payload : item.payloads) mass += payload.mass;
+  for (const Caster& caster : item.casters) mass += caster.wheel_mass + caster.fork_mass;
+  return mass;
+}
+
+std::string record_text(const RunFacts& facts) {
+  if (!facts.record) return "  floor    at rest\n";
+  const RecordFacts& r = *facts.record;
+  std::string text = fmt::format("  floor    {}: {:.2f} s, sampled every {:g} s\n\n", r.name,
+                                 r.duration, r.time_step);
+  text += fmt::format("  {:<32}{:>12}{:>12}{:>12}\n", "floor motion", "x", "y", "z");
+  const auto row = [&](const char* name, const char* units, const Vector3& value) {
+    text += fmt::format("  {:<32}{:>12}{:>12}{:>12} {}\n", name, fmt::format("{:.4f}", value.x()),
+                        fmt::format("{:.4f}", value.y()), fmt::format("{:.4f}", value.z()), units);
+  };
+  row("PGA", "g", r.pga / kStandardGravity);
+  row("PGV", "m/s", r.pgv);
+  row("PGD", "m", r.pgd);
+  row("residual velocity", "m/s", r.residual_velocity);
+  row("residual displacement", "m", r.residual_displacement);
+  return text;
+}
+
+std::string assumed_in(const std::string& file, const std::vector<AssumptionFacts>& assumptions) {
+  std::string text = file + ":";
+  for (const AssumptionFacts& a : assumptions) {
+    if (a.file != file) continue;
+    text += fmt::format("{} {} = {}", text.back() == ':' ? "" : ",", a.key, a.value);
+    if (!a.range.empty()) text += fmt::format(" [{}]", a.range);
+  }
+  return text;
+}
+
+std::string notes(const RunFacts& facts) {
+  std::string text;
+  for (const std::string& warning : facts.warnings)
+    text += fmt::format("\nwarning: {}\n", wrapped(warning, 9, 9));
+  if (facts.assumptions.empty()) return text;
+  text += fmt::format(
+      "\n{} numbers have no source and are assumed (ranges in brackets; reasons: --json, or "
+      "/assumptions\nin the results file):\n",
+      facts.assumptions.size());
+  std::vector<std::string> files;
+  for (const AssumptionFacts& a : facts.assumptions)
+    if (std::find(files.begin(), files.end(), a.file) == files.end()) files.push_back(a.file);
+  for (const std::string& file : files)
+    text += fmt::format("  {}\n", wrapped(assumed_in(file, facts.assumptions), 6, 2));
+  return text;
+}
+
+}  // namespace
+
+std::string summary(const RunFacts& facts, const Response& response) {
+  const EquipmentModel& item = facts.scene.item;
+  std::vector<std::string> casters, points;
+  for (const Caster& caster : item.casters) casters.push_back(caster.name);
+  for (const MarkedPoint& point : item.marked_points) points.push_back(point.name);
+  std::string text = (facts.title.empty() ? facts.job_name : facts.title) + "\n\n";
+  text += fmt::format("  item     {}: {:.1f} kg on {} casters\n", item.name, mass_of(item),
+                      item.casters.size());
+  text += record_text(facts);
+  text += fmt::format("\n{}\n\n", wrapped(story(response), 0, 0));
+  text += fmt::format("  {:<32}{:>12}\n", "demand", "value");
+  text += list(demand_columns(), response.demands);
+  text += table("wheel", wheel_demand_columns(), casters, response.demands.wheels,
+                std::string("wheel_").size());
+  if (!response.demands.points.empty())
+    text += table("point", point_demand_columns(), points, response.demands.points,
+                  std::string("point_").size());
+  text += fmt::format("\n  {:<32}{:>12}\n", "quality", "value");
+  text += list(quality_columns(), response.quality);
+  return text + notes(facts);
+}
+
+}  // namespace gurney

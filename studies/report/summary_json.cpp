@@ -1,0 +1,96 @@
+#include <nlohmann/json.hpp>
+
+#include "studies/build_info/build_info.h"
+#include "studies/report/summary.h"
+#include "studies/results/columns.h"
+
+namespace gurney {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Row>
+Json object(std::span<const Column<Row>> columns, const Row& row) {
+  Json result = Json::object();
+  for (const Column<Row>& column : columns) {
+    const double value = column.value(row);
+    if (column.missing != 0 && value == column.missing) {
+      result[column.name] = nullptr;
+    } else if (column.whole) {
+      result[column.name] = static_cast<std::int64_t>(value);
+    } else {
+      result[column.name] = value;
+    }
+  }
+  return result;
+}
+
+template <class Row, class Named>
+Json named_objects(std::span<const Column<Row>> columns, const std::vector<Row>& rows,
+                   const std::vector<Named>& named) {
+  Json result = Json::array();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Json entry{{"name", named.at(i).name}};
+    entry.update(object(columns, rows[i]));
+    result.push_back(entry);
+  }
+  return result;
+}
+
+Json vector(const Vector3& value) { return {value.x(), value.y(), value.z()}; }
+
+Json record(const RecordFacts& facts) {
+  Json files = Json::array();
+  for (const FileFacts& file : facts.files)
+    files.push_back({{"name", file.name}, {"sha256", file.sha256}});
+  return {{"name", facts.name},
+          {"files", files},
+          {"duration_s", facts.duration},
+          {"time_step_s", facts.time_step},
+          {"pga_m_per_s2", vector(facts.pga)},
+          {"pgv_m_per_s", vector(facts.pgv)},
+          {"pgd_m", vector(facts.pgd)},
+          {"residual_velocity_m_per_s", vector(facts.residual_velocity)},
+          {"residual_displacement_m", vector(facts.residual_displacement)}};
+}
+
+Json assumptions(const std::vector<AssumptionFacts>& facts) {
+  Json result = Json::array();
+  for (const AssumptionFacts& a : facts)
+    result.push_back({{"key", a.key},
+                      {"value", a.value},
+                      {"range", a.range},
+                      {"reason", a.reason},
+                      {"file", a.file}});
+  return result;
+}
+
+}  // namespace
+
+std::string summary_json(const RunFacts& facts, const Response& response) {
+  const BuildInfo build = build_info();
+  const EquipmentModel& item = facts.scene.item;
+  Json json{{"title", facts.title},
+            {"job_name", facts.job_name},
+            {"job_sha256", facts.job_sha256},
+            {"program_version", build.program_version},
+            {"git_commit", build.git_commit},
+            {"cpu_class", build.cpu_class},
+            {"item", item.name},
+            {"record", facts.record ? record(*facts.record) : Json(nullptr)},
+            {"outcome", name_of(response.outcome)},
+            {"cause", response.cause},
+            {"story", story(response)},
+            {"end_time_s", response.end_time}};
+  json["demands"] = object(demand_columns(), response.demands);
+  json["wheels"] = named_objects(wheel_demand_columns(), response.demands.wheels, item.casters);
+  json["points"] =
+      named_objects(point_demand_columns(), response.demands.points, item.marked_points);
+  json["quality"] = object(quality_columns(), response.quality);
+  json["energy"] = object(energy_columns(), response.energy);
+  json["warnings"] = facts.warnings;
+  json["assumptions"] = assumptions(facts.assumptions);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace gurney

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "engine/response.h"
+#include "studies/results/run_facts.h"
+
+namespace gurney {
+
+/// Version of the layout in docs/formats/results_file.md. It grows when a reader could break.
+inline constexpr int kResultsFormatVersion = 1;
+
+/// The bytes of a results file of one run, laid out as docs/formats/results_file.md says. The same
+/// run gives the same bytes: no date, machine or folder is in them.
+std::string results_image(const RunFacts& facts, const Response& response);
+
+}  // namespace gurney

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "engine/scene/scene.h"
+#include "studies/results/run_facts.h"
+
+namespace gurney {
+
+/// A job with its record read: simulate(facts.scene, excitation, facts.settings) runs it.
+struct PreparedRun {
+  RunFacts facts;
+  Excitation excitation;
+};
+
+/// Reads a job file and the record it asks for.
+/// @throws Error with every mistake found in the job, its data files and its record.
+PreparedRun prepare_run(const std::string& job_path);
+
+}  // namespace gurney

@@ -1,0 +1,81 @@
+#!/usr/bin/env bash
+# The command line from outside: exit codes, messages, and the files that are left.
+# usage: commands.sh GURNEY SOURCE_FOLDER
+set -uo pipefail
+gurney=$1
+job=$2/studies/jobs/icu_ventilator_shake.toml
+folder=$(mktemp -d "${TMPDIR:-/tmp}/gurney cli XXXXXX")
+trap 'chmod -R u+w "$folder"; rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failures=0
+
+complain() {
+  printf 'FAILED: %s\n--- stdout\n%s\n--- stderr\n%s\n' "$1" "$(cat stdout)" "$(cat stderr)"
+  failures=$((failures + 1))
+}
+
+# expect CODE TEXT COMMAND...: it exits with CODE and says TEXT somewhere
+expect() {
+  local code=$1 text=$2
+  shift 2
+  "$@" > stdout 2> stderr
+  local got=$?
+  [ "$got" -eq "$code" ] || complain "exit code $got instead of $code: $*"
+  grep -qF -- "$text" stdout stderr || complain "does not say '$text': $*"
+}
+
+# files NAME...: these are in the folder out/ and no other
+files() {
+  local want got
+  want=$(printf '%s\n' "$@" | sort)
+  got=$(find out -mindepth 1 -printf '%f\n' 2> /dev/null | sort)
+  [ "$got" = "$want" ] || complain "out/ holds '$got' instead of '$want'"
+}
+
+expect 0 "CPU class" "$gurney" --version
+expect 0 "Exit codes" "$gurney" --help
+expect 0 "Exit codes" "$gurney" help
+expect 0 "--overwrite" "$gurney" run --help
+expect 2 "a command is needed" "$gurney"
+expect 2 "nonsense" "$gurney" nonsense
+expect 2 "--jsn" "$gurney" run "$job" --jsn
+expect 2 "JOB is required" "$gurney" run
+expect 1 "missing.toml" "$gurney" run missing.toml
+files ""
+
+expect 0 "residual velocity" "$gurney" run "$job"
+files icu_ventilator_shake.{h5,log,svg}
+expect 1 "out/icu_ventilator_shake.h5: exists already" "$gurney" run "$job"
+expect 0 "peak displacement" "$gurney" run "$job" --overwrite
+expect 0 '"demands"' "$gurney" run "$job" -o out/second.h5 --json --no-figure
+files icu_ventilator_shake.{h5,log,svg} second.{h5,log}
+cmp out/icu_ventilator_shake.h5 out/second.h5 || complain "two runs of one job differ"
+
+expect 1 "must end in .h5" "$gurney" run "$job" -o out/third.txt
+expect 1 "none does not exist" "$gurney" run "$job" -o none/third.h5
+mkdir -p out/folder.h5
+expect 1 "is a folder" "$gurney" run "$job" -o out/folder.h5
+rmdir out/folder.h5
+expect 1 "cannot be written" "$gurney" run "$job" -o /proc/third.h5
+# shellcheck disable=SC2317
+full_disk() { (ulimit -f 8; "$gurney" run "$job" -o out/full.h5); }  # 8 kB, less than the file
+expect 1 "out/full.h5: cannot be written, nothing was kept: File too large" full_disk
+files icu_ventilator_shake.{h5,log,svg} second.{h5,log}
+
+# A run long enough to be interrupted; nothing of it may stay.
+sed 's/^\[settings\]/[settings]\nduration_s = 1e5/' "$job" > long.toml
+sed -i "s|file = \"../../|file = \"$2/|" long.toml
+for pair in INT:130 TERM:143; do
+  "$gurney" run long.toml -o out/long.h5 > stdout 2> stderr &
+  process=$!
+  sleep 1
+  kill -s "${pair%:*}" "$process"
+  wait "$process"
+  got=$?
+  [ "$got" -eq "${pair#*:}" ] || complain "exit code $got after SIG${pair%:*}"
+  grep -q interrupted stderr || complain "does not say that it was interrupted"
+done
+files icu_ventilator_shake.{h5,log,svg} second.{h5,log}
+
+[ "$failures" -eq 0 ] && echo "all commands did as they should"
+exit $((failures > 0))

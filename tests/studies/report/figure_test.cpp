@@ -1,0 +1,64 @@
+#include "studies/report/figure.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+#include "studies/report/panel.h"
+#include "tests/studies/fabricated_run.h"
+
+namespace gurney {
+namespace {
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+TEST(Ticks, AreRoundAndInside) {
+  EXPECT_EQ(ticks({0, 10}, 5), (std::vector<double>{0, 2, 4, 6, 8, 10}));
+  EXPECT_EQ(ticks({-0.31, 0.42}, 4), (std::vector<double>{-0.2, 0, 0.2, 0.4}));
+  const auto small = ticks({1e-7, 9e-7}, 4);
+  ASSERT_EQ(small.size(), 4u);
+  EXPECT_NEAR(small[0], 2e-7, 1e-20);
+}
+
+TEST(Figure, HasEveryPanelWithUnits) {
+  const std::string svg = figure(fabricated_facts(), fabricated_response());
+  for (const char* label : {"x (m)", "y (m)", "Time (s)", "Displacement (m)", "Velocity (m/s)",
+                            "Acceleration (m/s\u00b2)", "Normal force (N)", "Swivel angle (deg)",
+                            "Energy (J)", "front left"})
+    EXPECT_GE(count(svg, label), 1u) << label;
+  EXPECT_EQ(count(svg, "Force (N)"), 0u) << "nothing pulls";
+  EXPECT_EQ(count(svg, "nan"), 0u);
+  // Box and four casters, at start and end: each caster has one circle at its mount.
+  EXPECT_EQ(count(svg, "r=\"2.20\""), 8u);
+}
+
+TEST(Figure, ShowsThePull) {
+  EXPECT_EQ(count(figure(fabricated_facts(true), fabricated_response(true)), "Force (N)"), 1u);
+}
+
+TEST(Figure, SurvivesWhatDivergedAndWhatHasNoHistory) {
+  Response response = fabricated_response();
+  response.history.resize(3);
+  for (Sample& sample : response.history) sample.displacement.x() = std::nan("");
+  response.history.front().displacement.setZero();
+  const std::string svg = figure(fabricated_facts(), response);
+  EXPECT_EQ(count(svg, "nan"), 0u);
+  EXPECT_EQ(count(svg, "inf"), 0u);
+  response.history.clear();
+  EXPECT_EQ(count(figure(fabricated_facts(), response), "No history was kept"), 1u);
+}
+
+TEST(Figure, EscapesText) {
+  RunFacts facts = fabricated_facts();
+  facts.title = "<a & b>";
+  EXPECT_EQ(count(figure(facts, fabricated_response()), "&lt;a &amp; b&gt;"), 1u);
+}
+
+}  // namespace
+}  // namespace gurney
