@@ -9,6 +9,8 @@ namespace {
 
 double yaw_of(const Matrix3& rotation) { return std::atan2(rotation(1, 0), rotation(0, 0)); }
 
+double tilt_of(const Matrix3& rotation) { return std::acos(std::clamp(rotation(2, 2), -1.0, 1.0)); }
+
 double horizontal(const Vector3& v) { return v.head<2>().norm(); }
 
 WheelMode mode_of(const Leg& leg, const TreadLaw::Result& tread, bool axle_slips) {
@@ -38,6 +40,9 @@ Recorder::Recorder(const Scene& scene, const Mechanism& mechanism, const State& 
   stored_start_ = complete(start, {}).stored();
   current_.velocity =
       start.velocity.chassis.head<3>() + start.velocity.chassis.tail<3>().cross(rotation * origin_);
+  current_.tilt = demands_.peak_tilt = tilt_of(rotation);
+  current_.cable_tension = mechanism.loads.cable_tension(start.loads);
+  current_.pull_force = mechanism.loads.pull_force(start.time);
   demands_.peak_velocity = horizontal(current_.velocity);
   for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
     Leg::Geometry g;
@@ -69,7 +74,7 @@ void Recorder::observe(const Stepper::Step& step) {
   const double yaw = yaw_of(rotation);
   yaw_ += std::remainder(yaw - yaw_, 2 * std::numbers::pi);
   current_.yaw = yaw_ - yaw_start_;
-  current_.tilt = std::acos(std::clamp(rotation(2, 2), -1.0, 1.0));
+  current_.tilt = tilt_of(rotation);
 
   Demands& d = demands_;
   d.path_length += horizontal(current_.displacement - before);

@@ -40,8 +40,8 @@ bool RunClock::next(double time) {
 void RunClock::observe(double time, double speed, double tilt) {
   if (tilt > settings_.overturn_tilt) return stop(Outcome::kOverturned);
   if (speed > settings_.rest_speed) resting_since_ = time;
-  if (settings_.duration == 0 && time >= excitation_end_ &&
-      time - resting_since_ >= settings_.rest_hold)
+  if (settings_.duration == 0 &&
+      time - std::max(resting_since_, excitation_end_) >= settings_.rest_hold)
     stop(Outcome::kRested);
 }
 

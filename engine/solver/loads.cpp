@@ -236,8 +236,9 @@ double Loads::land(std::vector<double>& state) const {
   double* s = state.data();
   for (const auto& w : weights_) {
     if (s[3] == 0 && s[0] >= w.drop_height - 1e-9) {
-      lost += 0.5 * w.inertia * s[1] * s[1];
-      s[1] = 0;
+      const double stretch = std::max(s[2], 0.0);
+      lost += 0.5 * w.inertia * s[1] * s[1] + 0.5 * w.stiffness * stretch * stretch;
+      s[1] = s[2] = 0;
       s[3] = 1;
     }
     s += kWeightState;

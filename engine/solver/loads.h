@@ -54,7 +54,8 @@ class Loads {
 
   /// How far the first unlanded weight is below its floor (> 0: it has hit); -1 when none falls.
   double penetration(const std::vector<double>& state) const;
-  /// Ends the fall of every weight that has reached its floor; returns the energy it loses [J].
+  /// Ends the fall of every weight that has reached its floor: it stops and its cable goes slack;
+  /// returns the energy lost [J].
   double land(std::vector<double>& state) const;
   /// Blocks whose time has come let go of what they hold; returns the energy lost [J].
   double release(double time, std::vector<double>& state) const;

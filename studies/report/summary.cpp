@@ -128,13 +128,21 @@ std::string record_text(const RunFacts& facts) {
   return text;
 }
 
-std::string assumed_in(const std::string& file, const std::vector<AssumptionFacts>& assumptions) {
-  std::string text = file + ":";
+/// "item.toml 32, caster.toml 25"
+std::string assumed_by_file(const std::vector<AssumptionFacts>& assumptions) {
+  std::vector<std::pair<std::string, int>> counts;
   for (const AssumptionFacts& a : assumptions) {
-    if (a.file != file) continue;
-    text += fmt::format("{} {} = {}", text.back() == ':' ? "" : ",", a.key, a.value);
-    if (!a.range.empty()) text += fmt::format(" [{}]", a.range);
+    const auto known = std::find_if(counts.begin(), counts.end(),
+                                    [&](const auto& count) { return count.first == a.file; });
+    if (known != counts.end()) {
+      ++known->second;
+    } else {
+      counts.emplace_back(a.file, 1);
+    }
   }
+  std::string text;
+  for (const auto& [file, count] : counts)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", file, count);
   return text;
 }
 
@@ -143,15 +151,12 @@ std::string notes(const RunFacts& facts) {
   for (const std::string& warning : facts.warnings)
     text += fmt::format("\nwarning: {}\n", wrapped(warning, 9, 9));
   if (facts.assumptions.empty()) return text;
-  text += fmt::format(
-      "\n{} numbers have no source and are assumed (ranges in brackets; reasons: --json, or "
-      "/assumptions\nin the results file):\n",
-      facts.assumptions.size());
-  std::vector<std::string> files;
-  for (const AssumptionFacts& a : facts.assumptions)
-    if (std::find(files.begin(), files.end(), a.file) == files.end()) files.push_back(a.file);
-  for (const std::string& file : files)
-    text += fmt::format("  {}\n", wrapped(assumed_in(file, facts.assumptions), 6, 2));
+  const std::string rest = fmt::format(
+      "{} of the numbers behind this have no published source and are assumed ({}). Values, ranges "
+      "and "
+      "reasons: --json, or /assumptions in the results file.",
+      facts.assumptions.size(), assumed_by_file(facts.assumptions));
+  text += fmt::format("\n{}\n", wrapped(rest, 0, 0));
   return text;
 }
 
