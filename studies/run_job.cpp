@@ -10,7 +10,7 @@
 #include "groundmotions/record_set.h"
 #include "groundmotions/residual.h"
 #include "studies/job/job.h"
-#include "studies/results/sha256.h"
+#include "engine/base/hash/sha256.h"
 
 namespace gurney {
 namespace {

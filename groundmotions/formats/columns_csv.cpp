@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "engine/base/config/nearest_name.h"
 #include "engine/base/units.h"
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"
@@ -73,24 +73,10 @@ std::size_t header_line(const SourceFile& file) {
   return static_cast<std::size_t>(at - file.lines().begin());
 }
 
-/// Levenshtein's edit distance.
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j)
-      diagonal = std::exchange(row[j + 1],
-                               std::min({row[j] + 1, row[j + 1] + 1, diagonal + (a[i] != b[j])}));
-  }
-  return row.back();
-}
-
-std::string nearest(std::string_view name) {
-  std::string best = "time_s";
-  for (const Column& column : known_columns())
-    if (distance(name, column.name) < distance(name, best)) best = column.name;
-  return best;
+std::vector<std::string> known_names() {
+  std::vector<std::string> names = {"time_s"};
+  for (const Column& column : known_columns()) names.emplace_back(column.name);
+  return names;
 }
 
 /// Columns of a file in their order after time_s; unknown ones are null and mistakes.
@@ -104,11 +90,9 @@ std::vector<const Column*> columns_of(const SourceFile& file, std::size_t line,
   for (const Cell& cell : std::vector(cells.begin() + 1, cells.end())) {
     const Column* column = find_column(cell.text);
     if (!column)
-      mistakes.add(
-          line + 1, cell.column,
-          fmt::format("unknown column '{}'; did you mean '{}'? Known: time_s, then x, y, z "
-                      "or a with _m_per_s2, _cm_per_s2 or _g",
-                      cell.text, nearest(cell.text)));
+      mistakes.add(line + 1, cell.column,
+                   fmt::format("unknown column '{}'{}", std::string(cell.text),
+                               config::suggestion(std::string(cell.text), known_names())));
     for (const Column* other : columns)
       if (column && other && column->name[0] == other->name[0])
         mistakes.add(line + 1, cell.column,

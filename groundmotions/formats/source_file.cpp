@@ -1,12 +1,12 @@
 #include "groundmotions/formats/source_file.h"
 
 #include <fmt/format.h>
-#include <openssl/sha.h>
 
 #include <algorithm>
 #include <fstream>
 
 #include "engine/base/error.h"
+#include "engine/base/hash/sha256.h"
 
 namespace gurney {
 
@@ -68,12 +68,6 @@ void SourceFile::cut() {
   }
 }
 
-std::string SourceFile::sha256() const {
-  unsigned char digest[SHA256_DIGEST_LENGTH];
-  SHA256(reinterpret_cast<const unsigned char*>(bytes_.data()), bytes_.size(), digest);
-  std::string text;
-  for (const unsigned char byte : digest) text += fmt::format("{:02x}", byte);
-  return text;
-}
+std::string SourceFile::sha256() const { return gurney::sha256(bytes_); }
 
 }  // namespace gurney

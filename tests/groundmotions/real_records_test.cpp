@@ -8,7 +8,7 @@
 #include "groundmotions/formats/format.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/peaks.h"
-#include "tests/groundmotions/error_text.h"
+#include "tests/support/error_text.h"
 
 /// Real files, which may not be part of the project: a folder named by GURNEY_RECORDS, with
 /// reference_values.csv (columns file, ..., npts, dt_s, pga_mps2, pgv_raw_cmps).

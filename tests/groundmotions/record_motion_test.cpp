@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "engine/base/units.h"
-#include "tests/groundmotions/error_text.h"
+#include "tests/support/error_text.h"
 
 namespace gurney {
 namespace {

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "engine/base/units.h"
-#include "tests/groundmotions/error_text.h"
+#include "tests/support/error_text.h"
 
 namespace gurney {
 namespace {

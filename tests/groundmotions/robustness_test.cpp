@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 #include "groundmotions/normal_draw.h"
-#include "tests/groundmotions/error_text.h"
+#include "tests/support/error_text.h"
 
 /// Damaged files give an Error or a record of finite numbers; never a crash, a hang or an empty
 /// record.

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 namespace gurney {
@@ -24,6 +25,7 @@ class TempFolder {
   }
 
   std::string path() const { return path_.string(); }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
 
   /// Writes a file and returns its path.
   std::string write(const std::string& name, const std::string& text) const {
@@ -35,5 +37,12 @@ class TempFolder {
  private:
   std::filesystem::path path_;
 };
+
+inline std::string contents_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
 
 }  // namespace gurney

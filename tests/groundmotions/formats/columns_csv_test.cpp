@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "engine/base/units.h"
-#include "tests/groundmotions/error_text.h"
+#include "tests/support/error_text.h"
 
 namespace gurney {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/groundmotions/error_text.h"
+#include "tests/support/error_text.h"
 
 namespace gurney {
 namespace {

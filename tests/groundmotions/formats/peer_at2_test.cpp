@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "engine/base/units.h"
-#include "tests/groundmotions/error_text.h"
+#include "tests/support/error_text.h"
 
 namespace gurney {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "tests/groundmotions/error_text.h"
+#include "tests/support/error_text.h"
 
 namespace gurney {
 namespace {

@@ -3,19 +3,19 @@
 #include <fstream>
 
 #include "tests/support/expect_error.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/temp_folder.h"
 
 namespace gurney {
 namespace {
 
-std::string saved(Hdf5Writer& file, const TemporaryFolder& folder) {
+std::string saved(Hdf5Writer& file, const TempFolder& folder) {
   const std::string path = folder.file("a.h5");
   std::ofstream(path, std::ios::binary) << file.image();
   return path;
 }
 
 TEST(Hdf5File, GivesBackWhatWasWritten) {
-  const TemporaryFolder folder;
+  const TempFolder folder;
   Hdf5Writer file;
   file.add_group("/g");
   file.add_scale({"/g/t", "s", "time", {}}, std::vector<double>{0, 0.5});
@@ -32,7 +32,7 @@ TEST(Hdf5File, GivesBackWhatWasWritten) {
 }
 
 TEST(Hdf5File, DescribesItsDatasets) {
-  const TemporaryFolder folder;
+  const TempFolder folder;
   Hdf5Writer file;
   file.add_group("/g");
   file.add_scale({"/g/t", "s", "time", {}}, std::vector<double>{0, 0.5});
@@ -49,7 +49,7 @@ TEST(Hdf5File, DescribesItsDatasets) {
 }
 
 TEST(Hdf5File, TakesEmptyDimensions) {
-  const TemporaryFolder folder;
+  const TempFolder folder;
   Hdf5Writer file;
   file.add_group("/g");
   file.add_scale({"/g/p", "1", "point", {}}, std::vector<std::string>{});
@@ -71,7 +71,7 @@ TEST(Hdf5File, ErrorsSayWhatHdf5Says) {
 }
 
 TEST(Hdf5File, RefusesAFileThatIsNotHdf5) {
-  const TemporaryFolder folder;
+  const TempFolder folder;
   std::ofstream(folder.file("a.h5")) << "text";
   EXPECT_ERROR(Hdf5Reader(folder.file("a.h5")), "a.h5: H5F__super_read: file signature not found");
 }

@@ -7,18 +7,18 @@
 #include <fstream>
 
 #include "tests/support/expect_error.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/temp_folder.h"
 
 namespace gurney {
 namespace {
 
-std::size_t count_files(const TemporaryFolder& folder) {
+std::size_t count_files(const TempFolder& folder) {
   return static_cast<std::size_t>(
       std::distance(std::filesystem::directory_iterator(folder.path()), {}));
 }
 
 TEST(OutputFiles, CommitsEveryFileOrNone) {
-  const TemporaryFolder folder;
+  const TempFolder folder;
   {
     OutputFiles output(false);
     output.stage(folder.file("a"), "one");
@@ -37,7 +37,7 @@ TEST(OutputFiles, CommitsEveryFileOrNone) {
 }
 
 TEST(OutputFiles, RefusesAnExistingFileAndLeavesIt) {
-  const TemporaryFolder folder;
+  const TempFolder folder;
   std::ofstream(folder.file("a")) << "old";
   EXPECT_ERROR(OutputFiles(false).check(folder.file("a")), "a: exists already");
   OutputFiles late(false);
@@ -47,7 +47,7 @@ TEST(OutputFiles, RefusesAnExistingFileAndLeavesIt) {
 }
 
 TEST(OutputFiles, KeepsTheOldFileUntilTheNewOneIsComplete) {
-  const TemporaryFolder folder;
+  const TempFolder folder;
   std::ofstream(folder.file("a")) << "old";
   OutputFiles output(true);
   output.check(folder.file("a"));
@@ -59,10 +59,10 @@ TEST(OutputFiles, KeepsTheOldFileUntilTheNewOneIsComplete) {
 }
 
 TEST(OutputFiles, ChecksBeforeTheWork) {
-  const TemporaryFolder folder;
+  const TempFolder folder;
   const OutputFiles output(true);
   EXPECT_ERROR(output.check(folder.file("none/a.h5")), "none does not exist");
-  EXPECT_ERROR(output.check(folder.path().string()), "is a folder");
+  EXPECT_ERROR(output.check(folder.path()), "is a folder");
   output.check(folder.file("a.h5"));
   EXPECT_EQ(count_files(folder), 0u) << "a check leaves nothing behind";
 }
@@ -74,7 +74,7 @@ TEST(OutputFiles, RefusesAnUnwritableFolder) {
                  "/proc/gurney.h5: cannot be written: ");
     return;
   }
-  const TemporaryFolder folder;
+  const TempFolder folder;
   std::filesystem::permissions(
       folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
   EXPECT_ERROR(OutputFiles(true).check(folder.file("a.h5")), "Permission denied");
@@ -102,7 +102,7 @@ class FileSizeLimit {
 };
 
 TEST(OutputFiles, LeavesNothingWhenTheDiskIsFull) {
-  const TemporaryFolder folder;
+  const TempFolder folder;
   std::ofstream(folder.file("b")) << "old";
   {
     const FileSizeLimit limit(10000);

@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "studies/results/hdf5_file.h"
-#include "studies/results/sha256.h"
+#include "engine/base/hash/sha256.h"
 #include "tests/studies/fabricated_run.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/temp_folder.h"
 
 namespace gurney {
 namespace {
@@ -24,7 +24,7 @@ class ResultsFile : public testing::Test {
     return path;
   }
 
-  TemporaryFolder folder_;
+  TempFolder folder_;
 };
 
 TEST_F(ResultsFile, HoldsTheRun) {

@@ -1,4 +1,4 @@
-#include "studies/results/sha256.h"
+#include "engine/base/hash/sha256.h"
 
 #include <fmt/format.h>
 #include <openssl/sha.h>
