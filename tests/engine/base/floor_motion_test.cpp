@@ -1,0 +1,66 @@
+#include "engine/base/floor_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/error_text.h"
+
+namespace gurney {
+namespace {
+
+FloorMotion ramp() {
+  Eigen::Matrix3Xd a(3, 4);
+  a << 0, 1, 3, -2,  //
+      1, 1, 1, 1,    //
+      0, 0, 2, 0;
+  return FloorMotion(0.5, a, "ramp");
+}
+
+TEST(FloorMotion, IsLinearBetweenSamplesAndZeroOutside) {
+  const FloorMotion motion = ramp();
+  EXPECT_DOUBLE_EQ(motion.duration(), 1.5);
+  EXPECT_NEAR((motion.acceleration_at(0.75) - Vector3(2, 1, 1)).norm(), 0, 1e-15);
+  EXPECT_NEAR((motion.acceleration_at(1.25) - Vector3(0.5, 1, 1)).norm(), 0, 1e-15);
+  EXPECT_EQ(motion.acceleration_at(-0.001).norm(), 0);
+  EXPECT_EQ(motion.acceleration_at(1.501).norm(), 0);
+}
+
+TEST(FloorMotion, VelocityIsTheExactIntegral) {
+  const FloorMotion motion = ramp();
+  // Trapezoids of the x component: 0.25, 1, 0.25; inside the second, 1 (t - 0.5) + 2 (t - 0.5)^2.
+  EXPECT_NEAR(motion.velocity_at(0.5).x(), 0.25, 1e-15);
+  EXPECT_NEAR(motion.velocity_at(0.8).x(), 0.25 + 0.3 + 2 * 0.09, 1e-15);
+  EXPECT_NEAR(motion.velocity_at(1.5).x(), 1.5, 1e-15);
+  EXPECT_NEAR(motion.velocity_at(9).x(), 1.5, 1e-15);
+  EXPECT_EQ(motion.velocity_at(0).norm(), 0);
+}
+
+TEST(FloorMotion, ResidualsAreThoseOfTheClosedForm) {
+  const FloorMotion motion = ramp();
+  EXPECT_NEAR(motion.residual_velocity().y(), 1.5, 1e-15);
+  EXPECT_NEAR(motion.residual_displacement().y(), 0.5 * 1.5 * 1.5, 1e-15);
+  // z: a rises and falls as a triangle of height 2 over 1 s with its middle at 1 s: impulse 1 m/s,
+  // arm 0.5 s.
+  EXPECT_NEAR(motion.residual_velocity().z(), 1, 1e-15);
+  EXPECT_NEAR(motion.residual_displacement().z(), 0.5, 1e-15);
+}
+
+TEST(FloorMotion, RestIsRest) {
+  const FloorMotion motion;
+  EXPECT_TRUE(motion.at_rest());
+  EXPECT_EQ(motion.duration(), 0);
+  EXPECT_EQ(motion.velocity_at(3).norm(), 0);
+  EXPECT_EQ(motion.acceleration_at(3).norm(), 0);
+}
+
+TEST(FloorMotion, RefusesWhatIsNoMotion) {
+  Eigen::Matrix3Xd a = Eigen::Matrix3Xd::Zero(3, 3);
+  EXPECT_NE(error_text([&] { FloorMotion(0, a); }), "(no error)");
+  EXPECT_NE(error_text([&] { FloorMotion(std::nan(""), a); }), "(no error)");
+  a(1, 2) = std::nan("");
+  EXPECT_NE(error_text([&] { FloorMotion(0.01, a); }), "(no error)");
+}
+
+}  // namespace
+}  // namespace gurney
