@@ -39,6 +39,8 @@ Recorder::Recorder(const Scene& scene, const Mechanism& mechanism, const State& 
   current_.velocity =
       start.velocity.chassis.head<3>() + start.velocity.chassis.tail<3>().cross(rotation * origin_);
   demands_.peak_velocity = horizontal(current_.velocity);
+  current_.cable_tension = mechanism.loads.cable_tension(start.loads);
+  current_.pull_force = mechanism.loads.pull_force(start.time);
   for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
     Leg::Geometry g;
     mechanism.legs[i].evaluate(start.pose(), start.legs[i].swivel_angle, start.velocity.chassis,
