@@ -44,8 +44,6 @@ Recorder::Recorder(const Scene& scene, const Mechanism& mechanism, const State& 
   current_.cable_tension = mechanism.loads.cable_tension(start.loads);
   current_.pull_force = mechanism.loads.pull_force(start.time);
   demands_.peak_velocity = horizontal(current_.velocity);
-  current_.cable_tension = mechanism.loads.cable_tension(start.loads);
-  current_.pull_force = mechanism.loads.pull_force(start.time);
   for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
     Leg::Geometry g;
     mechanism.legs[i].evaluate(start.pose(), start.legs[i].swivel_angle, start.velocity.chassis,
