@@ -30,6 +30,7 @@ Response simulate_with_star(const Scene& scene, const Excitation& excitation,
   };
 
   recorder.sample(state, stepper.account(), clock.keeps_history());
+  double sampled_at = state.time;
   while (clock.next(state.time)) {
     world.step(clock.target() - state.time, state, solve);
     if (cause) {
@@ -37,9 +38,13 @@ Response simulate_with_star(const Scene& scene, const Excitation& excitation,
       break;
     }
     if (clock.at_breakpoint()) stepper.change_loads(state);
-    if (clock.sample_due()) recorder.sample(state, stepper.account(), clock.keeps_history());
+    if (clock.sample_due()) {
+      recorder.sample(state, stepper.account(), clock.keeps_history());
+      sampled_at = state.time;
+    }
     clock.observe(state.time, recorder.speed(), recorder.tilt());
   }
+  if (sampled_at != state.time) recorder.sample(state, stepper.account(), clock.keeps_history());
   if (clock.outcome() == Outcome::kOverturned) recorder.demands().time_of_overturning = state.time;
 
   Response response;

@@ -157,6 +157,7 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
   std::vector<Loads::Row> rows;
   State next = state;
   recorder.sample(state, account, clock.keeps_history());
+  double sampled_at = state.time;
   while (clock.next(state.time)) {
     const double duration = clock.target() - state.time;
     const Vector3 floor =
@@ -173,9 +174,13 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
     recorder.observe({&state, &next, &output, floor, duration});
     state = next;
     state.time = clock.target();
-    if (clock.sample_due()) recorder.sample(state, account, clock.keeps_history());
+    if (clock.sample_due()) {
+      recorder.sample(state, account, clock.keeps_history());
+      sampled_at = state.time;
+    }
     clock.observe(state.time, recorder.speed(), recorder.tilt());
   }
+  if (sampled_at != state.time) recorder.sample(state, account, clock.keeps_history());
   response.outcome = clock.outcome();
   response.cause = clock.cause();
   recorder.finish(state, account, response);

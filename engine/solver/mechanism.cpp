@@ -12,6 +12,20 @@ Vector3 sloped_gravity(double gravity, double slope) {
   return {-gravity * std::sin(angle), 0, -gravity * std::cos(angle)};
 }
 
+/// Bodies against other things than wheels on the floor: stiff, dissipative plastic on a hard
+/// surface. Assumption, range 1e5 to 1e7 N/m; materials come with rooms.
+Tread body_material() {
+  return {.normal_stiffness = 1e6,
+          .normal_damping = 1e4,
+          .tangential_stiffness = 3e5,
+          .tangential_damping = 100,
+          .relaxation_length = 1,
+          .patch_width = 0,
+          .rolling_resistance = 0,
+          .static_friction = 0.4,
+          .kinetic_friction = 0.4};
+}
+
 Leg::Geometry geometry(const Leg& leg, const State& state, std::size_t i) {
   Leg::Geometry g;
   leg.evaluate(state.pose(), state.legs[i].swivel_angle, state.velocity.chassis,
@@ -23,6 +37,7 @@ Leg::Geometry geometry(const Leg& leg, const State& state, std::size_t i) {
 
 Mechanism::Mechanism(const Scene& scene, const Excitation& excitation)
     : chassis(chassis_with_payloads(scene.item)),
+      body_law(body_material(), 0.1),
       loads(excitation, chassis.center_of_mass, scene.gravity),
       fixture(excitation.fixture),
       gravity(sloped_gravity(scene.gravity, scene.slope)),
@@ -60,7 +75,7 @@ double Mechanism::kinetic_energy(const State& state) const {
 }
 
 double Mechanism::elastic_energy(const State& state) const {
-  double energy = loads.stored_energy(state.loads);
+  double energy = loads.stored_energy(state.loads) + contact_energy(state);
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const Leg& leg = legs[i];
     const LegState& s = state.legs[i];
@@ -68,6 +83,13 @@ double Mechanism::elastic_energy(const State& state) const {
               0.5 * leg.swivel_friction().stiffness * s.swivel_wind * s.swivel_wind +
               0.5 * leg.axle_friction().stiffness * s.axle_wind * s.axle_wind;
   }
+  return energy;
+}
+
+double Mechanism::contact_energy(const State& state) const {
+  double energy = 0;
+  for (const BodyContactState& contact : state.contacts)
+    energy += body_law.stored_energy(contact.compression, contact.patch);
   return energy;
 }
 

@@ -15,6 +15,7 @@ struct Mechanism {
 
   MassProperties chassis;  ///< with payloads; item axes
   std::vector<Leg> legs;
+  TreadLaw body_law;  ///< of bodies in contact with other things than wheels with the floor
   Loads loads;
   Fixture fixture;
   Vector3 gravity;    ///< floor axes: the floor may slope
@@ -25,8 +26,9 @@ struct Mechanism {
   /// Potential energy of gravity, any constant origin [J].
   double gravitational_energy(const State& state) const;
   double kinetic_energy(const State& state) const;
-  /// Energy in treads, stuck bearings, springs and cables [J].
+  /// Energy in treads, stuck bearings, springs, cables and contacts of bodies [J].
   double elastic_energy(const State& state) const;
+  double contact_energy(const State& state) const;  ///< of bodies only [J]
 
   /// The item as it is placed: chassis pose, headings, initial velocity with rolling wheels; treads
   /// unloaded.

@@ -73,10 +73,10 @@ void StageSolver::finish(const Input& input, const Velocity& v, Output& out) {
     if (leg >= 0) u += work.jacobian_joints * v.joints[static_cast<std::size_t>(leg)];
     Vector5 rates_here;
     rates_here << u, 0, 0;
-    const auto result = body_law_.finish(work.stage, rates_here);
-    end.contacts[c].patch = result.end;
+    const auto result = mechanism_.body_law.finish(work.stage, rates_here);
+    end.contacts[c] = {result.end, result.compression};
     power.contact_loss += result.sliding_power + result.damping_power + result.relaxation_power;
-    rates += body_law_.spring_rates(work.stage, rates_here, result);
+    rates += mechanism_.body_law.spring_rates(work.stage, rates_here, result);
   }
   if (mechanism_.loads.empty()) {
     end.loads.clear();

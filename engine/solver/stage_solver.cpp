@@ -18,20 +18,6 @@ constexpr int kMaxGeometryPasses = 6;
 constexpr int kMaxBacktracks = 6;
 constexpr int kIterationsBeforeBacktracking = 4;
 
-/// Bodies against other things than wheels on the floor: stiff, dissipative plastic on a hard
-/// surface. Assumption, range 1e5 to 1e7 N/m; materials come with rooms.
-Tread body_material() {
-  return {.normal_stiffness = 1e6,
-          .normal_damping = 1e4,
-          .tangential_stiffness = 3e5,
-          .tangential_damping = 100,
-          .relaxation_length = 1,
-          .patch_width = 0,
-          .rolling_resistance = 0,
-          .static_friction = 0.4,
-          .kinetic_friction = 0.4};
-}
-
 bool is_constrained(const Guide& guide) {
   return guide.kind == Guide::Kind::kHeld || guide.kind == Guide::Kind::kVelocity;
 }
@@ -45,7 +31,7 @@ Vector5 contact_rates(const Vector3& v) {
 }  // namespace
 
 StageSolver::StageSolver(const Mechanism& mechanism, const Settings& settings)
-    : mechanism_(mechanism), settings_(settings), body_law_(body_material(), 0.1) {}
+    : mechanism_(mechanism), settings_(settings) {}
 
 void StageSolver::update_geometry(const Input& input, const Velocity& v, bool first) {
   const State& start = *input.start;
@@ -138,7 +124,7 @@ double StageSolver::evaluate_forces(const Input& input, const Velocity& v) {
     Vector3 u = work.jacobian_chassis * v.chassis;
     if (contact.leg >= 0)
       u += work.jacobian_joints * v.joints[static_cast<std::size_t>(contact.leg)];
-    work.force = body_law_.force(work.stage, contact_rates(u), work.slope);
+    work.force = mechanism_.body_law.force(work.stage, contact_rates(u), work.slope);
     force.noalias() += work.jacobian_chassis.transpose() * work.force.head<3>();
     if (contact.leg >= 0)
       legs_[static_cast<std::size_t>(contact.leg)].joint_residual -=

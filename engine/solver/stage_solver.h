@@ -82,7 +82,6 @@ class StageSolver {
 
   const Mechanism& mechanism_;
   Settings settings_;
-  TreadLaw body_law_;
   std::array<LegWork, kMaxLegs> legs_;
   std::vector<ContactWork> contacts_;
   std::vector<Loads::Row> load_rows_;

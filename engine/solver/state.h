@@ -32,6 +32,7 @@ struct LegState {
 /// What one contact of a body with something else than wheel on floor remembers.
 struct BodyContactState {
   TreadState patch;
+  double compression = 0;  ///< overlap [m]
 };
 
 /// Everything that evolves.

@@ -96,7 +96,12 @@ void Stepper::set_contacts(const std::vector<ContactAnchor>& anchors, State& sta
     }
   }
   anchors_ = anchors;
+  const double stored = mechanism_.contact_energy(state);
   state.contacts = std::move(memories);
+  const std::vector<BodyContact> contacts = contacts_at(state);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    state.contacts[i].compression = -contacts[i].gap;
+  account_.contact_loss += stored - mechanism_.contact_energy(state);
 }
 
 void Stepper::change_loads(State& state) {

@@ -45,7 +45,7 @@ class Stepper {
   std::optional<std::string> advance(State& state, double time, const Observer& observer);
 
   /// The contacts of bodies from now on. A contact that persists (same body, nearly the same place)
-  /// keeps what it remembers in `state`.
+  /// keeps what it remembers in `state`; the energy stored in contacts that end is lost.
   void set_contacts(const std::vector<ContactAnchor>& anchors, State& state);
 
   /// Loads change at the state's time: blocks let go, and the last acceleration predicts nothing.

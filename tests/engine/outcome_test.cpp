@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/simulate.h"
+#include "tests/support/error_text.h"
+#include "tests/support/small_scenes.h"
+
+namespace gurney {
+namespace {
+
+struct Job {
+  Scene scene;
+  Excitation excitation;
+  SimulationSettings settings;
+};
+
+Job coasting(double rolling_resistance) {
+  Job job;
+  Tread tread;
+  tread.rolling_resistance = rolling_resistance;
+  tread.tangential_damping = 500;
+  job.scene.item = small::trolley({0, 0, 0, 0}, tread);
+  job.scene.initial.velocity = {0.3, 0, 0};
+  return job;
+}
+
+Response run(const Job& job) { return simulate(job.scene, job.excitation, job.settings); }
+
+bool finite(const Response& response) {
+  bool all = std::isfinite(response.demands.peak_displacement) &&
+             std::isfinite(response.demands.peak_normal_force) &&
+             std::isfinite(response.demands.residual_yaw) &&
+             std::isfinite(response.energy.loss()) &&
+             std::isfinite(response.quality.energy_closure) &&
+             std::isfinite(response.quality.largest_residual);
+  for (const Sample& sample : response.history)
+    all &= sample.displacement.allFinite() && sample.velocity.allFinite() &&
+           sample.acceleration.allFinite() && std::isfinite(sample.energy.stored());
+  return all;
+}
+
+TEST(Outcome, AnItemThatComesToRestHasRested) {
+  // 0.3 m/s against Cr / R g = 0.196 m/s2 stops after 1.53 s; the chassis then sways on its stuck
+  // treads (0.3 s here), and rest must hold for 0.5 s.
+  const Job job = coasting(1e-3);
+  const Response response = run(job);
+  EXPECT_EQ(response.outcome, Outcome::kRested);
+  EXPECT_GT(response.end_time, 1.53 + 0.5);
+  EXPECT_LT(response.end_time, 1.53 + 0.5 + 0.5);
+  EXPECT_LT(response.history.back().velocity.norm(), job.settings.rest_speed);
+  EXPECT_NEAR(response.history.back().time, response.end_time, 1e-9) << "the end is kept";
+  EXPECT_EQ(response.cause, "");
+  EXPECT_TRUE(finite(response));
+}
+
+TEST(Outcome, AnItemThatNeverRestsIsStillMovingAfterTheSettleTime) {
+  Job job = coasting(0);
+  job.settings.settle_time = 2;
+  const Response response = run(job);
+  EXPECT_EQ(response.outcome, Outcome::kStillMoving);
+  EXPECT_NEAR(response.end_time, 2, 1e-9);
+}
+
+TEST(Outcome, AGivenDurationStopsTheRunRestingOrNot) {
+  Job job = coasting(1e-3);
+  job.settings.duration = 3;
+  EXPECT_EQ(run(job).outcome, Outcome::kStopped);
+  EXPECT_NEAR(run(job).end_time, 3, 1e-9);
+}
+
+TEST(Outcome, AnItemPushedOverHasOverturned) {
+  Job job = coasting(1e-3);
+  job.scene.initial.velocity.setZero();
+  job.excitation.forces = {{"push", {0, 0, 1.0}, {0, 1, 0}, {0, 0.2, 3}, {0, 900, 900}}};
+  for (Caster& c : job.scene.item.casters) {
+    c.swivels = false;  // and cannot roll sideways
+    c.tread.static_friction = c.tread.kinetic_friction = 2;
+  }
+  const Response response = run(job);
+  EXPECT_EQ(response.outcome, Outcome::kOverturned) << response.cause;
+  EXPECT_NEAR(response.demands.time_of_overturning, response.end_time, 1e-12);
+  EXPECT_GT(response.demands.peak_tilt, job.settings.overturn_tilt);
+  EXPECT_GE(response.demands.most_wheels_lifted, 2);
+  EXPECT_GT(response.demands.wheels[1].liftoffs, 0);
+  EXPECT_TRUE(finite(response));
+}
+
+TEST(Outcome, ARunThatCannotGoOnSaysWhyAndHoldsNoNaN) {
+  // A floor acceleration that no step of this length resolves.
+  Job job = coasting(1e-3);
+  Eigen::Matrix3Xd acceleration = Eigen::Matrix3Xd::Zero(3, 40);
+  for (int i = 10; i < 40; ++i) acceleration(i % 3, i) = (i % 2 ? 1 : -1) * 1e200;
+  job.excitation.floor = FloorMotion(0.01, acceleration);
+  const Response response = run(job);
+  EXPECT_EQ(response.outcome, Outcome::kDiverged);
+  EXPECT_NE(response.cause, "");
+  EXPECT_TRUE(finite(response));
+}
+
+TEST(Outcome, WrongScenesAndSettingsAreErrorsNotOutcomes) {
+  Job job = coasting(1e-3);
+  job.settings.time_step = 0.5;
+  EXPECT_EQ(error_text([&] { run(job); }), "settings: time_step = 0.5: must be > 0 and <= 0.02 s");
+  job = coasting(1e-3);
+  job.scene.item.chassis_mass = -1;
+  EXPECT_EQ(error_text([&] { run(job); }),
+            "item 'item': chassis_mass = -1: must be > 0 and finite");
+}
+
+TEST(Outcome, NamesAreStable) {
+  EXPECT_STREQ(name_of(Outcome::kRested), "rested");
+  EXPECT_STREQ(name_of(Outcome::kOverturned), "overturned");
+  EXPECT_STREQ(name_of(Outcome::kDiverged), "diverged");
+}
+
+}  // namespace
+}  // namespace gurney

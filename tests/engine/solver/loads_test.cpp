@@ -1,0 +1,161 @@
+#include "engine/solver/loads.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/base/units.h"
+
+namespace gurney {
+namespace {
+
+constexpr double kGravity = kStandardGravity;
+const Vector3 kCenter(0, 0, 0.5);
+
+Excitation everything() {
+  Excitation e;
+  e.forces = {{"pull", {0.5, 0.1, 0.3}, {2, 0, 0}, {0, 1, 3}, {0, 40, 10}}};
+  e.string_potentiometers = {{{-0.5, 0, 0.4}, {-1, 0, 0}, 7}};
+  e.drop_weights = {{.point = {0.5, 0, 0.3},
+                     .direction = {1, 0, 0.2},
+                     .mass = 5,
+                     .drop_height = 0.4,
+                     .pulley_inertia = 0.001,
+                     .pulley_radius = 0.04,
+                     .potentiometer_tension = 3}};
+  e.blocks = {{{0.4, 0.2, 0}, 1e6, 1e3, 2.0}};
+  e.fixture.guides[1] = {Guide::Kind::kSpring, 0, 500, 20};
+  return e;
+}
+
+struct Evaluation {
+  Loads loads{everything(), kCenter, kGravity};
+  std::vector<double> state = loads.initial_state();
+  Pose pose;
+  Vector6 velocity = Vector6::Zero();
+
+  Loads::Stage stage(bool first = true, double from = 1.0, double to = 1.01) const {
+    return {0.003, from, to, first, &state};
+  }
+  std::vector<Loads::Row> rows(const Loads::Stage& at) const {
+    std::vector<Loads::Row> result;
+    loads.evaluate(at, pose, velocity, result);
+    return result;
+  }
+};
+
+TEST(Loads, RowsHoldForceAndMomentAboutTheChassis) {
+  Evaluation e;
+  e.pose.rotation = Eigen::AngleAxisd(0.5, Vector3::UnitZ()).toRotationMatrix();
+  const auto rows = e.rows(e.stage());
+  ASSERT_EQ(rows.size(), 6u);  // force, string, weight, two of the block, spring
+  const Vector3 arm = e.pose.rotation * (Vector3(0.5, 0.1, 0.3) - kCenter);
+  EXPECT_NEAR((rows[0].direction.head<3>() - Vector3::UnitX()).norm(), 0, 1e-15) << "unit vector";
+  EXPECT_NEAR((rows[0].direction.tail<3>() - arm.cross(Vector3::UnitX())).norm(), 0, 1e-15);
+  EXPECT_EQ(rows[1].force, 7);
+  EXPECT_EQ(rows[5].direction, Vector6(Vector6::Unit(1)));
+}
+
+TEST(Loads, ATabulatedForceMeetsItsMeanOverTheStep) {
+  // From 0.9 to 1.2 s the table has a corner: mean of (36 + 40) / 2 over 0.1 s and (40 + 37) / 2
+  // over 0.2 s.
+  Evaluation e;
+  const double first = e.rows(e.stage(true, 0.9, 1.2))[0].force;
+  const double second = e.rows(e.stage(false, 0.9, 1.2))[0].force;
+  const double gamma = 1 - std::sqrt(0.5);
+  EXPECT_NEAR((1 - gamma) * first + gamma * second, (38 * 0.1 + 38.5 * 0.2) / 0.3, 1e-12);
+  EXPECT_EQ(e.rows(e.stage(true, 3.1, 3.2))[0].force, 0) << "zero after the table";
+  EXPECT_DOUBLE_EQ(e.loads.pull_force(2), 25);
+  EXPECT_EQ(e.loads.pull_force(3.5), 0);
+}
+
+TEST(Loads, SlopesAreThoseOfTheForces) {
+  // Piecewise linear in velocity: central differences are exact but for rounding,
+  // 1e3 N * 1e-16 / 1e-6.
+  Evaluation e;
+  e.state[1] = 0.3;  // the weight falls
+  for (double x : {-0.5, 0.0, 0.2}) {
+    e.velocity << x, 0.1, 0, 0.2, -0.1, 0.3;
+    const auto rows = e.rows(e.stage());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const double step = 1e-6;
+      const Vector6 direction = rows[i].direction / rows[i].direction.squaredNorm();
+      Evaluation up = e, down = e;
+      up.velocity += step * direction;
+      down.velocity -= step * direction;
+      const double slope =
+          -(up.rows(up.stage())[i].force - down.rows(down.stage())[i].force) / (2 * step);
+      EXPECT_NEAR(rows[i].slope, slope, 1e-9 * std::max(1.0, rows[i].slope) + 1e-6) << "row " << i;
+    }
+  }
+}
+
+TEST(Loads, AHangingWeightStretchesItsCableWhileBlocksHold) {
+  Evaluation e;
+  const double tension = 5 * kGravity - 3;
+  EXPECT_NEAR(e.loads.cable_tension(e.state), tension, 1e-9);
+  EXPECT_NEAR(e.rows(e.stage())[2].force, tension, 1e-9) << "nothing moves";
+  EXPECT_NEAR(e.loads.stored_energy(e.state), tension * tension / 2e6, 1e-12);
+}
+
+TEST(Loads, TheWeightObeysItsOwnEquation) {
+  // (m + I_p / r_p^2) w' = m g - T_pot - T over the stage, with the cable's own tension.
+  Evaluation e;
+  e.state[1] = 0.3;
+  e.velocity[0] = 0.25;
+  const double tension = e.rows(e.stage())[2].force;
+  EnergyAccount power;
+  std::vector<double> end;
+  e.loads.finish(e.stage(), e.pose, e.velocity, power, end);
+  const double inertia = 5 + 0.001 / 0.0016;
+  EXPECT_NEAR(inertia * (end[1] - 0.3) / 0.003, 5 * kGravity - 3 - tension, 1e-9);
+  EXPECT_NEAR(end[0], 0.003 * end[1], 1e-15);
+  const Vector3 direction = Vector3(1, 0, 0.2).normalized();
+  const double stretch_rate = end[1] - direction.x() * 0.25;
+  EXPECT_NEAR(tension, 1e6 * end[2] + 500 * stretch_rate, 1e-9);
+}
+
+TEST(Loads, ASlackCableCarriesNothing) {
+  Evaluation e;
+  e.velocity[0] = 5;  // the chassis runs away from the weight's side
+  const auto rows = e.rows(e.stage());
+  EXPECT_EQ(rows[2].force, 0);
+  EXPECT_EQ(rows[2].slope, 0);
+}
+
+TEST(Loads, AWeightLandsAtItsDropHeight) {
+  Evaluation e;
+  EXPECT_NEAR(e.loads.penetration(e.state), -0.4, 1e-15);
+  e.state[0] = 0.4;
+  e.state[1] = 1.5;
+  const double inertia = 5 + 0.001 / 0.0016;
+  EXPECT_NEAR(e.loads.land(e.state), 0.5 * inertia * 1.5 * 1.5, 1e-12);
+  EXPECT_EQ(e.state[1], 0);
+  EXPECT_EQ(e.loads.penetration(e.state), -1) << "none falls any more";
+  EXPECT_EQ(e.loads.land(e.state), 0) << "once";
+  e.velocity[0] = 1;
+  EnergyAccount power;
+  std::vector<double> end;
+  e.loads.finish(e.stage(), e.pose, e.velocity, power, end);
+  EXPECT_EQ(end[1], 0) << "it rests";
+}
+
+TEST(Loads, BlocksLetGoAtTheirTime) {
+  Evaluation e;
+  e.velocity << 0.1, -0.2, 0, 0, 0, 0;
+  const double slope = 1e6 * 0.003 + 1e3;
+  EXPECT_NEAR(e.rows(e.stage())[3].force, -slope * 0.1, 1e-9);
+  EXPECT_NEAR(e.rows(e.stage())[4].force, slope * 0.2, 1e-9);
+  EXPECT_EQ(e.rows(e.stage(true, 2.0, 2.01)).size(), 4u);
+  e.state[4] = 1e-4;
+  EXPECT_EQ(e.loads.release(1.9, e.state), 0);
+  EXPECT_NEAR(e.loads.release(2.0, e.state), 0.5 * 1e6 * 1e-8, 1e-15);
+  EXPECT_EQ(e.state[4], 0);
+}
+
+TEST(Loads, BreakpointsAreWhereLoadsChange) {
+  EXPECT_EQ(Evaluation().loads.breakpoints(), (std::vector<double>{0, 1, 3, 2}));
+}
+
+}  // namespace
+}  // namespace gurney
