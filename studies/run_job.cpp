@@ -5,12 +5,12 @@
 #include <filesystem>
 
 #include "engine/base/error.h"
+#include "engine/base/hash/sha256.h"
 #include "groundmotions/peaks.h"
 #include "groundmotions/record_motion.h"
 #include "groundmotions/record_set.h"
 #include "groundmotions/residual.h"
 #include "studies/job/job.h"
-#include "engine/base/hash/sha256.h"
 
 namespace gurney {
 namespace {

@@ -33,7 +33,7 @@ struct Tread {
   double normal_stiffness = 3e5;      ///< k_n > 0 [N/m]
   double normal_damping = 500;        ///< c_n >= 0 [N s/m]
   double tangential_stiffness = 1e5;  ///< k_t > 0 [N/m]
-  double tangential_damping = 20;     ///< c_t >= 0 [N s/m]
+  double tangential_damping = 150;    ///< c_t >= 0 [N s/m]
   double relaxation_length =
       0.01;                    ///< sigma > 0: the patch forgets its deflection over this roll [m]
   double patch_width = 0.008;  ///< w >= 0: scrub torque is at most mu N w / 4 [m]

@@ -47,9 +47,8 @@ TEST(ColumnsCsv, ReadsOneComponentWithoutAPlace) {
 }
 
 TEST(ColumnsCsv, RefusesUnknownDoubledAndMissingColumns) {
-  EXPECT_EQ(
-      error_text([] { read("time_s,x_m_per_s,y_g\n0,1,2\n1,2,3\n"); }),
-      "f.csv:1:8: unknown column 'x_m_per_s'; did you mean 'x_m_per_s2'?");
+  EXPECT_EQ(error_text([] { read("time_s,x_m_per_s,y_g\n0,1,2\n1,2,3\n"); }),
+            "f.csv:1:8: unknown column 'x_m_per_s'; did you mean 'x_m_per_s2'?");
   EXPECT_THAT(error_text([] { read("time_s,x_g,x_m_per_s2\n0,1,2\n1,2,3\n"); }),
               HasSubstr("f.csv:1:12: column 'x_m_per_s2' repeats component x"));
   EXPECT_THAT(error_text([] { read("time,x_g\n0,1\n1,2\n"); }),

@@ -8,8 +8,8 @@
 #include <regex>
 #include <thread>
 
-#include "studies/results/hdf5_file.h"
 #include "engine/base/hash/sha256.h"
+#include "studies/results/hdf5_file.h"
 #include "tests/studies/fabricated_run.h"
 #include "tests/support/temp_folder.h"
 
