@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
@@ -119,7 +120,7 @@ TEST(HalfLockedCart, RatchetsTowardsTheFreeAxle) {
   const double level = 0.5 * (at.towards_free + at.towards_locked);
   Excitation excitation;
   excitation.floor = floor_motion(0.004, 5, Vector3::UnitX(), [=](double t) {
-    return level * kG * std::sin(2 * 3.14159265358979 * t) * std::min(1.0, t);
+    return level * kG * std::sin(2 * std::numbers::pi * t) * std::min(1.0, t);
   });
   const auto response = simulate(scene, excitation, run_for(5, 0.002, 0.1));
   EXPECT_LT(response.demands.residual_displacement_x, -0.1);
