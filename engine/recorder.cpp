@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/solver/quadrature.h"
+
 namespace gurney {
 namespace {
 
@@ -120,7 +122,8 @@ void Recorder::observe_wheels(const Stepper::Step& step) {
     WheelDemands& d = demands_.wheels[i];
     d.peak_normal_force = std::max(d.peak_normal_force, wheel.normal_force);
     d.peak_tangential_force = std::max(d.peak_tangential_force, tangential.norm());
-    d.skid_distance += tread.slip_speed * step.duration;
+    d.skid_distance += step.duration * ((1 - kSdirkGamma) * step.first->treads[i].slip_speed +
+                                        kSdirkGamma * tread.slip_speed);
     demands_.peak_normal_force = std::max(demands_.peak_normal_force, wheel.normal_force);
   }
   observe_lift(step);

@@ -171,7 +171,7 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
       clock.stop(Outcome::kDiverged, "the position is not finite");
       break;
     }
-    recorder.observe({&state, &next, &output, floor, duration});
+    recorder.observe({&state, &next, &output, &output, floor, duration});
     state = next;
     state.time = clock.target();
     if (clock.sample_due()) {

@@ -174,7 +174,7 @@ void Stepper::accept(State& state, double duration, const Observer& observer) {
   ++quality_.steps;
   acceleration_ = second_.acceleration;
   acceleration_known_ = true;
-  if (observer) observer({&state, &second_.end, &second_, floor_second_, duration});
+  if (observer) observer({&state, &second_.end, &first_, &second_, floor_second_, duration});
   std::swap(state, second_.end);
 }
 

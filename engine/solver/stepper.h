@@ -34,8 +34,9 @@ class Stepper {
   struct Step {
     const State* from;
     const State* to;
-    const StageSolver::Output* end;  ///< the second stage, at the end of the step
-    Vector3 floor_acceleration;      ///< in that stage
+    const StageSolver::Output* first;  ///< the first stage; its weight is 1 - gamma
+    const StageSolver::Output* end;    ///< the second stage, at the end of the step; weight gamma
+    Vector3 floor_acceleration;        ///< in that stage
     double duration;
   };
   using Observer = std::function<void(const Step&)>;

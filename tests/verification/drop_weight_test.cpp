@@ -172,6 +172,7 @@ TEST(DropWeightEvent, CableGoesSlackWhenTheItemIsFaster) {
     scene.item = locked_block(options);
     const double v0 = 0.8, braking = 0.3 * kG;
     scene.initial.velocity.x() = v0;
+    scene.initial.wheels_roll = false;
     Excitation excitation;
     excitation.fixture = hold_rotations();
     DropWeight weight;
