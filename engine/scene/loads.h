@@ -72,7 +72,8 @@ struct InitialMotion {
   double yaw = 0;                      ///< [rad]
   Vector3 velocity = Vector3::Zero();  ///< of the centre of mass of the chassis [m/s]
   double yaw_rate = 0;                 ///< [rad/s]
-  bool wheels_roll = true;  ///< wheels turn with the motion; false: they start without spin
+  /// Wheels without a brake turn with the motion; false: all wheels start without spin.
+  bool wheels_roll = true;
 };
 
 }  // namespace gurney

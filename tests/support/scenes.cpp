@@ -34,6 +34,7 @@ Caster rubber_caster() {
   caster.fork_center_of_mass = {-0.017, 0, -0.04};
   caster.fork_inertia = solid_box_inertia(caster.fork_mass, {0.08, 0.05, 0.09});
   set_wheel_inertia(caster);
+  caster.tread.tangential_damping = 20;  // light: closed forms leave it out
   return caster;
 }
 

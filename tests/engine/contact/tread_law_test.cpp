@@ -12,6 +12,7 @@ constexpr double kRadius = 0.05, kTau = 1e-3;
 
 Tread tread() {
   Tread t;
+  t.tangential_damping = 20;
   t.patch_width = 0.008;
   t.rolling_resistance = 1e-3;
   t.static_friction = 0.8;

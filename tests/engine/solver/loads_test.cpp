@@ -129,8 +129,11 @@ TEST(Loads, AWeightLandsAtItsDropHeight) {
   e.state[0] = 0.4;
   e.state[1] = 1.5;
   const double inertia = 5 + 0.001 / 0.0016;
-  EXPECT_NEAR(e.loads.land(e.state), 0.5 * inertia * 1.5 * 1.5, 1e-12);
+  e.state[2] = 1e-4;
+  const double in_cable = 0.5 * DropWeight().cable_stiffness * 1e-8;
+  EXPECT_NEAR(e.loads.land(e.state), 0.5 * inertia * 1.5 * 1.5 + in_cable, 1e-12);
   EXPECT_EQ(e.state[1], 0);
+  EXPECT_EQ(e.state[2], 0) << "slack";
   EXPECT_EQ(e.loads.penetration(e.state), -1) << "none falls any more";
   EXPECT_EQ(e.loads.land(e.state), 0) << "once";
   e.velocity[0] = 1;
