@@ -72,7 +72,7 @@ struct InitialMotion {
   double yaw = 0;                      ///< [rad]
   Vector3 velocity = Vector3::Zero();  ///< of the centre of mass of the chassis [m/s]
   double yaw_rate = 0;                 ///< [rad/s]
-  /// Wheels without a brake turn with the motion; false: all wheels start without spin.
+  /// Wheels turn with the motion, also against a brake; false: they start without spin.
   bool wheels_roll = true;
 };
 

@@ -113,7 +113,6 @@ void Mechanism::set_in_motion(const InitialMotion& initial, State& state) const 
   }
   if (!initial.wheels_roll) return;
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    if (legs[i].braked()) continue;
     const auto g = geometry(legs[i], state, i);
     const Eigen::Vector2d slip = (g.jacobian_chassis * state.velocity.chassis).head<2>();
     const Matrix2 joints = g.jacobian_joints.topRows<2>();
