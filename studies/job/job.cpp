@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <sstream>
 
@@ -55,8 +57,14 @@ void read_output(Table& root, SimulationSettings& settings) {
   auto table = root.table("output");
   if (!table) return;
   const bool histories = table->boolean("histories", true);
-  const double step = table->number("history_step_s", Range::positive(), settings.history_step);
-  settings.history_step = histories ? step : 0;
+  const double spacing = table->number("history_step_s", Range::positive(), settings.history_step);
+  const double steps = std::max(1.0, std::round(spacing / settings.time_step));
+  const double whole = steps * settings.time_step;
+  if (table->has("history_step_s") && std::abs(spacing - whole) > 1e-6 * spacing)
+    table->note("history_step_s",
+                fmt::format(" = {:g}: must be a whole number of time steps of {:g} s, such as {:g}",
+                            spacing, settings.time_step, whole));
+  settings.history_step = histories ? whole : 0;
 }
 
 void read_floor(Table& root, std::vector<Assumption>& assumptions, Scene& scene,

@@ -66,6 +66,13 @@ velocity_m_per_s = [1, nan, 0]
             "a.toml:13:24: initial.velocity_m_per_s[1] = nan: must be a finite number");
 }
 
+TEST(BadJob, HistoriesAreSampledAtWholeTimeSteps) {
+  EXPECT_EQ(mistakes(std::string(kHead) + "[settings]\ntime_step_s = 0.004\n"
+                                          "[output]\nhistory_step_s = 0.01\n"),
+            "a.toml:7:18: output.history_step_s = 0.01: must be a whole number of time steps of "
+            "0.004 s, such as 0.012");
+}
+
 TEST(BadJob, NeedsOneItem) {
   EXPECT_EQ(mistakes("schema = \"gurney-job/1\"\n[item]\n"),
             "a.toml:2:1: item.equipment: must name an item, or [item.inline] must describe it, not "
