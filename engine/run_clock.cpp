@@ -6,7 +6,8 @@
 namespace gurney {
 namespace {
 
-constexpr double kTimeTolerance = 1e-9;  // [s]; stops nearer than this are one
+constexpr double kTimeTolerance = 1e-8;  // [s]; stops nearer than this are one
+constexpr double kNoMotion = 1e-7;       // [m/s]
 constexpr double kAccountStep = 0.1;     // [s]; checks of the energy account without a history
 
 }  // namespace
@@ -39,10 +40,19 @@ bool RunClock::next(double time) {
 
 void RunClock::observe(double time, double speed, double tilt) {
   if (tilt > settings_.overturn_tilt) return stop(Outcome::kOverturned);
-  if (speed > settings_.rest_speed) resting_since_ = time;
-  if (settings_.duration == 0 &&
-      time - std::max(resting_since_, excitation_end_) >= settings_.rest_hold)
-    stop(Outcome::kRested);
+  if (settings_.duration > 0) return;
+  if (speed > settings_.rest_speed || time < excitation_end_) {
+    resting_since_ = std::max(time, excitation_end_);
+    early_peak_ = late_peak_ = 0;
+    return;
+  }
+  const double held = time - resting_since_;
+  double& peak = held < settings_.rest_hold / 2 ? early_peak_ : late_peak_;
+  peak = std::max(peak, speed);
+  if (held < settings_.rest_hold - kTimeTolerance) return;
+  if (late_peak_ <= early_peak_ + kNoMotion) return stop(Outcome::kRested);
+  resting_since_ = time;  // slow but gaining speed: not at rest
+  early_peak_ = late_peak_ = 0;
 }
 
 void RunClock::stop(Outcome outcome, std::string cause) {

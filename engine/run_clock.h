@@ -42,6 +42,7 @@ class RunClock {
   double excitation_end_, limit_;
   long grid_ = 0, stride_;
   double target_ = 0, resting_since_ = 0;
+  double early_peak_ = 0, late_peak_ = 0;  // of the speed in the halves of the hold
   bool at_breakpoint_ = false, on_grid_ = true, over_ = false;
   Outcome outcome_;
   std::string cause_;

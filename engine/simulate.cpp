@@ -60,7 +60,8 @@ Response simulate_with_star(const Scene& scene, const Excitation& excitation,
 
 Response simulate(const Scene& scene, const Excitation& excitation,
                   const SimulationSettings& settings) {
-  validate(scene.item);
+  validate(scene);
+  validate(excitation);
   validate(settings);
   const bool stock =
       settings.solver == Solver::kBullet || settings.solver == Solver::kBulletDantzig;

@@ -16,7 +16,7 @@ Tread read_tread(Quantities in, double wheel_width) {
   tread.normal_damping = in.number("normal_damping_n_s_per_m", Range::not_negative());
   tread.tangential_stiffness = in.number("tangential_stiffness_n_per_m", Range::positive());
   tread.tangential_damping = in.number("tangential_damping_n_s_per_m", Range::not_negative());
-  tread.relaxation_length = in.length_mm("relaxation_length_mm", Range::positive());
+  tread.relaxation_length = in.length_mm("relaxation_length_mm", Range::at_least(0.1));
   tread.patch_width =
       in.length_mm("patch_width_mm", Range::within(0, wheel_width * kMillimetersPerMeter));
   tread.rolling_resistance = in.length_mm("rolling_resistance_mm", Range::not_negative());

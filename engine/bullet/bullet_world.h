@@ -18,7 +18,8 @@ namespace gurney {
 /// us.
 ///
 /// The collision pass is skipped while bounds on the distance to everything else and on the motion
-/// since the last pass prove that nothing can be near; results are the same bits either way.
+/// since the last pass say that nothing is near, with a margin of 20 mm; results are
+/// then the same bits either way.
 class BulletWorld {
  public:
   BulletWorld(const Scene& scene, const Mechanism& mechanism, bool skip_clear_passes);

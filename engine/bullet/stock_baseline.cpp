@@ -77,6 +77,11 @@ class StockWorld {
     }
     for (std::size_t i = 0; i < axles_.size(); ++i) {
       const Leg& leg = mechanism_.legs[i];
+      const Eigen::Vector2d& rates = before.velocity.joints[i];
+      const int fork = static_cast<int>(2 * i);
+      if (leg.swivels())
+        item_.body().addJointTorque(fork, -leg.swivel_friction().viscous * rates[0]);
+      item_.body().addJointTorque(fork + 1, -leg.axle_friction().viscous * rates[1]);
       const double axle = std::min(leg.axle_limit(), kUnlimitedTorque);
       axles_[i]->setMaxAppliedImpulse((resistance_[i] * normal_[i] + axle) * duration);
       if (swivels_[i] != nullptr)
@@ -183,6 +188,7 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
   if (sampled_at != state.time) recorder.sample(state, account, clock.keeps_history());
   response.outcome = clock.outcome();
   response.cause = clock.cause();
+  if (clock.outcome() == Outcome::kOverturned) recorder.demands().time_of_overturning = state.time;
   recorder.finish(state, account, response);
   response.quality.energy_closure = response.quality.numerical_loss = 0;
   return response;

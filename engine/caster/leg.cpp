@@ -20,6 +20,8 @@ Leg::Leg(const Caster& caster, const Vector3& chassis_center)
       swivel_limit_(caster.swivel.coulomb + caster.swivel_lock_torque),
       swivels_(caster.swivels),
       braked_(caster.brake_torque > 0),
+      turns_into_motion_(caster.swivels && caster.swivel_lock_torque == 0 &&
+                         caster.trail > 0.02 * caster.wheel_radius),
       heading_(caster.heading),
       radius_(caster.wheel_radius),
       mass_(caster.fork_mass + caster.wheel_mass),

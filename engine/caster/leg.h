@@ -66,6 +66,8 @@ class Leg {
   double axle_limit() const { return axle_limit_; }
   double swivel_limit() const { return swivel_limit_; }
   bool swivels() const { return swivels_; }
+  /// Whether a free swivel follows the motion at the start: it has a trail to speak of and no lock.
+  bool turns_into_motion() const { return turns_into_motion_; }
   bool braked() const { return braked_; }
   double mass() const { return mass_; }
   double wheel_radius() const { return radius_; }
@@ -81,7 +83,7 @@ class Leg {
   TreadLaw tread_;
   DryFriction axle_, swivel_;
   double axle_limit_, swivel_limit_;
-  bool swivels_, braked_;
+  bool swivels_, braked_, turns_into_motion_;
   double heading_, radius_, mass_, axial_inertia_, swing_, reach_;
   Vector3 mount_;         // chassis axes, relative to O
   Vector3 wheel_center_;  // fork axes, relative to the mount

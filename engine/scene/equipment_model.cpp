@@ -59,7 +59,8 @@ void check_tread(const Tread& tread, Problems& problems) {
   problems.not_negative("tread.normal_damping", tread.normal_damping);
   problems.positive("tread.tangential_stiffness", tread.tangential_stiffness);
   problems.not_negative("tread.tangential_damping", tread.tangential_damping);
-  problems.positive("tread.relaxation_length", tread.relaxation_length);
+  problems.check(tread.relaxation_length >= 1e-4 && std::isfinite(tread.relaxation_length),
+                 "tread.relaxation_length", tread.relaxation_length, ">= 0.0001 m and finite");
   problems.not_negative("tread.patch_width", tread.patch_width);
   problems.not_negative("tread.rolling_resistance", tread.rolling_resistance);
   problems.not_negative("tread.kinetic_friction", tread.kinetic_friction);

@@ -26,4 +26,8 @@ struct Excitation {
   Fixture fixture;
 };
 
+/// @throws Error naming every value outside its range, the item's included.
+void validate(const Scene& scene);
+void validate(const Excitation& excitation);
+
 }  // namespace gurney

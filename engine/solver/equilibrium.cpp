@@ -67,7 +67,8 @@ void settle(const Mechanism& mechanism, const Scene& scene, const Excitation& ex
   const double tilt = std::acos(std::min(1.0, (settled.rotation * Vector3::UnitZ()).z()));
   require(stands && tilt < 0.2 && std::abs(settled.position.z() - state.position.z()) < 0.1,
           "the item does not stand on its casters: its centre of mass lies outside their support");
-  const std::vector<double> loads = state.loads;
+  std::vector<double> loads = state.loads;
+  mechanism.loads.adopt_springs(standing.loads, settled.loads, loads);
   state = settled;
   state.loads = loads;
   if (scene.slope == 0 && !mechanism.loads.holds_at_start()) return;
@@ -83,6 +84,7 @@ void settle(const Mechanism& mechanism, const Scene& scene, const Excitation& ex
   State trial = state;
   trial.loads = free.loads.initial_state();
   if (!relax(free, kPseudoStep, trial)) return;
+  mechanism.loads.adopt_springs(free.loads, trial.loads, loads);
   state = trial;
   if (!mechanism.loads.holds_at_start()) state.loads = loads;
 }

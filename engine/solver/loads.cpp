@@ -37,6 +37,9 @@ double table_value(const PointForce& table, double time) {
 
 constexpr std::size_t kWeightState = 4;
 
+/// Steps end at releases; rounding of their times must not let blocks go a step early [s].
+constexpr double kReleaseTolerance = 1e-9;
+
 }  // namespace
 
 Loads::Loads(const Excitation& excitation, const Vector3& chassis_center, double gravity)
@@ -83,12 +86,15 @@ std::vector<double> Loads::breakpoints() const {
   return times;
 }
 
-Loads::Cable Loads::cable(const Weight& w, const double* start, double u, double tau) const {
+Loads::Cable Loads::cable(const Weight& w, const double* start, double u,
+                          const Stage& stage) const {
+  const double tau = stage.tau;
+  const double pull = w.force + w.weight_mass * stage.floor_acceleration_up;
   const double speed = start[1], stretch = start[2];
   const bool landed = start[3] != 0;
   const double kappa = w.stiffness * tau + w.damping;
   // T = k (s + tau (w - u)) + c (w - u), weight: inertia (w - w0) = tau (force - T).
-  const double free_speed = landed ? 0.0 : speed + tau * w.force / w.inertia;
+  const double free_speed = landed ? 0.0 : speed + tau * pull / w.inertia;
   const double factor = landed ? 1.0 : 1 / (1 + kappa * tau / w.inertia);
   const double tension = factor * (w.stiffness * stretch + kappa * (free_speed - u));
   Cable result;
@@ -112,13 +118,13 @@ void Loads::evaluate(const Stage& stage, const Pose& pose, const Vector6& veloci
   const double* state = stage.start->data();
   for (const auto& w : weights_) {
     const Vector6 row = row_of(pose, w.point, w.direction);
-    const Cable c = cable(w, state, row.dot(velocity), stage.tau);
+    const Cable c = cable(w, state, row.dot(velocity), stage);
     rows.push_back({row, c.tension, c.slope});
     state += kWeightState;
   }
   for (const auto& b : blocks_) {
     for (int axis = 0; axis < 2; ++axis, ++state) {
-      if (stage.to > b.release_time) continue;
+      if (stage.from >= b.release_time - kReleaseTolerance) continue;
       const Vector6 row = row_of(pose, b.point, Vector3::Unit(axis));
       const double slope = b.stiffness * stage.tau + b.damping;
       rows.push_back({row, -b.stiffness * *state - slope * row.dot(velocity), slope});
@@ -143,9 +149,10 @@ double Loads::finish(const Stage& stage, const Pose& pose, const Vector6& veloci
   double* state = end.data();
   for (const auto& w : weights_) {
     const double u = row_of(pose, w.point, w.direction).dot(velocity);
-    const Cable c = cable(w, state, u, stage.tau);
+    const Cable c = cable(w, state, u, stage);
     const bool landed = state[3] != 0;
     const double acceleration = landed ? 0 : (c.weight_speed - state[1]) / stage.tau;
+    power.work_of_floor += w.weight_mass * stage.floor_acceleration_up * c.weight_speed;
     power.work_of_forces += landed ? 0 : -w.tension_on_weight * c.weight_speed;
     state[0] += stage.tau * c.weight_speed;
     state[1] = c.weight_speed;
@@ -160,7 +167,7 @@ double Loads::finish(const Stage& stage, const Pose& pose, const Vector6& veloci
   }
   for (const auto& b : blocks_) {
     for (int axis = 0; axis < 2; ++axis, ++state) {
-      if (stage.to > b.release_time) continue;
+      if (stage.from >= b.release_time - kReleaseTolerance) continue;
       const double u = row_of(pose, b.point, Vector3::Unit(axis)).dot(velocity);
       *state += stage.tau * u;
       power.damper_loss += b.damping * u * u;
@@ -174,6 +181,15 @@ double Loads::finish(const Stage& stage, const Pose& pose, const Vector6& veloci
     spring_rates += s.stiffness * u * u;
   }
   return spring_rates;
+}
+
+void Loads::adopt_springs(const Loads& other, const std::vector<double>& other_state,
+                          std::vector<double>& state) const {
+  const std::size_t first = state.size() - springs_.size();
+  const std::size_t other_first = other_state.size() - other.springs_.size();
+  for (std::size_t i = 0; i < springs_.size(); ++i)
+    for (std::size_t j = 0; j < other.springs_.size(); ++j)
+      if (springs_[i].dof == other.springs_[j].dof) state[first + i] = other_state[other_first + j];
 }
 
 double Loads::stored_energy(const std::vector<double>& state) const {
@@ -250,7 +266,7 @@ double Loads::release(double time, std::vector<double>& state) const {
   double lost = 0;
   double* s = state.data() + kWeightState * weights_.size();
   for (const auto& b : blocks_) {
-    if (time >= b.release_time - 1e-12) {
+    if (time >= b.release_time - kReleaseTolerance) {
       lost += 0.5 * b.stiffness * (s[0] * s[0] + s[1] * s[1]);
       s[0] = s[1] = 0;
     }

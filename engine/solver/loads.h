@@ -30,6 +30,7 @@ class Loads {
     double from = 0, to = 0;  ///< the step this stage belongs to [s]
     bool first = true;        ///< first or second stage of the step
     const std::vector<double>* start = nullptr;
+    double floor_acceleration_up = 0;  ///< acts on drop weights as more gravity [m/s2]
   };
 
   struct Row {
@@ -46,6 +47,10 @@ class Loads {
   /// springs.
   double finish(const Stage& stage, const Pose& pose, const Vector6& velocity, EnergyAccount& power,
                 std::vector<double>& end) const;
+
+  /// Takes over the deflections of the fixture's springs from a state of other loads.
+  void adopt_springs(const Loads& other, const std::vector<double>& other_state,
+                     std::vector<double>& state) const;
 
   double stored_energy(const std::vector<double>& state) const;
   double weight_energy(const std::vector<double>& state) const;
@@ -79,7 +84,7 @@ class Loads {
   struct Cable {
     double tension, slope, weight_speed, stretch_rate;
   };
-  Cable cable(const Weight& weight, const double* start, double u, double tau) const;
+  Cable cable(const Weight& weight, const double* start, double u, const Stage& stage) const;
 
   std::vector<PointForce> forces_;
   std::vector<StringPotentiometer> strings_;

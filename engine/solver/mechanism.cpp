@@ -116,7 +116,7 @@ void Mechanism::set_in_motion(const InitialMotion& initial, State& state) const 
     const auto g = geometry(legs[i], state, i);
     const Eigen::Vector2d slip = (g.jacobian_chassis * state.velocity.chassis).head<2>();
     const Matrix2 joints = g.jacobian_joints.topRows<2>();
-    if (legs[i].swivels() && std::abs(joints.determinant()) > 1e-9) {
+    if (legs[i].turns_into_motion()) {
       state.velocity.joints[i] = -joints.inverse() * slip;
     } else {
       const Eigen::Vector2d axle = joints.col(1);

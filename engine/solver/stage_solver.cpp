@@ -115,8 +115,6 @@ double StageSolver::evaluate_forces(const Input& input, const Velocity& v) {
     joint_force += Eigen::Vector2d(leg.swivels() ? work.swivel.torque : 0.0, work.axle.torque);
     work.joint_residual = work.g.mass_coupling.transpose() * chassis_change +
                           work.g.mass_joints * change - tau * joint_force;
-    leg_residual =
-        std::max(leg_residual, work.joint_residual.cwiseAbs().maxCoeff() / leg.wheel_radius());
   }
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     ContactWork& work = contacts_[c];
@@ -130,6 +128,9 @@ double StageSolver::evaluate_forces(const Input& input, const Velocity& v) {
       legs_[static_cast<std::size_t>(contact.leg)].joint_residual -=
           tau * work.jacobian_joints.transpose() * work.force.head<3>();
   }
+  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i)
+    leg_residual = std::max(leg_residual, legs_[i].joint_residual.cwiseAbs().maxCoeff() /
+                                              mechanism_.legs[i].wheel_radius());
   if (!mechanism_.loads.empty()) {
     mechanism_.loads.evaluate(input.loads, pose_, v.chassis, load_rows_);
     for (const auto& row : load_rows_) force += row.force * row.direction;
@@ -215,11 +216,15 @@ bool StageSolver::solve(const Input& input, Output& out) {
   Velocity v = input.guess;
   out.iterations = 0;
   bool converged = false;
+  // Rounding of M v shows in the residual as M g tau gets small.
+  const double rounding =
+      1e-14 * (v.chassis.head<3>().norm() + 1e-3) / (kStandardGravity * input.tau);
+  const double tolerance = settings_.residual + rounding;
   for (int pass = 0; pass < kMaxGeometryPasses; ++pass) {
     update_geometry(input, v, pass == 0);
     double residual = evaluate_forces(input, v);
     int iteration = 0;
-    for (; residual > settings_.residual && iteration < settings_.max_iterations; ++iteration) {
+    for (; residual > tolerance && iteration < settings_.max_iterations; ++iteration) {
       const Velocity before = v;
       newton_step(input, v);
       double next = evaluate_forces(input, v);
@@ -239,7 +244,7 @@ bool StageSolver::solve(const Input& input, Output& out) {
     }
     out.iterations += iteration;
     out.residual = residual;
-    converged = residual <= settings_.residual;
+    converged = residual <= tolerance;
     if (!converged || geometry_error(input, v) < kGeometryTolerance) break;
   }
   if (std::isfinite(out.residual)) finish(input, v, out);

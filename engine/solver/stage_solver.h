@@ -50,7 +50,8 @@ class StageSolver {
     int iterations = 0;
   };
 
-  /// @returns false when the residual stays above the setting; `out` then holds the best iterate.
+  /// @returns false when the residual stays above the setting; `out` then holds
+  /// the last iterate, or nothing new if that is not finite.
   bool solve(const Input& input, Output& out);
 
  private:

@@ -1,5 +1,7 @@
 #include "engine/solver/stepper.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +11,9 @@ namespace gurney {
 namespace {
 
 constexpr double kLandingTolerance = 1e-10;  // [m]
+/// Shorter remainders of a step are left out: rounding would be larger than the motion in them [s].
+constexpr double kShortestStep = 1e-8;
+
 constexpr int kMaxLandingTrials = 20;
 
 constexpr double kSameContactDistance = 0.02;  // [m]
@@ -142,6 +147,7 @@ bool Stepper::attempt(const State& from, double duration) {
 
   input.start = &from;
   input.floor_acceleration = floor_first;
+  input.loads.floor_acceleration_up = floor_first.z();
   input.guess =
       acceleration_known_ ? advanced(from.velocity, tau, acceleration_, legs) : from.velocity;
   first_contacts_ = contacts_at(from);
@@ -153,6 +159,7 @@ bool Stepper::attempt(const State& from, double duration) {
   extrapolate(from, duration, first_, legs, between_);
   input.start = &between_;
   input.floor_acceleration = floor_second_;
+  input.loads.floor_acceleration_up = floor_second_.z();
   input.guess = advanced(between_.velocity, tau, first_.acceleration, legs);
   input.loads.start = &between_.loads;
   input.loads.first = false;
@@ -178,14 +185,14 @@ void Stepper::accept(State& state, double duration, const Observer& observer) {
   std::swap(state, second_.end);
 }
 
-double Stepper::locate_landing(const State& from, double duration) {
+std::optional<double> Stepper::locate_landing(const State& from, double duration) {
   double low = 0, high = duration;
   double at_low = mechanism_.loads.penetration(from.loads);
   double at_high = mechanism_.loads.penetration(second_.end.loads);
   double trial = duration;
   for (int i = 0; i < kMaxLandingTrials && high - low > 1e-15; ++i) {
     trial = low + (high - low) * at_low / (at_low - at_high);
-    if (!attempt(from, trial)) break;
+    if (!attempt(from, trial)) return std::nullopt;
     const double here = mechanism_.loads.penetration(second_.end.loads);
     if (std::abs(here) < kLandingTolerance) break;
     if (here < 0) {
@@ -211,20 +218,26 @@ std::optional<std::string> Stepper::advance_smoothly(State& state, double time, 
       if (auto cause = advance_smoothly(state, middle, depth + 1, observer)) return cause;
       return advance_smoothly(state, time, depth + 1, observer);
     }
+    const bool finite = std::isfinite(first_.residual) && std::isfinite(second_.residual);
     const double residual = std::max(first_.residual, second_.residual);
-    if (!(residual < kAcceptableResidual))
-      return "the contact solve did not converge at " + std::to_string(state.time) +
-             " s, residual " + std::to_string(residual);
+    if (!finite || residual > kAcceptableResidual)
+      return fmt::format("the contact solve did not converge at {:.6g} s, residual {:.3g}",
+                         state.time, finite ? residual : std::nan(""));
     ++quality_.unconverged_steps;
   }
   if (!mechanism_.loads.empty() &&
       mechanism_.loads.penetration(second_.end.loads) > kLandingTolerance) {
-    duration = locate_landing(state, duration);
+    const std::optional<double> landing = locate_landing(state, duration);
+    if (!landing) return "the landing of a drop weight could not be located";
+    duration = *landing;
     ++quality_.event_steps;
     accept(state, duration, observer);
     account_.damper_loss += mechanism_.loads.land(state.loads);
     acceleration_known_ = false;
-    if (time - state.time < 1e-12) return std::nullopt;
+    if (time - state.time < kShortestStep) {
+      state.time = time;
+      return std::nullopt;
+    }
     return advance_smoothly(state, time, depth, observer);
   }
   accept(state, duration, observer);

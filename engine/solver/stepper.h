@@ -60,7 +60,7 @@ class Stepper {
   void accept(State& state, double duration, const Observer& observer);
   std::optional<std::string> advance_smoothly(State& state, double time, int depth,
                                               const Observer& observer);
-  double locate_landing(const State& from, double duration);
+  std::optional<double> locate_landing(const State& from, double duration);
   std::vector<BodyContact> contacts_at(const State& state) const;
 
   const Mechanism& mechanism_;

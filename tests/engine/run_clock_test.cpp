@@ -72,6 +72,20 @@ TEST(RunClock, CountsRestFromTheEndOfTheExcitation) {
   EXPECT_NEAR(time, 2.5, 1e-9);
 }
 
+// 1 mm/s2 from rest is below the rest speed for the whole hold, but it is not rest.
+TEST(RunClock, DoesNotTakeASlowStartForRest) {
+  SimulationSettings s = settings(0);
+  s.rest_hold = 0.5;
+  s.settle_time = 3;
+  RunClock clock({}, {}, s);
+  double time = 0;
+  while (clock.next(time)) {
+    time = clock.target();
+    clock.observe(time, 1e-3 * time, 0);
+  }
+  EXPECT_EQ(clock.outcome(), Outcome::kStillMoving);
+}
+
 TEST(RunClock, GivesUpWaitingForRestAtTheSettleTime) {
   SimulationSettings s = settings(0);
   s.settle_time = 0.2;

@@ -159,6 +159,42 @@ TEST(DropWeightEvent, LandingDoesNotDependOnTheGridOfSteps) {
   }
 }
 
+// Releases at times whose multiples of the step round up: 175 x 0.004 s > 0.7 s in binary. The
+// blocks must hold to the end of that step, so the motion since the release is always the same.
+TEST(DropWeightEvent, BlocksHoldUntilTheirTime) {
+  const Rig rig{"plain", 5, 0.7, 0.02};
+  Scene scene;
+  scene.item = pulled_trolley(rig, 3e8);
+  std::vector<double> travelled;
+  for (const double release : {0.696, 0.7, 0.704, 1.404}) {
+    Excitation excitation = rigged(rig);
+    excitation.fixture = hold_rotations(false, true, false);
+    excitation.blocks[0].release_time = release;
+    const auto response = simulate(scene, excitation, run_for(release + 1, 0.004));
+    travelled.push_back(response.demands.residual_displacement_x);
+  }
+  for (double x : travelled) EXPECT_NEAR(x, travelled[0], 1e-6 * travelled[0]);
+}
+
+// In the floor's frame a steady upward acceleration of the floor is more gravity, for weights too.
+TEST(DropWeightEvent, VerticalFloorAccelerationIsGravity) {
+  const Rig rig{"plain", 5, 0.7, 0.02};
+  Scene scene;
+  scene.item = pulled_trolley(rig, 3e8);
+  Excitation excitation = rigged(rig);
+  excitation.blocks.clear();
+  excitation.fixture = hold_rotations(false, true, false);
+  Scene heavy = scene;
+  heavy.gravity += 2;
+  const double expected =
+      simulate(heavy, excitation, run_for(1.5, 0.004)).demands.residual_displacement_x;
+  excitation.floor = floor_motion(0.01, 3, Vector3::UnitZ(), [](double) { return 2.0; });
+  const auto response = simulate(scene, excitation, run_for(1.5, 0.004));
+  // The floor starts at once, so the treads sink and swing a little; their mean load is the same.
+  EXPECT_NEAR(response.demands.residual_displacement_x, expected, 1e-3 * expected);
+  EXPECT_LT(response.quality.energy_closure, 1e-4);
+}
+
 // An item that runs ahead of its weight lets the cable go slack. All wheels are locked, so it
 // slides and brakes at mu g; the weight falls freely, at g' = (m_d g - F_w) / (m_d + p), and takes
 // up the slack when both have gone as far: t = 2 v0 / (g' + mu g).

@@ -1,0 +1,104 @@
+#include "engine/scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/base/error.h"
+
+namespace gurney {
+namespace {
+
+class Problems {
+ public:
+  void check(bool holds, const std::string& name, double value, const char* allowed) {
+    if (holds) return;
+    text_ +=
+        fmt::format("{}{} = {:g}: must be {}", text_.empty() ? "" : "\n", name, value, allowed);
+  }
+  void positive(const std::string& name, double value) {
+    check(value > 0 && std::isfinite(value), name, value, "> 0 and finite");
+  }
+  void not_negative(const std::string& name, double value) {
+    check(value >= 0 && std::isfinite(value), name, value, ">= 0 and finite");
+  }
+  void finite(const std::string& name, const Vector3& value) {
+    for (int k = 0; k < 3; ++k) check(std::isfinite(value[k]), name, value[k], "finite");
+  }
+  void direction(const std::string& name, const Vector3& value) {
+    finite(name, value);
+    check(value.norm() > 0, name, value.norm(), "of some length");
+  }
+  void finish() const { require(text_.empty(), text_); }
+
+ private:
+  std::string text_;
+};
+
+void check_force(const PointForce& force, Problems& problems) {
+  problems.finite("force.point", force.point);
+  problems.direction("force.direction", force.direction);
+  problems.check(force.time.size() == force.force.size() && force.time.size() >= 2, "force.time",
+                 static_cast<double>(force.time.size()), "as many times as forces, 2 or more");
+  for (std::size_t i = 0; i < force.time.size(); ++i) {
+    problems.check(std::isfinite(force.time[i]) && (i == 0 || force.time[i] > force.time[i - 1]),
+                   "force.time", force.time[i], "increasing and finite");
+    if (i < force.force.size())
+      problems.check(std::isfinite(force.force[i]), "force.force", force.force[i], "finite");
+  }
+}
+
+void check_weight(const DropWeight& weight, Problems& problems) {
+  problems.finite("drop_weight.point", weight.point);
+  problems.direction("drop_weight.direction", weight.direction);
+  problems.positive("drop_weight.mass", weight.mass);
+  problems.positive("drop_weight.drop_height", weight.drop_height);
+  problems.not_negative("drop_weight.pulley_inertia", weight.pulley_inertia);
+  problems.positive("drop_weight.pulley_radius", weight.pulley_radius);
+  problems.not_negative("drop_weight.potentiometer_tension", weight.potentiometer_tension);
+  problems.positive("drop_weight.cable_stiffness", weight.cable_stiffness);
+  problems.not_negative("drop_weight.cable_damping", weight.cable_damping);
+}
+
+}  // namespace
+
+void validate(const Scene& scene) {
+  validate(scene.item);
+  Problems problems;
+  problems.not_negative("gravity", scene.gravity);
+  problems.check(std::abs(scene.slope) <= 1, "slope", scene.slope, "in -1..1");
+  problems.finite("initial.position", scene.initial.position);
+  problems.finite("initial.velocity", scene.initial.velocity);
+  problems.check(std::isfinite(scene.initial.yaw), "initial.yaw", scene.initial.yaw, "finite");
+  problems.check(std::isfinite(scene.initial.yaw_rate), "initial.yaw_rate", scene.initial.yaw_rate,
+                 "finite");
+  problems.finish();
+}
+
+void validate(const Excitation& excitation) {
+  Problems problems;
+  for (const PointForce& force : excitation.forces) check_force(force, problems);
+  for (const StringPotentiometer& string : excitation.string_potentiometers) {
+    problems.finite("string_potentiometer.point", string.point);
+    problems.direction("string_potentiometer.direction", string.direction);
+    problems.not_negative("string_potentiometer.tension", string.tension);
+  }
+  for (const DropWeight& weight : excitation.drop_weights) check_weight(weight, problems);
+  for (const Blocks& blocks : excitation.blocks) {
+    problems.finite("blocks.point", blocks.point);
+    problems.positive("blocks.stiffness", blocks.stiffness);
+    problems.not_negative("blocks.damping", blocks.damping);
+    problems.positive("blocks.release_time", blocks.release_time);
+  }
+  for (int dof = 0; dof < 6; ++dof) {
+    const Guide& guide = excitation.fixture.guides[dof];
+    problems.check(std::isfinite(guide.velocity), "guide.velocity", guide.velocity, "finite");
+    problems.not_negative("guide.stiffness", guide.stiffness);
+    problems.not_negative("guide.damping", guide.damping);
+    problems.check(guide.kind != Guide::Kind::kSpring || dof < 3, "guide.stiffness",
+                   guide.stiffness, "on x, y or z only");
+  }
+  problems.finish();
+}
+
+}  // namespace gurney
