@@ -21,6 +21,7 @@ struct Component {
   Eigen::VectorXd acceleration;        ///< at least 2 finite samples, the first at 0 s [m/s2]
   std::optional<Direction> direction;  ///< if the file itself says it
   std::optional<double> azimuth;       ///< clockwise from north, if the file says it [rad]
+  std::optional<double> start_time;    ///< of the first sample, if the file says it [s since 1970]
   std::string file;                    ///< path as given
   std::string format;                  ///< name of the format that was recognised
   std::string unit;                    ///< of the numbers in the file: "g", "cm/s2", ...
@@ -34,6 +35,7 @@ struct Record {
   std::string name;
   std::array<std::optional<Component>, 3> components;  ///< indexed by Direction; at least one
   std::vector<std::string> warnings;                   ///< of the files and of their assembly
+  std::vector<std::string> processing;  ///< what was done to the samples since, step by step
 
   const std::optional<Component>& operator[](Direction direction) const {
     return components[static_cast<std::size_t>(direction)];

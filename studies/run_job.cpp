@@ -21,7 +21,7 @@ Record read_record_of(const RecordRequest& request) {
   if (!request.y.empty()) files.push_back({request.y, Direction::kH2});
   if (!request.z.empty()) files.push_back({request.z, Direction::kVertical});
   if (!request.file.empty()) files.push_back({request.file, std::nullopt});
-  return read_record(files, {request.units, request.time_step});
+  return read_record(files, {.unit = request.units, .time_step = request.time_step});
 }
 
 /// The components to use: those the record has and the job does not switch off.
