@@ -1,5 +1,7 @@
 #include "groundmotions/record.h"
 
+#include <algorithm>
+
 namespace gurney {
 
 const char* name_of(Direction direction) {
@@ -12,6 +14,10 @@ const char* name_of(Direction direction) {
       return "vertical";
   }
   return "";
+}
+
+double Component::duration() const {
+  return static_cast<double>(std::max<Eigen::Index>(acceleration.size() - 1, 0)) * time_step;
 }
 
 double Record::time_step() const {

@@ -28,6 +28,8 @@ struct Component {
   std::string sha256;                  ///< of the bytes of the file, 64 hexadecimal digits
   std::vector<std::pair<std::string, std::string>> header;  ///< facts of the header: name, value
   std::vector<std::string> warnings;
+
+  double duration() const;  ///< from the first to the last sample [s]
 };
 
 /// One to three components of one time step and one length.

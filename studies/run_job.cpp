@@ -8,7 +8,7 @@
 #include "engine/base/hash/sha256.h"
 #include "groundmotions/peaks.h"
 #include "groundmotions/record_motion.h"
-#include "groundmotions/record_set.h"
+#include "groundmotions/assembly/read_record.h"
 #include "groundmotions/residual.h"
 #include "studies/job/job.h"
 

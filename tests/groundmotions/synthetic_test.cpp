@@ -10,7 +10,7 @@
 #include "engine/base/units.h"
 #include "groundmotions/peaks.h"
 #include "groundmotions/record_motion.h"
-#include "groundmotions/record_set.h"
+#include "groundmotions/assembly/read_record.h"
 #include "groundmotions/residual.h"
 
 namespace gurney {

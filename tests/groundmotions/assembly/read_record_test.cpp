@@ -1,4 +1,4 @@
-#include "groundmotions/record_set.h"
+#include "groundmotions/assembly/read_record.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -95,9 +95,9 @@ TEST_F(ReadRecord, RefusesNoPlaceTwoPlacesAndWrongPlaces) {
   EXPECT_EQ(error_text([] { read_record({}); }),
             "a record needs at least one component: h1, h2 or vertical");
   EXPECT_EQ(error_text([&] {
-              read_record({{a, {}}});
+              read_record({{a, Direction::kH1}, {b}});
             }),
-            a.string() + ": the file does not say whether it is h1, h2 or vertical; state it");
+            b.string() + ": the file does not say whether it is h1, h2 or vertical; state it");
   EXPECT_EQ(error_text([&] {
               read_record({{a, Direction::kH1}, {b, Direction::kH1}});
             }),
@@ -109,7 +109,7 @@ TEST_F(ReadRecord, RefusesNoPlaceTwoPlacesAndWrongPlaces) {
   EXPECT_EQ(error_text([&] {
               read_record({{one, Direction::kVertical}});
             }),
-            one.string() + ": given as vertical, but its column x_g is h1");
+            one.string() + ": given as vertical, but its component x_g is h1");
 }
 
 TEST_F(ReadRecord, TellsTheMistakesOfAllFiles) {
@@ -138,12 +138,66 @@ TEST_F(ReadRecord, WarnsOfPlacesAnglesAndPeaks) {
   EXPECT_THAT(read_record({{at2("090", {0.1, 0.2}), Direction::kVertical}}).warnings,
               ElementsAre(HasSubstr("calls this component '090', it is used as vertical")));
   EXPECT_THAT(read_record({{at2("090", {0.1, 0.2}), Direction::kH1},
-                           {at2("060", {0.1, 0.2}), Direction::kH2}})
+                           {at2("060", {0.1, 0.3}), Direction::kH2}})
                   .warnings,
               ElementsAre(HasSubstr("azimuths of 90 and 60 degrees, which is no right angle")));
   EXPECT_THAT(
       read_record({{at2("090", {0.1, 98.1}), Direction::kH1}}).warnings,
       ElementsAre(HasSubstr("the peak acceleration of h1 is 98.1 g, outside 0.001 to 3 g")));
+}
+
+TEST_F(ReadRecord, PlacesFilesByTheirAzimuths) {
+  const auto east = at2("090", {0.1, 0.2}), north = at2("000", {0.3, 0.4}),
+             up = at2("UP", {0.5, 0.6});
+  for (const std::vector<RecordFile>& files :
+       {std::vector<RecordFile>{{east}, {north}, {up}}, {{up}, {north}, {east}}}) {
+    const Record record = read_record(files);
+    EXPECT_EQ(record[Direction::kH1]->name, "090");
+    EXPECT_EQ(record[Direction::kH2]->name, "000");
+    EXPECT_EQ(record[Direction::kVertical]->name, "UP");
+    EXPECT_THAT(record.warnings, IsEmpty());
+  }
+  // 318 degrees is clockwise from 228, so 318 is h1 and 228 lies counter-clockwise from it.
+  const Record oblique = read_record({{at2("228", {0.1, 0.2})}, {at2("318", {0.3, 0.4})}});
+  EXPECT_EQ(oblique[Direction::kH1]->name, "318");
+  EXPECT_EQ(oblique[Direction::kH2]->name, "228");
+  // Across north: 010 lies clockwise from 280.
+  const Record across = read_record({{at2("280", {0.1, 0.2})}, {at2("010", {0.3, 0.4})}});
+  EXPECT_EQ(across[Direction::kH1]->name, "010");
+}
+
+TEST_F(ReadRecord, WarnsOfAMirrorImageAndOfUnknownDirections) {
+  EXPECT_THAT(read_record({{at2("228", {0.1, 0.2}), Direction::kH1},
+                           {at2("318", {0.3, 0.4}), Direction::kH2}})
+                  .warnings,
+              ElementsAre(HasSubstr("azimuths of 228 and 318 degrees (clockwise from north), but "
+                                    "h2 lies 90 degrees counter-clockwise from h1")));
+  EXPECT_THAT(
+      read_record({{at2("L", {0.1, 0.2})}, {at2("T", {0.3, 0.4})}}).warnings,
+      ElementsAre(HasSubstr("the directions of 'L' and 'T' are not known; they are taken as h1")));
+}
+
+TEST_F(ReadRecord, RefusesThreeHorizontalsNearlyParallelOnesAndAbsentChannels) {
+  const auto a = at2("090", {0.1, 0.2}), b = at2("000", {0.1, 0.3}), c = at2("060", {0.1, 0.4});
+  EXPECT_THAT(error_text([&] {
+                read_record({{a}, {b}, {c}});
+              }),
+              HasSubstr("3 horizontal components ('090', '000', '060'); a record has two"));
+  EXPECT_THAT(error_text([&] {
+                read_record({{a}, {c}});
+              }),
+              HasSubstr("azimuths of 90 and 60 degrees; 45 to 135 degrees between them"));
+  EXPECT_EQ(error_text([&] {
+              read_record({{a, Direction::kH1, 2}});
+            }),
+            a.string() + ": channel 2 was asked for, the file has 1 to 1");
+}
+
+TEST_F(ReadRecord, TakesChannelsOfOneFile) {
+  const auto csv = file("r.csv", "time_s,x_g,y_g\n0,0.1,0.2\n0.1,0.3,0.5\n");
+  const Record record = read_record({{csv, {}, 2}});
+  EXPECT_FALSE(record[Direction::kH1]);
+  EXPECT_DOUBLE_EQ(record[Direction::kH2]->acceleration[1], 0.5 * kStandardGravity);
 }
 
 TEST_F(ReadRecord, KeepsTheWarningsOfTheFiles) {

@@ -1,0 +1,82 @@
+#include "groundmotions/assembly/align.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/error.h"
+
+namespace gurney {
+
+namespace {
+
+std::vector<Component*> present(Record& record) {
+  std::vector<Component*> components;
+  for (auto& component : record.components)
+    if (component) components.push_back(&*component);
+  return components;
+}
+
+/// Every pair, so that each file that differs from the first is named.
+void to_one_time_step(Record& record) {
+  const auto components = present(record);
+  const Component& first = *components.front();
+  for (const Component* component : components)
+    require(
+        std::abs(component->time_step - first.time_step) <= 1e-6 * first.time_step,
+        fmt::format("components of one record must have one time step: {} has {} s, {} has {} s",
+                    first.file, first.time_step, component->file, component->time_step));
+}
+
+void to_one_start(Record& record) {
+  const auto components = present(record);
+  if (!std::ranges::all_of(components, [](auto* c) { return c->start_time.has_value(); })) return;
+  double earliest = *components.front()->start_time, shortest = components.front()->duration();
+  for (const Component* component : components) {
+    earliest = std::min(earliest, *component->start_time);
+    shortest = std::min(shortest, component->duration());
+  }
+  for (Component* component : components) {
+    const double late = *component->start_time - earliest;
+    require(late < shortest,
+            fmt::format("{}: starts {:.6g} s after the first component, which is longer than the "
+                        "shortest ({:.6g} s): these are not of one earthquake",
+                        component->file, late, shortest));
+    const auto zeros = static_cast<Eigen::Index>(std::lround(late / component->time_step));
+    if (zeros == 0) continue;
+    record.warnings.push_back(
+        fmt::format("{}: starts {:.6g} s after the first component: {} zeros added before it",
+                    component->file, late, zeros));
+    Eigen::VectorXd padded(component->acceleration.size() + zeros);
+    padded << Eigen::VectorXd::Zero(zeros), component->acceleration;
+    component->acceleration = std::move(padded);
+    component->start_time = earliest;
+  }
+}
+
+void to_one_length(Record& record) {
+  Eigen::Index longest = 0;
+  for (const Component* component : present(record))
+    longest = std::max(longest, component->acceleration.size());
+  for (Component* component : present(record)) {
+    const Eigen::Index own = component->acceleration.size();
+    if (own == longest) continue;
+    record.warnings.push_back(
+        fmt::format("{}: {} samples, the longest component has {}: {} zeros added at the end",
+                    component->file, own, longest, longest - own));
+    component->acceleration.conservativeResize(longest);
+    component->acceleration.tail(longest - own).setZero();
+  }
+}
+
+}  // namespace
+
+void align(Record& record) {
+  if (present(record).empty()) return;
+  to_one_time_step(record);
+  to_one_start(record);
+  to_one_length(record);
+}
+
+}  // namespace gurney

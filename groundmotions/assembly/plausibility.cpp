@@ -1,0 +1,66 @@
+#include "groundmotions/assembly/plausibility.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/units.h"
+
+namespace gurney {
+
+namespace {
+
+constexpr double kSmallestPeak = 0.001 * kStandardGravity;
+constexpr double kLargestPeak = 3 * kStandardGravity;
+constexpr double kLargestRatio = 100;
+constexpr double kLargestMean = 0.1;   ///< of the peak
+constexpr Eigen::Index kEnough = 100;  ///< samples for a mean to mean something
+
+double peak(const Component& component) { return component.acceleration.cwiseAbs().maxCoeff(); }
+
+void check_component(const Component& component, const char* place,
+                     std::vector<std::string>& findings) {
+  const double largest = peak(component), mean = component.acceleration.mean();
+  if (largest == 0) {
+    findings.push_back(fmt::format("{}: the {} component is all zero", component.file, place));
+    return;
+  }
+  if (largest < kSmallestPeak || largest > kLargestPeak)
+    findings.push_back(fmt::format(
+        "{}: the peak acceleration of {} is {:.3g} g, outside 0.001 to 3 g; check the unit ({})",
+        component.file, place, largest / kStandardGravity, component.unit));
+  if (component.acceleration.size() >= kEnough && std::abs(mean) > kLargestMean * largest)
+    findings.push_back(
+        fmt::format("{}: the mean of {} is {:.3g} g at a peak of {:.3g} g: a constant offset; "
+                    "remove it with a baseline step",
+                    component.file, place, mean / kStandardGravity, largest / kStandardGravity));
+}
+
+void check_pair(const Component& a, const Component& b, std::vector<std::string>& findings) {
+  const double smaller = std::min(peak(a), peak(b)), larger = std::max(peak(a), peak(b));
+  if (smaller > 0 && larger > kLargestRatio * smaller)
+    findings.push_back(fmt::format(
+        "{} and {}: peak accelerations of {:.3g} and {:.3g} g; one record's components do not "
+        "differ by orders of magnitude",
+        a.file, b.file, peak(a) / kStandardGravity, peak(b) / kStandardGravity));
+  if (larger > 0 && a.acceleration.size() == b.acceleration.size() &&
+      a.acceleration == b.acceleration)
+    findings.push_back(fmt::format("{} and {}: components '{}' and '{}' are the same numbers",
+                                   a.file, b.file, a.name, b.name));
+}
+
+}  // namespace
+
+std::vector<std::string> implausible(const Record& record) {
+  std::vector<std::string> findings;
+  for (const Direction direction : kDirections)
+    if (record[direction]) check_component(*record[direction], name_of(direction), findings);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i + 1; j < 3; ++j)
+      if (record.components[i] && record.components[j])
+        check_pair(*record.components[i], *record.components[j], findings);
+  return findings;
+}
+
+}  // namespace gurney

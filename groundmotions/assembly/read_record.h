@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "groundmotions/formats/format.h"
+#include "groundmotions/record.h"
+
+namespace gurney {
+
+/// One file of a record, and what to take from it.
+struct RecordFile {
+  std::filesystem::path path;
+  std::optional<Direction> direction = {};  ///< none: the file itself or its azimuths say it
+  std::optional<int> channel = {};  ///< of several in the file, from 1; none: all that are there
+};
+
+/// Reads one to three components into one record: the files are read, their components placed
+/// (assembly/place.h), brought to one time step, start and length (assembly/align.h) and checked
+/// (assembly/plausibility.h). What was done and what looks wrong becomes a warning.
+///
+/// @throws Error for no files, a file that cannot be read, a place that is not known, stated twice
+///         or stated against the file, horizontal components that are too far from a right angle,
+///         starts that do not belong together, and a record that is all zero. The mistakes of all
+///         files are told in one Error.
+Record read_record(const std::vector<RecordFile>& files, const ReadOptions& options = {});
+
+}  // namespace gurney

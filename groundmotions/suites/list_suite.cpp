@@ -1,0 +1,142 @@
+#include "groundmotions/suites/list_suite.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "engine/base/config/nearest_name.h"
+#include "groundmotions/acceleration_unit.h"
+#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/numbers.h"
+#include "groundmotions/suites/csv_row.h"
+
+namespace gurney {
+
+namespace {
+
+const std::vector<std::string> kColumns = {"name",     "file", "h1",          "h2",
+                                           "vertical", "unit", "time_step_s", "scale"};
+
+bool is_content(std::string_view line) {
+  line = trimmed(line);
+  return !line.empty() && line[0] != '#';
+}
+
+class ListReader {
+ public:
+  ListReader(const SourceFile& file, const ReadOptions& options)
+      : file_(file), options_(options), mistakes_(file.name()) {}
+
+  Suite read() {
+    bool first = true;
+    for (line_ = 0; line_ < file_.lines().size(); ++line_) {
+      if (!is_content(file_.lines()[line_])) continue;
+      if (std::exchange(first, false))
+        read_titles();
+      else
+        read_row();
+    }
+    if (suite_.records.empty()) mistakes_.add("the list has no records");
+    mistakes_.throw_if_any();
+    return std::move(suite_);
+  }
+
+ private:
+  void read_titles() {
+    for (const CsvCell& cell : csv_row(file_.lines()[line_])) {
+      if (std::ranges::find(kColumns, cell.text) == kColumns.end())
+        mistakes_.add(
+            line_ + 1, cell.column,
+            fmt::format("unknown column '{}'{}; allowed are {}", cell.text,
+                        config::suggestion(cell.text, kColumns), fmt::join(kColumns, ", ")));
+      if (std::ranges::find(titles_, cell.text) != titles_.end())
+        mistakes_.add(line_ + 1, cell.column, fmt::format("column '{}' comes twice", cell.text));
+      titles_.push_back(cell.text);
+    }
+    const auto has = [this](const char* title) {
+      return std::ranges::find(titles_, title) != titles_.end();
+    };
+    if (has("file") == (has("h1") || has("h2") || has("vertical")))
+      mistakes_.add(line_ + 1, 1,
+                    "a list needs a column 'file', or columns 'h1', 'h2', 'vertical', not both");
+  }
+
+  void read_row() {
+    const auto row = csv_row(file_.lines()[line_]);
+    if (row.size() != titles_.size()) {
+      mistakes_.add(line_ + 1, 1,
+                    fmt::format("{} cells, the header has {} columns", row.size(), titles_.size()));
+      return;
+    }
+    SuiteRecord record{.name = {}, .files = {}, .options = options_, .facts = {}};
+    for (std::size_t i = 0; i < row.size(); ++i) read_cell(titles_[i], row[i], record);
+    if (record.files.empty()) mistakes_.add(line_ + 1, 1, "the record has no file");
+    suite_.records.push_back(std::move(record));
+  }
+
+  void read_cell(const std::string& title, const CsvCell& cell, SuiteRecord& record) {
+    if (title == "name") {
+      const bool known = std::ranges::any_of(
+          suite_.records, [&](const SuiteRecord& other) { return other.name == cell.text; });
+      if (cell.text.empty() || known)
+        mistakes_.add(line_ + 1, cell.column,
+                      cell.text.empty() ? "a record needs a name"
+                                        : fmt::format("the name '{}' comes twice", cell.text));
+      record.name = cell.text;
+    } else if (cell.text.empty()) {
+      return;
+    } else if (title == "unit") {
+      if (!acceleration_unit(cell.text))
+        mistakes_.add(line_ + 1, cell.column,
+                      fmt::format("'{}' is not a unit of acceleration: {} are allowed", cell.text,
+                                  kAccelerationUnits));
+      record.options.unit = cell.text;
+    } else if (title == "time_step_s") {
+      record.options.time_step = positive(cell, title, 1);
+    } else if (title == "scale") {
+      record.scale = positive(cell, title, 1e6);
+    } else if (std::ranges::find(kColumns, title) != kColumns.end()) {
+      add_file(title, cell, record);
+    }
+  }
+
+  void add_file(const std::string& title, const CsvCell& cell, SuiteRecord& record) {
+    RecordFile file{.path = std::filesystem::path(file_.name()).parent_path() / cell.text};
+    for (const Direction direction : kDirections)
+      if (title == name_of(direction)) file.direction = direction;
+    if (!std::filesystem::is_regular_file(file.path))
+      mistakes_.add(line_ + 1, cell.column, fmt::format("'{}': no such file", cell.text));
+    record.files.push_back(std::move(file));
+  }
+
+  double positive(const CsvCell& cell, const std::string& title, double most) {
+    const auto value = number(cell.text);
+    if (!value || !(*value > 0 && *value <= most))
+      mistakes_.add(
+          line_ + 1, cell.column,
+          fmt::format("{} must be a number in (0, {:g}], got '{}'", title, most, cell.text));
+    return value.value_or(1);
+  }
+
+  const SourceFile& file_;
+  const ReadOptions& options_;
+  Mistakes mistakes_;
+  std::vector<std::string> titles_;
+  std::size_t line_ = 0;
+  Suite suite_;
+};
+
+}  // namespace
+
+bool recognises_list_suite(const SourceFile& file) {
+  for (const std::string_view line : file.lines())
+    if (is_content(line)) return csv_row(line).size() > 1 && csv_row(line)[0].text == "name";
+  return false;
+}
+
+Suite read_list_suite(const SourceFile& file, const ReadOptions& options) {
+  return ListReader(file, options).read();
+}
+
+}  // namespace gurney

@@ -1,0 +1,135 @@
+#include "groundmotions/suites/peer_search_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "engine/base/error.h"
+#include "groundmotions/suites/csv_row.h"
+
+namespace gurney {
+
+namespace {
+
+constexpr std::string_view kTable = "Summary of Metadata of Selected Records";
+constexpr std::array kFiles = {"Horizontal-1 Acc. Filename", "Horizontal-2 Acc. Filename",
+                               "Vertical Acc. Filename"};
+
+/// Columns that become facts, by the start of their titles.
+constexpr std::array kFacts = {
+    std::pair("Record Sequence Number", "RSN"),
+    std::pair("Earthquake Name", "event"),
+    std::pair("Year", "year"),
+    std::pair("Station Name", "station"),
+    std::pair("Magnitude", "magnitude"),
+    std::pair("Mechanism", "mechanism"),
+    std::pair("Rjb", "R_JB [km]"),
+    std::pair("Rrup", "R_rup [km]"),
+    std::pair("Vs30", "Vs30 [m/s]"),
+    std::pair("Tp-Pulse Period", "pulse period [s]"),
+    std::pair("Lowest Useable Frequency", "lowest usable frequency [Hz]"),
+    std::pair("Scale Factor", "scale factor of the search"),
+};
+
+constexpr auto kNone = std::string::npos;
+
+std::size_t column_of(const std::vector<CsvCell>& titles, std::string_view start) {
+  for (std::size_t i = 0; i < titles.size(); ++i)
+    if (titles[i].text.starts_with(start)) return i;
+  return kNone;
+}
+
+std::string cell(const std::vector<CsvCell>& row, std::size_t column) {
+  if (column >= row.size() || row[column].text == "-") return {};
+  return row[column].text;
+}
+
+/// The line with the titles of the table.
+std::size_t title_line(const SourceFile& file) {
+  const auto& lines = file.lines();
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i)
+    if (lines[i].find(kTable) != std::string_view::npos) return i + 1;
+  throw Error(fmt::format("{}:1:1: no table '{}'", file.name(), kTable));
+}
+
+struct Columns {
+  std::size_t count = 0;
+  std::size_t number = kNone;
+  std::array<std::size_t, 3> files;
+  std::vector<std::pair<const char*, std::size_t>> facts;
+};
+
+Columns columns_of(const SourceFile& file, std::size_t line) {
+  const auto titles = csv_row(file.lines()[line]);
+  Columns columns;
+  columns.count = titles.size();
+  columns.number = column_of(titles, "Record Sequence Number");
+  for (std::size_t i = 0; i < 3; ++i) {
+    columns.files[i] = column_of(titles, kFiles[i]);
+    require(columns.files[i] != kNone,
+            fmt::format("{}:{}:1: no column '{}'", file.name(), line + 1, kFiles[i]));
+  }
+  for (const auto& [start, name] : kFacts)
+    if (const auto column = column_of(titles, start); column != kNone)
+      columns.facts.emplace_back(name, column);
+  return columns;
+}
+
+/// @returns the reason for which the record cannot be used, or nothing
+std::string add_files(const std::vector<CsvCell>& row, const Columns& columns,
+                      const std::filesystem::path& folder, SuiteRecord& record) {
+  std::string reason;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string name = cell(row, columns.files[i]);
+    if (name.empty()) {
+      if (i < 2) reason = fmt::format("the report names no file for '{}'", kFiles[i]);
+      continue;
+    }
+    const auto path = folder / name;
+    if (!std::filesystem::is_regular_file(path))
+      reason += fmt::format("{}{} is not in the folder", reason.empty() ? "" : "; ", name);
+    record.files.push_back({.path = path});
+  }
+  return reason;
+}
+
+}  // namespace
+
+bool recognises_peer_search_results(const SourceFile& file) {
+  const auto& lines = file.lines();
+  return std::any_of(
+      lines.begin(),
+      lines.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(60, lines.size())),
+      [](std::string_view line) { return line.find(kTable) != std::string_view::npos; });
+}
+
+Suite read_peer_search_results(const SourceFile& file, const ReadOptions& options) {
+  const std::size_t titles = title_line(file);
+  const Columns columns = columns_of(file, titles);
+  const auto folder = std::filesystem::path(file.name()).parent_path();
+  Suite suite;
+  for (std::size_t line = titles + 1; line < file.lines().size(); ++line) {
+    const auto row = csv_row(file.lines()[line]);
+    if (row.size() == 1) break;  // a blank line ends the table
+    SuiteRecord record{.name = {}, .files = {}, .options = options, .facts = {}};
+    for (const auto& [name, column] : columns.facts)
+      if (const std::string text = cell(row, column); !text.empty())
+        record.facts.emplace_back(name, text);
+    const std::string number = cell(row, columns.number);
+    record.name = number.empty() ? fmt::format("line {}", line + 1) : "RSN" + number;
+    const std::string reason = row.size() == columns.count
+                                   ? add_files(row, columns, folder, record)
+                                   : fmt::format("{}:{}:1: {} cells, the header has {} columns",
+                                                 file.name(), line + 1, row.size(), columns.count);
+    if (reason.empty())
+      suite.records.push_back(std::move(record));
+    else
+      suite.refused.push_back({record.name, reason});
+  }
+  require(!suite.records.empty() || !suite.refused.empty(),
+          fmt::format("{}:{}:1: the table '{}' has no rows", file.name(), titles + 1, kTable));
+  return suite;
+}
+
+}  // namespace gurney

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "groundmotions/assembly/read_record.h"
+
+namespace gurney {
+
+/// A record of a suite: which files, and how they are to be read.
+struct SuiteRecord {
+  std::string name;
+  std::vector<RecordFile> files;
+  ReadOptions options = {};
+  double scale = 1;                                        ///< on every component, > 0
+  std::vector<std::pair<std::string, std::string>> facts;  ///< of the source: name, value
+};
+
+/// What was left out, and why.
+struct Refusal {
+  std::string file;  ///< or name of the record
+  std::string reason;
+};
+
+/// Records that belong together; not read yet.
+struct Suite {
+  std::vector<SuiteRecord> records;
+  std::vector<Refusal> refused;
+};
+
+/// Called before each file with how many are done and how many there are.
+using Progress = std::function<void(std::size_t, std::size_t)>;
+
+/// The suite behind a path: a folder (folder_suite.h), a list or a PEER _SearchResults.csv
+/// (known by their content), or one record file.
+///
+/// @param options  for files that do not say their unit or time step
+/// @throws Error if the path does not exist or a list is wrong. Files of a folder that are no
+///         records are refused one by one.
+Suite read_suite(const std::filesystem::path& path, const ReadOptions& options = {},
+                 const Progress& progress = {});
+
+/// Reads and assembles one record and scales it as its list says.
+/// @throws Error as read_record() for files does.
+Record read_record(const SuiteRecord& record);
+
+}  // namespace gurney

@@ -1,0 +1,149 @@
+#include "groundmotions/suites/suite.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "groundmotions/suites/csv_row.h"
+#include "groundmotions/suites/folder_suite.h"
+#include "tests/support/error_text.h"
+#include "tests/support/temp_folder.h"
+
+namespace gurney {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Pair;
+
+std::string at2(const std::string& component, const std::string& station = "Y") {
+  return fmt::format(
+      "PEER NGA STRONG MOTION DATABASE RECORD\nX, 1/2/2003, {}, {}\n"
+      "ACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n .1 -.1 .{}\n",
+      station, component, component.size());
+}
+
+std::vector<std::string> names(const Suite& suite) {
+  std::vector<std::string> result;
+  for (const SuiteRecord& record : suite.records)
+    result.push_back(fmt::format("{}:{}", record.name, record.files.size()));
+  return result;
+}
+
+TEST(CsvRow, TakesQuotedCellsWithCommas) {
+  std::vector<std::string> texts;
+  for (const CsvCell& cell : csv_row(R"( 1, "A, ""B""" ,,x )")) texts.push_back(cell.text);
+  EXPECT_THAT(texts, ElementsAre("1", "A, \"B\"", "", "x"));
+  EXPECT_EQ(csv_row("ab, cd")[1].column, 5u);
+}
+
+TEST(FolderSuite, KnowsTheNameWithoutTheComponent) {
+  EXPECT_EQ(name_without_component("RSN1_A_RRS228.AT2", "228"), "RSN1_A_RRS*.AT2");
+  EXPECT_EQ(name_without_component("RSN1_A_RRS-UP.AT2", "UP"), "RSN1_A_RRS*.AT2");
+  EXPECT_EQ(name_without_component("ABC0012401010101.EW", "E-W"), "ABC0012401010101*");
+  EXPECT_EQ(name_without_component("XX.ST..HNE.D.ASC", "HNE"), "XX.ST*.D.ASC");
+  EXPECT_EQ(name_without_component("first.AT2", "090"), "");
+}
+
+TEST(FolderSuite, GroupsFilesByNameAndByHeader) {
+  const TempFolder folder;
+  for (const char* component : {"090", "000", "UP"})
+    folder.write(fmt::format("a/RSN1_X_ST{}{}.AT2", component[0] == 'U' ? "-" : "", component),
+                 at2(component));
+  folder.write("b/one.AT2", at2("090", "Z"));
+  folder.write("b/two.AT2", at2("000", "Z"));
+  folder.write("b/other.AT2", at2("000", "W"));
+  folder.write("b/notes.txt", "nothing to read\n");
+  folder.write(".hidden/x.AT2", at2("000"));
+  const Suite suite = read_suite(folder.path());
+  EXPECT_THAT(names(suite), ElementsAre("RSN1_X_ST:3", "one:2", "other:1"));
+  ASSERT_EQ(suite.refused.size(), 1u);
+  EXPECT_THAT(suite.refused[0].file, HasSubstr("notes.txt"));
+  EXPECT_THAT(suite.refused[0].reason, HasSubstr("not a record in a known format"));
+  const Record record = read_record(suite.records[0]);
+  EXPECT_EQ(record.name, "RSN1_X_ST");
+  EXPECT_EQ(record[Direction::kH1]->name, "090");
+}
+
+const std::string kReport =
+    "\n PEER Ground Motion Database, Time Series Search Report\n\n"
+    " -- Summary of Metadata of Selected Records --\n"
+    "Result ID, Record Sequence Number, Scale Factor, Tp-Pulse Period (sec), Station Name, "
+    "Horizontal-1 Acc. Filename, Horizontal-2 Acc. Filename, Vertical Acc. Filename\n"
+    "1, 11, 1.5, -, \"A, B\", RSN11_E.AT2, RSN11_N.AT2 , RSN11_V.AT2  \n"
+    "2, 12, 1.0, 3.5, C, RSN12_E.AT2, RSN12_N.AT2, - \n"
+    "3, 13, 1.0, -, D, RSN13_E.AT2, RSN13_N.AT2, RSN13_V.AT2\n\n"
+    " -- Scaled Spectra --\nPeriod (sec), pSa\n0.1, 1\n";
+
+TEST(PeerSearchResults, DrivesASuite) {
+  const TempFolder folder;
+  const auto report = folder.write("_SearchResults.csv", kReport);
+  for (const char* name : {"RSN11_E", "RSN12_E"})
+    folder.write(name + std::string(".AT2"), at2("090"));
+  for (const char* name : {"RSN11_N", "RSN12_N"})
+    folder.write(name + std::string(".AT2"), at2("000"));
+  folder.write("RSN11_V.AT2", at2("UP"));
+  for (const std::string& path : {report, folder.path()}) {
+    const Suite suite = read_suite(path);
+    EXPECT_THAT(names(suite), ElementsAre("RSN11:3", "RSN12:2"));
+    EXPECT_THAT(suite.records[0].facts, ElementsAre(Pair("RSN", "11"), Pair("station", "A, B"),
+                                                    Pair("scale factor of the search", "1.5")));
+    EXPECT_EQ(suite.records[0].scale, 1);
+    ASSERT_EQ(suite.refused.size(), 1u);
+    EXPECT_EQ(suite.refused[0].file, "RSN13");
+    EXPECT_EQ(suite.refused[0].reason,
+              "RSN13_E.AT2 is not in the folder; RSN13_N.AT2 is not in the folder; RSN13_V.AT2 is "
+              "not in the folder");
+    EXPECT_EQ(read_record(suite.records[0])[Direction::kVertical]->name, "UP");
+  }
+}
+
+TEST(PeerSearchResults, RefusesRowsThatAreCutAndTablesWithoutFileNames) {
+  const TempFolder folder;
+  const auto cut = folder.write("cut.csv", kReport.substr(0, kReport.find(", RSN12_N")) + "\n");
+  folder.write("RSN11_E.AT2", at2("090"));
+  const Suite suite = read_suite(cut);
+  EXPECT_THAT(suite.records, IsEmpty());
+  ASSERT_EQ(suite.refused.size(), 2u);
+  EXPECT_THAT(suite.refused[1].reason, HasSubstr("cut.csv:7:1: 6 cells, the header has 8 columns"));
+  const auto bare = folder.write(
+      "bare.csv", " -- Summary of Metadata of Selected Records --\nResult ID, Year\n1,2\n");
+  EXPECT_EQ(error_text([&] { read_suite(bare); }),
+            bare + ":2:1: no column 'Horizontal-1 Acc. Filename'");
+}
+
+TEST(ListSuite, ReadsRecordsWithTheirUnitsAndScales) {
+  const TempFolder folder;
+  folder.write("e.txt", "1\n-1\n2\n");
+  folder.write("n.txt", "2\n-2\n1\n");
+  const auto list =
+      folder.write("list.csv",
+                   "# comment\nname, h1, h2, unit, time_step_s, scale\n"
+                   "first, e.txt, n.txt, m/s2, 0.01, 2\n\nsecond, n.txt, , g, 0.02,\n");
+  const Suite suite = read_suite(list);
+  EXPECT_THAT(names(suite), ElementsAre("first:2", "second:1"));
+  const Record record = read_record(suite.records[0]);
+  EXPECT_EQ(record[Direction::kH1]->acceleration, Eigen::Vector3d(2, -2, 4));
+  EXPECT_THAT(record.processing, ElementsAre("scaled by 2, as the list says"));
+  EXPECT_EQ(read_record(suite.records[1]).time_step(), 0.02);
+}
+
+TEST(ListSuite, TellsEveryMistake) {
+  const TempFolder folder;
+  folder.write("e.txt", "1\n-1\n2\n");
+  const auto list = folder.write("list.csv",
+                                 "name, h1, units, scale\na, e.txt, g, 1\na, none.txt, ft, -1\n"
+                                 "b, e.txt\n,e.txt,,\n");
+  EXPECT_EQ(error_text([&] { read_suite(list); }),
+            fmt::format("{0}:1:11: unknown column 'units'; did you mean 'unit'?; allowed are name, "
+                        "file, h1, h2, vertical, unit, time_step_s, scale\n"
+                        "{0}:3:1: the name 'a' comes twice\n"
+                        "{0}:3:4: 'none.txt': no such file\n"
+                        "{0}:3:18: scale must be a number in (0, 1e+06], got '-1'\n"
+                        "{0}:4:1: 2 cells, the header has 4 columns\n"
+                        "{0}:5:1: a record needs a name",
+                        list));
+}
+
+}  // namespace
+}  // namespace gurney
