@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "groundmotions/processing/step.h"
+#include "groundmotions/record.h"
+
+namespace gurney {
+
+/// The record after all steps, in their order; every step does the same to all components.
+///
+/// Each step adds one line with its parameters to record.processing, and what it did to the largest
+/// velocity and displacement left at the end of a component. A step that undoes the work of one
+/// before it adds to record.warnings. Start times follow the first sample.
+///
+/// @throws Error for what a step refuses: "record 'name', step 2 (high_pass): ...".
+Record processed(Record record, const std::vector<ProcessingStep>& steps);
+
+}  // namespace gurney

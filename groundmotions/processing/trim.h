@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace gurney {
+
+/// A part of a record.
+struct TimeInterval {
+  double from = 0;  ///< [s]
+  double to = 0;    ///< [s]
+};
+
+/// The part of a record between two shares of its Husid curve I(t) / I(end), with I(t) the integral
+/// of a^2 of the piecewise-linear acceleration (Husid 1969; Trifunac & Brady 1975, BSSA 65(3),
+/// 581-626): 0.05 and 0.95 give the significant duration D5-95. Within a step I(t) is taken as
+/// linear.
+/// @param time_step  > 0 [s]
+/// @param from, to   0 <= from < to <= 1
+/// @throws Error for other shares and for a motion that is all zero.
+TimeInterval significant_interval(double time_step, const Eigen::VectorXd& acceleration,
+                                  double from, double to);
+
+/// Samples of a record.
+struct SampleRange {
+  Eigen::Index first = 0;
+  Eigen::Index count = 0;
+};
+
+/// The fewest samples that cover an interval; what lies outside the record is left out.
+/// @param samples  of the record
+/// @throws Error unless from < to, and for an interval with less than 2 samples of the record.
+SampleRange samples_within(const TimeInterval& interval, double time_step, Eigen::Index samples);
+
+}  // namespace gurney
