@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/base/error.h"
+#include "groundmotions/processing/resample.h"
 
 namespace gurney {
 
@@ -18,15 +19,18 @@ std::vector<Component*> present(Record& record) {
   return components;
 }
 
-/// Every pair, so that each file that differs from the first is named.
 void to_one_time_step(Record& record) {
   const auto components = present(record);
-  const Component& first = *components.front();
-  for (const Component* component : components)
-    require(
-        std::abs(component->time_step - first.time_step) <= 1e-6 * first.time_step,
-        fmt::format("components of one record must have one time step: {} has {} s, {} has {} s",
-                    first.file, first.time_step, component->file, component->time_step));
+  const double smallest =
+      (*std::ranges::min_element(components, {}, &Component::time_step))->time_step;
+  for (Component* component : components) {
+    if (component->time_step - smallest <= 1e-6 * smallest) continue;
+    record.warnings.push_back(
+        fmt::format("{}: a time step of {:g} s, resampled to {:g} s as the other components have",
+                    component->file, component->time_step, smallest));
+    component->acceleration = resampled(component->time_step, component->acceleration, smallest);
+    component->time_step = smallest;
+  }
 }
 
 void to_one_start(Record& record) {

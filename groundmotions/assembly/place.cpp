@@ -69,11 +69,6 @@ void warn_of_stated_azimuths(Record& record) {
 void put_horizontal_pair(Component first, Component second, Record& record) {
   if (first.azimuth && second.azimuth) {
     const double angle = counter_clockwise(*first.azimuth, *second.azimuth);
-    require(
-        std::abs(std::sin(angle)) >= std::sqrt(0.5) - 1e-9,
-        fmt::format("{} and {}: horizontal components with azimuths of {:.0f} and {:.0f} "
-                    "degrees; 45 to 135 degrees between them are allowed",
-                    first.file, second.file, degrees(*first.azimuth), degrees(*second.azimuth)));
     if (angle < 0) std::swap(first, second);
   } else {
     record.warnings.push_back(

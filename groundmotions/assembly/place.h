@@ -19,12 +19,10 @@ struct UnplacedComponent {
 /// or azimuths that look otherwise by a warning. Of the components without a stated direction, the
 /// vertical is known by the file or by its name, and two horizontals with azimuths are placed so
 /// that h2 lies 90 degrees counter-clockwise from h1, seen from above: the azimuth of h2 is that of
-/// h1 less 90 degrees, as with east and north. Horizontals that are not at a right angle are
-/// resolved into such a pair along h1 (processing/rotate.h). Two horizontals without azimuths are
-/// taken in the order given, with a warning.
+/// h1 less 90 degrees, as with east and north. Two horizontals without azimuths are taken in the
+/// order given, with a warning.
 ///
-/// @throws Error for a component without a place, two for one place, more than two horizontals,
-///         and horizontals less than 45 or more than 135 degrees apart.
+/// @throws Error for a component without a place, two for one place and more than two horizontals.
 Record place(const std::vector<UnplacedComponent>& components);
 
 /// "UP", "UD", "V", "HNZ", "ver" and their like, letter case apart.

@@ -8,6 +8,7 @@
 #include "groundmotions/assembly/align.h"
 #include "groundmotions/assembly/place.h"
 #include "groundmotions/assembly/plausibility.h"
+#include "groundmotions/processing/rotate.h"
 
 namespace gurney {
 
@@ -66,6 +67,12 @@ Record read_record(const std::vector<RecordFile>& files, const ReadOptions& opti
       warnings.insert(warnings.end(), component->warnings.begin(), component->warnings.end());
   record.warnings.insert(record.warnings.begin(), warnings.begin(), warnings.end());
   align(record);
+  if (std::ranges::none_of(files,
+                           [](const RecordFile& file) { return file.direction.has_value(); })) {
+    record = orthogonal_horizontals(std::move(record));
+    record.warnings.insert(record.warnings.end(), record.processing.begin(),
+                           record.processing.end());
+  }
   const bool moves = std::ranges::any_of(record.components, [](const auto& component) {
     return component && (component->acceleration.array() != 0).any();
   });

@@ -34,10 +34,8 @@ Record pair(Component h1, Component h2) {
 TEST(Align, ShiftsLateComponentsByWholeSamples) {
   Record record = pair(component("a", {1, 2, 3, 4}, 1000.0), component("b", {5, 6, 7}, 1000.19));
   align(record);
-  EXPECT_EQ(record[Direction::kH1]->acceleration,
-            samples({1, 2, 3, 4, 0}));
-  EXPECT_EQ(record[Direction::kH2]->acceleration,
-            samples({0, 0, 5, 6, 7}));
+  EXPECT_EQ(record[Direction::kH1]->acceleration, samples({1, 2, 3, 4, 0}));
+  EXPECT_EQ(record[Direction::kH2]->acceleration, samples({0, 0, 5, 6, 7}));
   EXPECT_THAT(record.warnings,
               ElementsAre("b: starts 0.19 s after the first component: 2 zeros added before it",
                           "a: 4 samples, the longest component has 5: 1 zeros added at the end"));

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "engine/base/units.h"
@@ -79,13 +80,34 @@ TEST_F(ReadRecord, FillsShorterComponentsWithZerosAndSaysSo) {
                           ": 2 samples, the longest component has 4: 2 zeros added at the end"));
 }
 
-TEST_F(ReadRecord, RefusesDifferentTimeSteps) {
-  const auto h1 = at2("090", {0.1, 0.2}, 0.01), h2 = at2("000", {0.1, 0.2}, 0.02);
-  EXPECT_EQ(error_text([&] {
-              read_record({{h1, Direction::kH1}, {h2, Direction::kH2}});
-            }),
-            "components of one record must have one time step: " + h1.string() + " has 0.01 s, " +
-                h2.string() + " has 0.02 s");
+// Both sines are within the band of either step; away from the ends, where the kernel meets the
+// zeros outside, resampling keeps the gain to 1e-5 (processing/resample.h), and AT2 text to 1e-6.
+// The kernel spans 33 old samples; its tails of 100 dB (1e-5) reach no further.
+TEST_F(ReadRecord, ResamplesToTheSmallestTimeStep) {
+  std::vector<double> fine(801), coarse(401);
+  for (std::size_t i = 0; i < fine.size(); ++i) fine[i] = std::sin(3 * 0.01 * double(i));
+  for (std::size_t i = 0; i < coarse.size(); ++i) coarse[i] = std::sin(3 * 0.02 * double(i));
+  const auto h1 = at2("090", fine, 0.01), h2 = at2("000", coarse, 0.02);
+  const Record record = read_record({{h1, Direction::kH1}, {h2, Direction::kH2}});
+  EXPECT_EQ(record.time_step(), 0.01);
+  EXPECT_EQ(record[Direction::kH2]->acceleration.size(), 801);
+  const Eigen::VectorXd difference =
+      record[Direction::kH1]->acceleration - record[Direction::kH2]->acceleration;
+  EXPECT_LT(difference.segment(100, 600).cwiseAbs().maxCoeff(), 3e-5 * kStandardGravity);
+  EXPECT_THAT(record.warnings,
+              ElementsAre(h2.string() + ": a time step of 0.02 s, resampled to 0.01 s as the other "
+                                        "components have"));
+}
+
+// A motion of (e, n) = (1, 2) and then (-1, 1) g: along azimuth 90 it is e, along azimuth 30 it is
+// e / 2 + n sqrt(3) / 2. The text has six digits behind the point.
+TEST_F(ReadRecord, ResolvesHorizontalsThatAreNotAtARightAngle) {
+  const double root = std::sqrt(3) / 2;
+  const Record record =
+      read_record({{at2("090", {1, -1})}, {at2("030", {0.5 + 2 * root, -0.5 + root})}});
+  EXPECT_NEAR(record[Direction::kH2]->acceleration[0], 2 * kStandardGravity, 1e-5);
+  EXPECT_NEAR(record[Direction::kH2]->acceleration[1], 1 * kStandardGravity, 1e-5);
+  EXPECT_THAT(record.warnings, ElementsAre(HasSubstr("h2 resolved at a right angle to h1")));
 }
 
 TEST_F(ReadRecord, RefusesNoPlaceTwoPlacesAndWrongPlaces) {
@@ -184,9 +206,9 @@ TEST_F(ReadRecord, RefusesThreeHorizontalsNearlyParallelOnesAndAbsentChannels) {
               }),
               HasSubstr("3 horizontal components ('090', '000', '060'); a record has two"));
   EXPECT_THAT(error_text([&] {
-                read_record({{a}, {c}});
+                read_record({{a}, {at2("075", {0.1, 0.5})}});
               }),
-              HasSubstr("azimuths of 90 and 60 degrees; 45 to 135 degrees between them"));
+              HasSubstr("the horizontals have azimuths of 090 and 075 degrees, less than 30"));
   EXPECT_EQ(error_text([&] {
               read_record({{a, Direction::kH1, 2}});
             }),
