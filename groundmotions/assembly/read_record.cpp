@@ -7,7 +7,6 @@
 #include "engine/base/error.h"
 #include "groundmotions/assembly/align.h"
 #include "groundmotions/assembly/place.h"
-#include "groundmotions/assembly/plausibility.h"
 #include "groundmotions/processing/rotate.h"
 
 namespace gurney {
@@ -77,8 +76,6 @@ Record read_record(const std::vector<RecordFile>& files, const ReadOptions& opti
     return component && (component->acceleration.array() != 0).any();
   });
   require(moves, fmt::format("{}: all accelerations of the record are zero", record.name));
-  const auto findings = implausible(record);
-  record.warnings.insert(record.warnings.end(), findings.begin(), findings.end());
   return record;
 }
 

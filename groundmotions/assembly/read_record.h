@@ -17,10 +17,10 @@ struct RecordFile {
 };
 
 /// Reads one to three components into one record: the files are read, their components placed
-/// (assembly/place.h), brought to one time step, start and length (assembly/align.h) and checked
-/// (assembly/plausibility.h). Horizontals that were placed by their azimuths and are not at a right
-/// angle are resolved into such a pair (processing/rotate.h). What was done and what looks wrong
-/// becomes a warning.
+/// (assembly/place.h) and brought to one time step, start and length (assembly/align.h).
+/// Horizontals that were placed by their azimuths and are not at a right angle are resolved into
+/// such a pair (processing/rotate.h). What was done becomes a warning; whether the amplitudes are
+/// plausible is for implausible() to say.
 ///
 /// @throws Error for no files, a file that cannot be read, a place that is not known, stated twice
 ///         or stated against the file, horizontal components that are too far from a right angle,

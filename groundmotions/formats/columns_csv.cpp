@@ -212,7 +212,8 @@ std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOption
   return components;
 }
 
-std::string columns_csv_text(const Record& record, const std::vector<std::string>& comments) {
+std::string columns_csv_text(const Record& record, const std::vector<std::string>& comments,
+                             int digits) {
   constexpr std::array kAxes = {"x", "y", "z"};
   std::string text;
   for (const std::string& comment : comments)
@@ -225,7 +226,7 @@ std::string columns_csv_text(const Record& record, const std::vector<std::string
   for (Eigen::Index i = 0; i < record.samples(); ++i) {
     text += fmt::format("{:.10g}", static_cast<double>(i) * record.time_step());
     for (const auto& component : record.components)
-      if (component) text += fmt::format(",{:.5f}", component->acceleration[i]);
+      if (component) text += fmt::format(",{:.{}f}", component->acceleration[i], digits);
     text += "\n";
   }
   return text;

@@ -15,8 +15,10 @@ bool recognises_columns_csv(const SourceFile& file);
 ///         number, times that are not evenly spaced, and a file that ends within a row.
 std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOptions& options);
 
-/// A record in this format, accelerations in m/s2 with five digits after the point.
+/// A record in this format, accelerations in m/s2.
 /// @param comments  lines without `#` and line ends
-std::string columns_csv_text(const Record& record, const std::vector<std::string>& comments);
+/// @param digits    after the point
+std::string columns_csv_text(const Record& record, const std::vector<std::string>& comments,
+                             int digits = 5);
 
 }  // namespace gurney

@@ -64,9 +64,9 @@ std::string without_ends(std::string name) {
   return result.empty() ? name : result;
 }
 
-class FolderReader {
+class FileGrouping {
  public:
-  explicit FolderReader(const ReadOptions& options) : options_(options) {}
+  explicit FileGrouping(const ReadOptions& options) : options_(options) {}
 
   void read_report(const fs::path& path) {
     try {
@@ -138,11 +138,9 @@ std::string name_without_component(const std::string& file_name, const std::stri
   return file_name.substr(0, begin) + "*" + file_name.substr(at + plain.size());
 }
 
-Suite read_folder_suite(const fs::path& folder, const ReadOptions& options,
-                        const Progress& progress) {
-  const auto files = files_in(folder);
-  require(!files.empty(), folder.string() + ": the folder holds no files");
-  FolderReader reader(options);
+Suite group_files(const std::vector<fs::path>& files, const ReadOptions& options,
+                  const Progress& progress) {
+  FileGrouping reader(options);
   for (const fs::path& file : files)
     if (upper(file.extension().string()) == ".CSV") reader.read_report(file);
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -150,6 +148,13 @@ Suite read_folder_suite(const fs::path& folder, const ReadOptions& options,
     reader.read_file(files[i]);
   }
   return reader.finish();
+}
+
+Suite read_folder_suite(const fs::path& folder, const ReadOptions& options,
+                        const Progress& progress) {
+  const auto files = files_in(folder);
+  require(!files.empty(), folder.string() + ": the folder holds no files");
+  return group_files(files, options, progress);
 }
 
 }  // namespace gurney

@@ -16,6 +16,10 @@ namespace gurney {
 Suite read_folder_suite(const std::filesystem::path& folder, const ReadOptions& options = {},
                         const Progress& progress = {});
 
+/// The same for files in the order given.
+Suite group_files(const std::vector<std::filesystem::path>& files, const ReadOptions& options = {},
+                  const Progress& progress = {});
+
 /// The name of a component's file without the name of the component: "RSN1063_NORTHR_RRS228.AT2"
 /// of component "228" is "RSN1063_NORTHR_RRS*.AT2". Empty if the component's name is not in it.
 std::string name_without_component(const std::string& file_name, const std::string& component);

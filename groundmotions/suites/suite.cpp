@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "engine/base/error.h"
 #include "groundmotions/suites/folder_suite.h"
 #include "groundmotions/suites/list_suite.h"
@@ -9,15 +12,45 @@
 
 namespace gurney {
 
-Suite read_suite(const std::filesystem::path& path, const ReadOptions& options,
+namespace {
+
+void append(Suite& suite, Suite more) {
+  std::ranges::move(more.records, std::back_inserter(suite.records));
+  std::ranges::move(more.refused, std::back_inserter(suite.refused));
+}
+
+/// A folder, list or report; false for anything else.
+bool append_collection(const std::filesystem::path& path, const ReadOptions& options,
+                       const Progress& progress, Suite& suite) {
+  if (std::filesystem::is_directory(path)) {
+    append(suite, read_folder_suite(path, options, progress));
+    return true;
+  }
+  require(std::filesystem::exists(path), path.string() + ": no such file or folder");
+  std::optional<SourceFile> file;
+  try {
+    file.emplace(path);
+  } catch (const Error&) {
+    return false;  // told when it is read as a record
+  }
+  if (recognises_peer_search_results(*file))
+    append(suite, read_peer_search_results(*file, options));
+  else if (recognises_list_suite(*file))
+    append(suite, read_list_suite(*file, options));
+  else
+    return false;
+  return true;
+}
+
+}  // namespace
+
+Suite read_suite(const std::vector<std::filesystem::path>& paths, const ReadOptions& options,
                  const Progress& progress) {
-  if (std::filesystem::is_directory(path)) return read_folder_suite(path, options, progress);
-  const SourceFile file(path);
-  if (recognises_peer_search_results(file)) return read_peer_search_results(file, options);
-  if (recognises_list_suite(file)) return read_list_suite(file, options);
   Suite suite;
-  suite.records.push_back(
-      {.name = path.stem().string(), .files = {{.path = path}}, .options = options, .facts = {}});
+  std::vector<std::filesystem::path> files;
+  for (const auto& path : paths)
+    if (!append_collection(path, options, progress, suite)) files.push_back(path);
+  append(suite, group_files(files, options, progress));
   return suite;
 }
 

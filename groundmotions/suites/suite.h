@@ -34,13 +34,14 @@ struct Suite {
 /// Called before each file with how many are done and how many there are.
 using Progress = std::function<void(std::size_t, std::size_t)>;
 
-/// The suite behind a path: a folder (folder_suite.h), a list or a PEER _SearchResults.csv
-/// (known by their content), or one record file.
+/// The records behind some paths: folders (folder_suite.h), lists and PEER _SearchResults.csv
+/// (known by their content), and record files, which are grouped into records as those of a folder
+/// are.
 ///
 /// @param options  for files that do not say their unit or time step
-/// @throws Error if the path does not exist or a list is wrong. Files of a folder that are no
-///         records are refused one by one.
-Suite read_suite(const std::filesystem::path& path, const ReadOptions& options = {},
+/// @throws Error if a path does not exist or a list is wrong. Files that are no records are refused
+///         one by one.
+Suite read_suite(const std::vector<std::filesystem::path>& paths, const ReadOptions& options = {},
                  const Progress& progress = {});
 
 /// Reads and assembles one record and scales it as its list says.

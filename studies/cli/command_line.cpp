@@ -4,9 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <functional>
+#include <memory>
 
 #include "engine/base/error.h"
 #include "studies/build_info/build_info.h"
+#include "studies/cli/records_command.h"
 #include "studies/cli/run_command.h"
 #include "studies/cli/signals.h"
 
@@ -24,7 +27,9 @@ std::string version() {
       build.cpu_class);
 }
 
-void add_run(CLI::App& app, RunOptions& options) {
+void add_run(CLI::App& app, std::function<int()>& act) {
+  auto held = std::make_shared<RunOptions>();
+  RunOptions& options = *held;
   CLI::App* const run = app.add_subcommand("run", "Run one job: an item under a record or a pull");
   run->add_option("JOB", options.job,
                   "The job file, such as studies/jobs/icu_ventilator_shake.toml")
@@ -35,6 +40,7 @@ void add_run(CLI::App& app, RunOptions& options) {
   run->add_flag("--overwrite", options.overwrite, "Replace files that exist");
   run->add_flag("--json", options.json, "Print the summary as JSON");
   run->add_flag("--no-figure", options.no_figure, "Draw no figure");
+  run->callback([held, &act] { act = [held] { return run_command(*held); }; });
 }
 
 }  // namespace
@@ -45,8 +51,9 @@ int run_command_line(int argc, char** argv) {
   app.set_version_flag("--version", version());
   app.footer(
       "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 a run diverged, 130/143 interrupted.");
-  RunOptions run_options;
-  add_run(app, run_options);
+  std::function<int()> act;
+  add_run(app, act);
+  add_records(app, act);
   CLI::App* const help = app.add_subcommand("help", "Print this help");
   try {
     app.parse(argc, argv);
@@ -58,7 +65,7 @@ int run_command_line(int argc, char** argv) {
       fmt::print(stderr, "a command is needed\n\n{}", app.help());
       return kBadUsage;
     }
-    return run_command(run_options);
+    return act();
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kBadUsage;
   } catch (const Error& error) {

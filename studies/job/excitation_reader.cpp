@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <filesystem>
 
 #include "engine/base/units.h"
 #include "equipment/quantity.h"
@@ -13,21 +12,6 @@ namespace {
 
 using config::Range;
 using config::Table;
-
-namespace fs = std::filesystem;
-
-/// A path relative to the folder of the job; noted where nothing is there.
-std::string read_path(Table& table, const std::string& key) {
-  const std::string name = table.text(key, "");
-  if (name.empty()) return "";
-  const fs::path path = (fs::path(table.document().path()).parent_path() / name).lexically_normal();
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored))
-    table.note(key, " = \"" + name + "\": is a folder, not a file: " + path.string());
-  else if (!fs::exists(path, ignored))
-    table.note(key, " = \"" + name + "\": no such file: " + path.string());
-  return path.string();
-}
 
 Vector3 read_direction(Quantities& in) {
   const Vector3 direction = in.vector("direction", Range::any());
@@ -132,42 +116,6 @@ Guide read_guide(Table& fixture, const std::string& key, bool translation,
 }
 
 }  // namespace
-
-std::optional<RecordRequest> read_record_request(Table& excitation) {
-  auto found = excitation.table("record");
-  if (!found) return {};
-  Table& in = *found;
-  RecordRequest record;
-  record.where = excitation.where("record");
-  record.file = read_path(in, "file");
-  record.x = read_path(in, "x");
-  record.y = read_path(in, "y");
-  record.z = read_path(in, "z");
-  const bool by_role = !(record.x.empty() && record.y.empty() && record.z.empty());
-  if (by_role == !record.file.empty())
-    excitation.note("record",
-                    ": no components or too many; must have 'file' (one file with "
-                    "columns), or files for 'x', 'y', 'z', not both");
-  static const std::vector<std::string> kUses = {"xyz", "xy", "xz", "yz", "x", "y", "z"};
-  const std::string use = kUses[in.choice("use", kUses, 0)];
-  const bool chosen = in.has("use");
-  const auto acts = [&](char role, const std::string& file) {
-    const bool wanted = use.find(role) != std::string::npos;
-    if (chosen && wanted && by_role && file.empty())
-      in.note("use", fmt::format(" = \"{}\": must name components that are there; '{}' has no file",
-                                 use, role));
-    return wanted;
-  };
-  record.use_x = acts('x', record.x);
-  record.use_y = acts('y', record.y);
-  record.use_z = acts('z', record.z);
-  record.scale = in.number("scale", Range::any(), record.scale);
-  record.angle = in.number("angle_deg", Range::any(), 0.0) * kRadiansPerDegree;
-  static const std::vector<std::string> kUnits = {"g", "m/s2", "cm/s2", "mm/s2"};
-  if (in.has("units")) record.units = kUnits[in.choice("units", kUnits)];
-  if (in.has("time_step_s")) record.time_step = in.number("time_step_s", Range::positive());
-  return record;
-}
 
 void read_loads(Table& excitation, std::vector<Assumption>& assumptions, Excitation& loads) {
   for (Table& force : excitation.tables("force"))

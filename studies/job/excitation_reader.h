@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "engine/base/config/table.h"
@@ -11,9 +10,6 @@
 namespace gurney {
 
 /// Each reader notes mistakes in its table's document.
-
-/// [excitation.record], if it is there; the files it names exist.
-std::optional<RecordRequest> read_record_request(config::Table& excitation);
 
 /// [[excitation.force]], drop weights, string potentiometers and blocks, appended to `loads`.
 void read_loads(config::Table& excitation, std::vector<Assumption>& assumptions, Excitation& loads);

@@ -12,6 +12,7 @@
 #include "equipment/quantity.h"
 #include "studies/job/excitation_reader.h"
 #include "studies/job/item_reader.h"
+#include "studies/job/record_reader.h"
 
 namespace gurney {
 namespace {

@@ -8,18 +8,39 @@
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
 #include "equipment/assumption.h"
+#include "groundmotions/assembly/read_record.h"
+#include "groundmotions/buildings/building.h"
+#include "groundmotions/measures/measure.h"
+#include "groundmotions/processing/step.h"
+#include "groundmotions/scaling/scale.h"
+#include "groundmotions/synthetic/kinds.h"
 
 namespace gurney {
 
-/// The ground or floor motion a job asks for; the record room reads it.
+/// An intensity that a record is scaled to.
+struct ScaleTo {
+  Measure measure;
+  Combination combination = Combination::kGeometricMean;
+  double value = 0;  ///< > 0, in the measure's SI unit
+  VerticalScaling vertical;
+};
+
+struct BuildingRequest {
+  Building building;
+  int floor = 0;
+};
+
+/// The ground or floor motion a job asks for; motion.h makes it.
 struct RecordRequest {
-  /// Files by the direction they drive, empty where there is none; or one `file` with columns.
-  std::string x, y, z, file;
+  std::vector<RecordFile> files;  ///< or `synthetic`
+  ReadOptions options;
+  std::optional<SyntheticRequest> synthetic;
   bool use_x = true, use_y = true, use_z = true;  ///< components that act; the others stay at 0
-  double scale = 1;                               ///< on every component, finite
-  double angle = 0;   ///< record axes turned about z, anticlockwise from floor axes [rad]
-  std::string units;  ///< of plain numbers: g, m/s2, cm/s2 or mm/s2; empty: not said
-  std::optional<double> time_step;  ///< of plain numbers without a time column, > 0 [s]
+  bool use_stated = false;                        ///< only then may a file lack a component
+  std::vector<ProcessingStep> processing;
+  double scale = 1;  ///< on every component, > 0
+  double angle = 0;  ///< record axes turned about z, anticlockwise from floor axes [rad]
+  bool refuse_implausible = false;  ///< what would be a warning ends the job
   std::string where;                ///< `file:line:column` in the job, for messages
 };
 

@@ -62,13 +62,15 @@ double step_of(const std::vector<double>& at) { return at.size() > 1 ? at[1] - a
 void draw_axes(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& scaling,
                const Range& x, const Range& y) {
   const double right = frame.x + frame.width, bottom = frame.y + frame.height;
-  const auto x_ticks = ticks(x, static_cast<int>(frame.width / 70));
+  const auto x_ticks = panel.log_x ? decade_ticks(x) : ticks(x, static_cast<int>(frame.width / 70));
   const auto y_ticks = ticks(y, std::max(3, static_cast<int>(frame.height / 34)));
   for (const double value : x_ticks) {
     const double at = scaling.x(value);
     svg.line(at, frame.y, at, bottom, kGrid);
     svg.line(at, bottom, at, bottom + kTick, kAxis);
-    svg.text(at, bottom + 15, tick_label(value, step_of(x_ticks)),
+    svg.text(at, bottom + 15,
+             panel.log_x ? fmt::format("{:.3g}", std::pow(10, value))
+                         : tick_label(value, step_of(x_ticks)),
              {.size = 10, .anchor = Anchor::kMiddle});
   }
   for (const double value : y_ticks) {
@@ -143,7 +145,21 @@ std::vector<double> ticks(const Range& range, int wanted) {
   return result;
 }
 
-Scaling draw(Svg& svg, const Frame& frame, const Panel& panel) {
+std::vector<double> decade_ticks(const Range& log_range) {
+  std::vector<double> result;
+  for (double decade = std::floor(log_range.low); decade <= log_range.high; ++decade)
+    for (const double digit : {1.0, 2.0, 5.0})
+      if (const double at = decade + std::log10(digit);
+          at >= log_range.low - 1e-9 && at <= log_range.high + 1e-9)
+        result.push_back(at);
+  return result;
+}
+
+Scaling draw(Svg& svg, const Frame& frame, const Panel& given) {
+  Panel panel = given;
+  if (panel.log_x)
+    for (Curve& curve : panel.curves)
+      for (double& value : curve.x) value = std::log10(value);
   Range x = panel.x_range, y = panel.y_range;
   if (!(x.span() > 0)) x = range_of(panel.curves, &Curve::x);
   if (!(y.span() > 0)) y = padded(range_of(panel.curves, &Curve::y));

@@ -16,6 +16,9 @@ struct Range {
 /// Round numbers (1, 2, 2.5 or 5 times a power of ten) inside `range`, about `wanted` of them.
 std::vector<double> ticks(const Range& range, int wanted);
 
+/// 1, 2 and 5 times the powers of ten inside a range of log10 values, as log10.
+std::vector<double> decade_ticks(const Range& log_range);
+
 /// One curve: `y` over `x`, of equal length. Values that are not finite break the curve.
 struct Curve {
   std::string label;  ///< in the legend; empty: not there
@@ -29,6 +32,7 @@ struct Panel {
   std::string x_label, y_label;  ///< with their units
   std::vector<Curve> curves = {};
   bool zero_line = true;
+  bool log_x = false;                ///< decades along x; values must be > 0
   bool equal_scales = false;         ///< a plan: one metre is as long on both axes
   int legend_columns = 0;            ///< 0: no legend
   Range x_range = {}, y_range = {};  ///< span 0: from the curves
@@ -51,7 +55,8 @@ class Scaling {
   Range x_, y_;
 };
 
-/// Draws the panel and returns the scaling of its axes, for what else belongs into it.
+/// Draws the panel and returns the scaling of its axes, for what else belongs into it; with log_x
+/// it takes log10 of x.
 Scaling draw(Svg& svg, const Frame& frame, const Panel& panel);
 
 /// Colour-blind safe colours (Okabe & Ito 2008), repeated after the seventh.

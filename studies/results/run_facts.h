@@ -20,6 +20,7 @@ struct FileFacts {
 struct RecordFacts {
   std::string name;
   std::vector<FileFacts> files;
+  std::vector<std::string> processing;              ///< what was done to the samples, step by step
   double duration = 0;                              ///< [s]
   double time_step = 0;                             ///< [s]
   Vector3 pga = Vector3::Zero();                    ///< largest |acceleration| [m/s2]

@@ -30,6 +30,8 @@ on = true
 name = "cart"
 point = [1, 2.5, -3]
 flags = [true, false]
+files = ["a", "b"]
+file = "c"
 solver = "b"
 steps = 7
 [sub]
@@ -47,6 +49,9 @@ y = 2
   EXPECT_EQ(root.text("name"), "cart");
   EXPECT_EQ(root.vector("point", Range::any()), Vector3(1, 2.5, -3));
   EXPECT_EQ(root.booleans("flags", 2), (std::vector<bool>{true, false}));
+  EXPECT_EQ(root.texts("files"), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(root.texts("file"), std::vector<std::string>{"c"});
+  EXPECT_EQ(root.texts("none"), std::vector<std::string>{});
   EXPECT_EQ(root.choice("solver", {"a", "b"}), 1u);
   EXPECT_EQ(root.integer("steps", 0, 10), 7);
   EXPECT_EQ(root.table("sub")->number("x", Range::any()), 1);
@@ -122,6 +127,9 @@ TEST(Table, RefusesElementsAndCountsOutsideTheirRange) {
             "a.toml:1:5: n = 2.5: must be a whole number in 0..9");
   EXPECT_EQ(mistakes("b = [true, 1]", [](Table& t) { t.booleans("b", 2); }),
             "a.toml:1:5: b = [true, 1]: must be an array of 2 times true or false");
+  for (const char* wrong : {"[\"a\", 1]", "[]", "1"})
+    EXPECT_EQ(mistakes(std::string("f = ") + wrong, [](Table& t) { t.texts("f"); }),
+              std::string("a.toml:1:5: f = ") + wrong + ": must be a text or an array of texts");
   EXPECT_EQ(mistakes("t = 1", [](Table& t) { t.table("t"); }),
             "a.toml:1:5: t = 1: must be a table [t]");
   EXPECT_EQ(mistakes("t = [1]", [](Table& t) { t.tables("t"); }),

@@ -85,6 +85,7 @@ RunFacts fabricated_facts(bool pulled) {
   if (!pulled)
     facts.record = RecordFacts{"made-up",
                                {{"x.AT2", std::string(64, 'b')}, {"y.AT2", std::string(64, 'c')}},
+                               {"a step", "another step"},
                                20,
                                0.005,
                                {3.92266, 2.941995, 1.96133},

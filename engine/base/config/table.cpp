@@ -87,6 +87,20 @@ std::vector<bool> Table::booleans(const std::string& key, std::size_t size) {
   return values;
 }
 
+std::vector<std::string> Table::texts(const std::string& key) {
+  const Node* node = find(key);
+  if (node == nullptr) return {};
+  if (node->kind == Node::Kind::kText) return {node->text};
+  std::vector<std::string> values;
+  bool right = node->kind == Node::Kind::kArray && !node->elements.empty();
+  for (std::size_t i = 0; right && i < node->elements.size(); ++i) {
+    right = node->elements[i].kind == Node::Kind::kText;
+    values.push_back(node->elements[i].text);
+  }
+  if (!right) note_value(*node, key, "a text or an array of texts");
+  return values;
+}
+
 Vector3 Table::vector(const std::string& key, const Range& range, std::optional<Vector3> fallback) {
   std::optional<std::vector<double>> list;
   if (fallback) list = std::vector<double>(fallback->begin(), fallback->end());

@@ -30,6 +30,9 @@ class Table {
                               std::optional<std::size_t> size = {},
                               std::optional<std::vector<double>> fallback = {});
   std::vector<bool> booleans(const std::string& key, std::size_t size);
+
+  /// One text or an array of texts; empty if absent.
+  std::vector<std::string> texts(const std::string& key);
   Vector3 vector(const std::string& key, const Range& range, std::optional<Vector3> fallback = {});
 
   /// A sub-table, if it is there.

@@ -55,7 +55,7 @@ TEST(FolderSuite, GroupsFilesByNameAndByHeader) {
   folder.write("b/other.AT2", at2("000", "W"));
   folder.write("b/notes.txt", "nothing to read\n");
   folder.write(".hidden/x.AT2", at2("000"));
-  const Suite suite = read_suite(folder.path());
+  const Suite suite = read_suite({folder.path()});
   EXPECT_THAT(names(suite), ElementsAre("RSN1_X_ST:3", "one:2", "other:1"));
   ASSERT_EQ(suite.refused.size(), 1u);
   EXPECT_THAT(suite.refused[0].file, HasSubstr("notes.txt"));
@@ -84,7 +84,7 @@ TEST(PeerSearchResults, DrivesASuite) {
     folder.write(name + std::string(".AT2"), at2("000"));
   folder.write("RSN11_V.AT2", at2("UP"));
   for (const std::string& path : {report, folder.path()}) {
-    const Suite suite = read_suite(path);
+    const Suite suite = read_suite({path});
     EXPECT_THAT(names(suite), ElementsAre("RSN11:3", "RSN12:2"));
     EXPECT_THAT(suite.records[0].facts, ElementsAre(Pair("RSN", "11"), Pair("station", "A, B"),
                                                     Pair("scale factor of the search", "1.5")));
@@ -102,13 +102,13 @@ TEST(PeerSearchResults, RefusesRowsThatAreCutAndTablesWithoutFileNames) {
   const TempFolder folder;
   const auto cut = folder.write("cut.csv", kReport.substr(0, kReport.find(", RSN12_N")) + "\n");
   folder.write("RSN11_E.AT2", at2("090"));
-  const Suite suite = read_suite(cut);
+  const Suite suite = read_suite({cut});
   EXPECT_THAT(suite.records, IsEmpty());
   ASSERT_EQ(suite.refused.size(), 2u);
   EXPECT_THAT(suite.refused[1].reason, HasSubstr("cut.csv:7:1: 6 cells, the header has 8 columns"));
   const auto bare = folder.write(
       "bare.csv", " -- Summary of Metadata of Selected Records --\nResult ID, Year\n1,2\n");
-  EXPECT_EQ(error_text([&] { read_suite(bare); }),
+  EXPECT_EQ(error_text([&] { read_suite({bare}); }),
             bare + ":2:1: no column 'Horizontal-1 Acc. Filename'");
 }
 
@@ -120,7 +120,7 @@ TEST(ListSuite, ReadsRecordsWithTheirUnitsAndScales) {
       folder.write("list.csv",
                    "# comment\nname, h1, h2, unit, time_step_s, scale\n"
                    "first, e.txt, n.txt, m/s2, 0.01, 2\n\nsecond, n.txt, , g, 0.02,\n");
-  const Suite suite = read_suite(list);
+  const Suite suite = read_suite({list});
   EXPECT_THAT(names(suite), ElementsAre("first:2", "second:1"));
   const Record record = read_record(suite.records[0]);
   EXPECT_EQ(record[Direction::kH1]->acceleration, Eigen::Vector3d(2, -2, 4));
@@ -134,7 +134,7 @@ TEST(ListSuite, TellsEveryMistake) {
   const auto list = folder.write("list.csv",
                                  "name, h1, units, scale\na, e.txt, g, 1\na, none.txt, ft, -1\n"
                                  "b, e.txt\n,e.txt,,\n");
-  EXPECT_EQ(error_text([&] { read_suite(list); }),
+  EXPECT_EQ(error_text([&] { read_suite({list}); }),
             fmt::format("{0}:1:11: unknown column 'units'; did you mean 'unit'?; allowed are name, "
                         "file, h1, h2, vertical, unit, time_step_s, scale\n"
                         "{0}:3:1: the name 'a' comes twice\n"

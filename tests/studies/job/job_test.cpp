@@ -152,17 +152,18 @@ TEST(Job, ReadsTheRecordRequest) {
   const TempFolder folder;
   const Job job = read_job(write_everything(folder));
   ASSERT_TRUE(job.record);
-  EXPECT_EQ(job.record->x, folder.path() + "/record_x.at2");
-  EXPECT_EQ(job.record->y, "");
-  EXPECT_EQ(job.record->z, folder.path() + "/record_z.at2");
-  EXPECT_EQ(job.record->file, "");
+  ASSERT_EQ(job.record->files.size(), 2u);
+  EXPECT_EQ(job.record->files[0].path, folder.path() + "/record_x.at2");
+  EXPECT_EQ(job.record->files[0].direction, Direction::kH1);
+  EXPECT_EQ(job.record->files[1].path, folder.path() + "/record_z.at2");
+  EXPECT_EQ(job.record->files[1].direction, Direction::kVertical);
   EXPECT_TRUE(job.record->use_x);
   EXPECT_FALSE(job.record->use_y);
   EXPECT_FALSE(job.record->use_z);
   EXPECT_EQ(job.record->scale, 2);
   EXPECT_DOUBLE_EQ(job.record->angle, 45 * kRadiansPerDegree);
-  EXPECT_EQ(job.record->units, "cm/s2");
-  EXPECT_EQ(job.record->time_step, 0.01);
+  EXPECT_EQ(job.record->options.unit, "cm/s2");
+  EXPECT_EQ(job.record->options.time_step, 0.01);
   EXPECT_EQ(job.record->where, folder.path() + "/job.toml:25:1");
 }
 
@@ -311,7 +312,7 @@ TEST(ShippedJob, VentilatorIsShakenInThreeDirections) {
   const Job job = read_job(GURNEY_SOURCE_DIR "/studies/jobs/icu_ventilator_shake.toml");
   EXPECT_TRUE(job.warnings.empty());
   ASSERT_TRUE(job.record);
-  EXPECT_EQ(job.record->file, record);
+  EXPECT_EQ(job.record->files.at(0).path, record);
   EXPECT_TRUE(job.record->use_x && job.record->use_y && job.record->use_z);
   EXPECT_EQ(job.scene.item.casters.size(), 4u);
 }

@@ -26,6 +26,14 @@ TEST(Ticks, AreRoundAndInside) {
   EXPECT_NEAR(small[0], 2e-7, 1e-20);
 }
 
+TEST(Ticks, AreOneTwoFiveOfEachDecade) {
+  std::vector<double> values;
+  for (const double at : decade_ticks({-1, std::log10(5)})) values.push_back(std::pow(10, at));
+  ASSERT_EQ(values.size(), 6u);
+  const double expected[] = {0.1, 0.2, 0.5, 1, 2, 5};
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(values[i], expected[i], 1e-12);
+}
+
 TEST(Figure, HasEveryPanelWithUnits) {
   const std::string svg = figure(fabricated_facts(), fabricated_response());
   for (const char* label : {"x (m)", "y (m)", "Time (s)", "Displacement (m)", "Velocity (m/s)",

@@ -1,0 +1,44 @@
+#include "studies/cli/inline_table.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "engine/base/error.h"
+#include "groundmotions/formats/numbers.h"
+
+namespace gurney {
+namespace {
+
+std::string value_of(const std::string& text) {
+  const bool bare = number(text) || text == "true" || text == "false" || text.starts_with('[') ||
+                    text.starts_with('{') || text.starts_with('"');
+  if (!bare) return fmt::format("'{}'", text);
+  // TOML wants a digit before the point and no plus sign; .5 and +1 are what people type.
+  const auto value = number(text);
+  return value ? fmt::format("{}", *value) : text;
+}
+
+}  // namespace
+
+std::string inline_table(const std::string& first_key, const std::vector<std::string>& words) {
+  require(!words.empty(), fmt::format("a {} needs a name", first_key));
+  std::string table = fmt::format("{{ {} = '{}'", first_key, words[0]);
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const auto equals = words[i].find('=');
+    require(equals != std::string::npos && equals > 0,
+            fmt::format("'{}' in '{}': must be key=value", words[i], fmt::join(words, " ")));
+    table +=
+        fmt::format(", {} = {}", words[i].substr(0, equals), value_of(words[i].substr(equals + 1)));
+  }
+  return table + " }";
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+}  // namespace gurney

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gurney {
+
+/// Words of the command line as an inline table of TOML, so that they are read as strictly as a
+/// file: "high_pass", "corner_hz=0.1" with the first key "step" are
+/// `{ step = "high_pass", corner_hz = 0.1 }`. Numbers, true, false, arrays and tables stay as they
+/// are; everything else becomes text.
+/// @throws Error for a word after the first without `=`.
+std::string inline_table(const std::string& first_key, const std::vector<std::string>& words);
+
+/// Cut at blanks.
+std::vector<std::string> words_of(const std::string& text);
+
+}  // namespace gurney

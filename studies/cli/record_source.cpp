@@ -1,0 +1,113 @@
+#include "studies/cli/record_source.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "engine/base/config/document.h"
+#include "engine/base/config/table.h"
+#include "engine/base/error.h"
+#include "groundmotions/processing/pipeline.h"
+#include "groundmotions/processing/step_reader.h"
+#include "studies/cli/inline_table.h"
+
+namespace gurney {
+namespace {
+
+std::vector<ProcessingStep> steps_of(const RecordSource& source) {
+  if (source.steps.empty()) return {};
+  std::string text = "processing = [";
+  for (const std::string& step : source.steps) {
+    const auto words = words_of(step);
+    text += (text.back() == '[' ? "" : ", ") + inline_table("step", words);
+  }
+  config::Document document(text + "]\n", "--step");
+  config::Table root = document.root();
+  auto steps = read_processing_steps(root);
+  document.finish();
+  return steps;
+}
+
+/// One line on stderr that is written over; nothing unless it is a terminal.
+class ProgressLine {
+ public:
+  ~ProgressLine() { clear(); }
+  void show(const std::string& what, std::size_t done, std::size_t all) {
+    if (!isatty(2) || all < 2) return;
+    fmt::print(stderr, "\r\x1b[K{} {} of {}", what, done + 1, all);
+    shown_ = true;
+  }
+  void clear() {
+    if (shown_) fmt::print(stderr, "\r\x1b[K");
+    shown_ = false;
+  }
+
+ private:
+  bool shown_ = false;
+};
+
+}  // namespace
+
+void add_source_options(CLI::App& command, RecordSource& source) {
+  command
+      .add_option("PATH", source.paths,
+                  "Record files, folders, lists of records, PEER _SearchResults.csv")
+      ->required();
+  command.add_option("--unit", source.options.unit,
+                     "Unit of files that do not say it: g, m/s2, cm/s2 (gal), mm/s2");
+  command.add_option("--time-step", source.options.time_step,
+                     "Time step of files that do not say it [s]");
+  command.add_option("--count", source.options.si_per_count,
+                     "Acceleration of one count in files of raw counts [m/s2]");
+  command.add_option(
+      "--columns", source.options.columns,
+      "Columns of plain tables: samples, or names from time, h1, h2, vertical, skip");
+  command.add_option("--step", source.steps,
+                     "A processing step, such as --step \"high_pass corner_hz=0.1\"; several are "
+                     "done in their order (docs/formats/processing.md)");
+}
+
+int for_each_record(const RecordSource& source, std::vector<Refusal>* refused,
+                    const std::function<void(const SuiteRecord&, const Record&)>& use) {
+  const auto steps = steps_of(source);
+  ProgressLine progress;
+  const std::vector<std::filesystem::path> paths(source.paths.begin(), source.paths.end());
+  const Suite suite = read_suite(paths, source.options, [&](std::size_t done, std::size_t all) {
+    progress.show("looking at file", done, all);
+  });
+  std::vector<Refusal> left_out = suite.refused;
+  std::size_t used = 0;
+  bool named = false;
+  const auto is_named = [&](const std::string& file) {
+    return std::ranges::find(source.paths, file) != source.paths.end();
+  };
+  for (std::size_t i = 0; i < suite.records.size(); ++i) {
+    const SuiteRecord& entry = suite.records[i];
+    progress.show("record", i, suite.records.size());
+    std::optional<Record> record;
+    try {
+      record = processed(read_record(entry), steps);
+    } catch (const Error& error) {
+      left_out.push_back({entry.name, error.what()});
+      for (const RecordFile& file : entry.files) named = named || is_named(file.path.string());
+      continue;
+    }
+    progress.clear();
+    use(entry, *record);
+    ++used;
+  }
+  progress.clear();
+  for (const Refusal& refusal : left_out)
+    fmt::print(stderr, "{}\n",
+               refusal.reason.find(refusal.file) == std::string::npos
+                   ? refusal.file + ": " + refusal.reason
+                   : refusal.reason);
+  for (const Refusal& refusal : suite.refused) named = named || is_named(refusal.file);
+  if (refused) *refused = std::move(left_out);
+  return used == 0 || named ? 1 : 0;
+}
+
+}  // namespace gurney

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "groundmotions/record.h"
+#include "groundmotions/suites/suite.h"
+
+namespace gurney {
+
+/// Which records a `records` command works on, and what is done to them first.
+struct RecordSource {
+  std::vector<std::string> paths;  ///< record files, folders, lists, PEER search reports
+  ReadOptions options;
+  std::vector<std::string> steps;  ///< such as "high_pass corner_hz=0.1"
+};
+
+void add_source_options(CLI::App& command, RecordSource& source);
+
+/// Reads the records one after the other, processes them and hands each to `use`. Progress goes to
+/// stderr where that is a terminal. Records that cannot be read are told on stderr, and the others
+/// go on.
+/// @param refused  all that was left out, with reasons; may be null
+/// @returns the exit code: 0, or 1 if a file that was named on the command line is no record or
+///          nothing was read
+/// @throws Error for paths that do not exist, wrong options and steps
+int for_each_record(const RecordSource& source, std::vector<Refusal>* refused,
+                    const std::function<void(const SuiteRecord&, const Record&)>& use);
+
+}  // namespace gurney

@@ -1,0 +1,94 @@
+#include "studies/cli/records_convert.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "engine/base/error.h"
+#include "groundmotions/formats/at2_text.h"
+#include "studies/cli/record_source.h"
+#include "studies/cli/records_output.h"
+#include "studies/cli/signals.h"
+#include "studies/results/output_files.h"
+
+namespace gurney {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ConvertOptions {
+  RecordSource source;
+  std::string output, format = "csv";
+  bool overwrite = false;
+};
+
+/// A name of the record that can be a file's.
+std::string file_name(std::string name) {
+  std::ranges::replace_if(
+      name, [](char c) { return c == '/' || c == '\\'; }, '_');
+  return name;
+}
+
+struct Target {
+  fs::path path;
+  std::string text;
+};
+
+std::vector<Target> targets(const Record& record, const fs::path& stem, const std::string& format) {
+  if (format == "csv") return {{stem.string() + ".csv", record_csv(record)}};
+  std::vector<Target> files;
+  for (const Direction direction : kDirections)
+    if (record[direction])
+      files.push_back({fmt::format("{}_{}.AT2", stem.string(), name_of(direction)),
+                       at2_text(*record[direction], "Converted by Gurney: " + record.name,
+                                fs::path(record[direction]->file).filename().string())});
+  return files;
+}
+
+int convert(const ConvertOptions& options) {
+  const fs::path output = options.output;
+  const bool one_file = output.extension() == ".csv";
+  require(!one_file || options.format == "csv",
+          options.output + ": AT2 files hold one component each; name a folder with -o");
+  require(one_file || fs::is_directory(output),
+          options.output + ": must be a file that ends in .csv, or a folder that exists");
+  OutputFiles files(options.overwrite);
+  std::vector<fs::path> written;
+  const int code =
+      for_each_record(options.source, nullptr, [&](const SuiteRecord&, const Record& record) {
+        require(!one_file || written.empty(),
+                options.output + ": one file for several records; name a folder with -o");
+        fs::path stem =
+            one_file ? fs::path(output).replace_extension() : output / file_name(record.name);
+        for (const Target& target : targets(record, stem, options.format)) {
+          require(std::ranges::find(written, target.path) == written.end(),
+                  fmt::format("{}: two records have this name", target.path.string()));
+          files.check(target.path.string());
+          files.stage(target.path.string(), target.text);
+          written.push_back(target.path);
+        }
+      });
+  const SignalsHeld until_written;
+  files.commit();
+  for (const fs::path& path : written) fmt::print("{}\n", path.string());
+  return code;
+}
+
+}  // namespace
+
+void add_records_convert(CLI::App& records, std::function<int()>& act) {
+  auto options = std::make_shared<ConvertOptions>();
+  CLI::App* const command = records.add_subcommand(
+      "convert", "Write records as Gurney's CSV or as AT2, processed on the way");
+  add_source_options(*command, options->source);
+  command->add_option("-o,--output", options->output, "A .csv file, or a folder that exists")
+      ->required();
+  command->add_option("--format", options->format, "csv or at2 (one file for each component)")
+      ->check(CLI::IsMember({"csv", "at2"}));
+  command->add_flag("--overwrite", options->overwrite, "Replace files that exist");
+  command->callback([options, &act] { act = [options] { return convert(*options); }; });
+}
+
+}  // namespace gurney

@@ -1,0 +1,62 @@
+#include "studies/cli/records_make.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "engine/base/error.h"
+#include "groundmotions/synthetic/kinds.h"
+#include "studies/cli/records_output.h"
+
+namespace gurney {
+namespace {
+
+struct MakeOptions {
+  std::string kind, output;
+  std::vector<std::string> settings;
+  bool list = false, overwrite = false;
+};
+
+/// All kinds, or one with its parameters.
+int list_kinds(const std::string& only) {
+  bool found = only.empty();
+  for (const SyntheticKind& kind : synthetic_kinds()) {
+    if (!only.empty() && kind.name != only) continue;
+    found = true;
+    fmt::print("{:<18} {}\n", kind.name, kind.description);
+    if (only.empty()) continue;
+    fmt::print("{:<18} source: {}\n", "", kind.source);
+    for (const SyntheticParameter& parameter : kind.parameters)
+      fmt::print("  {:<28} {:>10g}  {}, {}\n", parameter.key, parameter.fallback, parameter.meaning,
+                 parameter.range.text());
+  }
+  if (!found) synthetic_request(only, {});  // says which kinds there are
+  if (only.empty()) fmt::print("\nParameters of one kind: gurney records make KIND --list\n");
+  return 0;
+}
+
+int make(const MakeOptions& options) {
+  if (options.list) return list_kinds(options.kind);
+  require(!options.kind.empty(), "which kind of motion? `gurney records make --list` shows all");
+  const Record record = make_record(synthetic_request(options.kind, options.settings));
+  require(!options.output.empty(), "the file to write is needed: -o FILE.csv");
+  for (const std::string& warning : record.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  write_output(options.output, record_csv(record), options.overwrite);
+  return 0;
+}
+
+}  // namespace
+
+void add_records_make(CLI::App& records, std::function<int()>& act) {
+  auto options = std::make_shared<MakeOptions>();
+  CLI::App* const command = records.add_subcommand(
+      "make", "Make a synthetic motion: pulses, sines, noise, AC156, stochastic ground motion");
+  command->add_option("KIND", options->kind, "Kind of motion; --list shows all");
+  command->add_option("KEY=VALUE", options->settings, "Parameters, such as period_s=0.5");
+  command->add_option("-o,--output", options->output, "The .csv file to write");
+  command->add_flag("--list", options->list, "Print the kinds, or the parameters of KIND");
+  command->add_flag("--overwrite", options->overwrite, "Replace a file that exists");
+  command->callback([options, &act] { act = [options] { return make(*options); }; });
+}
+
+}  // namespace gurney

@@ -1,0 +1,49 @@
+#include "studies/cli/records_output.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <set>
+
+#include "groundmotions/formats/columns_csv.h"
+#include "studies/cli/signals.h"
+#include "studies/results/output_files.h"
+
+namespace gurney {
+
+namespace {
+constexpr int kDigits = 9;  ///< after the point [m/s2]
+}
+
+std::vector<std::string> record_comments(const Record& record) {
+  std::vector<std::string> comments = {"record: " + record.name};
+  std::set<std::string> known;
+  for (const auto& component : record.components) {
+    if (!component) continue;
+    if (!component->sha256.empty() && known.insert(component->file).second)
+      comments.push_back(fmt::format("from {} ({}, SHA-256 {})",
+                                     std::filesystem::path(component->file).filename().string(),
+                                     component->format, component->sha256));
+    if (component->sha256.empty() && known.insert(component->format).second)
+      for (const auto& [name, value] : component->header)
+        comments.push_back(fmt::format("{}: {}", name, value));
+  }
+  for (const std::string& line : record.processing) comments.push_back("processing: " + line);
+  for (const std::string& line : record.warnings) comments.push_back("warning: " + line);
+  return comments;
+}
+
+std::string record_csv(const Record& record) {
+  return columns_csv_text(record, record_comments(record), kDigits);
+}
+
+void write_output(const std::string& path, const std::string& text, bool overwrite) {
+  OutputFiles files(overwrite);
+  files.check(path);
+  const SignalsHeld until_written;
+  files.stage(path, text);
+  files.commit();
+  fmt::print("{}\n", path);
+}
+
+}  // namespace gurney

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "groundmotions/record.h"
+
+namespace gurney {
+
+/// What a record came from and what was done to it, as comments of a CSV file.
+std::vector<std::string> record_comments(const Record& record);
+
+/// The text of a record in Gurney's CSV, with its comments.
+std::string record_csv(const Record& record);
+
+/// Writes one file whole or not at all. @throws Error as OutputFiles does.
+void write_output(const std::string& path, const std::string& text, bool overwrite);
+
+}  // namespace gurney

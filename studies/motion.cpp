@@ -1,0 +1,95 @@
+#include "studies/motion.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "engine/base/error.h"
+#include "groundmotions/assembly/plausibility.h"
+#include "groundmotions/buildings/floor_record.h"
+#include "groundmotions/measures/peaks.h"
+#include "groundmotions/processing/pipeline.h"
+#include "groundmotions/record_motion.h"
+#include "groundmotions/residual.h"
+
+namespace gurney {
+namespace {
+
+/// The components to use: those the record has and the job does not switch off.
+std::vector<Direction> used_components(const Record& record, const RecordRequest& request) {
+  static constexpr std::array kAxes = {"x", "y", "z"};
+  const std::array wanted = {request.use_x, request.use_y, request.use_z};
+  std::vector<Direction> use;
+  std::string missing;
+  for (const Direction direction : kDirections) {
+    const auto axis = static_cast<std::size_t>(direction);
+    if (!wanted[axis]) continue;
+    if (record[direction])
+      use.push_back(direction);
+    else
+      missing +=
+          fmt::format("{}{} ({})", missing.empty() ? "" : ", ", kAxes[axis], name_of(direction));
+  }
+  require(request.use_stated || missing.empty(),
+          fmt::format("{}: record '{}' has no {} component; state with use = \"...\" which "
+                      "components shall act",
+                      request.where, record.name, missing));
+  require(!use.empty(), request.where + ": none of the record's components acts");
+  return use;
+}
+
+/// Peaks and residuals are those of the floor's motion: scaled, turned, in floor axes.
+RecordFacts facts_of(const Record& record, const FloorMotion& floor, const Residual& left) {
+  RecordFacts facts;
+  facts.name = record.name;
+  for (const auto& component : record.components) {
+    if (!component || component->sha256.empty()) continue;
+    const FileFacts file{std::filesystem::path(component->file).filename().string(),
+                         component->sha256};
+    const bool known = !facts.files.empty() && facts.files.back().name == file.name &&
+                       facts.files.back().sha256 == file.sha256;
+    if (!known) facts.files.push_back(file);  // one file may hold several components
+  }
+  facts.processing = record.processing;
+  facts.duration = floor.duration();
+  facts.time_step = floor.time_step();
+  for (int axis = 0; axis < 3; ++axis) {
+    const Peaks largest = peaks(floor.time_step(), floor.acceleration().row(axis).transpose());
+    facts.pga[axis] = largest.acceleration;
+    facts.pgv[axis] = largest.velocity;
+    facts.pgd[axis] = largest.displacement;
+  }
+  facts.residual_velocity = left.velocity;
+  facts.residual_displacement = left.displacement;
+  return facts;
+}
+
+/// Read or made, processed and scaled.
+Record ground_motion(const RecordRequest& request) {
+  Record record = request.synthetic ? make_record(*request.synthetic)
+                                    : read_record(request.files, request.options);
+  record = processed(std::move(record), request.processing);
+  if (request.scale_to) return scaled_to(record, *request.scale_to);
+  return request.scale == 1 ? record : scaled(std::move(record), request.scale);
+}
+
+}  // namespace
+
+Motion motion_of(const RecordRequest& request) {
+  const Record record = processed(read_record(request.files, request.options), request.processing);
+  Motion motion;
+  motion.floor =
+      floor_motion(record, request.scale, request.angle, used_components(record, request));
+  const Residual left = residual(motion.floor);
+  motion.facts = facts_of(record, motion.floor, left);
+  std::vector<std::string> findings = implausible(record);
+  findings.insert(findings.end(), left.warnings.begin(), left.warnings.end());
+  require(!request.refuse_implausible || findings.empty(),
+          fmt::format("{}: the record is not plausible, and plausibility = \"refuse\":\n{}",
+                      request.where, fmt::join(findings, "\n")));
+  motion.warnings = record.warnings;
+  motion.warnings.insert(motion.warnings.end(), findings.begin(), findings.end());
+  return motion;
+}
+
+}  // namespace gurney

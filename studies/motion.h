@@ -1,0 +1,22 @@
+#pragma once
+
+#include "engine/base/floor_motion.h"
+#include "studies/job/job.h"
+#include "studies/results/run_facts.h"
+
+namespace gurney {
+
+/// The motion of the floor, and what is to be told of it.
+struct Motion {
+  FloorMotion floor;
+  RecordFacts facts;
+  std::vector<std::string> warnings;
+};
+
+/// Reads the record a job asks for, processes and scales it, lets it pass through the building, and
+/// turns it into floor axes.
+/// @throws Error for a record that cannot be read or processed, lacks a component that the job does
+///         not leave out, or looks implausible where the job refuses that.
+Motion motion_of(const RecordRequest& request);
+
+}  // namespace gurney
