@@ -158,6 +158,34 @@ TEST(Pipeline, AdvisedOrderEndsAtRest) {
   }
 }
 
+// The table of docs/theory/processing.md: the shipped record with 0.01 m/s2 on its horizontals.
+// Half a unit of the last digit there.
+TEST(Pipeline, PageShowsWhatComesOut) {
+  Record offset = synthetic_record(shipped_synthetic_motion());
+  for (const int i : {0, 1}) offset.components[i]->acceleration.array() += 0.01;
+  const auto peak = [](const Record& record) {
+    return integrated(record.time_step(), h1(record)).displacement.cwiseAbs().maxCoeff();
+  };
+  const auto end = [](const Record& record) {
+    return std::abs(end_motion(record.time_step(), h1(record)).displacement);
+  };
+  Butterworth filter;
+  filter.high_pass = 0.1;
+  const Record kept = processed(offset, {Baseline{}, filter});
+  EXPECT_NEAR(peak(kept), 0.183, 0.0005);
+  EXPECT_LT(end(kept), 5e-7);
+  const Record trimmed = processed(
+      kept, {TrimToDuration{.before = 5, .after = 10}, Baseline{Baseline::Kind::kEndAtRest}});
+  EXPECT_NEAR(peak(trimmed), 0.180, 0.0005);
+  filter.keep_pads = false;
+  EXPECT_NEAR(peak(processed(offset, {Baseline{}, filter})), 0.262, 0.0005);
+  const auto rest = [&](int degree) {
+    return processed(offset, {Baseline{Baseline::Kind::kEndAtRest, degree}});
+  };
+  EXPECT_NEAR(peak(rest(1)), 0.234, 0.0005);
+  EXPECT_NEAR(peak(rest(4)), 0.194, 0.0005);
+}
+
 TEST(Pipeline, WarnsOfStepsThatUndoTheRest) {
   const Baseline rest{Baseline::Kind::kEndAtRest};
   EXPECT_THAT(
