@@ -1,5 +1,6 @@
 #include "groundmotions/processing/pipeline.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -75,9 +76,10 @@ TEST(Pipeline, WritesALineWithEveryParameter) {
   EXPECT_THAT(line_of(Resample{0.004}),
               StartsWith("resampled from 0.005 s (6001 samples) to 0.004 s (7501 samples), "
                          "Kaiser-windowed sinc, 100 dB; residual"));
-  EXPECT_THAT(line_of(TrimToWindow{{2, 12}, 0.5}),
-              StartsWith("trimmed to 2 to 12 s: 2 to 12 s of 30 s kept, cosine tapers of 0.5 s; "
-                         "residual"));
+  EXPECT_THAT(
+      line_of(TrimToWindow{{2, 12}, 0.5}),
+      StartsWith("trimmed to 2 to 12 s: 2 to 12 s of 30 s kept, up to 0.24 m/s at the cuts, "
+                 "cosine tapers of 0.5 s; residual"));
   EXPECT_THAT(line_of(Rotate{Rotate::By::kAngle, 30 * kRadiansPerDegree}),
               StartsWith("horizontals rotated by 30 degrees counter-clockwise, h1 to azimuth 330; "
                          "residual"));
@@ -125,10 +127,10 @@ TEST(Pipeline, TrimsToTheLargestIntervalOfTheHorizontals) {
   // 5 % of 2 s within 10 s and 16 s, up to the one step (0.005 s) of the ramps: 9.1 to 17.9 s.
   EXPECT_NEAR(*trimmed[Direction::kH1]->start_time, 1009.1, 0.01);
   EXPECT_NEAR(static_cast<double>(trimmed.samples() - 1) * 0.005, 8.8, 0.02);
-  EXPECT_THAT(
-      trimmed.processing.at(0),
-      StartsWith("trimmed to 5 to 95 % of the Husid curve of the horizontals (10.1 to 15.9 "
-                 "s), margins of 1 s before and 2 s after: 9.095 to 17.905 s of 30 s kept"));
+  EXPECT_THAT(trimmed.processing.at(0),
+              StartsWith("trimmed to 5 to 95 % of the Husid curve of the horizontals (10.1 to 15.9 "
+                         "s), margins of 1 s before and 2 s after: 9.095 to 17.905 s of 30 s kept, "
+                         "up to 2 m/s at the cuts; residual"));
   record.components[0].reset();
   record.components[1].reset();
   EXPECT_THAT(processed(record, {step}).processing.at(0),
@@ -193,6 +195,21 @@ TEST(Pipeline, WarnsOfStepsThatUndoTheRest) {
       ElementsAre("processing: step 2 (taper) comes after end_at_rest and can bring velocity "
                   "and displacement at the end back; make end_at_rest the last step"));
   EXPECT_TRUE(processed(with_offset(), {rest, Taper{1, 1}, rest}).warnings.empty());
+}
+
+// h1 has 1 m/s2 from 10 to 12 s and -1 m/s2 from 14 to 16 s: up to 2 m/s between, at rest outside.
+TEST(Pipeline, WarnsOfCutsIntoTheMotion) {
+  Record record = with_offset();
+  for (auto& component : record.components) component->acceleration.setZero();
+  record.components[0]->acceleration.segment(2000, 401).setOnes();
+  record.components[0]->acceleration.segment(2800, 401).setConstant(-1);
+  EXPECT_TRUE(processed(record, {TrimToWindow{{9, 17}}}).warnings.empty());
+  for (const TimeInterval cut : {TimeInterval{9, 13}, TimeInterval{13, 17}})
+    EXPECT_THAT(processed(record, {TrimToWindow{cut}}).warnings,
+                ElementsAre(fmt::format("processing: cut at {:g} and {:g} s, where the floor moves "
+                                        "at up to 2 m/s along a component; keep more before or "
+                                        "after",
+                                        cut.from, cut.to)));
 }
 
 TEST(Pipeline, NamesTheStepThatCannotBe) {
