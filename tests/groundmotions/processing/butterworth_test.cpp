@@ -80,13 +80,6 @@ TEST(Butterworth, BandPassIsOneAfterTheOther) {
                 1e-11);
 }
 
-TEST(Butterworth, GainIsThatOfTheFilter) {
-  Butterworth band = high_pass(1, 3);
-  band.low_pass = 10;
-  for (const double f : {0.0, 0.3, 3.0, 25.0, 49.0})
-    EXPECT_NEAR(gain(band, kStep, f), response(band, f).real(), 1e-11);
-}
-
 /// 20 s of noise with an offset.
 Eigen::VectorXd noise(std::uint64_t seed, double offset = 0) {
   Eigen::VectorXd a(2001);
