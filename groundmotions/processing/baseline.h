@@ -27,15 +27,15 @@ Eigen::VectorXd without_pre_event_mean(double time_step, const Eigen::VectorXd& 
 /// piecewise-linear acceleration from rest, end at zero to rounding.
 ///
 /// Of all such polynomials of this degree it is the one whose double integral is the least-squares
-/// fit to the displacement. With degree 4 it is the fit of displacement by a polynomial of order 6
-/// without constant and linear term, its second derivative taken off the acceleration (Chiou,
-/// Darragh, Gregor & Silva 2008, Earthquake Spectra 24(1), 23-44), with the two end conditions
-/// added. With degree 1 the end conditions alone decide: the smallest change of all in the sense of
-/// the integral of p^2. Doing it twice is the same as once. The time step does not matter.
+/// fit to the displacement. With degree 1 the end conditions alone decide: the smallest change of
+/// all in the sense of the integral of p^2, and none of a record that ends at rest. With degree 4
+/// it is the fit of displacement by a polynomial of order 6 without constant and linear term, its
+/// second derivative taken off the acceleration (Ancheta et al. 2013, PEER Report 2013/03), with
+/// the two end conditions added; like that one it also takes away true slow displacement. Doing it
+/// twice is the same as once. The time step does not matter.
 ///
 /// @param degree  of p, 1..4
 /// @throws Error for another degree and for fewer than degree + 2 samples.
-Eigen::VectorXd ending_at_rest(const Eigen::VectorXd& acceleration,
-                               int degree = kHighestRestDegree);
+Eigen::VectorXd ending_at_rest(const Eigen::VectorXd& acceleration, int degree = 1);
 
 }  // namespace gurney

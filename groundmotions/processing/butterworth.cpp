@@ -111,13 +111,4 @@ Eigen::VectorXd filtered(const Butterworth& filter, double time_step,
   return x.segment(pad, samples);
 }
 
-double gain(const Butterworth& filter, double time_step, double frequency) {
-  const double f = warped(frequency, time_step);
-  const auto one = [&](double ratio) { return 1 / (1 + std::pow(ratio, 2 * filter.order)); };
-  double result = 1;
-  if (filter.high_pass) result *= one(warped(*filter.high_pass, time_step) / f);
-  if (filter.low_pass) result *= one(f / warped(*filter.low_pass, time_step));
-  return result;
-}
-
 }  // namespace gurney

@@ -44,7 +44,4 @@ Eigen::Index pad_samples(const Butterworth& filter, double time_step);
 Eigen::VectorXd filtered(const Butterworth& filter, double time_step,
                          const Eigen::VectorXd& acceleration);
 
-/// Gain of both passes at a frequency from 0 to the Nyquist frequency [Hz].
-double gain(const Butterworth& filter, double time_step, double frequency);
-
 }  // namespace gurney

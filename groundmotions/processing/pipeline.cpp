@@ -41,6 +41,9 @@ double duration(const Record& record) {
   return record.time_step() * static_cast<double>(record.samples() - 1);
 }
 
+/// As in groundmotions/residual.h: a velocity that is visible however long the record.
+constexpr double kVisibleVelocity = 0.05;  // [m/s]
+
 /// Largest magnitudes at the end of a component.
 EndMotion largest_residual(const Record& record) {
   EndMotion largest;
@@ -179,13 +182,32 @@ class Step {
   std::string trim(const TimeInterval& interval, double tapers) const {
     const double h = record_.time_step(), whole = duration(record_);
     const SampleRange range = samples_within(interval, h, record_.samples());
+    const double speed = speed_at_ends(range);
+    if (!(speed <= kVisibleVelocity))
+      record_.warnings.push_back(fmt::format(
+          "processing: cut at {:g} and {:g} s, where the floor moves at up to {:.2g} m/s "
+          "along a component; keep more before or after",
+          h * static_cast<double>(range.first),
+          h * static_cast<double>(range.first + range.count - 1), speed));
     change_samples(record_,
                    [&](const auto& a) { return a.segment(range.first, range.count).eval(); });
     taper(tapers, tapers);
     const double first = h * static_cast<double>(range.first);
     move_start(record_, first);
-    return fmt::format("{:g} to {:g} s of {:g} s kept{}", first, first + duration(record_), whole,
+    return fmt::format("{:g} to {:g} s of {:g} s kept, up to {:.2g} m/s at the cuts{}", first,
+                       first + duration(record_), whole, speed,
                        tapers > 0 ? fmt::format(", cosine tapers of {:g} s", tapers) : "");
+  }
+
+  /// Largest speed of a component at the first and the last sample of a range.
+  double speed_at_ends(const SampleRange& range) const {
+    double speed = 0;
+    for_each_component(record_, [&](const Component& each) {
+      const Eigen::VectorXd v = integrated(each.time_step, each.acceleration).velocity;
+      speed =
+          std::max({speed, std::abs(v[range.first]), std::abs(v[range.first + range.count - 1])});
+    });
+    return speed;
   }
 
   Record& record_;

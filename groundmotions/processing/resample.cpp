@@ -41,6 +41,23 @@ Eigen::VectorXd kernel(const Eigen::ArrayXd& offsets, double cut, double half) {
   return weights / weights.sum();
 }
 
+/// After how many steps new samples fall on old ones again.
+struct Period {
+  Eigen::Index new_steps = 0;
+  Eigen::Index old_steps = 0;
+};
+
+/// Of the ratio of a new step to an old one; a period of all `samples` if there is no short one.
+Period period_of(double ratio, Eigen::Index samples) {
+  constexpr Eigen::Index kLongest = 1000;
+  for (Eigen::Index steps = 1; steps < std::min(kLongest, samples); ++steps) {
+    const double old_steps = ratio * static_cast<double>(steps);
+    if (std::abs(old_steps - std::round(old_steps)) < 1e-12)
+      return {steps, static_cast<Eigen::Index>(std::round(old_steps))};
+  }
+  return {samples, 0};
+}
+
 }  // namespace
 
 Eigen::VectorXd resampled(double time_step, const Eigen::VectorXd& acceleration,
@@ -59,18 +76,22 @@ Eigen::VectorXd resampled(double time_step, const Eigen::VectorXd& acceleration,
   const double half = finer ? half_length(1 - kPassBand) : half_length((1 - kPassBand) / 2) * ratio;
 
   Eigen::VectorXd result(static_cast<Eigen::Index>(steps) + 1);
-  for (Eigen::Index j = 0; j < result.size(); ++j) {
-    double time = ratio * static_cast<double>(j);
+  const Period period = period_of(ratio, result.size());
+  for (Eigen::Index phase = 0; phase < period.new_steps; ++phase) {
+    double time = ratio * static_cast<double>(phase);
     if (std::abs(time - std::round(time)) < kSameTime) time = std::round(time);
-    const auto first = static_cast<Eigen::Index>(std::ceil(time - half));
+    auto first = static_cast<Eigen::Index>(std::ceil(time - half));
     const auto last = static_cast<Eigen::Index>(std::floor(time + half));
     const Eigen::VectorXd weights =
         kernel(Eigen::ArrayXd::LinSpaced(last - first + 1, static_cast<double>(first) - time,
                                          static_cast<double>(last) - time),
                cut, half);
-    const Eigen::Index from = std::max<Eigen::Index>(first, 0);
-    const Eigen::Index count = std::min(last, old_samples - 1) - from + 1;
-    result[j] = weights.segment(from - first, count).dot(acceleration.segment(from, count));
+    for (Eigen::Index j = phase; j < result.size(); j += period.new_steps) {
+      const Eigen::Index from = std::max<Eigen::Index>(first, 0);
+      const Eigen::Index count = std::min(first + weights.size(), old_samples) - from;
+      result[j] = weights.segment(from - first, count).dot(acceleration.segment(from, count));
+      first += period.old_steps;
+    }
   }
   return result;
 }

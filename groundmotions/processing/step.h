@@ -14,7 +14,7 @@ namespace gurney {
 struct Baseline {
   enum class Kind { kMean, kLine, kPolynomial, kPreEventMean, kEndAtRest };
   Kind kind = Kind::kMean;
-  int degree = 4;        ///< of kPolynomial 1..8, of kEndAtRest 1..4
+  int degree = 1;        ///< of kPolynomial 1..8, of kEndAtRest 1..4
   double pre_event = 0;  ///< of kPreEventMean > 0 [s]
 };
 
