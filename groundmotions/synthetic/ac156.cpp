@@ -9,7 +9,6 @@
 #include "engine/base/error.h"
 #include "groundmotions/oscillator.h"
 #include "groundmotions/synthetic/component.h"
-#include "groundmotions/synthetic/end_state.h"
 #include "groundmotions/synthetic/noise.h"
 
 namespace gurney {
@@ -60,7 +59,8 @@ class Matching {
  private:
   double envelope_at(double t) const {
     const double to_end = motion_.build + motion_.hold + motion_.decay - t;
-    return std::clamp(std::min(t / motion_.build, to_end / motion_.decay), 0., 1.);
+    const double ramp = std::clamp(std::min(t / motion_.build, to_end / motion_.decay), 0., 1.);
+    return std::pow(std::sin(pi / 2 * ramp), 2);
   }
 
   double amplitude_at(double frequency) const {
@@ -83,9 +83,7 @@ class Matching {
   /// The motion of the present amplitudes, scaled to envelope; fills ratio_ before the scaling.
   Fit this_one() {
     Fit fit;
-    fit.acceleration = noise_.shaped([&](double f) { return amplitude_at(f); });
-    fit.acceleration.array() *= envelope_.array();
-    set_end_state(motion_.time_step, fit.acceleration);
+    fit.acceleration = noise_.acceleration([&](double f) { return amplitude_at(f); }, envelope_);
     ratio_.clear();
     for (const double f : frequencies_)
       ratio_.push_back(

@@ -49,12 +49,13 @@ struct Ac156Motion {
   double low_cut = 0.9;                    ///< no energy below, in [0.3, 1.1] [Hz]
 };
 
-/// Stationary noise (noise.h) under a linear build-hold-decay envelope. Its Fourier amplitudes are
-/// multiplied again and again by the ratio of the required to the motion's spectrum, phases kept
-/// (Gasparini & Vanmarcke 1976, MIT report R76-4, SIMQKE), on a grid of 12 frequencies an octave
-/// from 1.3 to 33.3 Hz. The best of these is scaled so that it envelopes the required spectrum at
-/// every one of them: the tolerances of AC156 for single points are not used. Components of
-/// different streams; streams are skipped until all correlations are below 0.3.
+/// Stationary noise (noise.h) under a build-hold-decay envelope with sin^2 ramps on its
+/// displacement, so that it ends at rest where it began. Its Fourier amplitudes are multiplied
+/// again and again by the ratio of the required to the motion's spectrum, phases kept (Gasparini &
+/// Vanmarcke 1976, MIT report R76-4, SIMQKE), on a grid of 12 frequencies an octave from 1.3
+/// to 33.3 Hz. The best of these is scaled so that it envelopes the required spectrum at every one
+/// of them: the tolerances of AC156 for single points are not used. Components of different
+/// streams; streams are skipped until all correlations are below 0.3.
 ///
 /// The header tells the largest and smallest ratio to the required spectrum and the correlations;
 /// more than 30 % above it between 1.3 and 8.3 Hz, the most that AC156 recommends, is a warning.

@@ -23,7 +23,10 @@ double envelope(const SyntheticComponent& component, double time) {
   return std::pow(ratio * std::exp(1 - ratio), component.envelope_power);
 }
 
-Eigen::VectorXd filtered_noise(const SyntheticMotion& motion, std::uint64_t stream) {
+}  // namespace
+
+Eigen::VectorXd clough_penzien_noise(const SyntheticMotion& motion, Direction direction) {
+  const auto stream = static_cast<std::size_t>(direction);
   const SyntheticComponent& component = motion.components[stream];
   const double og = component.ground_frequency, zg = component.ground_damping;
   const double of = component.low_cut_frequency, zf = component.low_cut_damping;
@@ -44,8 +47,6 @@ Eigen::VectorXd filtered_noise(const SyntheticMotion& motion, std::uint64_t stre
   return acceleration;
 }
 
-}  // namespace
-
 Record synthetic_record(const SyntheticMotion& motion) {
   assert(motion.time_step > 0 && motion.samples > 2);
   Record record;
@@ -57,7 +58,7 @@ Record synthetic_record(const SyntheticMotion& motion) {
     component.direction = direction;
     component.time_step = motion.time_step;
     component.unit = "m/s2";
-    component.acceleration = filtered_noise(motion, index);
+    component.acceleration = clough_penzien_noise(motion, direction);
     set_end_state(motion.time_step, component.acceleration);
     component.acceleration *=
         motion.components[index].peak_acceleration / component.acceleration.cwiseAbs().maxCoeff();

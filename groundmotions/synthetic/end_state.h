@@ -14,4 +14,14 @@ Eigen::Vector2d end_state(double time_step, const Eigen::VectorXd& acceleration)
 void set_end_state(double time_step, Eigen::VectorXd& acceleration,
                    const Eigen::Vector2d& wanted = Eigen::Vector2d::Zero());
 
+/// The acceleration, linear between samples, whose exact integrals from rest pass through the
+/// displacement at every sample and end with velocity zero: the second derivative of the cubic
+/// spline with level ends. The motion ends at rest where it began if the displacement does, and
+/// has no drift that the displacement has not.
+/// @param displacement  at least 4 samples, the first 0 [m]
+Eigen::VectorXd acceleration_of(double time_step, const Eigen::VectorXd& displacement);
+
+/// Exact displacement at the samples, from rest at the first [m].
+Eigen::VectorXd displacement_of(double time_step, const Eigen::VectorXd& acceleration);
+
 }  // namespace gurney

@@ -4,15 +4,20 @@
 
 namespace gurney {
 
-/// Sines of constant or changing frequency, h1 only, with ends tapered by sin^2 over `taper` and a
-/// correction (end_state.h) that makes them end at rest; then scaled to the peak at samples.
+// Sines of constant or changing frequency, h1 only. Their displacement is what is tapered,
+//
+//     d = -A w(t) sin(phi) / phi'^2,  w = 1, at the ends sin^2 over the taper,
+//
+// so that they have no drift and end at rest where they began; a = d'' (end_state.h) is
+// A w sin(phi) but for terms that are small while w and phi' change slowly. Then a is scaled to its
+// peak A at samples.
 
-/// a = A w(t) sin(2 pi f t).
+/// phi = 2 pi f t.
 struct Harmonic {
   double peak_acceleration = 0;  ///< A > 0 [m/s2]
   double frequency = 0;          ///< f > 0 [Hz]
   double duration = 0;           ///< with tapers > 0 [s]
-  double taper = 0;              ///< of each end, in [0, duration / 2] [s]
+  double taper = 0;              ///< of each end, in (0, duration / 2] [s]
 };
 
 /// @throws Error unless f is below a fifth of the sampling rate and the taper fits.
@@ -28,7 +33,7 @@ struct Sweep {
   double first_frequency = 0;    ///< f_0 > 0 [Hz]
   double last_frequency = 0;     ///< f_1 > 0, not f_0 if logarithmic [Hz]
   double duration = 0;           ///< T, with tapers > 0 [s]
-  double taper = 0;              ///< of each end, in [0, duration / 2] [s]
+  double taper = 0;              ///< of each end, in (0, duration / 2] [s]
   bool logarithmic = false;
 };
 

@@ -7,8 +7,9 @@
 namespace gurney {
 
 /// A long motion of long period, as deep basins make it: Clough-Penzien noise (clough_penzien.h)
-/// with a ground of a few seconds' period and low damping, two horizontals scaled to their peak
-/// velocity.
+/// with a ground of a few seconds' period and low damping. The displacement is tapered over the
+/// first and the last tenth (sin^2), so that it ends at rest where it began; two horizontals are
+/// scaled to their peak velocity.
 struct LongPeriodMotion {
   std::uint64_t seed = 0;
   double time_step = 0.01;       ///< > 0 [s]

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <cmath>
+#include <numbers>
 #include <unsupported/Eigen/FFT>
 
 #include "engine/base/error.h"
@@ -37,14 +39,22 @@ Eigen::VectorXd FourierNoise::shaped(const std::function<double(double)>& amplit
   return noise.head(samples_);
 }
 
+Eigen::VectorXd FourierNoise::acceleration(const std::function<double(double)>& amplitude,
+                                           const Eigen::VectorXd& envelope) const {
+  const Eigen::VectorXd displacement = shaped([&](double frequency) {
+    return amplitude(frequency) / std::pow(2 * std::numbers::pi * frequency, 2);
+  });
+  return acceleration_of(time_step_, displacement.cwiseProduct(envelope));
+}
+
 Record white_noise(double time_step, const WhiteNoise& m) {
   constexpr double kBand = 0.4;
   require(m.lowest_frequency < m.highest_frequency && m.highest_frequency * time_step <= kBand,
           fmt::format("noise from {:g} to {:g} Hz at time step {:g} s: must be an interval below "
                       "{:g} Hz",
                       m.lowest_frequency, m.highest_frequency, time_step, kBand / time_step));
-  require(2 * m.taper <= m.duration,
-          fmt::format("taper {:g} s: must be at most half the duration, {:g} s", m.taper,
+  require(m.taper > 0 && 2 * m.taper <= m.duration,
+          fmt::format("taper {:g} s: must be > 0 and at most half the duration, {:g} s", m.taper,
                       m.duration / 2));
   const Eigen::VectorXd envelope = sampled(
       time_step, m.duration, [&](double t) { return trapezoid_taper(t, m.duration, m.taper); });
@@ -52,12 +62,12 @@ Record white_noise(double time_step, const WhiteNoise& m) {
   for (const Direction direction : kDirections) {
     const auto index = static_cast<std::size_t>(direction);
     if (m.peak_acceleration[index] == 0) continue;
-    Eigen::VectorXd a =
-        FourierNoise(m.seed, index, envelope.size(), time_step).shaped([&](double frequency) {
+    const FourierNoise source(m.seed, index, envelope.size(), time_step);
+    Eigen::VectorXd a = source.acceleration(
+        [&](double frequency) {
           return frequency >= m.lowest_frequency && frequency <= m.highest_frequency ? 1. : 0.;
-        });
-    a.array() *= envelope.array();
-    set_end_state(time_step, a);
+        },
+        envelope);
     a *= m.peak_acceleration[index] / a.cwiseAbs().maxCoeff();
     record.components[index] = synthetic_component(direction, time_step, std::move(a));
   }

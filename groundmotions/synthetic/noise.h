@@ -23,6 +23,11 @@ class FourierNoise {
   /// @param amplitude  A(f), f > 0 [Hz]
   Eigen::VectorXd shaped(const std::function<double(double)>& amplitude) const;
 
+  /// The acceleration A(f) under an envelope that multiplies its displacement, that of A / omega^2.
+  /// @param envelope  smooth, with its slope 0 at both ends
+  Eigen::VectorXd acceleration(const std::function<double(double)>& amplitude,
+                               const Eigen::VectorXd& envelope) const;
+
  private:
   Eigen::Index samples_;
   double time_step_;
@@ -34,11 +39,12 @@ struct WhiteNoise {
   std::uint64_t seed = 0;
   double lowest_frequency = 0, highest_frequency = 0;  ///< 0 < lowest < highest [Hz]
   double duration = 0;                                 ///< with tapers > 0 [s]
-  double taper = 0;                                    ///< of each end, sin^2 [s]
+  double taper = 0;                                    ///< of each end, sin^2, > 0 [s]
   double peak_acceleration[3] = {0, 0, 0};             ///< by Direction; 0: no such component
 };
 
-/// Noise under tapers, made to end at rest (end_state.h) and scaled to its peak at samples.
+/// Noise whose displacement is tapered, so that it has no drift and ends at rest where it began
+/// (end_state.h), scaled to its peak at samples.
 /// @throws Error unless the band lies below 0.4 of the sampling rate and the taper fits.
 Record white_noise(double time_step, const WhiteNoise& motion);
 

@@ -31,9 +31,10 @@ TEST(Harmonic, HasItsAmplitudeAndEndsAtRest) {
       harmonic(0.005, {.peak_acceleration = 2, .frequency = 1.5, .duration = 20, .taper = 3});
   const Peaks p = peaks(0.005, h1(record).acceleration);
   EXPECT_DOUBLE_EQ(p.acceleration, 2);
-  // Steady sine: A / omega; the start under the taper leaves a drift of the order of
-  // A / omega (T / taper)^2 / 4 = 1.2 %.
-  EXPECT_NEAR(p.velocity, 2 / (3 * pi), 0.02 * 2 / (3 * pi));
+  // Steady sine: A / omega and A / omega^2, no drift; integrated to (omega dt)^2 / 12 = 2e-4. A
+  // taper of 3 s adds less than (0.5 pi / 3)^2 2 / omega^2 = 0.6 % to the acceleration.
+  EXPECT_NEAR(p.velocity, 2 / (3 * pi), 0.008 * 2 / (3 * pi));
+  EXPECT_NEAR(p.displacement, 2 / (9 * pi * pi), 0.008 * 2 / (9 * pi * pi));
   EXPECT_LT(end_state(0.005, h1(record).acceleration).norm(), 1e-12);
   EXPECT_THAT(h1(record).warnings, IsEmpty());
   EXPECT_NEAR(zero_crossings(h1(record).acceleration, 0.005, 5, 15), 30, 1);
@@ -41,7 +42,7 @@ TEST(Harmonic, HasItsAmplitudeAndEndsAtRest) {
                "frequency 5 Hz at time step 0.05 s: must be at most 4 Hz");
   EXPECT_ERROR(
       harmonic(0.005, {.peak_acceleration = 2, .frequency = 5, .duration = 20, .taper = 11}),
-      "taper 11 s: must be at most half the duration, 10 s");
+      "taper 11 s: must be > 0 and at most half the duration, 10 s");
 }
 
 // The number of half cycles up to t is phi(t) / pi: at half time for 1 to 9 Hz in 40 s, linear

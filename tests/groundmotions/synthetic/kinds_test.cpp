@@ -91,7 +91,7 @@ TEST(SyntheticKinds, RefuseWhatTheyDoNotKnow) {
                "records make ricker: 'pga_g': must be key=value, a number");
   EXPECT_ERROR(synthetic_request("ricker", {"pga_g=1\nperiod_s=2"}), "must be key=value");
   EXPECT_ERROR(make_record(synthetic_request("harmonic", {"taper_s=20"})),
-               "synthetic harmonic: taper 20 s: must be at most half the duration, 15 s");
+               "synthetic harmonic: taper 20 s: must be > 0 and at most half the duration, 15 s");
 }
 
 TEST(SyntheticKinds, AreReadFromAJob) {
