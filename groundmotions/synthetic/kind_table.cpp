@@ -29,7 +29,7 @@ const SyntheticParameter kPga{"pga_g", "peak acceleration", 0.4, Range::positive
 const SyntheticParameter kPeriod{"period_s", "of the sine", 1, Range::positive()};
 const SyntheticParameter kDuration{"duration_s", "of the motion with its tapers", 30,
                                    Range::positive()};
-const SyntheticParameter kTaper{"taper_s", "of each end", 3, Range::not_negative()};
+const SyntheticParameter kTaper{"taper_s", "of each end", 3, Range::positive()};
 
 std::uint64_t seed_of(const Values& v) { return static_cast<std::uint64_t>(v.at("seed")); }
 
