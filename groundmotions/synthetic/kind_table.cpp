@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -80,7 +83,16 @@ Record make_clough_penzien(const Values& v) {
   up.peak_time = v.at("vertical_peak_time_s");
   up.ground_frequency *= v.at("vertical_frequency_ratio");
   up.low_cut_frequency *= v.at("vertical_frequency_ratio");
-  return synthetic_record(motion);
+  Record record = synthetic_record(motion);
+  constexpr double kGone = 0.01;
+  const double ratio = v.at("duration_s") / std::max(ground.peak_time, up.peak_time);
+  const double left = std::pow(ratio * std::exp(1 - ratio), ground.envelope_power);
+  if (ratio < 1 || left > kGone)
+    record.components[0]->warnings.push_back(
+        fmt::format("the envelope is still at {:.2g} of its peak at the end of {:g} s: what makes "
+                    "the motion end at rest is a long drift; take a longer duration",
+                    left, v.at("duration_s")));
+  return record;
 }
 
 Record make_long_period(const Values& v) {

@@ -25,7 +25,7 @@ Record acceleration_step(double time_step, double peak_acceleration, double rise
 /// @throws Error unless interval >= width.
 Record double_impulse(double time_step, double velocity, double width, double interval);
 
-/// Ricker wavelet (Ricker 1943, Geophysics 8(1), 10-40) as acceleration, with tau = t - 1.5 T and
+/// Ricker wavelet (Ricker 1943, BSSA 33(3), 197-228) as acceleration, with tau = t - 1.5 T and
 /// f = 1 / T: a = A (1 - 2 pi^2 f^2 tau^2) exp(-pi^2 f^2 tau^2) for 3 T. Its Fourier amplitude is
 /// largest at f; peak velocity A T / (pi sqrt(2 e)).
 Record ricker_wavelet(double time_step, double peak_acceleration, double period);

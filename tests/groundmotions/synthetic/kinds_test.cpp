@@ -59,6 +59,11 @@ TEST(SyntheticKinds, MakeTheShippedRecord) {
         1e-9);
 }
 
+TEST(SyntheticKinds, WarnOfNoiseThatIsCut) {
+  const Record cut = make_record(synthetic_request("clough_penzien", {"duration_s=15"}));
+  EXPECT_THAT(cut.warnings, ElementsAre(HasSubstr("still at 0.17 of its peak at the end of 15 s")));
+}
+
 TEST(SyntheticKinds, LongPeriodMotionTravelsMetres) {
   const Record record = make_record(synthetic_request("long_period", {}));
   const auto& a = record[Direction::kH1]->acceleration;
