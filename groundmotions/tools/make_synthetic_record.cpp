@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "groundmotions/synthetic.h"
+#include "groundmotions/synthetic/clough_penzien.h"
 
 /// Writes the text of groundmotions/records/synthetic_3c.csv to standard output.
 int main() { std::cout << gurney::shipped_synthetic_text(); }

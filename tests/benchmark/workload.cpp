@@ -9,7 +9,7 @@
 #include "equipment/catalogue.h"
 #include "equipment/load_item.h"
 #include "groundmotions/record_motion.h"
-#include "groundmotions/synthetic.h"
+#include "groundmotions/synthetic/clough_penzien.h"
 
 namespace gurney::benchmark {
 

@@ -1,4 +1,4 @@
-#include "groundmotions/synthetic.h"
+#include "groundmotions/synthetic/clough_penzien.h"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/base/floor_motion.h"
 #include "engine/base/units.h"
 #include "groundmotions/formats/columns_csv.h"
 #include "groundmotions/normal_draw.h"
 #include "groundmotions/oscillator.h"
+#include "groundmotions/synthetic/end_state.h"
 
 namespace gurney {
 
@@ -23,7 +23,10 @@ double envelope(const SyntheticComponent& component, double time) {
   return std::pow(ratio * std::exp(1 - ratio), component.envelope_power);
 }
 
-Eigen::VectorXd filtered_noise(const SyntheticMotion& motion, std::uint64_t stream) {
+}  // namespace
+
+Eigen::VectorXd clough_penzien_noise(const SyntheticMotion& motion, Direction direction) {
+  const auto stream = static_cast<std::size_t>(direction);
   const SyntheticComponent& component = motion.components[stream];
   const double og = component.ground_frequency, zg = component.ground_damping;
   const double of = component.low_cut_frequency, zf = component.low_cut_damping;
@@ -44,25 +47,6 @@ Eigen::VectorXd filtered_noise(const SyntheticMotion& motion, std::uint64_t stre
   return acceleration;
 }
 
-/// Velocity and displacement at the end.
-Eigen::Vector2d ends(double time_step, const Eigen::VectorXd& acceleration) {
-  Eigen::Matrix3Xd motion = Eigen::Matrix3Xd::Zero(3, acceleration.size());
-  motion.row(0) = acceleration.transpose();
-  const FloorMotion floor(time_step, std::move(motion));
-  return {floor.residual_velocity().x(), floor.residual_displacement().x()};
-}
-
-void end_at_rest(double time_step, Eigen::VectorXd& acceleration) {
-  const Eigen::ArrayXd phase = Eigen::ArrayXd::LinSpaced(acceleration.size(), 0, pi);
-  const Eigen::VectorXd even = phase.sin().square(), odd = phase.sin().square() * phase.cos();
-  Eigen::Matrix2d effect;
-  effect << ends(time_step, even), ends(time_step, odd);
-  const Eigen::Vector2d c = effect.inverse() * ends(time_step, acceleration);
-  acceleration -= c[0] * even + c[1] * odd;
-}
-
-}  // namespace
-
 Record synthetic_record(const SyntheticMotion& motion) {
   assert(motion.time_step > 0 && motion.samples > 2);
   Record record;
@@ -74,8 +58,8 @@ Record synthetic_record(const SyntheticMotion& motion) {
     component.direction = direction;
     component.time_step = motion.time_step;
     component.unit = "m/s2";
-    component.acceleration = filtered_noise(motion, index);
-    end_at_rest(motion.time_step, component.acceleration);
+    component.acceleration = clough_penzien_noise(motion, direction);
+    set_end_state(motion.time_step, component.acceleration);
     component.acceleration *=
         motion.components[index].peak_acceleration / component.acceleration.cwiseAbs().maxCoeff();
     record.components[index] = std::move(component);

@@ -1,4 +1,4 @@
-#include "groundmotions/synthetic.h"
+#include "groundmotions/synthetic/clough_penzien.h"
 
 #include <gmock/gmock.h>
 

@@ -41,6 +41,9 @@ struct SyntheticMotion {
 /// modelled.
 Record synthetic_record(const SyntheticMotion& motion);
 
+/// The z'' of one component as the filters leave it: neither scaled nor made to end at rest.
+Eigen::VectorXd clough_penzien_noise(const SyntheticMotion& motion, Direction direction);
+
 /// The motion of groundmotions/records/synthetic_3c.csv.
 SyntheticMotion shipped_synthetic_motion();
 

@@ -1,0 +1,95 @@
+#include "groundmotions/scaling/suite_scaling.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/error.h"
+
+namespace gurney {
+
+namespace {
+
+/// Trapezoidal weights of ln T with the sum 1.
+Eigen::VectorXd weights_of(const Eigen::VectorXd& periods) {
+  const Eigen::Index n = periods.size();
+  const Eigen::VectorXd x = periods.array().log();
+  Eigen::VectorXd w = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index j = 1; j < n; ++j) {
+    w[j - 1] += (x[j] - x[j - 1]) / 2;
+    w[j] += (x[j] - x[j - 1]) / 2;
+  }
+  return w / (x[n - 1] - x[0]);
+}
+
+void check(const Eigen::VectorXd& periods, const Eigen::MatrixXd& spectra,
+           const Eigen::VectorXd& target, const std::vector<std::string>& names,
+           const SuiteScalingOptions& options) {
+  const Eigen::Index n = periods.size();
+  require(n >= 2 && (periods.array() > 0).all() &&
+              (periods.tail(n - 1).array() > periods.head(n - 1).array()).all(),
+          "suite scaling needs at least two periods > 0 that grow");
+  require(spectra.rows() >= 1 && spectra.cols() == n && target.size() == n &&
+              static_cast<Eigen::Index>(names.size()) == spectra.rows(),
+          fmt::format("suite scaling: {} records with {} names, {} ordinates each, {} of the "
+                      "target, for {} periods",
+                      spectra.rows(), names.size(), spectra.cols(), target.size(), n));
+  require((target.array() > 0).all() && target.allFinite(),
+          "suite scaling: the target must be > 0 at all periods");
+  for (Eigen::Index i = 0; i < spectra.rows(); ++i)
+    require((spectra.row(i).array() > 0).all() && spectra.row(i).allFinite(),
+            names[static_cast<std::size_t>(i)] +
+                ": its spectrum must be > 0 at all periods of the range");
+  require(options.smallest_factor >= 0 && options.largest_factor > options.smallest_factor,
+          fmt::format("limits of factors {:g} to {:g}: must be >= 0 and grow",
+                      options.smallest_factor, options.largest_factor));
+  require(options.floor_share >= 0, "the share of the target must be >= 0");
+}
+
+}  // namespace
+
+SuiteScaling scale_suite(const Eigen::VectorXd& periods, const Eigen::MatrixXd& spectra,
+                         const Eigen::VectorXd& target, const std::vector<std::string>& names,
+                         const SuiteScalingOptions& options) {
+  check(periods, spectra, target, names, options);
+  const Eigen::VectorXd w = weights_of(periods);
+  const Eigen::MatrixXd ln_ratio =  // ln(Sa / target), records by periods
+      spectra.array().log().matrix().rowwise() - target.array().log().matrix().transpose();
+
+  SuiteScaling result;
+  Eigen::VectorXd ln_factor = -(ln_ratio * w);
+  if (!options.own_factors) ln_factor.setConstant(ln_factor.mean());
+  result.factors = ln_factor.array().exp();
+  for (Eigen::Index i = 0; i < result.factors.size(); ++i) {
+    const double wanted = result.factors[i];
+    result.factors[i] = std::clamp(wanted, options.smallest_factor, options.largest_factor);
+    if (result.factors[i] != wanted)
+      result.warnings.push_back(
+          fmt::format("{}: the best factor is {:.4g}, held at the limit {:.4g}",
+                      names[static_cast<std::size_t>(i)], wanted, result.factors[i]));
+  }
+
+  const Eigen::MatrixXd scaled = result.factors.asDiagonal() * spectra;
+  if (options.mean == SuiteScalingOptions::Mean::kArithmetic)
+    result.mean = scaled.colwise().mean().transpose();
+  else
+    result.mean = scaled.array().log().matrix().colwise().mean().transpose().array().exp();
+  const Eigen::VectorXd mean_ratio = result.mean.array() / target.array();
+  result.common_factor = options.floor_share > 0
+                             ? options.floor_share / mean_ratio.minCoeff()
+                             : std::exp(-mean_ratio.array().log().matrix().dot(w));
+  result.factors *= result.common_factor;
+  result.mean *= result.common_factor;
+
+  Eigen::Index smallest = 0;
+  result.smallest_ratio = mean_ratio.minCoeff(&smallest) * result.common_factor;
+  result.period_of_smallest = periods[smallest];
+  const Eigen::MatrixXd ln_after = ln_ratio.colwise() + result.factors.array().log().matrix();
+  result.misfits = (ln_after.array().square().matrix() * w).array().sqrt();
+  result.suite_misfit =
+      std::sqrt((result.mean.array() / target.array()).log().square().matrix().dot(w));
+  return result;
+}
+
+}  // namespace gurney

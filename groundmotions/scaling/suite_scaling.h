@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace gurney {
+
+/// How a suite of records is scaled to a target spectrum.
+struct SuiteScalingOptions {
+  double smallest_factor = 0.25;  ///< of one record, >= 0
+  double largest_factor = 4;      ///< of one record, > smallest_factor
+  bool own_factors = true;        ///< false: one common factor for all records
+
+  /// The suite's mean spectrum that the common factor holds against the target.
+  enum class Mean { kArithmetic, kGeometric } mean = Mean::kArithmetic;
+
+  /// The mean is nowhere below this share of the target in the range; 0: no such rule, the mean
+  /// meets the target on average.
+  double floor_share = 0.9;
+};
+
+/// The result; all ratios are after scaling, over the periods of the input.
+struct SuiteScaling {
+  Eigen::VectorXd factors;            ///< of each record, the common factor included
+  double common_factor = 1;           ///< that followed the least squares
+  Eigen::VectorXd misfits;            ///< of each record: root mean square of ln(f Sa / target) [-]
+  double suite_misfit = 0;            ///< the same of the suite's mean spectrum [-]
+  double smallest_ratio = 0;          ///< of the suite's mean to the target
+  double period_of_smallest = 0;      ///< [s]
+  Eigen::VectorXd mean;               ///< the suite's mean spectrum [m/s2]
+  std::vector<std::string> warnings;  ///< records that hit a limit
+};
+
+/// Least squares in logarithms: for each record ln f = sum_j w_j (ln target_j - ln Sa_j), which
+/// minimises sum_j w_j ln^2(f Sa_j / target_j); w_j are the trapezoidal weights of ln T, so that
+/// the spacing of the periods does not matter. f is held within the limits. Then one common factor
+/// raises or lowers all records so that min_j (mean_j / target_j) = floor_share; without a floor,
+/// so that the mean of ln(mean / target) is zero. The limits do not hold for the common factor.
+///
+/// ASCE/SEI 7-16, 16.2.3.2, asks for a mean (arithmetic, of maximum-direction spectra) of at least
+/// 90 % of the target from 0.2 to 2 times the fundamental period; EN 1998-1:2004, 3.2.3.1.2(4)c,
+/// for a mean of at least 90 % between 0.2 T_1 and 2 T_1 (and b, at zero period, a_g S). Which
+/// spectrum of a record goes into `spectra`, and which periods, is the caller's choice.
+///
+/// @param periods  growing, > 0, at least 2 [s]
+/// @param spectra  Sa, one row for each record, one column for each period, > 0 [m/s2]
+/// @param target   Sa of the target at the periods, > 0 [m/s2]
+/// @param names    of the records, for messages
+/// @throws Error for shapes and values that do not fit.
+SuiteScaling scale_suite(const Eigen::VectorXd& periods, const Eigen::MatrixXd& spectra,
+                         const Eigen::VectorXd& target, const std::vector<std::string>& names,
+                         const SuiteScalingOptions& options = {});
+
+}  // namespace gurney

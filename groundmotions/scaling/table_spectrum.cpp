@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/base/units.h"
+#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/numbers.h"
+#include "groundmotions/scaling/target_spectrum.h"
+
+namespace gurney {
+
+namespace {
+
+struct Row {
+  double period, acceleration;
+};
+
+std::vector<std::string_view> cells(std::string_view line) {
+  std::vector<std::string_view> list;
+  for (;;) {
+    const std::size_t comma = line.find(',');
+    list.push_back(trimmed(line.substr(0, comma)));
+    if (comma == std::string_view::npos) return list;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+/// m/s2 in one unit of the second column; 0 for a header that is none.
+double unit_of(const std::vector<std::string_view>& header) {
+  if (header.size() != 2 || header[0] != "period_s") return 0;
+  if (header[1] == "sa_g") return kStandardGravity;
+  return header[1] == "sa_m_per_s2" ? 1 : 0;
+}
+
+double interpolated(const std::vector<Row>& rows, double period) {
+  const auto next = std::upper_bound(rows.begin(), rows.end(), period,
+                                     [](double t, const Row& row) { return t < row.period; });
+  if (next == rows.end()) return rows.back().acceleration;
+  const Row &a = *(next - 1), &b = *next;
+  if (a.period == 0) return a.acceleration + (b.acceleration - a.acceleration) * period / b.period;
+  const double share = std::log(period / a.period) / std::log(b.period / a.period);
+  return a.acceleration * std::pow(b.acceleration / a.acceleration, share);
+}
+
+}  // namespace
+
+TargetSpectrum table_spectrum(const SourceFile& file) {
+  Mistakes mistakes(file.name());
+  std::vector<Row> rows;
+  double unit = 0;
+  for (std::size_t i = 0; i < file.lines().size(); ++i) {
+    const std::string_view line = trimmed(file.lines()[i]);
+    if (line.empty() || line.front() == '#') continue;
+    const std::vector<std::string_view> words = cells(line);
+    if (unit == 0) {
+      unit = unit_of(words);
+      if (unit == 0) {
+        mistakes.add(i + 1, 1,
+                     fmt::format("header '{}': must be 'period_s, sa_g' or 'period_s, "
+                                 "sa_m_per_s2'",
+                                 line));
+        break;
+      }
+      continue;
+    }
+    const auto period = words.size() == 2 ? number(words[0]) : std::nullopt;
+    const auto value = words.size() == 2 ? number(words[1]) : std::nullopt;
+    if (!period || !value)
+      mistakes.add(i + 1, 1, fmt::format("'{}': must be two numbers apart by a comma", line));
+    else if (!(*period >= 0) || (!rows.empty() && !(*period > rows.back().period)))
+      mistakes.add(i + 1, 1, fmt::format("period {:g} s: must be >= 0 and grow", *period));
+    else if (!(*value > 0))
+      mistakes.add(i + 1, 1, fmt::format("spectral acceleration {:g}: must be > 0", *value));
+    else
+      rows.push_back({*period, *value * unit});
+  }
+  if (!mistakes.any() && rows.size() < 2)
+    mistakes.add("a spectrum needs a header 'period_s, sa_g' and at least two rows");
+  mistakes.throw_if_any();
+  const double first = rows.front().period, last = rows.back().period;
+  return {"table " + file.name(), first, last,
+          [rows = std::move(rows)](double t) { return interpolated(rows, t); }};
+}
+
+}  // namespace gurney

@@ -1,0 +1,202 @@
+#include "groundmotions/synthetic/ac156.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/error.h"
+#include "groundmotions/oscillator.h"
+#include "groundmotions/synthetic/component.h"
+#include "groundmotions/synthetic/noise.h"
+
+namespace gurney {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kDamping = 0.05;
+constexpr int kPerOctave = 12, kIterations = 20;
+constexpr double kHighestFrequency = 50;  // of the motion's own content [Hz]
+
+/// Straight in logarithms from (x0, y0) to (x1, y1).
+double log_line(double x, double x0, double y0, double x1, double y1) {
+  return y0 * std::pow(y1 / y0, std::log(x / x0) / std::log(x1 / x0));
+}
+
+struct Fit {
+  Eigen::VectorXd acceleration;
+  double smallest = 0, largest = 0;  ///< ratio to the required spectrum; largest: up to 8.3 Hz
+};
+
+class Matching {
+ public:
+  Matching(const Ac156Motion& motion, const RequiredSpectrum& required, std::uint64_t stream)
+      : motion_(motion),
+        required_(required),
+        frequencies_(ac156_frequencies(kPerOctave)),
+        envelope_(sampled(motion.time_step, motion.build + motion.hold + motion.decay,
+                          [&](double t) { return envelope_at(t); })),
+        noise_(motion.seed, stream, envelope_.size(), motion.time_step),
+        amplitude_(frequencies_.size()) {
+    // A first guess: Fourier amplitude in proportion to Sa / sqrt(f), as for long white noise.
+    for (std::size_t k = 0; k < amplitude_.size(); ++k)
+      amplitude_[k] = required.at(frequencies_[k]) / std::sqrt(frequencies_[k]);
+  }
+
+  Fit best() {
+    Fit best;
+    for (int i = 0; i < kIterations; ++i) {
+      Fit fit = this_one();
+      if (best.acceleration.size() == 0 || fit.largest < best.largest) best = std::move(fit);
+      for (std::size_t k = 0; k < amplitude_.size(); ++k) amplitude_[k] /= ratio_[k];
+    }
+    return best;
+  }
+
+ private:
+  double envelope_at(double t) const {
+    const double to_end = motion_.build + motion_.hold + motion_.decay - t;
+    const double ramp = std::clamp(std::min(t / motion_.build, to_end / motion_.decay), 0., 1.);
+    return std::pow(std::sin(pi / 2 * ramp), 2);
+  }
+
+  double amplitude_at(double frequency) const {
+    if (frequency <= motion_.low_cut || frequency >= kHighestFrequency) return 0;
+    if (frequency < frequencies_.front())
+      return amplitude_.front() * std::pow(std::sin(pi / 2 * (frequency - motion_.low_cut) /
+                                                    (frequencies_.front() - motion_.low_cut)),
+                                           2);
+    if (frequency >= frequencies_.back())
+      return amplitude_.back() * std::pow(std::sin(pi / 2 * (kHighestFrequency - frequency) /
+                                                   (kHighestFrequency - frequencies_.back())),
+                                          2);
+    const auto next = static_cast<std::size_t>(
+        std::upper_bound(frequencies_.begin(), frequencies_.end(), frequency) -
+        frequencies_.begin());
+    return log_line(frequency, frequencies_[next - 1], amplitude_[next - 1], frequencies_[next],
+                    amplitude_[next]);
+  }
+
+  /// The motion of the present amplitudes, scaled to envelope; fills ratio_ before the scaling.
+  Fit this_one() {
+    Fit fit;
+    fit.acceleration = noise_.acceleration([&](double f) { return amplitude_at(f); }, envelope_);
+    ratio_.clear();
+    for (const double f : frequencies_)
+      ratio_.push_back(
+          peak_absolute_acceleration(motion_.time_step, fit.acceleration, f, kDamping) /
+          required_.at(f));
+    fit.smallest = *std::min_element(ratio_.begin(), ratio_.end());
+    for (std::size_t k = 0; k < ratio_.size() && frequencies_[k] <= kAc156Corner; ++k)
+      fit.largest = std::max(fit.largest, ratio_[k] / fit.smallest);
+    constexpr double kMargin = 1 + 1e-9;  // of rounding
+    fit.acceleration *= kMargin / fit.smallest;
+    fit.smallest = 1;
+    return fit;
+  }
+
+  const Ac156Motion& motion_;
+  const RequiredSpectrum& required_;
+  std::vector<double> frequencies_;
+  Eigen::VectorXd envelope_;
+  FourierNoise noise_;
+  std::vector<double> amplitude_;  ///< of the noise, at frequencies_
+  std::vector<double> ratio_;      ///< of the motion's spectrum to the required one
+};
+
+double correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return a.dot(b) / (a.norm() * b.norm());
+}
+
+}  // namespace
+
+double RequiredSpectrum::at(double frequency) const {
+  if (frequency < kAc156Lowest)
+    return log_line(frequency, 0.1, 0.1 * flexible, kAc156Lowest, flexible);
+  if (frequency <= kAc156Corner) return flexible;
+  if (frequency >= kAc156Highest) return rigid;
+  return log_line(frequency, kAc156Corner, flexible, kAc156Highest, rigid);
+}
+
+RequiredSpectrum required_horizontal(double short_period_acceleration, double height_ratio) {
+  const double amplified = short_period_acceleration * (1 + 2 * height_ratio);
+  return {std::min(amplified, 1.6 * short_period_acceleration), 0.4 * amplified};
+}
+
+RequiredSpectrum required_vertical(double short_period_acceleration) {
+  return {0.67 * short_period_acceleration, 0.27 * short_period_acceleration};
+}
+
+std::vector<double> ac156_frequencies(int per_octave) {
+  std::vector<double> frequencies;
+  for (int k = 0;; ++k) {
+    const double f = kAc156Lowest * std::exp2(static_cast<double>(k) / per_octave);
+    if (f > kAc156Highest * 0.999) break;
+    frequencies.push_back(f);
+  }
+  frequencies.push_back(kAc156Highest);
+  return frequencies;
+}
+
+double peak_absolute_acceleration(double time_step, const Eigen::VectorXd& acceleration,
+                                  double frequency, double damping) {
+  const double omega = 2 * pi * frequency;
+  Oscillator oscillator(omega, damping, time_step);
+  double peak = 0;
+  for (Eigen::Index i = 1; i < acceleration.size(); ++i) {
+    oscillator.step(-acceleration[i - 1], -acceleration[i]);
+    peak = std::max(peak, std::abs(2 * damping * omega * oscillator.velocity() +
+                                   omega * omega * oscillator.displacement()));
+  }
+  return peak;
+}
+
+Record ac156_motion(const Ac156Motion& motion) {
+  constexpr double kLongestStep = 0.005;  // six samples in a period of 33.3 Hz
+  constexpr double kIndependent = 0.3, kRecommended = 1.3;
+  require(motion.time_step > 0 && motion.time_step <= kLongestStep,
+          fmt::format("time step {:g} s: must be > 0 and at most {:g} s", motion.time_step,
+                      kLongestStep));
+  const RequiredSpectrum horizontal =
+      required_horizontal(motion.short_period_acceleration, motion.height_ratio);
+  const RequiredSpectrum vertical = required_vertical(motion.short_period_acceleration);
+  Record record;
+  std::uint64_t stream = 0;
+  for (const Direction direction : kDirections) {
+    const bool up = direction == Direction::kVertical;
+    Fit fit;
+    double worst = 1;
+    while (worst >= kIndependent) {
+      fit = Matching(motion, up ? vertical : horizontal, stream++).best();
+      worst = 0;
+      for (const auto& other : record.components)
+        if (other)
+          worst = std::max(worst, std::abs(correlation(other->acceleration, fit.acceleration)));
+    }
+    Component component =
+        synthetic_component(direction, motion.time_step, std::move(fit.acceleration));
+    component.header = {
+        {"required spectrum, A_FLX and A_RIG [m/s2]",
+         fmt::format("{:.4g}, {:.4g}", (up ? vertical : horizontal).flexible,
+                     (up ? vertical : horizontal).rigid)},
+        {"smallest ratio to the required spectrum, 1.3-33.3 Hz",
+         fmt::format("{:.3f}", fit.smallest)},
+        {"largest ratio to the required spectrum, 1.3-8.3 Hz", fmt::format("{:.3f}", fit.largest)},
+        {"peak acceleration, as a share of A_RIG",
+         fmt::format("{:.3f}", component.acceleration.cwiseAbs().maxCoeff() /
+                                   (up ? vertical : horizontal).rigid)},
+        {"largest correlation with another component", fmt::format("{:.3f}", worst)}};
+    if (fit.largest > kRecommended)
+      component.warnings.push_back(
+          fmt::format("{}: its spectrum is up to {:.0f} % above the required one between 1.3 and "
+                      "8.3 Hz; AC156 recommends at most 30 %. Another seed may fit better",
+                      component.name, 100 * (fit.largest - 1)));
+    record.components[static_cast<std::size_t>(direction)] = std::move(component);
+  }
+  return record;
+}
+
+}  // namespace gurney

@@ -1,0 +1,65 @@
+#include "groundmotions/synthetic/component.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/base/error.h"
+#include "groundmotions/peaks.h"
+#include "groundmotions/synthetic/end_state.h"
+
+namespace gurney {
+
+Eigen::VectorXd sampled(double time_step, double duration,
+                        const std::function<double(double)>& function) {
+  constexpr double kFewest = 4, kMost = 1e7;
+  // A duration that is a whole number of steps but for rounding needs no further step.
+  const double steps = std::ceil(duration / time_step - 1e-6);
+  require(steps + 1 >= kFewest && steps < kMost,
+          fmt::format("duration {:g} s at time step {:g} s: a motion needs {:g} to {:g} samples",
+                      duration, time_step, kFewest, kMost));
+  Eigen::VectorXd values(static_cast<Eigen::Index>(steps) + 1);
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    values[i] = function(static_cast<double>(i) * time_step);
+  return values;
+}
+
+Component synthetic_component(Direction direction, double time_step, Eigen::VectorXd acceleration) {
+  constexpr double kRest = 1e-6;
+  Component component;
+  component.name = name_of(direction);
+  component.direction = direction;
+  component.time_step = time_step;
+  component.unit = "m/s2";
+  component.format = "synthetic";
+  component.acceleration = std::move(acceleration);
+  const Eigen::Vector2d end = end_state(time_step, component.acceleration);
+  const Peaks peak = peaks(time_step, component.acceleration);
+  if (!(std::abs(end[0]) <= kRest * peak.velocity && std::abs(end[1]) <= kRest * peak.displacement))
+    component.warnings.push_back(fmt::format(
+        "{}: this motion does not end at rest where it began: it leaves {:.4g} m/s and {:.4g} m",
+        component.name, end[0], end[1]));
+  return component;
+}
+
+Record single_component(double time_step, Eigen::VectorXd acceleration) {
+  Record record;
+  record.components[0] = synthetic_component(Direction::kH1, time_step, std::move(acceleration));
+  return record;
+}
+
+void describe_synthetic(Record& record, const std::string& kind, const std::string& source,
+                        const HeaderFacts& facts) {
+  record.name = "synthetic " + kind;
+  for (auto& component : record.components) {
+    if (!component) continue;
+    HeaderFacts header = {
+        {"synthetic", "never recorded; made by Gurney"}, {"kind", kind}, {"source", source}};
+    header.insert(header.end(), facts.begin(), facts.end());
+    header.insert(header.end(), component->header.begin(), component->header.end());
+    component->header = std::move(header);
+    for (const std::string& warning : component->warnings) record.warnings.push_back(warning);
+  }
+}
+
+}  // namespace gurney

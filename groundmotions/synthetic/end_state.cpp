@@ -1,0 +1,58 @@
+#include "groundmotions/synthetic/end_state.h"
+
+#include <Eigen/LU>
+#include <cassert>
+#include <numbers>
+
+#include "engine/base/floor_motion.h"
+
+namespace gurney {
+
+Eigen::Vector2d end_state(double time_step, const Eigen::VectorXd& acceleration) {
+  Eigen::Matrix3Xd motion = Eigen::Matrix3Xd::Zero(3, acceleration.size());
+  motion.row(0) = acceleration.transpose();
+  const FloorMotion floor(time_step, std::move(motion));
+  return {floor.residual_velocity().x(), floor.residual_displacement().x()};
+}
+
+void set_end_state(double time_step, Eigen::VectorXd& acceleration, const Eigen::Vector2d& wanted) {
+  assert(acceleration.size() >= 4);
+  const Eigen::ArrayXd phase = Eigen::ArrayXd::LinSpaced(acceleration.size(), 0, std::numbers::pi);
+  const Eigen::VectorXd even = phase.sin().square(), odd = phase.sin().square() * phase.cos();
+  Eigen::Matrix2d effect;
+  effect << end_state(time_step, even), end_state(time_step, odd);
+  const Eigen::Vector2d c = effect.inverse() * (end_state(time_step, acceleration) - wanted);
+  acceleration -= c[0] * even + c[1] * odd;
+}
+
+Eigen::VectorXd acceleration_of(double time_step, const Eigen::VectorXd& displacement) {
+  assert(displacement.size() >= 4);
+  // Rows (1 4 1), at the ends (2 1) and (1 2), of the second differences; elimination downwards
+  // and substitution upwards.
+  const Eigen::Index last = displacement.size() - 1;
+  const double factor = 6 / (time_step * time_step);
+  Eigen::VectorXd a(last + 1), upper(last + 1);
+  upper[0] = 0.5;
+  a[0] = factor * (displacement[1] - displacement[0]) / 2;
+  for (Eigen::Index i = 1; i <= last; ++i) {
+    const double forward = i < last ? displacement[i + 1] - displacement[i] : 0;
+    const double pivot = (i < last ? 4 : 2) - upper[i - 1];
+    upper[i] = 1 / pivot;
+    a[i] = (factor * (forward - (displacement[i] - displacement[i - 1])) - a[i - 1]) / pivot;
+  }
+  for (Eigen::Index i = last; i-- > 0;) a[i] -= upper[i] * a[i + 1];
+  return a;
+}
+
+Eigen::VectorXd displacement_of(double time_step, const Eigen::VectorXd& acceleration) {
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(acceleration.size());
+  double velocity = 0;
+  for (Eigen::Index i = 1; i < d.size(); ++i) {
+    const double a0 = acceleration[i - 1], a1 = acceleration[i];
+    d[i] = d[i - 1] + time_step * velocity + time_step * time_step / 6 * (2 * a0 + a1);
+    velocity += time_step / 2 * (a0 + a1);
+  }
+  return d;
+}
+
+}  // namespace gurney
