@@ -37,7 +37,8 @@ struct BuildingResponse {
 /// isolation is the ground, as it is.
 ///
 /// Isolated buildings are solved with ever finer steps, until halving the step changes neither the
-/// floor's acceleration nor the isolators' displacement by more than 0.1 % of their peaks.
+/// floor's horizontal acceleration nor the isolators' displacement by more than 0.03 % of their
+/// peaks.
 ///
 /// Warnings go to the floor's record: displacement capacity exceeded, isolators unloaded, motion
 /// cut after 120 s, accuracy not reached.
