@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "groundmotions/buildings/isolation.h"
+#include "groundmotions/buildings/modal_building.h"
+#include "groundmotions/record.h"
+
+namespace gurney {
+
+/// What stands between the ground and the equipment. The axes of the building are those of the
+/// record that shakes it: h1, h2, vertical. No torsion, no soil-structure interaction.
+struct Building {
+  std::string name;
+  int storeys = 0;                     ///< floors are 0 (the base) to `storeys` (the roof)
+  std::array<ModalAxis, 3> axes;       ///< indexed by Direction; without modes: rigid
+  std::optional<Isolation> isolation;  ///< below floor 0; empty: floor 0 is the ground
+
+  const ModalAxis& operator[](Direction direction) const {
+    return axes[static_cast<std::size_t>(direction)];
+  }
+};
+
+}  // namespace gurney

@@ -1,0 +1,297 @@
+#include "groundmotions/buildings/floor_record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include "engine/base/error.h"
+
+namespace gurney {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kSamplesInPeriod = 20;
+constexpr double kShortestPeriod = 1.0 / 33;  ///< [s]
+constexpr double kQuiet = 0.01;               ///< of the peak
+constexpr double kShortestQuiet = 1;          ///< [s]
+constexpr double kLongestTail = 120;          ///< [s]
+constexpr double kAccuracy = 3e-4;            ///< of the peaks, at a halving of the step
+constexpr int kMaxHalvings = 10;
+
+std::array<ModalAxis, 2> horizontal(const Building& building) {
+  return {building[Direction::kH1], building[Direction::kH2]};
+}
+
+/// Shortest and longest period [s]; 0, 0 for a rigid building.
+std::pair<double, double> period_range(const Building& building) {
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+  const auto add = [&](double omega) {
+    if (!(omega > 0)) return;
+    low = std::min(low, 2 * pi / omega);
+    high = std::max(high, 2 * pi / omega);
+  };
+  for (const ModalAxis& axis : building.axes)
+    for (const Mode& mode : axis) add(mode.omega);
+  if (building.isolation) {
+    add(std::sqrt(building.isolation->stiffness));
+    add(building.isolation->elastic_omega());
+  }
+  return high > 0 ? std::pair(low, high) : std::pair(0.0, 0.0);
+}
+
+/// The ground's acceleration, linear between samples and at rest after the last.
+class Ground {
+ public:
+  Ground(const Record& record, int refinement) : refinement_(refinement) {
+    samples_ = Eigen::Matrix3Xd::Zero(3, record.samples());
+    for (const Direction direction : kDirections)
+      if (record[direction])
+        samples_.row(static_cast<int>(direction)) = record[direction]->acceleration.transpose();
+  }
+
+  Eigen::Index steps() const { return (samples_.cols() - 1) * refinement_; }
+
+  Vector3 at(Eigen::Index step) const {
+    const Eigen::Index i = step / refinement_;
+    if (i >= samples_.cols()) return Vector3::Zero();
+    const Vector3 here = samples_.col(i);
+    const Vector3 next = i + 1 < samples_.cols() ? Vector3(samples_.col(i + 1)) : Vector3::Zero();
+    return here + (next - here) * static_cast<double>(step % refinement_) / refinement_;
+  }
+
+ private:
+  int refinement_;
+  Eigen::Matrix3Xd samples_;
+};
+
+/// Says when the floor has come to rest.
+class Quiet {
+ public:
+  explicit Quiet(double window) : window_(window) {}
+
+  void see(double time, const Vector3& acceleration) {
+    peak_ = peak_.cwiseMax(acceleration.cwiseAbs());
+    if ((acceleration.array().abs() > kQuiet * peak_.array()).any()) loud_ = time;
+  }
+  bool reached(double time) const { return time - loud_ >= window_; }
+
+ private:
+  double window_, loud_ = 0;
+  Vector3 peak_ = Vector3::Zero();
+};
+
+struct History {
+  std::vector<Vector3> acceleration;
+  bool quiet = true;
+};
+
+using FloorStep = std::function<Vector3(const Vector3& ground0, const Vector3& ground1)>;
+
+History run(const Ground& ground, double time_step, double window, const Vector3& first,
+            const FloorStep& step) {
+  History history;
+  history.acceleration.push_back(first);
+  Quiet quiet(window);
+  const double end = static_cast<double>(ground.steps()) * time_step;
+  for (Eigen::Index i = 0;; ++i) {
+    const double time = static_cast<double>(i) * time_step;
+    if (i >= ground.steps() && quiet.reached(time)) return history;
+    if (time - end >= kLongestTail) break;
+    const Vector3 floor = step(ground.at(i), ground.at(i + 1));
+    history.acceleration.push_back(floor);
+    quiet.see(time + time_step, floor);
+  }
+  history.quiet = false;
+  return history;
+}
+
+struct IsolatedHistory {
+  History floor;
+  IsolatorResponse isolators;
+  bool lifted = false;
+};
+
+IsolatedHistory run_isolated(const Ground& ground, const Building& building, int floor,
+                             double time_step, double window, int substeps) {
+  IsolatedMotion motion(*building.isolation, horizontal(building), time_step / substeps);
+  ModalResponse vertical(building[Direction::kVertical], floor, time_step);
+  std::vector<Vector2> displacement = {Vector2::Zero()};
+  IsolatedHistory result;
+  double largest_input = 0, largest_closure = 0;
+  const auto step = [&](const Vector3& ground0, const Vector3& ground1) {
+    for (int i = 0; i < substeps; ++i) {
+      const Vector3 slope = (ground1 - ground0) / substeps;
+      motion.step(ground0 + i * slope, ground0 + (i + 1) * slope);
+    }
+    displacement.push_back(motion.displacement());
+    const IsolationEnergy energy = motion.energy();
+    largest_input = std::max(largest_input, std::abs(energy.input));
+    largest_closure = std::max(largest_closure, std::abs(energy.closure()));
+    const Vector2 level = motion.floor_acceleration(floor);
+    return Vector3(level.x(), level.y(), vertical.step(ground0.z(), ground1.z()));
+  };
+  const Vector3 first(0, 0, vertical.at_rest(ground.at(0).z()));
+  result.floor = run(ground, time_step, window, first, step);
+
+  IsolatorResponse& isolators = result.isolators;
+  isolators.displacement.resize(2, static_cast<Eigen::Index>(displacement.size()));
+  for (std::size_t i = 0; i < displacement.size(); ++i)
+    isolators.displacement.col(static_cast<Eigen::Index>(i)) = displacement[i];
+  isolators.peak = isolators.displacement.colwise().norm().maxCoeff();
+  isolators.residual = displacement.back();
+  isolators.energy = motion.energy();
+  isolators.energy_error = largest_input > 0 ? largest_closure / largest_input : 0;
+  isolators.time_step = time_step / substeps;
+  result.lifted = motion.lifted();
+  return result;
+}
+
+/// Largest difference of two horizontal motions over the peaks of the second.
+double change(const IsolatedHistory& coarse, const IsolatedHistory& fine) {
+  const std::size_t samples =
+      std::min(coarse.floor.acceleration.size(), fine.floor.acceleration.size());
+  double acceleration = 0, peak = 0, displacement = 0;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const auto column = static_cast<Eigen::Index>(i);
+    const Vector2 a = coarse.floor.acceleration[i].head<2>();
+    const Vector2 b = fine.floor.acceleration[i].head<2>();
+    acceleration = std::max(acceleration, (a - b).norm());
+    peak = std::max(peak, b.norm());
+    displacement = std::max(displacement, (coarse.isolators.displacement.col(column) -
+                                           fine.isolators.displacement.col(column))
+                                              .norm());
+  }
+  const double a = peak > 0 ? acceleration / peak : 0;
+  const double u = fine.isolators.peak > 0 ? displacement / fine.isolators.peak : 0;
+  return std::max(a, u);
+}
+
+IsolatedHistory solve_isolated(const Ground& ground, const Building& building, int floor,
+                               double time_step, double window) {
+  const double largest = IsolatedMotion::largest_step(*building.isolation, horizontal(building));
+  int substeps = std::max(1, static_cast<int>(std::ceil(time_step / largest)));
+  const auto solve = [&] {
+    return run_isolated(ground, building, floor, time_step, window, substeps);
+  };
+  IsolatedHistory coarse = solve();
+  for (int halving = 0;; ++halving) {
+    substeps *= 2;
+    IsolatedHistory fine = solve();
+    fine.isolators.change = change(coarse, fine);
+    if (fine.isolators.change <= kAccuracy || halving + 1 == kMaxHalvings) return fine;
+    coarse = std::move(fine);
+  }
+}
+
+History solve_fixed(const Ground& ground, const Building& building, int floor, double time_step,
+                    double window) {
+  std::vector<ModalResponse> axes;
+  Vector3 first;
+  for (const Direction direction : kDirections) {
+    axes.emplace_back(building[direction], floor, time_step);
+    const int row = static_cast<int>(direction);
+    first[row] = axes.back().at_rest(ground.at(0)[row]);
+  }
+  return run(ground, time_step, window, first, [&](const Vector3& a, const Vector3& b) {
+    return Vector3(axes[0].step(a.x(), b.x()), axes[1].step(a.y(), b.y()),
+                   axes[2].step(a.z(), b.z()));
+  });
+}
+
+std::string period_text(const ModalAxis& axis) {
+  return axis.empty() ? "rigid" : fmt::format("{:.4g} s", 2 * pi / axis.front().omega);
+}
+
+std::string description(const Building& building, int floor) {
+  return fmt::format(
+      "floor {} of building '{}' ({} storeys, {}; first periods of the building above: h1 {}, h2 "
+      "{}, vertical {})",
+      floor, building.name, building.storeys,
+      building.isolation ? building.isolation->name + " isolation" : "fixed base",
+      period_text(building[Direction::kH1]), period_text(building[Direction::kH2]),
+      period_text(building[Direction::kVertical]));
+}
+
+void report_isolators(const IsolatedHistory& history, const Isolation& isolation, Record& floor) {
+  const IsolatorResponse& isolators = history.isolators;
+  floor.processing.push_back(fmt::format(
+      "isolators: peak displacement {:.4g} m, residual {:.3g} m, solved with steps of {:.3g} s; "
+      "the last halving changed the motion by {:.2g} of its peak; energy closes to {:.1g}",
+      isolators.peak, isolators.residual.norm(), isolators.time_step, isolators.change,
+      isolators.energy_error));
+  if (isolators.peak > isolation.capacity)
+    floor.warnings.push_back(fmt::format(
+        "isolators: peak displacement {:.4g} m exceeds the capacity of {:.4g} m; the building "
+        "would strike the moat wall, which is not modelled",
+        isolators.peak, isolation.capacity));
+  if (history.lifted)
+    floor.warnings.push_back(
+        "isolators: the vertical motion takes all load off (below -1 g); uplift is not modelled");
+  if (!(isolators.change <= kAccuracy))
+    floor.warnings.push_back(
+        fmt::format("isolators: the motion still changes by {:.2g} of its peak between steps of "
+                    "{:.3g} s and twice that; wanted: {:g}",
+                    isolators.change, isolators.time_step, kAccuracy));
+}
+
+}  // namespace
+
+BuildingResponse building_response(const Record& ground, const Building& building, int floor) {
+  require(ground.samples() > 1, fmt::format("record '{}' has no component", ground.name));
+  require(floor >= 0 && floor <= building.storeys,
+          fmt::format("building '{}' has no floor {}; floors are 0 (the base) to {} (the roof)",
+                      building.name, floor, building.storeys));
+  BuildingResponse response{ground, {}};
+  Record& record = response.floor;
+  record.name = fmt::format("{}, floor {} of {}", ground.name, floor, building.name);
+  record.processing.push_back(description(building, floor));
+  if (floor == 0 && !building.isolation) return response;
+
+  const auto [shortest, longest] = period_range(building);
+  const double wanted = std::max(shortest, kShortestPeriod) / kSamplesInPeriod;
+  const int refinement =
+      shortest > 0 ? static_cast<int>(std::ceil(ground.time_step() / wanted * (1 - 1e-9))) : 1;
+  const double time_step = ground.time_step() / std::max(refinement, 1);
+  const double window = std::max(longest, kShortestQuiet);
+  const Ground motion(ground, std::max(refinement, 1));
+
+  History history;
+  if (building.isolation) {
+    IsolatedHistory isolated = solve_isolated(motion, building, floor, time_step, window);
+    report_isolators(isolated, *building.isolation, record);
+    response.isolators = std::move(isolated.isolators);
+    history = std::move(isolated.floor);
+  } else {
+    history = solve_fixed(motion, building, floor, time_step, window);
+  }
+
+  const auto samples = static_cast<Eigen::Index>(history.acceleration.size());
+  record.processing.push_back(
+      fmt::format("{:.4g} s of vibration after the ground's last sample; samples every {:.6g} s",
+                  static_cast<double>(samples - 1 - motion.steps()) * time_step, time_step));
+  if (!history.quiet)
+    record.warnings.push_back(fmt::format(
+        "the floor still moves {:g} s after the ground stopped; cut there", kLongestTail));
+  for (const Direction direction : kDirections) {
+    auto& component = record.components[static_cast<std::size_t>(direction)];
+    if (!component) continue;
+    component->time_step = time_step;
+    component->acceleration.resize(samples);
+    for (Eigen::Index i = 0; i < samples; ++i)
+      component->acceleration[i] =
+          history.acceleration[static_cast<std::size_t>(i)][static_cast<int>(direction)];
+  }
+  return response;
+}
+
+Record floor_record(const Record& ground, const Building& building, int floor) {
+  return building_response(ground, building, floor).floor;
+}
+
+}  // namespace gurney

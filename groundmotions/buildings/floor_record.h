@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "groundmotions/buildings/building.h"
+#include "groundmotions/buildings/isolated_motion.h"
+#include "groundmotions/record.h"
+
+namespace gurney {
+
+/// What the isolation layer did.
+struct IsolatorResponse {
+  Eigen::Matrix2Xd displacement;       ///< of the base relative to the ground, at the samples [m]
+  double peak = 0;                     ///< largest |u| at the samples [m]
+  Vector2 residual = Vector2::Zero();  ///< at the end [m]
+  IsolationEnergy energy;              ///< at the end
+  double energy_error = 0;             ///< largest |closure| over the largest input [-]
+  double time_step = 0;                ///< that the layer was solved with [s]
+  double change = 0;  ///< of floor acceleration and displacement at the last halving of it, over
+                      ///< their peaks [-]
+};
+
+struct BuildingResponse {
+  Record floor;
+  std::optional<IsolatorResponse> isolators;  ///< if the building has any
+};
+
+/// The absolute acceleration of one floor under a ground motion.
+///
+/// Components that the ground lacks stay absent and count as rest. The floor's samples are as far
+/// apart as the ground's, or finer by a whole factor: at least 20 in the shortest period of the
+/// building, down to periods of 1/33 s. After the ground's last sample the ground rests and the
+/// building vibrates on, until each component has stayed below 1 % of its peak for the longest
+/// period of the building and 1 s at least; at most for 120 s. Floor 0 of a building without
+/// isolation is the ground, as it is.
+///
+/// Isolated buildings are solved with ever finer steps, until halving the step changes neither the
+/// floor's horizontal acceleration nor the isolators' displacement by more than 0.03 % of their
+/// peaks.
+///
+/// Warnings go to the floor's record: displacement capacity exceeded, isolators unloaded, motion
+/// cut after 120 s, accuracy not reached.
+///
+/// @param floor  0 to building.storeys
+/// @throws Error for another floor and for a ground without components
+BuildingResponse building_response(const Record& ground, const Building& building, int floor);
+
+Record floor_record(const Record& ground, const Building& building, int floor);
+
+}  // namespace gurney

@@ -1,0 +1,158 @@
+#include "groundmotions/buildings/isolated_motion.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "engine/base/units.h"
+
+namespace gurney {
+
+namespace {
+
+constexpr int kMaxIterations = 200;
+constexpr double kTolerance = 1e-13;  ///< of a step's displacement, relative
+
+double load(const Isolation& isolation, double vertical) {
+  return isolation.follows_vertical ? std::max(0.0, 1 + vertical / kStandardGravity) : 1.0;
+}
+
+}  // namespace
+
+IsolatedMotion::IsolatedMotion(const Isolation& isolation, const std::array<ModalAxis, 2>& axes,
+                               double time_step)
+    : isolation_(isolation), h_(time_step) {
+  assert(time_step > 0 && isolation.base_mass_ratio > 0 && isolation.base_mass_ratio < 1);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    free_mass_[axis] = 1;
+    for (const Mode& mode : axes[axis]) {
+      const double mass = (1 - isolation.base_mass_ratio) * mode.effective_mass;
+      modes_[axis].push_back({mode.omega, mode.damping, mass, mode.effective_shape});
+      free_mass_[axis] -= mass;
+    }
+    assert(free_mass_[axis] > 0);
+  }
+}
+
+double IsolatedMotion::largest_step(const Isolation& isolation,
+                                    const std::array<ModalAxis, 2>& axes) {
+  // The fixed point contracts by s / (2 B / h^2 + s), s = q / (2 u_y), B > base_mass_ratio: by 1/3
+  // or better for h^2 <= B / s. One radian of the fastest vibration is six points in a period.
+  const double hysteresis = isolation.fast_strength / (2 * isolation.yield_displacement);
+  double square = isolation.base_mass_ratio / std::max(hysteresis, isolation.stiffness);
+  for (const ModalAxis& axis : axes)
+    for (const Mode& mode : axis) square = std::min(square, 1 / (mode.omega * mode.omega));
+  return std::sqrt(square);
+}
+
+void IsolatedMotion::release(const Vector2& displacement, const Vector2& velocity,
+                             const Vector2& z) {
+  u_ = displacement;
+  v_ = velocity;
+  z_ = z;
+  energy_ = {};
+  energy_.restoring = isolation_.stiffness * u_.squaredNorm() / 2;
+  energy_.input = energy_.restoring + v_.squaredNorm() / 2;
+}
+
+void IsolatedMotion::step(const Vector3& ground0, const Vector3& ground1) {
+  const Vector2 ground = (ground0 + ground1).head<2>() / 2;
+  const double n = load(isolation_, (ground0.z() + ground1.z()) / 2);
+  const double stiffness = n * isolation_.stiffness;
+  const double uy = isolation_.yield_displacement;
+
+  // Modes eliminated: A way = b - n q mean(z), A diagonal.
+  Vector2 a, b, mass;
+  for (int axis = 0; axis < 2; ++axis) {
+    double inertia = 1, known = 0;
+    for (const ModeState& mode : modes_[static_cast<std::size_t>(axis)]) {
+      const double d = 1 + mode.damping * mode.omega * h_ + std::pow(mode.omega * h_ / 2, 2);
+      inertia -= mode.mass / d;
+      known += mode.mass / d * mode.omega *
+               (2 * mode.damping * mode.w + mode.omega * (mode.q + h_ / 2 * mode.w));
+    }
+    mass[axis] = inertia;
+    a[axis] = 2 * inertia / (h_ * h_) + isolation_.viscosity / h_ + stiffness / 2;
+    b[axis] = known - stiffness * u_[axis] - inertia * (ground[axis] - 2 * v_[axis] / h_);
+  }
+
+  const double slope = n * isolation_.fast_strength / (2 * uy);
+  Vector2 way = h_ * v_, push = Vector2::Zero();
+  Sliding sliding{z_, z_};
+  for (int i = 0; i < kMaxIterations; ++i) {
+    sliding = slide(z_, way / uy);
+    push = n * isolation_.strength(way.norm() / h_) * sliding.mean;
+    const Vector2 next = ((b - push + slope * way).array() / (a.array() + slope)).matrix();
+    const double change = (next - way).norm();
+    way = next;
+    if (change <= kTolerance * (way.norm() + h_ * v_.norm())) break;
+  }
+  sliding = slide(z_, way / uy);
+  push = n * isolation_.strength(way.norm() / h_) * sliding.mean;
+
+  const Vector2 mean_velocity = way / h_;
+  const Vector2 acceleration = 2 * (mean_velocity - v_) / h_;
+  energy_.input -= ground.dot(way);
+  energy_.restoring += stiffness * (u_ + way / 2).dot(way);
+  energy_.hysteresis += push.dot(way);
+  energy_.damping += isolation_.viscosity * way.squaredNorm() / h_;
+  for (int axis = 0; axis < 2; ++axis) {
+    double moved = 0;
+    for (const ModeState& mode : modes_[static_cast<std::size_t>(axis)])
+      moved -= mode.mass * mode.q;
+    move_modes(axis, ground[axis] + acceleration[axis]);
+    for (const ModeState& mode : modes_[static_cast<std::size_t>(axis)])
+      moved += mode.mass * mode.q;
+    energy_.input -= ground[axis] * moved;
+  }
+  u_ += way;
+  v_ += h_ * acceleration;
+  z_ = sliding.end;
+  load_ = load(isolation_, ground1.z());
+  lifted_ = lifted_ || !(n > 0);
+}
+
+void IsolatedMotion::move_modes(int axis, double base_acceleration) {
+  for (ModeState& mode : modes_[static_cast<std::size_t>(axis)]) {
+    const double d = 1 + mode.damping * mode.omega * h_ + std::pow(mode.omega * h_ / 2, 2);
+    const double known =
+        mode.omega * (2 * mode.damping * mode.w + mode.omega * (mode.q + h_ / 2 * mode.w));
+    const double mean_velocity = mode.w - h_ / 2 * (base_acceleration + known) / d;
+    mode.q += h_ * mean_velocity;
+    mode.w += 2 * (mean_velocity - mode.w);
+    energy_.damping +=
+        mode.mass * 2 * mode.damping * mode.omega * mean_velocity * mean_velocity * h_;
+  }
+}
+
+Vector2 IsolatedMotion::force() const {
+  return load_ * (isolation_.stiffness * u_ + isolation_.strength(v_.norm()) * z_) +
+         isolation_.viscosity * v_;
+}
+
+Vector2 IsolatedMotion::floor_acceleration(Eigen::Index floor) const {
+  // The base from the forces on it: free_mass a_base = -f - sum_i m_i (a_base + q_i'').
+  Vector2 result = -force();
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto& modes = modes_[static_cast<std::size_t>(axis)];
+    for (const ModeState& mode : modes) result[axis] -= mode.mass * mode.absolute_acceleration();
+    const double base = result[axis] / free_mass_[static_cast<std::size_t>(axis)];
+    result[axis] = base;
+    for (const ModeState& mode : modes)
+      result[axis] += mode.shape[floor] * (mode.absolute_acceleration() - base);
+  }
+  return result;
+}
+
+IsolationEnergy IsolatedMotion::energy() const {
+  IsolationEnergy energy = energy_;
+  energy.kinetic = v_.squaredNorm() / 2;
+  for (int axis = 0; axis < 2; ++axis)
+    for (const ModeState& mode : modes_[static_cast<std::size_t>(axis)]) {
+      energy.kinetic += mode.mass * mode.w * (v_[axis] + mode.w / 2);
+      energy.strain += mode.mass * std::pow(mode.omega * mode.q, 2) / 2;
+    }
+  return energy;
+}
+
+}  // namespace gurney

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "engine/base/config/table.h"
+#include "groundmotions/buildings/isolation.h"
+
+namespace gurney {
+
+/// Reads the table `isolation` of a building; mistakes are noted in the table's document, and a
+/// linear isolation that means nothing is returned.
+Isolation read_isolation(config::Table& table);
+
+}  // namespace gurney

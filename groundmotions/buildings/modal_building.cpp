@@ -1,0 +1,70 @@
+#include "groundmotions/buildings/modal_building.h"
+
+#include <Eigen/Eigenvalues>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace gurney {
+
+ModalAxis modes_of(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
+                   const Eigen::MatrixXd& floors) {
+  assert(mass.size() > 0 && mass.minCoeff() > 0 && stiffness.rows() == mass.size());
+  const Eigen::MatrixXd mass_matrix = mass.asDiagonal();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, mass_matrix);
+  assert(solver.info() == Eigen::Success && solver.eigenvalues()[0] > 0);
+  ModalAxis axis;
+  for (Eigen::Index i = 0; i < mass.size(); ++i) {
+    const Eigen::VectorXd shape = solver.eigenvectors().col(i);  // phi' M phi = 1
+    const double participation = shape.dot(mass);
+    Mode mode;
+    mode.omega = std::sqrt(solver.eigenvalues()[i]);
+    mode.effective_shape = Eigen::VectorXd::Zero(floors.rows() + 1);
+    mode.effective_shape.tail(floors.rows()) = participation * floors * shape;
+    mode.effective_mass = participation * participation / mass.sum();
+    axis.push_back(std::move(mode));
+  }
+  return axis;
+}
+
+ModalAxis modes_of(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness) {
+  return modes_of(mass, stiffness, Eigen::MatrixXd::Identity(mass.size(), mass.size()));
+}
+
+void scale_to_period(ModalAxis& axis, double period) {
+  assert(!axis.empty() && period > 0);
+  const double factor = 2 * std::numbers::pi / period / axis.front().omega;
+  for (Mode& mode : axis) mode.omega *= factor;
+}
+
+void set_damping(ModalAxis& axis, double ratio) {
+  for (Mode& mode : axis) mode.damping = ratio;
+}
+
+void set_rayleigh_damping(ModalAxis& axis, double ratio, std::size_t first, std::size_t second) {
+  const double a = axis.at(first).omega, b = axis.at(second).omega;
+  for (Mode& mode : axis) mode.damping = ratio / (a + b) * (a * b / mode.omega + mode.omega);
+}
+
+ModalResponse::ModalResponse(const ModalAxis& axis, Eigen::Index floor, double time_step)
+    : axis_(axis), floor_(floor) {
+  for (const Mode& mode : axis) {
+    assert(floor >= 0 && floor < mode.effective_shape.size());
+    rigid_share_ -= mode.effective_shape[floor];
+    oscillators_.emplace_back(mode.omega, mode.damping, time_step);
+  }
+}
+
+double ModalResponse::step(double base0, double base1) {
+  double acceleration = rigid_share_ * base1;
+  for (std::size_t i = 0; i < axis_.size(); ++i) {
+    const Mode& mode = axis_[i];
+    Oscillator& q = oscillators_[i];
+    q.step(-base0, -base1);
+    acceleration -= mode.effective_shape[floor_] * (2 * mode.damping * mode.omega * q.velocity() +
+                                                    mode.omega * mode.omega * q.displacement());
+  }
+  return acceleration;
+}
+
+}  // namespace gurney

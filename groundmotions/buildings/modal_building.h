@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "groundmotions/oscillator.h"
+
+namespace gurney {
+
+/// One mode of a linear building along one direction. With phi its shape, 1 a vector of ones and
+/// Gamma = phi' M 1 / (phi' M phi), the floors move by Gamma phi q relative to the base, and
+///
+///     q'' + 2 zeta omega q' + omega^2 q = -a_base     (Chopra, Dynamics of Structures, ch. 13)
+struct Mode {
+  double omega = 0;                 ///< > 0 [rad/s]
+  double damping = 0;               ///< zeta in [0, 1)
+  Eigen::VectorXd effective_shape;  ///< Gamma phi at floors 0 (the base: 0) to n [-]
+  double effective_mass = 0;        ///< Gamma phi' M 1 as a share of the building's mass, in [0, 1]
+};
+
+/// A linear building along one direction, by its modes in rising order; without modes it is rigid.
+/// Modes that are left out follow the base rigidly: they have no relative acceleration, so no mass
+/// is missing.
+using ModalAxis = std::vector<Mode>;
+
+/// Modes of lumped masses on springs, without damping, from K phi = omega^2 M phi.
+/// @param mass       of each degree of freedom > 0 [kg]
+/// @param stiffness  symmetric positive definite [N/m]
+/// @param floors     one row for each floor above the base: its displacement in the degrees of
+///                   freedom; a row sums to 1
+ModalAxis modes_of(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
+                   const Eigen::MatrixXd& floors);
+ModalAxis modes_of(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness);
+
+/// All frequencies times one factor, so that the first period is `period` > 0 [s].
+void scale_to_period(ModalAxis& axis, double period);
+
+void set_damping(ModalAxis& axis, double ratio);
+
+/// Rayleigh damping, zeta_i = alpha / (2 omega_i) + beta omega_i / 2, with `ratio` at the two modes
+/// (Chopra, section 11.4.1).
+/// @param first, second  indices of modes with different frequencies
+void set_rayleigh_damping(ModalAxis& axis, double ratio, std::size_t first, std::size_t second);
+
+/// The absolute acceleration of one floor,
+///
+///     a = a_base + sum_i Gamma_i phi_i q_i'',
+///
+/// with the exact step for a base acceleration that is linear between samples.
+class ModalResponse {
+ public:
+  /// @param floor      0 (the base) to the number of storeys
+  /// @param time_step  > 0 [s]
+  ModalResponse(const ModalAxis& axis, Eigen::Index floor, double time_step);
+
+  /// Moves on by one time step; the floor's absolute acceleration at its end [m/s2].
+  /// @param base0, base1  acceleration of the base at the begin and the end of the step [m/s2]
+  double step(double base0, double base1);
+
+  /// The floor's acceleration at rest under a sudden acceleration of the base: that of the modes
+  /// left out [m/s2].
+  double at_rest(double base) const { return rigid_share_ * base; }
+
+ private:
+  ModalAxis axis_;
+  Eigen::Index floor_;
+  double rigid_share_ = 1;  ///< 1 - sum Gamma phi
+  std::vector<Oscillator> oscillators_;
+};
+
+}  // namespace gurney

@@ -1,0 +1,166 @@
+#include "groundmotions/buildings/building_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/error_text.h"
+#include "tests/support/key_table.h"
+
+namespace gurney {
+namespace {
+
+using std::numbers::pi;
+using testing::HasSubstr;
+
+Building read(const std::string& text) {
+  config::Document document(text, "b.toml");
+  config::Table table = document.root();
+  const Building building = read_building(table);
+  document.finish();
+  return building;
+}
+
+std::string mistakes(const std::string& text) {
+  return error_text([&] { read(text); });
+}
+
+const std::string kShear =
+    "kind = 'shear'\nstoreys = 3\nperiod_s = [0.5, 0.6]\ndamping_ratio = 0.05\n";
+
+TEST(BuildingReader, ReadsAShearBuilding) {
+  const Building building = read(kShear);
+  EXPECT_EQ(building.storeys, 3);
+  ASSERT_EQ(building[Direction::kH1].size(), 3U);
+  EXPECT_NEAR(building[Direction::kH1][0].omega, 2 * pi / 0.5, 1e-12);
+  EXPECT_NEAR(building[Direction::kH2][0].omega, 2 * pi / 0.6, 1e-12);
+  EXPECT_EQ(building[Direction::kH2][2].damping, 0.05);
+  EXPECT_TRUE(building[Direction::kVertical].empty());
+  EXPECT_FALSE(building.isolation.has_value());
+}
+
+TEST(BuildingReader, ReadsStoreyStiffnesses) {
+  const Building building = read(
+      "kind = 'shear'\nstoreys = 2\ndamping_ratio = 0.05\nmodes = 1\n"
+      "storey_mass_kg = [1e5, 1e5]\nstorey_stiffness_h1_n_per_m = [1e8, 1e8]\n"
+      "storey_stiffness_h2_n_per_m = [4e8, 4e8]\n");
+  ASSERT_EQ(building[Direction::kH1].size(), 1U);
+  const double omega = 2 * std::sqrt(1e3) * std::sin(pi / 10);
+  EXPECT_NEAR(building[Direction::kH1][0].omega, omega, 1e-10);
+  EXPECT_NEAR(building[Direction::kH2][0].omega, 2 * omega, 1e-10);
+}
+
+TEST(BuildingReader, ReadsModes) {
+  const Building building = read(
+      "kind = 'modal'\nstoreys = 2\n"
+      "h1 = [{ period_s = 0.5, damping_ratio = 0.05, effective_shape = [0.7, 1.2] }]\n"
+      "vertical = [{ period_s = 0.1, damping_ratio = 0.02, effective_shape = [1, 1] }]\n");
+  EXPECT_EQ(building[Direction::kH1][0].effective_shape, Eigen::Vector3d(0, 0.7, 1.2));
+  EXPECT_NEAR(building[Direction::kH1][0].omega, 4 * pi, 1e-12);
+  EXPECT_TRUE(building[Direction::kH2].empty());
+  EXPECT_EQ(building[Direction::kVertical].size(), 1U);
+}
+
+TEST(BuildingReader, ReadsIsolation) {
+  const Building lead = read(kShear +
+                             "[isolation]\nkind = 'lead_rubber'\nperiod_s = 2.5\n"
+                             "strength_ratio = 0.06\nyield_displacement_mm = 10\n"
+                             "base_mass_ratio = 0.2\ndisplacement_capacity_mm = 500\n");
+  ASSERT_TRUE(lead.isolation.has_value());
+  EXPECT_EQ(lead.isolation->yield_displacement, 0.01);
+  EXPECT_EQ(lead.isolation->capacity, 0.5);
+  EXPECT_EQ(lead.isolation->base_mass_ratio, 0.2);
+  const Building pendulum = read(kShear +
+                                 "[isolation]\nkind = 'friction_pendulum'\nradius_m = 2\n"
+                                 "friction_slow = 0.03\nfriction_fast = 0.06\n"
+                                 "friction_rate_s_per_m = 50\nvertical_load = false\n"
+                                 "base_mass_ratio = 0.2\n");
+  EXPECT_EQ(pendulum.isolation->strength_rate, 50);
+  EXPECT_FALSE(pendulum.isolation->follows_vertical);
+  EXPECT_TRUE(std::isinf(pendulum.isolation->capacity));
+}
+
+TEST(BuildingReader, ShippedBuildingsAreRead) {
+  const std::string folder = std::string(SOURCE_DIR) + "/groundmotions/buildings/";
+  const Building fixed = building_from_file(folder + "concrete_hospital.toml");
+  EXPECT_EQ(fixed.storeys, 4);
+  EXPECT_NEAR(2 * pi / fixed[Direction::kH1][0].omega, 0.565, 1e-3);
+  EXPECT_EQ(fixed[Direction::kVertical].size(), 8U);
+  const Building lead = building_from_file(folder + "lead_rubber_hospital.toml");
+  EXPECT_EQ(lead.isolation->name, "lead rubber");
+  const Building pendulum = building_from_file(folder + "friction_pendulum_hospital.toml");
+  EXPECT_NEAR(2 * pi / std::sqrt(pendulum.isolation->stiffness), 3, 1e-3);
+}
+
+TEST(BuildingReader, FloorsAreNumbersOrTheRoof) {
+  const Building building = read(kShear);
+  const auto floor = [&](const std::string& text) {
+    config::Document document(text, "b.toml");
+    config::Table table = document.root();
+    const int result = read_floor(table, building);
+    document.finish();
+    return result;
+  };
+  EXPECT_EQ(floor("floor = 0"), 0);
+  EXPECT_EQ(floor("floor = 3"), 3);
+  EXPECT_EQ(floor("floor = 'roof'"), 3);
+  EXPECT_EQ(error_text([&] { floor("floor = 4"); }),
+            "b.toml:1:9: floor = 4: must be a whole number in 0..3");
+  EXPECT_EQ(error_text([&] { floor("floor = 'rof'"); }),
+            "b.toml:1:9: floor = \"rof\": must be one of roof; did you mean 'roof'?");
+}
+
+TEST(BuildingReader, SaysEveryMistakeInOnePass) {
+  EXPECT_EQ(mistakes("kind = 'shaer'\nstoreys = 0\n"),
+            "b.toml:1:1: damping_ratio: missing; must be a finite number >= 0 and <= 0.99\n"
+            "b.toml:1:1: period_s: missing; must be a finite number > 0\n"
+            "b.toml:1:8: kind = \"shaer\": must be one of shear, generic, modal; did you mean "
+            "'shear'?\n"
+            "b.toml:2:11: storeys = 0: must be a whole number in 1..200");
+}
+
+TEST(BuildingReader, RefusesKeysThatContradictEachOther) {
+  EXPECT_THAT(mistakes(kShear + "storey_stiffness_h1_n_per_m = [1, 1, 1]\n"
+                                "storey_stiffness_h2_n_per_m = [1, 1, 1]\n"),
+              testing::AllOf(HasSubstr("period_s: must not be given with storey stiffnesses"),
+                             HasSubstr("storey_mass_kg: missing; storey stiffnesses need masses")));
+  const std::string generic = "kind = 'generic'\nstoreys = 3\ndamping_ratio = 0.05\n";
+  EXPECT_THAT(mistakes(generic + "period_s = 1\nframe = 'other'\nheight_m = 9\n"),
+              HasSubstr("period_s: must not be given with frame"));
+  EXPECT_THAT(mistakes(generic + "period_s = 1\nheight_m = 9\n"),
+              HasSubstr("height_m: must not be given with period_s"));
+}
+
+TEST(BuildingReader, RefusesImpossibleValues) {
+  EXPECT_THAT(mistakes(kShear + "rayleigh_modes = [2, 1]\n"),
+              HasSubstr("b.toml:5:18: rayleigh_modes = [2, 1]: must be two whole numbers, the "
+                        "first lower"));
+  // With omega_2 = 2.998 omega_1, omega_8 = 14.79 omega_1: 0.3 (2.998 / 14.79 + 14.79) / 3.998
+  // = 1.12.
+  EXPECT_EQ(mistakes("kind = 'shear'\nstoreys = 40\nperiod_s = 4\ndamping_ratio = 0.3\n"
+                     "rayleigh_modes = [1, 2]\n"),
+            "b.toml:5:18: rayleigh_modes: gives mode 8 the damping ratio 1.12; must be below 1: "
+            "choose a higher second mode, or fewer `modes`");
+  EXPECT_THAT(mistakes(kShear + "[isolation]\nkind = 'friction_pendulum'\nradius_m = 2\n"
+                                "friction_slow = 0.07\nfriction_fast = 0.06\n"
+                                "friction_rate_s_per_m = 50\nbase_mass_ratio = 0.2\n"),
+              HasSubstr("isolation.friction_fast = 0.06: must be at least friction_slow = 0.07"));
+  const std::string mode = "{ damping_ratio = 0.05, effective_shape = [1], ";
+  EXPECT_THAT(mistakes("kind = 'modal'\nstoreys = 1\nh1 = [" + mode + "period_s = 0.5 }, " + mode +
+                       "period_s = 0.6 }]\n"),
+              HasSubstr("h1[1].period_s = 0.6: must be shorter than that of the mode before, 0.5"));
+  EXPECT_THAT(mistakes("kind = 'modal'\nstoreys = 1\nh1 = [" + mode +
+                       "period_s = 0.5 }]\n[isolation]\nkind = 'linear'\nperiod_s = 2\n"
+                       "damping_ratio = 0.1\nbase_mass_ratio = 0.2\n"),
+              HasSubstr("h1: effective_mass_ratio must be > 0 for each mode of an isolated"));
+}
+
+TEST(BuildingReader, UnknownKeysAreMistakes) {
+  EXPECT_THAT(mistakes(kShear + "storey = 3\n"), HasSubstr("storey"));
+  EXPECT_THAT(mistakes(kShear + "dampin_ratio = 3\n"), HasSubstr("did you mean 'damping_ratio'?"));
+}
+
+}  // namespace
+}  // namespace gurney

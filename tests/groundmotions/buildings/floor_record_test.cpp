@@ -1,0 +1,182 @@
+#include "groundmotions/buildings/floor_record.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "groundmotions/buildings/generic_building.h"
+#include "groundmotions/buildings/shear_building.h"
+#include "groundmotions/synthetic.h"
+#include "tests/support/expect_error.h"
+
+namespace gurney {
+namespace {
+
+using std::numbers::pi;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const Record& ground() {
+  static const Record kRecord = synthetic_record(shipped_synthetic_motion());
+  return kRecord;
+}
+
+Building two_storeys() {
+  ModalAxis axis = modes_of(Eigen::Vector2d(1, 1), shear_stiffness(Eigen::Vector2d(1, 1)));
+  scale_to_period(axis, 0.5);
+  set_damping(axis, 0.05);
+  const ModalAxis slab = vertical_modes(2, {.floor_omega = 2 * pi * 10,
+                                            .column_omega = std::numeric_limits<double>::infinity(),
+                                            .damping = 0.03,
+                                            .mass_share = 0.6});
+  return {"House", 2, {axis, axis, slab}, {}};
+}
+
+Building isolated(Isolation isolation) {
+  Building building = two_storeys();
+  building.isolation = isolation;
+  building.isolation->base_mass_ratio = 0.3;
+  return building;
+}
+
+const Eigen::VectorXd& samples(const Record& record, Direction direction) {
+  return record[direction]->acceleration;
+}
+
+TEST(FloorRecord, GroundFloorIsTheGround) {
+  const Record floor = floor_record(ground(), two_storeys(), 0);
+  for (const Direction direction : kDirections)
+    EXPECT_EQ(samples(floor, direction), samples(ground(), direction));
+  EXPECT_EQ(floor.name, "synthetic 1, floor 0 of House");
+  EXPECT_THAT(floor.processing,
+              ElementsAre("floor 0 of building 'House' (2 storeys, fixed base; first periods of "
+                          "the building above: h1 0.5 s, h2 0.5 s, vertical 0.1 s)"));
+}
+
+TEST(FloorRecord, ARigidBuildingMovesAsTheGround) {
+  const Building rigid{"Block", 3, {}, {}};
+  const Record floor = floor_record(ground(), rigid, 3);
+  for (const Direction direction : kDirections)
+    EXPECT_EQ(samples(floor, direction).head(ground().samples()), samples(ground(), direction));
+}
+
+// Each axis alone by ModalResponse, at the finer samples the vertical mode of 0.1 s asks for:
+// 0.1 / 20 = 0.005 s is the ground's own step.
+TEST(FloorRecord, EachAxisIsItsModalResponse) {
+  const Building building = two_storeys();
+  const Record floor = floor_record(ground(), building, 2);
+  EXPECT_EQ(floor.time_step(), ground().time_step());
+  for (const Direction direction : kDirections) {
+    ModalResponse response(building[direction], 2, floor.time_step());
+    const Eigen::VectorXd& input = samples(ground(), direction);
+    for (Eigen::Index i = 0; i + 1 < input.size(); ++i)
+      ASSERT_EQ(samples(floor, direction)[i + 1], response.step(input[i], input[i + 1]));
+  }
+}
+
+TEST(FloorRecord, SamplesAreFineEnoughForTheShortestPeriod) {
+  Building building = two_storeys();
+  building.axes[2][0].omega = 2 * pi * 25;  // 0.04 s / 20 = 0.002 s: a third of 0.005 s
+  const Record floor = floor_record(ground(), building, 1);
+  EXPECT_NEAR(floor.time_step(), 0.005 / 3, 1e-15);
+  building.axes[2][0].omega = 2 * pi * 1000;  // counts as 1/33 s: 0.0015 s, a quarter
+  EXPECT_NEAR(floor_record(ground(), building, 1).time_step(), 0.005 / 4, 1e-15);
+}
+
+// The tail: quiet for one period of 1 s at least, and louder than 1 % before that.
+TEST(FloorRecord, VibratesOnUntilItIsQuiet) {
+  Building building = two_storeys();
+  building.axes[2].clear();
+  set_damping(building.axes[0], 0.01);
+  const Record floor = floor_record(ground(), building, 2);
+  ASSERT_GT(floor.samples(), ground().samples() + 200);
+  const Eigen::VectorXd& roof = samples(floor, Direction::kH1);
+  const double quiet = 0.01 * roof.cwiseAbs().maxCoeff();
+  EXPECT_LE(roof.tail(200).cwiseAbs().maxCoeff(), quiet);
+  EXPECT_GT(roof.tail(203).cwiseAbs().maxCoeff(), quiet);
+  EXPECT_THAT(floor.warnings, IsEmpty());
+  EXPECT_THAT(floor.processing.back(), HasSubstr("s of vibration after the ground's last sample; "
+                                                 "samples every 0.005 s"));
+}
+
+TEST(FloorRecord, MotionThatNeverEndsIsCut) {
+  Building building = two_storeys();
+  set_damping(building.axes[0], 0);
+  const Record floor = floor_record(ground(), building, 2);
+  EXPECT_NEAR(static_cast<double>(floor.samples() - ground().samples()) * 0.005, 120, 0.01);
+  EXPECT_THAT(floor.warnings,
+              ElementsAre("the floor still moves 120 s after the ground stopped; cut there"));
+}
+
+TEST(FloorRecord, ComponentsStayWhatTheyAre) {
+  Record one = ground();
+  one.components[1].reset();
+  one.components[2].reset();
+  one.components[0]->azimuth = 1.25;
+  const Record floor = floor_record(one, two_storeys(), 1);
+  EXPECT_FALSE(floor[Direction::kH2].has_value());
+  EXPECT_FALSE(floor[Direction::kVertical].has_value());
+  EXPECT_EQ(floor[Direction::kH1]->azimuth, 1.25);
+}
+
+TEST(FloorRecord, IsolationIsSolvedToItsAccuracyAndSaysSo) {
+  Isolation bearing = lead_rubber(2.5, 0.06, 0.01, 0.03);
+  bearing.capacity = 0.1;
+  const BuildingResponse response = building_response(ground(), isolated(bearing), 2);
+  ASSERT_TRUE(response.isolators.has_value());
+  const IsolatorResponse& isolators = *response.isolators;
+  EXPECT_LE(isolators.change, 3e-4);
+  EXPECT_LT(isolators.energy_error, 1e-9);
+  EXPECT_GT(isolators.peak, 0.1);
+  EXPECT_EQ(isolators.displacement.cols(), response.floor.samples());
+  EXPECT_EQ(isolators.peak, isolators.displacement.colwise().norm().maxCoeff());
+  ASSERT_EQ(response.floor.processing.size(), 3U);
+  EXPECT_THAT(response.floor.processing[0], HasSubstr("lead rubber isolation"));
+  EXPECT_THAT(response.floor.processing[1], HasSubstr("isolators: peak displacement 0."));
+  EXPECT_THAT(response.floor.warnings,
+              ElementsAre(testing::MatchesRegex(
+                  "isolators: peak displacement 0\\..* m exceeds the capacity of 0.1 m; the "
+                  "building would strike the moat wall, which is not modelled")));
+
+  // At any order >= 1 the last change bounds what is lacking; steps 16 times as fine lack nothing.
+  const Building building = isolated(bearing);
+  IsolatedMotion fine(*building.isolation, {building.axes[0], building.axes[1]},
+                      isolators.time_step / 16);
+  const auto substeps =
+      static_cast<int>(std::lround(16 * response.floor.time_step() / isolators.time_step));
+  const auto level = [](const Record& record, Eigen::Index i) {
+    return Vector3(samples(record, Direction::kH1)[i], samples(record, Direction::kH2)[i], 0);
+  };
+  double worst = 0, peak = 0;
+  for (Eigen::Index i = 0; i + 1 < ground().samples(); ++i) {
+    const Vector3 a = level(ground(), i), b = level(ground(), i + 1);
+    for (int j = 0; j < substeps; ++j)
+      fine.step(a + (b - a) * j / substeps, a + (b - a) * (j + 1) / substeps);
+    const Vector2 exact = fine.floor_acceleration(2);
+    worst = std::max(worst, (level(response.floor, i + 1).head<2>() - exact).norm());
+    peak = std::max(peak, exact.norm());
+  }
+  EXPECT_LT(worst, isolators.change * peak);
+}
+
+TEST(FloorRecord, UnloadedPendulumsWarn) {
+  Record strong = ground();
+  strong.components[2]->acceleration *= 8;
+  const Record floor =
+      floor_record(strong, isolated(friction_pendulum(2, 0.03, 0.06, 50, 1e-3)), 0);
+  EXPECT_THAT(floor.warnings, testing::Contains(HasSubstr("takes all load off (below -1 g)")));
+}
+
+TEST(FloorRecord, RefusesAFloorThatIsNotThere) {
+  EXPECT_ERROR(floor_record(ground(), two_storeys(), 3),
+               "building 'House' has no floor 3; floors are 0 (the base) to 2 (the roof)");
+  EXPECT_ERROR(floor_record(ground(), two_storeys(), -1), "has no floor -1");
+  EXPECT_ERROR(floor_record(Record{"empty", {}, {}, {}}, two_storeys(), 1),
+               "record 'empty' has no component");
+}
+
+}  // namespace
+}  // namespace gurney
