@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "groundmotions/formats/numbers.h"
 
@@ -52,8 +53,12 @@ std::optional<FortranFormat> fortran_format(std::string_view spelling) {
     if (c != ' ') text += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   std::string_view rest = text;
   if (rest.starts_with('(') && rest.ends_with(')')) rest = rest.substr(1, rest.size() - 2);
-  if (rest.starts_with("1P")) rest.remove_prefix(rest.starts_with("1P,") ? 3 : 2);
   FortranFormat format{.text = std::string(rest)};
+  if (rest.size() > 3 && rest.substr(1, 2) == "X,") {
+    format.skip = take_count(rest).value_or(0);
+    rest.remove_prefix(2);
+  }
+  if (rest.starts_with("1P")) rest.remove_prefix(rest.starts_with("1P,") ? 3 : 2);
   format.per_line = take_count(rest).value_or(1);
   if (rest.empty() || std::string_view("FEGDI").find(rest[0]) == std::string_view::npos) return {};
   format.kind = rest[0] == 'I' || rest[0] == 'F' ? rest[0] : 'E';
@@ -89,16 +94,27 @@ std::vector<double> FieldReader::read(std::size_t& line, std::size_t count,
   return values;
 }
 
+bool FieldReader::fits(std::size_t line, std::size_t count, const FortranFormat& format) const {
+  Mistakes mistakes(file_.name());
+  std::vector<double> values;
+  return line < file_.lines().size() &&
+         read_fields(line, count, format, EmptyField::kMistake, mistakes, values);
+}
+
 bool FieldReader::read_fields(std::size_t index, std::size_t count, const FortranFormat& format,
                               EmptyField empty, Mistakes& mistakes,
                               std::vector<double>& values) const {
   const std::string_view line = file_.lines()[index];
-  const std::size_t end = count * format.width;
+  const std::size_t end = format.skip + count * format.width;
   std::vector<double> numbers;
-  for (std::size_t begin = 0; begin < end; begin += format.width) {
+  for (std::size_t begin = format.skip; begin < end; begin += format.width) {
     const auto field = begin < line.size() ? line.substr(begin, format.width) : "";
     if (empty == EmptyField::kZero && trimmed(field).empty()) {
       numbers.push_back(0);
+      continue;
+    }
+    if (empty == EmptyField::kZero && field.find("***") != std::string_view::npos) {
+      numbers.push_back(std::numeric_limits<double>::quiet_NaN());
       continue;
     }
     const auto value = field_number(field, format.kind);

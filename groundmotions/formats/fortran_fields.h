@@ -15,15 +15,17 @@ namespace gurney {
 struct FortranFormat {
   std::size_t per_line = 0;  ///< numbers on a line
   std::size_t width = 0;     ///< characters of each
+  std::size_t skip = 0;      ///< characters before the first
   char kind = 'F';           ///< 'F', 'E' or 'I'
   std::string text;          ///< as it was written, in capitals: "8F10.3"
 };
 
-/// The format that a spelling such as "(8f9.6)", "8F10.3", "5e14.7" or "1P5E14.7" means; nothing
-/// for any other, also for several formats in one such as "(2(F8.3,F9.6))".
+/// The format that a spelling such as "(8f9.6)", "8F10.3", "5e14.7", "1P5E14.7" or "1X,10F7.3"
+/// means; nothing for any other, also for several formats in one such as "(2(F8.3,F9.6))".
 std::optional<FortranFormat> fortran_format(std::string_view spelling);
 
-/// What an empty field of a line is.
+/// What an empty field is: a mistake as among samples, or 0 as in a header, where `****` (a number
+/// too long for its field) is NaN.
 enum class EmptyField { kMistake, kZero };
 
 /// Reads numbers from fixed columns, where they may stick together: "9012001" in 2I5 is 90 and
@@ -39,6 +41,9 @@ class FieldReader {
   /// @returns `count` finite numbers, fewer if there were mistakes.
   std::vector<double> read(std::size_t& line, std::size_t count, const FortranFormat& format,
                            EmptyField empty, std::string_view what);
+
+  /// Whether a line (index from 0) holds `count` numbers in just this format.
+  bool fits(std::size_t line, std::size_t count, const FortranFormat& format) const;
 
  private:
   bool read_fields(std::size_t line, std::size_t count, const FortranFormat& format,
