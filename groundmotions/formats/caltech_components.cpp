@@ -44,7 +44,10 @@ class ChannelReader {
     take_samples(channel, *series, component);
     if (mistakes_.any()) return component;
     component.acceleration *= unit.to_si;
-    check(channel, component);
+    check_length(channel.reals[channel.corrected() ? 59 : 2], channel.first_line + 1, component,
+                 mistakes_);
+    check_step(channel, component);
+    check_peak_of(channel, *series, unit.to_si, component);
     orient(channel, component);
     state_facts(channel, component);
     return component;
@@ -96,23 +99,29 @@ class ChannelReader {
     }
   }
 
-  void check(const CaltechChannel& channel, Component& component) {
-    const bool corrected = channel.corrected();
-    check_length(channel.reals[corrected ? 59 : 2], channel.first_line + 1, component, mistakes_);
-    const double step = channel.reals[60 % channel.reals.size()];
-    if (corrected && step > 0 && std::abs(step - component.time_step) > 1e-3 * step)
+  void check_step(const CaltechChannel& channel, Component& component) const {
+    const double step = channel.corrected() ? channel.reals[60] : 0;
+    if (step > 0 && std::abs(step - component.time_step) > 1e-3 * step)
       component.warnings.push_back(
           fmt::format("real number 61 of the header states a time step of {} s, but the line above "
                       "the samples {} s, which was taken",
                       step, component.time_step));
+  }
+
+  void check_peak_of(const CaltechChannel& channel, const CaltechSeries& series, double to_si,
+                     Component& component) {
+    const bool corrected = channel.corrected();
     const auto at = channel.find(corrected ? "PEAK ACCELERATION" : "UNITS OF UNCOR");
     const auto peak = at ? number_after(channel.text[*at], corrected ? "PEAK ACCELERATION" : "MAX")
                          : std::nullopt;
     if (!peak) return;
     const double size = std::abs(*peak) * (corrected ? 0.01 : kStandardGravity);
     const double rounding = corrected ? kPeakOfVolume2 : kPeakOfVolume1 * kStandardGravity;
-    check_peak({size, std::max(rounding, kPeakShare * size), line_of(channel, at)}, component,
-               mistakes_);
+    const Eigen::VectorXd samples =
+        to_si * Eigen::Map<const Eigen::VectorXd>(series.values.data(),
+                                                  static_cast<Eigen::Index>(series.values.size()));
+    check_peak({size, std::max(rounding, kPeakShare * size), line_of(channel, at)}, samples,
+               component, mistakes_);
   }
 
   /// "CHAN  1:  90 DEG  (STA CHN: 14)" of CSMIP, "COMP N08W" of USC.
@@ -164,8 +173,8 @@ class ChannelReader {
     state("station", corrected ? 6 : 5);
     state("station line", corrected ? 5 : 4);
     for (const auto& [name, key] :
-         {std::pair{"filter", "FILTERED"}, std::pair{"peak", "PEAK ACCEL"},
-          std::pair{"trigger", "TRIGGER TIME"}})
+         {std::pair{"filter", "FILTERED"}, std::pair{"peak", "UNITS OF UNCOR"},
+          std::pair{"peak", "PEAK ACCEL"}, std::pair{"trigger", "TRIGGER TIME"}})
       if (const auto at = channel.find(key)) state(name, *at);
     if (channel.series.size() > 1)
       component.header.emplace_back("also in the file", "velocity, displacement");

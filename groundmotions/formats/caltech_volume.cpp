@@ -18,7 +18,8 @@ constexpr std::size_t kMostTextLines = 40;  ///< 13 in volume 1, 25 in volume 2
 constexpr double kMostSamples = 1e7;
 constexpr auto kNone = std::string_view::npos;
 
-/// Formats of samples in the order they are tried; the first that fits the first line is taken.
+/// Formats of samples in the order they are tried; the first that fits the first line is taken,
+/// or else (that line has a mistake) the first of its length.
 constexpr std::array kSampleFormats = {"8F10.3", "8F9.6", "10F8.3", "10F7.3"};
 constexpr std::array kPairFormats = {"10F7.3", "1X,10F7.3", "8F7.3", "1X,8F7.3", "8F10.3"};
 
@@ -159,6 +160,11 @@ class VolumeReader {
     for (const char* candidate : candidates) {
       const FortranFormat format = *fortran_format(candidate);
       if (fields_.fits(line_, std::min(count, format.per_line), format)) return format;
+    }
+    const auto text = line(line_).substr(0, line(line_).find_last_not_of(' ') + 1);
+    for (const char* candidate : candidates) {
+      const FortranFormat format = *fortran_format(candidate);
+      if (text.size() == format.skip + format.per_line * format.width) return format;
     }
     return *fortran_format(candidates[0]);
   }

@@ -51,7 +51,7 @@ class ChannelReader {
     check_length(channel.real(63).value_or(0), line_, component, mistakes_);
     if (const auto peak = channel.real(64); peak && *peak != 0) {
       const double size = std::abs(*peak) * to_si;
-      check_peak({size, kPeakRounding * size, line_}, component, mistakes_);
+      check_peak({size, kPeakRounding * size, line_}, component.acceleration, component, mistakes_);
     }
     orient(channel, component);
     state_facts(channel, component);

@@ -111,8 +111,8 @@ double agreed_time_step(const std::optional<double>& stated, std::size_t line,
   return step;
 }
 
-void check_peak(const StatedPeak& peak, Component& component, Mistakes& mistakes) {
-  const auto& a = component.acceleration;
+void check_peak(const StatedPeak& peak, const Eigen::VectorXd& a, Component& component,
+                Mistakes& mistakes) {
   const double raw = a.cwiseAbs().maxCoeff();
   const double centred = (a.array() - a.mean()).abs().maxCoeff();
   const double found = std::abs(raw - peak.size) <= std::abs(centred - peak.size) ? raw : centred;

@@ -39,7 +39,9 @@ struct StatedPeak {
 
 /// A warning if the samples, as they are or without their mean, have another peak; a mistake if
 /// theirs is not within a factor of 1.5.
-void check_peak(const StatedPeak& peak, Component& component, Mistakes& mistakes);
+/// @param samples  as the file has them [m/s2]
+void check_peak(const StatedPeak& peak, const Eigen::VectorXd& samples, Component& component,
+                Mistakes& mistakes);
 
 /// A warning if a record of this many samples has not the length its header states; a mistake if
 /// it is not within a factor of 1.5.
