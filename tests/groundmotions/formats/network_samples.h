@@ -108,8 +108,8 @@ struct CosmosSample {
   std::string announcement =
       "      10 acceleration pts, approx    0 secs, units=cm/sec2(04),"
       "Format=(8f10.5)";
-  std::vector<std::pair<int, int>> integers;  ///< number from 1, value
-  std::vector<std::pair<int, double>> reals;
+  std::vector<std::pair<int, int>> integers = {};  ///< number from 1, value
+  std::vector<std::pair<int, double>> reals = {};
   double scale = 980.665;
 };
 
