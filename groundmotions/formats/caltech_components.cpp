@@ -125,14 +125,15 @@ class ChannelReader {
   }
 
   /// "CHAN  1:  90 DEG  (STA CHN: 14)" of CSMIP, "COMP N08W" of USC.
-  static std::string label_of(const CaltechChannel& channel) {
-    for (const std::string& text : channel.text) {
-      const std::string_view line = trimmed(text);
-      if (line.starts_with("CHAN") && line.find(':') != kNone) {
+  std::string label_of(const CaltechChannel& channel) const {
+    for (std::size_t i = 0; i < channel.text.size(); ++i) {
+      const auto line = trimmed(file_.lines()[channel.first_line + i]);
+      const std::string text = upper(line);
+      if (text.starts_with("CHAN") && text.find(':') != kNone) {
         const auto label = line.substr(line.find(':') + 1);
         return std::string(trimmed(label.substr(0, label.find('('))));
       }
-      if (line.starts_with("COMP ")) {
+      if (text.starts_with("COMP ")) {
         const auto label = trimmed(line.substr(5));
         return std::string(label.substr(0, label.find("  ")));
       }

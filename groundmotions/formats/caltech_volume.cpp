@@ -125,8 +125,9 @@ class VolumeReader {
   void read_announced(const std::string& text, CaltechSeries& series) {
     std::string_view rest = trimmed(text);
     const std::size_t count = checked_count(*take_number(rest), line_);
-    if (rest.find("VEL") != kNone) series.quantity = CaltechSeries::Quantity::kVelocity;
-    if (rest.find("DIS") != kNone) series.quantity = CaltechSeries::Quantity::kDisplacement;
+    if (rest.find("ACC") == kNone)
+      series.quantity = rest.find("VEL") != kNone ? CaltechSeries::Quantity::kVelocity
+                                                  : CaltechSeries::Quantity::kDisplacement;
     series.time_step = step_in(rest);
     series.unit = unit_in(rest);
     ++line_;

@@ -26,8 +26,8 @@ std::optional<std::size_t> take_count(std::string_view& text) {
 }
 
 /// The number in a field. Fortran ignores a blank behind the letter of an exponent ("1.5E 00") and
-/// may write D for E.
-std::optional<double> field_number(std::string_view field, char kind) {
+/// may write D for E. Samples always have a point: without one they are a part of a number.
+std::optional<double> field_number(std::string_view field, char kind, bool is_header) {
   std::string text(trimmed(field));
   const auto letter = text.find_first_of("EeDd");
   if (letter != std::string::npos && letter > 0) {
@@ -40,9 +40,8 @@ std::optional<double> field_number(std::string_view field, char kind) {
     value = number(text.substr(0, sign) + "E" + text.substr(sign));
   if (!value) return {};
   const bool has_point = text.find('.') != std::string::npos;
-  const bool fits = kind == 'I' ? !has_point && *value == std::floor(*value)
-                                : has_point || *value == 0;  // else it is a part of a number
-  return fits ? value : std::nullopt;
+  const bool fits = kind == 'I' ? *value == std::floor(*value) : has_point || *value == 0;
+  return is_header || fits ? value : std::nullopt;
 }
 
 }  // namespace
@@ -117,7 +116,7 @@ bool FieldReader::read_fields(std::size_t index, std::size_t count, const Fortra
       numbers.push_back(std::numeric_limits<double>::quiet_NaN());
       continue;
     }
-    const auto value = field_number(field, format.kind);
+    const auto value = field_number(field, format.kind, empty == EmptyField::kZero);
     if (!value || field.size() < format.width) {
       mistakes.add(index + 1, begin + 1,
                    fmt::format("'{}' is not a number of the format {}", field, format.text));

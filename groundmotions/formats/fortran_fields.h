@@ -25,7 +25,7 @@ struct FortranFormat {
 std::optional<FortranFormat> fortran_format(std::string_view spelling);
 
 /// What an empty field is: a mistake as among samples, or 0 as in a header, where `****` (a number
-/// too long for its field) is NaN.
+/// too long for its field) is NaN and real numbers may lack their point.
 enum class EmptyField { kMistake, kZero };
 
 /// Reads numbers from fixed columns, where they may stick together: "9012001" in 2I5 is 90 and

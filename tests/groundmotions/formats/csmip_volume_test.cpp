@@ -95,6 +95,22 @@ TEST(CsmipVolume, ReadsTimesAbove100SecondsThatStickToTheValues) {
   EXPECT_NEAR(component.time_step, 0.1, 1e-12);
 }
 
+TEST(CsmipVolume, RefusesPairsWhoseUnitIsStatedInTwoWays) {
+  std::string text = pairs_volume1({0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9});
+  EXPECT_THAT(
+      error_text([&] { read(replaced(text, "G/10", "G   ")); }),
+      HasSubstr("f.V1:12:1: the text states the unit g, but real number 5 of the header 0.1 "
+                "g"));
+}
+
+TEST(CsmipVolume, RefusesVelocityAlone) {
+  EXPECT_THAT(error_text([] {
+                read(csmip_volume1({}, "   10 POINTS OF VELOC DATA EQUALLY SPACED AT .005 SEC."));
+              }),
+              HasSubstr("f.V1:1:1: this channel holds velocity or displacement only; a record must "
+                        "be acceleration"));
+}
+
 TEST(CsmipVolume, RefusesTimesThatDecrease) {
   EXPECT_THAT(error_text([] {
                 read(pairs_volume1({0, 0.005, 0.01, 0.009, 0.02, 0.025, 0.03, 0.035, 0.04, 0.05}));

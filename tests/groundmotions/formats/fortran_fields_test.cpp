@@ -84,6 +84,7 @@ TEST(FortranFields, TakesEmptyFieldsOfAHeaderAsZero) {
   EXPECT_EQ(values[1], 0);
   EXPECT_TRUE(std::isnan(values[2]));
   EXPECT_EQ(values[3], 4);
+  EXPECT_THAT(read("   500  .250\n", "2F6.3", 2, EmptyField::kZero), ElementsAre(500, 0.25));
 }
 
 }  // namespace
