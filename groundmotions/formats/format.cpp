@@ -4,14 +4,24 @@
 
 #include "engine/base/error.h"
 #include "groundmotions/acceleration_unit.h"
+#include "groundmotions/formats/bhrc.h"
 #include "groundmotions/formats/columns_csv.h"
+#include "groundmotions/formats/cosmos.h"
+#include "groundmotions/formats/csmip_volume.h"
 #include "groundmotions/formats/peer_at2.h"
 #include "groundmotions/formats/plain_column.h"
+#include "groundmotions/formats/usc_blocks.h"
+#include "groundmotions/formats/usc_volume.h"
 
 namespace gurney {
 
 const std::vector<Format>& formats() {
   static const std::vector<Format> table = {
+      {"COSMOS", recognises_cosmos, read_cosmos},
+      {"USC volume", recognises_usc, read_usc},
+      {"CSMIP volume", recognises_csmip, read_csmip},
+      {"BHRC volume", recognises_bhrc, read_bhrc},
+      {"USC blocks", recognises_usc_blocks, read_usc_blocks},
       {"PEER AT2", recognises_peer_at2, read_peer_at2},
       {"columns CSV", recognises_columns_csv, read_columns_csv},
       {"plain column", recognises_plain_column, read_plain_column},

@@ -46,6 +46,8 @@ SourceFile::SourceFile(const std::filesystem::path& path)
 SourceFile::SourceFile(std::string name, std::string bytes)
     : name_(std::move(name)), bytes_(std::move(bytes)) {
   require(!bytes_.empty() && bytes_ != kByteOrderMark, name_ + ": the file is empty");
+  require(!bytes_.starts_with("PK\x03\x04"), name_ + ": a zip archive; unpack it first");
+  require(!bytes_.starts_with("\x1f\x8b"), name_ + ": a gzip archive; unpack it first");
   const auto binary = std::ranges::find_if(bytes_, is_binary);
   if (binary != bytes_.end())
     throw Error(fmt::format("{}: not a text file (byte {} is 0x{:02x})", name_,

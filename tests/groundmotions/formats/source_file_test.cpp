@@ -36,6 +36,10 @@ TEST(SourceFile, RefusesWhatIsNoText) {
   EXPECT_EQ(error_text([] { SourceFile("f", ""); }), "f: the file is empty");
   EXPECT_EQ(error_text([] { SourceFile("f", std::string("ab\0c", 4)); }),
             "f: not a text file (byte 3 is 0x00)");
+  EXPECT_EQ(error_text([] { SourceFile("f", "PK\x03\x04..."); }),
+            "f: a zip archive; unpack it first");
+  EXPECT_EQ(error_text([] { SourceFile("f", "\x1f\x8b\b..."); }),
+            "f: a gzip archive; unpack it first");
 }
 
 TEST(SourceFile, RefusesWhatCannotBeRead) {

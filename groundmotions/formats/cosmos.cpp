@@ -1,0 +1,266 @@
+#include "groundmotions/formats/cosmos.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/units.h"
+#include "groundmotions/formats/cosmos_channel.h"
+#include "groundmotions/formats/cosmos_codes.h"
+#include "groundmotions/formats/header_statements.h"
+#include "groundmotions/formats/numbers.h"
+
+namespace gurney {
+
+namespace {
+
+constexpr double kMillisecond = 1e-3;
+constexpr double kMicrovolt = 1e-6;
+constexpr double kPeakRounding = 5e-4;  ///< of the peak: three digits and more are printed
+constexpr double kSameStep = 1e-6;      ///< share by which two statements of a time step may differ
+constexpr double kSameFactor = 0.01;    ///< the like of the value of a count
+constexpr auto kNone = std::string_view::npos;
+
+/// What a series is: its own line says it, or else the header; "acceleration" if a record.
+std::string quantity_of(const CosmosChannel& channel, const CosmosSeries& series) {
+  const int code = static_cast<int>(channel.integer(2).value_or(0));
+  const char* stated = cosmos_quantity(code);
+  if (stated && code != 1) return stated;
+  if (series.text.find("VEL") != kNone) return "velocity";
+  if (series.text.find("DIS") != kNone) return "displacement";
+  if (series.text.find("ACC") != kNone || stated) return "acceleration";
+  return "something its header does not name";
+}
+
+class ChannelReader {
+ public:
+  ChannelReader(const SourceFile& file, const ReadOptions& options, Mistakes& mistakes)
+      : file_(file), options_(options), mistakes_(mistakes) {}
+
+  Component component_of(const CosmosChannel& channel, const CosmosSeries& series) {
+    line_ = series.line + 1;
+    Component component;
+    const double to_si = si_of(channel, series, component);
+    component.time_step = time_step_of(channel, component);
+    component.acceleration =
+        to_si * Eigen::Map<const Eigen::VectorXd>(series.values.data(),
+                                                  static_cast<Eigen::Index>(series.values.size()));
+    check_holes(channel, series);
+    if (mistakes_.any()) return component;
+    check_length(channel.real(63).value_or(0), line_, component, mistakes_);
+    if (const auto peak = channel.real(64); peak && *peak != 0) {
+      const double size = std::abs(*peak) * to_si;
+      check_peak({size, kPeakRounding * size, line_}, component.acceleration, component, mistakes_);
+    }
+    orient(channel, component);
+    state_facts(channel, component);
+    return component;
+  }
+
+ private:
+  double si_of(const CosmosChannel& channel, const CosmosSeries& series, Component& component) {
+    const auto header = channel.integer(3);
+    const int code = series.unit_code.value_or(static_cast<int>(header.value_or(0)));
+    if (header && *header != code) state_other_unit(static_cast<int>(*header), code, component);
+    if (code == kCosmosCounts) return si_per_count(channel, component);
+    if (options_.si_per_count)
+      mistakes_.add(line_, 1,
+                    fmt::format("si_per_count was given, but the samples are not counts (unit code "
+                                "{})",
+                                code));
+    auto unit = cosmos_unit(code);
+    if (!unit && code > 0)
+      mistakes_.add(
+          line_, 1,
+          fmt::format("unit code {} is no unit of acceleration (2 is g, 4 cm/s2, 7 in/s2, "
+                      "10 gal, 11 mg, 12 micro g, 50 counts)",
+                      code));
+    else
+      unit = agreed_unit(unit, line_, options_, mistakes_);
+    component.unit = unit ? unit->name : "";
+    return unit ? unit->to_si : 0;
+  }
+
+  /// Another unit of acceleration would be another motion; what is none cannot be meant.
+  void state_other_unit(int header, int code, Component& component) {
+    const std::string text = fmt::format(
+        "the line of the samples states the unit code {}, but integer 3 of the header {}", code,
+        header);
+    if (cosmos_unit(header) || header == kCosmosCounts)
+      mistakes_.add(line_, 1, text);
+    else
+      component.warnings.push_back(text + ", which is no unit of acceleration");
+  }
+
+  /// A count is (real 22, microvolts) / (real 42, volts per g) / (real 47, gain) g.
+  double si_per_count(const CosmosChannel& channel, Component& component) {
+    component.unit = "counts";
+    const auto volts = channel.real(22), sensitivity = channel.real(42);
+    const double gain = channel.real(47).value_or(1);
+    double stated = 0;
+    if (volts && sensitivity && *volts > 0 && *sensitivity > 0 && gain > 0)
+      stated = *volts * kMicrovolt / (*sensitivity * gain) * kStandardGravity;
+    if (const auto given = options_.si_per_count) {
+      if (stated > 0 && std::abs(*given - stated) > kSameFactor * stated)
+        component.warnings.push_back(fmt::format(
+            "si_per_count = {:.6g} was taken, but the header states {:.6g} m/s2 for a count",
+            *given, stated));
+      return *given;
+    }
+    if (!(stated > 0)) {
+      mistakes_.add(
+          line_, 1,
+          "the samples are raw counts, and the header states no sensitivity (real numbers "
+          "22, 42 and 47); state si_per_count, or take the .V1c or .V2c of this record");
+      return 0;
+    }
+    component.warnings.push_back(fmt::format(
+        "raw counts (V0) were taken as {:.6g} m/s2 each, from the header: {} microvolts, {} V/g, "
+        "gain {}; their offset is still in",
+        stated, *volts, *sensitivity, gain));
+    return stated;
+  }
+
+  double time_step_of(const CosmosChannel& channel, Component& component) {
+    auto step = channel.real(62);  // of these samples, in ms
+    const auto raw = channel.real(34);
+    if (step)
+      *step *= kMillisecond;
+    else if ((step = raw))
+      component.warnings.push_back(
+          "real number 62 of the header states no time step; that of the raw samples (34) was "
+          "taken");
+    if (step && raw && *raw > 0 && std::abs(*raw - *step) > kSameStep * *raw)
+      component.warnings.push_back(
+          fmt::format("the header states two time steps: {} s (real number 62, of these samples; "
+                      "taken) and {} s (34, of the raw samples)",
+                      *step, *raw));
+    return agreed_time_step(step, line_, options_, mistakes_);
+  }
+
+  /// Samples that are the value for "unknown" are holes, unless the motion passes through it.
+  void check_holes(const CosmosChannel& channel, const CosmosSeries& series) {
+    const double hole = channel.unknown_real;
+    const auto& values = series.values;
+    const auto is_far = [&](double value) { return std::abs(value - hole) > 0.5 * std::abs(hole); };
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (values[i] == hole &&
+          ((i > 0 && is_far(values[i - 1])) || (i + 1 < values.size() && is_far(values[i + 1]))))
+        return mistakes_.add(line_, 1,
+                             fmt::format("sample {} of {} is {}, which stands for an unknown value",
+                                         i + 1, values.size(), hole));
+  }
+
+  /// "Sta Chan  1: 360 deg (Rcrdr Chan  1) Location: ..."
+  std::string label_of(const CosmosChannel& channel) const {
+    for (std::size_t i = 0; i < channel.text.size(); ++i) {
+      if (!channel.text[i].starts_with("STA CHA")) continue;
+      auto line = file_.lines()[channel.first_line + i];
+      line = line.substr(0, std::min(line.find('('), channel.text[i].find("LOCATION")));
+      return std::string(trimmed(line.substr(line.rfind(':') + 1)));
+    }
+    return {};
+  }
+
+  void orient(const CosmosChannel& channel, Component& component) {
+    component.name = label_of(channel);
+    const auto north = channel.integer(54), reference = channel.integer(55);
+    const int code = static_cast<int>(north.value_or(reference.value_or(0)));
+    if (code == kCosmosUp || code == kCosmosVertical) {
+      component.direction = Direction::kVertical;
+    } else if (code == kCosmosDown) {
+      turn_up("code 401", component);
+    } else if (const char* meaning = cosmos_orientation(code)) {
+      component.header.emplace_back("orientation", meaning);
+    } else if (north && *north >= 1 && *north <= 360) {
+      component.azimuth = std::fmod(*north, 360) * kRadiansPerDegree;
+    } else if (reference) {
+      component.warnings.push_back(
+          fmt::format("the sensor lies {} degrees from a reference direction (integer 55 of the "
+                      "header), not from north: its azimuth is not known",
+                      *reference));
+      return;
+    } else {
+      orient_by_label(component.name, component);
+      return;
+    }
+    Component by_label;
+    by_label.acceleration = Eigen::VectorXd::Zero(2);
+    orient_by_label(component.name, by_label);
+    const bool other_kind = component.direction != by_label.direction;
+    const bool other_azimuth = component.azimuth && by_label.azimuth &&
+                               std::abs(*component.azimuth - *by_label.azimuth) > kRadiansPerDegree;
+    if ((by_label.azimuth || by_label.direction) && (other_kind || other_azimuth))
+      component.warnings.push_back(fmt::format(
+          "integer 54 of the header states orientation {}, which was taken, but the text "
+          "'{}'",
+          code, component.name));
+  }
+
+  void state_facts(const CosmosChannel& channel, Component& component) const {
+    const auto state = [&](const char* name, std::size_t index) {
+      if (index < channel.text.size())
+        component.header.emplace_back(name, trimmed(file_.lines()[channel.first_line + index]));
+    };
+    state("stage", 0);
+    state("event", 1);
+    state("station", 4);
+    state("peak", 10);
+    state("filter", 11);
+    const auto part = [&](std::size_t number) {
+      return static_cast<int>(channel.integer(number).value_or(-1));
+    };
+    if (const auto second = channel.real(30); second && part(42) > 0 && part(43) > 0)
+      component.start_time = utc_seconds(part(40), part(42), part(43), part(44), part(45), *second);
+  }
+
+  const SourceFile& file_;
+  const ReadOptions& options_;
+  Mistakes& mistakes_;
+  std::size_t line_ = 1;
+};
+
+void refuse_spectra(const SourceFile& file, Mistakes& mistakes) {
+  const std::string first = upper(file.lines()[0].substr(0, 200));
+  if (first.find("SPECTR") == kNone && first.find("RESPONSE") == kNone) return;
+  mistakes.add(1, 1,
+               "this file (V3) holds response spectra, not an acceleration history; take the V2 of "
+               "this record");
+  mistakes.throw_if_any();
+}
+
+}  // namespace
+
+bool recognises_cosmos(const SourceFile& file) { return starts_cosmos_channel(file.lines()[0]); }
+
+std::vector<Component> read_cosmos(const SourceFile& file, const ReadOptions& options) {
+  Mistakes mistakes(file.name());
+  refuse_spectra(file, mistakes);
+  const auto channels = cosmos_channels(file, mistakes);
+  mistakes.throw_if_any();
+  std::vector<Component> components;
+  std::string others;
+  ChannelReader reader(file, options, mistakes);
+  for (const CosmosChannel& channel : channels) {
+    for (const CosmosSeries& series : channel.series) {
+      const std::string quantity = quantity_of(channel, series);
+      if (quantity == "acceleration")
+        components.push_back(reader.component_of(channel, series));
+      else if (others.find(quantity) == std::string::npos)
+        others += (others.empty() ? "" : ", ") + quantity;
+    }
+  }
+  if (components.empty())
+    mistakes.add(1, 1,
+                 fmt::format("a record must be acceleration, but this file holds {}; take the "
+                             "acceleration file of this record (.V1c, .acc.V2c)",
+                             others));
+  mistakes.throw_if_any();
+  if (!others.empty())
+    for (Component& component : components)
+      component.header.emplace_back("also in the file", others);
+  return components;
+}
+
+}  // namespace gurney

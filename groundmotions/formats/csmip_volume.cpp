@@ -1,0 +1,37 @@
+#include "groundmotions/formats/csmip_volume.h"
+
+#include "groundmotions/formats/caltech_components.h"
+#include "groundmotions/formats/header_statements.h"
+#include "groundmotions/formats/numbers.h"
+
+namespace gurney {
+
+namespace {
+
+std::string first_text(const SourceFile& file) {
+  for (const std::string_view line : file.lines())
+    if (!trimmed(line).empty()) return upper(trimmed(line).substr(0, 200));
+  return {};
+}
+
+}  // namespace
+
+bool recognises_csmip(const SourceFile& file) {
+  const std::string line = first_text(file);
+  return line.starts_with("UNCORRECTED ACCELEROGRAM DATA") ||
+         line.starts_with("CORRECTED ACCELEROGRAM") ||
+         line.starts_with("RESPONSE AND FOURIER AMPLITUDE SPECTRA");
+}
+
+std::vector<Component> read_csmip(const SourceFile& file, const ReadOptions& options) {
+  if (first_text(file).starts_with("RESPONSE")) {
+    Mistakes mistakes(file.name());
+    mistakes.add(1, 1,
+                 "this file (volume 3) holds response spectra, not an acceleration history; take "
+                 "the .V2 of this record");
+    mistakes.throw_if_any();
+  }
+  return caltech_components(file, options);
+}
+
+}  // namespace gurney

@@ -1,0 +1,32 @@
+#include "groundmotions/formats/usc_volume.h"
+
+#include <algorithm>
+
+#include "groundmotions/formats/caltech_components.h"
+#include "groundmotions/formats/header_statements.h"
+
+namespace gurney {
+
+bool recognises_usc(const SourceFile& file) {
+  bool is_volume = false;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, file.lines().size()); ++i)
+    is_volume =
+        is_volume ||
+        upper(file.lines()[i].substr(0, 200)).find("OF UNCORRECTED ACCELEROGRAM DATA OF VOL") !=
+            std::string::npos;
+  return is_volume;
+}
+
+std::vector<Component> read_usc(const SourceFile& file, const ReadOptions& options) {
+  const std::string first = upper(file.lines()[0].substr(0, 200));
+  if (first.find("RESPONSE") != std::string::npos || first.find("SPECTR") != std::string::npos) {
+    Mistakes mistakes(file.name());
+    mistakes.add(1, 1,
+                 "this file (volume 3) holds response spectra, not an acceleration history; take "
+                 "volume 2 of this record");
+    mistakes.throw_if_any();
+  }
+  return caltech_components(file, options);
+}
+
+}  // namespace gurney
