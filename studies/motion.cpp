@@ -7,10 +7,11 @@
 #include "engine/base/error.h"
 #include "groundmotions/assembly/plausibility.h"
 #include "groundmotions/buildings/floor_record.h"
-#include "groundmotions/measures/peaks.h"
+#include "groundmotions/peaks.h"
 #include "groundmotions/processing/pipeline.h"
 #include "groundmotions/record_motion.h"
 #include "groundmotions/residual.h"
+#include "studies/job/scale_reader.h"
 
 namespace gurney {
 namespace {

@@ -1,6 +1,9 @@
 #include "studies/cli/records_command.h"
 
 #include "studies/cli/records_convert.h"
+#include "studies/cli/records_floor.h"
+#include "studies/cli/records_make.h"
+#include "studies/cli/records_plot.h"
 
 namespace gurney {
 
@@ -8,7 +11,10 @@ void add_records(CLI::App& app, std::function<int()>& act) {
   CLI::App* const records =
       app.add_subcommand("records", "Look at ground motions, convert, make and transform them");
   records->require_subcommand(1);
+  add_records_plot(*records, act);
   add_records_convert(*records, act);
+  add_records_make(*records, act);
+  add_records_floor(*records, act);
 }
 
 }  // namespace gurney

@@ -24,13 +24,6 @@ struct ConvertOptions {
   bool overwrite = false;
 };
 
-/// A name of the record that can be a file's.
-std::string file_name(std::string name) {
-  std::ranges::replace_if(
-      name, [](char c) { return c == '/' || c == '\\'; }, '_');
-  return name;
-}
-
 struct Target {
   fs::path path;
   std::string text;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -35,6 +36,12 @@ std::vector<std::string> record_comments(const Record& record) {
 
 std::string record_csv(const Record& record) {
   return columns_csv_text(record, record_comments(record), kDigits);
+}
+
+std::string file_name(std::string record_name) {
+  std::ranges::replace_if(
+      record_name, [](char c) { return c == '/' || c == '\\'; }, '_');
+  return record_name;
 }
 
 void write_output(const std::string& path, const std::string& text, bool overwrite) {

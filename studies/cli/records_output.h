@@ -13,6 +13,9 @@ std::vector<std::string> record_comments(const Record& record);
 /// The text of a record in Gurney's CSV, with its comments.
 std::string record_csv(const Record& record);
 
+/// The name of a record, without what cannot stand in the name of a file.
+std::string file_name(std::string record_name);
+
 /// Writes one file whole or not at all. @throws Error as OutputFiles does.
 void write_output(const std::string& path, const std::string& text, bool overwrite);
 

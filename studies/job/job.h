@@ -38,7 +38,9 @@ struct RecordRequest {
   bool use_x = true, use_y = true, use_z = true;  ///< components that act; the others stay at 0
   bool use_stated = false;                        ///< only then may a file lack a component
   std::vector<ProcessingStep> processing;
-  double scale = 1;  ///< on every component, > 0
+  double scale = 1;                         ///< on every component, > 0
+  std::optional<ScaleTo> scale_to;          ///< instead of `scale`
+  std::optional<BuildingRequest> building;  ///< between the record and the floor
   double angle = 0;  ///< record axes turned about z, anticlockwise from floor axes [rad]
   bool refuse_implausible = false;  ///< what would be a warning ends the job
   std::string where;                ///< `file:line:column` in the job, for messages

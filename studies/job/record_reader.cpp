@@ -87,7 +87,7 @@ void read_use(Table& in, RecordRequest& record) {
   record.use_x = acts(Direction::kH1);
   record.use_y = acts(Direction::kH2);
   record.use_z = acts(Direction::kVertical);
-  record.use_stated = record.use_stated || by_axis;
+  record.use_stated = record.use_stated || by_axis || record.synthetic;
 }
 
 void read_options(Table& in, ReadOptions& options) {

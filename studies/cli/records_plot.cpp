@@ -1,0 +1,51 @@
+#include "studies/cli/records_plot.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "engine/base/error.h"
+#include "studies/cli/record_source.h"
+#include "studies/cli/records_output.h"
+#include "studies/report/record_figure.h"
+
+namespace gurney {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PlotOptions {
+  RecordSource source;
+  std::string output;
+  bool overwrite = false;
+};
+
+int plot(const PlotOptions& options) {
+  const fs::path output = options.output;
+  const bool one_file = output.extension() == ".svg";
+  require(one_file || fs::is_directory(output),
+          options.output + ": must be a file that ends in .svg, or a folder that exists");
+  std::size_t count = 0;
+  return for_each_record(options.source, nullptr, [&](const SuiteRecord&, const Record& record) {
+    require(!one_file || count++ == 0,
+            options.output + ": one figure for several records; name a folder with -o");
+    const fs::path path = one_file ? output : output / (file_name(record.name) + ".svg");
+    write_output(path.string(), record_figure(record), options.overwrite);
+  });
+}
+
+}  // namespace
+
+void add_records_plot(CLI::App& records, std::function<int()>& act) {
+  auto options = std::make_shared<PlotOptions>();
+  CLI::App* const command = records.add_subcommand(
+      "plot", "Draw acceleration, velocity, displacement and spectra of records");
+  add_source_options(*command, options->source);
+  command->add_option("-o,--output", options->output, "An .svg file, or a folder that exists")
+      ->required();
+  command->add_flag("--overwrite", options->overwrite, "Replace files that exist");
+  command->callback([options, &act] { act = [options] { return plot(*options); }; });
+}
+
+}  // namespace gurney
