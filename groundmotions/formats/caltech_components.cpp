@@ -39,7 +39,7 @@ class ChannelReader {
                     "acceleration");
       return component;
     }
-    const AccelerationUnit unit = unit_of(channel, *series);
+    const AccelerationUnit unit = unit_of(channel, *series, component);
     component.unit = unit.name;
     take_samples(channel, *series, component);
     if (mistakes_.any()) return component;
@@ -48,6 +48,10 @@ class ChannelReader {
                  mistakes_);
     check_step(channel, component);
     check_peak_of(channel, *series, unit.to_si, component);
+    if (!channel.trailing.empty())
+      component.warnings.push_back(
+          fmt::format("the last line of the file is no part of the format and was left out: '{}'",
+                      channel.trailing.substr(0, 60)));
     orient(channel, component);
     state_facts(channel, component);
     return component;
@@ -58,16 +62,18 @@ class ChannelReader {
     return channel.first_line + index.value_or(0) + 1;
   }
 
-  AccelerationUnit unit_of(const CaltechChannel& channel, const CaltechSeries& series) {
+  AccelerationUnit unit_of(const CaltechChannel& channel, const CaltechSeries& series,
+                           Component& component) {
     if (series.unit) return agreed_unit(series.unit, series.line + 1, options_, mistakes_);
     const auto at = channel.find(channel.corrected() ? "PEAK ACCELERATION" : "UNITS");
-    auto stated = at ? unit_in(channel.text[*at]) : std::nullopt;
-    const double fraction = channel.reals[4];  // of g, in volume 1
+    const auto stated = at ? unit_in(channel.text[*at]) : std::nullopt;
+    const double fraction = channel.reals[4];  // of g, in volume 1; some files state 1 for g/10
     if (stated && !channel.corrected() && fraction > 0 &&
         std::abs(fraction * kStandardGravity - stated->to_si) > 1e-3 * stated->to_si)
-      mistakes_.add(line_of(channel, at), 1,
-                    fmt::format("the text states the unit {}, but real number 5 of the header {} g",
-                                stated->name, fraction));
+      component.warnings.push_back(
+          fmt::format("the text states the unit {}, which was taken, but real number 5 of the "
+                      "header {} g",
+                      stated->name, fraction));
     return agreed_unit(stated, line_of(channel, at), options_, mistakes_);
   }
 
@@ -124,14 +130,16 @@ class ChannelReader {
                component, mistakes_);
   }
 
-  /// "CHAN  1:  90 DEG  (STA CHN: 14)" of CSMIP, "COMP N08W" of USC.
+  /// "CHAN  1:  90 DEG  (STA CHN: 14)", "Chan  1: Up   Location: Roof" of CSMIP, "COMP N08W" of
+  /// USC.
   std::string label_of(const CaltechChannel& channel) const {
     for (std::size_t i = 0; i < channel.text.size(); ++i) {
       const auto line = trimmed(file_.lines()[channel.first_line + i]);
       const std::string text = upper(line);
       if (text.starts_with("CHAN") && text.find(':') != kNone) {
-        const auto label = line.substr(line.find(':') + 1);
-        return std::string(trimmed(label.substr(0, label.find('('))));
+        const auto begin = line.find(':') + 1;
+        const auto end = std::min(line.find('(', begin), text.find("LOCATION", begin));
+        return std::string(trimmed(line.substr(begin, end - begin)));
       }
       if (text.starts_with("COMP ")) {
         const auto label = trimmed(line.substr(5));
@@ -175,7 +183,8 @@ class ChannelReader {
     state("station line", corrected ? 5 : 4);
     for (const auto& [name, key] :
          {std::pair{"filter", "FILTERED"}, std::pair{"peak", "UNITS OF UNCOR"},
-          std::pair{"peak", "PEAK ACCEL"}, std::pair{"trigger", "TRIGGER TIME"}})
+          std::pair{"peak", "PEAK ACCEL"}, std::pair{"trigger", "TRIGGER TIME"},
+          std::pair{"location", "LOCATION:"}})
       if (const auto at = channel.find(key)) state(name, *at);
     if (channel.series.size() > 1)
       component.header.emplace_back("also in the file", "velocity, displacement");

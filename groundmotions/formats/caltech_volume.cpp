@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 #include "groundmotions/formats/fortran_fields.h"
@@ -44,7 +45,7 @@ class VolumeReader {
 
   CaltechChannel read_channel() {
     CaltechChannel channel{
-        .first_line = line_, .text = {}, .integers = {}, .reals = {}, .series = {}};
+        .first_line = line_, .text = {}, .integers = {}, .reals = {}, .series = {}, .trailing = {}};
     if (read_header(channel)) read_all_series(channel);
     return channel;
   }
@@ -78,6 +79,14 @@ class VolumeReader {
     if (!at_end() && is_end_mark(line(line_))) ++line_;
     skip_blanks();
     if (mistakes_.any() || at_end() || upper(line(line_)).find("ACCELEROGRAM") != kNone) return;
+    const std::size_t behind = line_;
+    const auto text = trimmed(line(line_++));
+    skip_blanks();
+    if (at_end() && std::isalpha(static_cast<unsigned char>(text[0]))) {
+      channel.trailing = text;
+      return;
+    }
+    line_ = behind;
     mistakes_.add(line_ + 1, 1,
                   fmt::format("the samples of this channel end here, but neither the next channel "
                               "nor the end of the file follows: '{}'",

@@ -32,6 +32,7 @@ struct CaltechChannel {
   std::vector<double> integers;   ///< 100; NaN where a number did not fit its field
   std::vector<double> reals;      ///< 50 or 100
   std::vector<CaltechSeries> series;
+  std::string trailing;  ///< a last line of the file that is neither samples nor a header
 
   bool corrected() const { return reals.size() > 50; }  ///< volume 2
 

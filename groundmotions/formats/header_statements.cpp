@@ -80,6 +80,7 @@ std::optional<AccelerationUnit> unit_in(std::string_view line) {
     std::string spelling(word);
     for (auto at = spelling.find("SEC"); at != std::string::npos; at = spelling.find("SEC"))
       spelling.replace(at, 3, "S");
+    if (spelling.starts_with("CMS/")) spelling.erase(2, 1);  // centimetres
     if (const auto unit = acceleration_unit(spelling)) return unit;
   }
   return {};

@@ -95,12 +95,15 @@ TEST(CsmipVolume, ReadsTimesAbove100SecondsThatStickToTheValues) {
   EXPECT_NEAR(component.time_step, 0.1, 1e-12);
 }
 
-TEST(CsmipVolume, RefusesPairsWhoseUnitIsStatedInTwoWays) {
+TEST(CsmipVolume, TakesTheUnitOfTheTextAndChecksItByThePeak) {
   std::string text = pairs_volume1({0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9});
-  EXPECT_THAT(
-      error_text([&] { read(replaced(text, "G/10", "G   ")); }),
-      HasSubstr("f.V1:12:1: the text states the unit g, but real number 5 of the header 0.1 "
-                "g"));
+  const auto component = read(replaced(text, "     0.100", "     1.000"))[0];
+  expect_the_motion(component, 1e-12);
+  EXPECT_THAT(component.warnings, ElementsAre("the text states the unit g/10, which was taken, but "
+                                              "real number 5 of the header 1 g"));
+  EXPECT_THAT(error_text([&] { read(replaced(text, "G/10", "G   ")); }),
+              HasSubstr("f.V1:12:1: the header states a peak of 0.98067 m/s2, but the samples have "
+                        "9.3457 m/s2"));
 }
 
 TEST(CsmipVolume, RefusesVelocityAlone) {
@@ -138,6 +141,7 @@ TEST(CsmipVolume, TakesTheAzimuthOfTheIntegerHeaderIfTheTextHasNone) {
   EXPECT_NEAR(read(csmip_volume1({.label = "CHAN  1: ROOF", .code = 45}))[0].azimuth.value(),
               45 * kRadiansPerDegree, 1e-12);
   EXPECT_FALSE(read(csmip_volume1({.label = "CHAN  1: L", .code = 0}))[0].azimuth);
+  EXPECT_EQ(read(csmip_volume1({.label = "Chan  1: 90 Deg   Location: Roof"}))[0].name, "90 Deg");
   const auto both = read(csmip_volume1({.code = 45}))[0];
   EXPECT_NEAR(both.azimuth.value(), 90 * kRadiansPerDegree, 1e-12);
   EXPECT_THAT(both.warnings,

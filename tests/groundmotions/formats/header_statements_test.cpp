@@ -25,6 +25,7 @@ TEST(HeaderStatements, FindsUnits) {
   EXPECT_EQ(name("(UNITS: CM/SEC/SEC)"), "cm/s2");
   EXPECT_EQ(name("UNITS=CM/SEC**2, CM/SEC, AND CM"), "cm/s2");
   EXPECT_EQ(name("in cm/sec2. (8f10.6)"), "cm/s2");
+  EXPECT_EQ(name("PEAK ACCELERATION =    -6.869  CMS/SEC/SEC AT"), "cm/s2");
   EXPECT_EQ(name("UNITS ARE SECONDS AND G/10"), "g/10");
   EXPECT_EQ(name("Units of uncor data are sec and g.   Max"), "g");
   EXPECT_EQ(name("VELOC DATA (UNITS: CM/SEC)"), "");

@@ -47,6 +47,18 @@ TEST(UscVolume, ReadsPairsBehindABlank) {
   EXPECT_EQ(components[1].direction, Direction::kVertical);
 }
 
+TEST(UscVolume, LeavesOutTextBehindTheLastSample) {
+  const auto component = read(volume1("COMP UP") + "RUBBISH $\r\r\n\x1a")[0];
+  EXPECT_EQ(component.acceleration.size(), 10);
+  EXPECT_THAT(component.warnings,
+              ElementsAre("the last line of the file is no part of the format and "
+                          "was left out: 'RUBBISH $'"));
+  EXPECT_THAT(
+      error_text([] { read(volume1("COMP UP") + "  0.050  0.010\r\n"); }),
+      HasSubstr("the samples of this channel end here, but neither the next channel nor the "
+                "end of the file follows: '0.050  0.010'"));
+}
+
 TEST(UscVolume, ReadsBearings) {
   const std::pair<const char*, double> bearings[] = {
       {"COMP N00W", 0}, {"COMP N45E", 45}, {"COMP S65E", 115}, {"COMP S30W", 210}};
