@@ -114,12 +114,12 @@ TEST_F(ReadRecord, RefusesNoPlaceTwoPlacesAndWrongPlaces) {
 
 TEST_F(ReadRecord, TellsTheMistakesOfAllFiles) {
   const auto bad = file("bad.AT2", "nonsense\n");
-  EXPECT_EQ(error_text([&] {
-              read_record({{folder_ / "none.AT2", Direction::kH1}, {bad, Direction::kH2}});
-            }),
-            (folder_ / "none.AT2").string() + ": no such file\n" + bad.string() +
-                ":1:1: not a record in a known format (PEER AT2, columns CSV, plain column); the "
-                "file starts with 'nonsense'");
+  EXPECT_THAT(error_text([&] {
+                read_record({{folder_ / "none.AT2", Direction::kH1}, {bad, Direction::kH2}});
+              }),
+              testing::AllOf(HasSubstr((folder_ / "none.AT2").string() + ": no such file\n" +
+                                       bad.string() + ":1:1: not a record in a known format ("),
+                             HasSubstr("; the file starts with 'nonsense'")));
 }
 
 TEST_F(ReadRecord, RefusesARecordThatIsAllZero) {
