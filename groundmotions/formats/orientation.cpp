@@ -39,9 +39,10 @@ void orient(std::string_view name, Component& component) {
   constexpr std::array<std::string_view, 6> kEast = {"E", "EW", "E-W", "WE", "EAST", "EAST-WEST"};
   constexpr std::array<std::string_view, 10> kUp = {"U", "UP",  "UD",   "U-D",      "V",
                                                     "Z", "VER", "VERT", "VERTICAL", "UP-DOWN"};
-  constexpr std::array<std::string_view, 4> kDown = {"D", "DN", "DWN", "DOWN"};
+  constexpr std::array<std::string_view, 3> kDown = {"DN", "DWN", "DOWN"};
 
   std::string code = upper(name);
+  if (code.size() == 5 && number(code.substr(3))) code = code.substr(0, 3);  // with its location
   if (is_seed_code(code)) code = code.back();
   const auto degrees = number(code);
   if (degrees && *degrees >= 0 && *degrees <= 360) {

@@ -92,7 +92,7 @@ std::optional<std::size_t> first_row(const SourceFile& file) {
   for (std::size_t i = 0; i < file.lines().size() && text <= kHeaderLines; ++i) {
     const auto line = file.lines()[i];
     if (is_blank(line) || is_comment(line)) continue;
-    if (is_row(line) || !has_text(line)) return i;
+    if (!is_text_line(line)) return i;
     ++text;
   }
   return {};
@@ -111,6 +111,10 @@ std::size_t PlainRows::width() const {
   for (std::size_t i = 1; i < lengths.size(); ++i)
     if (i + 1 < lengths.size() ? lengths[i] != lengths[0] : lengths[i] > lengths[0]) return 0;
   return lengths[0];
+}
+
+bool is_text_line(std::string_view line) {
+  return !is_blank(line) && !is_row(line) && has_text(line);
 }
 
 bool has_plain_rows(const SourceFile& file) {

@@ -25,6 +25,9 @@ struct PlainRows {
   std::size_t width() const;
 };
 
+/// Whether a line holds words rather than numbers, right or wrong.
+bool is_text_line(std::string_view line);
+
 /// Whether a row of numbers comes after at most 40 lines of text.
 bool has_plain_rows(const SourceFile& file);
 

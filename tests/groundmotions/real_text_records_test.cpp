@@ -176,5 +176,28 @@ TEST_F(RealTextRecords, ReadsTheSetsOfFemaP695) {
                 HasSubstr("not a record in a known format"));
 }
 
+// Whatever the user states, the text readers leave the files of other layouts alone. Those of CWB
+// are plain tables with times indeed.
+TEST_F(RealTextRecords, TakesNoOtherLayoutForOneOfOurs) {
+  const std::vector<std::string> ours = {"K-NET", "ESM",    "SIMBAD",      "PEER AT2",
+                                         "BBP",   "EMOD3D", "columns CSV", "plain text"};
+  std::size_t count = 0;
+  for (const char* folder :
+       {"cosmos", "csmip_v1_v2_v3", "geonet_v1a_v2a", "miniseed", "other_networks", "sac",
+        "usc_volume", "usgs_smc", "published_reference"})
+    for (const std::string& file : files(folder))
+      for (const char* columns : {"", "samples", "time,h1"}) {
+        ++count;
+        if (file == "other_networks/1-EAS.dat") continue;
+        try {
+          const auto components =
+              read_components(folder_ / file, {.unit = "g", .time_step = 0.01, .columns = columns});
+          EXPECT_THAT(ours, testing::Not(Contains(components[0].format))) << file;
+        } catch (const Error&) {
+        }
+      }
+  EXPECT_GT(count, 80u);
+}
+
 }  // namespace
 }  // namespace gurney
