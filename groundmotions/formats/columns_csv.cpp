@@ -5,19 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/units.h"
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/stated.h"
+#include "groundmotions/formats/time_column.h"
 
 namespace gurney {
 
 namespace {
-
-constexpr double kTimeTolerance = 0.01;  ///< of a time from the even grid, as a share of the step
 
 struct Column {
   std::string name;
@@ -106,41 +105,9 @@ std::vector<const Column*> columns_of(const SourceFile& file, std::size_t line,
   return columns;
 }
 
-/// The step of evenly spaced times, to twelve digits so that 0.005 is 0.005.
-double even_step(const std::vector<double>& times, const std::vector<std::size_t>& lines,
-                 Mistakes& mistakes) {
-  std::vector<double> steps(times.size());
-  std::adjacent_difference(times.begin(), times.end(), steps.begin());
-  auto sorted = std::vector(steps.begin() + 1, steps.end());
-  std::ranges::nth_element(sorted, sorted.begin() + static_cast<long>(sorted.size() / 2));
-  const double usual = sorted[sorted.size() / 2];
-  if (!(usual > 0 && usual <= 1)) {
-    mistakes.add(lines[1], 1, fmt::format("time steps must be in (0, 1] s, got {:.9g}", usual));
-    return usual;
-  }
-  for (std::size_t i = 1; i < steps.size(); ++i)
-    if (!(std::abs(steps[i] - usual) <= 0.5 * usual)) {
-      mistakes.add(lines[i], 1,
-                   fmt::format("the time goes from {} to {} s where the step is {:.9g} s",
-                               times[i - 1], times[i], usual));
-      return usual;
-    }
-  const double mean = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
-  const double step = *number(fmt::format("{:.12g}", mean));
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    const double even = times.front() + static_cast<double>(i) * mean;
-    if (!(std::abs(times[i] - even) <= kTimeTolerance * mean)) {
-      mistakes.add(lines[i], 1,
-                   fmt::format("time {} s is off the even grid ({:.9g} s, step {:.9g} s) by more "
-                               "than {} of the step",
-                               times[i], even, step, kTimeTolerance));
-      break;
-    }
-  }
-  return step;
-}
-
 void check_options(const ReadOptions& options, double step, Mistakes& mistakes) {
+  refuse_si_per_count(options, mistakes);
+  refuse_columns(options, mistakes);
   if (!options.unit.empty())
     mistakes.add(fmt::format(
         "unit = \"{}\" was given, but the columns of this file state their units", options.unit));
@@ -156,7 +123,7 @@ bool recognises_columns_csv(const SourceFile& file) {
   if (line == file.lines().size()) return false;
   const auto cells = cells_of(file.lines()[line]);
   return cells.size() > 1 && std::ranges::any_of(cells, [](const Cell& cell) {
-           return cell.text.starts_with("time") || find_column(cell.text);
+           return cell.text == "time_s" || find_column(cell.text);
          });
 }
 
@@ -201,12 +168,9 @@ std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOption
     component.time_step = step;
     component.unit = columns[k]->unit;
     component.direction = columns[k]->direction;
-    component.acceleration =
-        columns[k]->to_si * Eigen::Map<const Eigen::VectorXd>(
-                                values[k + 1].data(), static_cast<Eigen::Index>(lines.size()));
-    if (k == 0 && std::abs(values[0][0]) > kTimeTolerance * step)
-      component.warnings.push_back(fmt::format(
-          "the first time is {} s; the motion starts there, at 0 s of the run", values[0][0]));
+    component.acceleration = scaled(values[k + 1], columns[k]->to_si);
+    if (const auto late = late_start(values[0][0], step); k == 0 && !late.empty())
+      component.warnings.push_back(late);
     components.push_back(std::move(component));
   }
   return components;

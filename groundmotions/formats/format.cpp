@@ -4,12 +4,17 @@
 
 #include "engine/base/error.h"
 #include "groundmotions/acceleration_unit.h"
+#include "groundmotions/formats/bbp.h"
 #include "groundmotions/formats/bhrc.h"
 #include "groundmotions/formats/columns_csv.h"
 #include "groundmotions/formats/cosmos.h"
 #include "groundmotions/formats/csmip_volume.h"
+#include "groundmotions/formats/emod3d.h"
+#include "groundmotions/formats/esm.h"
+#include "groundmotions/formats/knet.h"
 #include "groundmotions/formats/peer_at2.h"
-#include "groundmotions/formats/plain_column.h"
+#include "groundmotions/formats/plain_text.h"
+#include "groundmotions/formats/simbad.h"
 #include "groundmotions/formats/usc_blocks.h"
 #include "groundmotions/formats/usc_volume.h"
 
@@ -22,9 +27,14 @@ const std::vector<Format>& formats() {
       {"CSMIP volume", recognises_csmip, read_csmip},
       {"BHRC volume", recognises_bhrc, read_bhrc},
       {"USC blocks", recognises_usc_blocks, read_usc_blocks},
+      {"K-NET", recognises_knet, read_knet},
+      {"ESM", recognises_esm, read_esm},
+      {"SIMBAD", recognises_simbad, read_simbad},
       {"PEER AT2", recognises_peer_at2, read_peer_at2},
+      {"BBP", recognises_bbp, read_bbp},
+      {"EMOD3D", recognises_emod3d, read_emod3d},
       {"columns CSV", recognises_columns_csv, read_columns_csv},
-      {"plain column", recognises_plain_column, read_plain_column},
+      {"plain text", recognises_plain_text, read_plain_text},
   };
   return table;
 }

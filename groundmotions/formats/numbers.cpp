@@ -48,13 +48,18 @@ std::optional<double> number(std::string_view text) {
   return text.empty() ? value : std::nullopt;
 }
 
+NumberReader::NumberReader(const SourceFile& file, Mistakes& mistakes, std::string_view separators)
+    : file_(file),
+      mistakes_(mistakes),
+      separators_(std::string(kBlanks) + std::string(separators)) {}
+
 std::size_t NumberReader::read_line(std::size_t index) {
   const std::string_view line = file_.lines()[index];
   const std::size_t before = values_.size();
-  for (std::size_t begin = line.find_first_not_of(kBlanks); begin != std::string_view::npos;) {
-    const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
+  for (std::size_t begin = line.find_first_not_of(separators_); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(separators_, begin), line.size());
     read_word(line.substr(begin, end - begin), index + 1, begin + 1);
-    begin = line.find_first_not_of(kBlanks, end);
+    begin = line.find_first_not_of(separators_, end);
   }
   return values_.size() - before;
 }

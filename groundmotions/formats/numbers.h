@@ -27,7 +27,8 @@ std::string_view trimmed(std::string_view text);
 /// as Fortran writes them: `.123-103`.
 class NumberReader {
  public:
-  NumberReader(const SourceFile& file, Mistakes& mistakes) : file_(file), mistakes_(mistakes) {}
+  /// @param separators  characters that part numbers besides blanks
+  NumberReader(const SourceFile& file, Mistakes& mistakes, std::string_view separators = {});
 
   /// Reads a line (index from 0); what is no number becomes a mistake.
   /// @returns how many numbers it holds.
@@ -44,6 +45,7 @@ class NumberReader {
 
   const SourceFile& file_;
   Mistakes& mistakes_;
+  std::string separators_;
   std::vector<double> values_;
   std::size_t shortest_tail_ = std::string_view::npos;  ///< of all but the last number
   std::size_t last_tail_ = std::string_view::npos;      ///< characters after the decimal point

@@ -3,14 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 
-#include "engine/base/units.h"
 #include "groundmotions/acceleration_unit.h"
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/plain_rows.h"
+#include "groundmotions/formats/stated.h"
 
 namespace gurney {
 
@@ -25,9 +26,9 @@ std::string upper(std::string_view text) {
   return result;
 }
 
-bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-/// Where `word` stands alone in `line`.
+/// Where `word` stands alone in `line`; digits may touch it: `NPTS=2000DT=.02`.
 std::size_t find_word(std::string_view line, std::string_view word) {
   for (auto at = line.find(word); at != kNone; at = line.find(word, at + 1)) {
     const auto end = at + word.size();
@@ -120,64 +121,48 @@ void name_component(const SourceFile& file, Component& component) {
   if (comma == kNone) return;
   const auto field = trimmed(event.substr(comma + 1));
   component.name = trimmed(field.substr(0, field.find('(')));
-  const auto degrees = number(component.name);
-  if (degrees && *degrees >= 0 && *degrees <= 360)
-    component.azimuth = *degrees * kRadiansPerDegree;
-  else if (component.name == "N" || component.name == "E")
-    component.azimuth = component.name == "N" ? 0 : 90 * kRadiansPerDegree;
+  orient(component.name, component);
 }
 
 double time_step_of(const Header& header, const ReadOptions& options, Mistakes& mistakes) {
   const auto& [value, line] = header.time_step;
-  if (!value) {
-    if (!options.time_step)
-      mistakes.add("the header states no time step (DT= ... SEC); state it as time_step_s");
-    return options.time_step.value_or(0);
-  }
-  if (!(*value > 0 && *value <= 1))
-    mistakes.add(line + 1, 1, fmt::format("DT must be in (0, 1] s, got {}", *value));
-  if (options.time_step && std::abs(*options.time_step - *value) > 1e-6 * *value)
-    mistakes.add(line + 1, 1,
-                 fmt::format("the file states a time step of {} s, but time_step_s = {} was given",
-                             *value, *options.time_step));
-  return *value;
+  if (value) return checked_time_step(*value, "DT", line + 1, options, mistakes);
+  if (!options.time_step)
+    mistakes.add("the header states no time step (DT= ... SEC); state it as time_step_s");
+  return options.time_step.value_or(0);
 }
 
 AccelerationUnit unit_of(const Header& header, const ReadOptions& options, Mistakes& mistakes) {
-  const std::size_t line = header.unit_line + 1;
-  const auto given = acceleration_unit(options.unit);
-  if (header.unit.empty()) {
-    if (!given)
-      mistakes.add("the header states no unit (IN UNITS OF ...); state it as unit = \"g\"");
-    return given.value_or(AccelerationUnit{"", 1});
-  }
-  const auto stated = acceleration_unit(header.unit);
-  if (!stated)
-    mistakes.add(line, 1,
-                 fmt::format("'{}' is not a unit of acceleration: {} are allowed", header.unit,
-                             kAccelerationUnits));
-  else if (given && given->to_si != stated->to_si)
-    mistakes.add(line, 1,
-                 fmt::format("the file states the unit {}, but unit = \"{}\" was given",
-                             stated->name, options.unit));
-  return stated.value_or(AccelerationUnit{"", 1});
+  if (!header.unit.empty())
+    return checked_unit(header.unit, header.unit_line + 1, options, mistakes);
+  if (options.unit.empty())
+    mistakes.add("the header states no unit (IN UNITS OF ...); state it as unit = \"g\"");
+  return acceleration_unit(options.unit).value_or(AccelerationUnit{"", 1});
 }
 
-void check_count(const Header& header, std::size_t count, Component& component,
-                 Mistakes& mistakes) {
-  if (!header.samples.value) {
-    component.warnings.push_back(
-        fmt::format("the header states no NPTS: all {} numbers were taken", count));
-    if (count < 2) mistakes.add(fmt::format("{} samples are no record (2 at least)", count));
+void check_samples(const Header& header, std::size_t count, Component& component,
+                   Mistakes& mistakes) {
+  if (header.samples.value) {
+    check_count(*header.samples.value, "NPTS", header.samples.line + 1, count, mistakes);
     return;
   }
-  const double stated = *header.samples.value;
-  const std::size_t line = header.samples.line + 1;
-  if (!(stated >= 2 && stated == std::floor(stated)))
-    mistakes.add(line, 1, fmt::format("NPTS must be a whole number above 1, got {}", stated));
-  else if (stated != static_cast<double>(count))
-    mistakes.add(line, 1,
-                 fmt::format("NPTS states {} samples, but the file holds {}", stated, count));
+  component.warnings.push_back(
+      fmt::format("the header states no NPTS: all {} numbers were taken", count));
+  if (count < 2) mistakes.add(fmt::format("{} samples are no record (2 at least)", count));
+}
+
+/// `2000 0.0200` alone on the line after the header.
+void find_bare_pair(const SourceFile& file, Header& header) {
+  const std::size_t line = header.first_data_line();
+  if (header.samples.value || header.time_step.value || line >= file.lines().size()) return;
+  auto rest = trimmed(file.lines()[line]);
+  const auto samples = take_number(rest);
+  const auto time_step = number(rest);
+  if (!samples || !time_step || !(*samples >= 2 && *samples == std::floor(*samples)) ||
+      !(*time_step > 0 && *time_step <= 1))
+    return;
+  header.samples = {samples, line};
+  header.time_step = {time_step, line};
 }
 
 }  // namespace
@@ -190,7 +175,8 @@ bool recognises_peer_at2(const SourceFile& file) {
 
 std::vector<Component> read_peer_at2(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file.name());
-  const Header header = header_of(file);
+  Header header = header_of(file);
+  find_bare_pair(file, header);
   if (!header.quantity.empty() && header.quantity != "ACCELERATION") {
     const std::size_t line = header.quantity_line;
     mistakes.add(line + 1, 1,
@@ -201,21 +187,29 @@ std::vector<Component> read_peer_at2(const SourceFile& file, const ReadOptions& 
     mistakes.throw_if_any();
   }
 
+  refuse_si_per_count(options, mistakes);
+  refuse_columns(options, mistakes);
   Component component;
   component.time_step = time_step_of(header, options, mistakes);
   const AccelerationUnit unit = unit_of(header, options, mistakes);
   component.unit = unit.name;
   NumberReader reader(file, mistakes);
-  for (std::size_t i = header.first_data_line(); i < file.lines().size(); ++i) reader.read_line(i);
+  std::size_t first = header.first_data_line();
+  for (; first < file.lines().size() && is_text_line(file.lines()[first]); ++first)
+    component.warnings.push_back(fmt::format("a line of text after the header, skipped: '{}'",
+                                             trimmed(file.lines()[first]).substr(0, 60)));
+  for (std::size_t i = first; i < file.lines().size(); ++i) reader.read_line(i);
   reader.check_end();
-  if (!mistakes.any()) check_count(header, reader.values().size(), component, mistakes);
+  if (!mistakes.any()) check_samples(header, reader.values().size(), component, mistakes);
   mistakes.throw_if_any();
 
-  component.acceleration =
-      unit.to_si * Eigen::Map<const Eigen::VectorXd>(
-                       reader.values().data(), static_cast<Eigen::Index>(reader.values().size()));
+  component.acceleration = scaled(reader.values(), unit.to_si);
   component.header.emplace_back("title", trimmed(file.lines()[0]));
   name_component(file, component);
+  if (header.quantity_line != kNone)
+    component.header.emplace_back("quantity", trimmed(file.lines()[header.quantity_line]));
+  if (header.samples.line != kNone)
+    component.header.emplace_back("samples", trimmed(file.lines()[header.samples.line]));
   return {component};
 }
 

@@ -156,8 +156,10 @@ TEST_F(ReadRecord, RefusesARecordThatIsAllZero) {
 }
 
 TEST_F(ReadRecord, WarnsOfPlacesAndAngles) {
-  EXPECT_THAT(read_record({{at2("UP", {0.1, 0.2}), Direction::kH1}}).warnings,
-              ElementsAre(HasSubstr("the file calls this component 'UP', it is used as h1")));
+  EXPECT_THAT(error_text([&] {
+                read_record({{at2("UP", {0.1, 0.2}), Direction::kH1}});
+              }),
+              HasSubstr("given as h1, but its component UP is vertical"));
   EXPECT_THAT(read_record({{at2("090", {0.1, 0.2}), Direction::kVertical}}).warnings,
               ElementsAre(HasSubstr("calls this component '090', it is used as vertical")));
   EXPECT_THAT(read_record({{at2("090", {0.1, 0.2}), Direction::kH1},

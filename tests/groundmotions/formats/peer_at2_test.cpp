@@ -48,7 +48,8 @@ TEST(PeerAt2, ReadsEverySpellingOfCountAndStep) {
        {"NPTS=   5, DT=   .0200 SEC", "NPTS=   5, DT=   .0200 SEC,", "NPTS=  5, DT= .02000 SEC   ",
         "NPTS=   5, dt=  .02000", "5    0.0200    NPTS, DT", "   5   .0200   NPTS, DT",
         "NPTS=5,DT=.02SEC", "NPTS=   5, DT=   .0200 SEC,   0 POLE @    30.0 HZ,  -5 POLE @   .05",
-        "NPTS= 5\nDT= 0.02 SEC", "NPTS: 5  DT: 2.0E-02", "NPTS=  5, DT=    0.02 SEC",
+        "NPTS= 5 , DT= .02 SEC,", "NPTS=    5DT=  .0200 SEC", "5 0.02", "NPTS= 5\nDT= 0.02 SEC",
+        "NPTS: 5  DT: 2.0E-02", "NPTS=  5, DT=    0.02 SEC",
         "FILTER POINTS: HP=0.12 Hz LP=25.0 Hz\nNPTS=  5, DT= .02000 SEC"})
     expect_the_motion(read(file_with(spelling)));
 }
@@ -85,6 +86,32 @@ TEST(PeerAt2, TakesAllNumbersAndWarnsWithoutNpts) {
               testing::ElementsAre("the header states no NPTS: all 5 numbers were taken"));
 }
 
+// Four header lines, of which the last says nothing: the user states the step.
+TEST(PeerAt2, SkipsTextBeforeTheNumbers) {
+  const auto components = read(file_with("LOW CUT 0.1 HZ"), {.time_step = 0.02});
+  expect_the_motion(components);
+  EXPECT_THAT(components[0].warnings,
+              testing::ElementsAre("a line of text after the header, skipped: 'LOW CUT 0.1 HZ'",
+                                   "the header states no NPTS: all 5 numbers were taken"));
+}
+
+TEST(PeerAt2, TurnsDownToUp) {
+  const Component component = read(replaced(file_with("NPTS= 5, DT= .02 SEC"), "228", "DWN"))[0];
+  EXPECT_EQ(component.direction, Direction::kVertical);
+  EXPECT_DOUBLE_EQ(component.acceleration[0], -0.1 * kG);
+  EXPECT_THAT(component.warnings,
+              testing::ElementsAre("component 'DWN' points down; its samples change sign so that "
+                                   "they point up"));
+}
+
+TEST(PeerAt2, RefusesOptionsForOtherFiles) {
+  EXPECT_EQ(error_text([] {
+              read(file_with("NPTS= 5, DT= .02 SEC"), {.si_per_count = 1, .columns = "time,h1"});
+            }),
+            "f.AT2: si_per_count = 1 was given, but the file does not hold raw counts\n"
+            "f.AT2: columns = \"time,h1\" was given, but the layout of this file is known");
+}
+
 TEST(PeerAt2, KnowsTheComponentAndItsAzimuth) {
   const std::string text = file_with("NPTS= 5, DT= .02 SEC");
   const auto with = [&](const char* name) { return read(replaced(text, "228", name))[0]; };
@@ -94,6 +121,9 @@ TEST(PeerAt2, KnowsTheComponentAndItsAzimuth) {
   EXPECT_DOUBLE_EQ(*with("E").azimuth, 90 * kRadiansPerDegree);
   EXPECT_EQ(with("UP").name, "UP");
   EXPECT_FALSE(with("UP").azimuth);
+  EXPECT_EQ(with("UP").direction, Direction::kVertical);
+  EXPECT_EQ(with("BHZ00").direction, Direction::kVertical);
+  EXPECT_FALSE(with("BH100").azimuth || with("BH100").direction);
   EXPECT_FALSE(with("8 points across").azimuth);
   EXPECT_EQ(with("228").sha256, SourceFile("f", text).sha256());
 }

@@ -1,0 +1,75 @@
+#include "groundmotions/formats/emod3d.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/stated.h"
+
+namespace gurney {
+
+namespace {
+
+/// The numbers of a line; empty if it holds anything else.
+std::vector<double> numbers_of(std::string_view line) {
+  std::vector<double> values;
+  for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
+    const auto end = std::min(line.find_first_of(" \t"), line.size());
+    const auto value = number(line.substr(0, end));
+    if (!value) return {};
+    values.push_back(*value);
+    line.remove_prefix(end);
+  }
+  return values;
+}
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
+    const auto end = std::min(line.find_first_of(" \t"), line.size());
+    words.push_back(line.substr(0, end));
+    line.remove_prefix(end);
+  }
+  return words;
+}
+
+}  // namespace
+
+bool recognises_emod3d(const SourceFile& file) {
+  if (file.lines().size() < 3) return false;
+  return words_of(file.lines()[0]).size() >= 2 && numbers_of(file.lines()[0]).empty() &&
+         numbers_of(file.lines()[1]).size() == 8;
+}
+
+std::vector<Component> read_emod3d(const SourceFile& file, const ReadOptions& options) {
+  Mistakes mistakes(file.name());
+  refuse_si_per_count(options, mistakes);
+  refuse_columns(options, mistakes);
+  const auto words = words_of(file.lines()[0]);
+  const auto head = numbers_of(file.lines()[1]);
+  Component component;
+  component.time_step = checked_time_step(head[1], "dt", 2, options, mistakes);
+  const AccelerationUnit unit = unit_of_user(options, mistakes);
+  component.unit = unit.name;
+  NumberReader reader(file, mistakes);
+  for (std::size_t i = 2; i < file.lines().size(); ++i) reader.read_line(i);
+  reader.check_end();
+  if (!mistakes.any()) check_count(head[0], "npts", 2, reader.values().size(), mistakes);
+  mistakes.throw_if_any();
+
+  component.acceleration = scaled(reader.values(), unit.to_si);
+  component.name = words[1];
+  orient(component.name, component);
+  component.header.emplace_back("station", words[0]);
+  if (words.size() > 2)
+    component.header.emplace_back("title", trimmed(file.lines()[0].substr(static_cast<std::size_t>(
+                                               words[2].data() - file.lines()[0].data()))));
+  component.header.emplace_back("first sample after the origin [s]",
+                                fmt::format("{}", (head[2] * 60 + head[3]) * 60 + head[4]));
+  component.header.emplace_back("distance [km]", fmt::format("{}", head[5]));
+  return {component};
+}
+
+}  // namespace gurney

@@ -1,0 +1,164 @@
+#include "groundmotions/formats/esm.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "groundmotions/formats/calendar.h"
+#include "groundmotions/formats/colon_header.h"
+#include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/stated.h"
+
+namespace gurney {
+
+namespace {
+
+bool has(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+void refuse_other_quantities(const ColonHeader& header, Mistakes& mistakes) {
+  const auto* type = header.find("DATA_TYPE");
+  const auto* units = header.find("UNITS");
+  for (const char* wrong : {"SPECTRUM", "VELOCITY", "DISPLACEMENT"})
+    if (type && has(type->value, wrong)) {
+      mistakes.add(type->line, 1,
+                   fmt::format("a record must be acceleration, but DATA_TYPE is '{}'; take the "
+                               "acceleration file of this component (.ACC.ASC)",
+                               type->value));
+      mistakes.throw_if_any();
+    }
+  if (const auto quantity = units ? other_quantity(units->value) : std::nullopt)
+    mistakes.add(units->line, 1,
+                 fmt::format("a record must be acceleration, but UNITS are '{}': {}; take the "
+                             "acceleration file of this component (.ACC.ASC)",
+                             units->value, *quantity));
+  mistakes.throw_if_any();
+}
+
+void set_start(const ColonHeader& header, Component& component, Mistakes& mistakes) {
+  const auto* sample = header.find("DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS");
+  if (sample && !sample->value.empty()) {
+    component.start_time = utc_seconds(sample->value);
+    if (!component.start_time)
+      mistakes.add(
+          sample->line, 1,
+          fmt::format("{} must be a date and a time, got '{}'", sample->key, sample->value));
+    return;
+  }
+  // The old header has no date of the first sample: that of the event, unless midnight is between.
+  constexpr double kHalfDay = 12 * 3600, kDay = 24 * 3600;
+  const std::string date(header.value("EVENT_DATE_YYYYMMDD"));
+  const auto first = utc_seconds(date + "_" + std::string(header.value("TIME_FIRST_SAMPLE_S")));
+  const auto event = utc_seconds(date + "_" + std::string(header.value("EVENT_TIME_HHMMSS")));
+  if (!first || !event) return;
+  component.start_time = *first - *event > kHalfDay   ? *first - kDay
+                         : *event - *first > kHalfDay ? *first + kDay
+                                                      : *first;
+}
+
+void set_facts(const ColonHeader& header, Component& component) {
+  constexpr std::array<std::pair<const char*, const char*>, 20> kFacts = {
+      {{"event", "EVENT_NAME"},
+       {"event id", "EVENT_ID"},
+       {"event date", "EVENT_DATE_YYYYMMDD"},
+       {"event time", "EVENT_TIME_HHMMSS"},
+       {"magnitude Mw", "MAGNITUDE_W"},
+       {"magnitude ML", "MAGNITUDE_L"},
+       {"network", "NETWORK"},
+       {"station", "STATION_CODE"},
+       {"station name", "STATION_NAME"},
+       {"site class (EC8)", "SITE_CLASSIFICATION_EC8"},
+       {"vs30 [m/s]", "VS30_M/S"},
+       {"epicentral distance [km]", "EPICENTRAL_DISTANCE_KM"},
+       {"published peak [cm/s2]", "PGA_CM/S^2"},
+       {"baseline", "BASELINE_CORRECTION"},
+       {"filter", "FILTER_TYPE"},
+       {"filter order", "FILTER_ORDER"},
+       {"low cut [Hz]", "LOW_CUT_FREQUENCY_HZ"},
+       {"high cut [Hz]", "HIGH_CUT_FREQUENCY_HZ"},
+       {"data type", "DATA_TYPE"},
+       {"licence", "DATA_LICENSE"}}};
+  for (const auto& [name, key] : kFacts)
+    if (const auto value = header.value(key); !value.empty())
+      component.header.emplace_back(name, value);
+}
+
+void check_against_header(const ColonHeader& header, Component& component, Mistakes& mistakes) {
+  const auto* peak = header.find("PGA_CM/S^2");
+  if (!peak || peak->value.empty()) return;
+  check_peak(peak->value, {"cm/s2", 0.01}, peak->line, component, mistakes);
+  const auto time = number(header.value("TIME_PGA_S"));
+  if (!time) return;
+  Eigen::Index at = 0;
+  const double largest = component.acceleration.cwiseAbs().maxCoeff(&at);
+  const double step = component.time_step;
+  const auto stated = static_cast<Eigen::Index>(std::clamp(
+      std::round(*time / step), 0.0, static_cast<double>(component.acceleration.size())));
+  // Equal peaks may be at several times.
+  for (Eigen::Index i = stated - 1; i <= stated + 1; ++i)
+    if (i >= 0 && i < component.acceleration.size() &&
+        std::abs(component.acceleration[i]) >= 0.999 * largest)
+      return;
+  component.warnings.push_back(
+      fmt::format("the file states its peak at {} s, its samples have it "
+                  "at {:.9g} s",
+                  *time, static_cast<double>(at) * step));
+}
+
+void warn_of_state(const ColonHeader& header, Component& component) {
+  if (has(header.value("BASELINE_CORRECTION"), "NOT REMOVED"))
+    component.warnings.push_back("the header says BASELINE NOT REMOVED: this is a raw record");
+  if (const auto depth = number(header.value("SENSOR_DEPTH_M")); depth && *depth > 0)
+    component.warnings.push_back(fmt::format(
+        "the sensor is {} m below the ground: this is not a motion of the surface", *depth));
+}
+
+}  // namespace
+
+bool recognises_esm(const SourceFile& file) {
+  if (!file.lines().front().starts_with("EVENT_NAME:")) return false;
+  const ColonHeader header(file);
+  return header.find("NDATA") && header.find("SAMPLING_INTERVAL_S");
+}
+
+std::vector<Component> read_esm(const SourceFile& file, const ReadOptions& options) {
+  Mistakes mistakes(file.name());
+  const ColonHeader header(file);
+  refuse_other_quantities(header, mistakes);
+  refuse_si_per_count(options, mistakes);
+  refuse_columns(options, mistakes);
+
+  Component component;
+  component.time_step =
+      checked_time_step(header.number_of("SAMPLING_INTERVAL_S", mistakes), "SAMPLING_INTERVAL_S",
+                        header.find("SAMPLING_INTERVAL_S")->line, options, mistakes);
+  const auto* units = header.find("UNITS");
+  const AccelerationUnit unit = units && !units->value.empty()
+                                    ? checked_unit(units->value, units->line, options, mistakes)
+                                    : unit_of_user(options, mistakes);
+  component.unit = unit.name;
+  const double count = header.number_of("NDATA", mistakes);
+
+  NumberReader reader(file, mistakes);
+  for (std::size_t i = header.lines(); i < file.lines().size(); ++i) reader.read_line(i);
+  reader.check_end();
+  if (!mistakes.any())
+    check_count(count, "NDATA", header.find("NDATA")->line, reader.values().size(), mistakes);
+  mistakes.throw_if_any();
+
+  component.acceleration = scaled(reader.values(), unit.to_si);
+  component.name = header.value(header.find("STREAM") ? "STREAM" : "COMPONENT");
+  orient(component.name, component);
+  set_facts(header, component);
+  set_start(header, component, mistakes);
+  check_against_header(header, component, mistakes);
+  warn_of_state(header, component);
+  mistakes.throw_if_any();
+  return {component};
+}
+
+}  // namespace gurney

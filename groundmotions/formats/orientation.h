@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string_view>
+
+#include "groundmotions/record.h"
+
+namespace gurney {
+
+/// Sets azimuth or direction of a component from what its file calls it, whatever the letter case:
+///
+/// - degrees in [0, 360] clockwise from north;
+/// - N, NS, N-S, NORTH...; E, EW, E-W, WE, EAST... (positive to the north and to the east);
+/// - U, UP, UD, U-D, V, Z, VER, VERT, VERTICAL: up;
+/// - DN, DWN, DOWN: the samples change sign so that they point up, with a warning;
+/// - a SEED channel code of three letters ending in N, E or Z, with or without a location of two
+///   digits: HNE, HGZ, BHZ00.
+///
+/// Any other name (L, T, H1, HN2) sets nothing. To be called when the samples are there.
+void orient(std::string_view name, Component& component);
+
+}  // namespace gurney

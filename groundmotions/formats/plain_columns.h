@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "groundmotions/formats/format.h"
+#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/plain_rows.h"
+
+namespace gurney {
+
+/// What the numbers of plain rows are.
+struct PlainColumns {
+  enum class Kind { kTime, kComponent, kSkip };
+  struct Column {
+    Kind kind = Kind::kComponent;
+    std::optional<Direction> direction;
+  };
+
+  bool samples = false;         ///< one component, row by row; `columns` is empty
+  std::vector<Column> columns;  ///< one for each number of a row
+};
+
+/// @param options  `columns` if not empty, else: one number in a row, or a first number that grows
+///                 from row to row (a time), says it
+/// @param stated   the file states how many samples it has, as many as it has numbers
+/// Mistakes: names that are unknown or repeated, no component, another number of columns, rows of
+/// unequal length, and rows that do not say what they are.
+PlainColumns plain_columns(const PlainRows& rows, bool stated, const ReadOptions& options,
+                           Mistakes& mistakes);
+
+}  // namespace gurney

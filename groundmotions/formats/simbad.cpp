@@ -1,0 +1,99 @@
+#include "groundmotions/formats/simbad.h"
+
+#include <fmt/format.h>
+
+#include "groundmotions/formats/colon_header.h"
+#include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/stated.h"
+
+namespace gurney {
+
+namespace {
+
+constexpr std::string_view kStep = "Time Increment (s)";
+constexpr std::string_view kCount = "Number of Data";
+constexpr std::string_view kSeries = "time series in ";
+
+/// The unit in `PGA (m/s/s)` or nothing.
+std::string_view in_brackets(std::string_view text) {
+  const auto open = text.find('(');
+  if (open == std::string_view::npos) return {};
+  text.remove_prefix(open + 1);
+  return text.substr(0, text.find(')'));
+}
+
+void check_published_peak(const ColonHeader& header, Component& component, Mistakes& mistakes) {
+  const auto* peak = header.find_start("PGA");
+  if (!peak) return;
+  const auto unit = acceleration_unit(in_brackets(peak->key));
+  if (!unit) {
+    mistakes.add(peak->line, 1,
+                 fmt::format("'{}' is not a unit of acceleration: {} are allowed",
+                             in_brackets(peak->key), kAccelerationUnits));
+    return;
+  }
+  component.header.emplace_back("published peak", fmt::format("{} {}", peak->value, unit->name));
+  check_peak(peak->value, *unit, peak->line, component, mistakes);
+}
+
+}  // namespace
+
+bool recognises_simbad(const SourceFile& file) {
+  const ColonHeader header(file);
+  return header.find(kStep) && header.find(kCount);
+}
+
+std::vector<Component> read_simbad(const SourceFile& file, const ReadOptions& options) {
+  Mistakes mistakes(file.name());
+  const ColonHeader header(file);
+  refuse_si_per_count(options, mistakes);
+  refuse_columns(options, mistakes);
+  const std::size_t title = header.lines();
+  const auto line = title < file.lines().size() ? file.lines()[title] : std::string_view();
+  const auto series = line.find(kSeries);
+  if (series == std::string_view::npos) {
+    mistakes.add(title + 1, 1,
+                 "the header must end in a line such as 'Acceleration time series in m/s/s'");
+    mistakes.throw_if_any();
+  }
+  const auto unit_text = trimmed(line.substr(series + kSeries.size()));
+  if (const auto quantity = other_quantity(unit_text)) {
+    mistakes.add(title + 1, 1,
+                 fmt::format("a record must be acceleration, but this is a {} file ('{}'); take "
+                             "the .cor.acc file of this component",
+                             *quantity, trimmed(line)));
+    mistakes.throw_if_any();
+  }
+
+  Component component;
+  const AccelerationUnit unit = checked_unit(unit_text, title + 1, options, mistakes);
+  component.unit = unit.name;
+  component.time_step = checked_time_step(header.number_of(kStep, mistakes), kStep,
+                                          header.find(kStep)->line, options, mistakes);
+  const double count = header.number_of(kCount, mistakes);
+  NumberReader reader(file, mistakes);
+  for (std::size_t i = title + 1; i < file.lines().size(); ++i) reader.read_line(i);
+  reader.check_end();
+  if (!mistakes.any())
+    check_count(count, kCount, header.find(kCount)->line, reader.values().size(), mistakes);
+  mistakes.throw_if_any();
+
+  component.acceleration = scaled(reader.values(), unit.to_si);
+  component.name = header.value("Orientation");
+  orient(component.name, component);
+  const std::pair<const char*, const char*> facts[] = {
+      {"event time", "Event Date & Time"},
+      {"station", "Station Code / Name"},
+      {"network", "Network"},
+      {"processing", "Processing Info"},
+      {"filter corners [Hz]", "Filter Cut-off Frequency (Hz)"}};
+  for (const auto& [name, key] : facts)
+    if (const auto value = header.value(key); !value.empty())
+      component.header.emplace_back(name, value);
+  check_published_peak(header, component, mistakes);
+  mistakes.throw_if_any();
+  return {component};
+}
+
+}  // namespace gurney

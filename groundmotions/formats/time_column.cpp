@@ -1,0 +1,52 @@
+#include "groundmotions/formats/time_column.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "groundmotions/formats/numbers.h"
+
+namespace gurney {
+
+double even_step(const std::vector<double>& times, const std::vector<std::size_t>& lines,
+                 Mistakes& mistakes) {
+  std::vector<double> steps(times.size());
+  std::adjacent_difference(times.begin(), times.end(), steps.begin());
+  auto sorted = std::vector(steps.begin() + 1, steps.end());
+  std::ranges::nth_element(sorted, sorted.begin() + static_cast<long>(sorted.size() / 2));
+  const double usual = sorted[sorted.size() / 2];
+  if (!(usual > 0 && usual <= 1)) {
+    mistakes.add(lines[1], 1, fmt::format("time steps must be in (0, 1] s, got {:.9g}", usual));
+    return usual;
+  }
+  for (std::size_t i = 1; i < steps.size(); ++i)
+    if (!(std::abs(steps[i] - usual) <= 0.5 * usual)) {
+      mistakes.add(lines[i], 1,
+                   fmt::format("the time goes from {} to {} s where the step is {:.9g} s",
+                               times[i - 1], times[i], usual));
+      return usual;
+    }
+  const double mean = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+  const double step = *number(fmt::format("{:.12g}", mean));
+  const auto even = [&](std::size_t i) { return times[0] + static_cast<double>(i) * mean; };
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (!(std::abs(times[i] - even(i)) <= std::abs(times[worst] - even(worst)))) worst = i;
+  const double deviation = std::abs(times[worst] - even(worst)) / mean;
+  if (!(deviation <= kTimeTolerance))
+    mistakes.add(lines[worst], 1,
+                 fmt::format("time {} s is off the even grid ({:.9g} s, step {:.9g} s) by {:.3g} "
+                             "of the step, {} is allowed; no other time is farther off",
+                             times[worst], even(worst), step, deviation, kTimeTolerance));
+  return step;
+}
+
+std::string late_start(double first_time, double step) {
+  if (std::abs(first_time) <= kTimeTolerance * step) return {};
+  return fmt::format("the first time is {} s; the motion starts there, at 0 s of the run",
+                     first_time);
+}
+
+}  // namespace gurney

@@ -1,0 +1,50 @@
+#include "groundmotions/formats/orientation.h"
+
+#include <gmock/gmock.h>
+
+#include "engine/base/units.h"
+
+namespace gurney {
+namespace {
+
+Component oriented(const char* name) {
+  Component component;
+  component.acceleration = Eigen::Vector2d(1, -2);
+  orient(name, component);
+  return component;
+}
+
+TEST(Orientation, KnowsAzimuths) {
+  for (const char* north : {"0", "N", "ns", "N-S", "North", "HNN", "BHN10"})
+    EXPECT_EQ(oriented(north).azimuth, 0) << north;
+  for (const char* east : {"090", " 90.0 ", "E", "EW", "e-w", "WE", "HGE"})
+    EXPECT_DOUBLE_EQ(oriented(east).azimuth.value_or(-1), 90 * kRadiansPerDegree) << east;
+  EXPECT_DOUBLE_EQ(*oriented("360").azimuth, 360 * kRadiansPerDegree);
+  EXPECT_FALSE(oriented("090").direction);
+}
+
+TEST(Orientation, KnowsVerticals) {
+  for (const char* up : {"UP", "U-D", "UD", "V", "ver", "Z", "HNZ", "Vertical"}) {
+    EXPECT_EQ(oriented(up).direction, Direction::kVertical) << up;
+    EXPECT_EQ(oriented(up).acceleration[0], 1) << up;
+    EXPECT_FALSE(oriented(up).azimuth) << up;
+  }
+}
+
+TEST(Orientation, TurnsDownToUp) {
+  for (const char* down : {"DOWN", "dwn", "DN"}) {
+    EXPECT_EQ(oriented(down).acceleration, Eigen::Vector2d(-1, 2)) << down;
+    EXPECT_EQ(oriented(down).warnings.size(), 1u) << down;
+  }
+}
+
+TEST(Orientation, LeavesOtherNamesAlone) {
+  for (const char* name : {"", "L", "T", "H1", "HN2", "BH100", "-10", "361", "x_g", "DWNE"}) {
+    const Component component = oriented(name);
+    EXPECT_FALSE(component.azimuth || component.direction) << name;
+    EXPECT_TRUE(component.warnings.empty()) << name;
+  }
+}
+
+}  // namespace
+}  // namespace gurney
