@@ -5,14 +5,17 @@
 
 namespace gurney {
 
-Oscillator::Oscillator(double omega, double damping, double time_step)
+Oscillator::Oscillator(double omega, double damping, double time_step, double displacement,
+                       double velocity)
     : omega_(omega),
       damping_(damping),
       time_step_(time_step),
       damped_omega_(omega * std::sqrt(1 - damping * damping)),
       decay_(std::exp(-damping * omega * time_step)),
       cosine_(std::cos(damped_omega_ * time_step)),
-      sine_(std::sin(damped_omega_ * time_step)) {
+      sine_(std::sin(damped_omega_ * time_step)),
+      u_(displacement),
+      v_(velocity) {
   assert(omega > 0 && damping >= 0 && damping < 1 && time_step > 0);
 }
 

@@ -2,7 +2,7 @@
 
 namespace gurney {
 
-/// A damped linear oscillator u'' + 2 zeta omega u' + omega^2 u = p(t), at rest at the start, with
+/// A damped linear oscillator u'' + 2 zeta omega u' + omega^2 u = p(t), with
 /// p linear over each step: the state after a step is exact (Nigam & Jennings 1969, BSSA 59(2),
 /// 909-922).
 class Oscillator {
@@ -10,7 +10,9 @@ class Oscillator {
   /// @param omega      natural angular frequency > 0 [rad/s]
   /// @param damping    zeta in [0, 1)
   /// @param time_step  > 0 [s]
-  Oscillator(double omega, double damping, double time_step);
+  /// @param displacement, velocity  at the start
+  Oscillator(double omega, double damping, double time_step, double displacement = 0,
+             double velocity = 0);
 
   /// @param p0, p1  load at the begin and the end of the step
   void step(double p0, double p1);
@@ -21,7 +23,7 @@ class Oscillator {
  private:
   double omega_, damping_, time_step_;
   double damped_omega_, decay_, cosine_, sine_;
-  double u_ = 0, v_ = 0;
+  double u_, v_;
 };
 
 }  // namespace gurney

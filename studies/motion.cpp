@@ -7,7 +7,7 @@
 #include "engine/base/error.h"
 #include "groundmotions/assembly/plausibility.h"
 #include "groundmotions/buildings/floor_record.h"
-#include "groundmotions/peaks.h"
+#include "groundmotions/measures/peaks.h"
 #include "groundmotions/processing/pipeline.h"
 #include "groundmotions/record_motion.h"
 #include "groundmotions/residual.h"

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "engine/base/error.h"
-#include "groundmotions/peaks.h"
+#include "groundmotions/measures/peaks.h"
 #include "groundmotions/synthetic/clough_penzien.h"
 #include "groundmotions/synthetic/component.h"
 #include "groundmotions/synthetic/end_state.h"

@@ -7,7 +7,7 @@
 
 #include "engine/base/units.h"
 #include "groundmotions/measures/response_spectrum.h"
-#include "groundmotions/measures/rotated_spectrum.h"
+#include "groundmotions/measures/rotation.h"
 #include "groundmotions/processing/integrate.h"
 #include "studies/report/panel.h"
 
@@ -99,7 +99,7 @@ void draw_spectra(Svg& svg, const Record& record) {
         {.stroke = palette(static_cast<std::size_t>(direction)), .width = 1.2}));
   }
   if (record[Direction::kH1] && record[Direction::kH2])
-    panel.curves.push_back(spectrum_curve("RotD50", periods, rotd50(record, periods),
+    panel.curves.push_back(spectrum_curve("RotD50", periods, rot_d_spectrum(record, periods).d50,
                                           {.stroke = "#000000", .width = 1.8}));
   draw(svg, {kLeft, kTop + 3 * kRow, 2 * kColumn + kPanelWidth, kSpectrumHeight}, panel);
 }

@@ -10,7 +10,7 @@
 #include "engine/base/units.h"
 #include "groundmotions/formats/format.h"
 #include "groundmotions/formats/numbers.h"
-#include "groundmotions/peaks.h"
+#include "groundmotions/measures/peaks.h"
 #include "tests/support/error_text.h"
 
 /// Real files of strong motion networks, which may not be part of the project: a folder named by

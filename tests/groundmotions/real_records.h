@@ -11,7 +11,7 @@
 
 #include "groundmotions/formats/format.h"
 #include "groundmotions/formats/numbers.h"
-#include "groundmotions/peaks.h"
+#include "groundmotions/measures/peaks.h"
 
 namespace gurney {
 

@@ -7,7 +7,7 @@
 
 #include "engine/base/units.h"
 #include "groundmotions/oscillator.h"
-#include "groundmotions/peaks.h"
+#include "groundmotions/measures/peaks.h"
 #include "groundmotions/synthetic/end_state.h"
 #include "tests/support/expect_error.h"
 

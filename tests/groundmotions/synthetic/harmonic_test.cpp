@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "groundmotions/peaks.h"
+#include "groundmotions/measures/peaks.h"
 #include "groundmotions/synthetic/end_state.h"
 #include "groundmotions/synthetic/noise.h"
 #include "tests/support/expect_error.h"

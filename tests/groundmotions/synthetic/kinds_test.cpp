@@ -4,7 +4,7 @@
 
 #include "engine/base/config/document.h"
 #include "engine/base/units.h"
-#include "groundmotions/peaks.h"
+#include "groundmotions/measures/peaks.h"
 #include "groundmotions/record_motion.h"
 #include "groundmotions/synthetic/clough_penzien.h"
 #include "tests/support/expect_error.h"
