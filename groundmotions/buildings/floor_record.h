@@ -41,7 +41,7 @@ struct BuildingResponse {
 /// peaks.
 ///
 /// Warnings go to the floor's record: displacement capacity exceeded, isolators unloaded, motion
-/// cut after 120 s, accuracy not reached.
+/// cut after 120 s, accuracy not reached, energies that do not add up.
 ///
 /// @param floor  0 to building.storeys
 /// @throws Error for another floor and for a ground without components

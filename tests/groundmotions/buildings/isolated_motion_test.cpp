@@ -221,6 +221,16 @@ TEST(IsolatedMotion, EnergyCloses) {
     }
 }
 
+// The fixed point of a step surely contracts at the largest step, also where friction rises
+// steeply.
+TEST(IsolatedMotion, EnergyClosesAtTheLargestStep) {
+  const Isolation harsh = with_base(friction_pendulum(1, 0.02, 0.2, 200, 1e-4));
+  const double h = IsolatedMotion::largest_step(harsh, two_storeys());
+  IsolatedMotion motion(harsh, two_storeys(), h);
+  for (int i = 0; i < std::lround(8 / h); ++i) motion.step(shake(i * h), shake((i + 1) * h));
+  EXPECT_LT(std::abs(motion.energy().closure()), 1e-10 * motion.energy().input);
+}
+
 // A full cycle of amplitude d dissipates 4 q (d - u_y).
 TEST(IsolatedMotion, HysteresisTakesTheAreaOfTheLoop) {
   const double q = 0.6, uy = 0.01, d = 0.05;
