@@ -41,7 +41,7 @@ std::pair<double, double> period_range(const Building& building) {
     for (const Mode& mode : axis) add(mode.omega);
   if (building.isolation) {
     add(std::sqrt(building.isolation->stiffness));
-    add(building.isolation->elastic_omega());
+    if (building.isolation->fast_strength > 0) low = std::min(low, kShortestPeriod);
   }
   return high > 0 ? std::pair(low, high) : std::pair(0.0, 0.0);
 }
