@@ -31,17 +31,17 @@ struct BuildingResponse {
 ///
 /// Components that the ground lacks stay absent and count as rest. The floor's samples are as far
 /// apart as the ground's, or finer by a whole factor: at least 20 in the shortest period of the
-/// building, down to periods of 1/33 s. After the ground's last sample the ground rests and the
-/// building vibrates on, until each component has stayed below 1 % of its peak for the longest
-/// period of the building and 1 s at least; at most for 120 s. Floor 0 of a building without
-/// isolation is the ground, as it is.
+/// building, down to periods of 1/33 s, which isolators that yield or slide always count as. After
+/// the ground's last sample the ground rests and the building vibrates on, until each component has
+/// stayed below 1 % of its peak for the longest period of the building and 1 s at least; at most
+/// for 120 s. Floor 0 of a building without isolation is the ground, as it is.
 ///
 /// Isolated buildings are solved with ever finer steps, until halving the step changes neither the
 /// floor's horizontal acceleration nor the isolators' displacement by more than 0.03 % of their
 /// peaks.
 ///
 /// Warnings go to the floor's record: displacement capacity exceeded, isolators unloaded, motion
-/// cut after 120 s, accuracy not reached.
+/// cut after 120 s, accuracy not reached, energies that do not add up.
 ///
 /// @param floor  0 to building.storeys
 /// @throws Error for another floor and for a ground without components

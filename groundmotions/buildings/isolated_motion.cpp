@@ -36,10 +36,14 @@ IsolatedMotion::IsolatedMotion(const Isolation& isolation, const std::array<Moda
 
 double IsolatedMotion::largest_step(const Isolation& isolation,
                                     const std::array<ModalAxis, 2>& axes) {
-  // The fixed point contracts by s / (2 B / h^2 + s), s = q / (2 u_y), B > base_mass_ratio: by 1/3
-  // or better for h^2 <= B / s. One radian of the fastest vibration is six points in a period.
+  // With A = 2 B / h^2, B > base_mass_ratio, and J between 0 and s + r / h the slope of the mean
+  // force over the way, s = q / (2 u_y), r = rate (q_fast - q_slow), the fixed point contracts by
+  // (s - J) / (A + s): by 1/2 or better for h^2 <= B / s and h <= B / r.
+  const double share = isolation.base_mass_ratio;
   const double hysteresis = isolation.fast_strength / (2 * isolation.yield_displacement);
-  double square = isolation.base_mass_ratio / std::max(hysteresis, isolation.stiffness);
+  const double rate = isolation.strength_rate * (isolation.fast_strength - isolation.slow_strength);
+  double square = share / std::max(hysteresis, isolation.stiffness);
+  if (rate > 0) square = std::min(square, std::pow(share / rate, 2));
   for (const ModalAxis& axis : axes)
     for (const Mode& mode : axis) square = std::min(square, 1 / (mode.omega * mode.omega));
   return std::sqrt(square);

@@ -13,10 +13,6 @@ double Isolation::strength(double speed) const {
   return fast_strength - (fast_strength - slow_strength) * std::exp(-strength_rate * speed);
 }
 
-double Isolation::elastic_omega() const {
-  return std::sqrt(stiffness + fast_strength / yield_displacement);
-}
-
 Isolation linear_isolation(double period, double damping) {
   assert(period > 0 && damping >= 0);
   const double omega = 2 * std::numbers::pi / period;

@@ -31,8 +31,6 @@ struct Isolation {
   double capacity = std::numeric_limits<double>::infinity();  ///< largest |u| with room [m]
 
   double strength(double speed) const;
-  /// Of the rigid building before yield [rad/s].
-  double elastic_omega() const;
 };
 
 /// Rubber with a viscous damper: k = (2 pi / T)^2, c = 2 zeta (2 pi / T).

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "tests/support/error_text.h"
 #include "tests/support/key_table.h"
@@ -87,11 +88,20 @@ TEST(BuildingReader, ShippedBuildingsAreRead) {
   const Building fixed = building_from_file(folder + "concrete_hospital.toml");
   EXPECT_EQ(fixed.storeys, 4);
   EXPECT_NEAR(2 * pi / fixed[Direction::kH1][0].omega, 0.565, 1e-3);
-  EXPECT_EQ(fixed[Direction::kVertical].size(), 8U);
+  EXPECT_NEAR(fixed[Direction::kVertical].at(0).omega, 2 * pi * 10.7, 1e-12);
   const Building lead = building_from_file(folder + "lead_rubber_hospital.toml");
   EXPECT_EQ(lead.isolation->name, "lead rubber");
   const Building pendulum = building_from_file(folder + "friction_pendulum_hospital.toml");
   EXPECT_NEAR(2 * pi / std::sqrt(pendulum.isolation->stiffness), 3, 1e-3);
+}
+
+TEST(BuildingReader, ReadsVerticalFloorsOnColumns) {
+  const Building building = read(kShear +
+                                 "[vertical]\nfloor_frequency_hz = 10\ndamping_ratio = 0.03\n"
+                                 "column_frequency_hz = 20\n");
+  ASSERT_EQ(building[Direction::kVertical].size(), 6U);
+  EXPECT_LT(building[Direction::kVertical][0].omega, 2 * pi * 10);
+  EXPECT_EQ(building[Direction::kVertical][5].damping, 0.03);
 }
 
 TEST(BuildingReader, FloorsAreNumbersOrTheRoof) {
@@ -160,6 +170,37 @@ TEST(BuildingReader, RefusesImpossibleValues) {
 TEST(BuildingReader, UnknownKeysAreMistakes) {
   EXPECT_THAT(mistakes(kShear + "storey = 3\n"), HasSubstr("storey"));
   EXPECT_THAT(mistakes(kShear + "dampin_ratio = 3\n"), HasSubstr("did you mean 'damping_ratio'?"));
+}
+
+/// Keys asked for by a building with everything in it; the last part of each.
+std::set<std::string> asked(const std::string& text) {
+  config::Document document(text, "b.toml");
+  config::Table table = document.root();
+  read_building(table);
+  std::set<std::string> keys;
+  for (const std::string& key : document.asked_keys()) keys.insert(key.substr(key.rfind('.') + 1));
+  return keys;
+}
+
+TEST(BuildingReader, EveryKeyIsDocumented) {
+  const std::string page = std::string(SOURCE_DIR) + "/docs/formats/building_file.md";
+  const auto documented = [&](std::initializer_list<const char*> sections) {
+    std::set<std::string> keys;
+    for (const char* section : sections) keys.merge(documented_keys(page, section));
+    return keys;
+  };
+  const std::string isolation =
+      "[isolation]\nkind = 'friction_pendulum'\n[vertical]\nfloor_frequency_hz = 10\n";
+  std::set<std::string> shear = asked("kind = 'shear'\nperiod_s = 1\n" + isolation);
+  shear.merge(
+      asked("kind = 'shear'\nstorey_stiffness_h1_n_per_m = [1]\n"
+            "[isolation]\nkind = 'lead_rubber'\n"));
+  EXPECT_EQ(shear, documented({"All buildings", "Shear", "Vertical", "Isolation"}));
+  std::set<std::string> generic = asked("kind = 'generic'\nframe = 'other'\n" + isolation);
+  generic.merge(asked("kind = 'generic'\n[isolation]\nkind = 'lead_rubber'\n"));
+  EXPECT_EQ(generic, documented({"All buildings", "Generic", "Vertical", "Isolation"}));
+  const std::set<std::string> modal = asked("kind = 'modal'\nh1 = [{ period_s = 1 }]\n");
+  EXPECT_EQ(modal, documented({"All buildings", "Modal"}));
 }
 
 }  // namespace

@@ -109,8 +109,8 @@ TEST(IsolatedMotion, LinearBuildingFollowsTheMatrixExponentialWithSecondOrder) {
 // on the lower branch about q / k with w2 until it stops.
 TEST(IsolatedMotion, BilinearFreeVibrationTurnsWhereTheClosedFormDoes) {
   const double q = 0.5, uy = 0.01, u0 = 0.3, h = 1e-4;
-  Isolation bearing = with_base(lead_rubber(2.5, q / kStandardGravity, uy, 0));
-  const double k = bearing.stiffness, w1 = bearing.elastic_omega(), w2 = std::sqrt(k);
+  const Isolation bearing = with_base(lead_rubber(2.5, q / kStandardGravity, uy, 0));
+  const double k = bearing.stiffness, w1 = std::sqrt(k + q / uy), w2 = std::sqrt(k);
   const double c1 = u0 - (k * u0 + q) / (w1 * w1);
   const double swing = u0 - c1;
   const double t1 = std::acos((u0 - 2 * uy - c1) / swing) / w1;
@@ -219,6 +219,16 @@ TEST(IsolatedMotion, EnergyCloses) {
       EXPECT_GT(energy.damping, 0);
       EXPECT_LT(std::abs(energy.closure()), 1e-10 * energy.input) << isolation.name;
     }
+}
+
+// The fixed point of a step surely contracts at the largest step, also where friction rises
+// steeply.
+TEST(IsolatedMotion, EnergyClosesAtTheLargestStep) {
+  const Isolation harsh = with_base(friction_pendulum(1, 0.02, 0.2, 200, 1e-4));
+  const double h = IsolatedMotion::largest_step(harsh, two_storeys());
+  IsolatedMotion motion(harsh, two_storeys(), h);
+  for (int i = 0; i < std::lround(8 / h); ++i) motion.step(shake(i * h), shake((i + 1) * h));
+  EXPECT_LT(std::abs(motion.energy().closure()), 1e-10 * motion.energy().input);
 }
 
 // A full cycle of amplitude d dissipates 4 q (d - u_y).

@@ -47,7 +47,7 @@ TEST(ShearBuilding, FirstPeriodIsAsAsked) {
 }
 
 /// Root of the characteristic equation of a uniform cantilever with bending stiffness 1 and shear
-/// stiffness alpha^2 (Miranda & Taghavi 2005, eq. 13): gamma_i, with
+/// stiffness alpha^2 (Miranda & Taghavi 2005): gamma_i, with
 /// omega_i = gamma_i sqrt(gamma_i^2 + alpha^2).
 double characteristic(double gamma, double alpha) {
   const double b = std::sqrt(gamma * gamma + alpha * alpha);
