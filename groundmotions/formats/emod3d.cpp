@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
@@ -38,9 +39,13 @@ std::vector<std::string_view> words_of(std::string_view line) {
 }  // namespace
 
 bool recognises_emod3d(const SourceFile& file) {
-  if (file.lines().size() < 3) return false;
-  return words_of(file.lines()[0]).size() >= 2 && numbers_of(file.lines()[0]).empty() &&
-         numbers_of(file.lines()[1]).size() == 8;
+  if (file.lines().size() < 3 || !numbers_of(file.lines()[0]).empty() ||
+      words_of(file.lines()[0]).size() < 2)
+    return false;
+  const auto head = numbers_of(file.lines()[1]);
+  const auto is_whole = [](double value) { return value == std::floor(value); };
+  return head.size() == 8 && head[0] >= 2 && is_whole(head[0]) && head[1] > 0 &&
+         is_whole(head[2]) && is_whole(head[3]) && std::abs(head[2]) < 24 && std::abs(head[3]) < 60;
 }
 
 std::vector<Component> read_emod3d(const SourceFile& file, const ReadOptions& options) {

@@ -126,7 +126,10 @@ PlainRows plain_rows(const SourceFile& file, Mistakes& mistakes) {
   PlainRows rows;
   const std::size_t first = first_row(file).value_or(file.lines().size());
   for (std::size_t i = 0; i < first; ++i)
-    if (!is_blank(file.lines()[i])) rows.header.push_back(trimmed(file.lines()[i]));
+    if (!is_blank(file.lines()[i])) {
+      rows.header.push_back(trimmed(file.lines()[i]));
+      rows.title_line = i + 1;
+    }
 
   std::size_t last = last_content(file);
   while (last > first && is_end_mark(file.lines()[last - 1])) {

@@ -13,6 +13,7 @@ namespace gurney {
 /// apart by blanks, tabs, commas or semicolons; `#` starts a comment line anywhere.
 struct PlainRows {
   std::vector<std::string_view> header;  ///< lines of text and comments before the numbers
+  std::size_t title_line = 1;            ///< of the last of them in the file, from 1
   std::vector<double> values;            ///< row after row
   std::vector<std::size_t> lengths;      ///< of the rows, each at least 1
   std::vector<std::size_t> lines;        ///< of the rows in the file, from 1

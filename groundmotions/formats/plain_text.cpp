@@ -64,7 +64,8 @@ struct ColumnUnit {
   double to_si = 1;
 };
 
-ColumnUnit unit_of(std::string_view title, const ReadOptions& options, Mistakes& mistakes) {
+ColumnUnit unit_of(std::string_view title, std::size_t line, const ReadOptions& options,
+                   Mistakes& mistakes) {
   const auto stated = unit_in(title);
   const auto quantity = lower(title).starts_with("vel")    ? "velocity"
                         : lower(title).starts_with("disp") ? "displacement"
@@ -82,7 +83,7 @@ ColumnUnit unit_of(std::string_view title, const ReadOptions& options, Mistakes&
     return {"counts", *options.si_per_count};
   }
   const AccelerationUnit unit = acceleration_unit(stated)
-                                    ? checked_unit(stated, 1, options, mistakes)
+                                    ? checked_unit(stated, line, options, mistakes)
                                     : unit_of_user(options, mistakes);
   return {unit.name, unit.to_si};
 }
@@ -124,7 +125,7 @@ std::vector<Component> one_component(const PlainRows& rows, const CountRow& coun
                                      const ReadOptions& options, Mistakes& mistakes) {
   const auto titles = column_titles(rows, 1);
   const std::string title = titles.empty() || unit_in(titles[0]).empty() ? "" : titles[0];
-  const ColumnUnit unit = unit_of(title, options, mistakes);
+  const ColumnUnit unit = unit_of(title, rows.title_line, options, mistakes);
   Component component;
   component.time_step = time_step_of(count, options, mistakes);
   component.unit = unit.name;
@@ -145,6 +146,11 @@ std::vector<Component> from_table(const PlainRows& rows, const PlainColumns& col
   } else {
     const auto times =
         column(rows, static_cast<std::size_t>(time - columns.columns.begin()), width);
+    const std::string title = titles.empty() ? "" : lower(titles[0]);
+    if (title.starts_with("per") || title.starts_with("freq"))
+      mistakes.add(
+          rows.title_line, 1,
+          fmt::format("a record must be a history, but the first column is '{}'", titles[0]));
     step = even_step(times, rows.lines, mistakes);
     first = times[0];
     if (!mistakes.any()) checked_time_step(step, "the time step", rows.lines[0], options, mistakes);
@@ -154,14 +160,15 @@ std::vector<Component> from_table(const PlainRows& rows, const PlainColumns& col
   for (std::size_t k = 0; k < width; ++k) {
     if (columns.columns[k].kind != Kind::kComponent) continue;
     const std::string title = titles.empty() ? "" : titles[k];
-    const ColumnUnit unit = unit_of(title, options, mistakes);
+    const ColumnUnit unit = unit_of(title, rows.title_line, options, mistakes);
     Component component;
     component.time_step = step;
     component.unit = unit.name;
     component.acceleration = scaled(column(rows, k, width), unit.to_si);
-    component.name = title.empty() ? fmt::format("column {}", k + 1) : title;
+    component.name = trimmed(title.substr(0, title.find_first_of("([")));
+    if (component.name.empty()) component.name = fmt::format("column {}", k + 1);
     component.direction = columns.columns[k].direction;
-    if (!component.direction) orient(title.substr(0, title.find_first_of("([ ")), component);
+    if (!component.direction) orient(component.name, component);
     components.push_back(std::move(component));
   }
   if (const auto late = late_start(first, step); !mistakes.any() && !late.empty())
@@ -185,7 +192,7 @@ std::vector<Component> read_plain_text(const SourceFile& file, const ReadOptions
         fmt::format("si_per_count must be positive and finite, got {}", *options.si_per_count));
   PlainRows rows = plain_rows(file, mistakes);
   refuse_spectra(rows, file.name());
-  if (rows.doubtful_commas && !options.si_per_count)
+  if (rows.doubtful_commas && !options.si_per_count && !rows.lines.empty())
     mistakes.add(rows.lines[0], 1,
                  "commas between whole numbers: decimal commas are not read, write points (and "
                  "whole numbers as 12.)");

@@ -116,5 +116,16 @@ TEST(ColumnsCsv, ReadsWhatItWrites) {
   EXPECT_EQ(read(text)[1].acceleration, record[Direction::kVertical]->acceleration);
 }
 
+TEST(ColumnsCsv, RefusesOptionsForOtherFiles) {
+  EXPECT_EQ(error_text([] { read(kThree, {.si_per_count = 2, .columns = "samples"}); }),
+            "f.csv: si_per_count = 2 was given, but the file does not hold raw counts\n"
+            "f.csv: columns = \"samples\" was given, but the layout of this file is known");
+}
+
+TEST(ColumnsCsv, LeavesForeignTablesToPlainText) {
+  EXPECT_EQ(read("time,acc\n0,1\n0.1,2\n0.2,3\n", {.unit = "g"})[0].format, "plain text");
+  EXPECT_EQ(read(kThree)[0].format, "columns CSV");
+}
+
 }  // namespace
 }  // namespace gurney

@@ -36,8 +36,17 @@ TEST(Emod3d, AsksForTheUnitAndChecksTheCount) {
             "or mm/s2)");
   EXPECT_EQ(error_text([] { read_text(replaced(kFile, "7  5.0", "8  5.0"), {.unit = "g"}); }),
             "f:2:1: npts states 8 samples, but the file holds 7");
-  EXPECT_EQ(error_text([] { read_text(replaced(kFile, "5.00000e-03", "0"), {.unit = "g"}); }),
-            "f:2:1: dt must be in (0, 1] s, got 0");
+  EXPECT_EQ(error_text([] { read_text(replaced(kFile, "5.00000e-03", "5"), {.unit = "g"}); }),
+            "f:2:1: dt must be in (0, 1] s, got 5");
+}
+
+// A title and rows of eight samples look alike.
+TEST(Emod3d, LeavesRowsOfEightSamplesAlone) {
+  const std::string rows = " 0.1 0.2 0 0 0.5 0.6 0.7 0.8\n";
+  EXPECT_EQ(read_text("El Nowhere 1940\n" + rows + rows,
+                      {.unit = "g", .time_step = 0.02, .columns = "samples"})[0]
+                .format,
+            "plain text");
 }
 
 TEST(Emod3d, RefusesEveryTruncation) {

@@ -118,7 +118,7 @@ TEST(PlainText, ReadsForeignTables) {
   ASSERT_EQ(components.size(), 2u);
   EXPECT_EQ(components[0].azimuth, 90 * kRadiansPerDegree);
   EXPECT_EQ(components[1].direction, Direction::kVertical);
-  EXPECT_EQ(components[0].name, "EW [cm/s2]");
+  EXPECT_EQ(components[0].name, "EW");
   EXPECT_THAT(gal(components[1]), values_are({2, 4, 6}));
   EXPECT_EQ(fact(components[1], "text 1"), "Station X");
   EXPECT_THAT(components[0].warnings,
@@ -127,7 +127,7 @@ TEST(PlainText, ReadsForeignTables) {
                           "2 lines of text before the numbers, skipped; the last is 'Time [s];EW "
                           "[cm/s2];UD [cm/s2]'"));
   EXPECT_THAT(error_text([] { read_text("Time (s) Acc (g)\n0 1\n1 2\n2 3\n", {.unit = "m/s2"}); }),
-              HasSubstr("the file states the unit g, but unit = \"m/s2\" was given"));
+              HasSubstr("f:1:1: the file states the unit g, but unit = \"m/s2\" was given"));
 }
 
 TEST(PlainText, RefusesDecimalCommas) {
@@ -165,6 +165,8 @@ TEST(PlainText, RefusesWhatSaysThatItIsNoAcceleration) {
               HasSubstr("a record must be acceleration, but the column 'Vel(cm/s)' is a velocity"));
   EXPECT_THAT(error_text([] { read_text("t (s) d (cm)\n0 1\n1 2\n2 3\n", {.unit = "g"}); }),
               HasSubstr("the column 'd(cm)' is a displacement"));
+  EXPECT_THAT(error_text([] { read_text("Some text\nPeriod Sa\n1 1\n2 2\n3 3\n", {.unit = "g"}); }),
+              HasSubstr("f:2:1: a record must be a history, but the first column is 'Period'"));
   EXPECT_EQ(error_text([] { read_text("Period PSA\n0.1 1\nx\n0.3 3\n", {.unit = "g"}); }),
             "f: a record must be an acceleration history, but the header speaks of 'psa' ('Period "
             "PSA')");
