@@ -65,25 +65,33 @@ RecordFacts facts_of(const Record& record, const FloorMotion& floor, const Resid
   return facts;
 }
 
-/// Read or made, processed and scaled.
-Record ground_motion(const RecordRequest& request) {
-  Record record = request.synthetic ? make_record(*request.synthetic)
-                                    : read_record(request.files, request.options);
-  record = processed(std::move(record), request.processing);
+/// Read or made, and processed.
+Record unscaled(const RecordRequest& request) {
+  return processed(request.synthetic ? make_record(*request.synthetic)
+                                     : read_record(request.files, request.options),
+                   request.processing);
+}
+
+Record scaled_as_asked(Record record, const RecordRequest& request) {
   if (request.scale_to) return scaled_to(record, *request.scale_to);
   return request.scale == 1 ? record : scaled(std::move(record), request.scale);
+}
+
+Record through_building(Record ground, const RecordRequest& request) {
+  if (!request.building) return ground;
+  return floor_record(ground, request.building->building, request.building->floor);
 }
 
 }  // namespace
 
 Motion motion_of(const RecordRequest& request) {
-  const Record record = processed(read_record(request.files, request.options), request.processing);
+  const Record raw = unscaled(request);
+  const Record record = through_building(scaled_as_asked(raw, request), request);
   Motion motion;
-  motion.floor =
-      floor_motion(record, request.scale, request.angle, used_components(record, request));
+  motion.floor = floor_motion(record, 1, request.angle, used_components(record, request));
   const Residual left = residual(motion.floor);
   motion.facts = facts_of(record, motion.floor, left);
-  std::vector<std::string> findings = implausible(record);
+  std::vector<std::string> findings = implausible(raw);
   findings.insert(findings.end(), left.warnings.begin(), left.warnings.end());
   require(!request.refuse_implausible || findings.empty(),
           fmt::format("{}: the record is not plausible, and plausibility = \"refuse\":\n{}",

@@ -175,7 +175,7 @@ std::vector<std::string> column_titles(const PlainRows& rows, std::size_t count)
   return {};
 }
 
-std::string_view unit_in(std::string_view title) {
+std::string_view title_unit(std::string_view title) {
   const auto open = title.find_first_of("([");
   if (open == std::string_view::npos) return {};
   title.remove_prefix(open + 1);

@@ -40,6 +40,6 @@ PlainRows plain_rows(const SourceFile& file, Mistakes& mistakes);
 std::vector<std::string> column_titles(const PlainRows& rows, std::size_t count);
 
 /// The text in the first () or [] of a title; empty if there is none.
-std::string_view unit_in(std::string_view title);
+std::string_view title_unit(std::string_view title);
 
 }  // namespace gurney

@@ -66,7 +66,7 @@ struct ColumnUnit {
 
 ColumnUnit unit_of(std::string_view title, std::size_t line, const ReadOptions& options,
                    Mistakes& mistakes) {
-  const auto stated = unit_in(title);
+  const auto stated = title_unit(title);
   const auto quantity = lower(title).starts_with("vel")    ? "velocity"
                         : lower(title).starts_with("disp") ? "displacement"
                                                            : other_quantity(stated).value_or("");
@@ -124,7 +124,7 @@ std::vector<double> column(const PlainRows& rows, std::size_t at, std::size_t wi
 std::vector<Component> one_component(const PlainRows& rows, const CountRow& count,
                                      const ReadOptions& options, Mistakes& mistakes) {
   const auto titles = column_titles(rows, 1);
-  const std::string title = titles.empty() || unit_in(titles[0]).empty() ? "" : titles[0];
+  const std::string title = titles.empty() || title_unit(titles[0]).empty() ? "" : titles[0];
   const ColumnUnit unit = unit_of(title, rows.title_line, options, mistakes);
   Component component;
   component.time_step = time_step_of(count, options, mistakes);
