@@ -63,7 +63,7 @@ void draw_axes(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& 
                const Range& x, const Range& y) {
   const double right = frame.x + frame.width, bottom = frame.y + frame.height;
   const auto x_ticks = panel.log_x ? decade_ticks(x) : ticks(x, static_cast<int>(frame.width / 70));
-  const auto y_ticks = ticks(y, std::max(3, static_cast<int>(frame.height / 34)));
+  const auto y_ticks = ticks(y, std::max(3, static_cast<int>(frame.height / 26)));
   for (const double value : x_ticks) {
     const double at = scaling.x(value);
     svg.line(at, frame.y, at, bottom, kGrid);
