@@ -131,8 +131,12 @@ int scale(const ScaleOptions& options) {
   ScaledSuite suite;
   const int code =
       for_each_record(options.source, nullptr, [&](const SuiteRecord& entry, const Record& record) {
-        suite.spectra.push_back(combined_spectrum(combination, record, periods));
-        suite.records.push_back(entry);
+        try {
+          suite.spectra.push_back(combined_spectrum(combination, record, periods));
+          suite.records.push_back(entry);
+        } catch (const Error& error) {
+          fmt::print(stderr, "left out: {}\n", error.what());
+        }
       });
   if (suite.records.empty()) return code;
   Eigen::MatrixXd spectra(static_cast<Eigen::Index>(suite.records.size()), kPeriods);
