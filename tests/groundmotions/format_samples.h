@@ -4,6 +4,7 @@
 #include "tests/groundmotions/formats/array_samples.h"
 #include "tests/groundmotions/formats/network_samples.h"
 #include "tests/groundmotions/formats/page_example.h"
+#include "tests/groundmotions/formats/sac_sample.h"
 
 /// A small file in every format, for tests that go over all formats.
 namespace gurney {

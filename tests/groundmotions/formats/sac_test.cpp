@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "engine/base/units.h"
-#include "tests/groundmotions/formats/array_samples.h"
+#include "tests/groundmotions/formats/sac_sample.h"
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
