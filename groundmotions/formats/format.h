@@ -32,6 +32,8 @@ struct Format {
   ///          the caller.
   /// @throws  Error with a line for each mistake in the file.
   std::vector<Component> (*read)(const SourceFile& file, const ReadOptions& options);
+
+  bool is_binary = false;  ///< formats of text never see a binary file, nor the other way round
 };
 
 /// All formats, those with the surest marks first: the first that recognises a file reads it.

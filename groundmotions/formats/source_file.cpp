@@ -46,13 +46,13 @@ SourceFile::SourceFile(const std::filesystem::path& path)
 SourceFile::SourceFile(std::string name, std::string bytes)
     : name_(std::move(name)), bytes_(std::move(bytes)) {
   require(!bytes_.empty() && bytes_ != kByteOrderMark, name_ + ": the file is empty");
-  require(!bytes_.starts_with("PK\x03\x04"), name_ + ": a zip archive; unpack it first");
-  require(!bytes_.starts_with("\x1f\x8b"), name_ + ": a gzip archive; unpack it first");
-  const auto binary = std::ranges::find_if(bytes_, is_binary);
-  if (binary != bytes_.end())
-    throw Error(fmt::format("{}: not a text file (byte {} is 0x{:02x})", name_,
-                            binary - bytes_.begin() + 1, static_cast<unsigned char>(*binary)));
-  cut();
+  if (std::ranges::none_of(bytes_, is_binary)) cut();
+}
+
+void SourceFile::refuse_binary() const {
+  const auto at = std::ranges::find_if(bytes_, is_binary);
+  throw Error(fmt::format("{}: not a text file (byte {} is 0x{:02x})", name_,
+                          at - bytes_.begin() + 1, static_cast<unsigned char>(*at)));
 }
 
 void SourceFile::cut() {

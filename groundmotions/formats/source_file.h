@@ -7,33 +7,42 @@
 
 namespace gurney {
 
-/// A text file in memory, cut into lines.
+/// A file in memory; a text file is cut into lines.
 ///
 /// A line ends with LF, CR LF, CR CR LF or a lone CR; line ends are not part of the lines. A UTF-8
-/// byte order mark is dropped.
+/// byte order mark is dropped. Text has no control characters but tabs, line and page ends and
+/// the end-of-text of DOS.
 class SourceFile {
  public:
-  /// @throws Error if the file cannot be read, is no regular file, is empty or larger than 256 MiB,
-  ///         or is not text.
+  /// @throws Error if the file cannot be read, is no regular file, is empty or larger than 256 MiB.
   explicit SourceFile(const std::filesystem::path& path);
 
-  /// Text that is in memory already. @throws Error if it is empty or not text.
+  /// What is in memory already. @throws Error if it is empty.
   SourceFile(std::string name, std::string bytes);
 
   SourceFile(const SourceFile&) = delete;  // lines_ point into bytes_
   SourceFile& operator=(const SourceFile&) = delete;
 
   const std::string& name() const { return name_; }
-  const std::vector<std::string_view>& lines() const { return lines_; }
+  std::string_view bytes() const { return bytes_; }
+  bool is_text() const { return !lines_.empty(); }
+
+  /// At least one. @throws Error if the file is not text.
+  const std::vector<std::string_view>& lines() const {
+    if (!is_text()) refuse_binary();
+    return lines_;
+  }
+
   bool ends_with_line_end() const { return bytes_.back() == '\n' || bytes_.back() == '\r'; }
   std::string sha256() const;  ///< of the bytes, 64 hexadecimal digits (FIPS 180-4)
 
  private:
   void cut();
+  [[noreturn]] void refuse_binary() const;
 
   std::string name_;
   std::string bytes_;
-  std::vector<std::string_view> lines_;
+  std::vector<std::string_view> lines_;  ///< none: not text
 };
 
 }  // namespace gurney

@@ -33,6 +33,7 @@ bool append_collection(const std::filesystem::path& path, const ReadOptions& opt
   } catch (const Error&) {
     return false;  // told when it is read as a record
   }
+  if (!file->is_text()) return false;
   if (recognises_peer_search_results(*file))
     append(suite, read_peer_search_results(*file, options));
   else if (recognises_list_suite(*file))

@@ -1,0 +1,288 @@
+#include "groundmotions/formats/usgs_smc.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+#include "engine/base/error.h"
+#include "engine/base/units.h"
+#include "groundmotions/formats/fortran_fields.h"
+#include "groundmotions/formats/header_statements.h"
+#include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/stated.h"
+#include "groundmotions/formats/uneven_samples.h"
+
+namespace gurney {
+
+namespace {
+
+constexpr std::size_t kTextLines = 11, kIntegers = 48, kReals = 50;
+constexpr std::size_t kRealLine = kTextLines + 6, kCommentLine = kRealLine + 10;  // from 0
+constexpr double kCentimetre = 0.01;                                              ///< [m]
+constexpr double kLargestCount = 1e8;
+constexpr double kLongestGap = 2;  ///< between digitised samples; an assumption [s]
+
+const FortranFormat kIntegerFormat{8, 10, 0, 'I', "8I10"};
+const FortranFormat kRealFormat{5, 15, 0, 'E', "5E15.7"};
+const FortranFormat kSampleFormats[] = {{8, 10, 0, 'E', "8E10.4"}, {5, 14, 0, 'E', "5E14.7"}};
+
+const char* structure_name(double code) {
+  constexpr const char* kNames[] = {"a building", "a bridge", "a dam"};
+  return code >= 1 && code <= 3 ? kNames[static_cast<std::size_t>(code) - 1] : "a structure";
+}
+
+class SmcReader {
+ public:
+  SmcReader(const SourceFile& file, const ReadOptions& options, Mistakes& mistakes)
+      : file_(file), options_(options), mistakes_(mistakes), fields_(file, mistakes) {}
+
+  Component read() {
+    Component component;
+    check_type(component);
+    check_options();
+    read_header();
+    mistakes_.throw_if_any();
+    const std::vector<double> numbers = read_numbers(component);
+    mistakes_.throw_if_any();
+    is_uneven() ? take_pairs(numbers, component) : take_samples(numbers, component);
+    mistakes_.throw_if_any();
+    component.unit = "cm/s2";
+    orient(component);
+    describe(component);
+    warn_of_structure(component);
+    mistakes_.throw_if_any();
+    return component;
+  }
+
+ private:
+  bool has_integer(std::size_t i) const { return integers_[i] != integers_[0]; }
+  bool has_real(std::size_t i) const {
+    return std::isfinite(reals_[i]) && std::abs(reals_[i]) < 1e30 && reals_[i] != reals_[0];
+  }
+
+  /// The digit that the first line starts with.
+  void check_type(Component& component) {
+    const auto title = trimmed(file_.lines().front());
+    const std::string text = upper(title);
+    const bool is_acceleration = text.find("ACCELEROGRAM") != text.npos;
+    if (title[0] == '1' || title[0] == '2' || is_acceleration) return;
+    if (title[0] == '0' || title[0] == '*') {
+      component.warnings.push_back(fmt::format(
+          "the file does not say what it holds ('{}'); taken as acceleration in cm/s2, as the "
+          "format has it",
+          title));
+      return;
+    }
+    mistakes_.add(1, 1,
+                  fmt::format("a record must be acceleration, but this file holds '{}'; take the "
+                              "accelerogram of this component (type 1 or 2)",
+                              title));
+    mistakes_.throw_if_any();
+  }
+
+  void check_options() {
+    agreed_unit(AccelerationUnit{"cm/s2", kCentimetre}, 1, options_, mistakes_);
+    refuse_si_per_count(options_, mistakes_);
+    refuse_columns(options_, mistakes_);
+  }
+
+  void read_header() {
+    std::size_t line = kTextLines;
+    integers_ =
+        fields_.read(line, kIntegers, kIntegerFormat, EmptyField::kZero, "integers of the header");
+    if (!mistakes_.any())
+      reals_ =
+          fields_.read(line, kReals, kRealFormat, EmptyField::kZero, "real numbers of the header");
+    if (mistakes_.any()) return;
+    const double comments = has_integer(15) ? integers_[15] : 0;
+    first_line_ = kCommentLine;
+    while (first_line_ < file_.lines().size() && file_.lines()[first_line_].starts_with('|'))
+      ++first_line_;
+    const auto found = first_line_ - kCommentLine;
+    if (comments != static_cast<double>(found))
+      mistakes_.add(kTextLines + 2, 71,
+                    fmt::format("the header states {} lines of comments, but the file has {}",
+                                comments, found));
+    const double count = integers_[16];
+    if (!(count >= 2 && count <= kLargestCount))
+      mistakes_.add(kTextLines + 3, 1, fmt::format("{} numbers are no record", count));
+  }
+
+  /// Without a sampling rate the numbers are pairs of time and sample.
+  bool is_uneven() const { return !has_real(1); }
+
+  std::vector<double> read_numbers(Component& component) {
+    const auto count = static_cast<std::size_t>(integers_[16]);
+    const FortranFormat* format = &kSampleFormats[0];
+    for (const FortranFormat& candidate : kSampleFormats)
+      if (fields_.fits(first_line_, std::min(count, candidate.per_line), candidate))
+        format = &candidate;
+    std::size_t line = first_line_;
+    const char* what = is_uneven() ? "numbers" : "samples";
+    auto numbers = fields_.read(line, count, *format, EmptyField::kMistake, what);
+    std::size_t end = file_.lines().size();
+    while (end > line && trimmed(file_.lines()[end - 1]).empty()) --end;
+    const std::string more = fmt::format("more lines follow the {} {} of the header", count, what);
+    if (mistakes_.any() || line == end) return numbers;
+    // Digitised files may have one line more than they state.
+    if (is_uneven() && line + 1 == end)
+      component.warnings.push_back(more + "; they were left out");
+    else
+      mistakes_.add(line + 1, 1, more);
+    return numbers;
+  }
+
+  static Eigen::VectorXd in_si(const std::vector<double>& values) {
+    return kCentimetre * Eigen::Map<const Eigen::VectorXd>(
+                             values.data(), static_cast<Eigen::Index>(values.size()));
+  }
+
+  void take_samples(const std::vector<double>& values, Component& component) {
+    const double rate = reals_[1];
+    component.time_step = agreed_time_step(1 / rate, kRealLine + 1, options_, mistakes_);
+    component.acceleration = in_si(values);
+    check_stated_peak(component.acceleration, component);
+  }
+
+  void take_pairs(const std::vector<double>& numbers, Component& component) {
+    std::vector<double> times, values;
+    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
+      times.push_back(numbers[i]);
+      values.push_back(numbers[i + 1]);
+    }
+    if (numbers.size() % 2 != 0) {
+      mistakes_.add(kTextLines + 3, 1,
+                    fmt::format("{} numbers are no pairs of time and sample", numbers.size()));
+      return;
+    }
+    component.time_step = options_.time_step.value_or(kEvenTimeStep);
+    if (times.size() > 1 && !(spacing_of(times).largest <= kLongestGap)) {
+      mistakes_.add(first_line_ + 1, 1,
+                    fmt::format("times that follow each other are up to {:g} s apart, {} s is "
+                                "allowed",
+                                spacing_of(times).largest, kLongestGap));
+      return;
+    }
+    try {
+      component.acceleration = kCentimetre * evenly_spaced(times, values, component.time_step);
+    } catch (const Error& error) {
+      mistakes_.add(first_line_ + 1, 1, error.what());
+      return;
+    }
+    component.warnings.push_back(uneven_warning(times, component.time_step));
+    check_stated_peak(in_si(values), component);
+  }
+
+  /// Reals 30 and 32: the largest and the smallest sample.
+  void check_stated_peak(const Eigen::VectorXd& samples, Component& component) {
+    if (!has_real(29) || !has_real(31)) return;
+    const double peak = std::max(std::abs(reals_[29]), std::abs(reals_[31])) * kCentimetre;
+    // Samples have five digits.
+    check_peak({peak, 1e-4 * peak, kRealLine + 6}, samples, component, mistakes_);
+  }
+
+  /// Integer 13 counts degrees from up, integer 14 clockwise from north.
+  void orient(Component& component) {
+    const std::string_view line = file_.lines()[5];
+    const auto at = upper(line).find("COMPONENT=");
+    const auto label = at == std::string::npos ? "" : trimmed(line.substr(at + 10));
+    component.name = label;
+    const bool is_level = has_integer(12) && integers_[12] == 90;
+    if (has_integer(12) && integers_[12] == 0) {
+      component.direction = Direction::kVertical;
+    } else if (has_integer(12) && integers_[12] == 180) {
+      turn_up("180 degrees from up", component);
+    } else if (is_level && has_integer(13) && integers_[13] >= 0 && integers_[13] <= 360) {
+      component.azimuth = std::fmod(integers_[13], 360) * kRadiansPerDegree;
+    } else if (!label.empty()) {
+      orient_by_label(label, component);
+    }
+    Component by_label;
+    if (label.empty() || !orient_by_label(label, by_label)) return;
+    const bool is_other = by_label.direction != component.direction ||
+                          (by_label.azimuth && component.azimuth &&
+                           std::abs(*by_label.azimuth - *component.azimuth) > 1e-6);
+    if (is_other)
+      component.warnings.push_back(fmt::format(
+          "the text of the header says component '{}', its numbers say {} degrees from up and {} "
+          "from north; the numbers were taken",
+          label, integers_[12], integers_[13]));
+  }
+
+  void describe(Component& component) {
+    const auto fact = [&](const char* name, std::string_view value) {
+      if (!trimmed(value).empty() && trimmed(value) != "*")
+        component.header.emplace_back(name, trimmed(value));
+    };
+    fact("title", file_.lines()[0]);
+    fact("event", file_.lines()[3]);
+    fact("magnitude", file_.lines()[4]);
+    fact("station", file_.lines()[5]);
+    fact("instrument", file_.lines()[7]);
+    if (has_real(32)) fact("high-pass corner [Hz]", fmt::format("{:g}", reals_[32]));
+    if (has_real(34)) fact("low-pass from [Hz]", fmt::format("{:g}", reals_[34]));
+    if (has_real(35)) fact("low-pass to [Hz]", fmt::format("{:g}", reals_[35]));
+    component.start_time = start_time();
+    if (has_integer(17) && integers_[17] == 1) {
+      std::string comments;
+      for (std::size_t i = kCommentLine; i < first_line_; ++i)
+        comments += fmt::format(" {}", trimmed(file_.lines()[i].substr(1)));
+      component.warnings.push_back(
+          fmt::format("the header flags a problem; its comments: {}", trimmed(comments)));
+    }
+  }
+
+  /// Only if the milliseconds are known: else it is the minute of the earthquake.
+  std::optional<double> start_time() const {
+    if (!std::ranges::all_of(std::array<std::size_t, 6>{1, 2, 3, 4, 5, 6},
+                             [&](std::size_t i) { return has_integer(i); }))
+      return {};
+    const double year = integers_[1], day = integers_[2];
+    if (!(year >= 1900 && year < 3000 && day >= 1 && day <= 366)) return {};
+    const auto new_year = utc_seconds(static_cast<int>(year), 1, 1, integers_[3], integers_[4],
+                                      integers_[5] + integers_[6] / 1000);
+    return new_year ? std::optional(*new_year + 86400 * (day - 1)) : std::nullopt;
+  }
+
+  /// Integers 19 (kind), 25 (floor), 27 (bridge) and 28 (dam; 0 and missing are the free field).
+  void warn_of_structure(Component& component) {
+    const bool on_bridge = has_integer(26) && integers_[26] > 0;
+    const bool on_dam = has_integer(27) && integers_[27] > 0;
+    if (!has_integer(18) && !on_bridge && !on_dam) return;
+    const double kind = has_integer(18) ? integers_[18] : on_bridge ? 2 : 3;
+    std::string place = structure_name(kind);
+    if (has_integer(24)) place += fmt::format(", floor {}", integers_[24]);
+    component.warnings.push_back(
+        fmt::format("the station is in {}: a motion of the structure, not of the ground", place));
+  }
+
+  const SourceFile& file_;
+  const ReadOptions& options_;
+  Mistakes& mistakes_;
+  FieldReader fields_;
+  std::vector<double> integers_, reals_;
+  std::size_t first_line_ = 0;  ///< of the samples, from 0
+};
+
+}  // namespace
+
+bool recognises_smc(const SourceFile& file) {
+  const auto first = trimmed(file.lines().front().substr(0, 100));
+  const bool has_type =
+      first == "*" || (first.size() > 2 && std::isdigit(static_cast<unsigned char>(first[0])) &&
+                       first[1] == ' ' && std::isalpha(static_cast<unsigned char>(first[2])));
+  if (!has_type || file.lines().size() <= kRealLine) return false;
+  Mistakes ignored(file.name());
+  const FieldReader fields(file, ignored);
+  return fields.fits(kTextLines, 8, kIntegerFormat) || fields.fits(kRealLine, 5, kRealFormat);
+}
+
+std::vector<Component> read_smc(const SourceFile& file, const ReadOptions& options) {
+  Mistakes mistakes(file.name());
+  return {SmcReader(file, options, mistakes).read()};
+}
+
+}  // namespace gurney

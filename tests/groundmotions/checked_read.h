@@ -1,0 +1,51 @@
+#pragma once
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "engine/base/error.h"
+#include "groundmotions/formats/format.h"
+
+namespace gurney {
+
+using Components = std::vector<Component>;
+
+inline constexpr double kLongestRead = 2;  ///< of a file of a few kilobytes, on a busy machine [s]
+
+/// What is read, nothing if the file is refused; fails if neither is sound.
+inline Components checked_read(const std::string& bytes, const ReadOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  Components components;
+  try {
+    components = read_components(SourceFile("damaged", bytes), options);
+    EXPECT_FALSE(components.empty());
+    for (const Component& component : components) {
+      EXPECT_GE(component.acceleration.size(), 2);
+      EXPECT_TRUE(component.acceleration.allFinite());
+      EXPECT_TRUE(component.time_step > 0 && component.time_step <= 1);
+      EXPECT_FALSE(component.azimuth && !(*component.azimuth >= 0 && *component.azimuth < 7));
+    }
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("damaged"));
+  }
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(elapsed.count(), kLongestRead);
+  return components;
+}
+
+inline Eigen::Index samples_in(const Components& components) {
+  Eigen::Index sum = 0;
+  for (const Component& component : components) sum += component.acceleration.size();
+  return sum;
+}
+
+inline std::size_t warnings_in(const Components& components) {
+  std::size_t sum = 0;
+  for (const Component& component : components) sum += component.warnings.size();
+  return sum;
+}
+
+}  // namespace gurney
