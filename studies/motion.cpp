@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "engine/base/error.h"
+#include "engine/base/hash/sha256.h"
 #include "groundmotions/assembly/plausibility.h"
 #include "groundmotions/buildings/floor_record.h"
 #include "groundmotions/measures/peaks.h"
@@ -65,11 +68,35 @@ RecordFacts facts_of(const Record& record, const FloorMotion& floor, const Resid
   return facts;
 }
 
+/// A synthetic motion with its kind and all parameters as the first line of its processing.
+Record made(const SyntheticRequest& request) {
+  Record record = make_record(request);
+  std::string line = "made: " + request.kind->name;
+  for (const auto& [key, value] : request.values) line += fmt::format(", {} = {:g}", key, value);
+  record.processing.insert(record.processing.begin(), line);
+  return record;
+}
+
 /// Read or made, and processed.
 Record unscaled(const RecordRequest& request) {
-  return processed(request.synthetic ? make_record(*request.synthetic)
-                                     : read_record(request.files, request.options),
-                   request.processing);
+  return processed(
+      request.synthetic ? made(*request.synthetic) : read_record(request.files, request.options),
+      request.processing);
+}
+
+std::optional<std::uint64_t> seed_of(const RecordRequest& request) {
+  if (!request.synthetic) return {};
+  const auto found = request.synthetic->values.find("seed");
+  if (found == request.synthetic->values.end()) return {};
+  return static_cast<std::uint64_t>(found->second);
+}
+
+void add_building_file(const RecordRequest& request, RecordFacts& facts) {
+  if (!request.building || request.building->file.empty()) return;
+  const std::filesystem::path path = request.building->file;
+  std::ifstream stream(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  facts.files.push_back({path.filename().string(), sha256(bytes)});
 }
 
 Record scaled_as_asked(Record record, const RecordRequest& request) {
@@ -91,6 +118,8 @@ Motion motion_of(const RecordRequest& request) {
   motion.floor = floor_motion(record, 1, request.angle, used_components(record, request));
   const Residual left = residual(motion.floor);
   motion.facts = facts_of(record, motion.floor, left);
+  motion.seed = seed_of(request);
+  add_building_file(request, motion.facts);
   std::vector<std::string> findings = implausible(raw);
   findings.insert(findings.end(), left.warnings.begin(), left.warnings.end());
   require(!request.refuse_implausible || findings.empty(),

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "engine/base/floor_motion.h"
 #include "studies/job/job.h"
 #include "studies/results/run_facts.h"
@@ -11,6 +16,7 @@ struct Motion {
   FloorMotion floor;
   RecordFacts facts;
   std::vector<std::string> warnings;
+  std::optional<std::uint64_t> seed;  ///< of a synthetic motion that is random
 };
 
 /// Reads the record a job asks for, processes and scales it, lets it pass through the building, and

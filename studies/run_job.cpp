@@ -42,6 +42,7 @@ PreparedRun prepare_run(const std::string& job_path) {
   Motion motion = motion_of(*job.record);
   run.excitation.floor = std::move(motion.floor);
   facts.record = std::move(motion.facts);
+  facts.seed = motion.seed;
   append(facts.warnings, motion.warnings);
   return run;
 }

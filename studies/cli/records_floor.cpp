@@ -4,12 +4,14 @@
 
 #include <charconv>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "groundmotions/buildings/building_reader.h"
 #include "groundmotions/buildings/floor_record.h"
+#include "groundmotions/measures/peaks.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"
 
@@ -19,7 +21,7 @@ namespace {
 struct FloorOptions {
   RecordSource source;
   std::string building, floor = "roof", output;
-  bool overwrite = false;
+  bool overwrite = false, json = false;
 };
 
 int floor_of(const std::string& text, const Building& building) {
@@ -33,8 +35,46 @@ int floor_of(const std::string& text, const Building& building) {
   return floor;
 }
 
-double peak(const std::optional<Component>& component) {
-  return component ? component->acceleration.cwiseAbs().maxCoeff() / kStandardGravity : 0;
+/// PGA and PGV, PFA and PFV of the components.
+nlohmann::ordered_json facts_json(const Building& building, int floor, const Record& ground,
+                                  const BuildingResponse& response) {
+  nlohmann::ordered_json facts = {
+      {"building", building.name}, {"floor", floor}, {"storeys", building.storeys}};
+  for (const Direction direction : kDirections) {
+    if (!ground[direction]) continue;
+    const Component& above = *response.floor[direction];
+    const Peaks below = peaks(ground[direction]->time_step, ground[direction]->acceleration);
+    const Peaks peak = peaks(above.time_step, above.acceleration);
+    facts[name_of(direction)] = {{"pga_m_per_s2", below.acceleration},
+                                 {"pgv_m_per_s", below.velocity},
+                                 {"pfa_m_per_s2", peak.acceleration},
+                                 {"pfv_m_per_s", peak.velocity}};
+  }
+  if (response.isolators)
+    facts["isolators"] = {{"peak_m", response.isolators->peak},
+                          {"residual_m", response.isolators->residual.norm()}};
+  facts["processing"] = response.floor.processing;
+  facts["warnings"] = response.floor.warnings;
+  return facts;
+}
+
+void print_facts(const Building& building, int floor, const Record& ground,
+                 const BuildingResponse& response) {
+  fmt::print("{}, floor {} of {}\n", building.name, floor, building.storeys);
+  for (const Direction direction : kDirections) {
+    if (!ground[direction]) continue;
+    const Component& above = *response.floor[direction];
+    const Peaks below = peaks(ground[direction]->time_step, ground[direction]->acceleration);
+    const Peaks peak = peaks(above.time_step, above.acceleration);
+    fmt::print("  {:<9} PGA {:.3g} g, PFA {:.3g} g; PGV {:.3g} m/s, PFV {:.3g} m/s\n",
+               name_of(direction), below.acceleration / kStandardGravity,
+               peak.acceleration / kStandardGravity, below.velocity, peak.velocity);
+  }
+  if (response.isolators)
+    fmt::print("  isolators {:.3g} m, {:.2g} m left at the end\n", response.isolators->peak,
+               response.isolators->residual.norm());
+  for (const std::string& warning : response.floor.warnings)
+    fmt::print(stderr, "warning: {}\n", warning);
 }
 
 int floor(const FloorOptions& options) {
@@ -45,19 +85,13 @@ int floor(const FloorOptions& options) {
       for_each_record(options.source, nullptr, [&](const SuiteRecord&, const Record& ground) {
         require(!made, "one record is needed, several were given");
         const BuildingResponse response = building_response(ground, building, number);
+        if (options.json)
+          fmt::print("{}\n", facts_json(building, number, ground, response).dump(2));
+        else
+          print_facts(building, number, ground, response);
         made = response.floor;
-        fmt::print("{}, floor {} of {}\n", building.name, number, building.storeys);
-        for (const Direction direction : kDirections)
-          if (ground[direction])
-            fmt::print("  {:<9} PGA {:.3g} g, PFA {:.3g} g\n", name_of(direction),
-                       peak(ground[direction]), peak(response.floor[direction]));
-        if (response.isolators)
-          fmt::print("  isolators {:.3g} m, {:.2g} m left at the end\n", response.isolators->peak,
-                     response.isolators->residual.norm());
       });
-  if (!made) return code;
-  for (const std::string& warning : made->warnings) fmt::print(stderr, "warning: {}\n", warning);
-  write_output(options.output, record_csv(*made), options.overwrite);
+  if (made) write_output(options.output, record_csv(*made), options.overwrite, options.json);
   return code;
 }
 
@@ -74,6 +108,7 @@ void add_records_floor(CLI::App& records, std::function<int()>& act) {
       ->required();
   command->add_option("--floor", options->floor, "0 (the base) to the number of storeys, or roof");
   command->add_option("-o,--output", options->output, "The .csv file to write")->required();
+  command->add_flag("--json", options->json, "Print the peaks as JSON");
   command->add_flag("--overwrite", options->overwrite, "Replace a file that exists");
   command->callback([options, &act] { act = [options] { return floor(*options); }; });
 }

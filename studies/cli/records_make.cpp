@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "engine/base/error.h"
 #include "groundmotions/synthetic/kinds.h"
@@ -14,7 +15,7 @@ namespace {
 struct MakeOptions {
   std::string kind, output;
   std::vector<std::string> settings;
-  bool list = false, overwrite = false;
+  bool list = false, overwrite = false, json = false;
 };
 
 /// All kinds, or one with its parameters.
@@ -35,8 +36,27 @@ int list_kinds(const std::string& only) {
   return 0;
 }
 
+int list_kinds_as_json() {
+  nlohmann::ordered_json kinds = nlohmann::ordered_json::array();
+  for (const SyntheticKind& kind : synthetic_kinds()) {
+    nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
+    for (const SyntheticParameter& parameter : kind.parameters)
+      parameters.push_back({{"key", parameter.key},
+                            {"default", parameter.fallback},
+                            {"meaning", parameter.meaning},
+                            {"allowed", parameter.range.text()}});
+    kinds.push_back({{"kind", kind.name},
+                     {"description", kind.description},
+                     {"source", kind.source},
+                     {"parameters", parameters}});
+  }
+  fmt::print("{}\n", nlohmann::ordered_json{{"kinds", kinds}}.dump(2));
+  return 0;
+}
+
 int make(const MakeOptions& options) {
-  if (options.list) return list_kinds(options.kind);
+  if (options.list) return options.json ? list_kinds_as_json() : list_kinds(options.kind);
+  require(!options.json, "--json goes with --list");
   require(!options.kind.empty(), "which kind of motion? `gurney records make --list` shows all");
   const Record record = make_record(synthetic_request(options.kind, options.settings));
   require(!options.output.empty(), "the file to write is needed: -o FILE.csv");
@@ -55,6 +75,7 @@ void add_records_make(CLI::App& records, std::function<int()>& act) {
   command->add_option("KEY=VALUE", options->settings, "Parameters, such as period_s=0.5");
   command->add_option("-o,--output", options->output, "The .csv file to write");
   command->add_flag("--list", options->list, "Print the kinds, or the parameters of KIND");
+  command->add_flag("--json", options->json, "With --list: all kinds and parameters as JSON");
   command->add_flag("--overwrite", options->overwrite, "Replace a file that exists");
   command->callback([options, &act] { act = [options] { return make(*options); }; });
 }

@@ -44,13 +44,13 @@ std::string file_name(std::string record_name) {
   return record_name;
 }
 
-void write_output(const std::string& path, const std::string& text, bool overwrite) {
+void write_output(const std::string& path, const std::string& text, bool overwrite, bool quiet) {
   OutputFiles files(overwrite);
   files.check(path);
   const SignalsHeld until_written;
   files.stage(path, text);
   files.commit();
-  fmt::print("{}\n", path);
+  if (!quiet) fmt::print("{}\n", path);
 }
 
 }  // namespace gurney

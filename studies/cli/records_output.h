@@ -16,7 +16,9 @@ std::string record_csv(const Record& record);
 /// The name of a record, without what cannot stand in the name of a file.
 std::string file_name(std::string record_name);
 
-/// Writes one file whole or not at all. @throws Error as OutputFiles does.
-void write_output(const std::string& path, const std::string& text, bool overwrite);
+/// Writes one file whole or not at all, and prints its name unless `quiet`. @throws Error as
+/// OutputFiles does.
+void write_output(const std::string& path, const std::string& text, bool overwrite,
+                  bool quiet = false);
 
 }  // namespace gurney

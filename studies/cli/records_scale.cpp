@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "engine/base/config/document.h"
@@ -34,17 +35,17 @@ struct ScaleOptions {
   std::string target, periods = "0.1:2", component = "RotD50", mean = "arithmetic", output, figure;
   std::string limits = "0.25:4";
   double floor_share = 0.9;
-  bool common = false, overwrite = false;
+  bool common = false, overwrite = false, json = false;
 };
 
 /// Two numbers apart by a colon, 0 < low < high.
 std::pair<double, double> span_of(const char* option, const std::string& text) {
-  const auto colon = text.find(':');
-  const auto low = number(text.substr(0, colon));
-  const auto high = colon == std::string::npos ? std::nullopt : number(text.substr(colon + 1));
-  require(low && high && 0 < *low && *low < *high,
+  const auto colon = std::min(text.find(':'), text.size());
+  const double low = number(text.substr(0, colon)).value_or(0);
+  const double high = number(text.substr(std::min(colon + 1, text.size()))).value_or(0);
+  require(0 < low && low < high,
           fmt::format("{} {}: must be LOW:HIGH with 0 < LOW < HIGH", option, text));
-  return {*low, *high};
+  return {low, high};
 }
 
 TargetSpectrum target_of(const std::string& text) {
@@ -118,6 +119,25 @@ void print(const ScaledSuite& suite, const SuiteScaling& scaling, const TargetSp
   for (const std::string& warning : scaling.warnings) fmt::print(stderr, "warning: {}\n", warning);
 }
 
+std::string json(const ScaledSuite& suite, const SuiteScaling& scaling,
+                 const TargetSpectrum& target) {
+  nlohmann::ordered_json records = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < suite.records.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    records.push_back({{"name", suite.records[i].name},
+                       {"factor", scaling.factors[row]},
+                       {"misfit", scaling.misfits[row]}});
+  }
+  const nlohmann::ordered_json result = {{"target", target.name},
+                                         {"records", records},
+                                         {"common_factor", scaling.common_factor},
+                                         {"misfit_of_mean", scaling.suite_misfit},
+                                         {"smallest_ratio", scaling.smallest_ratio},
+                                         {"period_of_smallest_ratio_s", scaling.period_of_smallest},
+                                         {"warnings", scaling.warnings}};
+  return result.dump(2) + "\n";
+}
+
 int scale(const ScaleOptions& options) {
   const TargetSpectrum target = target_of(options.target);
   const auto [low, high] = span_of("--periods", options.periods);
@@ -150,7 +170,10 @@ int scale(const ScaleOptions& options) {
                                          : SuiteScalingOptions::Mean::kArithmetic;
   how.floor_share = options.floor_share;
   const SuiteScaling scaling = scale_suite(periods, spectra, wanted, names, how);
-  print(suite, scaling, target);
+  if (options.json)
+    fmt::print("{}", json(suite, scaling, target));
+  else
+    print(suite, scaling, target);
 
   OutputFiles files(options.overwrite);
   if (!options.output.empty()) files.check(options.output);
@@ -192,6 +215,7 @@ void add_records_scale(CLI::App& records, std::function<int()>& act) {
   command->add_flag("--common", options->common, "One factor for all records");
   command->add_option("-o,--output", options->output, "A list of the scaled suite to write (.csv)");
   command->add_option("--figure", options->figure, "A figure to write (.svg)");
+  command->add_flag("--json", options->json, "Print the factors as JSON");
   command->add_flag("--overwrite", options->overwrite, "Replace files that exist");
   command->callback([options, &act] { act = [options] { return scale(*options); }; });
 }

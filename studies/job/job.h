@@ -28,6 +28,7 @@ struct ScaleTo {
 struct BuildingRequest {
   Building building;
   int floor = 0;
+  std::string file;  ///< that describes it; empty: the job itself
 };
 
 /// The ground or floor motion a job asks for; motion.h makes it.

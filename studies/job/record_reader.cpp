@@ -118,6 +118,7 @@ std::optional<BuildingRequest> read_building_request(Table& excitation) {
     const auto path = checked_path(*found, "file", found->text("file", ""));
     try {
       request.building = building_from_file(path);
+      request.file = path;
     } catch (const Error& error) {
       found->document().note(error);
     }

@@ -29,7 +29,7 @@ Job job_of(const std::string& text) {
 }
 
 /// A job with every key there is.
-constexpr const char* kEverything = R"(schema = "gurney-job/1"
+constexpr const char* kEverything = R"toml(schema = "gurney-job/1"
 title = "everything"
 [item]
 casters = "R125"
@@ -126,7 +126,7 @@ skip_clear_collision_passes = false
 [output]
 histories = true
 history_step_s = 0.02
-)";
+)toml";
 
 /// kEverything with its records beside it.
 std::string write_everything(const TempFolder& folder) {

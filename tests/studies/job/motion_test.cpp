@@ -82,6 +82,25 @@ TEST(Motion, CanBeSynthetic) {
   EXPECT_NEAR(motion.facts.pga.x(), 0.3 * kStandardGravity, 1e-6);
   EXPECT_THAT(motion.facts.name, HasSubstr("synthetic"));
   EXPECT_THAT(motion.facts.files, IsEmpty());
+  EXPECT_FALSE(motion.seed);
+  EXPECT_THAT(motion.facts.processing,
+              ElementsAre("made: ricker, period_s = 1, pga_g = 0.3, time_step_s = 0.005"));
+  EXPECT_EQ(
+      motion_of(request(folder, "record.synthetic = { kind = \"white_noise\", seed = 7 }\n")).seed,
+      7u);
+}
+
+TEST(Motion, TellsTheFileOfItsBuilding) {
+  const TempFolder folder;
+  record_file(folder);
+  folder.write("b.toml",
+               "schema = \"gurney-building/1\"\nname = \"b\"\nkind = \"shear\"\nstoreys = 1\n"
+               "period_s = 0.3\ndamping_ratio = 0.05\n");
+  const Motion motion = motion_of(request(folder,
+                                          "record = { file = \"r.csv\", use = \"xy\" }\n"
+                                          "building = { file = \"b.toml\", floor = \"roof\" }\n"));
+  ASSERT_EQ(motion.facts.files.size(), 2u);
+  EXPECT_EQ(motion.facts.files[1].name, "b.toml");
 }
 
 TEST(Motion, RefusesTheImplausibleOnlyIfAsked) {
