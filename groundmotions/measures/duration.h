@@ -8,7 +8,7 @@ namespace gurney {
 /// for a piecewise-linear acceleration that is exact for the Arias integral only in the limit of
 /// small steps.
 
-/// Arias intensity pi / (2 g) * integral of a^2 dt, g = 9.80665 m/s2 (Arias 1970, in: Seismic
+/// Arias intensity pi / (2 g) * integral of a^2 dt, g the standard gravity (Arias 1970, in: Seismic
 /// Design for Nuclear Power Plants, MIT Press, 438-483) [m/s].
 double arias_intensity(double time_step, const Eigen::VectorXd& acceleration);
 

@@ -10,6 +10,7 @@
 
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
+#include "engine/base/units.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/measures/duration.h"
 #include "groundmotions/measures/fiv3.h"
@@ -113,7 +114,7 @@ double of_component(const Measure& measure, const Record& record, Direction dire
 RotD of_rotated_motions(const Measure& measure, const Component& h1, const Component& h2) {
   std::vector<double> values;
   for (int degree = 0; degree < 180; ++degree) {
-    const double angle = degree * std::numbers::pi / 180;
+    const double angle = degree * kRadiansPerDegree;
     values.push_back(
         value_of(measure, h1.time_step,
                  std::cos(angle) * h1.acceleration + std::sin(angle) * h2.acceleration));

@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "engine/base/units.h"
+#include "groundmotions/assembly/read_record.h"
 #include "groundmotions/measures/peaks.h"
 #include "groundmotions/record_motion.h"
-#include "groundmotions/assembly/read_record.h"
 #include "groundmotions/residual.h"
 
 namespace gurney {

@@ -91,9 +91,10 @@ TEST(BadJob, PassesOnTheMistakesOfTheItemsFile) {
 
 TEST(BadJob, ExplainsRecords) {
   const std::string head = std::string(kHead) + "[excitation.record]\n";
-  EXPECT_EQ(mistakes(head),
-            "a.toml:4:1: excitation.record: no components or too many; must have 'file' (one file "
-            "with all components, or an array of files), or files for 'x', 'y', 'z', not both");
+  EXPECT_EQ(
+      mistakes(head),
+      "a.toml:4:1: excitation.record: no components or too many; must have 'file' (one file "
+      "with all components, or an array of files), or files for 'x', 'y', 'z', or 'synthetic'");
   EXPECT_EQ(mistakes(head + "file = \"no.csv\"\nunits = \"m/s\"\nscale = inf\ntime_step_s = 0\n"),
             "a.toml:5:8: excitation.record.file = \"no.csv\": no such file: no.csv\n"
             "a.toml:6:9: excitation.record.units = \"m/s\": must be one of g, m/s2, cm/s2, mm/s2; "

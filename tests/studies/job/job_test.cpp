@@ -358,7 +358,10 @@ TEST(JobPage, HasEveryKeyTheReaderKnowsAndNoOther) {
   });
   asked.erase("item.payloads.load");
   asked.insert("item.payloads.NAME");
-  EXPECT_EQ(asked, documented_keys(GURNEY_SOURCE_DIR "/docs/formats/job_file.md", ""));
+  asked.insert("excitation.record.scale_to.value");  // taken for a provenance by its name
+  const auto documented = documented_keys(GURNEY_SOURCE_DIR "/docs/formats/job_file.md", "");
+  for (const std::string& key : asked) EXPECT_TRUE(documented.contains(key)) << key;
+  for (const std::string& key : documented) EXPECT_TRUE(asked.contains(key)) << key;
 }
 
 }  // namespace
