@@ -1,8 +1,9 @@
 #include "groundmotions/formats/csmip_volume.h"
 
 #include "groundmotions/formats/caltech_components.h"
-#include "groundmotions/formats/header_statements.h"
+#include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 

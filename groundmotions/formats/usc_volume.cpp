@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "groundmotions/formats/caltech_components.h"
-#include "groundmotions/formats/header_statements.h"
+#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 

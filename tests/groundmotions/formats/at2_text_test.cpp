@@ -14,7 +14,8 @@ TEST(At2Text, IsReadBackToEightDigits) {
   component.name = "090";
   component.time_step = 0.005;
   component.acceleration = Eigen::VectorXd::LinSpaced(13, -7, 5) * kStandardGravity / 3;
-  const SourceFile file("made.AT2", at2_text(component, "A title", "An event, 1/2/2003, Somewhere"));
+  const SourceFile file("made.AT2",
+                        at2_text(component, "A title", "An event, 1/2/2003, Somewhere"));
   ASSERT_TRUE(recognises_peer_at2(file));
   const auto read = read_peer_at2(file, {});
   ASSERT_EQ(read.size(), 1u);

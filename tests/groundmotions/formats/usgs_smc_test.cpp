@@ -136,9 +136,9 @@ TEST(UsgsSmc, ChecksWhatTheHeaderStates) {
   EXPECT_THAT(error_text([] {
                 read_text(smc_file({.reals = {{32, -25.0}}}));
               }),
-              HasSubstr("the header states a peak of 0.25 m/s2, but the samples have 0.125 m/s2"));
+              HasSubstr("the file states a peak of 0.25 m/s2, but its samples have 0.125 m/s2"));
   EXPECT_THAT(read_text(smc_file({.reals = {{32, -13.0}}}))[0].warnings,
-              ElementsAre(HasSubstr("the header states a peak of 0.13 m/s2")));
+              ElementsAre(HasSubstr("the file states a peak of 0.13 m/s2")));
   EXPECT_THAT(error_text([] {
                 read_text(smc_file({.reals = {{2, 0.5}}}));
               }),
