@@ -228,13 +228,9 @@ class ChannelReader {
   std::size_t line_ = 1;
 };
 
-void refuse_spectra(const SourceFile& file, Mistakes& mistakes) {
+bool holds_spectra(const SourceFile& file) {
   const std::string first = upper(file.lines()[0].substr(0, 200));
-  if (first.find("SPECTR") == kNone && first.find("RESPONSE") == kNone) return;
-  mistakes.add(1, 1,
-               "this file (V3) holds response spectra, not an acceleration history; take the V2 of "
-               "this record");
-  mistakes.throw_if_any();
+  return first.find("SPECTR") != kNone || first.find("RESPONSE") != kNone;
 }
 
 }  // namespace
@@ -243,7 +239,7 @@ bool recognises_cosmos(const SourceFile& file) { return starts_cosmos_channel(fi
 
 std::vector<Component> read_cosmos(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file.name());
-  refuse_spectra(file, mistakes);
+  if (holds_spectra(file)) refuse_spectra(file.name(), "V3", "the V2");
   const auto channels = cosmos_channels(file, mistakes);
   mistakes.throw_if_any();
   std::vector<Component> components;

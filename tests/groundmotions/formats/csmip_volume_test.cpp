@@ -176,8 +176,6 @@ TEST(CsmipVolume, ChecksCountsUnitsAndSteps) {
   EXPECT_THAT(
       error_text([] { read(csmip_volume1(), {.time_step = 0.01}); }),
       HasSubstr("the file states a time step of 0.005 s, but time_step_s = 0.01 was given"));
-  EXPECT_THAT(error_text([] { read(csmip_volume1(), {.si_per_count = 0.01}); }),
-              HasSubstr("si_per_count = 0.01 was given, but the file does not hold raw counts"));
   EXPECT_THAT(error_text([] { read(replaced(csmip_volume1(), " 0.003000", "****-****")); }),
               HasSubstr("f.V1:29:19: '****-****' is not a number of the format 8F9.6"));
 }

@@ -80,8 +80,6 @@ TEST(GeoNet, RefusesFewerAndMoreThanThreeComponents) {
 TEST(GeoNet, ChecksTheOptions) {
   EXPECT_THAT(error_text([] { read_text(geonet_file(), {.unit = "g"}); }),
               HasSubstr("the file states the unit mm/s2, but unit = \"g\" was given"));
-  EXPECT_THAT(error_text([] { read_text(geonet_file(), {.si_per_count = 1}); }),
-              HasSubstr("si_per_count = 1 was given"));
 }
 
 }  // namespace

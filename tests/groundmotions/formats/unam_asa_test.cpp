@@ -74,8 +74,6 @@ TEST(Unam, ChecksTheHeader) {
 TEST(Unam, ChecksTheOptions) {
   EXPECT_THAT(error_text([] { read_text(unam_file(), {.unit = "g"}); }),
               HasSubstr("the file states the unit cm/s2, but unit = \"g\" was given"));
-  EXPECT_THAT(error_text([] { read_text(unam_file(), {.si_per_count = 1}); }),
-              HasSubstr("si_per_count = 1 was given"));
 }
 
 }  // namespace

@@ -150,8 +150,6 @@ TEST(UsgsSmc, ChecksTheOptions) {
               HasSubstr("the file states the unit cm/s2, but unit = \"g\" was given"));
   EXPECT_THAT(error_text([] { read_text(smc_file(), {.time_step = 0.01}); }),
               HasSubstr("the file states a time step of 0.005 s, but time_step_s = 0.01"));
-  EXPECT_THAT(error_text([] { read_text(smc_file(), {.si_per_count = 1}); }),
-              HasSubstr("si_per_count = 1 was given"));
 }
 
 }  // namespace
