@@ -19,6 +19,8 @@ TEST(Readable, TakesOtherBytesAsLatin1) {
   EXPECT_EQ(readable("caf\xe9"), "caf\xc3\xa9");
   // Overlong, a surrogate, above U+10FFFF, and a character without its end.
   EXPECT_EQ(readable("\xc1\xbf"), "\xc3\x81\xc2\xbf");
+  EXPECT_EQ(readable("\xe0\x9f\xbf"), "\xc3\xa0 \xc2\xbf");
+  EXPECT_EQ(readable("\xf0\x8f\xbf\xbf"), "\xc3\xb0 \xc2\xbf\xc2\xbf");
   EXPECT_EQ(readable("\xe0\xa0"), "\xc3\xa0\xc2\xa0");
   EXPECT_EQ(readable("\xed\xa0\xa1"), "\xc3\xad\xc2\xa0\xc2\xa1");
   EXPECT_EQ(readable("\xf4\xbf\xbf\xbf"), "\xc3\xb4\xc2\xbf\xc2\xbf\xc2\xbf");
