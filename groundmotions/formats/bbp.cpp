@@ -10,6 +10,8 @@
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/time_column.h"
+#include "groundmotions/formats/unit_text.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
@@ -30,20 +32,6 @@ struct Header {
 bool is_comment(std::string_view line) {
   line = trimmed(line);
   return !line.empty() && (line[0] == '#' || line[0] == '%');
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
-/// The text in the first brackets that follow `at`.
-std::string_view bracketed(std::string_view line, std::size_t at) {
-  const auto open = line.find('(', at);
-  if (open == kNone) return {};
-  const auto close = line.find(')', open);
-  return close == kNone ? std::string_view() : line.substr(open + 1, close - open - 1);
 }
 
 /// `N-S(cm/s/s)  E-W(cm/s/s)  U-D(cm/s/s)`
@@ -75,12 +63,12 @@ void take_comment(std::string_view comment, std::size_t line, Header& header) {
   if (const auto time = text.find("time(sec)"); time != kNone) {
     header.names_columns = true;
     const auto rest = comment.substr(time + std::string_view("time(sec)").size());
-    state_unit(bracketed(rest, 0));
+    state_unit(in_brackets(rest));
     take_names(rest, header);
   } else if (text.find("column 1: time") != kNone) {
     header.names_columns = true;
   } else if (text.find("column 2:") != kNone) {
-    const auto unit = bracketed(comment, 0);
+    const auto unit = in_brackets(comment);
     if (acceleration_unit(unit) || other_quantity(unit)) state_unit(unit);
   }
   const auto sign = comment.find_first_of(":=");
@@ -125,8 +113,6 @@ bool recognises_bbp(const SourceFile& file) {
 
 std::vector<Component> read_bbp(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file.name());
-  refuse_si_per_count(options, mistakes);
-  refuse_columns(options, mistakes);
   const Header header = header_of(file);
   if (const auto quantity = other_quantity(header.unit)) {
     mistakes.add(header.unit_line, 1,
@@ -136,7 +122,7 @@ std::vector<Component> read_bbp(const SourceFile& file, const ReadOptions& optio
     mistakes.throw_if_any();
   }
   const AccelerationUnit unit =
-      header.unit.empty() ? unit_of_user(options, mistakes)
+      header.unit.empty() ? agreed_unit({}, 0, options, mistakes)
                           : checked_unit(header.unit, header.unit_line, options, mistakes);
 
   NumberReader reader(file, mistakes);

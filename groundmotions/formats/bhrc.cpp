@@ -7,8 +7,10 @@
 
 #include "engine/base/units.h"
 #include "groundmotions/formats/fortran_fields.h"
-#include "groundmotions/formats/header_statements.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/stated.h"
+#include "groundmotions/formats/unit_text.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
@@ -55,9 +57,7 @@ class ChannelReader {
     component.unit = unit.name;
     take_time_step(*points, *count, component);
     if (mistakes_.any()) return component;
-    component.acceleration =
-        unit.to_si *
-        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+    component.acceleration = scaled(values, unit.to_si);
     orient(component);
     return component;
   }
@@ -130,7 +130,6 @@ bool recognises_bhrc(const SourceFile& file) {
 
 std::vector<Component> read_bhrc(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file.name());
-  if (options.si_per_count) mistakes.add("si_per_count was given, but the samples are not counts");
   ChannelReader reader(file, options, mistakes);
   std::vector<Component> components;
   for (std::size_t line = 0; line < file.lines().size() && !mistakes.any();) {

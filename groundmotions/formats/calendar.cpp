@@ -1,5 +1,6 @@
 #include "groundmotions/formats/calendar.h"
 
+#include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <cmath>
@@ -46,11 +47,17 @@ std::optional<double> utc_seconds(std::string_view text) {
     if (!value || (i < 5 && *value != std::floor(*value))) return {};
     values[i] = *value;
   }
-  const auto [year, month, day, hour, minute, second] = values;
-  if (!(year >= 1800 && year <= 3000 && month <= 12 && day <= 31 && hour < 24 && minute < 60 &&
-        second < 61))
-    return {};
-  const std::chrono::year_month_day date(std::chrono::year(static_cast<int>(year)),
+  const auto part = [&](std::size_t i) { return static_cast<int>(std::min(values[i], 1e6)); };
+  return utc_seconds(part(0), part(1), part(2), values[3], values[4], values[5]);
+}
+
+std::optional<double> utc_seconds(int year, int month, int day, double hour, double minute,
+                                  double second) {
+  const bool in_range = year >= 1900 && year <= 3000 && month >= 1 && day >= 1 && hour >= 0 &&
+                        hour < 24 && minute >= 0 && minute < 60 && second >= 0 &&
+                        second < 61;  // a leap second
+  if (!in_range) return {};
+  const std::chrono::year_month_day date(std::chrono::year(year),
                                          std::chrono::month(static_cast<unsigned>(month)),
                                          std::chrono::day(static_cast<unsigned>(day)));
   if (!date.ok()) return {};

@@ -11,4 +11,8 @@ namespace gurney {
 /// is no date.
 std::optional<double> utc_seconds(std::string_view text);
 
+/// The same of numbers; nothing if there is no such date or time from 1900 to 3000.
+std::optional<double> utc_seconds(int year, int month, int day, double hour, double minute,
+                                  double second);
+
 }  // namespace gurney

@@ -7,10 +7,14 @@
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
+#include "groundmotions/formats/calendar.h"
 #include "groundmotions/formats/caltech_volume.h"
-#include "groundmotions/formats/header_statements.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/uneven_samples.h"
+#include "groundmotions/formats/unit_text.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
@@ -123,9 +127,7 @@ class ChannelReader {
     if (!peak) return;
     const double size = std::abs(*peak) * (corrected ? 0.01 : kStandardGravity);
     const double rounding = corrected ? kPeakOfVolume2 : kPeakOfVolume1 * kStandardGravity;
-    const Eigen::VectorXd samples =
-        to_si * Eigen::Map<const Eigen::VectorXd>(series.values.data(),
-                                                  static_cast<Eigen::Index>(series.values.size()));
+    const Eigen::VectorXd samples = scaled(series.values, to_si);
     check_peak({size, std::max(rounding, kPeakShare * size), line_of(channel, at)}, samples,
                component, mistakes_);
   }
@@ -226,7 +228,6 @@ class ChannelReader {
 
 std::vector<Component> caltech_components(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file.name());
-  if (options.si_per_count) mistakes.add("si_per_count was given, but the samples are not counts");
   const auto channels = caltech_channels(file, mistakes);
   mistakes.throw_if_any();
   std::vector<Component> components;

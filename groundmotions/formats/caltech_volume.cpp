@@ -8,8 +8,9 @@
 #include <cmath>
 
 #include "groundmotions/formats/fortran_fields.h"
-#include "groundmotions/formats/header_statements.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/unit_text.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 

@@ -11,7 +11,6 @@
 #include "engine/base/units.h"
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"
-#include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/time_column.h"
 
 namespace gurney {
@@ -106,8 +105,6 @@ std::vector<const Column*> columns_of(const SourceFile& file, std::size_t line,
 }
 
 void check_options(const ReadOptions& options, double step, Mistakes& mistakes) {
-  refuse_si_per_count(options, mistakes);
-  refuse_columns(options, mistakes);
   if (!options.unit.empty())
     mistakes.add(fmt::format(
         "unit = \"{}\" was given, but the columns of this file state their units", options.unit));

@@ -6,10 +6,13 @@
 #include <cmath>
 
 #include "engine/base/units.h"
+#include "groundmotions/formats/calendar.h"
 #include "groundmotions/formats/cosmos_channel.h"
 #include "groundmotions/formats/cosmos_codes.h"
-#include "groundmotions/formats/header_statements.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/stated.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
@@ -43,9 +46,7 @@ class ChannelReader {
     Component component;
     const double to_si = si_of(channel, series, component);
     component.time_step = time_step_of(channel, component);
-    component.acceleration =
-        to_si * Eigen::Map<const Eigen::VectorXd>(series.values.data(),
-                                                  static_cast<Eigen::Index>(series.values.size()));
+    component.acceleration = scaled(series.values, to_si);
     check_holes(channel, series);
     if (mistakes_.any()) return component;
     check_length(channel.real(63).value_or(0), line_, component, mistakes_);
@@ -96,6 +97,12 @@ class ChannelReader {
   /// A count is (real 22, microvolts) / (real 42, volts per g) / (real 47, gain) g.
   double si_per_count(const CosmosChannel& channel, Component& component) {
     component.unit = "counts";
+    if (!options_.unit.empty())
+      mistakes_.add(
+          line_, 1,
+          fmt::format("unit = \"{}\" was given, but the samples are raw counts (unit code "
+                      "{})",
+                      options_.unit, kCosmosCounts));
     const auto volts = channel.real(22), sensitivity = channel.real(42);
     const double gain = channel.real(47).value_or(1);
     double stated = 0;
@@ -221,13 +228,9 @@ class ChannelReader {
   std::size_t line_ = 1;
 };
 
-void refuse_spectra(const SourceFile& file, Mistakes& mistakes) {
+bool holds_spectra(const SourceFile& file) {
   const std::string first = upper(file.lines()[0].substr(0, 200));
-  if (first.find("SPECTR") == kNone && first.find("RESPONSE") == kNone) return;
-  mistakes.add(1, 1,
-               "this file (V3) holds response spectra, not an acceleration history; take the V2 of "
-               "this record");
-  mistakes.throw_if_any();
+  return first.find("SPECTR") != kNone || first.find("RESPONSE") != kNone;
 }
 
 }  // namespace
@@ -236,7 +239,7 @@ bool recognises_cosmos(const SourceFile& file) { return starts_cosmos_channel(fi
 
 std::vector<Component> read_cosmos(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file.name());
-  refuse_spectra(file, mistakes);
+  if (holds_spectra(file)) refuse_spectra(file.name(), "V3", "the V2");
   const auto channels = cosmos_channels(file, mistakes);
   mistakes.throw_if_any();
   std::vector<Component> components;

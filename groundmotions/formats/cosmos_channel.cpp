@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "groundmotions/formats/fortran_fields.h"
-#include "groundmotions/formats/header_statements.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 

@@ -1,8 +1,9 @@
 #include "groundmotions/formats/csmip_volume.h"
 
 #include "groundmotions/formats/caltech_components.h"
-#include "groundmotions/formats/header_statements.h"
+#include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
@@ -24,13 +25,7 @@ bool recognises_csmip(const SourceFile& file) {
 }
 
 std::vector<Component> read_csmip(const SourceFile& file, const ReadOptions& options) {
-  if (first_text(file).starts_with("RESPONSE")) {
-    Mistakes mistakes(file.name());
-    mistakes.add(1, 1,
-                 "this file (volume 3) holds response spectra, not an acceleration history; take "
-                 "the .V2 of this record");
-    mistakes.throw_if_any();
-  }
+  if (first_text(file).starts_with("RESPONSE")) refuse_spectra(file.name(), "volume 3", "the .V2");
   return caltech_components(file, options);
 }
 

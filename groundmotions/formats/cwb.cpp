@@ -7,9 +7,11 @@
 
 #include "groundmotions/formats/calendar.h"
 #include "groundmotions/formats/column_table.h"
-#include "groundmotions/formats/header_statements.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/stated.h"
+#include "groundmotions/formats/unit_text.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
@@ -37,8 +39,6 @@ class CwbReader {
     if (!format || format->per_line != names_.size() + 1)
       mistakes_.add(line + 1, 1,
                     fmt::format("'{}' is no format of a time and {} samples", text, names_.size()));
-    refuse_si_per_count(options_, mistakes_);
-    refuse_columns(options_, mistakes_);
     mistakes_.throw_if_any();
 
     const auto columns = read_table(file_, first_row(), *format, mistakes_);

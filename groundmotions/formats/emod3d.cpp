@@ -8,39 +8,30 @@
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/stated.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
 namespace {
 
+constexpr std::string_view kBlanks = " \t\v\f\x1a";
+
 /// The numbers of a line; empty if it holds anything else.
 std::vector<double> numbers_of(std::string_view line) {
   std::vector<double> values;
-  for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
-    const auto end = std::min(line.find_first_of(" \t"), line.size());
-    const auto value = number(line.substr(0, end));
+  for (const auto word : words_of(line, kBlanks)) {
+    const auto value = number(word);
     if (!value) return {};
     values.push_back(*value);
-    line.remove_prefix(end);
   }
   return values;
-}
-
-std::vector<std::string_view> words_of(std::string_view line) {
-  std::vector<std::string_view> words;
-  for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
-    const auto end = std::min(line.find_first_of(" \t"), line.size());
-    words.push_back(line.substr(0, end));
-    line.remove_prefix(end);
-  }
-  return words;
 }
 
 }  // namespace
 
 bool recognises_emod3d(const SourceFile& file) {
   if (file.lines().size() < 3 || !numbers_of(file.lines()[0]).empty() ||
-      words_of(file.lines()[0]).size() < 2)
+      words_of(file.lines()[0], kBlanks).size() < 2)
     return false;
   const auto head = numbers_of(file.lines()[1]);
   const auto is_whole = [](double value) { return value == std::floor(value); };
@@ -50,13 +41,11 @@ bool recognises_emod3d(const SourceFile& file) {
 
 std::vector<Component> read_emod3d(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file.name());
-  refuse_si_per_count(options, mistakes);
-  refuse_columns(options, mistakes);
-  const auto words = words_of(file.lines()[0]);
+  const auto words = words_of(file.lines()[0], kBlanks);
   const auto head = numbers_of(file.lines()[1]);
   Component component;
   component.time_step = checked_time_step(head[1], "dt", 2, options, mistakes);
-  const AccelerationUnit unit = unit_of_user(options, mistakes);
+  const AccelerationUnit unit = agreed_unit({}, 0, options, mistakes);
   component.unit = unit.name;
   NumberReader reader(file, mistakes);
   for (std::size_t i = 2; i < file.lines().size(); ++i) reader.read_line(i);

@@ -11,6 +11,7 @@
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/stated.h"
+#include "groundmotions/formats/unit_text.h"
 
 namespace gurney {
 
@@ -129,8 +130,6 @@ std::vector<Component> read_esm(const SourceFile& file, const ReadOptions& optio
   Mistakes mistakes(file.name());
   const ColonHeader header(file);
   refuse_other_quantities(header, mistakes);
-  refuse_si_per_count(options, mistakes);
-  refuse_columns(options, mistakes);
 
   Component component;
   component.time_step =
@@ -139,7 +138,7 @@ std::vector<Component> read_esm(const SourceFile& file, const ReadOptions& optio
   const auto* units = header.find("UNITS");
   const AccelerationUnit unit = units && !units->value.empty()
                                     ? checked_unit(units->value, units->line, options, mistakes)
-                                    : unit_of_user(options, mistakes);
+                                    : agreed_unit({}, 0, options, mistakes);
   component.unit = unit.name;
   const double count = header.number_of("NDATA", mistakes);
 

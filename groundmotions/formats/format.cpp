@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/base/error.h"
 #include "groundmotions/acceleration_unit.h"
 #include "groundmotions/formats/bbp.h"
@@ -17,6 +20,7 @@
 #include "groundmotions/formats/knet.h"
 #include "groundmotions/formats/peer_at2.h"
 #include "groundmotions/formats/plain_text.h"
+#include "groundmotions/formats/readable.h"
 #include "groundmotions/formats/sac.h"
 #include "groundmotions/formats/simbad.h"
 #include "groundmotions/formats/unam_asa.h"
@@ -28,12 +32,19 @@ namespace gurney {
 
 const std::vector<Format>& formats() {
   static const std::vector<Format> table = {
-      {"SAC", recognises_sac, read_sac, true},
+      {.name = "SAC",
+       .recognises = recognises_sac,
+       .read = read_sac,
+       .is_binary = true,
+       .takes_counts = true},
       {"USGS SMC", recognises_smc, read_smc},
       {"GeoNet", recognises_geonet, read_geonet},
       {"UNAM", recognises_unam, read_unam},
       {"CWB", recognises_cwb, read_cwb},
-      {"COSMOS", recognises_cosmos, read_cosmos},
+      {.name = "COSMOS",
+       .recognises = recognises_cosmos,
+       .read = read_cosmos,
+       .takes_counts = true},
       {"USC volume", recognises_usc, read_usc},
       {"CSMIP volume", recognises_csmip, read_csmip},
       {"BHRC volume", recognises_bhrc, read_bhrc},
@@ -45,10 +56,74 @@ const std::vector<Format>& formats() {
       {"BBP", recognises_bbp, read_bbp},
       {"EMOD3D", recognises_emod3d, read_emod3d},
       {"columns CSV", recognises_columns_csv, read_columns_csv},
-      {"plain text", recognises_plain_text, read_plain_text},
+      {.name = "plain text",
+       .recognises = recognises_plain_text,
+       .read = read_plain_text,
+       .takes_counts = true,
+       .takes_columns = true},
   };
   return table;
 }
+
+namespace {
+
+/// What is wrong with options whatever the file.
+void check(const ReadOptions& options) {
+  require(options.unit.empty() || acceleration_unit(options.unit),
+          fmt::format("'{}' is not a unit of acceleration: {} are allowed", options.unit,
+                      kAccelerationUnits));
+  require(!options.time_step || (*options.time_step > 0 && *options.time_step <= 1),
+          fmt::format("the time step of a record must be in (0, 1] s, got {}",
+                      options.time_step.value_or(0)));
+  require(
+      !options.si_per_count || (*options.si_per_count > 0 && std::isfinite(*options.si_per_count)),
+      fmt::format("si_per_count must be positive and finite, got {}",
+                  options.si_per_count.value_or(0)));
+}
+
+/// Options that are of no use to a format, one line each.
+std::string useless_options(const Format& format, const std::string& file,
+                            const ReadOptions& options) {
+  std::string mistakes;
+  if (options.si_per_count && !format.takes_counts)
+    mistakes +=
+        fmt::format("{}: si_per_count = {} was given, but the file does not hold raw counts\n",
+                    file, *options.si_per_count);
+  else if (options.si_per_count && !options.unit.empty())
+    mistakes +=
+        fmt::format("{}: unit and si_per_count were both given; one of them is allowed\n", file);
+  if (!options.columns.empty() && !format.takes_columns)
+    mistakes +=
+        fmt::format("{}: columns = \"{}\" was given, but the layout of this file is known\n", file,
+                    options.columns);
+  return mistakes;
+}
+
+/// The mistakes of the file follow those of the options.
+std::vector<Component> read_as(const Format& format, const SourceFile& file,
+                               const ReadOptions& options) {
+  std::string mistakes = useless_options(format, file.name(), options);
+  std::vector<Component> components;
+  try {
+    components = format.read(file, options);
+  } catch (const Error& error) {
+    throw Error(mistakes + error.what());
+  }
+  if (!mistakes.empty()) mistakes.pop_back();  // the last line end
+  require(mistakes.empty(), mistakes);
+  return components;
+}
+
+void make_readable(Component& component) {
+  component.name = readable(component.name);
+  for (auto& [name, value] : component.header) {
+    name = readable(name);
+    value = readable(value);
+  }
+  for (std::string& warning : component.warnings) warning = readable(warning);
+}
+
+}  // namespace
 
 std::vector<Component> read_components(const std::filesystem::path& path,
                                        const ReadOptions& options) {
@@ -56,31 +131,26 @@ std::vector<Component> read_components(const std::filesystem::path& path,
 }
 
 std::vector<Component> read_components(const SourceFile& file, const ReadOptions& options) {
-  require(options.unit.empty() || acceleration_unit(options.unit),
-          fmt::format("'{}' is not a unit of acceleration: {} are allowed", options.unit,
-                      kAccelerationUnits));
-  require(!options.time_step || (*options.time_step > 0 && *options.time_step <= 1),
-          fmt::format("the time step of a record must be in (0, 1] s, got {}",
-                      options.time_step.value_or(0)));
+  check(options);
   const auto foreign = foreign_file(file.bytes());
   require(!foreign, fmt::format("{}: {}", file.name(), foreign.value_or("")));
-  std::string names;
-  for (const Format& format : formats()) {
-    if (format.is_binary != file.is_text() && format.recognises(file)) {
-      auto components = format.read(file, options);
-      for (Component& component : components) {
-        component.file = file.name();
-        component.format = format.name;
-        component.sha256 = file.sha256();
-      }
-      return components;
-    }
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", format.name);
+  const auto format = std::ranges::find_if(formats(), [&](const Format& candidate) {
+    return candidate.is_binary != file.is_text() && candidate.recognises(file);
+  });
+  constexpr const char* kUnknown = "not a record in a known format (see docs/records.md)";
+  require(format != formats().end() || file.is_text(),
+          fmt::format("{}: a binary file, {}", file.name(), kUnknown));
+  if (format == formats().end())
+    throw Error(fmt::format("{}:1:1: {}; the file starts with '{}'", file.name(), kUnknown,
+                            readable(file.lines().front().substr(0, 60))));
+  auto components = read_as(*format, file, options);
+  for (Component& component : components) {
+    component.file = file.name();
+    component.format = format->name;
+    component.sha256 = file.sha256();
+    make_readable(component);
   }
-  const std::string unknown = fmt::format("not a record in a known format ({})", names);
-  require(file.is_text(), fmt::format("{}: a binary file, {}", file.name(), unknown));
-  throw Error(fmt::format("{}:1:1: {}; the file starts with '{}'", file.name(), unknown,
-                          file.lines().front().substr(0, 60)));
+  return components;
 }
 
 }  // namespace gurney

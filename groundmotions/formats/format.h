@@ -33,14 +33,17 @@ struct Format {
   /// @throws  Error with a line for each mistake in the file.
   std::vector<Component> (*read)(const SourceFile& file, const ReadOptions& options);
 
-  bool is_binary = false;  ///< formats of text never see a binary file, nor the other way round
+  bool is_binary = false;      ///< formats of text never see a binary file, nor the other way round
+  bool takes_counts = false;   ///< its samples may be raw counts: si_per_count is allowed
+  bool takes_columns = false;  ///< `columns` is allowed
 };
 
 /// All formats, those with the surest marks first: the first that recognises a file reads it.
 const std::vector<Format>& formats();
 
-/// The components of one file.
-/// @throws Error if the file cannot be read, no format recognises it, or its content is wrong.
+/// The components of one file; their texts are readable().
+/// @throws Error if the file cannot be read, no format recognises it, its content is wrong, or an
+///         option is wrong or of no use to its format.
 std::vector<Component> read_components(const std::filesystem::path& path,
                                        const ReadOptions& options = {});
 std::vector<Component> read_components(const SourceFile& file, const ReadOptions& options = {});

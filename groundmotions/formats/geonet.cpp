@@ -6,10 +6,13 @@
 #include <cmath>
 
 #include "engine/base/units.h"
+#include "groundmotions/formats/calendar.h"
 #include "groundmotions/formats/fortran_fields.h"
-#include "groundmotions/formats/header_statements.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/stated.h"
+#include "groundmotions/formats/unit_text.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
@@ -124,9 +127,7 @@ class BlockReader {
     const std::size_t velocities = read(whole(integers_[34]), "velocities").size();
     const std::size_t displacements = read(whole(integers_[35]), "displacements").size();
     if (mistakes_.any()) return;
-    component.acceleration =
-        in_file.to_si *
-        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+    component.acceleration = scaled(values, in_file.to_si);
     if (velocities + displacements > 0)
       component.header.emplace_back("also in the file", "velocity and displacement");
     if (const auto peak = number_after(upper(text(kPeakLine)), "PEAK")) {
@@ -194,8 +195,6 @@ bool recognises_geonet(const SourceFile& file) {
 
 std::vector<Component> read_geonet(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file.name());
-  refuse_si_per_count(options, mistakes);
-  refuse_columns(options, mistakes);
   auto components = BlockReader(file, options, mistakes).read();
   mistakes.throw_if_any();
   return components;

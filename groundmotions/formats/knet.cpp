@@ -137,8 +137,6 @@ bool recognises_knet(const SourceFile& file) {
 
 std::vector<Component> read_knet(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file.name());
-  refuse_si_per_count(options, mistakes);
-  refuse_columns(options, mistakes);
   Component component;
   const Entry scale = find(file, "Scale Factor");
   component.unit = checked_unit(kGal.name, scale.line, options, mistakes).name;

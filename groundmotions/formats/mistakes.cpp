@@ -26,4 +26,11 @@ void Mistakes::throw_if_any() const {
   throw Error(message);
 }
 
+void refuse_spectra(const std::string& file, const std::string& what, const std::string& instead) {
+  throw Error(fmt::format(
+      "{}:1:1: this file ({}) holds response spectra, not an acceleration history; take "
+      "{} of this record",
+      file, what, instead));
+}
+
 }  // namespace gurney

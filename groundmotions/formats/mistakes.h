@@ -29,4 +29,10 @@ class Mistakes {
   std::size_t count_ = 0;
 };
 
+/// @param what     the file is: "volume 3"
+/// @param instead  the file to take: "the .V2"
+/// @throws Error that tells so.
+[[noreturn]] void refuse_spectra(const std::string& file, const std::string& what,
+                                 const std::string& instead);
+
 }  // namespace gurney

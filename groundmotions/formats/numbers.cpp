@@ -48,6 +48,11 @@ std::optional<double> number(std::string_view text) {
   return text.empty() ? value : std::nullopt;
 }
 
+Eigen::VectorXd scaled(const std::vector<double>& values, double factor) {
+  return factor *
+         Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
 NumberReader::NumberReader(const SourceFile& file, Mistakes& mistakes, std::string_view separators)
     : file_(file),
       mistakes_(mistakes),

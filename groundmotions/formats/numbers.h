@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@ std::optional<double> take_number(std::string_view& text);
 std::optional<double> number(std::string_view text);
 
 std::string_view trimmed(std::string_view text);
+
+/// `values` times `factor`.
+Eigen::VectorXd scaled(const std::vector<double>& values, double factor);
 
 /// Reads series of numbers from lines of Fortran or of people.
 ///

@@ -5,31 +5,54 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <string>
 
 #include "engine/base/units.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
 namespace {
+
+constexpr auto kNone = std::string_view::npos;
 
 template <std::size_t size>
 bool is_one_of(std::string_view text, const std::array<std::string_view, size>& names) {
   return std::ranges::find(names, text) != names.end();
 }
 
-std::string upper(std::string_view text) {
-  std::string result;
-  for (const char c : trimmed(text))
-    result += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return result;
-}
-
 bool is_seed_code(const std::string& code) {
   return code.size() == 3 &&
          std::ranges::all_of(code, [](unsigned char c) { return std::isalpha(c) != 0; }) &&
          (code[1] == 'N' || code[1] == 'G' || code[1] == 'L' || code[1] == 'H');
+}
+
+/// Azimuth in degrees of a bearing such as N08W or S45E.
+std::optional<double> bearing(std::string_view word) {
+  if (word.size() < 3 || word.size() > 6) return {};
+  const char from = word.front(), towards = word.back();
+  if ((from != 'N' && from != 'S') || (towards != 'E' && towards != 'W')) return {};
+  const auto angle = number(word.substr(1, word.size() - 2));
+  if (!angle || !(*angle >= 0 && *angle <= 90)) return {};
+  const double start = from == 'N' ? 0 : 180;
+  const double azimuth = (from == 'N') == (towards == 'E') ? start + *angle : start - *angle;
+  return std::fmod(azimuth + 360, 360);
+}
+
+std::optional<double> azimuth_in(std::string_view label) {
+  const auto words = words_of(label, " \t,;:()");
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const auto degrees = number(words[i]);
+    const bool named =
+        words.size() == 1 || (i + 1 < words.size() && words[i + 1].starts_with("DEG"));
+    if (degrees && named && *degrees >= 0 && *degrees <= 360) return std::fmod(*degrees, 360);
+    if (const auto result = bearing(words[i])) return result;
+  }
+  constexpr std::string_view kPoints = "NESW";
+  const auto point = label.size() == 1 ? kPoints.find(label[0]) : kNone;
+  return point == kNone ? std::nullopt : std::optional(90.0 * static_cast<double>(point));
 }
 
 }  // namespace
@@ -41,7 +64,7 @@ void orient(std::string_view name, Component& component) {
                                                     "Z", "VER", "VERT", "VERTICAL", "UP-DOWN"};
   constexpr std::array<std::string_view, 3> kDown = {"DN", "DWN", "DOWN"};
 
-  std::string code = upper(name);
+  std::string code = upper(trimmed(name));
   if (code.size() == 5 && number(code.substr(3))) code = code.substr(0, 3);  // with its location
   if (is_seed_code(code)) code = code.back();
   const auto degrees = number(code);
@@ -54,12 +77,35 @@ void orient(std::string_view name, Component& component) {
   } else if (is_one_of(code, kUp)) {
     component.direction = Direction::kVertical;
   } else if (is_one_of(code, kDown)) {
-    component.direction = Direction::kVertical;
-    component.acceleration = -component.acceleration;
-    component.warnings.push_back(
-        fmt::format("component '{}' points down; its samples change sign so that they point up",
-                    trimmed(name)));
+    turn_up(trimmed(name), component);
   }
+}
+
+bool orient_by_label(std::string_view text, Component& component) {
+  const std::string label = upper(trimmed(text));
+  if (const auto azimuth = azimuth_in(label)) {
+    component.azimuth = *azimuth * kRadiansPerDegree;
+    return true;
+  }
+  for (const std::string_view word : words_of(label, " \t,;:()=-")) {
+    const bool alone = word == label;
+    if (word == "UP" || word == "VERT" || word == "VERTICAL" || (alone && word == "V")) {
+      component.direction = Direction::kVertical;
+      return true;
+    }
+    if (word == "DOWN" || (alone && word == "DN")) {
+      turn_up(word, component);
+      return true;
+    }
+  }
+  return false;
+}
+
+void turn_up(std::string_view why, Component& component) {
+  component.direction = Direction::kVertical;
+  component.acceleration = -component.acceleration;
+  component.warnings.push_back(
+      fmt::format("the component points down ({}): its sign was turned, up is positive", why));
 }
 
 }  // namespace gurney

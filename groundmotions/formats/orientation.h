@@ -18,4 +18,13 @@ namespace gurney {
 /// Any other name (L, T, H1, HN2) sets nothing. To be called when the samples are there.
 void orient(std::string_view name, Component& component);
 
+/// Azimuth or vertical of a component as a label in a header says it: "90 DEG", "N08W", "UP",
+/// "Roof, N wall: 275 deg", "VERT", "DOWN" (turned to up, with a warning). Labels such as "L" or
+/// "Roof" say neither.
+/// @returns whether the label says it.
+bool orient_by_label(std::string_view label, Component& component);
+
+/// Turns a component that points down, with a warning. @param why  the file's word: "DOWN"
+void turn_up(std::string_view why, Component& component);
+
 }  // namespace gurney

@@ -12,6 +12,7 @@
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/plain_rows.h"
 #include "groundmotions/formats/stated.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
@@ -19,12 +20,6 @@ namespace {
 
 constexpr std::size_t kHeaderLines = 20;  ///< a header ends within these
 constexpr auto kNone = std::string_view::npos;
-
-std::string upper(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return result;
-}
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
@@ -126,18 +121,13 @@ void name_component(const SourceFile& file, Component& component) {
 
 double time_step_of(const Header& header, const ReadOptions& options, Mistakes& mistakes) {
   const auto& [value, line] = header.time_step;
-  if (value) return checked_time_step(*value, "DT", line + 1, options, mistakes);
-  if (!options.time_step)
-    mistakes.add("the header states no time step (DT= ... SEC); state it as time_step_s");
-  return options.time_step.value_or(0);
+  return value ? checked_time_step(*value, "DT", line + 1, options, mistakes)
+               : agreed_time_step({}, 0, options, mistakes);
 }
 
 AccelerationUnit unit_of(const Header& header, const ReadOptions& options, Mistakes& mistakes) {
-  if (!header.unit.empty())
-    return checked_unit(header.unit, header.unit_line + 1, options, mistakes);
-  if (options.unit.empty())
-    mistakes.add("the header states no unit (IN UNITS OF ...); state it as unit = \"g\"");
-  return acceleration_unit(options.unit).value_or(AccelerationUnit{"", 1});
+  return header.unit.empty() ? agreed_unit({}, 0, options, mistakes)
+                             : checked_unit(header.unit, header.unit_line + 1, options, mistakes);
 }
 
 void check_samples(const Header& header, std::size_t count, Component& component,
@@ -187,8 +177,6 @@ std::vector<Component> read_peer_at2(const SourceFile& file, const ReadOptions& 
     mistakes.throw_if_any();
   }
 
-  refuse_si_per_count(options, mistakes);
-  refuse_columns(options, mistakes);
   Component component;
   component.time_step = time_step_of(header, options, mistakes);
   const AccelerationUnit unit = unit_of(header, options, mistakes);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
@@ -17,22 +18,6 @@ constexpr std::size_t kHeaderLines = 40;
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
-std::vector<std::string_view> words_of(std::string_view line, std::string_view between) {
-  std::vector<std::string_view> words;
-  for (auto begin = line.find_first_not_of(between); begin != std::string_view::npos;) {
-    const auto end = std::min(line.find_first_of(between, begin), line.size());
-    words.push_back(line.substr(begin, end - begin));
-    begin = line.find_first_not_of(between, end);
-  }
-  return words;
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
 
 /// A word of a language rather than a number that went wrong (nan, inf, E-03).
 bool is_text(std::string_view word) {
@@ -173,13 +158,6 @@ std::vector<std::string> column_titles(const PlainRows& rows, std::size_t count)
     if (titles.size() == count) return titles;
   }
   return {};
-}
-
-std::string_view title_unit(std::string_view title) {
-  const auto open = title.find_first_of("([");
-  if (open == std::string_view::npos) return {};
-  title.remove_prefix(open + 1);
-  return trimmed(title.substr(0, title.find_first_of(")]")));
 }
 
 }  // namespace gurney

@@ -39,7 +39,4 @@ PlainRows plain_rows(const SourceFile& file, Mistakes& mistakes);
 /// A bracket belongs to the word before it.
 std::vector<std::string> column_titles(const PlainRows& rows, std::size_t count);
 
-/// The text in the first () or [] of a title; empty if there is none.
-std::string_view title_unit(std::string_view title);
-
 }  // namespace gurney

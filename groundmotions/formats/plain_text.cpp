@@ -13,16 +13,12 @@
 #include "groundmotions/formats/plain_rows.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/time_column.h"
+#include "groundmotions/formats/unit_text.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
 
 /// Tables that look like records but are none; their other mistakes do not matter.
 void refuse_spectra(const PlainRows& rows, const std::string& file) {
@@ -66,7 +62,7 @@ struct ColumnUnit {
 
 ColumnUnit unit_of(std::string_view title, std::size_t line, const ReadOptions& options,
                    Mistakes& mistakes) {
-  const auto stated = title_unit(title);
+  const auto stated = in_brackets(title);
   const auto quantity = lower(title).starts_with("vel")    ? "velocity"
                         : lower(title).starts_with("disp") ? "displacement"
                                                            : other_quantity(stated).value_or("");
@@ -78,13 +74,15 @@ ColumnUnit unit_of(std::string_view title, std::size_t line, const ReadOptions& 
     return {};
   }
   if (options.si_per_count) {
-    if (acceleration_unit(stated) || !options.unit.empty())
-      mistakes.add("si_per_count is for raw counts, which have no unit; a unit was stated too");
+    if (acceleration_unit(stated))
+      mistakes.add(
+          line, 1,
+          fmt::format("si_per_count is for raw counts, but the column '{}' has a unit", title));
     return {"counts", *options.si_per_count};
   }
   const AccelerationUnit unit = acceleration_unit(stated)
                                     ? checked_unit(stated, line, options, mistakes)
-                                    : unit_of_user(options, mistakes);
+                                    : agreed_unit({}, 0, options, mistakes);
   return {unit.name, unit.to_si};
 }
 
@@ -108,11 +106,8 @@ void warn_of_text(const PlainRows& rows, Component& component) {
 }
 
 double time_step_of(const CountRow& count, const ReadOptions& options, Mistakes& mistakes) {
-  if (count.line > 0)
-    return checked_time_step(count.time_step, "the time step", count.line, options, mistakes);
-  if (!options.time_step)
-    mistakes.add("the file does not state its time step; state it as time_step_s");
-  return options.time_step.value_or(0);
+  const auto stated = count.line > 0 ? std::optional(count.time_step) : std::nullopt;
+  return agreed_time_step(stated, count.line, options, mistakes);
 }
 
 std::vector<double> column(const PlainRows& rows, std::size_t at, std::size_t width) {
@@ -124,7 +119,7 @@ std::vector<double> column(const PlainRows& rows, std::size_t at, std::size_t wi
 std::vector<Component> one_component(const PlainRows& rows, const CountRow& count,
                                      const ReadOptions& options, Mistakes& mistakes) {
   const auto titles = column_titles(rows, 1);
-  const std::string title = titles.empty() || title_unit(titles[0]).empty() ? "" : titles[0];
+  const std::string title = titles.empty() || in_brackets(titles[0]).empty() ? "" : titles[0];
   const ColumnUnit unit = unit_of(title, rows.title_line, options, mistakes);
   Component component;
   component.time_step = time_step_of(count, options, mistakes);
@@ -187,9 +182,6 @@ bool recognises_plain_text(const SourceFile& file) { return has_plain_rows(file)
 
 std::vector<Component> read_plain_text(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file.name());
-  if (options.si_per_count && !(*options.si_per_count > 0 && std::isfinite(*options.si_per_count)))
-    mistakes.add(
-        fmt::format("si_per_count must be positive and finite, got {}", *options.si_per_count));
   PlainRows rows = plain_rows(file, mistakes);
   refuse_spectra(rows, file.name());
   if (rows.doubtful_commas && !options.si_per_count && !rows.lines.empty())

@@ -9,9 +9,10 @@
 
 #include "engine/base/units.h"
 #include "groundmotions/acceleration_unit.h"
-#include "groundmotions/formats/header_statements.h"
+#include "groundmotions/formats/calendar.h"
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/stated.h"
 
 namespace gurney {
@@ -49,9 +50,7 @@ class SacWords {
   std::string text(std::size_t index) const {
     auto field = bytes_.substr(4 * kText + 8 * index, 8);
     field = trimmed(field.substr(0, field.find('\0')));
-    std::string result;
-    for (const char c : field) result += c >= ' ' && c <= '~' ? c : '?';
-    return result == "-12345" ? "" : result;
+    return field == "-12345" ? "" : std::string(field);
   }
 
   std::string_view bytes() const { return bytes_; }
@@ -122,9 +121,7 @@ double stated_step(const SacWords& words) {
 /// The unit of the samples [m/s2]; the header's nominal nm/s2 is seldom what a file holds.
 AccelerationUnit unit_of(const ReadOptions& options, Mistakes& mistakes) {
   const auto given = acceleration_unit(options.unit);
-  if (given && options.si_per_count)
-    mistakes.add("unit and si_per_count were both given; one of them is allowed");
-  else if (!given && !options.si_per_count)
+  if (!given && !options.si_per_count)
     mistakes.add(
         fmt::format("a SAC file does not state its unit; state it as unit = \"...\" ({}) "
                     "or, of counts, as si_per_count (1e-9 for nm/s2)",
@@ -198,7 +195,6 @@ std::vector<Component> read_sac(const SourceFile& file, const ReadOptions& optio
   Mistakes mistakes(file.name());
   const SacWords words = *sac_words(file.bytes());
   check_layout(words, mistakes);
-  refuse_columns(options, mistakes);
   mistakes.throw_if_any();
   Component component;
   component.time_step = agreed_time_step(stated_step(words), 1, options, mistakes);

@@ -6,6 +6,8 @@
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/stated.h"
+#include "groundmotions/formats/unit_text.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
@@ -14,14 +16,6 @@ namespace {
 constexpr std::string_view kStep = "Time Increment (s)";
 constexpr std::string_view kCount = "Number of Data";
 constexpr std::string_view kSeries = "time series in ";
-
-/// The unit in `PGA (m/s/s)` or nothing.
-std::string_view in_brackets(std::string_view text) {
-  const auto open = text.find('(');
-  if (open == std::string_view::npos) return {};
-  text.remove_prefix(open + 1);
-  return text.substr(0, text.find(')'));
-}
 
 void check_published_peak(const ColonHeader& header, Component& component, Mistakes& mistakes) {
   const auto* peak = header.find_start("PGA");
@@ -47,8 +41,6 @@ bool recognises_simbad(const SourceFile& file) {
 std::vector<Component> read_simbad(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file.name());
   const ColonHeader header(file);
-  refuse_si_per_count(options, mistakes);
-  refuse_columns(options, mistakes);
   const std::size_t title = header.lines();
   const auto line = title < file.lines().size() ? file.lines()[title] : std::string_view();
   const auto series = line.find(kSeries);

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 
 #include "groundmotions/formats/numbers.h"
@@ -14,7 +12,7 @@ namespace gurney {
 namespace {
 
 constexpr double kPeakTolerance = 0.001;
-constexpr double kPeakFactor = 1.5;
+constexpr double kTooFar = 1.5;  ///< factor between what is stated and what is there
 
 /// Half of the last digit of a decimal number: 0.0005 of "4.078", 0.005 of "1.2E-01".
 double half_digit(std::string_view text) {
@@ -27,29 +25,52 @@ double half_digit(std::string_view text) {
   return 0.5 * std::pow(10, exponent - static_cast<double>(places));
 }
 
+/// @param line  0: of the whole file
+void tell(Mistakes& mistakes, std::size_t line, const std::string& message) {
+  line > 0 ? mistakes.add(line, 1, message) : mistakes.add(message);
+}
+
+/// A mistake if what is held is not within a factor of 1.5 of what is stated, else a warning.
+void tell_difference(double stated, double held, const std::string& message, std::size_t line,
+                     Component& component, Mistakes& mistakes) {
+  if (!(held <= kTooFar * stated && stated <= kTooFar * held))
+    mistakes.add(line, 1, message);
+  else
+    component.warnings.push_back(message);
+}
+
 }  // namespace
+
+AccelerationUnit agreed_unit(const std::optional<AccelerationUnit>& stated, std::size_t line,
+                             const ReadOptions& options, Mistakes& mistakes) {
+  const auto given = acceleration_unit(options.unit);
+  if (!stated && !given)
+    tell(mistakes, line,
+         fmt::format("the file does not state its unit; state it as unit = \"...\" ({})",
+                     kAccelerationUnits));
+  else if (stated && given && stated->to_si != given->to_si)
+    tell(mistakes, line,
+         fmt::format("the file states the unit {}, but unit = \"{}\" was given", stated->name,
+                     options.unit));
+  return stated ? *stated : given.value_or(AccelerationUnit{"", 1});
+}
 
 AccelerationUnit checked_unit(std::string_view stated, std::size_t line, const ReadOptions& options,
                               Mistakes& mistakes) {
-  const auto unit = acceleration_unit(trimmed(stated));
-  const auto given = acceleration_unit(options.unit);
-  if (!unit)
-    mistakes.add(line, 1,
-                 fmt::format("'{}' is not a unit of acceleration: {} are allowed", trimmed(stated),
-                             kAccelerationUnits));
-  else if (given && given->to_si != unit->to_si)
-    mistakes.add(line, 1,
-                 fmt::format("the file states the unit {}, but unit = \"{}\" was given", unit->name,
-                             options.unit));
-  return unit.value_or(AccelerationUnit{"", 1});
+  if (const auto unit = acceleration_unit(trimmed(stated)))
+    return agreed_unit(unit, line, options, mistakes);
+  mistakes.add(line, 1,
+               fmt::format("'{}' is not a unit of acceleration: {} are allowed", trimmed(stated),
+                           kAccelerationUnits));
+  return {"", 1};
 }
 
-AccelerationUnit unit_of_user(const ReadOptions& options, Mistakes& mistakes) {
-  const auto given = acceleration_unit(options.unit);
-  if (!given)
-    mistakes.add(fmt::format("the file does not state its unit; state it as unit = \"...\" ({})",
-                             kAccelerationUnits));
-  return given.value_or(AccelerationUnit{"", 1});
+double agreed_time_step(const std::optional<double>& stated, std::size_t line,
+                        const ReadOptions& options, Mistakes& mistakes) {
+  if (stated) return checked_time_step(*stated, "the time step", line, options, mistakes);
+  if (!options.time_step)
+    tell(mistakes, line, "the file does not state its time step; state it as time_step_s");
+  return options.time_step.value_or(0);
 }
 
 double checked_time_step(double stated, std::string_view key, std::size_t line,
@@ -72,6 +93,16 @@ void check_count(double stated, std::string_view key, std::size_t line, std::siz
                  fmt::format("{} states {} samples, but the file holds {}", key, stated, held));
 }
 
+void check_length(double length, std::size_t line, Component& component, Mistakes& mistakes) {
+  const double held = static_cast<double>(component.acceleration.size()) * component.time_step;
+  if (!(length > 0) || std::abs(held - length) <= 2.5 * component.time_step + 0.01) return;
+  tell_difference(length, held,
+                  fmt::format("the file states a length of {:.6g} s, but its {} samples at {} s "
+                              "have {:.6g} s",
+                              length, component.acceleration.size(), component.time_step, held),
+                  line, component, mistakes);
+}
+
 void check_peak(std::string_view stated, const AccelerationUnit& unit, std::size_t line,
                 Component& component, Mistakes& mistakes) {
   const auto value = number(stated);
@@ -82,43 +113,23 @@ void check_peak(std::string_view stated, const AccelerationUnit& unit, std::size
   const double told = std::abs(*value) * unit.to_si;
   const double held = component.acceleration.cwiseAbs().maxCoeff();
   if (std::abs(told - held) <= half_digit(stated) * unit.to_si + kPeakTolerance * held) return;
-  const std::string message =
-      fmt::format("the file states a peak of {} {}, but its samples have {:.6g} {}",
-                  trimmed(stated), unit.name, held / unit.to_si, unit.name);
-  if (!(held <= kPeakFactor * told && told <= kPeakFactor * held))
-    mistakes.add(line, 1, message);
-  else
-    component.warnings.push_back(message);
+  tell_difference(told, held,
+                  fmt::format("the file states a peak of {} {}, but its samples have {:.6g} {}",
+                              trimmed(stated), unit.name, held / unit.to_si, unit.name),
+                  line, component, mistakes);
 }
 
-void refuse_si_per_count(const ReadOptions& options, Mistakes& mistakes) {
-  if (options.si_per_count)
-    mistakes.add(fmt::format("si_per_count = {} was given, but the file does not hold raw counts",
-                             *options.si_per_count));
-}
-
-void refuse_columns(const ReadOptions& options, Mistakes& mistakes) {
-  if (!options.columns.empty())
-    mistakes.add(fmt::format("columns = \"{}\" was given, but the layout of this file is known",
-                             options.columns));
-}
-
-std::optional<std::string_view> other_quantity(std::string_view unit) {
-  constexpr std::array kLengths = {"m", "cm", "mm", "in", "ft"};
-  std::string text;
-  for (const char c : trimmed(unit))
-    text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (std::ranges::find(kLengths, text) != kLengths.end()) return "displacement";
-  for (const std::string_view second : {"/s", "/sec"})
-    if (text.ends_with(second) &&
-        std::ranges::find(kLengths, text.substr(0, text.size() - second.size())) != kLengths.end())
-      return "velocity";
-  return {};
-}
-
-Eigen::VectorXd scaled(const std::vector<double>& values, double factor) {
-  return factor *
-         Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+void check_peak(const StatedPeak& peak, const Eigen::VectorXd& a, Component& component,
+                Mistakes& mistakes) {
+  const double raw = a.cwiseAbs().maxCoeff();
+  const double centred = (a.array() - a.mean()).abs().maxCoeff();
+  const double held = std::abs(raw - peak.size) <= std::abs(centred - peak.size) ? raw : centred;
+  if (std::abs(held - peak.size) <= peak.rounding) return;
+  tell_difference(peak.size, held,
+                  fmt::format("the file states a peak of {:.5g} m/s2, but its samples have {:.5g} "
+                              "m/s2",
+                              peak.size, held),
+                  peak.line, component, mistakes);
 }
 
 }  // namespace gurney

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "groundmotions/acceleration_unit.h"
 #include "groundmotions/formats/format.h"
@@ -13,13 +11,21 @@
 /// are counted from 1.
 namespace gurney {
 
+/// The unit a file states, or else options.unit; a mistake if there is none or both differ.
+/// @param line  that states it or should; 0: no line in particular
+AccelerationUnit agreed_unit(const std::optional<AccelerationUnit>& stated, std::size_t line,
+                             const ReadOptions& options, Mistakes& mistakes);
+
 /// The unit that a file states on `line`; a mistake if it is no unit of acceleration or differs
 /// from options.unit.
 AccelerationUnit checked_unit(std::string_view stated, std::size_t line, const ReadOptions& options,
                               Mistakes& mistakes);
 
-/// The unit of a file that states none: options.unit; a mistake if that is empty.
-AccelerationUnit unit_of_user(const ReadOptions& options, Mistakes& mistakes);
+/// The time step that a file states, or else options.time_step [s]; a mistake if there is none,
+/// both differ, or it is not in (0, 1] s.
+/// @param line  that states it or should; 0: no line in particular
+double agreed_time_step(const std::optional<double>& stated, std::size_t line,
+                        const ReadOptions& options, Mistakes& mistakes);
 
 /// The time step that a file states as `key` on `line` [s]; a mistake unless it is in (0, 1] and
 /// agrees with options.time_step to 1e-6.
@@ -30,6 +36,11 @@ double checked_time_step(double stated, std::string_view key, std::size_t line,
 void check_count(double stated, std::string_view key, std::size_t line, std::size_t held,
                  Mistakes& mistakes);
 
+/// A warning if the component has not the length that `line` states; a mistake if it is not within
+/// a factor of 1.5.
+/// @param length  [s]; not above 0: not stated
+void check_length(double length, std::size_t line, Component& component, Mistakes& mistakes);
+
 /// Compares the peak that a file states with that of its samples: a warning if they differ by more
 /// than half of the last digit of `stated` and 0.1 % (an assumption: samples have four digits), a
 /// mistake if by more than a factor of 1.5.
@@ -37,16 +48,17 @@ void check_count(double stated, std::string_view key, std::size_t line, std::siz
 void check_peak(std::string_view stated, const AccelerationUnit& unit, std::size_t line,
                 Component& component, Mistakes& mistakes);
 
-/// A mistake for options.si_per_count, which is for files of raw counts only.
-void refuse_si_per_count(const ReadOptions& options, Mistakes& mistakes);
+/// The peak a header states: its size and by how much it may be rounded [m/s2]; its line.
+struct StatedPeak {
+  double size = 0;
+  double rounding = 0;
+  std::size_t line = 1;
+};
 
-/// A mistake for options.columns, which is for tables of plain numbers only.
-void refuse_columns(const ReadOptions& options, Mistakes& mistakes);
-
-/// "velocity" or "displacement" if that is what the unit measures, else nothing.
-std::optional<std::string_view> other_quantity(std::string_view unit);
-
-/// `values` times `factor`.
-Eigen::VectorXd scaled(const std::vector<double>& values, double factor);
+/// A warning if the samples, as they are or without their mean, have another peak; a mistake if
+/// theirs is not within a factor of 1.5.
+/// @param samples  as the file has them [m/s2]
+void check_peak(const StatedPeak& peak, const Eigen::VectorXd& samples, Component& component,
+                Mistakes& mistakes);
 
 }  // namespace gurney

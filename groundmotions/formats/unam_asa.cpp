@@ -7,9 +7,10 @@
 
 #include "groundmotions/formats/calendar.h"
 #include "groundmotions/formats/column_table.h"
-#include "groundmotions/formats/header_statements.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/stated.h"
+#include "groundmotions/formats/unit_text.h"
 
 namespace gurney {
 
@@ -41,8 +42,6 @@ class UnamReader {
       mistakes_.add(
           line + 1, 1,
           fmt::format("'{}' is no format of {} numbers in a row", text, names_.values.size()));
-    refuse_si_per_count(options_, mistakes_);
-    refuse_columns(options_, mistakes_);
     mistakes_.throw_if_any();
     const auto columns = read_table(file_, first_row_, *format, mistakes_);
     mistakes_.throw_if_any();

@@ -6,8 +6,11 @@
 
 #include "engine/base/units.h"
 #include "groundmotions/formats/fortran_fields.h"
-#include "groundmotions/formats/header_statements.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/stated.h"
+#include "groundmotions/formats/unit_text.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
@@ -49,12 +52,11 @@ void take_facts(const SourceFile& file, const Block& block, Component& component
 
 bool recognises_usc_blocks(const SourceFile& file) {
   const Block block = block_at(file, 0);
-  return !block.type.empty() && block.rate && block.count;
+  return !block.type.empty() && block.rate;
 }
 
 std::vector<Component> read_usc_blocks(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file.name());
-  if (options.si_per_count) mistakes.add("si_per_count was given, but the samples are not counts");
   FieldReader fields(file, mistakes);
   const FortranFormat format = *fortran_format("10F8.2");
   std::vector<Component> components;
@@ -86,9 +88,7 @@ std::vector<Component> read_usc_blocks(const SourceFile& file, const ReadOptions
     Component component;
     component.unit = unit.name;
     component.time_step = agreed_time_step(1 / *block.rate, first + 5, options, mistakes);
-    component.acceleration =
-        unit.to_si *
-        Eigen::Map<Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+    component.acceleration = scaled(values, unit.to_si);
     take_facts(file, block, component);
     components.push_back(component);
   }

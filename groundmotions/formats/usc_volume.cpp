@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "groundmotions/formats/caltech_components.h"
-#include "groundmotions/formats/header_statements.h"
+#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
@@ -19,13 +20,8 @@ bool recognises_usc(const SourceFile& file) {
 
 std::vector<Component> read_usc(const SourceFile& file, const ReadOptions& options) {
   const std::string first = upper(file.lines()[0].substr(0, 200));
-  if (first.find("RESPONSE") != std::string::npos || first.find("SPECTR") != std::string::npos) {
-    Mistakes mistakes(file.name());
-    mistakes.add(1, 1,
-                 "this file (volume 3) holds response spectra, not an acceleration history; take "
-                 "volume 2 of this record");
-    mistakes.throw_if_any();
-  }
+  if (first.find("RESPONSE") != std::string::npos || first.find("SPECTR") != std::string::npos)
+    refuse_spectra(file.name(), "volume 3", "volume 2");
   return caltech_components(file, options);
 }
 

@@ -9,11 +9,13 @@
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
+#include "groundmotions/formats/calendar.h"
 #include "groundmotions/formats/fortran_fields.h"
-#include "groundmotions/formats/header_statements.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/uneven_samples.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
@@ -85,8 +87,6 @@ class SmcReader {
 
   void check_options() {
     agreed_unit(AccelerationUnit{"cm/s2", kCentimetre}, 1, options_, mistakes_);
-    refuse_si_per_count(options_, mistakes_);
-    refuse_columns(options_, mistakes_);
   }
 
   void read_header() {
@@ -135,15 +135,10 @@ class SmcReader {
     return numbers;
   }
 
-  static Eigen::VectorXd in_si(const std::vector<double>& values) {
-    return kCentimetre * Eigen::Map<const Eigen::VectorXd>(
-                             values.data(), static_cast<Eigen::Index>(values.size()));
-  }
-
   void take_samples(const std::vector<double>& values, Component& component) {
     const double rate = reals_[1];
     component.time_step = agreed_time_step(1 / rate, kRealLine + 1, options_, mistakes_);
-    component.acceleration = in_si(values);
+    component.acceleration = scaled(values, kCentimetre);
     check_stated_peak(component.acceleration, component);
   }
 
@@ -173,7 +168,7 @@ class SmcReader {
       return;
     }
     component.warnings.push_back(uneven_warning(times, component.time_step));
-    check_stated_peak(in_si(values), component);
+    check_stated_peak(scaled(values, kCentimetre), component);
   }
 
   /// Reals 30 and 32: the largest and the smallest sample.

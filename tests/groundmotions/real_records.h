@@ -1,7 +1,8 @@
 #pragma once
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -9,14 +10,16 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/units.h"
 #include "groundmotions/formats/format.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/measures/peaks.h"
+#include "tests/support/error_text.h"
 
 namespace gurney {
 
 /// Tests with real files, which may not be part of the project: a folder named by GURNEY_RECORDS,
-/// with reference_values.csv, one row for each component.
+/// with reference_values.csv, one row for each component in the order of its file.
 class RealRecords : public testing::Test {
  protected:
   struct Reference {
@@ -25,6 +28,8 @@ class RealRecords : public testing::Test {
     double samples, time_step, pga, time_of_pga, mean, pgv;  ///< SI; pgv without detrending
   };
 
+  static constexpr int kUp = -1, kNoDirection = -2;  ///< else an azimuth in degrees
+
   void SetUp() override {
     const char* folder = std::getenv("GURNEY_RECORDS");
     if (!folder) GTEST_SKIP() << "GURNEY_RECORDS names no folder of real records";
@@ -32,10 +37,11 @@ class RealRecords : public testing::Test {
   }
 
   /// The reference values of files whose path starts with `start`.
-  std::vector<Reference> references(const std::string& start) const {
+  std::vector<Reference> references(const std::string& start = "") const {
     std::ifstream stream(folder_ / "reference_values.csv");
     std::vector<Reference> rows;
-    for (std::string line; std::getline(stream, line);) {
+    std::string line;
+    for (std::getline(stream, line); std::getline(stream, line);) {
       if (!line.starts_with(start)) continue;
       std::istringstream text(line);
       std::vector<std::string> cells;
@@ -51,27 +57,35 @@ class RealRecords : public testing::Test {
   static void expect_values(const Reference& reference, const Component& component) {
     SCOPED_TRACE(reference.file + " " + reference.component);
     EXPECT_EQ(component.acceleration.size(), reference.samples);
-    EXPECT_DOUBLE_EQ(component.time_step, reference.time_step);
+    EXPECT_NEAR(component.time_step, reference.time_step, 1e-12);
     const Peaks p = peaks(component.time_step, component.acceleration);
     EXPECT_NEAR(p.acceleration, reference.pga, 0.001 * reference.pga);
+    EXPECT_NEAR(p.time_of_acceleration, reference.time_of_pga, 0.5 * component.time_step);
     EXPECT_NEAR(p.velocity, reference.pgv, 0.005 * reference.pgv);
-    EXPECT_NEAR(component.acceleration.mean(), reference.mean, 1e-5 * reference.pga);
   }
 
-  /// A file with one component.
-  void expect_reference(const Reference& reference, const ReadOptions& options = {}) const {
-    SCOPED_TRACE(reference.file);
-    const auto components = read_components(folder_ / reference.file, options);
-    ASSERT_EQ(components.size(), 1u);
-    expect_values(reference, components[0]);
+  std::vector<Component> read(const std::string& file, const ReadOptions& options = {}) const {
+    return read_components(folder_ / file, options);
   }
 
-  /// The files of a folder, as "folder/name".
-  std::vector<std::string> files(const std::string& folder) const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_ / folder))
-      names.push_back(folder + "/" + entry.path().filename().string());
-    return names;
+  std::string error(const std::string& file, const ReadOptions& options = {}) const {
+    return error_text([&] { read(file, options); });
+  }
+
+  /// @param directions  of the components of a file: azimuth in degrees, kUp or kNoDirection
+  std::vector<Component> expect_directions(const std::string& file,
+                                           const std::vector<int>& directions,
+                                           const ReadOptions& options = {}) const {
+    SCOPED_TRACE(file);
+    const auto components = read(file, options);
+    EXPECT_EQ(components.size(), directions.size());
+    for (std::size_t i = 0; i < std::min(components.size(), directions.size()); ++i) {
+      EXPECT_EQ(components[i].direction == Direction::kVertical, directions[i] == kUp) << i;
+      EXPECT_EQ(components[i].azimuth.has_value(), directions[i] >= 0) << i;
+      if (!components[i].azimuth) continue;
+      EXPECT_NEAR(*components[i].azimuth, directions[i] * kRadiansPerDegree, 1e-12) << i;
+    }
+    return components;
   }
 
   std::filesystem::path folder_;

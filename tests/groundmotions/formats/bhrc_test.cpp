@@ -49,7 +49,7 @@ TEST(Bhrc, RefusesWhatItMust) {
   text = bhrc_channel("L1");
   text.replace(text.find("G/10"), 4, "VOLT");
   EXPECT_THAT(error_text([&] { read(text); }),
-              HasSubstr("f.V1:12:1: the header states no unit of acceleration"));
+              HasSubstr("f.V1:12:1: the file does not state its unit"));
   text = bhrc_channel("L1");
   text.replace(text.find("=     10"), 8, "=     11");
   EXPECT_THAT(error_text([&] { read(text); }),

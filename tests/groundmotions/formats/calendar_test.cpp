@@ -23,5 +23,17 @@ TEST(Calendar, RefusesWhatIsNoDate) {
     EXPECT_FALSE(utc_seconds(text)) << text;
 }
 
+TEST(Calendar, TakesNumbers) {
+  EXPECT_EQ(utc_seconds(1970, 1, 1, 0, 0, 0), 0);
+  EXPECT_EQ(utc_seconds(2000, 3, 1, 12, 30, 1.5), 951913801.5);  // date -u -d ... +%s
+  EXPECT_FALSE(utc_seconds(2001, 2, 29, 0, 0, 0));
+  EXPECT_FALSE(utc_seconds(2001, 13, 1, 0, 0, 0));
+  EXPECT_EQ(utc_seconds(2016, 12, 31, 23, 59, 60.5), 1483228800.5);  // a leap second
+  EXPECT_FALSE(utc_seconds(2001, 0, 1, 0, 0, 0));
+  EXPECT_FALSE(utc_seconds(1899, 1, 1, 0, 0, 0));
+  EXPECT_FALSE(utc_seconds(-999, 1, 1, 0, 0, 0));
+  EXPECT_FALSE(utc_seconds(2001, 1, 1, 24, 0, 0));
+}
+
 }  // namespace
 }  // namespace gurney

@@ -80,13 +80,13 @@ TEST(Cosmos, TakesTheTimeStepOfTheseSamplesNotOfTheRawOnes) {
                                     "step")));
   const std::string none = cosmos_file({.integers = {}, .reals = {{62, -999}, {34, -999}}});
   EXPECT_THAT(error_text([&] { read(none); }),
-              HasSubstr("the header states no time step; state it as time_step_s"));
+              HasSubstr("the file does not state its time step; state it as time_step_s"));
   EXPECT_EQ(read(none, {.time_step = 0.01})[0].time_step, 0.01);
   // Seconds where milliseconds must be: the length tells it.
   EXPECT_THAT(error_text([] {
                 read(cosmos_file({.integers = {}, .reals = {{62, 0.01}}}));
               }),
-              HasSubstr("the header states a length of 0.1 s, but 10 samples at 1e-05 s have"));
+              HasSubstr("the file states a length of 0.1 s, but its 10 samples at 1e-05 s have"));
 }
 
 TEST(Cosmos, ReadsOrientations) {
@@ -136,6 +136,8 @@ TEST(Cosmos, ConvertsCountsByTheHeader) {
   expect_the_motion(read(cosmos_file(sample), {.si_per_count = 2e-6})[0], 0.01, 1e-12);
   EXPECT_THAT(read(cosmos_file(sample), {.si_per_count = 2e-6})[0].warnings,
               ElementsAre(HasSubstr("si_per_count = 2e-06 was taken, but the header states")));
+  EXPECT_THAT(error_text([&] { read(cosmos_file(sample), {.unit = "g"}); }),
+              HasSubstr("unit = \"g\" was given, but the samples are raw counts (unit code 50)"));
   sample.reals[1].second = -999;
   EXPECT_THAT(
       error_text([&] { read(cosmos_file(sample)); }),
@@ -198,7 +200,7 @@ TEST(Cosmos, ChecksCountsPeaksAndHoles) {
   EXPECT_EQ(error_text([] {
               read(cosmos_file({.integers = {}, .reals = {{64, 200}}}));
             }),
-            "f.V1c:45:1: the header states a peak of 2 m/s2, but the samples have 0.98067 m/s2");
+            "f.V1c:45:1: the file states a peak of 2 m/s2, but its samples have 0.98067 m/s2");
   EXPECT_EQ(read(cosmos_file({.integers = {}, .reals = {{64, 100}}}))[0].warnings.size(), 1u);
   std::string hole = cosmos_file();
   hole.replace(hole.find("  49.03325"), 10, "-999.00000");

@@ -102,7 +102,7 @@ TEST(CsmipVolume, TakesTheUnitOfTheTextAndChecksItByThePeak) {
   EXPECT_THAT(component.warnings, ElementsAre("the text states the unit g/10, which was taken, but "
                                               "real number 5 of the header 1 g"));
   EXPECT_THAT(error_text([&] { read(replaced(text, "G/10", "G   ")); }),
-              HasSubstr("f.V1:12:1: the header states a peak of 0.98067 m/s2, but the samples have "
+              HasSubstr("f.V1:12:1: the file states a peak of 0.98067 m/s2, but its samples have "
                         "9.3457 m/s2"));
 }
 
@@ -152,17 +152,17 @@ TEST(CsmipVolume, TakesTheAzimuthOfTheIntegerHeaderIfTheTextHasNone) {
 TEST(CsmipVolume, ChecksThePeak) {
   const std::string units = "UNITS OF UNCOR ACCEL IS G.                 MAX  =  ";
   EXPECT_THAT(read(csmip_volume1({.units = units + "-.110 G"}))[0].warnings,
-              ElementsAre("the header states a peak of 1.0787 m/s2, but the samples have 0.98067 "
+              ElementsAre("the file states a peak of 1.0787 m/s2, but its samples have 0.98067 "
                           "m/s2"));
-  EXPECT_EQ(
-      error_text([&] { read(csmip_volume1({.units = units + ".200 G"})); }),
-      "f.V1:12:1: the header states a peak of 1.9613 m/s2, but the samples have 0.98067 m/s2");
+  EXPECT_EQ(error_text([&] { read(csmip_volume1({.units = units + ".200 G"})); }),
+            "f.V1:12:1: the file states a peak of 1.9613 m/s2, but its samples have 0.98067 m/s2");
 }
 
 TEST(CsmipVolume, ChecksTheLength) {
   EXPECT_EQ(read(csmip_volume1({.length = 0.075}))[0].warnings.size(), 1u);
-  EXPECT_EQ(error_text([] { read(csmip_volume1({.length = 0.5})); }),
-            "f.V1:1:1: the header states a length of 0.5 s, but 10 samples at 0.005 s have 0.05 s");
+  EXPECT_EQ(
+      error_text([] { read(csmip_volume1({.length = 0.5})); }),
+      "f.V1:1:1: the file states a length of 0.5 s, but its 10 samples at 0.005 s have 0.05 s");
 }
 
 TEST(CsmipVolume, ChecksCountsUnitsAndSteps) {
@@ -176,8 +176,6 @@ TEST(CsmipVolume, ChecksCountsUnitsAndSteps) {
   EXPECT_THAT(
       error_text([] { read(csmip_volume1(), {.time_step = 0.01}); }),
       HasSubstr("the file states a time step of 0.005 s, but time_step_s = 0.01 was given"));
-  EXPECT_THAT(error_text([] { read(csmip_volume1(), {.si_per_count = 0.01}); }),
-              HasSubstr("si_per_count was given, but the samples are not counts"));
   EXPECT_THAT(error_text([] { read(replaced(csmip_volume1(), " 0.003000", "****-****")); }),
               HasSubstr("f.V1:29:19: '****-****' is not a number of the format 8F9.6"));
 }

@@ -66,7 +66,7 @@ TEST(Cwb, ChecksTheHeader) {
   EXPECT_THAT(error_text([] { read_text(replaced(cwb_file(), "4F10.3", "3F10.3")); }),
               HasSubstr("'3F10.3' is no format of a time and 3 samples"));
   EXPECT_THAT(error_text([] { read_text(replaced(cwb_file(), "-2.500\r\n#", "-25.00\r\n#")); }),
-              HasSubstr("the header states a peak of 0.25 m/s2, but the samples have 0.025 m/s2"));
+              HasSubstr("the file states a peak of 0.25 m/s2, but its samples have 0.025 m/s2"));
   EXPECT_THAT(error_text([] { read_text(cwb_file(), {.unit = "g"}); }),
               HasSubstr("the file states the unit cm/s2, but unit = \"g\" was given"));
 }

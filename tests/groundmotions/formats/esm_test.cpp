@@ -35,9 +35,7 @@ const std::string kFile =
     "2.000000\n";
 
 TEST(Esm, ReadsTheNewHeader) {
-  const auto components = read_text(kFile);
-  ASSERT_EQ(components.size(), 1u);
-  const Component& component = components[0];
+  const Component component = read_one(kFile);
   EXPECT_EQ(component.format, "ESM");
   EXPECT_EQ(component.name, "HNE");
   EXPECT_EQ(component.unit, "cm/s2");

@@ -53,7 +53,7 @@ TEST(ForeignFile, LeavesEveryFormatAlone) {
 
 TEST(ForeignFile, UnknownBinaryFilesAreToldToBeBinary) {
   EXPECT_THAT(error_text([] { read_components(SourceFile("f", std::string(2000, '\0'))); }),
-              HasSubstr("f: a binary file, not a record in a known format (SAC"));
+              HasSubstr("f: a binary file, not a record in a known format (see docs/records.md)"));
 }
 
 }  // namespace

@@ -36,9 +36,7 @@ const std::string kFile =
     "      120       80 \n";
 
 TEST(Knet, ScalesCountsAndRemovesTheMean) {
-  const auto components = read_text(kFile);
-  ASSERT_EQ(components.size(), 1u);
-  const Component& component = components[0];
+  const Component component = read_one(kFile);
   EXPECT_EQ(component.format, "K-NET");
   EXPECT_EQ(component.unit, "cm/s2");
   EXPECT_EQ(component.time_step, 0.1);

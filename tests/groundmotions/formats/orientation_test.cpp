@@ -46,5 +46,30 @@ TEST(Orientation, LeavesOtherNamesAlone) {
   }
 }
 
+TEST(Orientation, ReadsLabels) {
+  const auto azimuth = [](const char* label) {
+    Component component;
+    EXPECT_TRUE(orient_by_label(label, component)) << label;
+    EXPECT_FALSE(component.direction) << label;
+    return component.azimuth.value_or(-1) / kRadiansPerDegree;
+  };
+  EXPECT_NEAR(azimuth("90 DEG"), 90, 1e-12);
+  EXPECT_NEAR(azimuth("360 Deg"), 0, 1e-12);
+  EXPECT_NEAR(azimuth("Roof, N wall: 275 deg"), 275, 1e-12);
+  EXPECT_NEAR(azimuth("S08E"), 172, 1e-12);
+  EXPECT_NEAR(azimuth("E"), 90, 1e-12);
+  for (const char* label :
+       {"", "L", "T", "Roof", "H1", "-90 DEG", "400 DEG", "N95E", "12 storeys"}) {
+    Component component;
+    EXPECT_FALSE(orient_by_label(label, component)) << label;
+    EXPECT_FALSE(component.azimuth || component.direction) << label;
+  }
+  for (const char* label : {"UP", "Up", "V", "VERT", "Vertical - 2nd floor"}) {
+    Component component;
+    EXPECT_TRUE(orient_by_label(label, component)) << label;
+    EXPECT_EQ(component.direction, Direction::kVertical) << label;
+  }
+}
+
 }  // namespace
 }  // namespace gurney

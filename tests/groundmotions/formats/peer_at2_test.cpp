@@ -99,9 +99,9 @@ TEST(PeerAt2, TurnsDownToUp) {
   const Component component = read(replaced(file_with("NPTS= 5, DT= .02 SEC"), "228", "DWN"))[0];
   EXPECT_EQ(component.direction, Direction::kVertical);
   EXPECT_DOUBLE_EQ(component.acceleration[0], -0.1 * kG);
-  EXPECT_THAT(component.warnings,
-              testing::ElementsAre("component 'DWN' points down; its samples change sign so that "
-                                   "they point up"));
+  EXPECT_THAT(
+      component.warnings,
+      testing::ElementsAre("the component points down (DWN): its sign was turned, up is positive"));
 }
 
 TEST(PeerAt2, RefusesOptionsForOtherFiles) {
@@ -172,7 +172,7 @@ TEST(PeerAt2, ChecksTheStepAndTheUnitAgainstTheUser) {
   EXPECT_EQ(error_text([&] { read(replaced(text, "DT= .02", "DT= 0.0")); }),
             "f.AT2:4:1: DT must be in (0, 1] s, got 0");
   EXPECT_EQ(error_text([&] { read(replaced(text, ", DT= .02 SEC", "")); }),
-            "f.AT2: the header states no time step (DT= ... SEC); state it as time_step_s");
+            "f.AT2: the file does not state its time step; state it as time_step_s");
   expect_the_motion(read(replaced(text, ", DT= .02 SEC", ""), {.unit = "", .time_step = 0.02}));
 }
 

@@ -179,7 +179,7 @@ TEST(PlainText, ReadsCounts) {
   EXPECT_EQ(component.unit, "counts");
   EXPECT_THAT(
       error_text([] { read_text("1\n2\n", {.unit = "g", .time_step = 0.01, .si_per_count = 2}); }),
-      HasSubstr("si_per_count is for raw counts, which have no unit; a unit was stated"));
+      HasSubstr("f: unit and si_per_count were both given; one of them is allowed"));
   EXPECT_THAT(error_text([] { read_text("1\n2\n", {.time_step = 0.01, .si_per_count = -2}); }),
               HasSubstr("si_per_count must be positive and finite, got -2"));
 }

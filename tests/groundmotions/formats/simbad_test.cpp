@@ -25,9 +25,7 @@ const std::string kFile =
     "-6.0000000E-01 5.0000000E-02\n";
 
 TEST(Simbad, ReadsPackedNumbers) {
-  const auto components = read_text(kFile);
-  ASSERT_EQ(components.size(), 1u);
-  const Component& component = components[0];
+  const Component component = read_one(kFile);
   EXPECT_EQ(component.format, "SIMBAD");
   EXPECT_EQ(component.name, "NS");
   EXPECT_EQ(component.azimuth, 0);

@@ -46,12 +46,64 @@ TEST(Stated, RefusesPeaksOffByMoreThanHalf) {
   EXPECT_NE(peak("0.0").error, "(no error)");
 }
 
-TEST(Stated, KnowsUnitsOfOtherQuantities) {
-  EXPECT_EQ(other_quantity("cm/s"), "velocity");
-  EXPECT_EQ(other_quantity(" M/SEC "), "velocity");
-  EXPECT_EQ(other_quantity("cm"), "displacement");
-  for (const char* other : {"cm/s2", "cm/s/s", "g", "", "counts"})
-    EXPECT_FALSE(other_quantity(other)) << other;
+TEST(Stated, AcceptsThePeakOfSamplesWithoutTheirMean) {
+  Component component;
+  Mistakes mistakes("f");
+  component.acceleration = Eigen::Vector4d(1, 1.2, 0.8, 1);
+  check_peak({1.2, 1e-9, 3}, component.acceleration, component, mistakes);
+  check_peak({0.2, 1e-9, 3}, component.acceleration, component, mistakes);
+  EXPECT_TRUE(component.warnings.empty());
+  check_peak({1.25, 1e-9, 3}, component.acceleration, component, mistakes);
+  EXPECT_THAT(component.warnings,
+              ElementsAre("the file states a peak of 1.25 m/s2, but its samples have 1.2 m/s2"));
+  EXPECT_FALSE(mistakes.any());
+  check_peak({2, 1e-9, 3}, component.acceleration, component, mistakes);
+  EXPECT_TRUE(mistakes.any());
+}
+
+TEST(Stated, ComparesLengths) {
+  Component component;
+  Mistakes mistakes("f");
+  component.time_step = 0.1;
+  component.acceleration = Eigen::VectorXd::Zero(100);
+  for (const double good : {0.0, -1.0, 10.0, 9.75, 10.25})
+    check_length(good, 3, component, mistakes);
+  EXPECT_THAT(component.warnings, IsEmpty());
+  check_length(12, 3, component, mistakes);
+  EXPECT_THAT(component.warnings,
+              ElementsAre("the file states a length of 12 s, but its 100 samples at 0.1 s have "
+                          "10 s"));
+  EXPECT_FALSE(mistakes.any());
+  check_length(16, 3, component, mistakes);
+  EXPECT_EQ(error_text([&] { mistakes.throw_if_any(); }),
+            "f:3:1: the file states a length of 16 s, but its 100 samples at 0.1 s have 10 s");
+}
+
+/// What is told of the unit and the time step that a file states, if it does.
+std::string told(std::optional<AccelerationUnit> unit, std::optional<double> time_step,
+                 const ReadOptions& options, std::size_t line = 4) {
+  Mistakes mistakes("f");
+  agreed_unit(unit, line, options, mistakes);
+  agreed_time_step(time_step, line, options, mistakes);
+  return error_text([&] { mistakes.throw_if_any(); });
+}
+
+TEST(Stated, FileAndUserMustAgree) {
+  const AccelerationUnit gal{"cm/s2", 0.01};
+  EXPECT_EQ(told(gal, 0.02, {}), "(no error)");
+  EXPECT_EQ(told(gal, 0.02, {.unit = "gal", .time_step = 0.02}), "(no error)");
+  EXPECT_EQ(told({}, {}, {.unit = "g", .time_step = 0.02}), "(no error)");
+  EXPECT_EQ(told(gal, 0.02, {.unit = "g", .time_step = 0.01}),
+            "f:4:1: the file states the unit cm/s2, but unit = \"g\" was given\n"
+            "f:4:1: the file states a time step of 0.02 s, but time_step_s = 0.01 was given");
+  EXPECT_EQ(told(gal, 1.5, {}), "f:4:1: the time step must be in (0, 1] s, got 1.5");
+  EXPECT_EQ(told({}, {}, {}),
+            "f:4:1: the file does not state its unit; state it as unit = \"...\" (g, m/s2, cm/s2 "
+            "(gal) or mm/s2)\n"
+            "f:4:1: the file does not state its time step; state it as time_step_s");
+  EXPECT_EQ(told({}, 0.02, {}, 0),
+            "f: the file does not state its unit; state it as unit = \"...\" (g, m/s2, cm/s2 "
+            "(gal) or mm/s2)");
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <string>
 #include <vector>
 
@@ -10,6 +12,13 @@ namespace gurney {
 /// What the readers make of a file "f" with this text.
 inline std::vector<Component> read_text(const std::string& text, const ReadOptions& options = {}) {
   return read_components(SourceFile("f", text), options);
+}
+
+/// The only component of such a file.
+inline Component read_one(const std::string& text, const ReadOptions& options = {}) {
+  const auto components = read_text(text, options);
+  EXPECT_EQ(components.size(), 1u);
+  return components.at(0);
 }
 
 /// `text` with every `from` replaced by `to`.

@@ -66,7 +66,7 @@ TEST(Unam, ChecksTheHeader) {
   EXPECT_THAT(error_text([] { read_text(replaced(unam_file(), "Gal (cm/s/s)", "cm/s")); }),
               HasSubstr("'cm/s' names no unit of acceleration"));
   EXPECT_THAT(error_text([] { read_text(replaced(unam_file(), "/11.90", "/1.190")); }),
-              HasSubstr("the header states a peak of 0.0119 m/s2, but the samples have"));
+              HasSubstr("the file states a peak of 0.0119 m/s2, but its samples have"));
   EXPECT_THAT(error_text([] { read_text(replaced(unam_file(), "NUM. TOTAL", "TOTAL")); }),
               HasSubstr("the header lacks 'NUM. TOTAL DE MUESTRAS'"));
 }
@@ -74,8 +74,6 @@ TEST(Unam, ChecksTheHeader) {
 TEST(Unam, ChecksTheOptions) {
   EXPECT_THAT(error_text([] { read_text(unam_file(), {.unit = "g"}); }),
               HasSubstr("the file states the unit cm/s2, but unit = \"g\" was given"));
-  EXPECT_THAT(error_text([] { read_text(unam_file(), {.si_per_count = 1}); }),
-              HasSubstr("si_per_count = 1 was given"));
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ TEST(UscBlocks, RefusesVelocitiesAndWrongCounts) {
   EXPECT_THAT(error_text([&] { read(text); }),
               HasSubstr("f.044:8:73: '-1.00' follows the 9 numbers of this line"));
   text.replace(text.find("POINTS=     9"), 13, "POINTS=   nan");
-  EXPECT_THAT(error_text([&] { read(text); }), HasSubstr("not a record in a known format"));
+  EXPECT_THAT(error_text([&] { read(text); }),
+              HasSubstr("f.044:1:1: no header of a block here: 7 lines with"));
 }
 
 }  // namespace

@@ -136,9 +136,9 @@ TEST(UsgsSmc, ChecksWhatTheHeaderStates) {
   EXPECT_THAT(error_text([] {
                 read_text(smc_file({.reals = {{32, -25.0}}}));
               }),
-              HasSubstr("the header states a peak of 0.25 m/s2, but the samples have 0.125 m/s2"));
+              HasSubstr("the file states a peak of 0.25 m/s2, but its samples have 0.125 m/s2"));
   EXPECT_THAT(read_text(smc_file({.reals = {{32, -13.0}}}))[0].warnings,
-              ElementsAre(HasSubstr("the header states a peak of 0.13 m/s2")));
+              ElementsAre(HasSubstr("the file states a peak of 0.13 m/s2")));
   EXPECT_THAT(error_text([] {
                 read_text(smc_file({.reals = {{2, 0.5}}}));
               }),
@@ -150,8 +150,6 @@ TEST(UsgsSmc, ChecksTheOptions) {
               HasSubstr("the file states the unit cm/s2, but unit = \"g\" was given"));
   EXPECT_THAT(error_text([] { read_text(smc_file(), {.time_step = 0.01}); }),
               HasSubstr("the file states a time step of 0.005 s, but time_step_s = 0.01"));
-  EXPECT_THAT(error_text([] { read_text(smc_file(), {.si_per_count = 1}); }),
-              HasSubstr("si_per_count = 1 was given"));
 }
 
 }  // namespace

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "groundmotions/acceleration_unit.h"
+
+namespace gurney {
+
+/// The unit of acceleration that a header line names somewhere, letter case apart: "UNITS: G)",
+/// "SEC AND G/10.", "in cm/sec2.". A tenth of g is "g/10".
+std::optional<AccelerationUnit> unit_in(std::string_view line);
+
+/// "velocity" or "displacement" if that is what the unit measures, else nothing.
+std::optional<std::string_view> other_quantity(std::string_view unit);
+
+}  // namespace gurney

@@ -1,0 +1,34 @@
+#include "groundmotions/formats/unit_text.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/base/units.h"
+
+namespace gurney {
+namespace {
+
+TEST(UnitText, FindsUnits) {
+  const auto name = [](const char* line) {
+    const auto unit = unit_in(line);
+    return std::string(unit ? unit->name : "");
+  };
+  EXPECT_EQ(name("(UNITS: CM/SEC/SEC)"), "cm/s2");
+  EXPECT_EQ(name("UNITS=CM/SEC**2, CM/SEC, AND CM"), "cm/s2");
+  EXPECT_EQ(name("in cm/sec2. (8f10.6)"), "cm/s2");
+  EXPECT_EQ(name("PEAK ACCELERATION =    -6.869  CMS/SEC/SEC AT"), "cm/s2");
+  EXPECT_EQ(name("UNITS ARE SECONDS AND G/10"), "g/10");
+  EXPECT_EQ(name("Units of uncor data are sec and g.   Max"), "g");
+  EXPECT_EQ(name("VELOC DATA (UNITS: CM/SEC)"), "");
+  EXPECT_DOUBLE_EQ(unit_in("SEC AND G/10.")->to_si, kStandardGravity / 10);
+}
+
+TEST(UnitText, KnowsUnitsOfOtherQuantities) {
+  EXPECT_EQ(other_quantity("cm/s"), "velocity");
+  EXPECT_EQ(other_quantity(" M/SEC "), "velocity");
+  EXPECT_EQ(other_quantity("cm"), "displacement");
+  for (const char* other : {"cm/s2", "cm/s/s", "g", "", "counts"})
+    EXPECT_FALSE(other_quantity(other)) << other;
+}
+
+}  // namespace
+}  // namespace gurney
