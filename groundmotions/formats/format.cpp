@@ -15,6 +15,7 @@
 #include "groundmotions/formats/foreign_file.h"
 #include "groundmotions/formats/geonet.h"
 #include "groundmotions/formats/knet.h"
+#include "groundmotions/formats/nsmn.h"
 #include "groundmotions/formats/peer_at2.h"
 #include "groundmotions/formats/plain_text.h"
 #include "groundmotions/formats/sac.h"
@@ -33,6 +34,7 @@ const std::vector<Format>& formats() {
       {"GeoNet", recognises_geonet, read_geonet},
       {"UNAM", recognises_unam, read_unam},
       {"CWB", recognises_cwb, read_cwb},
+      {"NSMN", recognises_nsmn, read_nsmn},
       {"COSMOS", recognises_cosmos, read_cosmos},
       {"USC volume", recognises_usc, read_usc},
       {"CSMIP volume", recognises_csmip, read_csmip},
