@@ -25,7 +25,7 @@ struct Measure {
     kSa,  ///< PSA (5 %) at the period, at samples
     kSaAvg,  ///< geometric mean of PSA at 10 periods evenly from 0.2 T to 3 T (Eads, Miranda &
              ///< Lignos 2015, Earthquake Engineering and Structural Dynamics 44(12), 2057-2073)
-    kFiv3  ///< measures/fiv3.h
+    kFiv3    ///< measures/fiv3.h
   };
   Kind kind = Kind::kPga;
   double period = 0;  ///< of kSa >= 0, kSaAvg and kFiv3 > 0 [s]

@@ -12,11 +12,12 @@ namespace gurney {
 /// RRS-UP; .EW, .NS, .UD; HNE, HNN, HNZ), or else, where the name does not contain it, if folder,
 /// event and station in their headers are the same. PEER search reports group the files they name.
 /// What is no record is refused with its reason.
+/// @param options  for the files that cannot be read without them
 /// @throws Error if the folder holds no files.
 Suite read_folder_suite(const std::filesystem::path& folder, const ReadOptions& options = {},
                         const Progress& progress = {});
 
-/// The same for files in the order given.
+/// The same for files in the order given; the options are checked against what the files say.
 Suite group_files(const std::vector<std::filesystem::path>& files, const ReadOptions& options = {},
                   const Progress& progress = {});
 

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <sstream>
+#include <utility>
 
 #include "engine/base/config/nearest_name.h"
 #include "groundmotions/acceleration_unit.h"
@@ -15,8 +16,9 @@ namespace gurney {
 
 namespace {
 
-const std::vector<std::string> kColumns = {"name",     "file", "h1",          "h2",
-                                           "vertical", "unit", "time_step_s", "scale"};
+const std::vector<std::string> kColumns = {"name",           "file", "h1",          "h2",
+                                           "vertical",       "unit", "time_step_s", "columns",
+                                           "count_m_per_s2", "scale"};
 
 bool is_content(std::string_view line) {
   line = trimmed(line);
@@ -57,9 +59,9 @@ class ListReader {
     const auto has = [this](const char* title) {
       return std::ranges::find(titles_, title) != titles_.end();
     };
-    if (has("file") == (has("h1") || has("h2") || has("vertical")))
+    if (!has("file") && !has("h1") && !has("h2") && !has("vertical"))
       mistakes_.add(line_ + 1, 1,
-                    "a list needs a column 'file', or columns 'h1', 'h2', 'vertical', not both");
+                    "a list needs a column 'file', or columns 'h1', 'h2', 'vertical'");
   }
 
   void read_row() {
@@ -72,6 +74,11 @@ class ListReader {
     SuiteRecord record{.name = {}, .files = {}, .options = options_, .facts = {}};
     for (std::size_t i = 0; i < row.size(); ++i) read_cell(titles_[i], row[i], record);
     if (record.files.empty()) mistakes_.add(line_ + 1, 1, "the record has no file");
+    const auto stated = std::ranges::count_if(
+        record.files, [](const RecordFile& file) { return file.direction.has_value(); });
+    if (stated != 0 && stated != std::ssize(record.files))
+      mistakes_.add(line_ + 1, 1,
+                    "a record has files in 'file' or in 'h1', 'h2', 'vertical', not in both");
     suite_.records.push_back(std::move(record));
   }
 
@@ -94,6 +101,10 @@ class ListReader {
       record.options.unit = cell.text;
     } else if (title == "time_step_s") {
       record.options.time_step = positive(cell, title, 1);
+    } else if (title == "columns") {
+      record.options.columns = cell.text;
+    } else if (title == "count_m_per_s2") {
+      record.options.si_per_count = positive(cell, title, 1e6);
     } else if (title == "scale") {
       record.scale = positive(cell, title, 1e6);
     } else if (std::ranges::find(kColumns, title) != kColumns.end()) {
@@ -101,13 +112,18 @@ class ListReader {
     }
   }
 
+  /// The column 'file' may hold several, apart by semicolons.
   void add_file(const std::string& title, const CsvCell& cell, SuiteRecord& record) {
-    RecordFile file{.path = std::filesystem::path(file_.name()).parent_path() / cell.text};
-    for (const Direction direction : kDirections)
-      if (title == name_of(direction)) file.direction = direction;
-    if (!std::filesystem::is_regular_file(file.path))
-      mistakes_.add(line_ + 1, cell.column, fmt::format("'{}': no such file", cell.text));
-    record.files.push_back(std::move(file));
+    std::istringstream names(cell.text);
+    for (std::string name; std::getline(names, name, ';');) {
+      const std::string plain(trimmed(name));
+      RecordFile file{.path = std::filesystem::path(file_.name()).parent_path() / plain};
+      for (const Direction direction : kDirections)
+        if (title == name_of(direction)) file.direction = direction;
+      if (!std::filesystem::is_regular_file(file.path))
+        mistakes_.add(line_ + 1, cell.column, fmt::format("'{}': no such file", plain));
+      record.files.push_back(std::move(file));
+    }
   }
 
   double positive(const CsvCell& cell, const std::string& title, double most) {

@@ -41,7 +41,9 @@ std::size_t column_of(const std::vector<CsvCell>& titles, std::string_view start
 }
 
 std::string cell(const std::vector<CsvCell>& row, std::size_t column) {
-  if (column >= row.size() || row[column].text == "-") return {};
+  if (column >= row.size()) return {};
+  const bool dashes = row[column].text.find_first_not_of('-') == std::string::npos;
+  if (dashes) return {};
   return row[column].text;
 }
 

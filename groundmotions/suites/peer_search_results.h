@@ -8,9 +8,9 @@ namespace gurney {
 bool recognises_peer_search_results(const SourceFile& file);
 
 /// The records of a PEER search report: its table "Summary of Metadata of Selected Records". The
-/// files lie in the folder of the report; those named `-` or not at all are missing components.
-/// Earthquake, station, magnitude, distances, Vs30, pulse period and lowest usable frequency become
-/// facts. The report's own scale factors are facts, not applied.
+/// files lie in the folder of the report; those named `-`, `-----` or not at all are missing
+/// components. Earthquake, station, magnitude, distances, Vs30, pulse period and lowest usable
+/// frequency become facts. The report's own scale factors are facts, not applied.
 ///
 /// A record whose horizontal files are not in the folder is refused. A vertical that is named but
 /// absent is refused as well; one that is not named is missing.

@@ -2,8 +2,10 @@
 
 #include "studies/cli/records_convert.h"
 #include "studies/cli/records_floor.h"
+#include "studies/cli/records_info.h"
 #include "studies/cli/records_make.h"
 #include "studies/cli/records_plot.h"
+#include "studies/cli/records_scale.h"
 
 namespace gurney {
 
@@ -11,8 +13,10 @@ void add_records(CLI::App& app, std::function<int()>& act) {
   CLI::App* const records =
       app.add_subcommand("records", "Look at ground motions, convert, make and transform them");
   records->require_subcommand(1);
+  add_records_info(*records, act);
   add_records_plot(*records, act);
   add_records_convert(*records, act);
+  add_records_scale(*records, act);
   add_records_make(*records, act);
   add_records_floor(*records, act);
 }

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "engine/base/error.h"
+#include "engine/base/units.h"
 #include "groundmotions/formats/at2_text.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"
@@ -29,14 +30,24 @@ struct Target {
   std::string text;
 };
 
+/// The name that a reader of AT2 files understands: an azimuth, UP, or the place.
+std::string at2_name(const Component& component, Direction direction) {
+  if (direction == Direction::kVertical) return "UP";
+  if (!component.azimuth) return direction == Direction::kH1 ? "H1" : "H2";
+  return fmt::format("{:03.0f}", *component.azimuth / kRadiansPerDegree);
+}
+
 std::vector<Target> targets(const Record& record, const fs::path& stem, const std::string& format) {
   if (format == "csv") return {{stem.string() + ".csv", record_csv(record)}};
   std::vector<Target> files;
-  for (const Direction direction : kDirections)
-    if (record[direction])
-      files.push_back({fmt::format("{}_{}.AT2", stem.string(), name_of(direction)),
-                       at2_text(*record[direction], "Converted by Gurney: " + record.name,
-                                fs::path(record[direction]->file).filename().string())});
+  for (const Direction direction : kDirections) {
+    if (!record[direction]) continue;
+    Component component = *record[direction];
+    component.name = at2_name(component, direction);
+    files.push_back({fmt::format("{}_{}.AT2", stem.string(), component.name),
+                     at2_text(component, "Converted by Gurney: " + record.name,
+                              fs::path(component.file).filename().string())});
+  }
   return files;
 }
 

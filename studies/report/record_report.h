@@ -8,24 +8,25 @@
 
 namespace gurney {
 
-/// A record and what is known of it besides its files.
-struct DescribedRecord {
-  const Record* record = nullptr;
-  std::vector<std::pair<std::string, std::string>> facts;  ///< of the suite it comes from
-};
+/// Name and value of something known of a record besides its files, such as magnitude.
+using RecordFact = std::pair<std::string, std::string>;
 
 /// Everything about one record: files, samples, header, processing, intensity measures of the
-/// components and of RotD50, what is left at the end, warnings. In 100 columns.
-std::string record_report(const DescribedRecord& described);
+/// components and of RotD50, what is left at the end, warnings. In 110 columns.
+std::string record_report(const Record& record, const std::vector<RecordFact>& facts);
 
-/// One line for each record, and the line above them.
+/// One line for each record, and the lines above them.
 std::string record_table_head();
 std::string record_table_line(const Record& record);
 
 /// What looks wrong: warnings of reading, of amplitudes, of what is left at the end.
 std::vector<std::string> record_findings(const Record& record);
 
-/// A JSON object; numbers in SI units, keys with units. Without its last line end.
-std::string record_json(const DescribedRecord& described);
+/// The same as a JSON object in SI units.
+std::string record_json(const Record& record, const std::vector<RecordFact>& facts);
+
+/// An object with `records` (of record_json) and `refused` (file, reason).
+std::string records_json(const std::vector<std::string>& records,
+                         const std::vector<std::pair<std::string, std::string>>& refused);
 
 }  // namespace gurney

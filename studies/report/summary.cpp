@@ -113,8 +113,11 @@ double mass_of(const EquipmentModel& item) {
 std::string record_text(const RunFacts& facts) {
   if (!facts.record) return "  floor    at rest\n";
   const RecordFacts& r = *facts.record;
-  std::string text = fmt::format("  floor    {}: {:.2f} s, sampled every {:g} s\n\n", r.name,
+  std::string text = fmt::format("  floor    {}: {:.2f} s, sampled every {:g} s\n", r.name,
                                  r.duration, r.time_step);
+  for (const std::string& step : r.processing)
+    text += fmt::format("           {}\n", wrapped(step, 13, 11));
+  text += "\n";
   text += fmt::format("  {:<32}{:>12}{:>12}{:>12}\n", "floor motion", "x", "y", "z");
   const auto row = [&](const char* name, const char* units, const Vector3& value) {
     text += fmt::format("  {:<32}{:>12}{:>12}{:>12} {}\n", name, fmt::format("{:.4f}", value.x()),

@@ -11,7 +11,7 @@
 #include "groundmotions/processing/resample.h"
 #include "groundmotions/processing/rotate.h"
 #include "groundmotions/processing/taper.h"
-#include "groundmotions/synthetic.h"
+#include "groundmotions/synthetic/clough_penzien.h"
 #include "tests/support/error_text.h"
 
 namespace gurney {

@@ -42,7 +42,13 @@ TEST(FolderSuite, KnowsTheNameWithoutTheComponent) {
   EXPECT_EQ(name_without_component("RSN1_A_RRS-UP.AT2", "UP"), "RSN1_A_RRS*.AT2");
   EXPECT_EQ(name_without_component("ABC0012401010101.EW", "E-W"), "ABC0012401010101*");
   EXPECT_EQ(name_without_component("XX.ST..HNE.D.ASC", "HNE"), "XX.ST*.D.ASC");
+  EXPECT_EQ(name_without_component("RSN1_A_NWH090.AT2", "90"), "RSN1_A_NWH*.AT2");
+  EXPECT_EQ(name_without_component("RSN1_ABBAR--T.AT2", "T"), "RSN1_ABBAR*.AT2");
+  EXPECT_EQ(name_without_component("RSN1_TCU065-E.AT2", "E"), "RSN1_TCU065*.AT2");
+  EXPECT_EQ(name_without_component("STATION.000", "000"), "STATION*");
   EXPECT_EQ(name_without_component("first.AT2", "090"), "");
+  EXPECT_EQ(name_without_component("EAST.AT2", "E"), "");
+  EXPECT_EQ(name_without_component("RSN1090_X.AT2", "090"), "");
 }
 
 TEST(FolderSuite, GroupsFilesByNameAndByHeader) {
@@ -90,10 +96,10 @@ TEST(PeerSearchResults, DrivesASuite) {
                                                     Pair("scale factor of the search", "1.5")));
     EXPECT_EQ(suite.records[0].scale, 1);
     ASSERT_EQ(suite.refused.size(), 1u);
-    EXPECT_EQ(suite.refused[0].file, "RSN13");
-    EXPECT_EQ(suite.refused[0].reason,
-              "RSN13_E.AT2 is not in the folder; RSN13_N.AT2 is not in the folder; RSN13_V.AT2 is "
-              "not in the folder");
+    EXPECT_EQ(suite.refused[0].file, path == report ? "RSN13" : report);
+    EXPECT_THAT(suite.refused[0].reason,
+                HasSubstr("RSN13_E.AT2 is not in the folder; RSN13_N.AT2 is not in the folder; "
+                          "RSN13_V.AT2 is not in the folder"));
     EXPECT_EQ(read_record(suite.records[0])[Direction::kVertical]->name, "UP");
   }
 }
@@ -128,21 +134,36 @@ TEST(ListSuite, ReadsRecordsWithTheirUnitsAndScales) {
   EXPECT_EQ(read_record(suite.records[1]).time_step(), 0.02);
 }
 
+TEST(ListSuite, TakesSeveralFilesThatPlaceThemselves) {
+  const TempFolder folder;
+  folder.write("n.AT2", at2("000"));
+  folder.write("e.AT2", at2("090"));
+  const auto list =
+      folder.write("list.csv", "name,file,h1\n\"A, B\",n.AT2; e.AT2,\nC,,n.AT2\nD,e.AT2,n.AT2\n");
+  EXPECT_EQ(error_text([&] { read_suite({list}); }),
+            list + ":4:1: a record has files in 'file' or in 'h1', 'h2', 'vertical', not in both");
+  folder.write("list.csv", "name,file,h1\n\"A, B\",n.AT2; e.AT2,\nC,,n.AT2\n");
+  const Suite suite = read_suite({list});
+  EXPECT_THAT(names(suite), ElementsAre("A, B:2", "C:1"));
+  EXPECT_EQ(read_record(suite.records[0])[Direction::kH1]->name, "090");
+}
+
 TEST(ListSuite, TellsEveryMistake) {
   const TempFolder folder;
   folder.write("e.txt", "1\n-1\n2\n");
   const auto list = folder.write("list.csv",
                                  "name, h1, units, scale\na, e.txt, g, 1\na, none.txt, ft, -1\n"
                                  "b, e.txt\n,e.txt,,\n");
-  EXPECT_EQ(error_text([&] { read_suite({list}); }),
-            fmt::format("{0}:1:11: unknown column 'units'; did you mean 'unit'?; allowed are name, "
-                        "file, h1, h2, vertical, unit, time_step_s, scale\n"
-                        "{0}:3:1: the name 'a' comes twice\n"
-                        "{0}:3:4: 'none.txt': no such file\n"
-                        "{0}:3:18: scale must be a number in (0, 1e+06], got '-1'\n"
-                        "{0}:4:1: 2 cells, the header has 4 columns\n"
-                        "{0}:5:1: a record needs a name",
-                        list));
+  EXPECT_EQ(
+      error_text([&] { read_suite({list}); }),
+      fmt::format("{0}:1:11: unknown column 'units'; did you mean 'unit'?; allowed are name, "
+                  "file, h1, h2, vertical, unit, time_step_s, columns, count_m_per_s2, scale\n"
+                  "{0}:3:1: the name 'a' comes twice\n"
+                  "{0}:3:4: 'none.txt': no such file\n"
+                  "{0}:3:18: scale must be a number in (0, 1e+06], got '-1'\n"
+                  "{0}:4:1: 2 cells, the header has 4 columns\n"
+                  "{0}:5:1: a record needs a name",
+                  list));
 }
 
 }  // namespace

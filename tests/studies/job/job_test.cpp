@@ -57,10 +57,18 @@ gravity_m_per_s2 = 9.81
 x = "record_x.at2"
 z = "record_z.at2"
 use = "x"
-scale = 2
+scale_to = { measure = "Sa(1.0)", component = "h1", value = 0.2, unit = "g", vertical = "kept" }
+processing = [{ step = "baseline", kind = "mean" }, { step = "high_pass", corner_hz = 0.1 }]
+plausibility = "refuse"
 angle_deg = 45
 units = "cm/s2"
 time_step_s = 0.01
+[excitation.building]
+kind = "shear"
+storeys = 3
+period_s = 0.5
+damping_ratio = 0.05
+floor = 2
 [[excitation.force]]
 point_m = [0, 0, 1]
 direction = [0, 2, 0]
@@ -160,7 +168,17 @@ TEST(Job, ReadsTheRecordRequest) {
   EXPECT_TRUE(job.record->use_x);
   EXPECT_FALSE(job.record->use_y);
   EXPECT_FALSE(job.record->use_z);
-  EXPECT_EQ(job.record->scale, 2);
+  EXPECT_EQ(job.record->scale, 1);
+  ASSERT_TRUE(job.record->scale_to);
+  EXPECT_EQ(name_of(job.record->scale_to->measure), "Sa(1)");
+  EXPECT_EQ(job.record->scale_to->combination, Combination::kH1);
+  EXPECT_DOUBLE_EQ(job.record->scale_to->value, 0.2 * kStandardGravity);
+  EXPECT_EQ(job.record->scale_to->vertical.rule, VerticalScaling::Rule::kKept);
+  EXPECT_EQ(job.record->processing.size(), 2u);
+  EXPECT_TRUE(job.record->refuse_implausible);
+  ASSERT_TRUE(job.record->building);
+  EXPECT_EQ(job.record->building->floor, 2);
+  EXPECT_EQ(job.record->building->building.storeys, 3);
   EXPECT_DOUBLE_EQ(job.record->angle, 45 * kRadiansPerDegree);
   EXPECT_EQ(job.record->options.unit, "cm/s2");
   EXPECT_EQ(job.record->options.time_step, 0.01);
@@ -332,7 +350,12 @@ TEST(JobPage, HasEveryKeyTheReaderKnowsAndNoOther) {
   }
   for (const char* angle : {"fixture.roll.", "fixture.pitch."})
     asked.insert(std::string(angle) + "velocity_deg_per_s");  // read as yaw is
-  std::erase_if(asked, [](const std::string& key) { return key.rfind("item.inline.", 0) == 0; });
+  std::erase_if(asked, [](const std::string& key) {
+    return key.starts_with("item.inline.") || key.starts_with("excitation.record.processing[") ||
+           key.starts_with("excitation.record.synthetic.") ||
+           (key.starts_with("excitation.building.") && key != "excitation.building.file" &&
+            key != "excitation.building.floor");  // on pages of their own
+  });
   asked.erase("item.payloads.load");
   asked.insert("item.payloads.NAME");
   EXPECT_EQ(asked, documented_keys(GURNEY_SOURCE_DIR "/docs/formats/job_file.md", ""));

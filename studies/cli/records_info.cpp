@@ -1,0 +1,75 @@
+#include "studies/cli/records_info.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "studies/cli/record_source.h"
+#include "studies/report/record_report.h"
+
+namespace gurney {
+namespace {
+
+struct InfoOptions {
+  RecordSource source;
+  bool json = false;
+};
+
+int print_json(const RecordSource& source) {
+  std::vector<std::string> records;
+  std::vector<Refusal> refused;
+  const int code =
+      for_each_record(source, &refused, [&](const SuiteRecord& entry, const Record& record) {
+        records.push_back(record_json(record, entry.facts));
+      });
+  std::vector<std::pair<std::string, std::string>> left_out;
+  for (const Refusal& refusal : refused) left_out.emplace_back(refusal.file, refusal.reason);
+  fmt::print("{}", records_json(records, left_out));
+  return code;
+}
+
+int info(const InfoOptions& options) {
+  if (options.json) return print_json(options.source);
+  bool first = true;
+  return for_each_record(
+      options.source, nullptr, [&](const SuiteRecord& entry, const Record& record) {
+        fmt::print("{}{}", first ? "" : "\n", record_report(record, entry.facts));
+        first = false;
+      });
+}
+
+int list(const InfoOptions& options) {
+  if (options.json) return print_json(options.source);
+  std::size_t count = 0;
+  std::vector<Refusal> refused;
+  const int code =
+      for_each_record(options.source, &refused, [&](const SuiteRecord&, const Record& record) {
+        if (count++ == 0) fmt::print("{}", record_table_head());
+        fmt::print("{}", record_table_line(record));
+        std::fflush(stdout);
+      });
+  fmt::print("{} records", count);
+  if (!refused.empty()) fmt::print(", {} left out", refused.size());
+  fmt::print("\n");
+  return code;
+}
+
+void add(CLI::App& records, const char* name, const char* description,
+         int (*command)(const InfoOptions&), std::function<int()>& act) {
+  auto options = std::make_shared<InfoOptions>();
+  CLI::App* const app = records.add_subcommand(name, description);
+  add_source_options(*app, options->source);
+  app->add_flag("--json", options->json, "Print JSON, in SI units");
+  app->callback([options, command, &act] { act = [=] { return command(*options); }; });
+}
+
+}  // namespace
+
+void add_records_info(CLI::App& records, std::function<int()>& act) {
+  add(records, "info", "Everything about records: headers, intensity measures, warnings", info,
+      act);
+  add(records, "ls", "A table with one line for each record", list, act);
+}
+
+}  // namespace gurney

@@ -1,0 +1,199 @@
+#include "studies/cli/records_scale.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <set>
+
+#include "engine/base/config/document.h"
+#include "engine/base/error.h"
+#include "groundmotions/formats/numbers.h"
+#include "groundmotions/measures/combined_spectrum.h"
+#include "groundmotions/measures/measure.h"
+#include "groundmotions/scaling/suite_scaling.h"
+#include "groundmotions/scaling/target_reader.h"
+#include "studies/cli/inline_table.h"
+#include "studies/cli/record_source.h"
+#include "studies/cli/records_output.h"
+#include "studies/cli/signals.h"
+#include "studies/report/suite_figure.h"
+#include "studies/results/output_files.h"
+
+namespace gurney {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Eigen::Index kPeriods = 100;
+
+struct ScaleOptions {
+  RecordSource source;
+  std::string target, periods = "0.1:2", component = "RotD50", mean = "arithmetic", output, figure;
+  std::string limits = "0.25:4";
+  double floor_share = 0.9;
+  bool common = false, overwrite = false;
+};
+
+/// Two numbers apart by a colon, 0 < low < high.
+std::pair<double, double> span_of(const char* option, const std::string& text) {
+  const auto colon = text.find(':');
+  const auto low = number(text.substr(0, colon));
+  const auto high = colon == std::string::npos ? std::nullopt : number(text.substr(colon + 1));
+  require(low && high && 0 < *low && *low < *high,
+          fmt::format("{} {}: must be LOW:HIGH with 0 < LOW < HIGH", option, text));
+  return {*low, *high};
+}
+
+TargetSpectrum target_of(const std::string& text) {
+  config::Document document("spectrum = " + inline_table("target", words_of(text)) + "\n",
+                            "--target");
+  config::Table root = document.root();
+  auto table = root.table("spectrum");
+  auto target = table ? read_target(*table) : std::nullopt;
+  document.finish();
+  return *target;
+}
+
+Combination combination_of(const std::string& name) {
+  const auto names = combination_names();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == name) return static_cast<Combination>(i);
+  throw Error(fmt::format("--component {}: must be one of {}", name, fmt::join(names, ", ")));
+}
+
+struct ScaledSuite {
+  std::vector<SuiteRecord> records;
+  std::vector<Eigen::VectorXd> spectra;
+};
+
+/// The cells file, h1, h2 and vertical of a list.
+std::string files_text(const std::vector<RecordFile>& files, const fs::path& folder) {
+  std::array<std::string, 4> cells;
+  for (const RecordFile& file : files) {
+    std::string& cell = cells[file.direction ? 1 + static_cast<std::size_t>(*file.direction) : 0];
+    cell += (cell.empty() ? "" : ";") + fs::proximate(file.path, folder).string();
+  }
+  for (std::string& cell : cells)
+    if (!cell.empty()) cell = "\"" + cell + "\"";
+  return fmt::format("{}", fmt::join(cells, ","));
+}
+
+/// A list that `gurney records` reads again, with the factors in it.
+std::string list_text(const ScaledSuite& suite, const SuiteScaling& scaling,
+                      const std::string& target, const fs::path& folder) {
+  std::string text = fmt::format("# scaled to {}\n", target);
+  text += "name,file,h1,h2,vertical,unit,time_step_s,columns,count_m_per_s2,scale\n";
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < suite.records.size(); ++i) {
+    const SuiteRecord& record = suite.records[i];
+    std::string name = record.name;
+    for (int n = 2; !names.insert(name).second; ++n) name = fmt::format("{} ({})", record.name, n);
+    const ReadOptions& read = record.options;
+    const auto shown = [](const std::optional<double>& value) {
+      return value ? fmt::format("{:g}", *value) : std::string();
+    };
+    text +=
+        fmt::format("\"{}\",{},{},{},\"{}\",{},{:.6g}\n", name, files_text(record.files, folder),
+                    read.unit, shown(read.time_step), read.columns, shown(read.si_per_count),
+                    record.scale * scaling.factors[static_cast<Eigen::Index>(i)]);
+  }
+  return text;
+}
+
+void print(const ScaledSuite& suite, const SuiteScaling& scaling, const TargetSpectrum& target) {
+  fmt::print("target {}\n\n{:<32} {:>8} {:>8}\n", target.name, "record", "factor", "misfit");
+  for (std::size_t i = 0; i < suite.records.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    fmt::print("{:<32} {:>8.3f} {:>8.3f}\n", suite.records[i].name, scaling.factors[row],
+               scaling.misfits[row]);
+  }
+  fmt::print(
+      "\ncommon factor in these {:.3f}; misfit of the mean {:.3f} (root mean square of ln)\n"
+      "mean over target at least {:.3f}, at {:.3g} s\n",
+      scaling.common_factor, scaling.suite_misfit, scaling.smallest_ratio,
+      scaling.period_of_smallest);
+  for (const std::string& warning : scaling.warnings) fmt::print(stderr, "warning: {}\n", warning);
+}
+
+int scale(const ScaleOptions& options) {
+  const TargetSpectrum target = target_of(options.target);
+  const auto [low, high] = span_of("--periods", options.periods);
+  const auto [smallest, largest] = span_of("--limits", options.limits);
+  const Combination combination = combination_of(options.component);
+  const Eigen::VectorXd periods =
+      Eigen::VectorXd::LinSpaced(kPeriods, std::log(low), std::log(high)).array().exp();
+  Eigen::VectorXd wanted(kPeriods);
+  for (Eigen::Index i = 0; i < kPeriods; ++i) wanted[i] = target.at(periods[i]);
+
+  ScaledSuite suite;
+  const int code =
+      for_each_record(options.source, nullptr, [&](const SuiteRecord& entry, const Record& record) {
+        try {
+          suite.spectra.push_back(combined_spectrum(combination, record, periods));
+          suite.records.push_back(entry);
+        } catch (const Error& error) {
+          fmt::print(stderr, "left out: {}\n", error.what());
+        }
+      });
+  if (suite.records.empty()) return code;
+  Eigen::MatrixXd spectra(static_cast<Eigen::Index>(suite.records.size()), kPeriods);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < suite.records.size(); ++i) {
+    spectra.row(static_cast<Eigen::Index>(i)) = suite.spectra[i].transpose();
+    names.push_back(suite.records[i].name);
+  }
+  SuiteScalingOptions how{smallest, largest, !options.common};
+  how.mean = options.mean == "geometric" ? SuiteScalingOptions::Mean::kGeometric
+                                         : SuiteScalingOptions::Mean::kArithmetic;
+  how.floor_share = options.floor_share;
+  const SuiteScaling scaling = scale_suite(periods, spectra, wanted, names, how);
+  print(suite, scaling, target);
+
+  OutputFiles files(options.overwrite);
+  if (!options.output.empty()) files.check(options.output);
+  if (!options.figure.empty()) files.check(options.figure);
+  const SignalsHeld until_written;
+  if (!options.output.empty())
+    files.stage(options.output,
+                list_text(suite, scaling, target.name, fs::absolute(options.output).parent_path()));
+  if (!options.figure.empty())
+    files.stage(options.figure, suite_figure(target, periods, spectra, scaling));
+  files.commit();
+  return code;
+}
+
+}  // namespace
+
+void add_records_scale(CLI::App& records, std::function<int()>& act) {
+  auto options = std::make_shared<ScaleOptions>();
+  CLI::App* const command =
+      records.add_subcommand("scale", "Factors that bring a suite of records to a target spectrum");
+  add_source_options(*command, options->source);
+  command
+      ->add_option("--target", options->target,
+                   "Such as \"asce7 sds_g=1 sd1_g=0.6\", \"eurocode8 ground=B ag_g=0.3\", "
+                   "\"nzs1170 site_class=C hazard_factor=0.4\", \"ac156 sds_g=1 height_ratio=1\", "
+                   "\"table file=FILE.csv\" (docs/theory/scaling.md)")
+      ->required();
+  command->add_option("--periods", options->periods, "Range that counts, LOW:HIGH [s]");
+  command->add_option("--component", options->component,
+                      "Spectrum of a record: RotD50, RotD100, geometric mean, h1, ...");
+  command->add_option("--mean", options->mean, "Mean of the suite: arithmetic or geometric")
+      ->check(CLI::IsMember({"arithmetic", "geometric"}));
+  command
+      ->add_option("--floor-share", options->floor_share,
+                   "The mean is nowhere below this share of the target; 0: it meets the target "
+                   "on average")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--limits", options->limits, "Factors allowed for a record, LOW:HIGH");
+  command->add_flag("--common", options->common, "One factor for all records");
+  command->add_option("-o,--output", options->output, "A list of the scaled suite to write (.csv)");
+  command->add_option("--figure", options->figure, "A figure to write (.svg)");
+  command->add_flag("--overwrite", options->overwrite, "Replace files that exist");
+  command->callback([options, &act] { act = [options] { return scale(*options); }; });
+}
+
+}  // namespace gurney

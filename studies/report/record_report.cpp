@@ -1,0 +1,181 @@
+#include "studies/report/record_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "engine/base/units.h"
+#include "groundmotions/assembly/plausibility.h"
+#include "groundmotions/measures/measure.h"
+#include "groundmotions/processing/integrate.h"
+#include "groundmotions/record_motion.h"
+#include "groundmotions/residual.h"
+
+namespace gurney {
+namespace {
+
+/// For reading: accelerations in g.
+std::string unit_shown(const Measure& measure) {
+  return unit_of(measure) == "m/s2" ? "g" : unit_of(measure);
+}
+
+std::string value_shown(const Measure& measure, double value) {
+  return fmt::format("{:.4g}", unit_of(measure) == "m/s2" ? value / kStandardGravity : value);
+}
+
+bool has_horizontals(const Record& record) {
+  return record[Direction::kH1] && record[Direction::kH2];
+}
+
+std::string file_name(const Component& component) {
+  return std::filesystem::path(component.file).filename().string();
+}
+
+std::string files_text(const Record& record) {
+  std::string text;
+  for (const Direction direction : kDirections) {
+    if (!record[direction]) continue;
+    const Component& c = *record[direction];
+    const std::string azimuth =
+        c.azimuth ? fmt::format(", azimuth {:.0f}", *c.azimuth / kRadiansPerDegree) : "";
+    text += fmt::format("  {:<9} {}, '{}'{}, {}, {}\n", name_of(direction), file_name(c), c.name,
+                        azimuth, c.format, c.unit);
+    if (!c.sha256.empty()) text += fmt::format("  {:<9} SHA-256 {}\n", "", c.sha256);
+  }
+  return text;
+}
+
+/// Facts of the headers; those that all components share are told once.
+std::string header_text(const Record& record) {
+  std::string text;
+  std::vector<RecordFact> told;
+  for (const auto& component : record.components) {
+    if (!component) continue;
+    for (const RecordFact& fact : component->header) {
+      if (fact.second.empty() || std::ranges::find(told, fact) != told.end()) continue;
+      told.push_back(fact);
+      text += fmt::format("  {:<28} {}\n", fact.first, fact.second);
+    }
+  }
+  return text;
+}
+
+std::string measures_text(const Record& record) {
+  std::string text = fmt::format("  {:<12}", "measure");
+  for (const Direction direction : kDirections)
+    if (record[direction]) text += fmt::format("{:>12}", name_of(direction));
+  if (has_horizontals(record)) text += fmt::format("{:>12}", "RotD50");
+  text += "\n";
+  for (const Measure& measure : usual_measures()) {
+    text += fmt::format("  {:<12}", name_of(measure));
+    for (const auto& component : record.components)
+      if (component)
+        text += fmt::format("{:>12}", value_shown(measure, value_of(measure, component->time_step,
+                                                                    component->acceleration)));
+    if (has_horizontals(record)) {
+      const bool rotates =
+          scaling_power(measure) != 0;  // RotD of durations and periods says little
+      text += fmt::format(
+          "{:>12}",
+          rotates ? value_shown(measure, value_of(measure, Combination::kRotD50, record)) : "");
+    }
+    text += fmt::format(" {:<5} {}\n", unit_shown(measure), meaning_of(measure));
+  }
+  return text;
+}
+
+std::string end_text(const Record& record) {
+  std::string velocity = "  left at end ", displacement = "              ";
+  for (const auto& component : record.components) {
+    if (!component) continue;
+    const EndMotion end = end_motion(component->time_step, component->acceleration);
+    velocity += fmt::format("{:>12}", fmt::format("{:.2g}", end.velocity));
+    displacement += fmt::format("{:>12}", fmt::format("{:.2g}", end.displacement));
+  }
+  velocity.erase(13, 1);
+  displacement.erase(13, 1);
+  const std::string gap = has_horizontals(record) ? std::string(12, ' ') : "";
+  return velocity + gap + " m/s   residual velocity, from rest\n" + displacement + gap +
+         " m     residual displacement, from rest\n";
+}
+
+std::string list_text(const char* title, const std::vector<std::string>& lines) {
+  if (lines.empty()) return {};
+  std::string text = fmt::format("\n{}\n", title);
+  for (const std::string& line : lines) text += fmt::format("  {}\n", line);
+  return text;
+}
+
+/// Of the component in a place, or blanks.
+template <class Value>
+std::string three(const Record& record, Value value) {
+  std::string text;
+  for (const auto& component : record.components)
+    text += component ? fmt::format(" {:>8}", fmt::format("{:.3g}", value(*component)))
+                      : fmt::format(" {:>8}", "-");
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> record_findings(const Record& record) {
+  std::vector<std::string> findings = record.warnings;
+  for (std::string& finding : implausible(record)) findings.push_back(std::move(finding));
+  for (std::string& finding : residual(floor_motion(record)).warnings)
+    findings.push_back(std::move(finding));
+  return findings;
+}
+
+std::string record_report(const Record& record, const std::vector<RecordFact>& facts) {
+  std::string text = record.name + "\n" + files_text(record);
+  text += fmt::format("  {:<9} {} samples, {:g} s apart, {:.2f} s\n", "samples", record.samples(),
+                      record.time_step(),
+                      static_cast<double>(record.samples() - 1) * record.time_step());
+  if (const std::string header = header_text(record); !header.empty())
+    text += "\nheader\n" + header;
+  if (!facts.empty()) text += "\nfrom the suite\n";
+  for (const auto& [name, value] : facts) text += fmt::format("  {:<28} {}\n", name, value);
+  text += list_text("processing", record.processing);
+  text += "\n" + measures_text(record) + end_text(record);
+  text += list_text("warnings", record_findings(record));
+  return text;
+}
+
+std::string record_table_head() {
+  return fmt::format("{:<30} {:<12} {:>7} {:>8}  {:^26}  {:^26}  {:>7} {:>7} {:>8}  {}\n", "record",
+                     "format", "dt [s]", "length", "PGA [g]: h1, h2, vertical", "PGV [m/s]",
+                     "Sa(1.0)", "D5-95", "v at end", "warnings");
+}
+
+std::string record_table_line(const Record& record) {
+  const Component* first = nullptr;
+  double end = 0;
+  for (const auto& component : record.components) {
+    if (!component) continue;
+    if (!first) first = &*component;
+    end =
+        std::max(end, std::abs(end_motion(component->time_step, component->acceleration).velocity));
+  }
+  const Measure pga{Measure::Kind::kPga}, pgv{Measure::Kind::kPgv}, sa{Measure::Kind::kSa, 1},
+      duration{Measure::Kind::kD5_95};
+  const auto of = [](const Measure& measure, double unit) {
+    return [measure, unit](const Component& c) {
+      return value_of(measure, c.time_step, c.acceleration) / unit;
+    };
+  };
+  const double sa_value = has_horizontals(record)
+                              ? value_of(sa, Combination::kRotD50, record)
+                              : value_of(sa, first->time_step, first->acceleration);
+  const auto findings = record_findings(record).size();
+  return fmt::format(
+      "{:<30} {:<12} {:>7} {:>8}  {}  {}  {:>7} {:>7} {:>8}  {}\n", record.name.substr(0, 30),
+      first->format.substr(0, 12), fmt::format("{:.4g}", record.time_step()),
+      fmt::format("{:.2f} s", first->duration()),
+      three(record, of(pga, kStandardGravity)).substr(1), three(record, of(pgv, 1)).substr(1),
+      fmt::format("{:.3g}", sa_value / kStandardGravity),
+      fmt::format("{:.3g}", value_of(duration, first->time_step, first->acceleration)),
+      fmt::format("{:.1g}", end), findings ? std::to_string(findings) : "");
+}
+
+}  // namespace gurney
