@@ -18,6 +18,7 @@
 #include "groundmotions/formats/foreign_file.h"
 #include "groundmotions/formats/geonet.h"
 #include "groundmotions/formats/knet.h"
+#include "groundmotions/formats/nsmn.h"
 #include "groundmotions/formats/peer_at2.h"
 #include "groundmotions/formats/plain_text.h"
 #include "groundmotions/formats/readable.h"
@@ -41,6 +42,7 @@ const std::vector<Format>& formats() {
       {"GeoNet", recognises_geonet, read_geonet},
       {"UNAM", recognises_unam, read_unam},
       {"CWB", recognises_cwb, read_cwb},
+      {"NSMN", recognises_nsmn, read_nsmn},
       {.name = "COSMOS",
        .recognises = recognises_cosmos,
        .read = read_cosmos,

@@ -25,6 +25,7 @@ inline std::vector<FormatSample> format_samples() {
       {"GeoNet", geonet_file({.is_corrected = true})},
       {"UNAM", unam_file()},
       {"CWB", cwb_file()},
+      {"NSMN", page_example("record_nsmn.md", "## Example")},
       {"COSMOS", cosmos_file()},
       {"CSMIP volume", csmip_volume1()},
       {"CSMIP volume",
