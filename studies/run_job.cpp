@@ -6,7 +6,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
-#include "groundmotions/peaks.h"
+#include "groundmotions/measures/peaks.h"
 #include "groundmotions/record_motion.h"
 #include "groundmotions/record_set.h"
 #include "groundmotions/residual.h"

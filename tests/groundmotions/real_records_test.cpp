@@ -7,7 +7,7 @@
 
 #include "groundmotions/formats/format.h"
 #include "groundmotions/formats/numbers.h"
-#include "groundmotions/peaks.h"
+#include "groundmotions/measures/peaks.h"
 #include "tests/support/error_text.h"
 
 /// Real files, which may not be part of the project: a folder named by GURNEY_RECORDS, with

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "engine/base/units.h"
-#include "groundmotions/peaks.h"
+#include "groundmotions/measures/peaks.h"
 #include "groundmotions/record_motion.h"
 #include "groundmotions/record_set.h"
 #include "groundmotions/residual.h"

@@ -1,4 +1,4 @@
-#include "groundmotions/peaks.h"
+#include "groundmotions/measures/peaks.h"
 
 #include <gtest/gtest.h>
 
