@@ -34,16 +34,16 @@ void add_pulse(VectorXd& a, int start, double height) {
   for (int i = 0; i <= 100; ++i) a[start + i] += height * std::pow(std::sin(kPi * i / 100), 2);
 }
 
-// Pulses of 0.5 s that are 9 s apart, five of one sign and one of the other: each gives its height
-// times what a pulse of height 1 alone gives a third of.
+// Pulses of 0.5 s that are 9 s apart, five of one sign and one of the other, against three pulses
+// of height 1.
 TEST(Fiv3, SumsTheThreeLargestOfOneSign) {
   const double dt = 0.005, period = 0.5;
-  VectorXd single = VectorXd::Zero(12001), a = single;
-  add_pulse(single, 6000, 1);
+  VectorXd a = VectorXd::Zero(12001), ones = a;
+  for (const int start : {1000, 3000, 5000}) add_pulse(ones, start, 1);
   const double heights[] = {1, 4, 2, 5, 3, -7};
   for (int k = 0; k < 6; ++k) add_pulse(a, 1000 + 1800 * k, heights[k]);
-  const double expected = (4 + 5 + 3) * fiv3(dt, single, period);
-  EXPECT_GT(expected, 1);  // the window of 0.35 s holds most of the area of 0.25 m/s
+  const double expected = (4 + 5 + 3) * fiv3(dt, ones, period) / 3;
+  EXPECT_GT(expected, 2);  // the window of 0.35 s holds most of the area of 0.25 m/s
   // The filter's answer to other pulses has died out as exp(-2 pi 1.7 8.5 / sqrt(2)) = 1e-28.
   EXPECT_NEAR(fiv3(dt, a, period), expected, 1e-12);
   EXPECT_NEAR(fiv3(dt, -3 * a, period), 3 * expected, 1e-12);
