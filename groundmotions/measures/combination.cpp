@@ -50,8 +50,7 @@ double rotated(const Measure& measure, double percent, double time_step, const E
   RotatedValues values;
   for (int i = 0; i < kRotationAngles; ++i) {
     const Eigen::Vector2d direction = rotation_direction(i);
-    values[static_cast<std::size_t>(i)] =
-        value_of(measure, time_step, direction.x() * h1 + direction.y() * h2);
+    values[i] = value_of(measure, time_step, direction.x() * h1 + direction.y() * h2);
   }
   return percentile(values, percent);
 }
@@ -76,19 +75,12 @@ double combined_spectrum(const Measure& measure, Combination combination, double
 
 double resultant(const Measure& measure, double time_step, const Eigen::VectorXd& h1,
                  const Eigen::VectorXd& h2) {
+  require(has_resultant(measure),
+          name_of(measure) + ": only PGA, PGV, PGD, PFA and PFV have a resultant");
   const Peaks largest = peaks(time_step, h1, h2);
-  switch (measure.kind) {
-    case MeasureKind::kPga:
-    case MeasureKind::kPfa:
-      return largest.acceleration;
-    case MeasureKind::kPgv:
-    case MeasureKind::kPfv:
-      return largest.velocity;
-    case MeasureKind::kPgd:
-      return largest.displacement;
-    default:
-      throw Error(name_of(measure) + ": only PGA, PGV, PGD, PFA and PFV have a resultant");
-  }
+  if (measure.kind == MeasureKind::kPgd) return largest.displacement;
+  const bool is_velocity = measure.kind == MeasureKind::kPgv || measure.kind == MeasureKind::kPfv;
+  return is_velocity ? largest.velocity : largest.acceleration;
 }
 
 }  // namespace
@@ -97,6 +89,19 @@ const char* name_of(Combination combination) {
   for (const auto& [each, name] : kNames)
     if (each == combination) return name;
   return "";
+}
+
+bool has_resultant(const Measure& measure) {
+  switch (measure.kind) {
+    case MeasureKind::kPga:
+    case MeasureKind::kPgv:
+    case MeasureKind::kPgd:
+    case MeasureKind::kPfa:
+    case MeasureKind::kPfv:
+      return true;
+    default:
+      return false;
+  }
 }
 
 std::vector<std::string> known_combinations() {
@@ -124,6 +129,8 @@ double value_of(const Measure& measure, Combination combination, const Record& r
 
   const Eigen::VectorXd &h1 = component(Direction::kH1), &h2 = component(Direction::kH2);
   if (combination == Combination::kResultant) return resultant(measure, dt, h1, h2);
+  require(combination != Combination::kSrss || scaling_power(measure) > 0,
+          name_of(measure) + ": SRSS of durations and periods has no meaning");
   if (spectral_periods(measure).size() > 0)
     return combined_spectrum(measure, combination, dt, h1, h2);
   if (is_rotated(combination)) return rotated(measure, percent_of(combination), dt, h1, h2);

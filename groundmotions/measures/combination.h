@@ -28,14 +28,18 @@ Combination parse_combination(std::string_view text);
 const char* name_of(Combination combination);
 std::vector<std::string> known_combinations();
 
+/// PGA, PGV, PGD, PFA and PFV have a resultant.
+bool has_resultant(const Measure& measure);
+
 /// The measure of a record's components, combined.
 ///
 /// RotD is the percentile of the measure of h1 cos(theta) + h2 sin(theta) over theta = 0, 1, ...,
 /// 179 degrees, for any measure. SaAvg is combined at each period and then averaged, as hazard
-/// analyses do that start from models of Sa. The resultant exists for PGA, PGV, PGD, PFA and PFV.
+/// analyses do that start from models of Sa.
 ///
 /// @returns in SI units
-/// @throws  Error for a component that the record does not have, a measure without resultant, and
+/// @throws  Error for a component that the record does not have, a measure without resultant, SRSS of durations
+///          and periods, and
 ///          as value_of() of a component does.
 double value_of(const Measure& measure, Combination combination, const Record& record);
 

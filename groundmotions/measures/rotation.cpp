@@ -13,62 +13,77 @@
 namespace gurney {
 namespace {
 
-void raise_to_peaks(RotatedValues& peaks, const Eigen::Vector2d& point) {
-  for (int i = 0; i < kRotationAngles; ++i)
-    peaks[static_cast<std::size_t>(i)] =
-        std::max(peaks[static_cast<std::size_t>(i)], std::abs(point.dot(rotation_direction(i))));
+struct Directions {
+  RotatedValues cosine, sine;
+};
+
+const Directions& directions() {
+  static const Directions all = [] {
+    const RotatedValues angle =
+        RotatedValues::LinSpaced(0, kRotationAngles - 1) * kRadiansPerDegree;
+    return Directions{angle.cos(), angle.sin()};
+  }();
+  return all;
 }
 
-/// The histories of the displacement of `lanes` oscillators, one in each column.
-Eigen::MatrixXd displacements(const OscillatorPack& pack, const Eigen::VectorXd& load) {
-  Eigen::MatrixXd result(load.size(), OscillatorPack::kLanes);
+/// A column for each sample, a row for each oscillator.
+using Histories = Eigen::Matrix<double, OscillatorPack::kLanes, Eigen::Dynamic>;
+
+void find_displacements(const OscillatorPack& pack, const Eigen::VectorXd& load,
+                        Histories& result) {
+  result.resize(OscillatorPack::kLanes, load.size());
   OscillatorPack::Lanes u = OscillatorPack::Lanes::Zero(), v = u;
   for (Eigen::Index i = 0; i < load.size(); ++i) {
     if (i > 0) pack.step(load[i - 1], load[i], u, v);
-    result.row(i) = u.transpose();
+    result.col(i) = u;
   }
-  return result;
 }
 
 }  // namespace
 
 Eigen::Vector2d rotation_direction(int index) {
-  static const auto directions = [] {
-    std::array<Eigen::Vector2d, kRotationAngles> result;
-    for (int i = 0; i < kRotationAngles; ++i)
-      result[static_cast<std::size_t>(i)] = {std::cos(i * kRadiansPerDegree),
-                                             std::sin(i * kRadiansPerDegree)};
-    return result;
-  }();
-  return directions[static_cast<std::size_t>(index)];
+  return {directions().cosine[index], directions().sine[index]};
 }
 
-double percentile(RotatedValues values, double percent) {
+double percentile(const RotatedValues& values, double percent) {
   assert(percent >= 0 && percent <= 100);
-  std::sort(values.begin(), values.end());
+  RotatedValues ordered = values;
+  std::sort(ordered.begin(), ordered.end());
   const double place = percent / 100 * (kRotationAngles - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const auto above = std::min<std::size_t>(below + 1, kRotationAngles - 1);
-  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+  const int below = static_cast<int>(place);
+  const int above = std::min(below + 1, kRotationAngles - 1);
+  return ordered[below] + (place - below) * (ordered[above] - ordered[below]);
 }
 
-// The extreme points in a few directions bound the peaks from below. A point that lies nearer to
-// the origin than the smallest of these bounds cannot be a peak; few points are left.
+// A point nearer to the origin than the peak of every angle changes none, so the points are taken
+// from far to near. Which to take at all: let P be the farthest point and Q that with the largest
+// distance from the line OP. The peaks of the parallelogram +-P, +-Q are at least the distance of
+// its sides from the origin, |P x Q| / |P -+ Q|.
 RotatedValues rotated_peaks(const Eigen::Ref<const Eigen::VectorXd>& x,
                             const Eigen::Ref<const Eigen::VectorXd>& y) {
   assert(x.size() == y.size());
-  RotatedValues peaks{};
+  RotatedValues peaks = RotatedValues::Zero();
   if (x.size() == 0) return peaks;
-  constexpr int kStride = 15;  // degrees between the few directions
-  for (int i = 0; i < kRotationAngles; i += kStride) {
-    const Eigen::Vector2d direction = rotation_direction(i);
-    Eigen::Index at = 0;
-    (direction.x() * x.array() + direction.y() * y.array()).abs().maxCoeff(&at);
-    raise_to_peaks(peaks, {x[at], y[at]});
-  }
-  const double bound = *std::min_element(peaks.begin(), peaks.end());
+  const Eigen::ArrayXd squares = x.array().square() + y.array().square();
+  Eigen::Index far = 0, aside = 0;
+  if (squares.maxCoeff(&far) == 0) return peaks;
+  const double cross = (x[far] * y.array() - y[far] * x.array()).abs().maxCoeff(&aside);
+  const Eigen::Vector2d p(x[far], y[far]), q(x[aside], y[aside]);
+  // The last factor keeps points that rounding would leave out.
+  const double bound = cross / std::max((p - q).norm(), (p + q).norm()) * (1 - 1e-9);
+
+  std::vector<Eigen::Index> points;
   for (Eigen::Index i = 0; i < x.size(); ++i)
-    if (x[i] * x[i] + y[i] * y[i] > bound * bound) raise_to_peaks(peaks, {x[i], y[i]});
+    if (squares[i] >= bound * bound) points.push_back(i);
+  std::sort(points.begin(), points.end(),
+            [&](Eigen::Index a, Eigen::Index b) { return squares[a] > squares[b]; });
+  double smallest = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Eigen::Index i = points[k];
+    if (squares[i] < smallest * smallest) break;
+    peaks = peaks.max((x[i] * directions().cosine + y[i] * directions().sine).abs());
+    if (k % 8 == 0) smallest = peaks.minCoeff();
+  }
   return peaks;
 }
 
@@ -91,6 +106,7 @@ RotatedSpectrum rotated_spectrum(double time_step, const Eigen::VectorXd& h1,
     else
       keep(i, rotated_peaks(h1, h2), 1);
   }
+  Histories u1, u2;
   for (std::size_t first = 0; first < swinging.size(); first += kLanes) {
     const std::size_t count = std::min<std::size_t>(kLanes, swinging.size() - first);
     OscillatorPack pack;
@@ -98,11 +114,13 @@ RotatedSpectrum rotated_spectrum(double time_step, const Eigen::VectorXd& h1,
       pack.set(static_cast<int>(i),
                oscillator_step(2 * std::numbers::pi / periods[swinging[first + i % count]], damping,
                                time_step));
-    const Eigen::MatrixXd u1 = displacements(pack, h1), u2 = displacements(pack, h2);
+    find_displacements(pack, h1, u1);
+    find_displacements(pack, h2, u2);
     for (std::size_t i = 0; i < count; ++i) {
       const double omega = 2 * std::numbers::pi / periods[swinging[first + i]];
       const auto lane = static_cast<Eigen::Index>(i);
-      keep(swinging[first + i], rotated_peaks(u1.col(lane), u2.col(lane)), omega * omega);
+      keep(swinging[first + i], rotated_peaks(u1.row(lane).transpose(), u2.row(lane).transpose()),
+           omega * omega);
     }
   }
   return result;

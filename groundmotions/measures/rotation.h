@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 
 namespace gurney {
 
@@ -9,7 +8,7 @@ namespace gurney {
 inline constexpr int kRotationAngles = 180;
 
 /// The values of a measure over these angles.
-using RotatedValues = std::array<double, kRotationAngles>;
+using RotatedValues = Eigen::Array<double, kRotationAngles, 1>;
 
 /// Cosine and sine of angle `index`.
 Eigen::Vector2d rotation_direction(int index);
@@ -17,7 +16,7 @@ Eigen::Vector2d rotation_direction(int index);
 /// The percentile of the values over the angles, linear between ordered values: 0 gives the
 /// smallest (RotD00), 50 the median (RotD50), 100 the largest (RotD100).
 /// @param percent  in [0, 100]
-double percentile(RotatedValues values, double percent);
+double percentile(const RotatedValues& values, double percent);
 
 /// The largest magnitude over time of x cos(theta) + y sin(theta) for each angle.
 /// @param x, y  of one length

@@ -6,8 +6,6 @@
 namespace gurney {
 namespace {
 
-using Kind = MeasureKind;
-
 SummaryRow empty_row(const Measure& measure) {
   return {measure, name_of(measure), si_unit_of(measure), definition_of(measure), {}};
 }
@@ -39,11 +37,10 @@ std::vector<Combination> combinations(const Record& record, const Measure& measu
   if (record[Direction::kVertical]) result.push_back(Combination::kVertical);
   if (!h1 || !h2) return result;
   result.push_back(Combination::kGeometricMean);
-  if (scaling_power(measure) > 0)
+  const bool is_peak = has_resultant(measure);
+  if (is_peak || spectral_periods(measure).size() > 0)
     result.insert(result.end(), {Combination::kRotD50, Combination::kRotD100});
-  if (measure.kind == Kind::kPga || measure.kind == Kind::kPgv || measure.kind == Kind::kPgd ||
-      measure.kind == Kind::kPfa || measure.kind == Kind::kPfv)
-    result.push_back(Combination::kResultant);
+  if (is_peak) result.push_back(Combination::kResultant);
   return result;
 }
 

@@ -34,8 +34,8 @@ std::vector<Measure> common_measures();
 Summary summary(const Component& component,
                 const std::vector<Measure>& measures = common_measures());
 
-/// The components that the record has and, with both horizontals, geomean, RotD50, RotD100 (of
-/// measures that scale with the motion) and the resultant (of PGA, PGV and PGD).
+/// The components that the record has and, with both horizontals, geomean, RotD50 and RotD100 (of
+/// PGA, PGV, PGD, Sa and SaAvg) and the resultant (of PGA, PGV and PGD).
 Summary summary(const Record& record, const std::vector<Measure>& measures = common_measures());
 
 }  // namespace gurney

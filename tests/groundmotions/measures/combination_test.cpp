@@ -111,10 +111,12 @@ TEST(Combination, NeedsItsComponents) {
             "have");
 }
 
-TEST(Combination, HasAResultantOfPeaksOnly) {
+TEST(Combination, IsRefusedWhereItHasNoMeaning) {
   const Record record = record_of(motion(0.1), motion(0.2));
   EXPECT_EQ(error_text([&] { value("CAV", Combination::kResultant, record); }),
             "CAV: only PGA, PGV, PGD, PFA and PFV have a resultant");
+  EXPECT_EQ(error_text([&] { value("D5-95", Combination::kSrss, record); }),
+            "D5-95: SRSS of durations and periods has no meaning");
 }
 
 }  // namespace

@@ -49,15 +49,14 @@ TEST(Rotation, IsThatOfEveryPoint) {
     const RotatedValues values = rotated_peaks(x, y);
     for (int i = 0; i < kRotationAngles; ++i) {
       const double c = std::cos(i * kRadiansPerDegree), s = std::sin(i * kRadiansPerDegree);
-      EXPECT_NEAR(values[static_cast<std::size_t>(i)], (c * x + s * y).cwiseAbs().maxCoeff(),
-                  1e-14);
+      EXPECT_NEAR(values[i], (c * x + s * y).cwiseAbs().maxCoeff(), 1e-14);
     }
   }
 }
 
 TEST(Percentile, IsLinearBetweenOrderedValues) {
   RotatedValues values;
-  for (int i = 0; i < kRotationAngles; ++i) values[static_cast<std::size_t>(i)] = 179 - i;
+  for (int i = 0; i < kRotationAngles; ++i) values[i] = 179 - i;
   EXPECT_EQ(percentile(values, 0), 0);
   EXPECT_EQ(percentile(values, 50), 89.5);
   EXPECT_EQ(percentile(values, 100), 179);
