@@ -38,7 +38,8 @@ bool has_resultant(const Measure& measure);
 /// analyses do that start from models of Sa.
 ///
 /// @returns in SI units
-/// @throws  Error for a component that the record does not have, a measure without resultant, SRSS of durations
+/// @throws  Error for a component that the record does not have, a measure without resultant, SRSS
+/// of durations
 ///          and periods, and
 ///          as value_of() of a component does.
 double value_of(const Measure& measure, Combination combination, const Record& record);
