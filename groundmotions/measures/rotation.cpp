@@ -55,10 +55,10 @@ double percentile(const RotatedValues& values, double percent) {
   return ordered[below] + (place - below) * (ordered[above] - ordered[below]);
 }
 
-// A point nearer to the origin than the peak of every angle changes none, so the points are taken
-// from far to near. Which to take at all: let P be the farthest point and Q that with the largest
-// distance from the line OP. The peaks of the parallelogram +-P, +-Q are at least the distance of
-// its sides from the origin, |P x Q| / |P -+ Q|.
+// A point nearer to the origin than the peak of every angle changes none. What is known first of
+// these peaks: let P be the farthest point and Q that with the largest distance from the line OP;
+// the peaks of the parallelogram +-P, +-Q are at least the distance of its sides from the origin,
+// |P x Q| / |P -+ Q|. Some of the points that are left then show nearly all peaks.
 RotatedValues rotated_peaks(const Eigen::Ref<const Eigen::VectorXd>& x,
                             const Eigen::Ref<const Eigen::VectorXd>& y) {
   assert(x.size() == y.size());
@@ -75,15 +75,14 @@ RotatedValues rotated_peaks(const Eigen::Ref<const Eigen::VectorXd>& x,
   std::vector<Eigen::Index> points;
   for (Eigen::Index i = 0; i < x.size(); ++i)
     if (squares[i] >= bound * bound) points.push_back(i);
-  std::sort(points.begin(), points.end(),
-            [&](Eigen::Index a, Eigen::Index b) { return squares[a] > squares[b]; });
-  double smallest = 0;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const Eigen::Index i = points[k];
-    if (squares[i] < smallest * smallest) break;
+  const auto take = [&](Eigen::Index i) {
     peaks = peaks.max((x[i] * directions().cosine + y[i] * directions().sine).abs());
-    if (k % 8 == 0) smallest = peaks.minCoeff();
-  }
+  };
+  constexpr std::size_t kStride = 16;
+  for (std::size_t k = 0; k < points.size(); k += kStride) take(points[k]);
+  const double smallest = peaks.minCoeff();
+  for (const Eigen::Index i : points)
+    if (squares[i] >= smallest * smallest) take(i);
   return peaks;
 }
 
