@@ -2,32 +2,55 @@
 
 #include <cassert>
 #include <cmath>
+#include <complex>
 
 namespace gurney {
+namespace {
 
-Oscillator::Oscillator(double omega, double damping, double time_step, double displacement,
-                       double velocity)
-    : omega_(omega),
-      damping_(damping),
-      time_step_(time_step),
-      damped_omega_(omega * std::sqrt(1 - damping * damping)),
-      decay_(std::exp(-damping * omega * time_step)),
-      cosine_(std::cos(damped_omega_ * time_step)),
-      sine_(std::sin(damped_omega_ * time_step)),
-      u_(displacement),
-      v_(velocity) {
-  assert(omega > 0 && damping >= 0 && damping < 1 && time_step > 0);
+using Complex = std::complex<double>;
+
+/// phi1(z) = integral over s in [0, 1] of exp(z (1 - s)), phi2(z) the same of s exp(z (1 - s)).
+struct Phi {
+  Complex one, two;
+};
+
+Phi phi(Complex z) {
+  if (std::abs(z) > 1) {
+    const Complex one = (std::exp(z) - 1.0) / z;
+    return {one, (one - 1.0) / z};
+  }
+  // Power series, as the closed forms cancel: phi2 = sum of z^k / (k + 2)!. The first term left out
+  // is 1 / 21! = 2e-20.
+  Complex two = 0;
+  for (int k = 18; k >= 0; --k) two = (two * z + 1.0) / (k + 2.0);
+  return {1.0 + z * two, two};
 }
 
-void Oscillator::step(double p0, double p1) {
-  // u = offset + slope t + exp(-zeta omega t) (c cos(omega_d t) + s sin(omega_d t))
-  const double slope = (p1 - p0) / time_step_ / (omega_ * omega_);
-  const double offset = p0 / (omega_ * omega_) - 2 * damping_ / omega_ * slope;
-  const double c = u_ - offset;
-  const double s = (v_ - slope + damping_ * omega_ * c) / damped_omega_;
-  const double swing = decay_ * (c * cosine_ + s * sine_);
-  u_ = offset + slope * time_step_ + swing;
-  v_ = slope - damping_ * omega_ * swing + decay_ * damped_omega_ * (s * cosine_ - c * sine_);
+}  // namespace
+
+// The response to p is the convolution with h(t) = Im(exp(lambda t)) / omega_d, its velocity that
+// with h'(t) = Im(lambda exp(lambda t)) / omega_d.
+OscillatorStep oscillator_step(double omega, double damping, double time_step) {
+  assert(omega > 0 && damping >= 0 && damping < 1 && time_step > 0);
+  const double damped_omega = omega * std::sqrt(1 - damping * damping);
+  const Complex lambda(-damping * omega, damped_omega);
+  const Phi weights = phi(lambda * time_step);
+  const double factor = time_step / damped_omega;
+  const double decay = std::exp(-damping * omega * time_step);
+  const double cosine = decay * std::cos(damped_omega * time_step);
+  const double sine = decay * std::sin(damped_omega * time_step);
+  const double skew = damping * omega / damped_omega * sine;
+
+  OscillatorStep step;
+  step.uu = cosine + skew;
+  step.uv = sine / damped_omega;
+  step.u_p0 = factor * (weights.one - weights.two).imag();
+  step.u_p1 = factor * weights.two.imag();
+  step.vu = -omega * omega * step.uv;
+  step.vv = cosine - skew;
+  step.v_p0 = factor * (lambda * (weights.one - weights.two)).imag();
+  step.v_p1 = factor * (lambda * weights.two).imag();
+  return step;
 }
 
 }  // namespace gurney

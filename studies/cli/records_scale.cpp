@@ -13,7 +13,7 @@
 #include "engine/base/error.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/measures/combined_spectrum.h"
-#include "groundmotions/measures/measure.h"
+#include "groundmotions/measures/response_spectrum.h"
 #include "groundmotions/scaling/suite_scaling.h"
 #include "groundmotions/scaling/target_reader.h"
 #include "studies/cli/inline_table.h"
@@ -56,13 +56,6 @@ TargetSpectrum target_of(const std::string& text) {
   auto target = table ? read_target(*table) : std::nullopt;
   document.finish();
   return *target;
-}
-
-Combination combination_of(const std::string& name) {
-  const auto names = combination_names();
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == name) return static_cast<Combination>(i);
-  throw Error(fmt::format("--component {}: must be one of {}", name, fmt::join(names, ", ")));
 }
 
 struct ScaledSuite {
@@ -142,9 +135,8 @@ int scale(const ScaleOptions& options) {
   const TargetSpectrum target = target_of(options.target);
   const auto [low, high] = span_of("--periods", options.periods);
   const auto [smallest, largest] = span_of("--limits", options.limits);
-  const Combination combination = combination_of(options.component);
-  const Eigen::VectorXd periods =
-      Eigen::VectorXd::LinSpaced(kPeriods, std::log(low), std::log(high)).array().exp();
+  const Combination combination = parse_combination(options.component);
+  const Eigen::VectorXd periods = logarithmic_periods(low, high, kPeriods);
   Eigen::VectorXd wanted(kPeriods);
   for (Eigen::Index i = 0; i < kPeriods; ++i) wanted[i] = target.at(periods[i]);
 
@@ -203,7 +195,7 @@ void add_records_scale(CLI::App& records, std::function<int()>& act) {
       ->required();
   command->add_option("--periods", options->periods, "Range that counts, LOW:HIGH [s]");
   command->add_option("--component", options->component,
-                      "Spectrum of a record: RotD50, RotD100, geometric mean, h1, ...");
+                      "Spectrum of a record: RotD50, RotD100, geomean, larger, SRSS, h1, ...");
   command->add_option("--mean", options->mean, "Mean of the suite: arithmetic or geometric")
       ->check(CLI::IsMember({"arithmetic", "geometric"}));
   command

@@ -10,7 +10,7 @@
 #include "equipment/assumption.h"
 #include "groundmotions/assembly/read_record.h"
 #include "groundmotions/buildings/building.h"
-#include "groundmotions/measures/measure.h"
+#include "groundmotions/measures/combination.h"
 #include "groundmotions/processing/step.h"
 #include "groundmotions/scaling/scale.h"
 #include "groundmotions/synthetic/kinds.h"

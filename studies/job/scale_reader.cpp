@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "engine/base/error.h"
@@ -35,6 +36,16 @@ Measure read_measure(Table& in) {
   }
 }
 
+Combination read_combination(Table& in, const Measure& measure) {
+  const auto names = known_combinations();
+  const auto usual = std::ranges::find(names, name_of(Combination::kGeometricMean));
+  const Combination combination = parse_combination(
+      names[in.choice("component", names, static_cast<std::size_t>(usual - names.begin()))]);
+  if (combination == Combination::kResultant && !has_resultant(measure))
+    in.note("component", ": " + name_of(measure) + " has no resultant; PGA, PGV and PGD have");
+  return combination;
+}
+
 /// Factor from the unit of `unit` to SI.
 double read_unit(Table& in, const std::string& si) {
   std::vector<std::string> allowed;
@@ -55,9 +66,8 @@ double read_unit(Table& in, const std::string& si) {
 ScaleTo read_scale_to(Table& in) {
   ScaleTo request;
   request.measure = read_measure(in);
-  request.combination = static_cast<Combination>(in.choice(
-      "component", combination_names(), static_cast<std::size_t>(Combination::kGeometricMean)));
-  const double factor = read_unit(in, unit_of(request.measure));
+  request.combination = read_combination(in, request.measure);
+  const double factor = read_unit(in, si_unit_of(request.measure));
   request.value = in.number("value", Range::positive()) * factor;
   request.vertical.rule =
       static_cast<VerticalScaling::Rule>(in.choice("vertical", {"alike", "kept"}, std::size_t{0}));
@@ -67,7 +77,7 @@ ScaleTo read_scale_to(Table& in) {
 Record scaled_to(const Record& record, const ScaleTo& request) {
   const ScalingMeasure measure{
       fmt::format("{} ({}) [{}]", name_of(request.measure), name_of(request.combination),
-                  unit_of(request.measure)),
+                  si_unit_of(request.measure)),
       [&](const Record& scaled) { return value_of(request.measure, request.combination, scaled); },
       scaling_power(request.measure)};
   return scale_to(record, measure, request.value, request.vertical);

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "engine/base/units.h"
+#include "groundmotions/measures/combined_spectrum.h"
 #include "groundmotions/measures/response_spectrum.h"
-#include "groundmotions/measures/rotation.h"
 #include "groundmotions/processing/integrate.h"
 #include "studies/report/panel.h"
 
@@ -82,8 +82,7 @@ Curve spectrum_curve(const std::string& label, const Eigen::VectorXd& periods,
 }
 
 void draw_spectra(Svg& svg, const Record& record) {
-  const Eigen::VectorXd periods =
-      Eigen::VectorXd::LinSpaced(150, std::log(0.02), std::log(10.0)).array().exp();
+  const Eigen::VectorXd periods = logarithmic_periods(0.02, 10, 150);
   Panel panel{.title = "Pseudo-acceleration, 5 % damping",
               .x_label = "Period (s)",
               .y_label = "PSA (g)",
@@ -99,7 +98,8 @@ void draw_spectra(Svg& svg, const Record& record) {
         {.stroke = palette(static_cast<std::size_t>(direction)), .width = 1.2}));
   }
   if (record[Direction::kH1] && record[Direction::kH2])
-    panel.curves.push_back(spectrum_curve("RotD50", periods, rot_d_spectrum(record, periods).d50,
+    panel.curves.push_back(spectrum_curve("RotD50", periods,
+                                          combined_spectrum(Combination::kRotD50, record, periods),
                                           {.stroke = "#000000", .width = 1.8}));
   draw(svg, {kLeft, kTop + 3 * kRow, 2 * kColumn + kPanelWidth, kSpectrumHeight}, panel);
 }

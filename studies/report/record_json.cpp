@@ -1,8 +1,7 @@
-#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/units.h"
-#include "groundmotions/measures/measure.h"
+#include "groundmotions/measures/summary.h"
 #include "groundmotions/processing/integrate.h"
 #include "studies/report/record_report.h"
 
@@ -11,10 +10,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json measures(const std::function<double(const Measure&)>& value) {
+Json measures_json(const Summary& summary) {
   Json result = Json::object();
-  for (const Measure& measure : usual_measures())
-    result[name_of(measure)] = {{"value", value(measure)}, {"unit", unit_of(measure)}};
+  for (const SummaryRow& row : summary.rows) {
+    Json values = Json::object();
+    for (const auto& [name, value] : row.values) values[name] = value;
+    result[row.name] = {{"unit", row.unit}, {"definition", row.definition}, {"values", values}};
+  }
   return result;
 }
 
@@ -30,9 +32,6 @@ Json component_json(const Component& component) {
           {"azimuth_deg",
            component.azimuth ? Json(*component.azimuth / kRadiansPerDegree) : Json(nullptr)},
           {"header", header},
-          {"measures", measures([&](const Measure& measure) {
-             return value_of(measure, component.time_step, component.acceleration);
-           })},
           {"residual_velocity_m_per_s", end.velocity},
           {"residual_displacement_m", end.displacement}};
 }
@@ -43,18 +42,19 @@ std::string record_json(const Record& record, const std::vector<RecordFact>& fac
   Json components = Json::object();
   for (const Direction direction : kDirections)
     if (record[direction]) components[name_of(direction)] = component_json(*record[direction]);
+  const Summary measures = summary(record);
   Json result = {{"name", record.name},
                  {"samples", record.samples()},
                  {"time_step_s", record.time_step()},
-                 {"components", components}};
-  if (record[Direction::kH1] && record[Direction::kH2])
-    result["rotd50"] = measures(
-        [&](const Measure& measure) { return value_of(measure, Combination::kRotD50, record); });
+                 {"components", components},
+                 {"measures", measures_json(measures)}};
   Json known = Json::object();
   for (const auto& [name, value] : facts) known[name] = value;
   result["facts"] = known;
   result["processing"] = record.processing;
-  result["warnings"] = record_findings(record);
+  std::vector<std::string> findings = record_findings(record);
+  findings.insert(findings.end(), measures.warnings.begin(), measures.warnings.end());
+  result["warnings"] = findings;
   return result.dump(2);
 }
 

@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "engine/base/units.h"
 #include "groundmotions/assembly/plausibility.h"
-#include "groundmotions/measures/measure.h"
+#include "groundmotions/measures/summary.h"
 #include "groundmotions/processing/integrate.h"
 #include "groundmotions/record_motion.h"
 #include "groundmotions/residual.h"
@@ -15,14 +16,7 @@
 namespace gurney {
 namespace {
 
-/// For reading: accelerations in g.
-std::string unit_shown(const Measure& measure) {
-  return unit_of(measure) == "m/s2" ? "g" : unit_of(measure);
-}
-
-std::string value_shown(const Measure& measure, double value) {
-  return fmt::format("{:.4g}", unit_of(measure) == "m/s2" ? value / kStandardGravity : value);
-}
+constexpr int kColumn = 10;  ///< width of the columns of measures
 
 bool has_horizontals(const Record& record) {
   return record[Direction::kH1] && record[Direction::kH2];
@@ -61,43 +55,41 @@ std::string header_text(const Record& record) {
   return text;
 }
 
-std::string measures_text(const Record& record) {
-  std::string text = fmt::format("  {:<12}", "measure");
+std::string measures_text(const Record& record, const Summary& measures) {
+  std::vector<std::string> columns;
   for (const Direction direction : kDirections)
-    if (record[direction]) text += fmt::format("{:>12}", name_of(direction));
-  if (has_horizontals(record)) text += fmt::format("{:>12}", "RotD50");
+    if (record[direction]) columns.emplace_back(name_of(direction));
+  if (has_horizontals(record)) columns.insert(columns.end(), {"RotD50", "RotD100"});
+  std::string text = fmt::format("  {:<10}", "measure");
+  for (const std::string& column : columns) text += fmt::format("{:>{}}", column, kColumn);
   text += "\n";
-  for (const Measure& measure : usual_measures()) {
-    text += fmt::format("  {:<12}", name_of(measure));
-    for (const auto& component : record.components)
-      if (component)
-        text += fmt::format("{:>12}", value_shown(measure, value_of(measure, component->time_step,
-                                                                    component->acceleration)));
-    if (has_horizontals(record)) {
-      const bool rotates =
-          scaling_power(measure) != 0;  // RotD of durations and periods says little
+  for (const SummaryRow& row : measures.rows) {
+    const DisplayUnit unit = display_unit_of(row.measure);
+    text += fmt::format("  {:<10}", row.name);
+    for (const std::string& column : columns) {
+      const auto value =
+          std::ranges::find(row.values, column, &std::pair<std::string, double>::first);
       text += fmt::format(
-          "{:>12}",
-          rotates ? value_shown(measure, value_of(measure, Combination::kRotD50, record)) : "");
+          "{:>{}}",
+          value == row.values.end() ? "-" : fmt::format("{:.4g}", value->second / unit.in_si),
+          kColumn);
     }
-    text += fmt::format(" {:<5} {}\n", unit_shown(measure), meaning_of(measure));
+    text += fmt::format("  {:<5} {}\n", unit.name, row.definition);
   }
   return text;
 }
 
 std::string end_text(const Record& record) {
-  std::string velocity = "  left at end ", displacement = "              ";
+  std::string velocity = "  v at end  ", displacement = "  d at end  ";
   for (const auto& component : record.components) {
     if (!component) continue;
     const EndMotion end = end_motion(component->time_step, component->acceleration);
-    velocity += fmt::format("{:>12}", fmt::format("{:.2g}", end.velocity));
-    displacement += fmt::format("{:>12}", fmt::format("{:.2g}", end.displacement));
+    velocity += fmt::format("{:>{}}", fmt::format("{:.2g}", end.velocity), kColumn);
+    displacement += fmt::format("{:>{}}", fmt::format("{:.2g}", end.displacement), kColumn);
   }
-  velocity.erase(13, 1);
-  displacement.erase(13, 1);
-  const std::string gap = has_horizontals(record) ? std::string(12, ' ') : "";
-  return velocity + gap + " m/s   residual velocity, from rest\n" + displacement + gap +
-         " m     residual displacement, from rest\n";
+  const std::string gap(has_horizontals(record) ? 2 * kColumn : 0, ' ');
+  return velocity + gap + "  m/s   residual velocity, from rest\n" + displacement + gap +
+         "  m     residual displacement, from rest\n";
 }
 
 std::string list_text(const char* title, const std::vector<std::string>& lines) {
@@ -137,8 +129,11 @@ std::string record_report(const Record& record, const std::vector<RecordFact>& f
   if (!facts.empty()) text += "\nfrom the suite\n";
   for (const auto& [name, value] : facts) text += fmt::format("  {:<28} {}\n", name, value);
   text += list_text("processing", record.processing);
-  text += "\n" + measures_text(record) + end_text(record);
-  text += list_text("warnings", record_findings(record));
+  const Summary measures = summary(record);
+  text += "\n" + measures_text(record, measures) + end_text(record);
+  std::vector<std::string> findings = record_findings(record);
+  findings.insert(findings.end(), measures.warnings.begin(), measures.warnings.end());
+  text += list_text("warnings", findings);
   return text;
 }
 
@@ -157,8 +152,8 @@ std::string record_table_line(const Record& record) {
     end =
         std::max(end, std::abs(end_motion(component->time_step, component->acceleration).velocity));
   }
-  const Measure pga{Measure::Kind::kPga}, pgv{Measure::Kind::kPgv}, sa{Measure::Kind::kSa, 1},
-      duration{Measure::Kind::kD5_95};
+  const Measure pga{MeasureKind::kPga}, pgv{MeasureKind::kPgv}, sa{MeasureKind::kSa, 1},
+      duration{MeasureKind::kD595};
   const auto of = [](const Measure& measure, double unit) {
     return [measure, unit](const Component& c) {
       return value_of(measure, c.time_step, c.acceleration) / unit;

@@ -13,6 +13,7 @@ int main(int argc, char** argv) try {
   print_pulling_accuracy();
   print_ensemble_accuracy(quick ? 2 : 8, quick ? 3 : 7);
   print_peers();
+  print_spectra();
   return 0;
 } catch (const std::exception& error) {
   fmt::print(stderr, "{}\n", error.what());

@@ -9,4 +9,7 @@ void print_ensemble_accuracy(int records, int headings);
 /// The same scene on our solver and on stock Bullet: error and speed at equal accuracy.
 void print_peers();
 
+/// Time of response spectra and of all intensity measures of a record.
+void print_spectra();
+
 }  // namespace gurney::benchmark

@@ -35,5 +35,26 @@ TEST(Oscillator, AnswersARampExactly) {
   }
 }
 
+// In a step far below the period the mass moves freely: by p0 dt^2 / 3 + p1 dt^2 / 6 but for
+// terms of (omega dt)^2.
+TEST(Oscillator, KeepsItsDigitsInVeryShortSteps) {
+  const double omega = 6, step = 1e-6;
+  const OscillatorStep s = oscillator_step(omega, 0, step);
+  EXPECT_NEAR(s.u_p0 / (step * step / 3), 1, 1e-11);  // (omega dt)^2 / 20
+  EXPECT_NEAR(s.u_p1 / (step * step / 6), 1, 1e-11);
+  EXPECT_NEAR(s.v_p0 / (step / 2), 1, 1e-11);
+  EXPECT_NEAR(s.v_p1 / (step / 2), 1, 1e-11);
+}
+
+// The two ways to the weights, closed form and power series, meet where |lambda dt| = 1.
+TEST(Oscillator, HasNoJumpBetweenItsTwoFormulas) {
+  const OscillatorStep below = oscillator_step(1, 0.1, 1 - 1e-12);
+  const OscillatorStep above = oscillator_step(1, 0.1, 1 + 1e-12);
+  EXPECT_NEAR(below.u_p0, above.u_p0, 4e-12);
+  EXPECT_NEAR(below.u_p1, above.u_p1, 4e-12);
+  EXPECT_NEAR(below.v_p0, above.v_p0, 4e-12);
+  EXPECT_NEAR(below.v_p1, above.v_p1, 4e-12);
+}
+
 }  // namespace
 }  // namespace gurney

@@ -25,6 +25,16 @@ TEST(Peaks, TakesMagnitudesAndTheFirstOfEquals) {
   EXPECT_DOUBLE_EQ(p.velocity, 1.25);  // |(0 - 3) / 4 + (-3 + 1) / 4|, at the third sample
 }
 
+// (3, 4) times a history: 5 times its peaks; and a turning vector keeps its length.
+TEST(Peaks, OfResultantsAreLengths) {
+  const Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(5, 2, -2);
+  const Peaks p = peaks(1, 3 * a, 4 * a);
+  EXPECT_DOUBLE_EQ(p.acceleration, 10);
+  EXPECT_DOUBLE_EQ(p.velocity, 10);
+  EXPECT_DOUBLE_EQ(p.displacement, 5 * 16.0 / 3);
+  EXPECT_EQ(peaks(1, Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)).acceleration, 1);
+}
+
 TEST(Peaks, OfNothingAreZero) { EXPECT_EQ(peaks(0.01, Eigen::VectorXd()).acceleration, 0); }
 
 }  // namespace

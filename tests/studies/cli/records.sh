@@ -5,7 +5,7 @@ set -uo pipefail
 gurney=$1
 record=$2/groundmotions/records/synthetic_3c.csv
 building=$2/groundmotions/buildings/lead_rubber_hospital.toml
-folder=$(mktemp -d "${TMPDIR:-/tmp}/gurney records XXXXXX")
+folder=$(mktemp -d "${TMPDIR:-/tmp}/gurney records 'state it as unit = "..."''state it as unit = "..."''state it as unit = "..."'")
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 failures=0
@@ -32,7 +32,7 @@ printf '1\n2\n-3\n' > plain.txt
 expect 1 'state it as unit = "..."' info plain.txt
 expect 0 "synthetic_3c" ls "$record"
 expect 0 "1 records" ls plain.txt --unit g --time-step 0.01
-expect 0 "left at end" info "$record"
+expect 0 "residual velocity, from rest" info "$record"
 expect 0 '"refused": []' info "$record" --json
 expect 1 "did you mean 'high_pass'?" info "$record" --step "high_pas corner_hz=0.1"
 expect 1 "unknown key" info "$record" --step "high_pass corner_hz=0.1 ordr=4"

@@ -7,7 +7,7 @@
 #include "engine/base/config/document.h"
 #include "engine/base/config/table.h"
 #include "engine/base/units.h"
-#include "groundmotions/measures/measure.h"
+#include "groundmotions/measures/combination.h"
 #include "studies/job/record_reader.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
@@ -56,10 +56,10 @@ TEST(Motion, ScalesToAnIntensityAndSaysSo) {
   record_file(folder);
   const Motion motion = motion_of(request(folder, R"(record.file = "r.csv"
 record.use = "xy"
-record.scale_to = { measure = "PGA", component = "geometric mean", value = 0.5, unit = "g" }
+record.scale_to = { measure = "PGA", component = "geomean", value = 0.5, unit = "g" }
 )"));
   EXPECT_NEAR(std::sqrt(motion.facts.pga.x() * motion.facts.pga.y()), 0.5 * kStandardGravity, 1e-9);
-  EXPECT_THAT(motion.facts.processing, ElementsAre(HasSubstr("PGA (geometric mean)")));
+  EXPECT_THAT(motion.facts.processing, ElementsAre(HasSubstr("PGA (geomean)")));
 }
 
 TEST(Motion, IsProcessedAndTakenThroughABuildingInThisOrder) {
@@ -133,7 +133,7 @@ TEST(Motion, ExplainsMistakesOfTheRequest) {
   };
   EXPECT_THAT(mistake("record.file = \"r.csv\"\nrecord.scale = 2\n"
                       "record.scale_to = { measure = \"PGX\", value = 1, unit = \"g\" }\n"),
-              testing::AllOf(HasSubstr("'PGX' is not an intensity measure"),
+              testing::AllOf(HasSubstr("'PGX': unknown measure; did you mean 'PGA'?"),
                              HasSubstr("scale: must not go with scale_to")));
   EXPECT_THAT(mistake("record.file = \"r.csv\"\n"
                       "record.scale_to = { measure = \"PGV\", value = 1, unit = \"g\" }\n"),
