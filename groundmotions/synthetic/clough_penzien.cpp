@@ -8,7 +8,7 @@
 
 #include "engine/base/units.h"
 #include "groundmotions/formats/columns_csv.h"
-#include "groundmotions/normal_draw.h"
+#include "engine/base/random/normal_draw.h"
 #include "groundmotions/oscillator.h"
 #include "groundmotions/synthetic/end_state.h"
 

@@ -8,7 +8,7 @@
 #include <unsupported/Eigen/FFT>
 
 #include "engine/base/error.h"
-#include "groundmotions/normal_draw.h"
+#include "engine/base/random/normal_draw.h"
 #include "groundmotions/synthetic/component.h"
 #include "groundmotions/synthetic/end_state.h"
 #include "groundmotions/synthetic/taper.h"

@@ -10,7 +10,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
-#include "groundmotions/normal_draw.h"
+#include "engine/base/random/normal_draw.h"
 #include "groundmotions/synthetic/component.h"
 #include "groundmotions/synthetic/end_state.h"
 

@@ -8,7 +8,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "groundmotions/buildings/shear_building.h"
-#include "groundmotions/normal_draw.h"
+#include "engine/base/random/normal_draw.h"
 
 namespace gurney {
 namespace {

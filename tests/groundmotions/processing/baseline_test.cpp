@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "groundmotions/normal_draw.h"
+#include "engine/base/random/normal_draw.h"
 #include "groundmotions/processing/integrate.h"
 #include "tests/support/error_text.h"
 

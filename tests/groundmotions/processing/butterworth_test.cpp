@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "groundmotions/normal_draw.h"
+#include "engine/base/random/normal_draw.h"
 #include "groundmotions/processing/integrate.h"
 #include "tests/support/error_text.h"
 

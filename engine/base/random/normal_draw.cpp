@@ -1,10 +1,12 @@
-#include "groundmotions/normal_draw.h"
+#include "engine/base/random/normal_draw.h"
 
 #include <Random123/philox.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 namespace gurney {
 
@@ -70,11 +72,18 @@ double normal_quantile(double probability) {
   return q < 0 ? -size : size;
 }
 
-double normal_draw(std::uint64_t seed, std::uint64_t stream, std::uint64_t index) {
+double normal_cdf(double x) { return std::erfc(-x / std::numbers::sqrt2) / 2; }
+
+double uniform_draw(std::uint64_t seed, std::uint64_t stream, std::uint64_t index) {
   const r123::Philox4x64::ctr_type counter = {{index, 0, 0, 0}};
   const r123::Philox4x64::key_type key = {{seed, stream}};
   const std::uint64_t bits = r123::Philox4x64()(counter, key)[0];
-  return normal_quantile((static_cast<double>(bits >> 11) + 0.5) * 0x1p-53);
+  // The last cell's middle would round to 1.
+  return std::min((static_cast<double>(bits >> 11) + 0.5) * 0x1p-53, 1 - 0x1p-53);
+}
+
+double normal_draw(std::uint64_t seed, std::uint64_t stream, std::uint64_t index) {
+  return normal_quantile(uniform_draw(seed, stream, index));
 }
 
 }  // namespace gurney

@@ -1,4 +1,4 @@
-#include "groundmotions/normal_draw.h"
+#include "engine/base/random/normal_draw.h"
 
 #include <gtest/gtest.h>
 

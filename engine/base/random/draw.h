@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace gurney {
+
+/// Correlation of a variable with a group: the variables of a group share one normal variable.
+struct Group {
+  std::string name;        ///< empty: the variable is independent of all others
+  double correlation = 1;  ///< of its normal score with the group's variable, in [-1, 1]
+};
+
+/// One realisation of everything that is uncertain: run `run` of the study with seed `seed`.
+///
+/// A variable is known by its name. Its probability rests on (seed, run, name) alone, so that no
+/// other variable, no order and no number of threads change it.
+class Draw {
+ public:
+  Draw(std::uint64_t seed, std::uint64_t run) : seed_(seed), run_(run) {}
+
+  /// The same draw for a part: names of variables begin with `part/`, groups keep theirs.
+  Draw of_part(const std::string& part) const;
+
+  std::string full_name(const std::string& variable) const;  ///< with the parts before it
+
+  /// The probability, in (0, 1), at which the variable's quantile function is to be taken.
+  ///
+  /// u itself where the variable is independent; else Phi(r z_group + sqrt(1 - r^2) z) with
+  /// z = Phi^-1(u), r the correlation: a Gaussian copula (docs/theory/uncertainty.md).
+  double probability(const std::string& variable, const Group& group = {}) const;
+
+  std::uint64_t seed() const { return seed_; }
+  std::uint64_t run() const { return run_; }
+  std::string text() const;  ///< `draw 3 of seed 1`
+
+ private:
+  std::uint64_t seed_, run_;
+  std::string parts_;
+};
+
+}  // namespace gurney
