@@ -23,8 +23,9 @@ Tread read_tread(Quantities in, double wheel_width) {
   tread.static_friction = in.number("static_friction", Range::not_negative());
   tread.kinetic_friction = in.number("kinetic_friction", Range::not_negative());
   if (!(tread.kinetic_friction <= tread.static_friction))
-    in.table().note("kinetic_friction", fmt::format(" = {}: must be <= static_friction, {}",
-                                                    tread.kinetic_friction, tread.static_friction));
+    in.table().note("kinetic_friction",
+                    fmt::format(" = {}: must be <= static_friction, {}{}", tread.kinetic_friction,
+                                tread.static_friction, in.drawn_by()));
   return tread;
 }
 
@@ -80,8 +81,9 @@ CasterType read_caster_type(config::Table table) {
   return type;
 }
 
-CasterType load_caster_type(const std::string& file) {
+CasterType load_caster_type(const std::string& file, const std::optional<Draw>& draw) {
   config::Document document(file);
+  document.set_draw(draw);
   document.root().choice("schema", {"gurney-caster/1"});
   CasterType type = read_caster_type(document.root());
   document.finish();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,8 @@ struct CasterType {
 /// Notes mistakes in the table's document; the result is for use only after its `finish`.
 CasterType read_caster_type(config::Table table);
 
+/// @param draw  of its uncertain numbers; none: as their values
 /// @throws Error with every mistake of the file.
-CasterType load_caster_type(const std::string& file);
+CasterType load_caster_type(const std::string& file, const std::optional<Draw>& draw = {});
 
 }  // namespace gurney

@@ -15,8 +15,9 @@ FloorCovering read_floor(config::Table table) {
   return floor;
 }
 
-FloorCovering load_floor_covering(const std::string& file) {
+FloorCovering load_floor_covering(const std::string& file, const std::optional<Draw>& draw) {
   config::Document document(file);
+  document.set_draw(draw);
   document.root().choice("schema", {"gurney-floor/1"});
   FloorCovering floor = read_floor(document.root());
   document.finish();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct FloorCovering {
 /// Notes mistakes in the table's document; the result is for use only after its `finish`.
 FloorCovering read_floor(config::Table table);
 
+/// @param draw  of its uncertain numbers; none: as their values
 /// @throws Error with every mistake of the file.
-FloorCovering load_floor_covering(const std::string& file);
+FloorCovering load_floor_covering(const std::string& file, const std::optional<Draw>& draw = {});
 
 }  // namespace gurney

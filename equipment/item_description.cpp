@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "engine/base/units.h"
 #include "equipment/catalogue.h"
@@ -38,10 +39,11 @@ void read_chassis(Quantities in, ItemDescription& item) {
   inertia(1, 2) = inertia(2, 1) = products[2];
 }
 
-/// Casters named in one item; each file is read once, and its mistakes are noted once.
+/// Casters named in one item. Mistakes of a file are noted once; a file is read once, or in a draw
+/// for each place, which is a part of its own.
 class CasterTypes {
  public:
-  CasterType read(Table& place) {
+  CasterType read(Table& place, const std::string& place_name) {
     const bool inline_type = place.has("inline");
     if (inline_type == place.has("type"))
       place.note("type", ": must name a caster, or a table 'inline' must describe it, not both");
@@ -52,13 +54,13 @@ class CasterTypes {
     if (!place.has("type")) return {};
     std::vector<Assumption> choice;
     const std::string name = Quantities(place, choice).text("type");
-    CasterType type = load(place, name);
+    CasterType type = load(place, name, place_name);
     add_assumptions(type.assumptions, choice);
     return type;
   }
 
  private:
-  CasterType load(Table& place, const std::string& name) {
+  CasterType load(Table& place, const std::string& name, const std::string& place_name) {
     std::string file;
     try {
       file = find_data(DataKind::kCaster, name, place.document().path());
@@ -66,18 +68,22 @@ class CasterTypes {
       place.note("type", " = \"" + name + "\": " + error.what());
       return {};
     }
-    const auto known = types_.find(file);
+    std::optional<Draw> draw = place.document().draw();
+    if (draw) draw = draw->of_part(place_name);
+    const std::string part = draw ? draw->full_name(file) : file;
+    const auto known = types_.find(part);
     if (known != types_.end()) return known->second;
     CasterType type;
     try {
-      type = load_caster_type(file);
+      type = load_caster_type(file, draw);
     } catch (const Error& error) {
-      place.document().note(error);
+      if (mistakes_.insert(error.what()).second) place.document().note(error);
     }
-    return types_[file] = type;
+    return types_[part] = type;
   }
 
   std::map<std::string, CasterType> types_;
+  std::set<std::string> mistakes_;
 };
 
 CasterPlace read_place(Table table, std::size_t index, CasterTypes& types,
@@ -85,12 +91,12 @@ CasterPlace read_place(Table table, std::size_t index, CasterTypes& types,
   CasterPlace place;
   Quantities in(table, assumptions);
   place.name = table.text("name", fmt::format("caster {}", index + 1));
-  place.type = types.read(table);
+  place.type = types.read(table, place.name);
   place.mount = in.vector_mm("position_mm", Range::any());
   place.heading = in.number("heading_deg", Range::any(), 0.0) * kRadiansPerDegree;
   place.swivels = table.boolean("swivels", true);
-  place.brake_on = table.boolean("brake", false);
-  place.swivel_locked = table.boolean("swivel_lock", false);
+  place.brake_on = in.flag("brake", false);
+  place.swivel_locked = in.flag("swivel_lock", false);
   return place;
 }
 
@@ -148,14 +154,6 @@ ItemDescription read_item(Table table) {
   check_names(item.casters, "caster", table);
   check_names(item.payloads, "payload", table);
   check_names(item.marked_points, "marked_point", table);
-  return item;
-}
-
-ItemDescription load_item_description(const std::string& file) {
-  config::Document document(file);
-  document.root().choice("schema", {"gurney-item/1"});
-  ItemDescription item = read_item(document.root());
-  document.finish();
   return item;
 }
 

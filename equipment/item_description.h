@@ -43,14 +43,12 @@ struct ItemDescription {
   std::vector<CasterPlace> casters;
   std::vector<PayloadKind> payloads;
   std::vector<MarkedPoint> marked_points;
+  std::vector<std::string> variants;    ///< names of all the file has
   std::vector<Assumption> assumptions;  ///< besides those of casters and payloads
 };
 
 /// Reads an item from its own file's root or from a table of a job. Mistakes are noted in the
 /// table's document; the result is for use only after its `finish`.
 ItemDescription read_item(config::Table table);
-
-/// @throws Error with every mistake of the file and of the casters it names.
-ItemDescription load_item_description(const std::string& file);
 
 }  // namespace gurney

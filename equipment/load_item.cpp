@@ -120,8 +120,9 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
   return loaded;
 }
 
-LoadedItem load_item(const std::string& file, const ItemOptions& options) {
-  return assemble_item(load_item_description(file), options);
+LoadedItem load_item(const std::string& file, const ItemOptions& options,
+                     const ItemSelection& selection) {
+  return assemble_item(load_item_description(file, selection), options);
 }
 
 }  // namespace gurney

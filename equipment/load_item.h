@@ -8,7 +8,7 @@
 #include "engine/scene/equipment_model.h"
 #include "equipment/assumption.h"
 #include "equipment/floor_covering.h"
-#include "equipment/item_description.h"
+#include "equipment/item_file.h"
 
 namespace gurney {
 
@@ -35,6 +35,7 @@ struct LoadedItem {
 LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options = {});
 
 /// @throws Error for mistakes of the file and of `assemble_item`.
-LoadedItem load_item(const std::string& file, const ItemOptions& options = {});
+LoadedItem load_item(const std::string& file, const ItemOptions& options = {},
+                     const ItemSelection& selection = {});
 
 }  // namespace gurney

@@ -6,6 +6,7 @@
 
 #include "engine/base/config/table.h"
 #include "equipment/assumption.h"
+#include "equipment/uncertainty.h"
 
 namespace gurney {
 
@@ -18,6 +19,10 @@ namespace gurney {
 /// A vector has `low` and `high` (arrays) in place of `range`. A table needs a source, an
 /// assumption, or both; an assumption needs its range, which holds the value. Every assumption
 /// read goes to the list given, with the key and value as the file has them. The results are SI.
+///
+/// A table may have a `distribution` (uncertainty.h), for a vector one for each axis; it has a
+/// source or assumption of its own, and the value must be in its support. Where the document has a
+/// draw, the result is drawn and goes to the list; else it is the value.
 class Quantities {
  public:
   Quantities(config::Table table, std::vector<Assumption>& assumptions)
@@ -29,23 +34,53 @@ class Quantities {
                  std::optional<Vector3> fallback = {});
   std::string text(const std::string& key, std::optional<std::string> fallback = {});
 
+  /// Its distribution has the values 0 (false) and 1 (true).
+  bool flag(const std::string& key, bool fallback);
+
+  /// Numbers or flags of equal parts: an array of `size` or one for all; a distribution is that of
+  /// each part by itself. Empty if absent.
+  std::vector<double> numbers(const std::string& key, const config::Range& range, std::size_t size);
+  std::vector<bool> flags(const std::string& key, std::size_t size);
+
+  /// x and y.
+  std::vector<double> plane(const std::string& key, const config::Range& range,
+                            const std::vector<double>& fallback);
+
   /// Keys in millimetres, ranges and fallbacks too; the result in metres.
   double length_mm(const std::string& key, const config::Range& range,
                    std::optional<double> fallback = {});
   Vector3 vector_mm(const std::string& key, const config::Range& range,
                     std::optional<Vector3> fallback = {});
 
+  /// For a message about numbers that do not fit each other: ` (draw 3 of seed 1)` or empty.
+  std::string drawn_by();
+
   config::Table& table() { return table_; }
 
  private:
   struct Provenance {
     std::string reason;
+    bool given = false;  ///< there is a source or an assumption
     bool has_range = false;
   };
 
+  /// What a value rests on; no reason: a source.
+  struct Basis {
+    std::string reason;
+    double low, high;
+  };
+
+  std::vector<double> components(const std::string& key, const config::Range& range,
+                                 std::size_t size, std::optional<std::vector<double>> fallback);
+  std::vector<double> parts(const std::string& key, config::Table& quantity,
+                            const config::Range& range, std::vector<double> values, bool flags);
   Provenance provenance(config::Table& quantity, const std::string& key);
-  void assume(const std::string& key, double value, double low, double high,
-              const std::string& reason);
+  void note_outside(const std::string& key, const Uncertainty& uncertainty, double value);
+
+  /// The value, or what the document's draw makes of it, with its entry in the list.
+  double settle(const std::string& name, double value,
+                const std::optional<Uncertainty>& uncertainty, const Basis& basis);
+  void choose(const std::string& key, const std::string& choice, const std::string& reason);
 
   config::Table table_;
   std::vector<Assumption>* assumptions_;

@@ -39,28 +39,38 @@ auto load_named(Table& table, const std::string& key, DataKind kind, Load load)
 }
 
 std::optional<ItemDescription> read_description(Table& item) {
+  ItemSelection selection{item.texts("variant"), item.document().draw()};
   if (item.has("equipment") == item.has("inline")) {
     item.note("equipment", ": must name an item, or [item.inline] must describe it, not both");
     return {};
   }
-  if (auto table = item.table("inline")) return read_item(*table);
-  return load_named(item, "equipment", DataKind::kItem, load_item_description);
+  if (auto table = item.table("inline")) {
+    if (!selection.variants.empty())
+      item.note("variant", ": only an item with a file of its own has variants");
+    return read_item(*table);
+  }
+  return load_named(item, "equipment", DataKind::kItem, [&](const std::string& file) {
+    const std::string unknown = unknown_variant(selection.variants, variant_names(file));
+    if (!unknown.empty()) {
+      item.note("variant", ": " + unknown);
+      selection.variants.clear();
+    }
+    return load_item_description(file, selection);
+  });
 }
 
-std::vector<double> read_headings(Table& item, std::size_t casters) {
-  std::vector<double> headings;
-  if (item.is_array("headings_deg"))
-    headings = item.numbers("headings_deg", Range::any(), casters);
-  else if (item.has("headings_deg"))
-    headings.assign(casters, item.number("headings_deg", Range::any()));
-  for (double& heading : headings) heading *= kRadiansPerDegree;
-  return headings;
-}
-
-std::vector<bool> read_flags(Table& item, const std::string& key, std::size_t casters) {
-  if (item.is_array(key)) return item.booleans(key, casters);
-  if (item.has(key)) return std::vector<bool>(casters, item.boolean(key));
-  return {};
+/// The caster named in the job at every place; in a draw each place is a part of its own.
+void read_casters(Table& item, ItemDescription* description, ItemOptions& options) {
+  const auto load = [&](const std::optional<Draw>& draw) {
+    return load_named(item, "casters", DataKind::kCaster,
+                      [&](const std::string& file) { return load_caster_type(file, draw); });
+  };
+  const std::optional<Draw>& draw = item.document().draw();
+  const std::optional<CasterType> as_it_is = load({});
+  if (!draw) options.caster = as_it_is;
+  if (!draw || !as_it_is || description == nullptr) return;
+  for (CasterPlace& place : description->casters)
+    if (const auto drawn = load(draw->of_part(place.name))) place.type = *drawn;
 }
 
 std::map<std::string, int> read_payloads(Table& item, const ItemDescription& description) {
@@ -81,24 +91,28 @@ std::map<std::string, int> read_payloads(Table& item, const ItemDescription& des
 }  // namespace
 
 std::optional<FloorCovering> read_floor_covering(Table& floor) {
-  return load_named(floor, "covering", DataKind::kFloor, load_floor_covering);
+  std::optional<Draw> draw = floor.document().draw();
+  if (draw) draw = draw->of_part("floor");
+  return load_named(floor, "covering", DataKind::kFloor,
+                    [&](const std::string& file) { return load_floor_covering(file, draw); });
 }
 
 std::optional<LoadedItem> read_job_item(Table& item, ItemOptions& options, InitialMotion& initial,
                                         std::vector<Assumption>& assumptions) {
   Quantities in(item, assumptions);
-  const std::vector<double> position = item.numbers("position_m", Range::any(), 2, {{0, 0}});
+  const std::vector<double> position = in.plane("position_m", Range::any(), {0, 0});
   initial.position = Vector3(position[0], position[1], 0);
   initial.yaw = in.number("yaw_deg", Range::any(), 0.0) * kRadiansPerDegree;
-  options.caster = load_named(item, "casters", DataKind::kCaster, load_caster_type);
   for (const char* key : {"headings_deg", "brakes", "swivel_locks", "payloads"}) item.has(key);
 
-  const std::optional<ItemDescription> description = read_description(item);
+  std::optional<ItemDescription> description = read_description(item);
+  read_casters(item, description ? &*description : nullptr, options);
   if (!description) return {};
   const std::size_t casters = description->casters.size();
-  options.headings = read_headings(item, casters);
-  options.brakes = read_flags(item, "brakes", casters);
-  options.swivel_locks = read_flags(item, "swivel_locks", casters);
+  options.headings = in.numbers("headings_deg", Range::any(), casters);
+  for (double& heading : options.headings) heading *= kRadiansPerDegree;
+  options.brakes = in.flags("brakes", casters);
+  options.swivel_locks = in.flags("swivel_locks", casters);
   options.payloads = read_payloads(item, *description);
   if (!item.document().clean()) return {};
   try {

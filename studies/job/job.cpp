@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <sstream>
 
@@ -78,6 +79,15 @@ void read_floor(Table& root, std::vector<Assumption>& assumptions, Scene& scene,
   scene.gravity = in.number("gravity_m_per_s2", Range::not_negative(), scene.gravity);
 }
 
+std::optional<Draw> read_draw(Table& root) {
+  constexpr int kMost = std::numeric_limits<int>::max();
+  auto table = root.table("uncertainty");
+  if (!table) return {};
+  const int seed = table->integer("seed", 0, kMost, 1);
+  return Draw(static_cast<std::uint64_t>(seed),
+              static_cast<std::uint64_t>(table->integer("draw", 0, kMost)));
+}
+
 }  // namespace
 
 Job read_job(const std::string& path) {
@@ -92,6 +102,8 @@ Job read_job(config::Document& document) {
   Table root = document.root();
   root.choice("schema", {"gurney-job/1"});
   job.title = root.text("title", "");
+  job.draw = read_draw(root);
+  document.set_draw(job.draw);
 
   ItemOptions options;
   std::optional<LoadedItem> item;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/base/config/document.h"
+#include "engine/base/random/draw.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
 #include "equipment/assumption.h"
@@ -56,7 +57,8 @@ struct Job {
   Excitation excitation;  ///< without the floor's motion
   SimulationSettings settings;
   std::optional<RecordRequest> record;
-  std::vector<Assumption> assumptions;  ///< every unsourced number in use
+  std::optional<Draw> draw;             ///< of every uncertain number; none: as their values
+  std::vector<Assumption> assumptions;  ///< every unsourced or drawn number in use
   std::vector<std::string> warnings;
 };
 

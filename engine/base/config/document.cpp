@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 #include <tuple>
+#include <utility>
 
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/config/table.h"
@@ -44,6 +45,18 @@ Document::Document(const std::string& path) : Document(read_file(path), path) {}
 
 Document::Document(const std::string& text, const std::string& path)
     : path_(path), text_(text), tree_(read_toml(text, path)) {}
+
+Document::Document(Node tree, const Document& origin)
+    : path_(origin.path_), text_(origin.text_), tree_(std::move(tree)), draw_(origin.draw_) {}
+
+std::optional<Node> Document::take(const std::string& key) {
+  const auto found = std::find_if(tree_.elements.begin(), tree_.elements.end(),
+                                  [&](const Node& element) { return element.key == key; });
+  if (found == tree_.elements.end()) return {};
+  std::optional<Node> taken(std::move(*found));
+  tree_.elements.erase(found);
+  return taken;
+}
 
 Table Document::root() { return Table(*this, tree_, ""); }
 

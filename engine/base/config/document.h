@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/base/config/node.h"
 #include "engine/base/error.h"
+#include "engine/base/random/draw.h"
 
 namespace gurney::config {
 
@@ -27,6 +29,9 @@ class Document {
   /// From text already in memory; `path` is for messages and relative names.
   Document(const std::string& text, const std::string& path);
 
+  /// From another document's tree, changed.
+  Document(Node tree, const Document& origin);
+
   Document(const Document&) = delete;
   Document& operator=(const Document&) = delete;
 
@@ -34,6 +39,13 @@ class Document {
   const Node& tree() const { return tree_; }
   const std::string& path() const { return path_; }
   const std::string& text() const { return text_; }
+
+  /// Takes an element out of the root, which then knows nothing of it.
+  std::optional<Node> take(const std::string& key);
+
+  /// By which numbers with a distribution are drawn; none: they have their values.
+  const std::optional<Draw>& draw() const { return draw_; }
+  void set_draw(const std::optional<Draw>& draw) { draw_ = draw; }
 
   std::string where(Place place) const;  ///< `path:line:column`
 
@@ -58,6 +70,7 @@ class Document {
 
   std::string path_, text_;
   Node tree_;
+  std::optional<Draw> draw_;
   std::vector<Problem> problems_;
   std::vector<std::string> foreign_;
 };

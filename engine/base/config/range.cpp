@@ -30,6 +30,8 @@ bool Range::contains(double value) const {
          (high_open_ ? value < high_ : value <= high_);
 }
 
+bool Range::contains_between(double low, double high) const { return low_ <= low && high <= high_; }
+
 std::string Range::text() const {
   std::string text = infinity_allowed_ ? "a number" : "a finite number";
   if (low_ > -kInfinity) text += fmt::format(" {} {}", low_open_ ? ">" : ">=", low_);

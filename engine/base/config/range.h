@@ -20,7 +20,8 @@ class Range {
   Range with_infinity() const;  ///< the same with +infinity
 
   bool contains(double value) const;
-  std::string text() const;  ///< `a finite number > 0`
+  bool contains_between(double low, double high) const;  ///< each number low < x < high
+  std::string text() const;                              ///< `a finite number > 0`
 
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
