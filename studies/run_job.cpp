@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "engine/base/hash/sha256.h"
+#include "equipment/uncertainty.h"
 #include "studies/job/job.h"
 #include "studies/motion.h"
 
@@ -35,8 +36,13 @@ PreparedRun prepare_run(const std::string& job_path) {
   facts.scene = job.scene;
   facts.settings = job.settings;
   facts.warnings = job.warnings;
-  for (const Assumption& assumption : job.assumptions)
-    facts.assumptions.push_back(facts_of(assumption));
+  facts.draw = job.draw;
+  for (const Assumption& each : job.assumptions) {
+    if (!each.reason.empty()) facts.assumptions.push_back(facts_of(each));
+    if (!each.distribution.empty())
+      facts.drawn.push_back({each.key, each.value, unit_of_key(each.key), each.distribution,
+                             std::filesystem::path(each.file).filename().string()});
+  }
   if (!job.record) return run;
 
   Motion motion = motion_of(*job.record);

@@ -149,8 +149,19 @@ std::string assumed_by_file(const std::vector<AssumptionFacts>& assumptions) {
   return text;
 }
 
+std::string drawn_text(const RunFacts& facts) {
+  if (!facts.draw) return "";
+  std::string text = fmt::format("\n  {}: {} numbers\n", facts.draw->text(), facts.drawn.size());
+  std::size_t width = 0;
+  for (const DrawnFacts& each : facts.drawn) width = std::max(width, each.variable.size());
+  for (const DrawnFacts& each : facts.drawn)
+    text += fmt::format("  {:<{}}  {:>10.5g}{}\n", each.variable, width, each.value,
+                        each.unit == "1" ? "" : " " + each.unit);
+  return text;
+}
+
 std::string notes(const RunFacts& facts) {
-  std::string text;
+  std::string text = drawn_text(facts);
   for (const std::string& warning : facts.warnings)
     text += fmt::format("\nwarning: {}\n", wrapped(warning, 9, 9));
   if (facts.assumptions.empty()) return text;

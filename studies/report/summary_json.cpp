@@ -66,6 +66,18 @@ Json assumptions(const std::vector<AssumptionFacts>& facts) {
   return result;
 }
 
+Json draw(const RunFacts& facts) {
+  if (!facts.draw) return nullptr;
+  Json numbers = Json::array();
+  for (const DrawnFacts& each : facts.drawn)
+    numbers.push_back({{"variable", each.variable},
+                       {"value", each.value},
+                       {"unit", each.unit},
+                       {"distribution", each.distribution},
+                       {"file", each.file}});
+  return {{"seed", facts.draw->seed()}, {"draw", facts.draw->run()}, {"numbers", numbers}};
+}
+
 }  // namespace
 
 std::string summary_json(const RunFacts& facts, const Response& response) {
@@ -90,6 +102,7 @@ std::string summary_json(const RunFacts& facts, const Response& response) {
   json["quality"] = object(quality_columns(), response.quality);
   json["energy"] = object(energy_columns(), response.energy);
   json["warnings"] = facts.warnings;
+  json["draw"] = draw(facts);
   json["assumptions"] = assumptions(facts.assumptions);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

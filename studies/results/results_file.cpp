@@ -67,6 +67,10 @@ void add_root(Hdf5Writer& file, const RunFacts& facts) {
   text("job_sha256", facts.job_sha256);
   text("title", facts.title);
   if (facts.seed) text("seed", std::to_string(*facts.seed));
+  if (facts.draw) {
+    text("draw_seed", std::to_string(facts.draw->seed()));
+    text("draw", std::to_string(facts.draw->run()));
+  }
   std::vector<std::string> names, hashes;
   if (facts.record)
     for (const FileFacts& record_file : facts.record->files) {
@@ -242,6 +246,25 @@ void add_assumptions(Hdf5Writer& file, const std::vector<AssumptionFacts>& assum
            texts(&AssumptionFacts::file));
 }
 
+void add_drawn(Hdf5Writer& file, const std::vector<DrawnFacts>& drawn) {
+  file.add_group("/drawn");
+  const auto texts = [&](std::string DrawnFacts::*member) {
+    std::vector<std::string> values;
+    for (const DrawnFacts& each : drawn) values.push_back(each.*member);
+    return values;
+  };
+  std::vector<double> values;
+  for (const DrawnFacts& each : drawn) values.push_back(each.value);
+  const Scales scale{"/drawn/variable"};
+  file.add_scale({"/drawn/variable", "1", "the number that was drawn", {}},
+                 texts(&DrawnFacts::variable));
+  file.add({"/drawn/value", "1", "its value in this run, in that unit", scale}, values);
+  file.add({"/drawn/unit", "1", "unit of its value", scale}, texts(&DrawnFacts::unit));
+  file.add({"/drawn/distribution", "1", "what it was drawn from, in that unit", scale},
+           texts(&DrawnFacts::distribution));
+  file.add({"/drawn/file", "1", "data file that states it", scale}, texts(&DrawnFacts::file));
+}
+
 }  // namespace
 
 std::string results_image(const RunFacts& facts, const Response& response) {
@@ -250,6 +273,7 @@ std::string results_image(const RunFacts& facts, const Response& response) {
   add_runs(file, facts, response);
   add_histories(file, facts, response.history);
   add_assumptions(file, facts.assumptions);
+  if (facts.draw) add_drawn(file, facts.drawn);
   add_verification(file, response);
   return file.image();
 }

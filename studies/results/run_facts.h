@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/random/draw.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
 
@@ -39,6 +40,15 @@ struct AssumptionFacts {
   std::string file;  ///< data file that states it, without folder
 };
 
+/// A number that was drawn from its distribution.
+struct DrawnFacts {
+  std::string variable;  ///< its key, with the part before it: "front left/tread.patch_width_mm"
+  double value = 0;      ///< in `unit`
+  std::string unit;
+  std::string distribution;
+  std::string file;  ///< data file that states it, without folder
+};
+
 /// Everything a results file, a summary or a figure says besides the Response.
 struct RunFacts {
   std::string job_name;  ///< of the job file, without folder and extension
@@ -49,6 +59,8 @@ struct RunFacts {
   SimulationSettings settings;
   std::optional<RecordFacts> record;  ///< none: the floor is at rest
   std::optional<std::uint64_t> seed;  ///< none: nothing in the run is random
+  std::optional<Draw> draw;           ///< none: every number has its value
+  std::vector<DrawnFacts> drawn;
   std::vector<AssumptionFacts> assumptions;
   std::vector<std::string> warnings;
 };

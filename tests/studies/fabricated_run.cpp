@@ -95,6 +95,12 @@ RunFacts fabricated_facts(bool pulled) {
                                {0.01, 0.02, -0.03}};
   facts.assumptions = {{"tread.rolling_resistance_m", "0.001", "0.0005 to 0.0015",
                         "no value is published for this tread", "r100.toml"}};
+  if (!pulled) {
+    facts.draw = Draw(1, 3);
+    facts.drawn = {{"front left/tread.rolling_resistance_mm", 1.0625, "mm",
+                    "lognormal, median 1, beta 0.3, within 0.5 to 1.5", "R100.toml"},
+                   {"floor.slope", 0.001, "1", "uniform, 0 to 0.002", "shake.toml"}};
+  }
   facts.warnings = {"the record ends with 2.0 mm/s"};
   return facts;
 }

@@ -25,8 +25,8 @@ inline std::set<std::string> without_provenance(const std::vector<std::string>& 
   std::set<std::string> kept;
   for (const std::string& key : keys) {
     const std::string last = key.substr(key.rfind('.') + 1);
-    static const std::set<std::string> kInner = {"value", "source", "assumption",
-                                                 "range", "low",    "high"};
+    static const std::set<std::string> kInner = {"value", "source", "assumption",  "range",
+                                                 "low",   "high",   "distribution"};
     if (kInner.count(last) == 0) kept.insert(key);
   }
   return kept;

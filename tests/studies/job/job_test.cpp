@@ -49,6 +49,8 @@ caster = [
   { type = "R100", position_mm = [-250, 0, 0] },
 ]
 payload = [{ name = "load", mass_kg = 5, size_mm = [100, 100, 100], position_mm = [0, 0, 100] }]
+[uncertainty]
+draw = 3
 [floor]
 covering = "polyflor_forest_fx"
 slope = 0.005
@@ -182,7 +184,7 @@ TEST(Job, ReadsTheRecordRequest) {
   EXPECT_DOUBLE_EQ(job.record->angle, 45 * kRadiansPerDegree);
   EXPECT_EQ(job.record->options.unit, "cm/s2");
   EXPECT_EQ(job.record->options.time_step, 0.01);
-  EXPECT_EQ(job.record->where, folder.path() + "/job.toml:25:1");
+  EXPECT_EQ(job.record->where, folder.path() + "/job.toml:27:1");
 }
 
 TEST(Job, ReadsTheLoads) {

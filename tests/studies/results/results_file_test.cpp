@@ -39,6 +39,10 @@ TEST_F(ResultsFile, HoldsTheRun) {
   EXPECT_EQ(file.numbers("/verification/subdivided_steps"), std::vector<double>{4});
   EXPECT_EQ(file.strings("/assumptions/key"),
             std::vector<std::string>{"tread.rolling_resistance_m"});
+  EXPECT_EQ(file.text_attribute("draw_seed"), "1");
+  EXPECT_EQ(file.text_attribute("draw"), "3");
+  EXPECT_EQ(file.numbers("/drawn/value"), (std::vector<double>{1.0625, 0.001}));
+  EXPECT_EQ(file.strings("/drawn/unit"), (std::vector<std::string>{"mm", "1"}));
 }
 
 TEST_F(ResultsFile, HoldsTheHistories) {
