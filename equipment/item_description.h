@@ -43,7 +43,7 @@ struct ItemDescription {
   std::vector<CasterPlace> casters;
   std::vector<PayloadKind> payloads;
   std::vector<MarkedPoint> marked_points;
-  std::vector<std::string> variants;    ///< names of all the file has
+  std::vector<std::string> variants;    ///< names of all the file has, sorted
   std::vector<Assumption> assumptions;  ///< besides those of casters and payloads
 };
 

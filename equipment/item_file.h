@@ -20,7 +20,7 @@ struct ItemSelection {
 ///         variant it does not have.
 ItemDescription load_item_description(const std::string& file, const ItemSelection& selection = {});
 
-/// Names of the variants of an item, the tables [variant.NAME] of its file, as the file has them.
+/// Names of the variants of an item, the tables [variant.NAME] of its file, sorted.
 /// @throws Error if the file is not TOML.
 std::vector<std::string> variant_names(const std::string& item_file);
 

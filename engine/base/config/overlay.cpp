@@ -23,24 +23,31 @@ std::string name_of(const Node& table) {
   return name == nullptr ? "" : name->text;
 }
 
-void overlay_named(Node& tables, const Node& patch, const std::string& path, Document& document) {
-  for (const Node& change : patch.elements) {
-    const std::string change_path = path + '.' + change.key;
-    bool found = false;
-    std::vector<std::string> known;
-    for (Node& table : tables.elements) {
-      if (change.key == "*" || change.key == name_of(table)) {
-        found = true;
-        if (change.kind == Node::Kind::kTable) overlay(table, change, change_path, document);
-      }
-      if (!name_of(table).empty()) known.push_back(name_of(table));
-    }
-    if (!found)
-      document.note(change.key_place, change_path + ": no [[" + patch.key + "]] has this name" +
-                                          suggestion(change.key, known));
-    else if (change.kind != Node::Kind::kTable)
-      document.note(change.place, change_path + " = " + describe(change) + ": must be a table");
+void overlay_named(Node& tables, const Node& change, const std::string& array,
+                   const std::string& path, Document& document) {
+  std::vector<std::string> known;
+  bool found = change.key == "*";
+  for (const Node& table : tables.elements) {
+    found = found || name_of(table) == change.key;
+    if (!name_of(table).empty()) known.push_back(name_of(table));
   }
+  if (!found) {
+    document.note(change.key_place,
+                  path + ": no [[" + array + "]] has this name" + suggestion(change.key, known));
+  } else if (change.kind != Node::Kind::kTable) {
+    document.note(change.place, path + " = " + describe(change) + ": must be a table");
+  } else {
+    for (Node& table : tables.elements)
+      if (change.key == "*" || change.key == name_of(table)) overlay(table, change, path, document);
+  }
+}
+
+/// `*` first, whatever the order in the file, so that a name says more.
+void overlay_tables(Node& tables, const Node& patch, const std::string& path, Document& document) {
+  for (const bool all : {true, false})
+    for (const Node& change : patch.elements)
+      if ((change.key == "*") == all)
+        overlay_named(tables, change, patch.key, path + '.' + change.key, document);
 }
 
 }  // namespace
@@ -54,7 +61,7 @@ void overlay(Node& base, const Node& patch, const std::string& path, Document& d
     else if (is_section(*target) && is_section(change))
       overlay(*target, change, path + '.' + change.key, document);
     else if (is_array_of_tables(*target) && change.kind == Node::Kind::kTable)
-      overlay_named(*target, change, path + '.' + change.key, document);
+      overlay_tables(*target, change, path + '.' + change.key, document);
     else
       *target = change;
   }
