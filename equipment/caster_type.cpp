@@ -1,7 +1,5 @@
 #include "equipment/caster_type.h"
 
-#include <fmt/format.h>
-
 #include "engine/base/units.h"
 #include "equipment/quantity.h"
 
@@ -22,10 +20,8 @@ Tread read_tread(Quantities in, double wheel_width) {
   tread.rolling_resistance = in.length_mm("rolling_resistance_mm", Range::not_negative());
   tread.static_friction = in.number("static_friction", Range::not_negative());
   tread.kinetic_friction = in.number("kinetic_friction", Range::not_negative());
-  if (!(tread.kinetic_friction <= tread.static_friction))
-    in.table().note("kinetic_friction",
-                    fmt::format(" = {}: must be <= static_friction, {}{}", tread.kinetic_friction,
-                                tread.static_friction, in.drawn_by()));
+  in.keep_order("kinetic_friction", tread.kinetic_friction, "static_friction",
+                tread.static_friction);
   return tread;
 }
 

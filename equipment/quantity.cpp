@@ -15,6 +15,11 @@ using config::Table;
 namespace {
 
 constexpr std::array kAxes = {"x", "y", "z"};
+constexpr int kOrderChecks = 1000;
+
+bool moves_with(const Group& a, const Group& b) {
+  return !a.name.empty() && a.name == b.name && a.correlation == 1 && b.correlation == 1;
+}
 
 }  // namespace
 
@@ -44,6 +49,7 @@ double Quantities::number(const std::string& key, const Range& range,
     if (!found.given)
       basis = {uncertainty->reason, uncertainty->distribution.low(),
                uncertainty->distribution.high()};
+    uncertain_.insert_or_assign(key, *uncertainty);
   }
   return settle(key, value, uncertainty, basis);
 }
@@ -180,9 +186,28 @@ Vector3 Quantities::vector_mm(const std::string& key, const Range& range,
   return vector(key, range, fallback) / kMillimetersPerMeter;
 }
 
-std::string Quantities::drawn_by() {
-  const std::optional<Draw>& draw = table_.document().draw();
-  return draw ? " (" + draw->text() + ")" : "";
+void Quantities::keep_order(const std::string& lower_key, double lower,
+                            const std::string& upper_key, double upper) {
+  if (!(lower <= upper)) {
+    table_.note(lower_key, fmt::format(" = {}: must be <= {}, {}", lower, upper_key, upper));
+    return;
+  }
+  const auto low = uncertain_.find(lower_key), high = uncertain_.find(upper_key);
+  const Distribution* below = low == uncertain_.end() ? nullptr : &low->second.distribution;
+  const Distribution* above = high == uncertain_.end() ? nullptr : &high->second.distribution;
+  if (below == nullptr && above == nullptr) return;
+  bool ordered = (below ? below->high() : lower) <= (above ? above->low() : upper);
+  if (!ordered && below && above && moves_with(low->second.group, high->second.group)) {
+    ordered = true;
+    for (int i = 1; i < kOrderChecks; ++i) {
+      const double p = static_cast<double>(i) / kOrderChecks;
+      ordered = ordered && below->quantile(p) <= above->quantile(p);
+    }
+  }
+  if (!ordered)
+    table_.note(lower_key, fmt::format(": a draw could make it larger than {}: the bounds must be "
+                                       "apart, or both in one group and in order",
+                                       upper_key));
 }
 
 Quantities::Provenance Quantities::provenance(Table& quantity, const std::string& key) {

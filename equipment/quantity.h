@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,8 +53,10 @@ class Quantities {
   Vector3 vector_mm(const std::string& key, const config::Range& range,
                     std::optional<Vector3> fallback = {});
 
-  /// For a message about numbers that do not fit each other: ` (draw 3 of seed 1)` or empty.
-  std::string drawn_by();
+  /// Notes a number that is above another, or that a draw could put there: their distributions need
+  /// bounds apart, or one group and the order at every probability.
+  void keep_order(const std::string& lower_key, double lower, const std::string& upper_key,
+                  double upper);
 
   config::Table& table() { return table_; }
 
@@ -83,6 +86,7 @@ class Quantities {
   void choose(const std::string& key, const std::string& choice, const std::string& reason);
 
   config::Table table_;
+  std::map<std::string, Uncertainty> uncertain_;  ///< numbers read so far
   std::vector<Assumption>* assumptions_;
 };
 
