@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/random/normal_draw.h"
 #include "engine/base/units.h"
 #include "groundmotions/formats/columns_csv.h"
-#include "engine/base/random/normal_draw.h"
 #include "groundmotions/oscillator.h"
 #include "groundmotions/synthetic/end_state.h"
 

@@ -9,8 +9,8 @@
 #include <unsupported/Eigen/SpecialFunctions>
 
 #include "engine/base/error.h"
-#include "engine/base/units.h"
 #include "engine/base/random/normal_draw.h"
+#include "engine/base/units.h"
 #include "groundmotions/synthetic/component.h"
 #include "groundmotions/synthetic/end_state.h"
 

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "groundmotions/buildings/shear_building.h"
 #include "engine/base/random/normal_draw.h"
+#include "groundmotions/buildings/shear_building.h"
 
 namespace gurney {
 namespace {
