@@ -7,6 +7,7 @@
 #include <set>
 
 #include "engine/base/error.h"
+#include "groundmotions/formats/words.h"
 #include "groundmotions/suites/peer_search_results.h"
 
 namespace gurney {
@@ -16,12 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kSeparators = "-_. ";
-
-std::string upper(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
-}
 
 bool hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
 
