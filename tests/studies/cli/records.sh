@@ -5,7 +5,7 @@ set -uo pipefail
 gurney=$1
 record=$2/groundmotions/records/synthetic_3c.csv
 building=$2/groundmotions/buildings/lead_rubber_hospital.toml
-folder=$(mktemp -d "${TMPDIR:-/tmp}/gurney records 'state it as unit = "..."''state it as unit = "..."''state it as unit = "..."'")
+folder=$(mktemp -d "${TMPDIR:-/tmp}/gurney records XXXXXX") || exit 1
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 failures=0
