@@ -49,7 +49,7 @@ int list(const InfoOptions& options) {
         fmt::print("{}", record_table_line(record));
         std::fflush(stdout);
       });
-  fmt::print("{} records", count);
+  fmt::print("{} record{}", count, count == 1 ? "" : "s");
   if (!refused.empty()) fmt::print(", {} left out", refused.size());
   fmt::print("\n");
   return code;

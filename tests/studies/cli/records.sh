@@ -16,7 +16,7 @@ records 1 "none.csv: no such file or folder" info none.csv
 printf '1\n2\n-3\n' > plain.txt
 records 1 'state it as unit = "..."' info plain.txt
 records 0 "synthetic_3c" ls "$record"
-records 0 "1 records" ls plain.txt --unit g --time-step 0.01
+records 0 "1 record" ls plain.txt --unit g --time-step 0.01
 records 0 "residual velocity, from rest" info "$record"
 records 0 '"refused": []' info "$record" --json
 records 1 "did you mean 'high_pass'?" info "$record" --step "high_pas corner_hz=0.1"
@@ -27,7 +27,7 @@ records 1 "must be key=value" info "$record" --step "high_pass 0.1"
 mkdir mixed
 cp "$record" mixed/a.csv
 printf 'hello\n' > mixed/notes.txt
-records 0 "1 records, 1 left out" ls mixed
+records 0 "1 record, 1 left out" ls mixed
 grep -q 'mixed/notes.txt:1:1: not a record in a known format' stderr || complain "no reason for notes.txt"
 records 1 "not a record in a known format" ls mixed/notes.txt "$record"
 
@@ -59,7 +59,7 @@ grep -q "energy closes" roof.csv || complain "the building is not in the process
 records 1 "--floor 9: must be roof, or a number from 0 to 4" floor "$record" --building "$building" --floor 9 -o x.csv
 
 records 0 "misfit of the mean" scale "$record" --target "eurocode8 ground=B ag_g=0.3" -o suite.csv --figure suite.svg
-records 0 "1 records" ls suite.csv
+records 0 "1 record" ls suite.csv
 records 1 "did you mean 'asce7'?" scale "$record" --target "asce sds_g=1"
 records 1 "must be LOW:HIGH" scale "$record" --target "asce7 sds_g=1 sd1_g=0.6" --periods 2
 
