@@ -129,7 +129,10 @@ class FileGrouping {
 
   Suite finish() {
     Suite suite;
-    for (auto& [key, record] : records_) suite.records.push_back(std::move(record));
+    for (auto& [key, record] : records_) {
+      if (record.files.size() == 1) record.name = record.files.front().path.stem().string();
+      suite.records.push_back(std::move(record));
+    }
     std::ranges::stable_sort(suite.records, {},
                              [](const SuiteRecord& record) { return record.files.front().path; });
     suite.refused = std::move(refused_);

@@ -58,6 +58,7 @@ int list(const InfoOptions& options) {
 void add(CLI::App& records, const char* name, const char* description,
          int (*command)(const InfoOptions&), std::function<int()>& act) {
   auto options = std::make_shared<InfoOptions>();
+  options->source.tells_findings = false;
   CLI::App* const app = records.add_subcommand(name, description);
   add_source_options(*app, options->source);
   app->add_flag("--json", options->json, "Print JSON, in SI units");

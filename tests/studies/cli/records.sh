@@ -31,12 +31,30 @@ records 0 "1 record, 1 left out" ls mixed
 grep -q 'mixed/notes.txt:1:1: not a record in a known format' stderr || complain "no reason for notes.txt"
 records 1 "not a record in a known format" ls mixed/notes.txt "$record"
 
+records 1 '--step "high_pass corner_hz=-1": corner_hz = -1: must be' info "$record" --step "high_pass corner_hz=-1"
+records 1 '--target "asce sds_g=1": target = "asce": must be one of' scale "$record" --target "asce sds_g=1"
+expect 2 "unknown command 'rum'; did you mean 'run'?" "$gurney" rum
+expect 2 "unknown command 'inf'; did you mean 'info'?" "$gurney" records inf "$record"
+expect 0 "--target" "$gurney" help records scale
+if [ -c /dev/full ]; then
+  "$gurney" records info "$record" > /dev/full 2> stderr
+  [ $? -eq 1 ] || complain "a full disk is no error"
+  grep -q "cannot write" stderr || complain "no word of a full disk"
+fi
+
+# What a record should be known for is told by every command.
+printf 'time_s,x_m_per_s2\n0,0\n0.01,100\n0.02,-100\n0.03,0\n' > huge.csv
+records 0 "warning: huge: " convert huge.csv -o huge_2.csv
+records 0 "warning: huge: " plot huge.csv -o huge.svg
+records 1 "no record is left to scale" scale huge.csv --target "asce7 sds_g=1 sd1_g=0.6"
+
 # What is converted reads back as the same motion.
 records 0 "b.csv" convert "$record" -o b.csv
 records 1 "b.csv: exists already" convert "$record" -o b.csv
 records 0 "b.csv" convert "$record" -o b.csv --overwrite
 diff <("$gurney" records ls "$record" | cut -c 31-) <("$gurney" records ls b.csv | cut -c 31-) ||
   complain "a converted record is another one"
+records 1 "b.csv: the record is read from this file" convert b.csv -o b.csv --overwrite
 mkdir at2
 records 0 "at2/synthetic_3c_UP.AT2" convert "$record" --format at2 -o at2
 records 0 "PEER AT2" ls at2
