@@ -8,6 +8,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
+#include "engine/base/units.h"
 #include "groundmotions/assembly/plausibility.h"
 #include "groundmotions/buildings/floor_record.h"
 #include "groundmotions/measures/peaks.h"
@@ -42,6 +43,21 @@ std::vector<Direction> used_components(const Record& record, const RecordRequest
   return use;
 }
 
+/// Which component of which file acts where.
+std::vector<std::string> components_of(const Record& record) {
+  std::vector<std::string> lines;
+  for (const Direction direction : kDirections) {
+    if (!record[direction]) continue;
+    const Component& c = *record[direction];
+    std::string line = fmt::format("{}: '{}'", name_of(direction), c.name);
+    if (!c.file.empty())
+      line += fmt::format(" of {}", std::filesystem::path(c.file).filename().string());
+    if (c.azimuth) line += fmt::format(", azimuth {:.0f} deg", *c.azimuth / kRadiansPerDegree);
+    lines.push_back(line);
+  }
+  return lines;
+}
+
 /// Peaks and residuals are those of the floor's motion: scaled, turned, in floor axes.
 RecordFacts facts_of(const Record& record, const FloorMotion& floor, const Residual& left) {
   RecordFacts facts;
@@ -54,6 +70,7 @@ RecordFacts facts_of(const Record& record, const FloorMotion& floor, const Resid
                        facts.files.back().sha256 == file.sha256;
     if (!known) facts.files.push_back(file);  // one file may hold several components
   }
+  facts.components = components_of(record);
   facts.processing = record.processing;
   facts.duration = floor.duration();
   facts.time_step = floor.time_step();
@@ -77,11 +94,21 @@ Record made(const SyntheticRequest& request) {
   return record;
 }
 
+/// Adds the place in the job to what goes wrong.
+template <class Work>
+Record at(const std::string& where, Work work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    throw Error(where + ": " + error.what());
+  }
+}
+
 /// Read or made, and processed.
 Record unscaled(const RecordRequest& request) {
-  return processed(
-      request.synthetic ? made(*request.synthetic) : read_record(request.files, request.options),
-      request.processing);
+  Record record =
+      request.synthetic ? made(*request.synthetic) : read_record(request.files, request.options);
+  return at(request.where, [&] { return processed(std::move(record), request.processing); });
 }
 
 std::optional<std::uint64_t> seed_of(const RecordRequest& request) {
@@ -100,7 +127,8 @@ void add_building_file(const RecordRequest& request, RecordFacts& facts) {
 }
 
 Record scaled_as_asked(Record record, const RecordRequest& request) {
-  if (request.scale_to) return scaled_to(record, *request.scale_to);
+  if (request.scale_to)
+    return at(request.where, [&] { return scaled_to(record, *request.scale_to); });
   return request.scale == 1 ? record : scaled(std::move(record), request.scale);
 }
 

@@ -8,6 +8,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
@@ -106,15 +107,13 @@ void put_horizontals(std::vector<Component> horizontals, Record& record) {
 }  // namespace
 
 bool sounds_vertical(std::string_view name) {
-  std::string upper(name);
-  std::ranges::transform(upper, upper.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  const std::string plain = upper(name);
   static constexpr std::array kNames = {"UP",   "DWN", "DOWN",     "V",   "VER",
                                         "VERT", "VRT", "VERTICAL", "Z",   "UD",
                                         "U-D",  "UD1", "UD2",      "-UP", "+UP"};
-  if (std::ranges::find(kNames, upper) != kNames.end()) return true;
+  if (std::ranges::find(kNames, plain) != kNames.end()) return true;
   // SEED channels of accelerometers: band, instrument N or L or G, orientation Z
-  return upper.size() == 3 && upper[2] == 'Z' && std::isalpha(static_cast<unsigned char>(upper[0]));
+  return plain.size() == 3 && plain[2] == 'Z' && std::isalpha(static_cast<unsigned char>(plain[0]));
 }
 
 Record place(const std::vector<UnplacedComponent>& components) {

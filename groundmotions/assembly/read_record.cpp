@@ -45,13 +45,26 @@ std::vector<UnplacedComponent> read_files(const std::vector<RecordFile>& files,
   return components;
 }
 
+/// What all begin with, without separators at its end; empty if that says little.
+std::string common_beginning(const std::vector<std::string>& names) {
+  constexpr std::size_t kFewestLetters = 4;
+  std::string common = names.front();
+  for (const std::string& name : names) {
+    const auto [end, other] = std::ranges::mismatch(common, name);
+    common.erase(end, common.end());
+  }
+  common.erase(common.find_last_not_of("-_. ") + 1);
+  return common.size() < kFewestLetters ? "" : common;
+}
+
 std::string name_from(const std::vector<RecordFile>& files) {
   std::vector<std::string> stems;
   for (const RecordFile& file : files) {
     const std::string stem = file.path.stem().string();
     if (std::ranges::find(stems, stem) == stems.end()) stems.push_back(stem);
   }
-  return fmt::format("{}", fmt::join(stems, " + "));
+  const std::string common = common_beginning(stems);
+  return common.empty() ? fmt::format("{}", fmt::join(stems, " + ")) : common;
 }
 
 }  // namespace

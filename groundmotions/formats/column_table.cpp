@@ -1,5 +1,7 @@
 #include "groundmotions/formats/column_table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,13 @@ std::optional<std::string_view> value_behind(const std::vector<std::string_view>
   line = static_cast<std::size_t>(at - lines.begin());
   const auto colon = at->find(':', at->find(key) + key.size() - 1);
   return colon == at->npos ? std::string_view() : trimmed(at->substr(colon + 1));
+}
+
+std::string_view needed_behind(const std::vector<std::string_view>& lines, std::string_view key,
+                               std::size_t& line, Mistakes& mistakes) {
+  const auto found = value_behind(lines, key, line);
+  if (!found) mistakes.add(fmt::format("the header lacks '{}'", key));
+  return found.value_or("");
 }
 
 double rounding_of(std::string_view printed) {

@@ -15,6 +15,10 @@ namespace gurney {
 std::optional<std::string_view> value_behind(const std::vector<std::string_view>& lines,
                                              std::string_view key, std::size_t& line);
 
+/// The same of a line that must be there.
+std::string_view needed_behind(const std::vector<std::string_view>& lines, std::string_view key,
+                               std::size_t& line, Mistakes& mistakes);
+
 /// Half of the last digit of a printed number: 0.005 of "11.90", 0.5 of "12".
 double rounding_of(std::string_view printed);
 

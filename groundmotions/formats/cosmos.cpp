@@ -66,10 +66,11 @@ class ChannelReader {
     if (header && *header != code) state_other_unit(static_cast<int>(*header), code, component);
     if (code == kCosmosCounts) return si_per_count(channel, component);
     if (options_.si_per_count)
-      mistakes_.add(line_, 1,
-                    fmt::format("si_per_count was given, but the samples are not counts (unit code "
-                                "{})",
-                                code));
+      mistakes_.add(
+          line_, 1,
+          fmt::format("count_m_per_s2 was given, but the samples are not counts (unit code "
+                      "{})",
+                      code));
     auto unit = cosmos_unit(code);
     if (!unit && code > 0)
       mistakes_.add(
@@ -111,7 +112,7 @@ class ChannelReader {
     if (const auto given = options_.si_per_count) {
       if (stated > 0 && std::abs(*given - stated) > kSameFactor * stated)
         component.warnings.push_back(fmt::format(
-            "si_per_count = {:.6g} was taken, but the header states {:.6g} m/s2 for a count",
+            "count_m_per_s2 = {:.6g} was taken, but the header states {:.6g} m/s2 for a count",
             *given, stated));
       return *given;
     }
@@ -119,7 +120,8 @@ class ChannelReader {
       mistakes_.add(
           line_, 1,
           "the samples are raw counts, and the header states no sensitivity (real numbers "
-          "22, 42 and 47); state si_per_count, or take the .V1c or .V2c of this record");
+          "22, 42 and 47); state count_m_per_s2 or --count, or take the .V1c or .V2c of this "
+          "record");
       return 0;
     }
     component.warnings.push_back(fmt::format(

@@ -79,7 +79,7 @@ void check(const ReadOptions& options) {
                       options.time_step.value_or(0)));
   require(
       !options.si_per_count || (*options.si_per_count > 0 && std::isfinite(*options.si_per_count)),
-      fmt::format("si_per_count must be positive and finite, got {}",
+      fmt::format("count_m_per_s2 must be positive and finite, got {}",
                   options.si_per_count.value_or(0)));
 }
 
@@ -89,11 +89,11 @@ std::string useless_options(const Format& format, const std::string& file,
   std::string mistakes;
   if (options.si_per_count && !format.takes_counts)
     mistakes +=
-        fmt::format("{}: si_per_count = {} was given, but the file does not hold raw counts\n",
+        fmt::format("{}: count_m_per_s2 = {} was given, but the file does not hold raw counts\n",
                     file, *options.si_per_count);
   else if (options.si_per_count && !options.unit.empty())
     mistakes +=
-        fmt::format("{}: unit and si_per_count were both given; one of them is allowed\n", file);
+        fmt::format("{}: unit and count_m_per_s2 were both given; one of them is allowed\n", file);
   if (!options.columns.empty() && !format.takes_columns)
     mistakes +=
         fmt::format("{}: columns = \"{}\" was given, but the layout of this file is known\n", file,

@@ -50,9 +50,7 @@ class NsmnReader {
 
  private:
   std::string_view value(std::string_view key, std::size_t& line) {
-    const auto found = value_behind(file_.lines(), key, line);
-    if (!found) mistakes_.add(fmt::format("the header lacks '{}'", key));
-    return found.value_or("");
+    return needed_behind(file_.lines(), key, line, mistakes_);
   }
 
   void find_columns() {

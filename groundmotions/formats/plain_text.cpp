@@ -77,7 +77,7 @@ ColumnUnit unit_of(std::string_view title, std::size_t line, const ReadOptions& 
     if (acceleration_unit(stated))
       mistakes.add(
           line, 1,
-          fmt::format("si_per_count is for raw counts, but the column '{}' has a unit", title));
+          fmt::format("count_m_per_s2 is for raw counts, but the column '{}' has a unit", title));
     return {"counts", *options.si_per_count};
   }
   const AccelerationUnit unit = acceleration_unit(stated)

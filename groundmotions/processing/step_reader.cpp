@@ -76,7 +76,7 @@ ProcessingStep read_band_pass(Table& in) {
 }
 
 ProcessingStep read_resample(Table& in) {
-  return Resample{in.number("time_step_s", Range::positive())};
+  return Resample{in.number("time_step_s", Range::within(0, 1).open_below())};
 }
 
 ProcessingStep read_trim(Table& in) {

@@ -79,7 +79,14 @@ SuiteScaling scale_suite(const Eigen::VectorXd& periods, const Eigen::MatrixXd& 
   result.common_factor = options.floor_share > 0
                              ? options.floor_share / mean_ratio.minCoeff()
                              : std::exp(-mean_ratio.array().log().matrix().dot(w));
+  result.own_factors = result.factors;
   result.factors *= result.common_factor;
+  for (Eigen::Index i = 0; i < result.factors.size(); ++i)
+    if (result.factors[i] > options.largest_factor || result.factors[i] < options.smallest_factor)
+      result.warnings.push_back(fmt::format(
+          "{}: with the common factor the factor is {:.4g}, outside the limits {:.4g} to {:.4g}",
+          names[static_cast<std::size_t>(i)], result.factors[i], options.smallest_factor,
+          options.largest_factor));
   result.mean *= result.common_factor;
 
   Eigen::Index smallest = 0;

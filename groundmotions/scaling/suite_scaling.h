@@ -22,14 +22,15 @@ struct SuiteScalingOptions {
 
 /// The result; all ratios are after scaling, over the periods of the input.
 struct SuiteScaling {
-  Eigen::VectorXd factors;            ///< of each record, the common factor included
+  Eigen::VectorXd own_factors;        ///< of each record, by least squares within the limits
+  Eigen::VectorXd factors;            ///< the same with the common factor
   double common_factor = 1;           ///< that followed the least squares
   Eigen::VectorXd misfits;            ///< of each record: root mean square of ln(f Sa / target) [-]
   double suite_misfit = 0;            ///< the same of the suite's mean spectrum [-]
   double smallest_ratio = 0;          ///< of the suite's mean to the target
   double period_of_smallest = 0;      ///< [s]
   Eigen::VectorXd mean;               ///< the suite's mean spectrum [m/s2]
-  std::vector<std::string> warnings;  ///< records that hit a limit
+  std::vector<std::string> warnings;  ///< records that hit or pass a limit
 };
 
 /// Least squares in logarithms: for each record ln f = sum_j w_j (ln target_j - ln Sa_j), which

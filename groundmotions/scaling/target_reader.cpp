@@ -60,7 +60,10 @@ std::optional<TargetSpectrum> read_target(Table& in) {
                                                     read_ac156, read_table};
   const std::size_t mistakes = in.document().mistakes();
   const std::size_t kind = in.choice("target", {"asce7", "eurocode8", "nzs1170", "ac156", "table"});
-  if (in.document().mistakes() > mistakes) return {};
+  if (in.document().mistakes() > mistakes) {
+    for (const std::string& key : in.keys()) in.has(key);  // of which target is not known
+    return {};
+  }
   try {
     TargetSpectrum target = kReaders[kind](in);
     if (in.document().mistakes() == mistakes) return target;

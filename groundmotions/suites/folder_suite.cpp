@@ -7,6 +7,7 @@
 #include <set>
 
 #include "engine/base/error.h"
+#include "groundmotions/formats/words.h"
 #include "groundmotions/suites/peer_search_results.h"
 
 namespace gurney {
@@ -16,12 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kSeparators = "-_. ";
-
-std::string upper(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
-}
 
 bool hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
 
@@ -134,7 +129,10 @@ class FileGrouping {
 
   Suite finish() {
     Suite suite;
-    for (auto& [key, record] : records_) suite.records.push_back(std::move(record));
+    for (auto& [key, record] : records_) {
+      if (record.files.size() == 1) record.name = record.files.front().path.stem().string();
+      suite.records.push_back(std::move(record));
+    }
     std::ranges::stable_sort(suite.records, {},
                              [](const SuiteRecord& record) { return record.files.front().path; });
     suite.refused = std::move(refused_);

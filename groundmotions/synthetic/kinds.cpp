@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <sstream>
 
 #include "engine/base/config/document.h"
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
+#include "groundmotions/formats/numbers.h"
 #include "groundmotions/synthetic/component.h"
 
 namespace gurney {
@@ -28,6 +30,19 @@ SyntheticRequest read_values(const SyntheticKind& kind, config::Table& table) {
                                         : table.number(key, parameter.range, parameter.fallback);
   }
   return request;
+}
+
+}  // namespace
+
+namespace {
+
+/// "where:1:9: text" is "where: text": lines and columns are of no file.
+std::string without_positions(const std::string& message, const std::string& where) {
+  std::istringstream lines(message);
+  std::string result;
+  for (std::string line; std::getline(lines, line);)
+    result += (result.empty() ? "" : "\n") + where + line.substr(line.find(": "));
+  return result;
 }
 
 }  // namespace
@@ -56,12 +71,19 @@ SyntheticRequest synthetic_request(const std::string& kind,
     require(equals != std::string::npos && equals > 0 && equals + 1 < setting.size() &&
                 setting.find_first_of("\r\n#") == std::string::npos,
             fmt::format("{}: '{}': must be key=value, a number", where, setting));
-    text += setting + "\n";
+    const std::string value = setting.substr(equals + 1);
+    require(number(value).has_value(), fmt::format("{}: {} = '{}': must be a number", where,
+                                                   setting.substr(0, equals), value));
+    text += fmt::format("{} = {}\n", setting.substr(0, equals), *number(value));
   }
   config::Document document(text, where);
   config::Table table = document.root();
   const SyntheticRequest request = read_values(*found, table);
-  document.finish();
+  try {
+    document.finish();
+  } catch (const Error& error) {
+    throw Error(without_positions(error.what(), where));
+  }
   return request;
 }
 

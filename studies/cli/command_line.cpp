@@ -1,12 +1,15 @@
 #include "studies/cli/command_line.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <functional>
 #include <memory>
 
+#include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/records_command.h"
@@ -43,6 +46,34 @@ void add_run(CLI::App& app, std::function<int()>& act) {
   run->callback([held, &act] { act = [held] { return run_command(*held); }; });
 }
 
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
+  return names;
+}
+
+CLI::App& command_at(CLI::App& app, const std::vector<std::string>& words) {
+  CLI::App* at = &app;
+  for (const std::string& word : words) {
+    if (command_names(*at).empty() || word.starts_with('-')) break;
+    at = at->get_subcommand(word);
+  }
+  return *at;
+}
+
+/// What is wrong with the command, before its options are looked at; empty if nothing is.
+std::string unknown_command(CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* at = &app;
+  for (const std::string& word : words) {
+    const std::vector<std::string> names = command_names(*at);
+    if (names.empty() || word.starts_with('-')) return {};
+    if (std::ranges::find(names, word) == names.end())
+      return fmt::format("unknown command '{}'{}", word, config::suggestion(word, names));
+    at = at->get_subcommand(word);
+  }
+  return {};
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -54,18 +85,28 @@ int run_command_line(int argc, char** argv) {
   std::function<int()> act;
   add_run(app, act);
   add_records(app, act);
-  CLI::App* const help = app.add_subcommand("help", "Print this help");
+  app.add_subcommand("help", "Print this help, or that of a command: help records scale");
   try {
-    app.parse(argc, argv);
-    if (help->parsed()) {
-      fmt::print("{}", app.help());
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const bool wants_help = !words.empty() && words[0] == "help";
+    if (wants_help) words.erase(words.begin());
+    if (const std::string unknown = unknown_command(app, words); !unknown.empty()) {
+      fmt::print(stderr, "{}\n", unknown);
+      return kBadUsage;
+    }
+    if (wants_help) {
+      fmt::print("{}", command_at(app, words).help());
       return kDone;
     }
+    app.parse(argc, argv);
     if (app.get_subcommands().empty()) {
       fmt::print(stderr, "a command is needed\n\n{}", app.help());
       return kBadUsage;
     }
-    return act();
+    const int code = act();
+    require(std::fflush(stdout) == 0 && std::ferror(stdout) == 0,
+            "cannot write to the standard output");
+    return code;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kBadUsage;
   } catch (const Error& error) {

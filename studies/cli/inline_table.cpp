@@ -34,6 +34,19 @@ std::string inline_table(const std::string& first_key, const std::vector<std::st
   return table + " }";
 }
 
+std::string told_of_option(const std::string& option, const std::string& text,
+                           const std::string& path, const std::string& message) {
+  std::istringstream lines(message);
+  std::string result;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(option + ":")) line.erase(0, line.find(": ") + 2);
+    if (line.starts_with(path)) line.erase(0, path.size());
+    if (line.starts_with('.')) line.erase(0, 1);
+    result += fmt::format("{}{} \"{}\": {}", result.empty() ? "" : "\n", option, text, line);
+  }
+  return result;
+}
+
 std::vector<std::string> words_of(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> words;

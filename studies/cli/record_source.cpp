@@ -13,21 +13,27 @@
 #include "groundmotions/processing/pipeline.h"
 #include "groundmotions/processing/step_reader.h"
 #include "studies/cli/inline_table.h"
+#include "studies/report/record_report.h"
 
 namespace gurney {
 namespace {
 
-std::vector<ProcessingStep> steps_of(const RecordSource& source) {
-  if (source.steps.empty()) return {};
-  std::string text = "processing = [";
-  for (const std::string& step : source.steps) {
-    const auto words = words_of(step);
-    text += (text.back() == '[' ? "" : ", ") + inline_table("step", words);
+ProcessingStep step_of(const std::string& text) {
+  try {
+    config::Document document("processing = [" + inline_table("step", words_of(text)) + "]\n",
+                              "--step");
+    config::Table root = document.root();
+    const auto steps = read_processing_steps(root);
+    document.finish();
+    return steps.at(0);
+  } catch (const Error& error) {
+    throw Error(told_of_option("--step", text, "processing[0]", error.what()));
   }
-  config::Document document(text + "]\n", "--step");
-  config::Table root = document.root();
-  auto steps = read_processing_steps(root);
-  document.finish();
+}
+
+std::vector<ProcessingStep> steps_of(const RecordSource& source) {
+  std::vector<ProcessingStep> steps;
+  for (const std::string& text : source.steps) steps.push_back(step_of(text));
   return steps;
 }
 
@@ -96,6 +102,9 @@ int for_each_record(const RecordSource& source, std::vector<Refusal>* refused,
       continue;
     }
     progress.clear();
+    if (source.tells_findings)
+      for (const std::string& finding : record_findings(*record))
+        fmt::print(stderr, "warning: {}: {}\n", record->name, finding);
     use(entry, *record);
     ++used;
   }

@@ -15,6 +15,7 @@ struct RecordSource {
   std::vector<std::string> paths;  ///< record files, folders, lists, PEER search reports
   ReadOptions options;
   std::vector<std::string> steps;  ///< such as "high_pass corner_hz=0.1"
+  bool tells_findings = true;      ///< record_findings() on stderr; false: the command shows them
 };
 
 void add_source_options(CLI::App& command, RecordSource& source);

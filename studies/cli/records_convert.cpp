@@ -57,7 +57,9 @@ int convert(const ConvertOptions& options) {
   require(!one_file || options.format == "csv",
           options.output + ": AT2 files hold one component each; name a folder with -o");
   require(one_file || fs::is_directory(output),
-          options.output + ": must be a file that ends in .csv, or a folder that exists");
+          options.output + (options.format == "csv"
+                                ? ": must be a file that ends in .csv, or a folder that exists"
+                                : ": must be a folder that exists"));
   OutputFiles files(options.overwrite);
   std::vector<fs::path> written;
   const int code =
@@ -69,6 +71,7 @@ int convert(const ConvertOptions& options) {
         for (const Target& target : targets(record, stem, options.format)) {
           require(std::ranges::find(written, target.path) == written.end(),
                   fmt::format("{}: two records have this name", target.path.string()));
+          refuse_input_as_output(target.path.string(), record);
           files.check(target.path.string());
           files.stage(target.path.string(), target.text);
           written.push_back(target.path);

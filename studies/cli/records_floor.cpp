@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -74,24 +75,27 @@ void print_facts(const Building& building, int floor, const Record& ground,
     fmt::print("  isolators {:.3g} m, {:.2g} m left at the end\n", response.isolators->peak,
                response.isolators->residual.norm());
   for (const std::string& warning : response.floor.warnings)
-    fmt::print(stderr, "warning: {}\n", warning);
+    if (std::ranges::find(ground.warnings, warning) == ground.warnings.end())  // those were told
+      fmt::print(stderr, "warning: {}\n", warning);
 }
 
 int floor(const FloorOptions& options) {
   const Building building = building_from_file(options.building);
   const int number = floor_of(options.floor, building);
-  std::optional<Record> made;
+  std::optional<Record> ground;
   const int code =
-      for_each_record(options.source, nullptr, [&](const SuiteRecord&, const Record& ground) {
-        require(!made, "one record is needed, several were given");
-        const BuildingResponse response = building_response(ground, building, number);
-        if (options.json)
-          fmt::print("{}\n", facts_json(building, number, ground, response).dump(2));
-        else
-          print_facts(building, number, ground, response);
-        made = response.floor;
+      for_each_record(options.source, nullptr, [&](const SuiteRecord&, const Record& record) {
+        require(!ground, "one record is needed, several were given");
+        ground = record;
       });
-  if (made) write_output(options.output, record_csv(*made), options.overwrite, options.json);
+  if (!ground) return code;
+  const BuildingResponse response = building_response(*ground, building, number);
+  refuse_input_as_output(options.output, *ground);
+  if (options.json)
+    fmt::print("{}\n", facts_json(building, number, *ground, response).dump(2));
+  else
+    print_facts(building, number, *ground, response);
+  write_output(options.output, record_csv(response.floor), options.overwrite, options.json);
   return code;
 }
 

@@ -49,7 +49,7 @@ int list(const InfoOptions& options) {
         fmt::print("{}", record_table_line(record));
         std::fflush(stdout);
       });
-  fmt::print("{} records", count);
+  fmt::print("{} record{}", count, count == 1 ? "" : "s");
   if (!refused.empty()) fmt::print(", {} left out", refused.size());
   fmt::print("\n");
   return code;
@@ -58,6 +58,7 @@ int list(const InfoOptions& options) {
 void add(CLI::App& records, const char* name, const char* description,
          int (*command)(const InfoOptions&), std::function<int()>& act) {
   auto options = std::make_shared<InfoOptions>();
+  options->source.tells_findings = false;
   CLI::App* const app = records.add_subcommand(name, description);
   add_source_options(*app, options->source);
   app->add_flag("--json", options->json, "Print JSON, in SI units");

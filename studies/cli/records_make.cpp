@@ -56,10 +56,10 @@ int list_kinds_as_json() {
 
 int make(const MakeOptions& options) {
   if (options.list) return options.json ? list_kinds_as_json() : list_kinds(options.kind);
-  require(!options.json, "--json goes with --list");
-  require(!options.kind.empty(), "which kind of motion? `gurney records make --list` shows all");
+  if (options.json) throw CLI::RequiresError("--json", "--list");
+  if (options.kind.empty()) throw CLI::RequiredError("KIND (`gurney records make --list`)");
+  if (options.output.empty()) throw CLI::RequiredError("-o FILE.csv");
   const Record record = make_record(synthetic_request(options.kind, options.settings));
-  require(!options.output.empty(), "the file to write is needed: -o FILE.csv");
   for (const std::string& warning : record.warnings) fmt::print(stderr, "warning: {}\n", warning);
   write_output(options.output, record_csv(record), options.overwrite);
   return 0;

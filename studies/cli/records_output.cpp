@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "engine/base/error.h"
 #include "groundmotions/formats/columns_csv.h"
 #include "studies/cli/signals.h"
 #include "studies/results/output_files.h"
@@ -42,6 +43,13 @@ std::string file_name(std::string record_name) {
   std::ranges::replace_if(
       record_name, [](char c) { return c == '/' || c == '\\'; }, '_');
   return record_name;
+}
+
+void refuse_input_as_output(const std::string& path, const Record& record) {
+  std::error_code ignored;
+  for (const auto& component : record.components)
+    require(!component || !std::filesystem::equivalent(path, component->file, ignored),
+            path + ": the record is read from this file; give another name with -o");
 }
 
 void write_output(const std::string& path, const std::string& text, bool overwrite, bool quiet) {

@@ -16,6 +16,9 @@ std::string record_csv(const Record& record);
 /// The name of a record, without what cannot stand in the name of a file.
 std::string file_name(std::string record_name);
 
+/// @throws Error if `path` is a file that the record was read from.
+void refuse_input_as_output(const std::string& path, const Record& record);
+
 /// Writes one file whole or not at all, and prints its name unless `quiet`. @throws Error as
 /// OutputFiles does.
 void write_output(const std::string& path, const std::string& text, bool overwrite,

@@ -49,13 +49,17 @@ std::pair<double, double> span_of(const char* option, const std::string& text) {
 }
 
 TargetSpectrum target_of(const std::string& text) {
-  config::Document document("spectrum = " + inline_table("target", words_of(text)) + "\n",
-                            "--target");
-  config::Table root = document.root();
-  auto table = root.table("spectrum");
-  auto target = table ? read_target(*table) : std::nullopt;
-  document.finish();
-  return *target;
+  try {
+    config::Document document("spectrum = " + inline_table("target", words_of(text)) + "\n",
+                              "--target");
+    config::Table root = document.root();
+    auto table = root.table("spectrum");
+    auto target = table ? read_target(*table) : std::nullopt;
+    document.finish();
+    return *target;
+  } catch (const Error& error) {
+    throw Error(told_of_option("--target", text, "spectrum", error.what()));
+  }
 }
 
 struct ScaledSuite {
@@ -97,15 +101,18 @@ std::string list_text(const ScaledSuite& suite, const SuiteScaling& scaling,
   return text;
 }
 
-void print(const ScaledSuite& suite, const SuiteScaling& scaling, const TargetSpectrum& target) {
-  fmt::print("target {}\n\n{:<32} {:>8} {:>8}\n", target.name, "record", "factor", "misfit");
+void print(const ScaleOptions& options, const ScaledSuite& suite, const SuiteScaling& scaling,
+           const TargetSpectrum& target) {
+  fmt::print("target {}\n{} spectra, {} s\n\n{:<32} {:>8} {:>8} {:>8}\n", target.name,
+             options.component, options.periods, "record", "own", "factor", "misfit");
   for (std::size_t i = 0; i < suite.records.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    fmt::print("{:<32} {:>8.3f} {:>8.3f}\n", suite.records[i].name, scaling.factors[row],
-               scaling.misfits[row]);
+    fmt::print("{:<32} {:>8.3f} {:>8.3f} {:>8.3f}\n", suite.records[i].name,
+               scaling.own_factors[row], scaling.factors[row], scaling.misfits[row]);
   }
   fmt::print(
-      "\ncommon factor in these {:.3f}; misfit of the mean {:.3f} (root mean square of ln)\n"
+      "\nfactor = own factor x {:.3f}, common to all; misfit of the mean {:.3f} (root mean square "
+      "of ln)\n"
       "mean over target at least {:.3f}, at {:.3g} s\n",
       scaling.common_factor, scaling.suite_misfit, scaling.smallest_ratio,
       scaling.period_of_smallest);
@@ -118,6 +125,7 @@ std::string json(const ScaledSuite& suite, const SuiteScaling& scaling,
   for (std::size_t i = 0; i < suite.records.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     records.push_back({{"name", suite.records[i].name},
+                       {"own_factor", scaling.own_factors[row]},
                        {"factor", scaling.factors[row]},
                        {"misfit", scaling.misfits[row]}});
   }
@@ -150,7 +158,9 @@ int scale(const ScaleOptions& options) {
           fmt::print(stderr, "left out: {}\n", error.what());
         }
       });
-  if (suite.records.empty()) return code;
+  require(!suite.records.empty(),
+          "no record is left to scale; a record with one horizontal needs "
+          "--component h1");
   Eigen::MatrixXd spectra(static_cast<Eigen::Index>(suite.records.size()), kPeriods);
   std::vector<std::string> names;
   for (std::size_t i = 0; i < suite.records.size(); ++i) {
@@ -165,7 +175,7 @@ int scale(const ScaleOptions& options) {
   if (options.json)
     fmt::print("{}", json(suite, scaling, target));
   else
-    print(suite, scaling, target);
+    print(options, suite, scaling, target);
 
   OutputFiles files(options.overwrite);
   if (!options.output.empty()) files.check(options.output);

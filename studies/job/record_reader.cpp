@@ -92,7 +92,7 @@ void read_use(Table& in, RecordRequest& record) {
 
 void read_options(Table& in, ReadOptions& options) {
   static const std::vector<std::string> kUnits = {"g", "m/s2", "cm/s2", "mm/s2"};
-  if (in.has("units")) options.unit = kUnits[in.choice("units", kUnits)];
+  if (in.has("unit")) options.unit = kUnits[in.choice("unit", kUnits)];
   if (in.has("time_step_s"))
     options.time_step = in.number("time_step_s", Range::within(0, 1).open_below());
   if (in.has("count_m_per_s2"))

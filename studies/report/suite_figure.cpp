@@ -20,7 +20,9 @@ Curve curve(const std::string& label, const Eigen::VectorXd& periods,
 std::string suite_figure(const TargetSpectrum& target, const Eigen::VectorXd& periods,
                          const Eigen::MatrixXd& spectra, const SuiteScaling& scaling) {
   Svg svg(900, 470);
-  svg.text(70, 34, fmt::format("{} records scaled to {}", spectra.rows(), target.name),
+  svg.text(70, 34,
+           fmt::format("{} record{} scaled to {}", spectra.rows(), spectra.rows() == 1 ? "" : "s",
+                       target.name),
            {.size = 16, .bold = true});
   Panel panel{
       .title = fmt::format("Mean at least {:.0f} % of the target; misfit of the mean {:.3f}",

@@ -115,6 +115,8 @@ std::string record_text(const RunFacts& facts) {
   const RecordFacts& r = *facts.record;
   std::string text = fmt::format("  floor    {}: {:.2f} s, sampled every {:g} s\n", r.name,
                                  r.duration, r.time_step);
+  for (const std::string& component : r.components)
+    text += fmt::format("           {}\n", wrapped(component, 13, 11));
   for (const std::string& step : r.processing)
     text += fmt::format("           {}\n", wrapped(step, 13, 11));
   text += "\n";

@@ -45,6 +45,7 @@ Json record(const RecordFacts& facts) {
     files.push_back({{"name", file.name}, {"sha256", file.sha256}});
   return {{"name", facts.name},
           {"files", files},
+          {"components", facts.components},
           {"processing", facts.processing},
           {"duration_s", facts.duration},
           {"time_step_s", facts.time_step},

@@ -79,6 +79,8 @@ void add_root(Hdf5Writer& file, const RunFacts& facts) {
     }
   file.set_attribute("/", "record_files", names);
   file.set_attribute("/", "record_sha256", hashes);
+  file.set_attribute("/", "record_components",
+                     facts.record ? facts.record->components : std::vector<std::string>{});
   file.set_attribute("/", "record_processing",
                      facts.record ? facts.record->processing : std::vector<std::string>{});
   file.set_attribute("/", "warnings", facts.warnings);

@@ -21,6 +21,7 @@ struct FileFacts {
 struct RecordFacts {
   std::string name;
   std::vector<FileFacts> files;
+  std::vector<std::string> components;              ///< "h1: '318' of A318.AT2, azimuth 318 deg"
   std::vector<std::string> processing;              ///< what was done to the samples, step by step
   double duration = 0;                              ///< [s]
   double time_step = 0;                             ///< [s]

@@ -142,7 +142,7 @@ TEST(Table, FindsUnreadKeysAtEveryDepth) {
         for (Table& part : root.tables("part")) part.number("x", Range::any());
       });
   EXPECT_EQ(text,
-            "a.toml:5:1: part[1].z: unknown key; did you mean 'x'?\n"
+            "a.toml:5:1: part[1].z: unknown key; known: x\n"
             "a.toml:6:2: sub: unknown key; known: part");
 }
 

@@ -85,6 +85,7 @@ RunFacts fabricated_facts(bool pulled) {
   if (!pulled)
     facts.record = RecordFacts{"made-up",
                                {{"x.AT2", std::string(64, 'b')}, {"y.AT2", std::string(64, 'c')}},
+                               {"h1: 'x' of x.AT2", "h2: 'y' of y.AT2, azimuth 90 deg"},
                                {"a step", "another step"},
                                20,
                                0.005,

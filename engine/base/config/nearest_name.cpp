@@ -43,10 +43,11 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
         return edit_distance(name, a) < edit_distance(name, b);
       });
   // A third of the letters wrong is still a typo; more is another word.
-  const int limit = std::max(2, static_cast<int>(name.size()) / 3);
-  if (edit_distance(name, *nearest) <= limit) return "; did you mean '" + *nearest + "'?";
+  const int limit =
+      std::min(std::max(2, static_cast<int>(name.size()) / 3), static_cast<int>(name.size()) - 1);
   for (const std::string& each : known)
     if (is_beginning(name, each)) return "; did you mean '" + each + "'?";
+  if (edit_distance(name, *nearest) <= limit) return "; did you mean '" + *nearest + "'?";
   std::string list;
   for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
   return "; known: " + list;

@@ -61,6 +61,19 @@ TEST_F(ReadRecord, PutsThreeFilesTogether) {
   EXPECT_EQ(record[Direction::kVertical]->direction, Direction::kVertical);
 }
 
+TEST_F(ReadRecord, IsNamedByWhatItsFilesHaveInCommon) {
+  const auto file_of = [&](const char* name, const char* component) {
+    const auto path = folder_ / (std::string(name) + ".AT2");
+    std::filesystem::rename(at2(component, {0.1, 0.2}), path);
+    return RecordFile{path};
+  };
+  EXPECT_EQ(read_record({file_of("RSN1_RRS228", "228"), file_of("RSN1_RRS318", "318"),
+                         file_of("RSN1_RRS-UP", "UP")})
+                .name,
+            "RSN1_RRS");
+  EXPECT_EQ(read_record({file_of("AB1", "000"), file_of("AB2", "270")}).name, "AB1 + AB2");
+}
+
 TEST_F(ReadRecord, TakesPlacesFromTheColumnsOfACsv) {
   const Record record =
       read_record({{file("r.csv", "time_s,y_g,z_g\n0,0.1,0.2\n0.1,0.3,0.4\n"), {}}});

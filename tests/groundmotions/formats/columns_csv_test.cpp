@@ -118,7 +118,7 @@ TEST(ColumnsCsv, ReadsWhatItWrites) {
 
 TEST(ColumnsCsv, RefusesOptionsForOtherFiles) {
   EXPECT_EQ(error_text([] { read(kThree, {.si_per_count = 2, .columns = "samples"}); }),
-            "f.csv: si_per_count = 2 was given, but the file does not hold raw counts\n"
+            "f.csv: count_m_per_s2 = 2 was given, but the file does not hold raw counts\n"
             "f.csv: columns = \"samples\" was given, but the layout of this file is known");
 }
 

@@ -79,8 +79,9 @@ TEST(Cosmos, TakesTheTimeStepOfTheseSamplesNotOfTheRawOnes) {
               ElementsAre(HasSubstr("real number 62 of the header states no time "
                                     "step")));
   const std::string none = cosmos_file({.integers = {}, .reals = {{62, -999}, {34, -999}}});
-  EXPECT_THAT(error_text([&] { read(none); }),
-              HasSubstr("the file does not state its time step; state it as time_step_s"));
+  EXPECT_THAT(
+      error_text([&] { read(none); }),
+      HasSubstr("the file does not state its time step; state it as time_step_s or --time-step"));
   EXPECT_EQ(read(none, {.time_step = 0.01})[0].time_step, 0.01);
   // Seconds where milliseconds must be: the length tells it.
   EXPECT_THAT(error_text([] {
@@ -135,16 +136,16 @@ TEST(Cosmos, ConvertsCountsByTheHeader) {
                                     "header: 0.5 microvolts, 1.25 V/g, gain 2")));
   expect_the_motion(read(cosmos_file(sample), {.si_per_count = 2e-6})[0], 0.01, 1e-12);
   EXPECT_THAT(read(cosmos_file(sample), {.si_per_count = 2e-6})[0].warnings,
-              ElementsAre(HasSubstr("si_per_count = 2e-06 was taken, but the header states")));
+              ElementsAre(HasSubstr("count_m_per_s2 = 2e-06 was taken, but the header states")));
   EXPECT_THAT(error_text([&] { read(cosmos_file(sample), {.unit = "g"}); }),
               HasSubstr("unit = \"g\" was given, but the samples are raw counts (unit code 50)"));
   sample.reals[1].second = -999;
   EXPECT_THAT(
       error_text([&] { read(cosmos_file(sample)); }),
       HasSubstr("f.V1c:45:1: the samples are raw counts, and the header states no sensitivity "
-                "(real numbers 22, 42 and 47); state si_per_count"));
+                "(real numbers 22, 42 and 47); state count_m_per_s2"));
   EXPECT_THAT(error_text([] { read(cosmos_file(), {.si_per_count = 1e-6}); }),
-              HasSubstr("si_per_count was given, but the samples are not counts (unit code 4)"));
+              HasSubstr("count_m_per_s2 was given, but the samples are not counts (unit code 4)"));
 }
 
 TEST(Cosmos, RefusesUnitsThatContradict) {

@@ -32,13 +32,13 @@ TEST(Formats, RefuseOptionsThatAreOfNoUse) {
     options = sample.options;
     options.si_per_count = 2;
     const auto counts = StartsWith(
-        "f: si_per_count = 2 was given, but the file does not hold raw "
+        "f: count_m_per_s2 = 2 was given, but the file does not hold raw "
         "counts");
     EXPECT_EQ(testing::Value(error(sample.bytes, options), counts), !format->takes_counts);
     if (!format->takes_counts) continue;
     options.unit = "g";
     EXPECT_THAT(error(sample.bytes, options),
-                StartsWith("f: unit and si_per_count were both given; one of them is allowed"));
+                StartsWith("f: unit and count_m_per_s2 were both given; one of them is allowed"));
   }
 }
 
@@ -46,7 +46,7 @@ TEST(Formats, RefuseOptionsThatAreWrongForEveryFile) {
   for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
                              std::numeric_limits<double>::infinity()}) {
     EXPECT_THAT(error("1\n2\n", {.time_step = 0.01, .si_per_count = wrong}),
-                StartsWith("si_per_count must be positive and finite, got "));
+                StartsWith("count_m_per_s2 must be positive and finite, got "));
     EXPECT_THAT(error("1\n2\n", {.unit = "g", .time_step = wrong}),
                 StartsWith("the time step of a record must be in (0, 1] s, got "));
   }

@@ -111,7 +111,7 @@ TEST(Knet, RefusesWhatDoesNotFit) {
 TEST(Knet, ChecksTheOptions) {
   EXPECT_EQ(read_text(kFile, {.unit = "gal", .time_step = 0.1}).size(), 1u);
   EXPECT_EQ(error_text([] { read_text(kFile, {.unit = "g", .si_per_count = 1}); }),
-            "f: si_per_count = 1 was given, but the file does not hold raw counts\n"
+            "f: count_m_per_s2 = 1 was given, but the file does not hold raw counts\n"
             "f:14:1: the file states the unit cm/s2, but unit = \"g\" was given");
   EXPECT_THAT(error_text([] { read_text(kFile, {.time_step = 0.01}); }),
               HasSubstr("f:11:1: the file states a time step of 0.1 s, but time_step_s = 0.01"));

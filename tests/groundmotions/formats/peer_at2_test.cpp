@@ -108,7 +108,7 @@ TEST(PeerAt2, RefusesOptionsForOtherFiles) {
   EXPECT_EQ(error_text([] {
               read(file_with("NPTS= 5, DT= .02 SEC"), {.si_per_count = 1, .columns = "time,h1"});
             }),
-            "f.AT2: si_per_count = 1 was given, but the file does not hold raw counts\n"
+            "f.AT2: count_m_per_s2 = 1 was given, but the file does not hold raw counts\n"
             "f.AT2: columns = \"time,h1\" was given, but the layout of this file is known");
 }
 
@@ -172,7 +172,7 @@ TEST(PeerAt2, ChecksTheStepAndTheUnitAgainstTheUser) {
   EXPECT_EQ(error_text([&] { read(replaced(text, "DT= .02", "DT= 0.0")); }),
             "f.AT2:4:1: DT must be in (0, 1] s, got 0");
   EXPECT_EQ(error_text([&] { read(replaced(text, ", DT= .02 SEC", "")); }),
-            "f.AT2: the file does not state its time step; state it as time_step_s");
+            "f.AT2: the file does not state its time step; state it as time_step_s or --time-step");
   expect_the_motion(read(replaced(text, ", DT= .02 SEC", ""), {.unit = "", .time_step = 0.02}));
 }
 

@@ -38,9 +38,10 @@ TEST(PlainText, ReadsOneColumn) {
 
 TEST(PlainText, AsksForUnitAndStep) {
   EXPECT_EQ(error_text([] { read_text("1\n2\n"); }),
-            "f: the file does not state its unit; state it as unit = \"...\" (g, m/s2, cm/s2 (gal) "
+            "f: the file does not state its unit; state it as unit = \"...\" or --unit (g, m/s2, "
+            "cm/s2 (gal) "
             "or mm/s2)\n"
-            "f: the file does not state its time step; state it as time_step_s");
+            "f: the file does not state its time step; state it as time_step_s or --time-step");
 }
 
 TEST(PlainText, ReadsRowsOfSamplesThatTheUserDeclares) {
@@ -179,9 +180,9 @@ TEST(PlainText, ReadsCounts) {
   EXPECT_EQ(component.unit, "counts");
   EXPECT_THAT(
       error_text([] { read_text("1\n2\n", {.unit = "g", .time_step = 0.01, .si_per_count = 2}); }),
-      HasSubstr("f: unit and si_per_count were both given; one of them is allowed"));
+      HasSubstr("f: unit and count_m_per_s2 were both given; one of them is allowed"));
   EXPECT_THAT(error_text([] { read_text("1\n2\n", {.time_step = 0.01, .si_per_count = -2}); }),
-              HasSubstr("si_per_count must be positive and finite, got -2"));
+              HasSubstr("count_m_per_s2 must be positive and finite, got -2"));
 }
 
 // A number that went wrong must not pass as a line of text.

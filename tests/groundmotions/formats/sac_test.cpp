@@ -48,7 +48,7 @@ TEST(Sac, NeedsTheUnit) {
   EXPECT_NEAR(counts.acceleration[1], -1.25e-9, 1e-24);
   EXPECT_EQ(counts.unit, "counts");
   EXPECT_THAT(error({}, {.unit = "g", .si_per_count = 1}),
-              HasSubstr("unit and si_per_count were both given"));
+              HasSubstr("unit and count_m_per_s2 were both given"));
 }
 
 TEST(Sac, KnowsTheVertical) {

@@ -114,7 +114,7 @@ TEST(StepReader, TellsAllMistakesAtOnce) {
                      "{ step = \"low_pass\", corner_hz = -1, order = 11 }"),
             "a.toml:1:24: processing[0].step = \"highpass\": unknown step; did you mean "
             "'high_pass'?\n"
-            "a.toml:2:1: processing[1].time_step_s: missing; must be a finite number > 0\n"
+            "a.toml:2:1: processing[1].time_step_s: missing; must be a finite number > 0 and <= 1\n"
             "a.toml:2:22: processing[1].dt: unknown key; known: step, time_step_s\n"
             "a.toml:3:34: processing[2].corner_hz = -1: must be a finite number > 0\n"
             "a.toml:3:46: processing[2].order = 11: must be a whole number in 1..10");

@@ -89,7 +89,9 @@ TEST(ScaleSuite, KeepsLimitsAndSaysSo) {
   spectra << target().transpose() / 10, target().transpose();
   const SuiteScaling s = scale_suite(periods(), spectra, target(), kNames, {.floor_share = 0});
   EXPECT_NEAR(s.factors[0] / s.factors[1], 4, 1e-12);
-  EXPECT_THAT(s.warnings, ElementsAre("one: the best factor is 10, held at the limit 4"));
+  EXPECT_THAT(s.warnings, ElementsAre("one: the best factor is 10, held at the limit 4",
+                                      HasSubstr("one: with the common factor the factor is 5.7")));
+  EXPECT_EQ(s.own_factors[0], 4);
   const SuiteScaling common =
       scale_suite(periods(), spectra, target(), kNames, {.own_factors = false, .floor_share = 0});
   EXPECT_NEAR(common.factors[0], common.factors[1], 1e-12);

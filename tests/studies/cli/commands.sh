@@ -4,25 +4,7 @@
 set -uo pipefail
 gurney=$1
 job=$2/studies/jobs/icu_ventilator_shake.toml
-folder=$(mktemp -d "${TMPDIR:-/tmp}/gurney cli XXXXXX")
-trap 'chmod -R u+w "$folder"; rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failures=0
-
-complain() {
-  printf 'FAILED: %s\n--- stdout\n%s\n--- stderr\n%s\n' "$1" "$(cat stdout)" "$(cat stderr)"
-  failures=$((failures + 1))
-}
-
-# expect CODE TEXT COMMAND...: it exits with CODE and says TEXT somewhere
-expect() {
-  local code=$1 text=$2
-  shift 2
-  "$@" > stdout 2> stderr
-  local got=$?
-  [ "$got" -eq "$code" ] || complain "exit code $got instead of $code: $*"
-  grep -qF -- "$text" stdout stderr || complain "does not say '$text': $*"
-}
+. "$2/tests/studies/cli/expect.sh"
 
 # files NAME...: these are in the folder out/ and no other
 files() {

@@ -63,7 +63,7 @@ scale_to = { measure = "Sa(1.0)", component = "h1", value = 0.2, unit = "g", ver
 processing = [{ step = "baseline", kind = "mean" }, { step = "high_pass", corner_hz = 0.1 }]
 plausibility = "refuse"
 angle_deg = 45
-units = "cm/s2"
+unit = "cm/s2"
 time_step_s = 0.01
 [excitation.building]
 kind = "shear"

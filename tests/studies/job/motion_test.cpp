@@ -60,6 +60,8 @@ record.scale_to = { measure = "PGA", component = "geomean", value = 0.5, unit = 
 )"));
   EXPECT_NEAR(std::sqrt(motion.facts.pga.x() * motion.facts.pga.y()), 0.5 * kStandardGravity, 1e-9);
   EXPECT_THAT(motion.facts.processing, ElementsAre(HasSubstr("PGA (geomean)")));
+  EXPECT_THAT(motion.facts.components,
+              ElementsAre("h1: 'x_m_per_s2' of r.csv", "h2: 'y_m_per_s2' of r.csv"));
 }
 
 TEST(Motion, IsProcessedAndTakenThroughABuildingInThisOrder) {
@@ -109,7 +111,7 @@ TEST(Motion, RefusesTheImplausibleOnlyIfAsked) {
   const TempFolder folder;
   folder.write("x.txt", "100\n-100\n100\n-100\n");
   const std::string job =
-      "record = { x = \"x.txt\", units = \"g\", time_step_s = 0.01, plausibility = ";
+      "record = { x = \"x.txt\", unit = \"g\", time_step_s = 0.01, plausibility = ";
   EXPECT_THAT(motion_of(request(folder, job + "\"warn\" }")).warnings,
               testing::Contains(HasSubstr("the peak acceleration of h1 is 100 g")));
   EXPECT_THAT(error_text([&] { motion_of(request(folder, job + "\"refuse\" }")); }),
