@@ -114,6 +114,7 @@ std::string Quantities::text(const std::string& key, std::optional<std::string> 
   if (!table_.is_table(key)) return table_.text(key, fallback);
   Table quantity = *table_.table(key);
   const std::string value = quantity.text("value");
+  if (quantity.has("distribution")) quantity.note("distribution", ": a text cannot be drawn");
   choose(key, value, provenance(quantity, key).reason);
   return value;
 }
@@ -169,7 +170,7 @@ std::vector<double> Quantities::parts(const std::string& key, Table& quantity, c
   if (flags && !(choices.size() > 0 && std::all_of(choices.begin(), choices.end(), is_flag)))
     quantity.note("distribution", ": must be discrete, with the values 0 (false) and 1 (true)");
   for (std::size_t i = 0; i < values.size(); ++i) {
-    note_outside(key, *uncertainty, values[i]);
+    if (table_.document().mistakes() == mistakes) note_outside(key, *uncertainty, values[i]);
     const std::string name = values.size() == 1 ? key : fmt::format("{}[{}]", key, i);
     values[i] = settle(name, values[i], uncertainty, {});
   }

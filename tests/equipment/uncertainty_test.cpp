@@ -210,6 +210,31 @@ TEST(Uncertainty, AFlagIsFalseOrTrue) {
             "(true)");
 }
 
+TEST(Uncertainty, PartsOutsideTheirDistributionAreNotedOnce) {
+  const std::string text = error_text([] {
+    Document document(
+        "yaw_deg = { value = 0, distribution = { kind = 'uniform', low = 1, high = 2, source = "
+        "'s' } }",
+        "a.toml");
+    std::vector<Assumption> assumptions;
+    Quantities(document.root(), assumptions).numbers("yaw_deg", Range::any(), 4);
+    document.finish();
+  });
+  EXPECT_EQ(text,
+            "a.toml:1:11: yaw_deg: the value 0 must be one that its distribution can give "
+            "(uniform, 1 to 2)");
+}
+
+TEST(Uncertainty, ATextCannotBeDrawn) {
+  const std::string text = error_text([] {
+    Document document("type = { value = 'R100', source = 's', distribution = {} }", "a.toml");
+    std::vector<Assumption> assumptions;
+    Quantities(document.root(), assumptions).text("type");
+    document.finish();
+  });
+  EXPECT_EQ(text, "a.toml:1:55: type.distribution: a text cannot be drawn");
+}
+
 TEST(Uncertainty, UnitsAreThoseOfTheKey) {
   EXPECT_EQ(unit_of_key("chassis.mass_kg"), "kg");
   EXPECT_EQ(unit_of_key("chassis.center_of_mass_mm.x"), "mm");

@@ -106,6 +106,23 @@ TEST(JobDraw, ReplacedCastersAreDrawnForEachPlace) {
             drawn_value(job, "rear right/tread.rolling_resistance_mm") / kMillimetersPerMeter);
 }
 
+TEST(JobDraw, ReachesTheFloorCovering) {
+  const TempFolder folder;
+  folder.write("soft.toml", R"(schema = "gurney-floor/1"
+name = "soft"
+rolling_resistance_factor = { value = 1, distribution = { kind = "uniform", low = 1, high = 3, source = "s" } }
+friction_factor = 1
+)");
+  const auto resistance_in = [&](const std::string& covering) {
+    return read_job(folder.write("job.toml",
+                                 std::string(kHead) + "[uncertainty]\ndraw = 2\n" + covering))
+        .scene.item.casters[0]
+        .tread.rolling_resistance;
+  };
+  const double factor = 1 + 2 * Draw(1, 2).probability("floor/rolling_resistance_factor");
+  EXPECT_EQ(resistance_in("[floor]\ncovering = \"soft.toml\"\n"), resistance_in("") * factor);
+}
+
 TEST(JobDraw, IsTheSameOnEveryThread) {
   const std::string text = std::string(kUncertain) + "[uncertainty]\ndraw = ";
   std::vector<std::vector<double>> first(6), second(6);
