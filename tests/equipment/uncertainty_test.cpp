@@ -157,7 +157,7 @@ TEST(Uncertainty, AVectorNeedsProvenanceForEveryAxis) {
   EXPECT_EQ(text,
             "a.toml:1:41: v.distribution.x: missing; the value needs a source or an assumption\n"
             "a.toml:1:41: v.distribution.z: missing; the value needs a source or an assumption\n"
-            "a.toml:1:102: v.distribution.w: unknown key; did you mean 'x'?");
+            "a.toml:1:102: v.distribution.w: unknown key; known: x, y, z");
 }
 
 TEST(Uncertainty, PartsOfOneQuantityAreDrawnEachByItself) {
