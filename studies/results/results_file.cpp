@@ -260,9 +260,9 @@ void add_drawn(Hdf5Writer& file, const std::vector<DrawnFacts>& drawn) {
   const Scales scale{"/drawn/variable"};
   file.add_scale({"/drawn/variable", "1", "the number that was drawn", {}},
                  texts(&DrawnFacts::variable));
-  file.add({"/drawn/value", "1", "its value in this run, in that unit", scale}, values);
+  file.add({"/drawn/value", "1", "its value in this run, in the unit given", scale}, values);
   file.add({"/drawn/unit", "1", "unit of its value", scale}, texts(&DrawnFacts::unit));
-  file.add({"/drawn/distribution", "1", "what it was drawn from, in that unit", scale},
+  file.add({"/drawn/distribution", "1", "what it was drawn from, in the unit given", scale},
            texts(&DrawnFacts::distribution));
   file.add({"/drawn/file", "1", "data file that states it", scale}, texts(&DrawnFacts::file));
 }

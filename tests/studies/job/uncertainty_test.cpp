@@ -177,6 +177,14 @@ TEST(JobDraw, GoesIntoTheFactsOfTheRun) {
                           [](const AssumptionFacts& each) { return each.key == "item.yaw_deg"; }));
 }
 
+TEST(ShippedJob, DrawsTheVentilator) {
+  const Job job = read_job(GURNEY_SOURCE_DIR "/studies/jobs/icu_ventilator_draw.toml");
+  // mass, three of the centre of mass; yaw; for each caster heading, brake and four constants.
+  EXPECT_EQ(drawn_in(job).size(), 4u + 1 + 4 * 6);
+  for (const Caster& caster : job.scene.item.casters)
+    EXPECT_EQ(caster.brake_torque > 0, job.scene.item.casters[0].brake_torque > 0);
+}
+
 TEST(JobVariant, ChangesTheItem) {
   EXPECT_EQ(job_of("").scene.item.casters[0].brake_torque, 0);
   for (const char* text : {"variant = \"brakes on\"\n", "variant = [\"brakes on\"]\n"})
