@@ -107,12 +107,27 @@ SimulationSettings settings(double duration) {
   return settings;
 }
 
-// On a floor of 0.5 %, below every Cr / R, with the casters as somebody left them. The forks first
-// turn by the wind-up of their scrub, which rolls the item some millimetres; then it holds.
-TEST_P(EveryItem, RestsWithoutCreep) {
+/// On a floor of 0.5 %, which is below every Cr / R.
+Scene on_slope(const std::string& name) {
   Scene scene;
   scene.slope = 0.005;
-  scene.item = assemble_item(describe(GetParam())).model;
+  scene.item = assemble_item(describe(name)).model;
+  return scene;
+}
+
+// As parked, all casters along the slope: the start is the equilibrium, and the rolling resistance
+// alone holds.
+TEST_P(EveryItem, StaysWhereItIsParked) {
+  const Response response = simulate(on_slope(GetParam()), {}, settings(2));
+  ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
+  EXPECT_LT(response.demands.peak_displacement, 1e-6);
+  EXPECT_LT(std::abs(response.history.back().displacement.z()), 1e-6);
+}
+
+// With the casters as somebody left them the forks first turn by the wind-up of their scrub, which
+// rolls the item some millimetres; then it holds.
+TEST_P(EveryItem, HoldsWithItsCastersAnyhow) {
+  Scene scene = on_slope(GetParam());
   const double headings[] = {0.3, 1.6, 2.8, 5.2, 4.0};
   for (std::size_t i = 0; i < scene.item.casters.size(); ++i)
     if (scene.item.casters[i].swivels) scene.item.casters[i].heading = headings[i];
@@ -122,7 +137,6 @@ TEST_P(EveryItem, RestsWithoutCreep) {
   EXPECT_LT(response.demands.peak_displacement, 0.01);
   EXPECT_LT((end.displacement - middle.displacement).norm(), 1e-6);
   EXPECT_LT(std::abs(end.yaw - middle.yaw), 1e-6);
-  EXPECT_LT(std::abs(end.displacement.z()), 1e-4);  // no sinking
 }
 
 // A push of 0.4 m/s. Every metre takes at least W min(Cr / R) of the M v^2 / 2, so it stops within
