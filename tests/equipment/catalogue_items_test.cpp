@@ -28,12 +28,26 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EveryItem, testing::ValuesIn(catalogue_names
 
 TEST(CatalogueItems, HasWhatHospitalsAskFor) {
   const std::vector<std::string> names = catalogue_names(DataKind::kItem);
-  for (const char* wanted :
-       {"icu_ventilator", "transport_incubator", "neonatal_incubator", "infant_warmer",
-        "anaesthesia_workstation", "ultrasound_two_rigid", "ultrasound_four_swivel",
-        "infusion_pole", "patient_monitor_stand", "icu_bed", "hospital_bed", "crash_cart",
-        "medication_cart", "dialysis_machine", "mobile_xray", "instrument_trolley",
-        "dressing_trolley", "defibrillator_cart", "linen_cart"})
+  for (const char* wanted : {"icu_ventilator",
+                             "transport_incubator",
+                             "neonatal_incubator",
+                             "infant_warmer",
+                             "anaesthesia_workstation",
+                             "ultrasound_two_rigid",
+                             "ultrasound_four_swivel",
+                             "infusion_pole",
+                             "patient_monitor_stand",
+                             "icu_bed",
+                             "hospital_bed",
+                             "crash_cart",
+                             "medication_cart",
+                             "dialysis_machine",
+                             "mobile_xray",
+                             "instrument_trolley",
+                             "dressing_trolley",
+                             "defibrillator_cart",
+                             "linen_cart",
+                             "overbed_table"})
     EXPECT_TRUE(std::count(names.begin(), names.end(), wanted)) << wanted;
   EXPECT_GE(catalogue_names(DataKind::kCaster).size(), 8u);
   EXPECT_GE(catalogue_names(DataKind::kFloor).size(), 6u);
