@@ -7,6 +7,7 @@
 #include "engine/base/config/document.h"
 #include "engine/base/config/table.h"
 #include "equipment/load_item.h"
+#include "tests/support/catalogue_list.h"
 #include "tests/support/error_text.h"
 #include "tests/support/key_table.h"
 #include "tests/support/temp_folder.h"
@@ -30,9 +31,10 @@ bool has_text(const Node& table, const char* key) {
   return node != nullptr && node->kind == Node::Kind::kText && !node->text.empty();
 }
 
-/// Places of numbers that stand outside a quantity with a source or an assumption.
+/// Places of numbers that stand outside a quantity with a source or an assumption. How many of a
+/// payload an item carries is a choice, as a brake that is on, and no measurement.
 void find_bare_numbers(const Node& node, const config::Document& document, std::string& found) {
-  if (has_text(node, "source") || has_text(node, "assumption")) return;
+  if (has_text(node, "source") || has_text(node, "assumption") || node.key == "count") return;
   if (node.is_number()) found += document.where(node.place) + "\n";
   for (const Node& element : node.elements) find_bare_numbers(element, document, found);
 }
@@ -61,15 +63,18 @@ TEST(Catalogue, EveryFileLoads) {
   for (const std::string& name : catalogue_names(DataKind::kCaster))
     EXPECT_EQ(load_caster_type(find_data(DataKind::kCaster, name, "")).name, name);
   for (const std::string& name : catalogue_names(DataKind::kFloor))
-    EXPECT_EQ(load_floor_covering(find_data(DataKind::kFloor, name, "")).rolling_resistance_factor,
-              1);
+    EXPECT_GT(load_floor_covering(find_data(DataKind::kFloor, name, "")).rolling_resistance_factor,
+              0);
 }
 
 TEST(Catalogue, NamesTheNearestAndTheList) {
   EXPECT_EQ(error_text([] { find_data(DataKind::kCaster, "R10", "job.toml"); }),
-            "unknown caster; did you mean 'R100'? (the catalogue has P100, R100, R125)");
-  EXPECT_EQ(error_text([] { find_data(DataKind::kItem, "bed", "job.toml"); }),
-            "unknown item of equipment (the catalogue has icu_ventilator, xu_trolley)");
+            "unknown caster; did you mean 'R100'? (the catalogue has " +
+                catalogue_list(DataKind::kCaster) + ")");
+  EXPECT_EQ(
+      error_text([] { find_data(DataKind::kItem, "spaceship", "job.toml"); }),
+      "unknown item of equipment (the catalogue has " + catalogue_list(DataKind::kItem) + ")");
+  EXPECT_EQ(catalogue_list(DataKind::kCaster).substr(0, 16), "P100, R100, R125");
 }
 
 TEST(Catalogue, FindsFilesBesideTheOneThatNamesThem) {

@@ -7,6 +7,7 @@
 
 #include "engine/base/units.h"
 #include "equipment/catalogue.h"
+#include "tests/support/catalogue_list.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
@@ -172,7 +173,8 @@ name = "caster 1"
                       ":5:28: chassis.center_of_mass_mm[2] = nan: must be a finite number",
                       ":6:1: caster[1].name = \"caster 1\": must differ from the name of caster[0]",
                       ":7:8: caster[0].type = \"R12\": unknown caster; did you mean 'R125'? (the "
-                      "catalogue has P100, R100, R125)",
+                      "catalogue has " +
+                          catalogue_list(DataKind::kCaster) + ")",
                       ":9:1: caster[0].brakes: unknown key; did you mean 'brake'?",
                       ":12:21: caster[1].position_mm[1] = \"left\": must be a finite number"}));
   EXPECT_NE(text.find(caster_file + ":4:21: wheel_diameter_mm = 0: must be a finite number > 0"),

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "studies/job/job.h"
+#include "tests/support/catalogue_list.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
@@ -36,11 +37,16 @@ casters = "R101"
 covering = "carpet"
 )"),
             "a.toml:3:13: item.equipment = \"icu_ventilater\": unknown item of equipment; did you "
-            "mean 'icu_ventilator'? (the catalogue has icu_ventilator, xu_trolley)\n"
-            "a.toml:4:11: item.casters = \"R101\": unknown caster; did you mean 'R100'? (the "
-            "catalogue has P100, R100, R125)\n"
-            "a.toml:6:12: floor.covering = \"carpet\": unknown floor covering (the catalogue has "
-            "polyflor_forest_fx, polyflor_mystique)");
+            "mean 'icu_ventilator'? (the catalogue has " +
+                catalogue_list(DataKind::kItem) +
+                ")\n"
+                "a.toml:4:11: item.casters = \"R101\": unknown caster; did you mean 'R100'? (the "
+                "catalogue has " +
+                catalogue_list(DataKind::kCaster) +
+                ")\n"
+                "a.toml:6:12: floor.covering = \"carpet\": unknown floor covering; did you mean "
+                "'carpet_tile'? (the catalogue has " +
+                catalogue_list(DataKind::kFloor) + ")");
 }
 
 TEST(BadJob, NamesUnknownKeysAndWrongTypesTogether) {

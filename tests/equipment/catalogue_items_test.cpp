@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "engine/base/config/document.h"
+#include "engine/base/units.h"
+#include "engine/simulate.h"
+#include "equipment/catalogue.h"
+#include "equipment/load_item.h"
+#include "equipment/stability.h"
+
+// What every shipped item must be: found by a hospital's word for it, stable as IEC 60601-1 asks,
+// at rest on the floor, and coming to rest after a push.
+namespace gurney {
+namespace {
+
+constexpr double kG = kStandardGravity;
+
+ItemDescription describe(const std::string& name) {
+  return load_item_description(find_data(DataKind::kItem, name, ""));
+}
+
+class EveryItem : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Catalogue, EveryItem, testing::ValuesIn(catalogue_names(DataKind::kItem)),
+                         [](const auto& test) { return test.param; });
+
+TEST(CatalogueItems, HasWhatHospitalsAskFor) {
+  const std::vector<std::string> names = catalogue_names(DataKind::kItem);
+  for (const char* wanted : {"icu_ventilator",
+                             "transport_incubator",
+                             "neonatal_incubator",
+                             "infant_warmer",
+                             "anaesthesia_workstation",
+                             "ultrasound_two_rigid",
+                             "ultrasound_four_swivel",
+                             "infusion_pole",
+                             "patient_monitor_stand",
+                             "icu_bed",
+                             "hospital_bed",
+                             "crash_cart",
+                             "medication_cart",
+                             "dialysis_machine",
+                             "mobile_xray",
+                             "instrument_trolley",
+                             "dressing_trolley",
+                             "defibrillator_cart",
+                             "linen_cart",
+                             "overbed_table"})
+    EXPECT_TRUE(std::count(names.begin(), names.end(), wanted)) << wanted;
+  EXPECT_GE(catalogue_names(DataKind::kCaster).size(), 8u);
+  EXPECT_GE(catalogue_names(DataKind::kFloor).size(), 6u);
+}
+
+TEST(CatalogueItems, NamesAreUnique) {
+  for (const DataKind kind : {DataKind::kItem, DataKind::kCaster, DataKind::kFloor}) {
+    std::set<std::string> seen;
+    for (const std::string& file : catalogue_names(kind)) {
+      const config::Document document(find_data(kind, file, ""));
+      const std::string& name = document.tree().find("name")->text;
+      EXPECT_TRUE(seen.insert(name).second) << file << ": '" << name << "' is taken";
+    }
+  }
+}
+
+TEST(CatalogueItems, ForksAndWheelsAreOfTheKindTheirItemsSay) {
+  // Two rigid wheels, four swivels, five legs, rigid drive wheels that brake by themselves.
+  const auto swivels = [](const std::string& name) {
+    const std::vector<CasterPlace> casters = describe(name).casters;
+    return std::count_if(casters.begin(), casters.end(),
+                         [](const CasterPlace& caster) { return caster.swivels; });
+  };
+  EXPECT_EQ(swivels("ultrasound_two_rigid"), 2);
+  EXPECT_EQ(swivels("ultrasound_four_swivel"), 4);
+  EXPECT_EQ(swivels("infusion_pole"), 5);
+  for (const CasterPlace& caster : describe("icu_bed").casters)
+    EXPECT_TRUE(caster.brake_on && caster.swivel_locked) << caster.name;
+  for (const CasterPlace& caster : describe("mobile_xray").casters)
+    EXPECT_EQ(caster.brake_on, !caster.swivels) << caster.name;
+}
+
+// IEC 60601-1: a tilt of 10 degrees in the transport position with its payloads and without, with
+// the casters turned the worst way. Swivels that a central lock holds are released for it.
+TEST_P(EveryItem, StandsATiltOfTenDegrees) {
+  const ItemDescription item = describe(GetParam());
+  ItemOptions released, empty;
+  released.swivel_locks.assign(item.casters.size(), false);
+  empty.swivel_locks = released.swivel_locks;
+  for (const PayloadKind& payload : item.payloads) empty.payloads[payload.name] = 0;
+  for (const ItemOptions& options : {released, empty})
+    EXPECT_EQ(assemble_item(item, options).warnings, std::vector<std::string>{});
+}
+
+TEST_P(EveryItem, HasABaseThatIsBiggerThanItsTrailsAndLoadsEveryWheel) {
+  const LoadedItem item = assemble_item(describe(GetParam()));
+  const Stability stability = stability_of(item.model);
+  for (std::size_t i = 0; i < item.model.casters.size(); ++i) {
+    EXPECT_GT(stability.base, item.model.casters[i].trail) << item.model.casters[i].name;
+    EXPECT_GT(stability.wheel_loads[i], 0) << item.model.casters[i].name;
+  }
+}
+
+TEST_P(EveryItem, KeepsItsMassInsideItsShape) {
+  const LoadedItem item = assemble_item(describe(GetParam()));
+  const Vector3 center = whole_item(item.model).center_of_mass;
+  Vector3 low = item.model.shape[0].center, high = low;
+  for (const Box& box : item.model.shape) {
+    low = low.cwiseMin(box.center - box.size / 2);
+    high = high.cwiseMax(box.center + box.size / 2);
+  }
+  EXPECT_TRUE((low.array() < center.array()).all() && (center.array() < high.array()).all())
+      << center.transpose();
+  EXPECT_GT(low.z(), 0) << "the chassis is in the floor";
+}
+
+SimulationSettings settings(double duration) {
+  SimulationSettings settings;
+  settings.duration = duration;
+  settings.history_step = 1;
+  return settings;
+}
+
+/// On a floor of 0.5 %, which is below every Cr / R.
+Scene on_slope(const std::string& name) {
+  Scene scene;
+  scene.slope = 0.005;
+  scene.item = assemble_item(describe(name)).model;
+  return scene;
+}
+
+// As parked, all casters along the slope: the start is the equilibrium, and the rolling resistance
+// alone holds.
+TEST_P(EveryItem, StaysWhereItIsParked) {
+  const Response response = simulate(on_slope(GetParam()), {}, settings(2));
+  ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
+  EXPECT_LT(response.demands.peak_displacement, 1e-6);
+  EXPECT_LT(std::abs(response.history.back().displacement.z()), 1e-6);
+}
+
+// With the casters as somebody left them the forks first turn by the wind-up of their scrub, which
+// rolls the item some millimetres; then it holds.
+TEST_P(EveryItem, HoldsWithItsCastersAnyhow) {
+  Scene scene = on_slope(GetParam());
+  const double headings[] = {0.3, 1.6, 2.8, 5.2, 4.0};
+  for (std::size_t i = 0; i < scene.item.casters.size(); ++i)
+    if (scene.item.casters[i].swivels) scene.item.casters[i].heading = headings[i];
+  const Response response = simulate(scene, {}, settings(20));
+  ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
+  const Sample &middle = response.history[10], &end = response.history.back();
+  EXPECT_LT(response.demands.peak_displacement, 0.01);
+  EXPECT_LT((end.displacement - middle.displacement).norm(), 1e-6);
+  EXPECT_LT(std::abs(end.yaw - middle.yaw), 1e-6);
+}
+
+// A push of 0.4 m/s. Every metre takes at least W min(Cr / R) of the M v^2 / 2, so it stops within
+// v^2 / (2 g min(Cr / R)); the wheels' own spin adds sum I_w / R^2 to M, less than a tenth.
+TEST_P(EveryItem, ComesToRestAfterAPush) {
+  constexpr double kSpeed = 0.4;
+  Scene scene;
+  scene.item = assemble_item(describe(GetParam())).model;
+  scene.initial.velocity = Vector3(kSpeed, kSpeed, 0) / std::sqrt(2.0);
+  double least = 1;
+  for (const Caster& caster : scene.item.casters)
+    least = std::min(least, caster.tread.rolling_resistance / caster.wheel_radius);
+  SimulationSettings until_rest = settings(0);
+  const Response response = simulate(scene, {}, until_rest);
+  ASSERT_EQ(response.outcome, Outcome::kRested) << response.cause;
+  EXPECT_LT(response.demands.path_length, 1.1 * kSpeed * kSpeed / (2 * kG * least));
+  EXPECT_LT(response.demands.peak_tilt, 5 * kRadiansPerDegree);
+  EXPECT_LT(response.quality.energy_closure, 1e-3);
+  EXPECT_EQ(response.quality.unconverged_steps, 0);
+}
+
+}  // namespace
+}  // namespace gurney
