@@ -127,7 +127,7 @@ ItemDescription read_item(Table table) {
   ItemDescription item;
   item.file = table.document().path();
   item.name = table.text("name");
-  table.text("description", "");
+  item.description = table.text("description", "");
   if (auto chassis = table.table("chassis"))
     read_chassis(Quantities(*chassis, item.assumptions), item);
   else if (!table.has("chassis"))

@@ -35,6 +35,7 @@ struct PayloadKind {
 /// y left, z up from the underside of the base plate, which rests on the casters.
 struct ItemDescription {
   std::string name;
+  std::string description;
   std::string file;
   double chassis_mass = 0;                           ///< without casters and payloads [kg]
   Vector3 chassis_center_of_mass = Vector3::Zero();  ///< [m]

@@ -12,6 +12,7 @@
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
 #include "studies/build_info/build_info.h"
+#include "studies/cli/equipment_command.h"
 #include "studies/cli/records_command.h"
 #include "studies/cli/run_command.h"
 #include "studies/cli/signals.h"
@@ -85,6 +86,7 @@ int run_command_line(int argc, char** argv) {
   std::function<int()> act;
   add_run(app, act);
   add_records(app, act);
+  add_equipment(app, act);
   app.add_subcommand("help", "Print this help, or that of a command: help records scale");
   try {
     std::vector<std::string> words(argv + 1, argv + argc);

@@ -1,0 +1,63 @@
+#include "equipment/check_file.h"
+
+#include "engine/base/config/table.h"
+#include "engine/base/error.h"
+#include "equipment/implausible.h"
+#include "equipment/load_item.h"
+
+namespace gurney {
+namespace {
+
+DataKind kind_of(const std::string& file) {
+  config::Document document(file);
+  const std::size_t kind =
+      document.root().choice("schema", {"gurney-item/1", "gurney-caster/1", "gurney-floor/1"});
+  require(document.clean(), file +
+                                ":1:1: schema: must be one of \"gurney-item/1\", "
+                                "\"gurney-caster/1\", \"gurney-floor/1\"");
+  return static_cast<DataKind>(kind);
+}
+
+void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+CheckedFile check_item(const std::string& file) {
+  CheckedFile result{DataKind::kItem, {}, {}};
+  const auto check = [&](const std::string& variant) {
+    const ItemSelection selection{
+        variant.empty() ? std::vector<std::string>{} : std::vector<std::string>{variant}, {}};
+    try {
+      const LoadedItem item = load_item(file, {}, selection);
+      if (variant.empty()) result.name = item.model.name;
+      std::vector<std::string> warnings = item.warnings;
+      append(warnings, implausible(item.model));
+      for (std::string& warning : warnings)
+        result.warnings.push_back(variant.empty() ? warning : warning + " (" + variant + ")");
+    } catch (const Error& error) {
+      const std::string text = error.what();
+      throw Error(text.find(file) == std::string::npos ? file + ": " + text : text);
+    }
+  };
+  check("");
+  for (const std::string& variant : variant_names(file)) check(variant);
+  return result;
+}
+
+}  // namespace
+
+CheckedFile check_data_file(const std::string& file) {
+  switch (kind_of(file)) {
+    case DataKind::kItem:
+      return check_item(file);
+    case DataKind::kCaster: {
+      const CasterType caster = load_caster_type(file);
+      return {DataKind::kCaster, caster.name, implausible(caster)};
+    }
+    case DataKind::kFloor:
+      break;
+  }
+  return {DataKind::kFloor, load_floor_covering(file).name, {}};
+}
+
+}  // namespace gurney

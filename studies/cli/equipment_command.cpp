@@ -1,0 +1,136 @@
+#include "studies/cli/equipment_command.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "engine/base/error.h"
+#include "equipment/catalogue.h"
+#include "equipment/check_file.h"
+#include "equipment/implausible.h"
+#include "equipment/load_item.h"
+#include "studies/cli/records_output.h"
+#include "studies/report/equipment_list.h"
+#include "studies/report/equipment_report.h"
+
+namespace gurney {
+namespace {
+
+struct ShowOptions {
+  std::string item, floor, brakes, figure;
+  std::vector<std::string> variants;
+  bool json = false, assumptions = false, overwrite = false;
+};
+
+ItemOptions item_options(const ShowOptions& options, const ItemDescription& item) {
+  ItemOptions result;
+  if (!options.floor.empty())
+    result.floor = load_floor_covering(find_data(DataKind::kFloor, options.floor, ""));
+  if (!options.brakes.empty())
+    for (const CasterPlace& place : item.casters)
+      result.brakes.push_back(options.brakes == "on" && place.type.brake_torque > 0);
+  return result;
+}
+
+int show(const ShowOptions& options) {
+  const std::string file = find_data(DataKind::kItem, options.item, "");
+  const ItemDescription item = load_item_description(file, {options.variants, {}});
+  const LoadedItem loaded = assemble_item(item, item_options(options, item));
+  EquipmentFacts facts{loaded.model,  item_sheet(loaded.model), item.description,
+                       item.variants, loaded.assumptions,       loaded.warnings};
+  for (std::string& finding : implausible(loaded.model))
+    facts.warnings.push_back(std::move(finding));
+  if (!options.figure.empty())
+    write_output(options.figure, equipment_figure(facts), options.overwrite, true);
+  fmt::print("{}",
+             options.json ? equipment_json(facts) : equipment_report(facts, options.assumptions));
+  return 0;
+}
+
+struct CheckOptions {
+  std::vector<std::string> files;
+  bool json = false;
+};
+
+const char* noun(DataKind kind) {
+  if (kind == DataKind::kItem) return "item";
+  return kind == DataKind::kCaster ? "caster" : "floor covering";
+}
+
+int check(const CheckOptions& options) {
+  int code = 0;
+  nlohmann::ordered_json results = nlohmann::ordered_json::array();
+  for (const std::string& file : options.files) {
+    try {
+      const CheckedFile checked = check_data_file(file);
+      results.push_back({{"file", file},
+                         {"kind", noun(checked.kind)},
+                         {"name", checked.name},
+                         {"warnings", checked.warnings}});
+      if (options.json) continue;
+      fmt::print("{}: {} '{}' has no mistakes\n", file, noun(checked.kind), checked.name);
+      for (const std::string& warning : checked.warnings) fmt::print("  warning: {}\n", warning);
+    } catch (const Error& error) {
+      code = 1;
+      results.push_back({{"file", file}, {"mistakes", error.what()}});
+      fmt::print(stderr, "{}\n", error.what());
+    }
+  }
+  if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"files", results}}.dump(2));
+  return code;
+}
+
+void add_list(CLI::App& equipment, std::function<int()>& act) {
+  auto json = std::make_shared<bool>(false);
+  CLI::App* const command = equipment.add_subcommand("ls", "Tables of items, casters and floors");
+  command->add_flag("--json", *json, "Print JSON, in SI units");
+  command->callback([json, &act] {
+    act = [json] {
+      fmt::print("{}", *json ? equipment_list_json() : equipment_list());
+      return 0;
+    };
+  });
+}
+
+void add_show(CLI::App& equipment, std::function<int()>& act) {
+  auto options = std::make_shared<ShowOptions>();
+  CLI::App* const command = equipment.add_subcommand(
+      "show", "Mass, inertia, support, tilt, wheel loads and resistance of an item");
+  command->add_option("ITEM", options->item, "A name of the catalogue, or a .toml file")
+      ->required();
+  command->add_option("--variant", options->variants, "A variant of the item; several in order");
+  command->add_option("--floor", options->floor, "A floor covering (else smooth vinyl)");
+  command
+      ->add_option("--brakes", options->brakes,
+                   "on: all brakes there are, off: none (else as the file has them)")
+      ->check(CLI::IsMember({"on", "off"}));
+  command->add_flag("--assumptions", options->assumptions,
+                    "List every number in use that has no source");
+  command->add_option("--figure", options->figure, "A figure to write: plan and two sides (.svg)");
+  command->add_flag("--json", options->json, "Print JSON, in SI units");
+  command->add_flag("--overwrite", options->overwrite, "Replace a figure that exists");
+  command->callback([options, &act] { act = [options] { return show(*options); }; });
+}
+
+void add_check(CLI::App& equipment, std::function<int()>& act) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* const command = equipment.add_subcommand(
+      "check", "Look for mistakes in files of items, casters and floor coverings");
+  command->add_option("FILE", options->files, "Files (docs/formats/equipment_file.md)")->required();
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([options, &act] { act = [options] { return check(*options); }; });
+}
+
+}  // namespace
+
+void add_equipment(CLI::App& app, std::function<int()>& act) {
+  CLI::App* const equipment =
+      app.add_subcommand("equipment", "Look at items of equipment, and check your own");
+  equipment->require_subcommand(1);
+  add_list(*equipment, act);
+  add_show(*equipment, act);
+  add_check(*equipment, act);
+}
+
+}  // namespace gurney

@@ -1,0 +1,108 @@
+#include "studies/report/equipment_list.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/base/units.h"
+#include "equipment/caster_type.h"
+#include "equipment/catalogue.h"
+#include "equipment/floor_covering.h"
+#include "equipment/item_sheet.h"
+#include "equipment/load_item.h"
+
+namespace gurney {
+namespace {
+
+struct ListedItem {
+  std::string key;
+  LoadedItem item;
+  ItemSheet sheet;
+};
+
+std::vector<ListedItem> items() {
+  std::vector<ListedItem> result;
+  for (const std::string& key : catalogue_names(DataKind::kItem)) {
+    LoadedItem item = load_item(find_data(DataKind::kItem, key, ""));
+    ItemSheet sheet = item_sheet(item.model);
+    result.push_back({key, std::move(item), std::move(sheet)});
+  }
+  return result;
+}
+
+CasterType caster(const std::string& key) {
+  return load_caster_type(find_data(DataKind::kCaster, key, ""));
+}
+
+FloorCovering floor(const std::string& key) {
+  return load_floor_covering(find_data(DataKind::kFloor, key, ""));
+}
+
+}  // namespace
+
+std::string equipment_list() {
+  std::string text =
+      fmt::format("{:<24} {:<52} {:>7} {:>7} {:>6} {:>9} {:>8} {:>12}\n", "item", "name", "kg",
+                  "mm high", "b/h", "tilt [deg]", "casters", "assumptions");
+  for (const auto& [key, item, sheet] : items())
+    text += fmt::format("{:<24} {:<52} {:>7.1f} {:>7.0f} {:>6.2f} {:>9.1f} {:>9} {:>12}\n", key,
+                        item.model.name, sheet.whole.mass, sheet.size.z() * kMillimetersPerMeter,
+                        sheet.stability.base / sheet.stability.height,
+                        sheet.stability.tilt / kRadiansPerDegree, item.model.casters.size(),
+                        item.assumptions.size());
+  text += "b/h and tilt: free swivels turned the worst way\n";
+  text += fmt::format("\n{:<24} {:>9} {:>9} {:>8} {:>7} {:>13} {:>10}\n", "caster", "wheel [mm]",
+                      "high [mm]", "trail", "Cr / R", "friction mu_s", "brake [N m]");
+  for (const std::string& key : catalogue_names(DataKind::kCaster)) {
+    const CasterType type = caster(key);
+    const Caster& c = type.properties;
+    text += fmt::format("{:<24} {:>9.0f} {:>9.0f} {:>8.1f} {:>8.4f} {:>13.2f} {:>10.3g}\n", key,
+                        2 * c.wheel_radius * kMillimetersPerMeter, c.height * kMillimetersPerMeter,
+                        c.trail * kMillimetersPerMeter, c.tread.rolling_resistance / c.wheel_radius,
+                        c.tread.static_friction, type.brake_torque);
+  }
+  text += fmt::format("\n{:<24} {:<40} {:>12} {:>12}\n", "floor covering", "name", "factor on Cr",
+                      "on friction");
+  for (const std::string& key : catalogue_names(DataKind::kFloor)) {
+    const FloorCovering covering = floor(key);
+    text += fmt::format("{:<24} {:<40} {:>12.2f} {:>12.2f}\n", key, covering.name,
+                        covering.rolling_resistance_factor, covering.friction_factor);
+  }
+  return text;
+}
+
+std::string equipment_list_json() {
+  using Json = nlohmann::ordered_json;
+  Json listed = Json::array(), casters = Json::array(), floors = Json::array();
+  for (const auto& [key, item, sheet] : items())
+    listed.push_back({{"key", key},
+                      {"name", item.model.name},
+                      {"mass_kg", sheet.whole.mass},
+                      {"height_m", sheet.size.z()},
+                      {"base_over_height", sheet.stability.base / sheet.stability.height},
+                      {"tilt_rad", sheet.stability.tilt},
+                      {"casters", item.model.casters.size()},
+                      {"assumptions", item.assumptions.size()}});
+  for (const std::string& key : catalogue_names(DataKind::kCaster)) {
+    const CasterType type = caster(key);
+    const Caster& c = type.properties;
+    casters.push_back({{"key", key},
+                       {"name", type.name},
+                       {"wheel_radius_m", c.wheel_radius},
+                       {"height_m", c.height},
+                       {"trail_m", c.trail},
+                       {"rolling_resistance_m", c.tread.rolling_resistance},
+                       {"static_friction", c.tread.static_friction},
+                       {"brake_torque_n_m", type.brake_torque}});
+  }
+  for (const std::string& key : catalogue_names(DataKind::kFloor)) {
+    const FloorCovering covering = floor(key);
+    floors.push_back({{"key", key},
+                      {"name", covering.name},
+                      {"rolling_resistance_factor", covering.rolling_resistance_factor},
+                      {"friction_factor", covering.friction_factor}});
+  }
+  return Json{{"items", listed}, {"casters", casters}, {"floors", floors}}.dump(2) + "\n";
+}
+
+}  // namespace gurney

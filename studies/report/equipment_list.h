@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace gurney {
+
+/// The catalogue as tables for people, or as a JSON object.
+/// @throws Error with the mistakes of a catalogue file.
+std::string equipment_list();
+std::string equipment_list_json();
+
+}  // namespace gurney

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "equipment/assumption.h"
+#include "equipment/item_sheet.h"
+
+namespace gurney {
+
+/// An item ready to be told of.
+struct EquipmentFacts {
+  EquipmentModel model;
+  ItemSheet sheet;
+  std::string description;
+  std::vector<std::string> variants;
+  std::vector<Assumption> assumptions;
+  std::vector<std::string> warnings;
+};
+
+/// For people: mass, inertia, support, tilt, wheel loads, resistance; with `with_assumptions` every
+/// number that has no source.
+std::string equipment_report(const EquipmentFacts& facts, bool with_assumptions);
+
+/// The same as a JSON object, in SI units.
+std::string equipment_json(const EquipmentFacts& facts);
+
+/// Plan and two sides (SVG).
+std::string equipment_figure(const EquipmentFacts& facts);
+
+}  // namespace gurney

@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# `gurney equipment` from outside: exit codes, messages, and the files that are left.
+# usage: equipment.sh GURNEY SOURCE_FOLDER
+set -uo pipefail
+gurney=$1
+. "$2/tests/studies/cli/expect.sh"
+
+# equipment CODE TEXT ARGUMENTS...: what `gurney equipment` does
+equipment() { expect "$1" "$2" "$gurney" equipment "${@:3}"; }
+
+equipment 2 "A subcommand is required"
+equipment 0 "icu_ventilator" ls
+equipment 0 '"key": "icu_ventilator"' ls --json
+equipment 0 "IEC 60601-1" show icu_ventilator
+equipment 0 '"tilt_rad":' show icu_ventilator --json
+equipment 0 "tread.patch_width_mm" show icu_ventilator --assumptions
+equipment 0 "swivels, braked" show icu_ventilator --brakes on
+equipment 0 "swivels, braked" show icu_ventilator --variant "brakes on"
+equipment 1 "did you mean 'brakes on'?" show icu_ventilator --variant "brake on"
+equipment 1 "did you mean 'icu_ventilator'?" show icu_ventilater
+equipment 1 "unknown floor covering" show icu_ventilator --floor marble
+equipment 2 "--brakes" show icu_ventilator --brakes maybe
+equipment 0 "ICU" show icu_ventilator --figure plan.svg
+grep -q "</svg>" plan.svg || complain "no figure"
+equipment 1 "plan.svg: exists already" show icu_ventilator --figure plan.svg
+equipment 0 "ICU" show icu_ventilator --figure plan.svg --overwrite
+
+equipment 0 "item 'ICU ventilator on cart' has no mistakes" check "$2/equipment/items/icu_ventilator.toml"
+sed 's/^value = 30$/value = -30/; s/^name = "front left"/nome = "front left"/' \
+  "$2/equipment/items/icu_ventilator.toml" > bad.toml
+equipment 1 "bad.toml:9:9: chassis.mass_kg.value = -30" check bad.toml "$2/equipment/casters/R100.toml"
+grep -q "nome: unknown key; did you mean 'name'?" stderr || complain "not all mistakes are told"
+grep -q "caster 'R100' has no mistakes" stdout || complain "the others are not looked at"
+printf 'schema = "gurney-job/1"\n' > job.toml
+equipment 1 "gurney-item/1" check job.toml
+equipment 1 "none.toml" check none.toml
+equipment 0 '"warnings": []' check "$2/equipment/floors/linoleum.toml" --json
+
+exit $((failures > 0))
