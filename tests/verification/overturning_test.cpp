@@ -23,6 +23,12 @@ Response push_over(const Vector3& direction) {
     caster.swivels = false;
     caster.brake_torque = std::numeric_limits<double>::infinity();
   }
+  scene.item.marked_points.clear();
+  const Box& box = scene.item.shape[0];
+  for (int k = 0; k < 8; ++k)
+    scene.item.marked_points.push_back(
+        {"corner", box.center + 0.5 * box.size.cwiseProduct(Vector3(k & 1 ? 1 : -1, k & 2 ? 1 : -1,
+                                                                    k & 4 ? 1 : -1))});
   Excitation excitation;
   excitation.forces = {{"push", {0, 0, 0.9}, direction, {0, 0.6}, {1100, 1100}}};
   SimulationSettings settings;
@@ -39,6 +45,12 @@ TEST(Overturning, IsFollowedUntilTheTrolleyLiesOnTheFloor) {
     // On its side, or on its head.
     EXPECT_GT(response.history.back().tilt, 80 * kRadiansPerDegree);
     EXPECT_LT(response.quality.energy_closure, 0.01);
+    // At rest a corner sinks by the weight over two of them, W / (2 k) = 0.5 mm, at most.
+    for (int k = 0; k < 8; ++k) {
+      const double start = k & 4 ? 0.9 : 0.2;
+      const auto corner = static_cast<std::size_t>(k);
+      EXPECT_GT(start + response.history.back().points[corner].displacement.z(), -1e-3) << k;
+    }
     EXPECT_EQ(response.quality.unconverged_steps, 0);
     EXPECT_GE(response.demands.impacts, 1);
     EXPECT_LE(response.demands.impacts, 30) << "no flood";
