@@ -25,7 +25,9 @@ WheelMode mode_of(const Leg& leg, const TreadLaw::Result& tread, bool axle_slips
 }  // namespace
 
 Recorder::Recorder(const Scene& scene, const Mechanism& mechanism, const State& start)
-    : mechanism_(mechanism), origin_(-mechanism.chassis.center_of_mass) {
+    : mechanism_(mechanism),
+      origin_(-mechanism.chassis.center_of_mass),
+      impacts_(scene, mechanism) {
   const Matrix3 rotation = start.rotation.toRotationMatrix();
   for (const auto& point : scene.item.marked_points) {
     points_.push_back(point.position + origin_);
@@ -93,9 +95,10 @@ void Recorder::observe(const Stepper::Step& step) {
     d.peak_tilt = current_.tilt;
     d.time_of_peak_tilt = to.time;
   }
-  speed_ = v.norm() + w.norm() * mechanism_.reach;
+  speed_ = body_speed_ = v.norm() + w.norm() * mechanism_.reach;
   observe_wheels(step);
   observe_points(step, rotation);
+  impacts_.observe(step);
 }
 
 void Recorder::observe_wheels(const Stepper::Step& step) {
@@ -210,6 +213,14 @@ void Recorder::finish(const State& state, const EnergyAccount& account, Response
   response.stored_energy_at_start = stored_start_;
   response.end_time = state.time;
   response.history = history_;
+  response.impacts = impacts_.finish(state.time);
+  Demands& d = response.demands;
+  d.impacts = static_cast<int>(response.impacts.size());
+  for (const Impact& impact : response.impacts) {
+    d.largest_approach_speed = std::max(d.largest_approach_speed, impact.approach_speed);
+    d.largest_impulse = std::max(d.largest_impulse, impact.impulse);
+    d.peak_impact_force = std::fmax(d.peak_impact_force, impact.peak_force);
+  }
   if (largest_energy_ > 0) {
     response.quality.energy_closure = largest_closure_ / largest_energy_;
     response.quality.numerical_loss = response.energy.numerical_loss / largest_energy_;

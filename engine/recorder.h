@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/impact_log.h"
 #include "engine/response.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
@@ -23,6 +24,8 @@ class Recorder {
 
   /// Fastest motion of any part of the item at the last step [m/s].
   double speed() const { return speed_; }
+  /// The same without the joints of casters: what an item that lies on the floor rests by [m/s].
+  double body_speed() const { return body_speed_; }
   double tilt() const { return current_.tilt; }
   Demands& demands() { return demands_; }
 
@@ -49,10 +52,11 @@ class Recorder {
   double yaw_start_, yaw_;
   double gravitational_start_, stored_start_;
   double largest_energy_ = 0, largest_closure_ = 0;
-  double speed_ = 0;
+  double speed_ = 0, body_speed_ = 0;
   Sample current_;
   Demands demands_;
   std::vector<Sample> history_;
+  ImpactLog impacts_;
 };
 
 }  // namespace gurney

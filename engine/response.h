@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -114,12 +115,17 @@ struct Demands {
   double residual_yaw = 0;
   double peak_tilt = 0;
   double time_of_peak_tilt = 0;
-  double peak_normal_force = 0;      ///< largest of any wheel [N]
-  double lifted_time = 0;            ///< while at least one wheel is off the floor [s]
-  int most_wheels_lifted = 0;        ///< at once
-  double time_of_overturning = -1;   ///< < 0: not overturned [s]
-  std::vector<WheelDemands> wheels;  ///< one for each caster
-  std::vector<PointDemands> points;  ///< one for each marked point
+  double peak_normal_force = 0;       ///< largest of any wheel [N]
+  double lifted_time = 0;             ///< while at least one wheel is off the floor [s]
+  int most_wheels_lifted = 0;         ///< at once
+  double time_of_overturning = -1;    ///< < 0: not overturned [s]
+  int impacts = 0;                    ///< see Response::impacts
+  double largest_approach_speed = 0;  ///< of an impact [m/s]
+  double largest_impulse = 0;         ///< [N s]
+  double peak_impact_force =
+      std::numeric_limits<double>::quiet_NaN();  ///< of compliant impacts; NaN: none [N]
+  std::vector<WheelDemands> wheels;              ///< one for each caster
+  std::vector<PointDemands> points;              ///< one for each marked point
 };
 
 /// What the numbers of a run are worth.
@@ -131,9 +137,24 @@ struct Quality {
   long steps = 0;
   long subdivided_steps = 0;   ///< steps that had to be cut because their solve did not converge
   long unconverged_steps = 0;  ///< accepted with a residual above the setting
-  long event_steps = 0;        ///< extra steps that end at a located event
+  long event_steps = 0;        ///< extra steps that end at a located event or resolve an impact
   long newton_iterations = 0;
   long collision_passes = 0;  ///< of Bullet
+};
+
+/// The chassis or a wheel that hit the floor or a room shape (when one begins and ends:
+/// engine/impact_log.h). Wheels that land on their treads are not among them.
+struct Impact {
+  double time = 0;                   ///< of the first touch [s]
+  int wheel = -1;                    ///< -1: the chassis
+  std::string body;                  ///< "chassis" or the caster's name
+  std::string other;                 ///< "floor" or the room shape's name
+  Vector3 point = Vector3::Zero();   ///< floor axes [m]
+  Vector3 normal = Vector3::Zero();  ///< towards the item
+  double approach_speed = 0;         ///< largest of the points that came to touch [m/s]
+  double impulse = 0;                ///< of the normal force on every point of the pair [N s]
+  double peak_force = 0;  ///< of their sum; NaN where restitution is stated, not stiffness [N]
+  double duration = 0;    ///< [s]
 };
 
 struct Response {
@@ -144,6 +165,7 @@ struct Response {
   Quality quality;
   EnergyAccount energy;  ///< at the end
   double stored_energy_at_start = 0;
+  std::vector<Impact> impacts;  ///< by time
   std::vector<Sample> history;  ///< every `history_step`, the start and the end included
 };
 

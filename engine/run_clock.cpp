@@ -39,7 +39,11 @@ bool RunClock::next(double time) {
 }
 
 void RunClock::observe(double time, double speed, double tilt) {
-  if (tilt > settings_.overturn_tilt) return stop(Outcome::kOverturned);
+  if (tilt > settings_.overturn_tilt && overturned_at_ < 0) {
+    overturned_at_ = time;
+    outcome_ = Outcome::kOverturned;
+    if (!settings_.follow_overturning) return stop(Outcome::kOverturned);
+  }
   if (settings_.duration > 0) return;
   if (speed > settings_.rest_speed || time < excitation_end_) {
     resting_since_ = std::max(time, excitation_end_);
@@ -50,7 +54,8 @@ void RunClock::observe(double time, double speed, double tilt) {
   double& peak = held < settings_.rest_hold / 2 ? early_peak_ : late_peak_;
   peak = std::max(peak, speed);
   if (held < settings_.rest_hold - kTimeTolerance) return;
-  if (late_peak_ <= early_peak_ + kNoMotion) return stop(Outcome::kRested);
+  if (late_peak_ <= early_peak_ + kNoMotion)
+    return stop(overturned_at_ < 0 ? Outcome::kRested : Outcome::kOverturned);
   resting_since_ = time;  // slow but gaining speed: not at rest
   early_peak_ = late_peak_ = 0;
 }

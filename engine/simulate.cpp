@@ -24,7 +24,7 @@ Response simulate_with_star(const Scene& scene, const Excitation& excitation,
   RunClock clock(excitation, mechanism.loads.breakpoints(), settings);
   const Stepper::Observer observer = [&](const Stepper::Step& step) { recorder.observe(step); };
   std::optional<std::string> cause;
-  const BulletWorld::Solve solve = [&](double, const std::vector<ContactAnchor>& contacts) {
+  const BulletWorld::Solve solve = [&](double, const std::vector<BodyContact>& contacts) {
     stepper.set_contacts(contacts, state);
     cause = stepper.advance(state, clock.target(), observer);
   };
@@ -42,10 +42,11 @@ Response simulate_with_star(const Scene& scene, const Excitation& excitation,
       recorder.sample(state, stepper.account(), clock.keeps_history());
       sampled_at = state.time;
     }
-    clock.observe(state.time, recorder.speed(), recorder.tilt());
+    const bool fallen = clock.overturned_at() >= 0;
+    clock.observe(state.time, fallen ? recorder.body_speed() : recorder.speed(), recorder.tilt());
   }
   if (sampled_at != state.time) recorder.sample(state, stepper.account(), clock.keeps_history());
-  if (clock.outcome() == Outcome::kOverturned) recorder.demands().time_of_overturning = state.time;
+  recorder.demands().time_of_overturning = clock.overturned_at();
 
   Response response;
   response.outcome = clock.outcome();

@@ -9,6 +9,7 @@ namespace gurney {
 
 using Vector2 = Eigen::Vector2d;
 using Vector3 = Eigen::Vector3d;
+using Matrix2 = Eigen::Matrix2d;
 using Matrix3 = Eigen::Matrix3d;
 using Quaternion = Eigen::Quaterniond;
 

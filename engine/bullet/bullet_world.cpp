@@ -3,7 +3,6 @@
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
-#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 
@@ -12,6 +11,8 @@
 
 #include "engine/bullet/convert.h"
 #include "engine/bullet/multibody_item.h"
+#include "engine/bullet/room_objects.h"
+#include "engine/solver/floor_points.h"
 
 namespace gurney {
 namespace {
@@ -39,17 +40,19 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
  public:
   World(const Scene& scene, const Mechanism& mechanism, bool skip_clear_passes)
       : btMultiBodyDynamicsWorld(&dispatcher, &broadphase, &solver, &configuration),
-        floor_shape_(btVector3(0, 0, 1), 0),
+        mechanism_(mechanism),
+        floor_points_(scene, mechanism),
         item_(scene, mechanism, MultibodyItem::Wheels::kCylinders, *this),
+        room_(scene.room, *this),
         reach_(mechanism.reach),
         swing_(largest_swing(mechanism)),
         skip_clear_passes_(skip_clear_passes) {
-    floor_.setCollisionShape(&floor_shape_);
-    addCollisionObject(&floor_, MultibodyItem::kFloor,
-                       MultibodyItem::kChassis | MultibodyItem::kCasters);
+    // Points are reported from the same distance for shapes of every size.
+    dispatcher.setDispatcherFlags(
+        dispatcher.getDispatcherFlags() &
+        ~btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD);
+    configuration.setConvexConvexMultipointIterations(3, 3);
   }
-
-  ~World() override { removeCollisionObject(&floor_); }
 
   void step(double duration, State& state, const Solve& solve) {
     state_ = &state;
@@ -66,10 +69,14 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
     const double needed = kContactMargin + 2 * step_ * speed_;
     if (skip_clear_passes_ && clearance_ - travelled_ > needed) return;
     item_.set(*state_);
+    // A point that turned with a wheel since the last pass is no contact any more.
+    for (int m = 0; m < dispatcher.getNumManifolds(); ++m)
+      dispatcher.getManifoldByIndexInternal(m)->clearManifold();
     btMultiBodyDynamicsWorld::performDiscreteCollisionDetection();
     ++passes_;
     travelled_ = 0;
     clearance_ = measure_clearance();
+    floor_points_.collect(*state_, needed, contacts_);
     collect_contacts();
   }
 
@@ -96,19 +103,17 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
     return speed + joints * swing_;
   }
 
-  /// Least distance between boxes around what may touch; the floor is the plane z = 0.
+  /// Least distance between boxes around what may touch, and from the floor.
   double measure_clearance() {
-    double clearance = std::numeric_limits<double>::infinity();
+    double clearance = floor_points_.clearance(*state_);
     const auto& objects = getCollisionObjectArray();
     for (int a = 0; a < objects.size(); ++a) {
       const auto* item = btMultiBodyLinkCollider::upcast(objects[a]);
       if (item == nullptr) continue;
       btVector3 low, high;
       item->getCollisionShape()->getAabb(item->getWorldTransform(), low, high);
-      if (item->m_link < 0) clearance = std::min(clearance, low.z());
       for (int b = 0; b < objects.size(); ++b) {
-        if (objects[b] == &floor_ || btMultiBodyLinkCollider::upcast(objects[b]) != nullptr)
-          continue;
+        if (btMultiBodyLinkCollider::upcast(objects[b]) != nullptr) continue;
         btVector3 other_low, other_high;
         objects[b]->getCollisionShape()->getAabb(objects[b]->getWorldTransform(), other_low,
                                                  other_high);
@@ -129,32 +134,38 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
       const auto* b = btMultiBodyLinkCollider::upcast(manifold->getBody1());
       const btMultiBodyLinkCollider* item = a != nullptr ? a : b;
       if (item == nullptr) continue;
+      const btCollisionObject* other = a != nullptr ? manifold->getBody1() : manifold->getBody0();
       for (int k = 0; k < manifold->getNumContacts(); ++k) {
         const btManifoldPoint& point = manifold->getContactPoint(k);
         const Vector3 on_item =
             from_bullet(a != nullptr ? point.getPositionWorldOnA() : point.getPositionWorldOnB());
         const Vector3 normal = (a != nullptr ? 1.0 : -1.0) * from_bullet(point.m_normalWorldOnB);
-        ContactAnchor anchor;
-        anchor.leg = item->m_link < 0 ? -1 : item->m_link / 2;
-        anchor.body = item->m_link < 0        ? BodyContact::Body::kChassis
-                      : item->m_link % 2 == 0 ? BodyContact::Body::kFork
-                                              : BodyContact::Body::kWheel;
-        anchor.local = to_chassis * (on_item - state_->position);
-        anchor.normal = normal;
-        anchor.offset = normal.dot(on_item) - point.getDistance();
-        contacts_.push_back(anchor);
+        BodyContact contact;
+        contact.other = other->getUserIndex();
+        contact.local = to_chassis * (on_item - state_->position);
+        contact.normal = normal;
+        contact.offset = normal.dot(on_item) - point.getDistance();
+        if (item->m_link >= 0) {
+          contact.body = BodyContact::Body::kWheel;
+          contact.leg = item->m_link / 2;
+          const auto i = static_cast<std::size_t>(contact.leg);
+          contact.local = mechanism_.legs[i].on_fork(state_->pose(), state_->legs[i].swivel_angle,
+                                                     on_item - state_->position);
+        }
+        contacts_.push_back(contact);
       }
     }
   }
 
-  btStaticPlaneShape floor_shape_;
-  btCollisionObject floor_;
+  const Mechanism& mechanism_;
+  FloorPoints floor_points_;
   MultibodyItem item_;
+  RoomObjects room_;
   double reach_, swing_;
   bool skip_clear_passes_;
   State* state_ = nullptr;
   const Solve* solve_ = nullptr;
-  std::vector<ContactAnchor> contacts_;
+  std::vector<BodyContact> contacts_;
   double step_ = 0, speed_ = 0, travelled_ = 0, clearance_ = 0;
   long passes_ = 0;
 };

@@ -6,16 +6,15 @@
 
 #include "engine/scene/scene.h"
 #include "engine/solver/mechanism.h"
-#include "engine/solver/stepper.h"
 
 namespace gurney {
 
 /// Bullet's world with our solve in it.
 ///
 /// A subclass of btMultiBodyDynamicsWorld holds the item as a btMultiBody with its shapes, and the
-/// floor. Each call of step() is one stepSimulation: Bullet finds the contacts that are not wheel
-/// on flat floor (those are analytic), and where it would solve constraints and integrate, it calls
-/// us.
+/// shapes of the room. Each call of step() is one stepSimulation: Bullet finds the contacts between
+/// them (those with the flat floor are analytic: FloorPoints), and where it would solve constraints
+/// and integrate, it calls us.
 ///
 /// The collision pass is skipped while bounds on the distance to everything else and on the motion
 /// since the last pass say that nothing is near, with a margin of 20 mm; results are
@@ -26,7 +25,7 @@ class BulletWorld {
   ~BulletWorld();
 
   /// Advances `state` by `duration` with `solve`, which receives the contacts found at the start.
-  using Solve = std::function<void(double duration, const std::vector<ContactAnchor>& contacts)>;
+  using Solve = std::function<void(double duration, const std::vector<BodyContact>& contacts)>;
   void step(double duration, State& state, const Solve& solve);
 
   long collision_passes() const;

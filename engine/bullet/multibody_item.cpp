@@ -77,8 +77,10 @@ MultibodyItem::MultibodyItem(const Scene& scene, const Mechanism& mechanism, Whe
 
   auto boxes = std::make_unique<btCompoundShape>();
   for (const Box& box : scene.item.shape) {
-    shapes_.push_back(std::make_unique<btBoxShape>(to_bullet(Vector3(0.5 * box.size))));
-    shapes_.back()->setMargin(0.001);
+    auto shape = std::make_unique<btBoxShape>(to_bullet(Vector3(0.5 * box.size)));
+    shape->setMargin(0.001);
+    shape->initializePolyhedralFeatures();  // whole faces of contact against boxes of the room
+    shapes_.push_back(std::move(shape));
     const Vector3 center = base_axes_.conjugate() * (box.center - chassis.center_of_mass);
     boxes->addChildShape(
         btTransform(to_bullet(Quaternion(base_axes_.conjugate())), to_bullet(center)),

@@ -146,6 +146,9 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
                                   const SimulationSettings& settings) {
   bool free = true;
   for (const Guide& guide : excitation.fixture.guides) free &= guide.kind == Guide::Kind::kFree;
+  require(scene.room.empty() && !scene.item.casters.empty(),
+          "the stock Bullet baselines know no room and no items without casters; use solver = "
+          "\"star\" for this job");
   require(free && excitation.drop_weights.empty() && excitation.blocks.empty(),
           "the stock Bullet baselines know no drop weights, blocks or fixtures; use solver = "
           "\"star\" for this job");
@@ -188,7 +191,7 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
   if (sampled_at != state.time) recorder.sample(state, account, clock.keeps_history());
   response.outcome = clock.outcome();
   response.cause = clock.cause();
-  if (clock.outcome() == Outcome::kOverturned) recorder.demands().time_of_overturning = state.time;
+  recorder.demands().time_of_overturning = clock.overturned_at();
   recorder.finish(state, account, response);
   response.quality.energy_closure = response.quality.numerical_loss = 0;
   return response;

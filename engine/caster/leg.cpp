@@ -8,6 +8,11 @@ namespace {
 /// Stuck bearings, brakes and locks are this much stiffer than the tread at their lever arm.
 constexpr double kStickStiffnessRatio = 10;
 
+/// A wheel that leans more than 15 degrees stands on the edge of its tread. The edge is lower than
+/// the middle by the crown for which both touch at that lean: a rigid convex wheel.
+constexpr double kSineOfEdgeLean = 0.25881904510252074;
+constexpr double kTangentOfEdgeLean = 0.26794919243112270;
+
 double stick_stiffness(const Caster& caster, double lever) {
   return kStickStiffnessRatio * caster.tread.tangential_stiffness * lever * lever;
 }
@@ -24,6 +29,7 @@ Leg::Leg(const Caster& caster, const Vector3& chassis_center)
                          caster.trail > 0.02 * caster.wheel_radius),
       heading_(caster.heading),
       radius_(caster.wheel_radius),
+      width_(caster.wheel_width),
       mass_(caster.fork_mass + caster.wheel_mass),
       axial_inertia_(caster.wheel_axial_inertia),
       mount_(caster.mount - chassis_center),
@@ -65,9 +71,13 @@ void Leg::evaluate(const Pose& pose, double swivel_angle, const Vector6& chassis
 
   // The lowest point of the disc lies against the component of z in the wheel's plane.
   const Vector3 up = (Vector3::UnitZ() - a.z() * a).normalized();
-  const Vector3 down = -radius_ * up;
+  Vector3 down = -radius_ * up;
+  if (std::abs(a.z()) > kSineOfEdgeLean) {
+    const double crown = 0.5 * width_ * kTangentOfEdgeLean;
+    down = (crown - radius_) * up - std::copysign(0.5 * width_, a.z()) * a;
+  }
   out.contact = out.wheel_center + down;
-  out.height = pose.position.z() + out.contact.z();
+  out.height = lies(a) ? 1 : pose.position.z() + out.contact.z();
   out.axle_level = Vector3(a.x(), a.y(), 0).normalized();
   out.heading = out.axle_level.cross(Vector3::UnitZ());
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
 #include "engine/base/vector.h"
 #include "engine/contact/dry_friction.h"
@@ -11,7 +12,6 @@ namespace gurney {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
-using Matrix2 = Eigen::Matrix2d;
 
 /// Pose of the chassis: its centre of mass O and the rotation from chassis to floor axes.
 struct Pose {
@@ -37,8 +37,11 @@ class Leg {
     Vector3 axle_level;    ///< horizontal direction of the axle, unit
     Vector3 mount;         ///< relative to O
     Vector3 wheel_center;  ///< relative to O
-    Vector3 contact;       ///< lowest point of the undeformed wheel, relative to O
-    double height = 0;     ///< of that point above the floor (negative: compressed) [m]
+    /// Lowest point of the undeformed wheel, relative to O: on the middle of the tread up to a lean
+    /// of 15 degrees, beyond that on its edge, which is lower by the tread's crown.
+    Vector3 contact;
+    double height =
+        0;  ///< of that point above the floor (negative: compressed); 1 when it lies [m]
 
     Matrix6 mass_chassis;                       ///< added to the chassis
     Eigen::Matrix<double, 6, 2> mass_coupling;  ///< chassis x joints
@@ -57,6 +60,19 @@ class Leg {
   /// Momentum-free part of evaluate(): kinetic energy of the leg [J].
   static double kinetic_energy(const Geometry& g, const Vector6& v, const Eigen::Vector2d& rates);
 
+  /// A point of the fork (fork axes, relative to the mount), relative to O in floor axes.
+  Vector3 point(const Pose& pose, double swivel_angle, const Vector3& on_fork) const {
+    return pose.rotation * mount_ + fork_rotation(pose, swivel_angle) * on_fork;
+  }
+  /// Fork axes, relative to the mount, of a point relative to O in floor axes.
+  Vector3 on_fork(const Pose& pose, double swivel_angle, const Vector3& point) const {
+    return fork_rotation(pose, swivel_angle).transpose() * (point - pose.rotation * mount_);
+  }
+
+  /// Whether a wheel with this axle lies on its side, more than 60 degrees from upright: it then
+  /// has no contact on its tread.
+  static bool lies(const Vector3& axle) { return std::abs(axle.z()) > 0.866; }
+
   /// Position of the leg's centre of mass relative to O, for the potential energy.
   Vector3 center_of_mass(const Pose& pose, double swivel_angle) const;
 
@@ -71,6 +87,8 @@ class Leg {
   bool braked() const { return braked_; }
   double mass() const { return mass_; }
   double wheel_radius() const { return radius_; }
+  double wheel_width() const { return width_; }
+  const Vector3& wheel_center() const { return wheel_center_; }  ///< fork axes, from the mount
   double heading() const { return heading_; }
   double swing() const {
     return swing_;
@@ -84,7 +102,7 @@ class Leg {
   DryFriction axle_, swivel_;
   double axle_limit_, swivel_limit_;
   bool swivels_, braked_, turns_into_motion_;
-  double heading_, radius_, mass_, axial_inertia_, swing_, reach_;
+  double heading_, radius_, width_, mass_, axial_inertia_, swing_, reach_;
   Vector3 mount_;         // chassis axes, relative to O
   Vector3 wheel_center_;  // fork axes, relative to the mount
   Vector3 center_;        // of fork and wheel, fork axes, relative to the mount

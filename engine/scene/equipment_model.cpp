@@ -159,8 +159,8 @@ void validate(const EquipmentModel& item) {
                                box.size.x(), box.size.y(), box.size.z()));
   }
   const std::size_t casters = item.casters.size();
-  if (casters < 1 || casters > EquipmentModel::kMaxCasters)
-    problems.add(fmt::format("{} casters: must be 1 to {}", casters, EquipmentModel::kMaxCasters));
+  if (casters > EquipmentModel::kMaxCasters)
+    problems.add(fmt::format("{} casters: must be 0 to {}", casters, EquipmentModel::kMaxCasters));
   for (const Payload& payload : item.payloads) {
     problems.set_prefix(owner + "payload '" + payload.name + "': ");
     problems.positive("mass", payload.mass);

@@ -73,7 +73,8 @@ struct Caster {
   double swivel_lock_torque = 0;  ///< on the swivel; 0: free; infinite: cannot turn [N m]
 };
 
-/// One item: a rigid chassis with payloads on 1 to 8 casters.
+/// One item: a rigid chassis with payloads on up to 8 casters; without casters the lowest faces of
+/// its boxes stand on the floor.
 struct EquipmentModel {
   static constexpr std::size_t kMaxCasters = 8;
 
@@ -82,8 +83,9 @@ struct EquipmentModel {
   Vector3 chassis_center_of_mass = Vector3::Zero();  ///< [m]
   Matrix3 chassis_inertia = Matrix3::Zero();         ///< about its centre of mass [kg m2]
   std::vector<Box> shape;                            ///< collision shape of the chassis, 1 or more
+  std::string material;                              ///< of the chassis: see Scene::pairs
   std::vector<Payload> payloads;
-  std::vector<Caster> casters;  ///< 1 to 8
+  std::vector<Caster> casters;  ///< 0 to 8
   std::vector<MarkedPoint> marked_points;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/base/error.h"
+#include "engine/scene/validate_room.h"
 
 namespace gurney {
 namespace {
@@ -60,7 +61,20 @@ void check_weight(const DropWeight& weight, Problems& problems) {
   problems.not_negative("drop_weight.cable_damping", weight.cable_damping);
 }
 
+std::string name_of(const std::string& material) {
+  return material.empty() ? "(none)" : "'" + material + "'";
+}
+
 }  // namespace
+
+ContactConstants contact_constants(const Scene& scene, const std::string& other) {
+  for (const MaterialPair& pair : scene.pairs)
+    if (pair.item == scene.item.material && pair.other == other) return pair.constants;
+  require(scene.item.material.empty() && other.empty(),
+          fmt::format("no contact constants for the materials {} of the item and {}",
+                      name_of(scene.item.material), name_of(other)));
+  return {};
+}
 
 void validate(const Scene& scene) {
   validate(scene.item);
@@ -73,6 +87,7 @@ void validate(const Scene& scene) {
   problems.check(std::isfinite(scene.initial.yaw_rate), "initial.yaw_rate", scene.initial.yaw_rate,
                  "finite");
   problems.finish();
+  validate_room(scene);
 }
 
 void validate(const Excitation& excitation) {

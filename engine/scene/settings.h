@@ -22,7 +22,8 @@ struct SimulationSettings {
   double duration = 0;        ///< > 0: stop exactly then, resting or not [s]
   double rest_speed = 1e-3;   ///< slower than this everywhere ... > 0 [m/s]
   double rest_hold = 0.5;     ///< ... for this long is rest, > 0 [s]
-  double overturn_tilt = 1.0471975511965976;  ///< the run ends as overturned here, (0, pi/2) [rad]
+  double overturn_tilt = 1.0471975511965976;  ///< the item has overturned here, (0, pi/2) [rad]
+  bool follow_overturning = true;  ///< goes on until the item lies at rest; else ends there
   double history_step =
       0.02;  ///< spacing of the histories, rounded to whole steps; 0: none kept [s]
   bool skip_clear_collision_passes =

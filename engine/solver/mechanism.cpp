@@ -12,18 +12,12 @@ Vector3 sloped_gravity(double gravity, double slope) {
   return {-gravity * std::sin(angle), 0, -gravity * std::cos(angle)};
 }
 
-/// Bodies against other things than wheels on the floor: stiff, dissipative plastic on a hard
-/// surface. Assumption, range 1e5 to 1e7 N/m; materials come with rooms.
-Tread body_material() {
-  return {.normal_stiffness = 1e6,
-          .normal_damping = 1e4,
-          .tangential_stiffness = 3e5,
-          .tangential_damping = 100,
-          .relaxation_length = 1,
-          .patch_width = 0,
-          .rolling_resistance = 0,
-          .static_friction = 0.4,
-          .kinetic_friction = 0.4};
+/// A wheel touches other things than the floor with its tread.
+ContactConstants tread_constants(const Tread& tread) {
+  return {.kind = ContactConstants::Kind::kCompliant,
+          .stiffness = tread.normal_stiffness,
+          .damping = tread.normal_damping,
+          .friction = tread.kinetic_friction};
 }
 
 Leg::Geometry geometry(const Leg& leg, const State& state, std::size_t i) {
@@ -37,7 +31,6 @@ Leg::Geometry geometry(const Leg& leg, const State& state, std::size_t i) {
 
 Mechanism::Mechanism(const Scene& scene, const Excitation& excitation)
     : chassis(chassis_with_payloads(scene.item)),
-      body_law(body_material(), 0.1),
       loads(excitation, chassis.center_of_mass, scene.gravity),
       fixture(excitation.fixture),
       gravity(sloped_gravity(scene.gravity, scene.slope)),
@@ -50,9 +43,15 @@ Mechanism::Mechanism(const Scene& scene, const Excitation& excitation)
     length =
         std::max({length, (caster.mount - chassis.center_of_mass).norm(), caster.wheel_radius});
     reach = std::max(reach, legs.back().reach());
+    wheel_laws.emplace_back(tread_constants(caster.tread));
   }
-  for (const auto& box : scene.item.shape)
+  for (const auto& box : scene.item.shape) {
     reach = std::max(reach, (box.center - chassis.center_of_mass).norm() + 0.5 * box.size.norm());
+    if (legs.empty()) length = std::max(length, 0.5 * box.size.norm());
+  }
+  chassis_laws.emplace_back(contact_constants(scene, scene.floor_material));
+  for (const RoomShape& shape : scene.room)
+    chassis_laws.emplace_back(contact_constants(scene, shape.material));
 }
 
 double Mechanism::gravitational_energy(const State& state) const {
@@ -89,8 +88,32 @@ double Mechanism::elastic_energy(const State& state) const {
 double Mechanism::contact_energy(const State& state) const {
   double energy = 0;
   for (const BodyContactState& contact : state.contacts)
-    energy += body_law.stored_energy(contact.compression, contact.patch);
+    energy += law_of(contact.contact).stored_energy(contact.compression, contact.deflection.norm());
   return energy;
+}
+
+Vector3 Mechanism::contact_point(const BodyContact& contact, const State& state) const {
+  if (contact.leg < 0) return state.rotation * contact.local;
+  const auto leg = static_cast<std::size_t>(contact.leg);
+  return legs[leg].point(state.pose(), state.legs[leg].swivel_angle, contact.local);
+}
+
+Vector3 Mechanism::contact_velocity(const BodyContact& contact, const State& state) const {
+  const Vector6& v = state.velocity.chassis;
+  const Vector3 point = contact_point(contact, state);
+  Vector3 u = v.head<3>() + v.tail<3>().cross(point);
+  if (contact.leg < 0) return u;
+  const auto leg = static_cast<std::size_t>(contact.leg);
+  const auto g = geometry(legs[leg], state, leg);
+  const Eigen::Vector2d& rates = state.velocity.joints[leg];
+  if (legs[leg].swivels()) u += rates[0] * g.swivel_axis.cross(point - g.mount);
+  return u + rates[1] * g.axle.cross(point - g.wheel_center);
+}
+
+double Mechanism::effective_mass(const BodyContact& contact, const State& state) const {
+  const Vector3 arm =
+      state.rotation.conjugate() * contact_point(contact, state).cross(contact.normal);
+  return 1 / (1 / chassis.mass + arm.dot(chassis.inertia.inverse() * arm));
 }
 
 State Mechanism::placed(const InitialMotion& initial) const {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/caster/leg.h"
+#include "engine/contact/impact_law.h"
 #include "engine/scene/scene.h"
 #include "engine/solver/loads.h"
 #include "engine/solver/state.h"
@@ -15,7 +16,8 @@ struct Mechanism {
 
   MassProperties chassis;  ///< with payloads; item axes
   std::vector<Leg> legs;
-  TreadLaw body_law;  ///< of bodies in contact with other things than wheels with the floor
+  /// Of the chassis against the floor and each room shape, and of each wheel against those.
+  std::vector<ImpactLaw> chassis_laws, wheel_laws;
   Loads loads;
   Fixture fixture;
   Vector3 gravity;    ///< floor axes: the floor may slope
@@ -29,6 +31,16 @@ struct Mechanism {
   /// Energy in treads, stuck bearings, springs, cables and contacts of bodies [J].
   double elastic_energy(const State& state) const;
   double contact_energy(const State& state) const;  ///< of bodies only [J]
+
+  const ImpactLaw& law_of(const BodyContact& contact) const {
+    return contact.leg < 0 ? chassis_laws[static_cast<std::size_t>(contact.other)]
+                           : wheel_laws[static_cast<std::size_t>(contact.leg)];
+  }
+  /// The point of a contact, relative to the chassis' centre, floor axes; and its velocity.
+  Vector3 contact_point(const BodyContact& contact, const State& state) const;
+  Vector3 contact_velocity(const BodyContact& contact, const State& state) const;
+  /// What a normal impulse at the contact feels of the chassis alone: less than all of it [kg].
+  double effective_mass(const BodyContact& contact, const State& state) const;
 
   /// The item as it is placed: chassis pose, headings, initial velocity with rolling wheels; treads
   /// unloaded.

@@ -65,19 +65,7 @@ void StageSolver::finish(const Input& input, const Velocity& v, Output& out) {
       power.work_of_fixtures += reaction_[static_cast<std::size_t>(dof)] / tau * v.chassis[dof];
   }
 
-  end.contacts.resize(contacts_.size());
-  for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const ContactWork& work = contacts_[c];
-    Vector3 u = work.jacobian_chassis * v.chassis;
-    const int leg = (*input.contacts)[c].leg;
-    if (leg >= 0) u += work.jacobian_joints * v.joints[static_cast<std::size_t>(leg)];
-    Vector5 rates_here;
-    rates_here << u, 0, 0;
-    const auto result = mechanism_.body_law.finish(work.stage, rates_here);
-    end.contacts[c] = {result.end, result.compression};
-    power.contact_loss += result.sliding_power + result.damping_power + result.relaxation_power;
-    rates += mechanism_.body_law.spring_rates(work.stage, rates_here, result);
-  }
+  rates += finish_contacts(input, v, out);
   if (mechanism_.loads.empty()) {
     end.loads.clear();
   } else {

@@ -22,12 +22,6 @@ bool is_constrained(const Guide& guide) {
   return guide.kind == Guide::Kind::kHeld || guide.kind == Guide::Kind::kVelocity;
 }
 
-Vector5 contact_rates(const Vector3& v) {
-  Vector5 u;
-  u << v, 0, 0;
-  return u;
-}
-
 }  // namespace
 
 StageSolver::StageSolver(const Mechanism& mechanism, const Settings& settings)
@@ -64,30 +58,7 @@ void StageSolver::update_geometry(const Input& input, const Velocity& v, bool fi
     work.tread.rolling_speed = rolls ? leg.wheel_radius() * std::abs(u[4]) : 0;
   }
 
-  contacts_.resize(input.contacts ? input.contacts->size() : 0);
-  for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const BodyContact& contact = (*input.contacts)[c];
-    ContactWork& work = contacts_[c];
-    Matrix3 frame;
-    frame.row(2) = contact.normal.transpose();
-    frame.row(0) = contact.normal.unitOrthogonal().transpose();
-    frame.row(1) = frame.row(2).cross(frame.row(0));
-    work.jacobian_chassis.leftCols<3>() = frame;
-    for (int k = 0; k < 3; ++k)
-      work.jacobian_chassis.block<1, 3>(k, 3) =
-          contact.point.cross(frame.row(k).transpose()).transpose();
-    work.jacobian_joints.setZero();
-    if (contact.body != BodyContact::Body::kChassis) {
-      const auto& g = legs_[static_cast<std::size_t>(contact.leg)].g;
-      if (mechanism_.legs[static_cast<std::size_t>(contact.leg)].swivels())
-        work.jacobian_joints.col(0) = frame * g.swivel_axis.cross(contact.point - g.mount);
-      if (contact.body == BodyContact::Body::kWheel)
-        work.jacobian_joints.col(1) = frame * g.axle.cross(contact.point - g.wheel_center);
-    }
-    work.stage.tau = tau;
-    work.stage.compression = -contact.gap;  // at the start of the stage, with zero velocity
-    work.stage.start = start.contacts[c].patch;
-  }
+  update_contacts(input, v);
 }
 
 double StageSolver::evaluate_forces(const Input& input, const Velocity& v) {
@@ -119,14 +90,11 @@ double StageSolver::evaluate_forces(const Input& input, const Velocity& v) {
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     ContactWork& work = contacts_[c];
     const BodyContact& contact = (*input.contacts)[c];
-    Vector3 u = work.jacobian_chassis * v.chassis;
-    if (contact.leg >= 0)
-      u += work.jacobian_joints * v.joints[static_cast<std::size_t>(contact.leg)];
-    work.force = mechanism_.body_law.force(work.stage, contact_rates(u), work.slope);
-    force.noalias() += work.jacobian_chassis.transpose() * work.force.head<3>();
+    work.force = work.law->force(work.stage, contact_rates(work, contact, v), work.slope);
+    force.noalias() += work.jacobian_chassis.transpose() * work.force;
     if (contact.leg >= 0)
       legs_[static_cast<std::size_t>(contact.leg)].joint_residual -=
-          tau * work.jacobian_joints.transpose() * work.force.head<3>();
+          tau * work.jacobian_joints.transpose() * work.force;
   }
   for (std::size_t i = 0; i < mechanism_.legs.size(); ++i)
     leg_residual = std::max(leg_residual, legs_[i].joint_residual.cwiseAbs().maxCoeff() /
@@ -172,7 +140,7 @@ void StageSolver::newton_step(const Input& input, Velocity& v) {
   }
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const ContactWork& work = contacts_[c];
-    const Matrix3 slope = tau * work.slope.topLeftCorner<3, 3>();
+    const Matrix3 slope = tau * work.slope;
     K += work.jacobian_chassis.transpose() * slope * work.jacobian_chassis;
     const int leg = (*input.contacts)[c].leg;
     if (leg < 0) continue;

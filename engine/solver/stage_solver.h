@@ -37,6 +37,12 @@ class StageSolver {
     const std::vector<BodyContact>* contacts = nullptr;
   };
 
+  struct ContactResult {
+    double normal_force = 0;          ///< [N]
+    double normal_speed = 0;          ///< away from the other, at the end of the stage [m/s]
+    Vector3 point = Vector3::Zero();  ///< on the item, floor axes [m]
+  };
+
   /// What the stage dissipated and how it ended, besides the new state.
   struct Output {
     State end;
@@ -44,6 +50,7 @@ class StageSolver {
     EnergyAccount power;      ///< work and loss entries in W
     double spring_rates = 0;  ///< a' M a + sum of k x'^2 [W/s]: for the numerical loss
     std::array<TreadLaw::Result, kMaxLegs> treads;
+    std::vector<ContactResult> contacts;
     std::array<bool, kMaxLegs> axle_slips{};
     std::array<Vector2, kMaxLegs> heading;
     double residual = 0;
@@ -70,15 +77,22 @@ class StageSolver {
   struct ContactWork {
     Eigen::Matrix<double, 3, 6> jacobian_chassis;
     Eigen::Matrix<double, 3, 2> jacobian_joints;
-    TreadLaw::Stage stage;
-    Vector5 force;
-    Matrix5 slope;
+    const ImpactLaw* law = nullptr;
+    ImpactLaw::Stage stage;
+    Matrix3 frame;  // rows: two tangents and the normal
+    Vector3 point;
+    Vector3 force;
+    Matrix3 slope;
   };
 
+  Vector3 contact_rates(const ContactWork& work, const BodyContact& contact,
+                        const Velocity& v) const;
+  void update_contacts(const Input& input, const Velocity& v);
   void update_geometry(const Input& input, const Velocity& v, bool first);
   double evaluate_forces(const Input& input, const Velocity& v);
   void newton_step(const Input& input, Velocity& v);
   void finish(const Input& input, const Velocity& v, Output& out);
+  double finish_contacts(const Input& input, const Velocity& v, Output& out) const;
   double geometry_error(const Input& input, const Velocity& v) const;
 
   const Mechanism& mechanism_;

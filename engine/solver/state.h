@@ -5,6 +5,7 @@
 
 #include "engine/base/vector.h"
 #include "engine/caster/leg.h"
+#include "engine/contact/body_contact.h"
 #include "engine/response.h"
 #include "engine/scene/equipment_model.h"
 
@@ -27,12 +28,6 @@ struct LegState {
   TreadState tread;
   double swivel_wind = 0;  ///< deflection of stuck swivel friction [rad]
   double axle_wind = 0;    ///< of stuck axle friction or brake [rad]
-};
-
-/// What one contact of a body with something else than wheel on floor remembers.
-struct BodyContactState {
-  TreadState patch;
-  double compression = 0;  ///< overlap [m]
 };
 
 /// Everything that evolves.

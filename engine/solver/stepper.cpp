@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/solver/quadrature.h"
 
@@ -17,6 +18,9 @@ constexpr double kShortestStep = 1e-8;
 constexpr int kMaxLandingTrials = 20;
 
 constexpr double kSameContactDistance = 0.02;  // [m]
+
+/// Steps in half a period of a contact's spring: the rebound is then within 0.3 % of its law's.
+constexpr double kStepsInImpact = 32;
 
 /// A step that no subdivision makes converge is still accepted below this residual, and counted.
 constexpr double kAcceptableResidual = 1e-5;
@@ -57,10 +61,9 @@ void extrapolate(const State& from, double duration, const StageSolver::Output& 
     start.loads[i] = extrapolated(from.loads[i], first.end.loads[i]);
   start.contacts.resize(from.contacts.size());
   for (std::size_t c = 0; c < from.contacts.size(); ++c) {
-    const TreadState& a = from.contacts[c].patch;
-    start.contacts[c].patch = a;
-    start.contacts[c].patch.deflection =
-        extrapolated(a.deflection, first.end.contacts[c].patch.deflection);
+    start.contacts[c] = from.contacts[c];
+    start.contacts[c].deflection =
+        extrapolated(from.contacts[c].deflection, first.end.contacts[c].deflection);
   }
 }
 
@@ -87,25 +90,27 @@ Stepper::Stepper(const Mechanism& mechanism, const FloorMotion& floor,
       settings_(settings),
       solver_(mechanism, {settings.residual, settings.max_newton_iterations}) {}
 
-void Stepper::set_contacts(const std::vector<ContactAnchor>& anchors, State& state) {
-  if (anchors.empty() && anchors_.empty()) return;
-  std::vector<BodyContactState> memories(anchors.size());
-  for (std::size_t i = 0; i < anchors.size(); ++i) {
+void Stepper::set_contacts(const std::vector<BodyContact>& contacts, State& state) {
+  contacts_ = contacts;
+  if (contacts.empty() && state.contacts.empty()) return;
+  const double stored = mechanism_.contact_energy(state);
+  std::vector<BodyContactState> memories(contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
     double nearest = kSameContactDistance;
-    for (std::size_t j = 0; j < anchors_.size(); ++j) {
-      if (anchors_[j].body != anchors[i].body || anchors_[j].leg != anchors[i].leg) continue;
-      const double distance = (anchors_[j].local - anchors[i].local).norm();
+    for (const BodyContactState& memory : state.contacts) {
+      if (!memory.contact.same_pair(contacts[i])) continue;
+      const double distance = (memory.contact.local - contacts[i].local).norm();
       if (distance >= nearest) continue;
       nearest = distance;
-      memories[i] = state.contacts[j];
+      memories[i] = memory;
     }
+    const bool is_new = nearest == kSameContactDistance;
+    memories[i].contact = contacts[i];
+    const Vector3 point = state.position + mechanism_.contact_point(contacts[i], state);
+    memories[i].compression = contacts[i].offset - contacts[i].normal.dot(point);
+    if (is_new) memories[i].approach_speed = approach_speed(contacts[i], state);
   }
-  anchors_ = anchors;
-  const double stored = mechanism_.contact_energy(state);
   state.contacts = std::move(memories);
-  const std::vector<BodyContact> contacts = contacts_at(state);
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    state.contacts[i].compression = -contacts[i].gap;
   account_.contact_loss += stored - mechanism_.contact_energy(state);
 }
 
@@ -115,17 +120,30 @@ void Stepper::change_loads(State& state) {
   acceleration_known_ = false;
 }
 
-std::vector<BodyContact> Stepper::contacts_at(const State& state) const {
-  std::vector<BodyContact> contacts;
-  contacts.reserve(anchors_.size());
-  if (anchors_.empty()) return contacts;
-  const Matrix3 rotation = state.rotation.toRotationMatrix();
-  for (const auto& anchor : anchors_) {
-    BodyContact contact{anchor.body, anchor.leg, rotation * anchor.local, anchor.normal, 0};
-    contact.gap = anchor.normal.dot(state.position + contact.point) - anchor.offset;
-    contacts.push_back(contact);
+double Stepper::approach_speed(const BodyContact& contact, const State& state) const {
+  return std::max(0.0, -contact.normal.dot(mechanism_.contact_velocity(contact, state)));
+}
+
+double Stepper::longest_step(const State& state, double remaining) const {
+  double longest = remaining;
+  const auto count = static_cast<double>(contacts_.size());
+  for (const BodyContactState& memory : state.contacts) {
+    const double rate =
+        memory.contact.normal.dot(mechanism_.contact_velocity(memory.contact, state));
+    const double gap = -memory.compression;
+    const Vector3 arm = mechanism_.contact_point(memory.contact, state);
+    const Vector3 turn = acceleration_.chassis.tail<3>().cross(arm);
+    const double change =
+        gap < 0 ? remaining * memory.contact.normal.dot(acceleration_.chassis.head<3>() + turn) : 0;
+    if (std::max(std::abs(rate), std::abs(change)) < ImpactLaw::kLeastApproach) continue;
+    if (gap > 0 && gap > -2 * rate * remaining) continue;  // does not touch in this time
+    const double stiffness = mechanism_.law_of(memory.contact).impact_stiffness() * count;
+    const double duration =
+        std::numbers::pi * std::sqrt(mechanism_.effective_mass(memory.contact, state) / stiffness);
+    const double until_touch = gap > 0 ? gap / -rate : 0;
+    longest = std::min(longest, std::max(duration / kStepsInImpact, 0.8 * until_touch));
   }
-  return contacts;
+  return longest;
 }
 
 bool Stepper::attempt(const State& from, double duration) {
@@ -150,8 +168,7 @@ bool Stepper::attempt(const State& from, double duration) {
   input.loads.floor_acceleration_up = floor_first.z();
   input.guess =
       acceleration_known_ ? advanced(from.velocity, tau, acceleration_, legs) : from.velocity;
-  first_contacts_ = contacts_at(from);
-  input.contacts = &first_contacts_;
+  input.contacts = &contacts_;
   const bool first_converged = solver_.solve(input, first_);
   quality_.newton_iterations += first_.iterations;
   if (!std::isfinite(first_.residual)) return false;
@@ -163,8 +180,6 @@ bool Stepper::attempt(const State& from, double duration) {
   input.guess = advanced(between_.velocity, tau, first_.acceleration, legs);
   input.loads.start = &between_.loads;
   input.loads.first = false;
-  second_contacts_ = contacts_at(between_);
-  input.contacts = &second_contacts_;
   const bool second_converged = solver_.solve(input, second_);
   quality_.newton_iterations += second_.iterations;
   second_.end.time = from.time + duration;
@@ -246,7 +261,16 @@ std::optional<std::string> Stepper::advance_smoothly(State& state, double time, 
 }
 
 std::optional<std::string> Stepper::advance(State& state, double time, const Observer& observer) {
-  std::optional<std::string> cause = advance_smoothly(state, time, 0, observer);
+  std::optional<std::string> cause;
+  while (!cause && state.time < time) {
+    for (BodyContactState& memory : state.contacts)
+      if (memory.compression <= 0) memory.approach_speed = approach_speed(memory.contact, state);
+    const double remaining = time - state.time;
+    const double step = longest_step(state, remaining);
+    const double parts = std::ceil(remaining / step);
+    if (parts >= 2) ++quality_.event_steps;
+    cause = advance_smoothly(state, parts < 2 ? time : state.time + remaining / parts, 0, observer);
+  }
   if (!cause && !state.position.allFinite()) cause = "the position is not finite";
   return cause;
 }

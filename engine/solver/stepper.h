@@ -11,21 +11,11 @@
 
 namespace gurney {
 
-/// A contact whose gap follows the motion: a point fixed to a body of the item against a plane.
-struct ContactAnchor {
-  BodyContact::Body body = BodyContact::Body::kChassis;
-  int leg = -1;
-  Vector3 local =
-      Vector3::Zero();  ///< chassis axes, relative to its centre (forks, wheels: as they stand)
-  Vector3 normal = Vector3::UnitZ();
-  double offset = 0;  ///< gap = normal . point - offset [m]
-};
-
 /// Advances a mechanism in time with the two-stage method of quadrature.h: second order, L-stable.
 ///
 /// A step whose solve does not converge is halved, again and again down to `max_subdivisions`.
 /// Events that change the equations (a drop weight reaching its floor) are located inside the step
-/// and end it.
+/// and end it. While a body meets another one the steps are a fraction of the contact's duration.
 class Stepper {
  public:
   Stepper(const Mechanism& mechanism, const FloorMotion& floor, const SimulationSettings& settings);
@@ -47,7 +37,7 @@ class Stepper {
 
   /// The contacts of bodies from now on. A contact that persists (same body, nearly the same place)
   /// keeps what it remembers in `state`; the energy stored in contacts that end is lost.
-  void set_contacts(const std::vector<ContactAnchor>& anchors, State& state);
+  void set_contacts(const std::vector<BodyContact>& contacts, State& state);
 
   /// Loads change at the state's time: blocks let go, and the last acceleration predicts nothing.
   void change_loads(State& state);
@@ -61,7 +51,8 @@ class Stepper {
   std::optional<std::string> advance_smoothly(State& state, double time, int depth,
                                               const Observer& observer);
   std::optional<double> locate_landing(const State& from, double duration);
-  std::vector<BodyContact> contacts_at(const State& state) const;
+  double approach_speed(const BodyContact& contact, const State& state) const;
+  double longest_step(const State& state, double remaining) const;
 
   const Mechanism& mechanism_;
   const FloorMotion& floor_;
@@ -69,8 +60,7 @@ class Stepper {
   StageSolver solver_;
   StageSolver::Output first_, second_;
   State between_;  // start of the second stage
-  std::vector<ContactAnchor> anchors_;
-  std::vector<BodyContact> first_contacts_, second_contacts_;
+  std::vector<BodyContact> contacts_;
   Vector3 floor_second_ = Vector3::Zero();
   Velocity acceleration_;
   bool acceleration_known_ = false;

@@ -47,6 +47,7 @@ void read_settings(Table& root, SimulationSettings& settings) {
   settings.duration = in.number("duration_s", Range::positive(), settings.duration);
   settings.rest_speed = in.number("rest_speed_m_per_s", Range::positive(), settings.rest_speed);
   settings.rest_hold = in.number("rest_hold_s", Range::positive(), settings.rest_hold);
+  if (in.has("follow_overturning")) settings.follow_overturning = in.boolean("follow_overturning");
   if (in.has("overturn_tilt_deg"))
     settings.overturn_tilt =
         in.number("overturn_tilt_deg", Range::within(0, 90).open_below().open_above()) *

@@ -79,7 +79,16 @@ TEST(Outcome, AnItemPushedOverHasOverturned) {
   }
   const Response response = run(job);
   EXPECT_EQ(response.outcome, Outcome::kOverturned) << response.cause;
-  EXPECT_NEAR(response.demands.time_of_overturning, response.end_time, 1e-12);
+  EXPECT_LT(response.demands.time_of_overturning, response.end_time) << "followed to rest";
+  EXPECT_LT(response.end_time, 12);
+  EXPECT_GT(response.history.back().tilt, 1.4) << "lies on its side";
+  EXPECT_GE(response.demands.impacts, 1);
+  EXPECT_LT(response.quality.energy_closure, 0.01);
+  SimulationSettings& settings = job.settings;
+  settings.follow_overturning = false;
+  const Response cut = run(job);
+  EXPECT_EQ(cut.demands.time_of_overturning, response.demands.time_of_overturning);
+  EXPECT_EQ(cut.end_time, cut.demands.time_of_overturning);
   EXPECT_GT(response.demands.peak_tilt, job.settings.overturn_tilt);
   EXPECT_GE(response.demands.most_wheels_lifted, 2);
   EXPECT_GT(response.demands.wheels[1].liftoffs, 0);

@@ -97,15 +97,31 @@ TEST(RunClock, GivesUpWaitingForRestAtTheSettleTime) {
 }
 
 TEST(RunClock, EndsAtOverturningAndAtACause) {
-  RunClock clock({}, {}, settings(1));
+  SimulationSettings s = settings(1);
+  s.follow_overturning = false;
+  RunClock clock({}, {}, s);
   ASSERT_TRUE(clock.next(0));
   clock.observe(0.01, 1, 1.05);
   EXPECT_EQ(clock.outcome(), Outcome::kOverturned);
   EXPECT_FALSE(clock.next(0.01));
+  EXPECT_EQ(clock.overturned_at(), 0.01);
   RunClock failed({}, {}, settings(1));
   failed.stop(Outcome::kDiverged, "because");
   EXPECT_FALSE(failed.next(0));
   EXPECT_EQ(failed.cause(), "because");
+}
+
+TEST(RunClock, FollowsAnOverturnedItemUntilItRests) {
+  SimulationSettings s = settings(0);
+  RunClock clock({}, {}, s);
+  double time = 0;
+  while (clock.next(time)) {
+    time = clock.target();
+    clock.observe(time, time < 1 ? 1 : 0, 1.6);
+  }
+  EXPECT_EQ(clock.outcome(), Outcome::kOverturned);
+  EXPECT_NEAR(time, 1 + s.rest_hold, 2 * s.time_step);
+  EXPECT_NEAR(clock.overturned_at(), s.time_step, 1e-12);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -182,27 +183,36 @@ TEST(Leg, AForkThatDoesNotSwivelHasNoSwivelInertiaOrForce) {
   EXPECT_EQ(g.jacobian_joints.col(0).norm(), 0);
 }
 
-TEST(Leg, ContactIsTheLowestPointOfTheDisc) {
+TEST(Leg, ContactIsTheLowestPointOfTheDiscOrOfTheEdgeOfALeaningTread) {
   Random random;
   const Caster caster = odd_caster();
   const Leg leg(caster, kChassisCenter);
+  constexpr double kEdgeLean = std::numbers::pi / 12;
+  int leaning = 0;
   for (int trial = 0; trial < 20; ++trial) {
     const Motion m = random.motion(true);
     const auto g = geometry(leg, m);
     const Matrix3 fork =
         m.pose.rotation * Eigen::AngleAxisd(m.swivel_angle, Vector3::UnitZ()).toRotationMatrix();
+    const Vector3 axle = fork.col(1);
+    const bool leans = std::abs(axle.z()) > std::sin(kEdgeLean);
+    const double half = 0.5 * caster.wheel_width;
+    const double radius = caster.wheel_radius - (leans ? half * std::tan(kEdgeLean) : 0);
+    const Vector3 center = g.wheel_center - (leans ? std::copysign(half, axle.z()) : 0.0) * axle;
+    leaning += leans;
     double lowest = 1e9;
     for (double angle = 0; angle < 6.2832; angle += 1e-3)
-      lowest =
-          std::min(lowest, (g.wheel_center + caster.wheel_radius * (std::cos(angle) * fork.col(0) +
-                                                                    std::sin(angle) * fork.col(2)))
-                               .z());
+      lowest = std::min(
+          lowest,
+          (center + radius * (std::cos(angle) * fork.col(0) + std::sin(angle) * fork.col(2))).z());
     // Between samples 1e-3 rad apart: R (5e-4)^2 / 2 = 6e-9 m.
     EXPECT_NEAR(g.contact.z(), lowest, 1e-8);
     EXPECT_NEAR(g.height, m.pose.position.z() + g.contact.z(), 1e-15);
-    EXPECT_NEAR((g.contact - g.wheel_center).norm(), caster.wheel_radius, 1e-15);
-    EXPECT_NEAR((g.contact - g.wheel_center).dot(fork.col(1)), 0, 1e-15);
+    EXPECT_NEAR((g.contact - center).norm(), radius, 1e-15);
+    EXPECT_NEAR((g.contact - center).dot(axle), 0, 1e-15);
   }
+  EXPECT_GT(leaning, 0);
+  EXPECT_LT(leaning, 20);
 }
 
 TEST(Leg, JacobianGivesTheVelocityOfTheMaterialContactPoint) {

@@ -123,7 +123,7 @@ TEST(ValidateEquipment, RefusesInertiasNoBodyHas) {
 TEST(ValidateEquipment, CountsCastersAndAllowsInfiniteBrakes) {
   EquipmentModel item = cart();
   item.casters.resize(9, item.casters[0]);
-  EXPECT_EQ(problems(item), "item 'cart': 9 casters: must be 1 to 8");
+  EXPECT_EQ(problems(item), "item 'cart': 9 casters: must be 0 to 8");
   item = cart();
   item.casters[0].brake_torque = INFINITY;
   EXPECT_EQ(problems(item), "(no error)");

@@ -1,0 +1,98 @@
+#include "engine/contact/impact_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gurney {
+namespace {
+
+constexpr double kMindlinRatio = 0.8;
+constexpr double kTangentialDampingTime = 1e-3;  // [s]
+
+}  // namespace
+
+double ImpactLaw::damping_number(double e) {
+  // x = 3 (1 - e^2) / (2 (1 + e^3)) is the root of the two leading terms of the series in x.
+  const double series = 1.5 * (1 - e * e) / (1 + e * e * e);
+  if (series < 1e-4) return series;
+  double low = 0.5 * series, high = 1 / e;
+  for (int i = 0; i < 200 && high - low > 1e-15 * high; ++i) {
+    const double x = 0.5 * (low + high);
+    (std::log1p(x) - std::log1p(-e * x) < (1 + e) * x ? low : high) = x;
+  }
+  return 0.5 * (low + high);
+}
+
+ImpactLaw::ImpactLaw(const ContactConstants& c)
+    : compliant_(c.kind == ContactConstants::Kind::kCompliant),
+      stiffness_(c.stiffness),
+      damping_(c.damping),
+      damping_number_(compliant_ ? 0 : damping_number(c.restitution)),
+      friction_(c.friction),
+      tangential_stiffness_(kMindlinRatio * c.stiffness),
+      tangential_damping_(kTangentialDampingTime * tangential_stiffness_) {}
+
+ImpactLaw::Normal ImpactLaw::normal(const Stage& stage, double u_z) const {
+  const double d = stage.compression - stage.tau * u_z;
+  if (!(d > 0)) return {0, 0, 0};
+  const double elastic = stiffness_ * d, elastic_slope = stiffness_ * stage.tau;
+  if (compliant_) {
+    const double damping = -damping_ * u_z;
+    if (damping <= -elastic) return {0, 0, -elastic};
+    if (damping >= elastic) return {2 * elastic, 2 * elastic_slope, elastic};
+    return {elastic + damping, elastic_slope + damping_, damping};
+  }
+  const double rate = damping_number_ / std::max(stage.approach_speed, kLeastApproach);
+  const double g = -rate * u_z;
+  if (g <= -1) return {0, 0, -elastic};
+  return {elastic * (1 + g), elastic_slope * (1 + g) + elastic * rate, elastic * g};
+}
+
+Vector3 ImpactLaw::force(const Stage& stage, const Vector3& u, Matrix3& slope) const {
+  slope.setZero();
+  const Normal n = normal(stage, u.z());
+  if (n.force <= 0) return Vector3::Zero();
+  slope(2, 2) = n.slope;
+  const double damping_rate = tangential_damping_ / stage.tau;
+  const double stiffness = tangential_stiffness_ + damping_rate;
+  Vector2 tangent =
+      damping_rate * stage.deflection - stiffness * (stage.deflection + stage.tau * u.head<2>());
+  const double size = tangent.norm(), limit = friction_ * n.force;
+  Matrix2 tangent_slope = Matrix2::Identity() * (stiffness * stage.tau);
+  if (size > limit) {
+    const Vector2 direction = tangent / size;
+    tangent = limit * direction;
+    tangent_slope = limit / size * stiffness * stage.tau *
+                    (Matrix2::Identity() - direction * direction.transpose());
+    slope.block<2, 1>(0, 2) = friction_ * n.slope * direction;
+  }
+  slope.topLeftCorner<2, 2>() = tangent_slope;
+  return {tangent.x(), tangent.y(), n.force};
+}
+
+ImpactLaw::Result ImpactLaw::finish(const Stage& stage, const Vector3& u) const {
+  Result result;
+  Matrix3 slope;
+  result.force = force(stage, u, slope);
+  result.compression = stage.compression - stage.tau * u.z();
+  const Normal n = normal(stage, u.z());
+  result.damping_power = -n.damping_force * u.z();
+  if (result.compression > 0) result.spring_rates = stiffness_ * u.z() * u.z();
+  if (n.force <= 0) return result;
+  const double damping_rate = tangential_damping_ / stage.tau;
+  const Vector2 tangent = result.force.head<2>();
+  result.deflection =
+      (damping_rate * stage.deflection - tangent) / (tangential_stiffness_ + damping_rate);
+  const Vector2 rate = (result.deflection - stage.deflection) / stage.tau;
+  result.sliding_power = -tangent.dot(u.head<2>() - rate);
+  result.damping_power += tangential_damping_ * rate.squaredNorm();
+  result.spring_rates += tangential_stiffness_ * rate.squaredNorm();
+  return result;
+}
+
+double ImpactLaw::stored_energy(double compression, double deflection) const {
+  const double d = std::max(compression, 0.0);
+  return 0.5 * stiffness_ * d * d + 0.5 * tangential_stiffness_ * deflection * deflection;
+}
+
+}  // namespace gurney

@@ -1,0 +1,110 @@
+#include "engine/impact_log.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/solver/quadrature.h"
+
+namespace gurney {
+
+/// What the contacts of one pair did in one step.
+struct ImpactLog::PairStep {
+  double first_force = 0, force = 0;  // of all points, in the two stages
+  double fastest = 0;                 // of touching points
+  double approach = 0;                // of points that came to touch
+  double begins = std::numeric_limits<double>::infinity(), ends = 0;
+  Vector3 point = Vector3::Zero();  // that touched first
+  const BodyContact* contact = nullptr;
+};
+
+ImpactLog::ImpactLog(const Scene& scene, const Mechanism& mechanism)
+    : mechanism_(mechanism), others_{"floor"} {
+  for (std::size_t i = 0; i < scene.item.casters.size(); ++i) {
+    const std::string& name = scene.item.casters[i].name;
+    wheels_.push_back(name.empty() ? "wheel " + std::to_string(i) : name);
+  }
+  for (const RoomShape& shape : scene.room) others_.push_back(shape.name);
+}
+
+void ImpactLog::begin(Pair& pair, const BodyContact& contact, const PairStep& now) {
+  pair.in_impact = true;
+  pair.impact = impacts_.size();
+  pair.quiet_since = now.begins;
+  Impact impact;
+  impact.time = now.begins;
+  impact.wheel = contact.leg;
+  impact.body = contact.leg < 0 ? "chassis" : wheels_[static_cast<std::size_t>(contact.leg)];
+  impact.other = others_[static_cast<std::size_t>(contact.other)];
+  impact.point = now.point;
+  impact.normal = contact.normal;
+  impact.approach_speed = now.approach;
+  impact.peak_force =
+      mechanism_.law_of(contact).compliant() ? 0 : std::numeric_limits<double>::quiet_NaN();
+  impacts_.push_back(impact);
+}
+
+void ImpactLog::observe(const Stepper::Step& step) {
+  const auto& before = step.from->contacts;
+  const auto& after = step.to->contacts;
+  if (before.empty() && pairs_.empty()) return;
+  std::map<std::pair<int, int>, PairStep> steps;
+  for (std::size_t c = 0; c < after.size(); ++c) {
+    const BodyContact& contact = after[c].contact;
+    PairStep& now = steps[{contact.leg, contact.other}];
+    now.contact = &contact;
+    const auto& first = step.first->contacts[c];
+    const auto& end = step.end->contacts[c];
+    now.first_force += first.normal_force;
+    now.force += end.normal_force;
+    if (end.normal_force > 0) now.fastest = std::max(now.fastest, std::abs(end.normal_speed));
+    const double d0 = before[c].compression, d1 = after[c].compression;
+    const double crossing = step.from->time + (d0 * d1 < 0 ? step.duration * d0 / (d0 - d1) : 0.0);
+    if (first.normal_force > 0 || end.normal_force > 0) {
+      const bool was_touching = pairs_[{contact.leg, contact.other}].touches;
+      if (d0 <= 0 || !was_touching) {
+        now.approach = std::max(now.approach, before[c].approach_speed);
+        if (crossing < now.begins) {
+          now.begins = crossing;
+          now.point = end.point;
+        }
+      }
+    }
+    if (first.normal_force > 0 || d0 > 0)
+      now.ends = std::max(now.ends, d1 < 0 ? crossing : step.from->time);
+  }
+  for (auto& [key, pair] : pairs_)
+    if (!steps.contains(key)) steps[key].ends = step.from->time;
+  for (auto& [key, now] : steps) {
+    Pair& pair = pairs_[key];
+    if (!pair.in_impact && now.approach > kSlowestImpact) begin(pair, *now.contact, now);
+    pair.touches = now.force > 0;
+    if (!pair.in_impact) continue;
+    Impact& impact = impacts_[pair.impact];
+    impact.approach_speed = std::max(impact.approach_speed, now.approach);
+    impact.impulse +=
+        step.duration * ((1 - kSdirkGamma) * now.first_force + kSdirkGamma * now.force);
+    if (!std::isnan(impact.peak_force))
+      impact.peak_force = std::max({impact.peak_force, now.first_force, now.force});
+    if (!pair.touches) {
+      impact.duration = std::max(0.0, now.ends - impact.time);
+      pair.in_impact = false;
+    } else if (now.fastest > kSlowestImpact / 2) {
+      pair.quiet_since = step.to->time;
+    } else if (step.to->time - pair.quiet_since > kQuietTime) {
+      impact.duration = pair.quiet_since - impact.time;
+      pair.in_impact = false;
+    }
+  }
+}
+
+std::vector<Impact> ImpactLog::finish(double time) const {
+  std::vector<Impact> impacts = impacts_;
+  for (const auto& [key, pair] : pairs_)
+    if (pair.in_impact) impacts[pair.impact].duration = time - impacts[pair.impact].time;
+  std::stable_sort(impacts.begin(), impacts.end(),
+                   [](const Impact& a, const Impact& b) { return a.time < b.time; });
+  return impacts;
+}
+
+}  // namespace gurney

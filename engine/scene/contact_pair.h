@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+namespace gurney {
+
+/// Two materials in contact: a body of the item against the floor or the room
+/// (docs/theory/impact.md).
+struct ContactConstants {
+  /// kRestitution states the rebound and no force: the stiffness is then numerical, and an impact
+  /// has no peak force. kCompliant states stiffness and damping; the rebound follows.
+  enum class Kind { kRestitution, kCompliant };
+  Kind kind = Kind::kRestitution;
+  /// k > 0 [N/m]. Assumption: stiff plastic on a hard surface, range 1e5 to 1e7.
+  double stiffness = 1e6;
+  /// e of kRestitution, 0.01..1. Assumption, range 0.1 to 0.7.
+  double restitution = 0.3;
+  double damping = 0;     ///< c of kCompliant, >= 0 [N s/m]
+  double friction = 0.4;  ///< mu >= 0. Assumption, range 0.2 to 0.8.
+};
+
+/// Constants of a pair of materials: one of the item, one of the floor or a room shape.
+struct MaterialPair {
+  std::string item;
+  std::string other;
+  ContactConstants constants;
+};
+
+}  // namespace gurney

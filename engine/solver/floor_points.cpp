@@ -1,0 +1,64 @@
+#include "engine/solver/floor_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace gurney {
+namespace {
+
+constexpr int kRimPoints = 12;
+/// A wheel with a steeper axle may soon lie on its side.
+constexpr double kSteepAxle = 0.5;
+
+Vector3 axle_of(const Leg& leg, const State& state, std::size_t i) {
+  const double angle = state.legs[i].swivel_angle;
+  return leg.point(state.pose(), angle, Vector3::UnitY()) -
+         leg.point(state.pose(), angle, Vector3::Zero());
+}
+
+}  // namespace
+
+FloorPoints::FloorPoints(const Scene& scene, const Mechanism& mechanism) : mechanism_(mechanism) {
+  for (const Box& box : scene.item.shape)
+    for (int k = 0; k < 8; ++k) {
+      const Vector3 side(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+      corners_.push_back(box.center + 0.5 * side.cwiseProduct(box.size) -
+                         mechanism.chassis.center_of_mass);
+    }
+}
+
+void FloorPoints::collect(const State& state, double margin,
+                          std::vector<BodyContact>& contacts) const {
+  const auto add_if_low = [&](const BodyContact& contact) {
+    if (state.position.z() + mechanism_.contact_point(contact, state).z() < margin)
+      contacts.push_back(contact);
+  };
+  for (const Vector3& corner : corners_) add_if_low({.local = corner});
+  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
+    const Leg& leg = mechanism_.legs[i];
+    if (!Leg::lies(axle_of(leg, state, i))) continue;
+    for (int k = 0; k < 2 * kRimPoints; ++k) {
+      const double angle = 2 * std::numbers::pi * (k / 2) / kRimPoints;
+      const Vector3 on_rim(leg.wheel_radius() * std::cos(angle),
+                           (k % 2 ? 0.5 : -0.5) * leg.wheel_width(),
+                           leg.wheel_radius() * std::sin(angle));
+      add_if_low({.body = BodyContact::Body::kWheel,
+                  .leg = static_cast<int>(i),
+                  .local = leg.wheel_center() + on_rim});
+    }
+  }
+}
+
+double FloorPoints::clearance(const State& state) const {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Vector3& corner : corners_)
+    lowest = std::min(lowest, state.position.z() + (state.rotation * corner).z());
+  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i)
+    if (std::abs(axle_of(mechanism_.legs[i], state, i).z()) > kSteepAxle)
+      lowest = std::min(lowest, 0.0);
+  return lowest;
+}
+
+}  // namespace gurney

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/contact/body_contact.h"
+#include "engine/scene/scene.h"
+#include "engine/solver/mechanism.h"
+
+namespace gurney {
+
+/// What of an item may touch the flat floor besides a wheel on its tread: the corners of the
+/// chassis' boxes, and points on both rims of a wheel that lies on its side (Leg::Geometry::lies),
+/// where the contact on one point of the tread has ended.
+///
+/// Corners against a plane are exact and always all of them, which Bullet's plane algorithm is not;
+/// so this contact is analytic like that of wheels.
+class FloorPoints {
+ public:
+  FloorPoints(const Scene& scene, const Mechanism& mechanism);
+
+  /// Appends the contacts of points lower than `margin` above the floor [m].
+  void collect(const State& state, double margin, std::vector<BodyContact>& contacts) const;
+
+  /// How far the lowest point is above the floor; not more than that once a wheel leans [m].
+  double clearance(const State& state) const;
+
+ private:
+  const Mechanism& mechanism_;
+  std::vector<Vector3> corners_;  // chassis axes, relative to its centre
+};
+
+}  // namespace gurney

@@ -1,0 +1,87 @@
+#include "engine/contact/impact_law.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gurney {
+namespace {
+
+/// Rebound of a mass under the law alone, by explicit midpoint steps of 1e-4 of a period.
+double rebound(const ImpactLaw& law, double mass, double stiffness, double speed) {
+  const double h = 1e-4 / std::sqrt(stiffness / mass);
+  double d = 0, v = speed;
+  Matrix3 slope;
+  const auto acceleration = [&](double compression, double rate) {
+    const ImpactLaw::Stage stage{0, compression, speed, Vector2::Zero()};
+    ImpactLaw::Stage at = stage;
+    at.tau = 1e-12;
+    return -law.force(at, {0, 0, -rate}, slope).z() / mass;
+  };
+  do {
+    const double a = acceleration(d, v);
+    const double dm = d + h / 2 * v, vm = v + h / 2 * a;
+    v += h * acceleration(dm, vm);
+    d += h * vm;
+  } while (d > 0);
+  return -v / speed;
+}
+
+TEST(ImpactLaw, ReboundsWithItsRestitutionWhateverMassStiffnessAndSpeed) {
+  for (double e : {0.1, 0.2, 0.4, 0.7, 0.95, 1.0})
+    for (double mass : {2.0, 300.0})
+      for (double k : {1e5, 1e7})
+        for (double speed : {0.05, 3.0}) {
+          const ImpactLaw law({.stiffness = k, .restitution = e});
+          // Midpoint steps: error (1e-4)^2 a step, 3e4 steps; the end inside a step: 1e-4.
+          EXPECT_NEAR(rebound(law, mass, k, speed), e, 5e-4) << e << " " << mass << " " << speed;
+        }
+}
+
+TEST(ImpactLaw, DampingNumberSolvesItsEquation) {
+  for (double e : {0.1, 0.3, 0.9, 0.999}) {
+    const double x = ImpactLaw::damping_number(e);
+    EXPECT_GT(x, 0);
+    EXPECT_LT(e * x, 1);
+    EXPECT_NEAR(std::log1p(x) - std::log1p(-e * x), (1 + e) * x, 1e-9 * (1 + x)) << e;
+  }
+  EXPECT_EQ(ImpactLaw::damping_number(1), 0);
+}
+
+TEST(ImpactLaw, NeverPullsAndStaysInTheFrictionCone) {
+  for (const auto kind :
+       {ContactConstants::Kind::kRestitution, ContactConstants::Kind::kCompliant}) {
+    const ImpactLaw law({.kind = kind, .restitution = 0.3, .damping = 2e4, .friction = 0.5});
+    Matrix3 slope;
+    for (double d : {-1e-3, 1e-5, 1e-3})
+      for (double uz : {-3.0, -0.1, 0.1, 3.0})
+        for (double ux : {0.0, 0.5}) {
+          const Vector3 f = law.force({1e-3, d, 0.5, Vector2::Zero()}, {ux, -ux, uz}, slope);
+          EXPECT_GE(f.z(), 0);
+          EXPECT_LE(f.head<2>().norm(), 0.5 * f.z() * (1 + 1e-12));
+          if (d - 1e-3 * uz <= 0) EXPECT_EQ(f.norm(), 0);
+        }
+  }
+}
+
+TEST(ImpactLaw, SlopeIsTheDerivative) {
+  for (const auto kind :
+       {ContactConstants::Kind::kRestitution, ContactConstants::Kind::kCompliant}) {
+    const ImpactLaw law({.kind = kind, .restitution = 0.3, .damping = 500, .friction = 0.5});
+    const ImpactLaw::Stage stage{1e-3, 2e-3, 0.5, {1e-4, -2e-4}};
+    for (const Vector3& u : {Vector3(0.01, 0.02, -0.2), Vector3(2, -1, -0.2), Vector3(0, 1, 0.1)}) {
+      Matrix3 slope, unused;
+      law.force(stage, u, slope);
+      for (int k = 0; k < 3; ++k) {
+        const Vector3 step = 1e-6 * Vector3::Unit(k);
+        const Vector3 change =
+            (law.force(stage, u - step, unused) - law.force(stage, u + step, unused)) / 2e-6;
+        // Central differences of a quadratic are exact but for rounding and the kinks.
+        EXPECT_LT((change - slope.col(k)).norm(), 1e-5 * slope.norm()) << k;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gurney

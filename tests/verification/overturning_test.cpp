@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/units.h"
+#include "engine/simulate.h"
+#include "tests/support/blocks.h"
+#include "tests/support/scenes.h"
+#include "tests/support/small_scenes.h"
+
+// Items on casters that trip, overturn and come to lie on the floor.
+namespace gurney {
+namespace {
+
+/// A trolley pushed over along `direction` (floor axes) and let go.
+Response push_over(const Vector3& direction) {
+  Scene scene;
+  Tread tread;
+  tread.static_friction = tread.kinetic_friction = 1.5;
+  scene.item = small::trolley({0, 0, 0, 0}, tread);
+  for (Caster& caster : scene.item.casters) {
+    caster.swivels = false;
+    caster.brake_torque = std::numeric_limits<double>::infinity();
+  }
+  scene.item.marked_points.clear();
+  const Box& box = scene.item.shape[0];
+  for (int k = 0; k < 8; ++k)
+    scene.item.marked_points.push_back(
+        {"corner", box.center + 0.5 * box.size.cwiseProduct(Vector3(k & 1 ? 1 : -1, k & 2 ? 1 : -1,
+                                                                    k & 4 ? 1 : -1))});
+  Excitation excitation;
+  excitation.forces = {{"push", {0, 0, 0.9}, direction, {0, 0.6}, {1100, 1100}}};
+  SimulationSettings settings;
+  settings.settle_time = 20;
+  return simulate(scene, excitation, settings);
+}
+
+TEST(Overturning, IsFollowedUntilTheTrolleyLiesOnTheFloor) {
+  for (const Vector3& direction : {Vector3(0, 1, 0), Vector3(0, -1, 0), Vector3(0.6, 0.8, 0)}) {
+    const Response response = push_over(direction);
+    ASSERT_EQ(response.outcome, Outcome::kOverturned) << response.cause;
+    EXPECT_GT(response.demands.time_of_overturning, 0);
+    EXPECT_LT(response.end_time, 20) << "rests before it is cut off";
+    // On its side, or on its head.
+    EXPECT_GT(response.history.back().tilt, 80 * kRadiansPerDegree);
+    EXPECT_LT(response.quality.energy_closure, 0.01);
+    // At rest a corner sinks by the weight over two of them, W / (2 k) = 0.5 mm, at most.
+    for (int k = 0; k < 8; ++k) {
+      const double start = k & 4 ? 0.9 : 0.2;
+      const auto corner = static_cast<std::size_t>(k);
+      EXPECT_GT(start + response.history.back().points[corner].displacement.z(), -1e-3) << k;
+    }
+    EXPECT_EQ(response.quality.unconverged_steps, 0);
+    EXPECT_GE(response.demands.impacts, 1);
+    EXPECT_LE(response.demands.impacts, 30) << "no flood";
+    EXPECT_EQ(response.impacts[0].other, "floor");
+  }
+}
+
+TEST(Kerb, TheSpeedThatTripsIsThatOfTheEnergyOverThePivot) {
+  // A block slides without friction against a kerb of no height to speak of and turns about its
+  // edge: angular momentum about the edge gives w = m v h / I_0 (h: height of the centre), and the
+  // centre must rise from h to r: v^2 > 2 g (r - h) I_0 / (m h^2).
+  const Vector3 size(0.5, 0.5, 1.0);
+  const double mass = 100, h = 0.5 * size.z(), radius = 0.5 * std::hypot(size.x(), size.z());
+  const double inertia = solid_box_inertia(mass, size)(1, 1) + mass * radius * radius;
+  const double critical = std::sqrt(2 * kStandardGravity * (radius - h) * inertia / (mass * h * h));
+  const auto run = [&](double speed) {
+    ContactConstants floor{.stiffness = 1e8, .restitution = 0.01, .friction = 0};
+    Scene scene = blocks::block(mass, size, floor);
+    // The kerb is 10 mm high and rough: the edge does not climb it.
+    scene.room.push_back({"kerb",
+                          "stone",
+                          {0.5 * size.x() + 0.15, 0, -0.04},
+                          Quaternion::Identity(),
+                          RoomBox{{0.2, 2, 0.1}}});
+    scene.pairs.push_back(
+        {"steel", "stone", {.stiffness = 1e8, .restitution = 0.01, .friction = 0}});
+    scene.initial.velocity = {speed, 0, 0};
+    SimulationSettings settings;
+    settings.duration = 3;
+    settings.time_step = 0.002;
+    settings.history_step = 0;
+    settings.follow_overturning = false;
+    return simulate(scene, {}, settings).outcome;
+  };
+  // The kerb holds the edge 0 to 10 mm up: h and with it the speed are uncertain by 2 %.
+  EXPECT_EQ(run(0.95 * critical), Outcome::kStopped);
+  EXPECT_EQ(run(1.06 * critical), Outcome::kOverturned);
+}
+
+TEST(Kerb, AWheelClimbsALowThresholdAndStopsAtAHighKerb) {
+  const auto run = [](double height, double speed) {
+    Scene scene;
+    scene.item = small::trolley({180, 180, 0, 0}, Tread());
+    for (Caster& caster : scene.item.casters) caster.swivels = false;
+    scene.room.push_back({"threshold",
+                          "",
+                          {1.0, 0, 0.5 * height - 0.05},
+                          Quaternion::Identity(),
+                          RoomBox{{0.1, 2, height + 0.1}}});
+    scene.initial.velocity = {speed, 0, 0};
+    SimulationSettings settings;
+    settings.duration = 2;
+    settings.time_step = 0.002;
+    return simulate(scene, {}, settings);
+  };
+  const Response over = run(0.005, 0.8);
+  EXPECT_EQ(over.outcome, Outcome::kStopped) << over.cause;
+  // The front wheels, at x = 0.43, leave the threshold at 1.05.
+  EXPECT_GT(over.history.back().displacement.x(), 0.7) << "the front wheels are over";
+  const Response stopped = run(0.08, 0.8);
+  EXPECT_LT(stopped.demands.peak_displacement_x, 0.6) << "stands before it";
+  ASSERT_GE(stopped.impacts.size(), 1u);
+  EXPECT_EQ(stopped.impacts[0].other, "threshold");
+  EXPECT_GE(stopped.impacts[0].wheel, 0);
+}
+
+}  // namespace
+}  // namespace gurney

@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/simulate.h"
+#include "tests/support/blocks.h"
+
+// A block that slides without friction into a wall: momentum, restitution and contact time.
+namespace gurney {
+namespace {
+
+constexpr double kMass = 80, kGap = 0.1;
+const Vector3 kSize(0.5, 0.4, 0.6);
+
+ContactConstants slippery() { return {.friction = 0}; }
+
+/// Bullet reports the whole face once it overlaps: short steps keep that overlap small.
+Response hit(double speed, const ContactConstants& wall, double time_step = 2e-4) {
+  Scene scene = blocks::block(kMass, kSize, slippery());
+  blocks::add_wall(scene, 0.5 * kSize.x() + kGap, wall);
+  scene.initial.velocity = {speed, 0, 0};
+  return simulate(scene, {}, blocks::run_for(2 * kGap / speed, time_step, time_step));
+}
+
+TEST(WallImpact, TheBlockReboundsWithTheRestitutionStatedAtEverySpeed) {
+  for (double e : {0.05, 0.2, 0.4, 0.7, 1.0})
+    for (double speed : {0.8, 1.0, 2.5}) {
+      const Response response = hit(speed, {.restitution = e, .friction = 0});
+      ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
+      ASSERT_EQ(response.impacts.size(), 1u) << "e " << e << ", " << speed << " m/s";
+      const Impact& impact = response.impacts[0];
+      // 32 steps of a second-order method in half a period of the spring: (pi / 32)^2 / 12 = 0.08 %
+      // of the speed, and as much again for the touch and the end inside steps.
+      EXPECT_NEAR(response.history.back().velocity.x(), -e * speed, 0.003 * speed)
+          << "e " << e << ", " << speed << " m/s";
+      EXPECT_NEAR(impact.approach_speed, speed, 1e-6 * speed);
+      EXPECT_NEAR(impact.impulse, kMass * (1 + e) * speed, 0.003 * kMass * speed);
+      EXPECT_NEAR(impact.time, kGap / speed, 2e-4);
+      EXPECT_NEAR(impact.normal.x(), -1, 1e-9);
+      EXPECT_EQ(impact.body, "chassis");
+      EXPECT_EQ(impact.other, "wall");
+      EXPECT_TRUE(std::isnan(impact.peak_force)) << "restitution states no force";
+      EXPECT_LT(response.quality.energy_closure, 0.003);
+    }
+}
+
+TEST(WallImpact, AnUndampedSpringTouchesForPiRootOfMassOverStiffness) {
+  // Four corners share the load: k is that of each.
+  for (double k : {5e4, 4e5}) {
+    const double speed = 0.8, omega = std::sqrt(4 * k / kMass);
+    const Response response =
+        hit(speed, {.kind = ContactConstants::Kind::kCompliant, .stiffness = k, .friction = 0});
+    ASSERT_EQ(response.impacts.size(), 1u);
+    const Impact& impact = response.impacts[0];
+    // A stage ends up to half a step's phase off the peak: (pi / 32)^2 / 2 = 0.5 %, and starts with
+    // the touch inside a step.
+    EXPECT_NEAR(impact.duration, std::numbers::pi / omega, 0.01 * std::numbers::pi / omega);
+    EXPECT_NEAR(impact.peak_force, kMass * speed * omega, 0.01 * kMass * speed * omega);
+    EXPECT_NEAR(response.demands.points[0].peak_absolute_acceleration, speed * omega,
+                0.01 * speed * omega);
+    EXPECT_NEAR(response.demands.peak_impact_force, impact.peak_force, 0);
+  }
+}
+
+/// Rebound of m d'' = -(k d + min(max(c d', -k d), k d)), d(0) = 0, d'(0) = 1: while c d' > k d the
+/// force is 2 k d; then a damped spring, until c d' = -k d ends the contact.
+struct Damped {
+  double restitution, duration;
+};
+Damped damped_spring(double omega, double zeta) {
+  const double fast = std::sqrt(2.0) * omega, c_over_k = 2 * zeta / omega;
+  const double t1 = std::atan(fast * c_over_k) / fast;
+  const double d1 = std::sin(fast * t1) / fast, v1 = std::cos(fast * t1);
+  const double wd = omega * std::sqrt(1 - zeta * zeta);
+  const double b = (v1 + zeta * omega * d1) / wd;
+  const auto at = [&](double t) {
+    const double decay = std::exp(-zeta * omega * t), c = std::cos(wd * t), s = std::sin(wd * t);
+    const double d = decay * (d1 * c + b * s);
+    const double v = -zeta * omega * d + decay * wd * (b * c - d1 * s);
+    return std::pair(d, v);
+  };
+  double low = 0, high = std::numbers::pi / wd;
+  for (int i = 0; i < 100; ++i) {
+    const double t = 0.5 * (low + high);
+    const auto [d, v] = at(t);
+    (d + c_over_k * v > 0 ? low : high) = t;
+  }
+  return {-at(low).second, t1 + low};
+}
+
+TEST(WallImpact, ADampedSpringThatCannotPullReboundsAsItsClosedForm) {
+  for (double zeta : {0.1, 0.3, 0.6}) {
+    const double k = 2e5, omega = std::sqrt(4 * k / kMass), speed = 1;
+    const Damped expected = damped_spring(omega, zeta);
+    const Response response = hit(speed, {.kind = ContactConstants::Kind::kCompliant,
+                                          .stiffness = k,
+                                          .damping = 2 * zeta * k / omega,
+                                          .friction = 0});
+    ASSERT_EQ(response.impacts.size(), 1u);
+    EXPECT_NEAR(-response.history.back().velocity.x(), expected.restitution, 0.005) << zeta;
+    EXPECT_NEAR(response.impacts[0].duration, expected.duration, 0.05 * expected.duration);
+  }
+}
+
+TEST(WallImpact, AnEdgeOffCentreTurnsTheBlockAsTheImpulseSays) {
+  // The block is turned by 0.4 rad: a vertical edge meets the wall, its two corners with the
+  // lever arm a about z. J = (1 + e) v m_eff, 1 / m_eff = 1 / m + a^2 / I_z; yaw rate J a / I_z.
+  const double yaw = 0.4, e = 0.5, speed = 1;
+  Scene scene = blocks::block(kMass, kSize, slippery());
+  const double reach = 0.5 * (kSize.x() * std::cos(yaw) + kSize.y() * std::sin(yaw));
+  blocks::add_wall(scene, reach + kGap, {.stiffness = 3e7, .restitution = e, .friction = 0});
+  scene.initial.velocity = {speed, 0, 0};
+  scene.initial.yaw = yaw;
+  const Response response = simulate(scene, {}, blocks::run_for(0.15, 1e-4, 0.001));
+  ASSERT_GE(response.impacts.size(), 1u);
+  // The lower right edge leads: at (x, -y) of the block.
+  const double arm = 0.5 * (kSize.x() * std::sin(yaw) - kSize.y() * std::cos(yaw));
+  const double inertia = solid_box_inertia(kMass, kSize)(2, 2);
+  const double mass = 1 / (1 / kMass + arm * arm / inertia);
+  // While they touch, pi sqrt(mass / 2 k) = 3.3 ms, the block turns by 5 mrad: the arm, whose
+  // derivative is the half length along the wall, 0.28 m, changes by 2 %.
+  const double impulse = (1 + e) * speed * mass;
+  EXPECT_NEAR(response.impacts[0].impulse, impulse, 0.015 * impulse);
+  const Sample& after = response.history.back();
+  const Sample& before = response.history[after.time > 0.145 ? response.history.size() - 2 : 0];
+  const double rate = (after.yaw - before.yaw) / (after.time - before.time);
+  EXPECT_NEAR(rate, impulse * arm / inertia, 0.035 * std::abs(impulse * arm / inertia));
+}
+
+}  // namespace
+}  // namespace gurney
