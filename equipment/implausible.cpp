@@ -19,11 +19,6 @@ std::vector<std::string> implausible(const EquipmentModel& item) {
     low = low.cwiseMin(box.center - box.size / 2);
     high = high.cwiseMax(box.center + box.size / 2);
   }
-  for (const Caster& caster : item.casters)
-    if (caster.swivels && caster.trail == 0)
-      findings.push_back(
-          fmt::format("{}: '{}' swivels but has no trail, so it does not align itself", item.name,
-                      caster.name));
   const MassProperties chassis = chassis_with_payloads(item);
   const double density = chassis.mass / volume;
   if (!(density >= kLightest && density <= kHeaviest))
@@ -35,6 +30,10 @@ std::vector<std::string> implausible(const EquipmentModel& item) {
     findings.push_back(
         fmt::format("{}: the centre of mass ({:.3g}, {:.3g}, {:.3g}) m lies outside the shapes",
                     item.name, center.x(), center.y(), center.z()));
+  for (const Caster& caster : item.casters)
+    if (caster.swivels && caster.trail == 0)
+      findings.push_back(fmt::format("{}: caster '{}' swivels but has no trail to align it",
+                                     item.name, caster.name));
   return findings;
 }
 

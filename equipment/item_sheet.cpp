@@ -53,18 +53,22 @@ ItemSheet item_sheet(const EquipmentModel& item) {
   sheet.support_polygon = hull_of(contacts);
 
   const double weight = sheet.whole.mass * kStandardGravity;
-  double sliding = 0;
+  double sliding = 0, holding = 0;
   for (std::size_t i = 0; i < item.casters.size(); ++i) {
     const Caster& caster = item.casters[i];
     const double load = sheet.stability.wheel_loads[i];
     sheet.wheels.push_back(
         {caster.name, contacts[i].center, load, load / caster.tread.normal_stiffness});
-    sheet.rolling_resistance +=
+    const double rolling =
         (caster.tread.rolling_resistance * load + caster.axle.coulomb) / caster.wheel_radius;
-    sliding += caster.tread.static_friction * load;
+    const double grip = caster.tread.static_friction * load;
+    sheet.rolling_resistance += rolling;
+    sliding += grip;
+    holding += std::min(grip, rolling + caster.brake_torque / caster.wheel_radius);
   }
   sheet.rolling_share = sheet.rolling_resistance / weight;
   sheet.sliding_share = sliding / weight;
+  sheet.holding_share = holding / weight;
   sheet.tipping_share = std::tan(sheet.stability.tilt_as_placed);
   return sheet;
 }

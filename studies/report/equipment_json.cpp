@@ -71,6 +71,7 @@ std::string equipment_json(const EquipmentFacts& facts) {
                        {"wheels", wheels(facts)},
                        {"rolling_resistance_n", sheet.rolling_resistance},
                        {"rolls_from_g", sheet.rolling_share},
+                       {"moves_with_brakes_as_they_are_from_g", sheet.holding_share},
                        {"slides_from_g", sheet.sliding_share},
                        {"tips_from_g", sheet.tipping_share},
                        {"assumptions", assumptions(facts.assumptions)},

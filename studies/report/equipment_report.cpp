@@ -75,14 +75,15 @@ std::string wheels_text(const EquipmentFacts& facts) {
 
 std::string motion_text(const ItemSheet& sheet) {
   std::string text = fmt::format(
-      "\nunder a slowly growing push of the floor\n  {:<32} {:.3f} g ({:.1f} N); a slope of "
+      "\nunder a slowly growing push of the floor\n  {:<36} {:.3f} g ({:.1f} N); a slope of "
       "{:.1f} %\n",
       "brakes off, straight, rolls from", sheet.rolling_share, sheet.rolling_resistance,
       100 * sheet.rolling_share);
-  const bool tips = sheet.tipping_share < sheet.sliding_share;
-  text += fmt::format("  {:<32} {:.2f} g, {:.2f} g: {}\n", "wheels held, slides or tips from",
-                      sheet.sliding_share, sheet.tipping_share,
-                      tips ? "it tips before it slides" : "it slides before it tips");
+  text += fmt::format("  {:<36} {:.3f} g\n", "brakes as they are, moves from", sheet.holding_share);
+  text +=
+      fmt::format("  {:<36} {:.2f} g\n", "wheels that cannot turn slide from", sheet.sliding_share);
+  text += fmt::format("  {:<36} {:.2f} g, if nothing gives way before\n", "tips from",
+                      sheet.tipping_share);
   return text;
 }
 

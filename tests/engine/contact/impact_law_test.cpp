@@ -59,7 +59,9 @@ TEST(ImpactLaw, NeverPullsAndStaysInTheFrictionCone) {
           const Vector3 f = law.force({1e-3, d, 0.5, Vector2::Zero()}, {ux, -ux, uz}, slope);
           EXPECT_GE(f.z(), 0);
           EXPECT_LE(f.head<2>().norm(), 0.5 * f.z() * (1 + 1e-12));
-          if (d - 1e-3 * uz <= 0) EXPECT_EQ(f.norm(), 0);
+          if (d - 1e-3 * uz <= 0) {
+            EXPECT_EQ(f.norm(), 0);
+          }
         }
   }
 }
