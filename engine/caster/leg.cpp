@@ -1,6 +1,9 @@
 #include "engine/caster/leg.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "engine/base/units.h"
 
 namespace gurney {
 namespace {
@@ -8,10 +11,25 @@ namespace {
 /// Stuck bearings, brakes and locks are this much stiffer than the tread at their lever arm.
 constexpr double kStickStiffnessRatio = 10;
 
-/// A wheel that leans more than 15 degrees stands on the edge of its tread. The edge is lower than
-/// the middle by the crown for which both touch at that lean: a rigid convex wheel.
-constexpr double kSineOfEdgeLean = 0.25881904510252074;
-constexpr double kTangentOfEdgeLean = 0.26794919243112270;
+/// Where a leaning wheel touches the floor: on the middle of its tread up to 10 degrees, from there
+/// further out with every degree, on its edge from 30 degrees on (assumptions). A sharp edge would
+/// have a valley between middle and edge in which no single contact point can stay.
+constexpr double kCrownBegins = 10 * kRadiansPerDegree, kCrownEnds = 30 * kRadiansPerDegree;
+const double kSineOfCrown = std::sin(kCrownBegins);
+
+struct CrownPoint {
+  double out;   ///< from the middle of the tread, along the axle [m]
+  double drop;  ///< of the tread's radius there [m]
+};
+
+/// With out(lean) = (w/2) (lean - begin) / (end - begin), a convex tread whose slope at that point
+/// is the lean has drop = integral of tan(lean) d out.
+CrownPoint crown_point(double lean, double half_width) {
+  const double per_radian = half_width / (kCrownEnds - kCrownBegins);
+  const double until = std::min(lean, kCrownEnds);
+  return {per_radian * (until - kCrownBegins),
+          per_radian * std::log(std::cos(kCrownBegins) / std::cos(until))};
+}
 
 double stick_stiffness(const Caster& caster, double lever) {
   return kStickStiffnessRatio * caster.tread.tangential_stiffness * lever * lever;
@@ -47,6 +65,8 @@ Leg::Leg(const Caster& caster, const Vector3& chassis_center)
   reach_ = mount_.norm() + swing_;
 }
 
+double Leg::edge_radius() const { return radius_ - crown_point(kCrownEnds, 0.5 * width_).drop; }
+
 Matrix3 Leg::fork_rotation(const Pose& pose, double swivel_angle) const {
   const double c = std::cos(swivel_angle), s = std::sin(swivel_angle);
   Matrix3 fork;
@@ -72,9 +92,9 @@ void Leg::evaluate(const Pose& pose, double swivel_angle, const Vector6& chassis
   // The lowest point of the disc lies against the component of z in the wheel's plane.
   const Vector3 up = (Vector3::UnitZ() - a.z() * a).normalized();
   Vector3 down = -radius_ * up;
-  if (std::abs(a.z()) > kSineOfEdgeLean) {
-    const double crown = 0.5 * width_ * kTangentOfEdgeLean;
-    down = (crown - radius_) * up - std::copysign(0.5 * width_, a.z()) * a;
+  if (std::abs(a.z()) > kSineOfCrown) {
+    const CrownPoint point = crown_point(std::asin(std::min(1.0, std::abs(a.z()))), 0.5 * width_);
+    down = (point.drop - radius_) * up - std::copysign(point.out, a.z()) * a;
   }
   out.contact = out.wheel_center + down;
   out.height = lies(a) ? 1 : pose.position.z() + out.contact.z();

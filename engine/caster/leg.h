@@ -38,7 +38,7 @@ class Leg {
     Vector3 mount;         ///< relative to O
     Vector3 wheel_center;  ///< relative to O
     /// Lowest point of the undeformed wheel, relative to O: on the middle of the tread up to a lean
-    /// of 15 degrees, beyond that on its edge, which is lower by the tread's crown.
+    /// of 10 degrees, from there towards its edge, which is reached at 30 degrees.
     Vector3 contact;
     double height =
         0;  ///< of that point above the floor (negative: compressed); 1 when it lies [m]
@@ -72,6 +72,9 @@ class Leg {
   /// Whether a wheel with this axle lies on its side, more than 60 degrees from upright: it then
   /// has no contact on its tread.
   static bool lies(const Vector3& axle) { return std::abs(axle.z()) > 0.866; }
+
+  /// Radius of the wheel at the edge of its tread, smaller by the crown [m].
+  double edge_radius() const;
 
   /// Position of the leg's centre of mass relative to O, for the potential energy.
   Vector3 center_of_mass(const Pose& pose, double swivel_angle) const;

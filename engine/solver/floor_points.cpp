@@ -41,9 +41,9 @@ void FloorPoints::collect(const State& state, double margin,
     if (!Leg::lies(axle_of(leg, state, i))) continue;
     for (int k = 0; k < 2 * kRimPoints; ++k) {
       const double angle = 2 * std::numbers::pi * (k / 2) / kRimPoints;
-      const Vector3 on_rim(leg.wheel_radius() * std::cos(angle),
+      const Vector3 on_rim(leg.edge_radius() * std::cos(angle),
                            (k % 2 ? 0.5 : -0.5) * leg.wheel_width(),
-                           leg.wheel_radius() * std::sin(angle));
+                           leg.edge_radius() * std::sin(angle));
       add_if_low({.body = BodyContact::Body::kWheel,
                   .leg = static_cast<int>(i),
                   .local = leg.wheel_center() + on_rim});
