@@ -79,6 +79,13 @@ records 1 "--floor 9: must be roof, or a number from 0 to 4" floor "$record" --b
 records 0 "misfit of the mean" scale "$record" --target "eurocode8 ground=B ag_g=0.3" -o suite.csv --figure suite.svg
 records 0 "1 record" ls suite.csv
 records 1 "did you mean 'asce7'?" scale "$record" --target "asce sds_g=1"
+records 1 "convert the records with the steps first" scale "$record" --target "eurocode8 ground=B ag_g=0.3" --step "high_pass corner_hz=0.1" -o suite_2.csv
+[ ! -e suite_2.csv ] || complain "a list without the steps was written"
+# In resonance with a long sine of 0.4 g, Sa = 0.4 g / (2 damping) = 10 g at 2 %. The target is
+# 0.3 x 1.2 x 2.5 sqrt(10 / 7) = 1.0757 g: factor 0.108 (0.269 with a spectrum of 5 %).
+records 0 "sine.csv" make harmonic frequency_hz=4 duration_s=60 -o sine.csv
+records 0 " 0.108 " scale sine.csv --target "eurocode8 ground=B ag_g=0.3 damping_ratio=0.02" --component h1 --periods 0.2499:0.2501 --limits 0.01:10
+grep -q "h1 spectra of 2 % damping" stdout || complain "scale does not tell the damping"
 records 1 "must be LOW:HIGH" scale "$record" --target "asce7 sds_g=1 sd1_g=0.6" --periods 2
 
 [ "$failures" -eq 0 ] && echo "all commands did as they should"
