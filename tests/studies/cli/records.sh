@@ -55,6 +55,10 @@ records 0 "b.csv" convert "$record" -o b.csv --overwrite
 diff <("$gurney" records ls "$record" | cut -c 31-) <("$gurney" records ls b.csv | cut -c 31-) ||
   complain "a converted record is another one"
 records 1 "b.csv: the record is read from this file" convert b.csv -o b.csv --overwrite
+{ printf '# h1: azimuth 318 deg\n# h1: start 1994-01-17T12:30:55.000Z\n'; cat huge.csv; } > where.csv
+records 0 "where_2.csv" convert where.csv -o where_2.csv
+grep -q '^# h1: azimuth 318 deg$' where_2.csv || complain "the azimuth is lost"
+grep -q '^# h1: start 1994-01-17T12:30:55.000Z$' where_2.csv || complain "the start is lost"
 mkdir at2
 records 0 "at2/synthetic_3c_UP.AT2" convert "$record" --format at2 -o at2
 records 0 "PEER AT2" ls at2
