@@ -62,6 +62,17 @@ records 1 "b.csv: the record is read from this file" convert b.csv -o b.csv --ov
 records 0 "where_2.csv" convert where.csv -o where_2.csv
 grep -q '^# h1: azimuth 318 deg$' where_2.csv || complain "the azimuth is lost"
 grep -q '^# h1: start 1994-01-17T12:30:55.000Z$' where_2.csv || complain "the start is lost"
+# A scaled record has the value that was asked for, and says what was done.
+records 0 "scaled.csv" convert "$record" -o scaled.csv --scale-to "PGA component=h1 value=0.5 unit=g vertical=kept"
+records 0 '0.5   0.375      0.2' ls scaled.csv  # 0.4, 0.3 and 0.2 g before
+grep -q "^# processing: .*PGA (h1)" scaled.csv || complain "scaled.csv does not say how it was scaled"
+records 0 "scaled_2.csv" convert "$record" -o scaled_2.csv --scale-to "measure=Sa(1.0) component=RotD50 value=0.6 unit=g"
+records 0 "     0.6 " ls scaled_2.csv  # Sa(1), RotD50
+records 1 '--scale-to "Sa(1.0) value=1 unit=m": unit = "m": must be one of' convert "$record" -o x.csv --scale-to "Sa(1.0) value=1 unit=m"
+records 1 "D5-95" convert "$record" -o x.csv --scale-to "D5-95 value=5 unit=s"
+records 1 "must be key=value" convert "$record" -o x.csv --scale-to "Sa(1.0) 0.6"
+records 1 "has no component h2, needed for PGA geomean" convert huge.csv -o x.csv --scale-to "PGA value=0.5 unit=g"
+[ ! -e x.csv ] || complain "x.csv was left"
 mkdir at2
 records 0 "at2/synthetic_3c_UP.AT2" convert "$record" --format at2 -o at2
 records 0 "PEER AT2" ls at2
