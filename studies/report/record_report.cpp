@@ -103,6 +103,12 @@ std::string list_text(const char* title, const std::vector<std::string>& lines) 
 
 std::vector<std::string> record_findings(const Record& record) {
   std::vector<std::string> findings = record.warnings;
+  const bool h1 = record[Direction::kH1].has_value(), h2 = record[Direction::kH2].has_value();
+  if (!h1 && !h2)
+    findings.push_back("h1 and h2 are missing: the record has no horizontal");
+  else if (!h1 || !h2)
+    findings.push_back(
+        fmt::format("{} is missing: the record has one horizontal", h1 ? "h2" : "h1"));
   for (std::string& finding : implausible(record)) findings.push_back(std::move(finding));
   for (std::string& finding : residual(floor_motion(record)).warnings)
     findings.push_back(std::move(finding));

@@ -17,6 +17,9 @@ printf '1\n2\n-3\n' > plain.txt
 records 1 'state it as unit = "..."' info plain.txt
 records 0 "synthetic_3c" ls "$record"
 records 0 "1 record" ls plain.txt --unit g --time-step 0.01
+records 0 "h2 is missing: the record has one horizontal" info plain.txt --unit g --time-step 0.01
+printf 'time_s,z_g\n0,1\n1,2\n' > up.csv
+records 0 "h1 and h2 are missing: the record has no horizontal" info up.csv
 records 0 "residual velocity, from rest" info "$record"
 records 0 '"refused": []' info "$record" --json
 records 1 "did you mean 'high_pass'?" info "$record" --step "high_pas corner_hz=0.1"
