@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/base/units.h"
+#include "groundmotions/measures/peaks.h"
 
 namespace gurney {
 
@@ -13,22 +14,13 @@ namespace {
 
 constexpr double kMeanAcceleration = 1e-4 * kStandardGravity;  // [m/s2]
 constexpr double kInvisibleVelocity = 0.01;                    // [m/s]
-constexpr double kVisibleVelocity = 0.05;                      // [m/s]
 constexpr double kVisibleDisplacement = 0.05;                  // [m]
 constexpr double kShareOfPeak = 0.5;
 
 /// Largest horizontal displacement of the floor at a sample.
 double peak_displacement(const FloorMotion& floor) {
-  const double step = floor.time_step();
   const auto& a = floor.acceleration();
-  Vector3 velocity = Vector3::Zero(), displacement = Vector3::Zero();
-  double peak = 0;
-  for (Eigen::Index i = 1; i < a.cols(); ++i) {
-    displacement += step * velocity + step * step / 6 * (2 * a.col(i - 1) + a.col(i));
-    velocity += step / 2 * (a.col(i - 1) + a.col(i));
-    peak = std::max(peak, displacement.head<2>().norm());
-  }
-  return peak;
+  return peaks(floor.time_step(), a.row(0), a.row(1)).displacement;
 }
 
 }  // namespace

@@ -8,6 +8,9 @@
 
 namespace gurney {
 
+/// A residual velocity that is visible however long the record [m/s].
+inline constexpr double kVisibleVelocity = 0.05;
+
 /// What a floor motion leaves at its end, and whether that is plausible.
 ///
 /// An item on casters integrates the floor's acceleration twice by itself. In a prototype of this

@@ -33,9 +33,24 @@ void to_one_time_step(Record& record) {
   }
 }
 
+/// Whether all starts are known; a warning if only some are.
+bool have_starts(const std::vector<Component*>& components, Record& record) {
+  const auto known =
+      std::ranges::count_if(components, [](auto* c) { return c->start_time.has_value(); });
+  if (known == std::ssize(components)) return true;
+  if (known > 0)
+    for (const Component* component : components)
+      if (!component->start_time)
+        record.warnings.push_back(fmt::format(
+            "{}: states no start, as other components do: all are taken to start at the same time",
+            component->file));
+  return false;
+}
+
 void to_one_start(Record& record) {
+  constexpr double kSlack = 0.01;  // of a step
   const auto components = present(record);
-  if (!std::ranges::all_of(components, [](auto* c) { return c->start_time.has_value(); })) return;
+  if (!have_starts(components, record)) return;
   double earliest = *components.front()->start_time, shortest = components.front()->duration();
   for (const Component* component : components) {
     earliest = std::min(earliest, *component->start_time);
@@ -48,10 +63,13 @@ void to_one_start(Record& record) {
                         "shortest ({:.6g} s): these are not of one earthquake",
                         component->file, late, shortest));
     const auto zeros = static_cast<Eigen::Index>(std::lround(late / component->time_step));
+    const double rest = late - static_cast<double>(zeros) * component->time_step;
+    const bool is_even = std::abs(rest) <= kSlack * component->time_step;
+    if (zeros > 0 || !is_even)
+      record.warnings.push_back(fmt::format(
+          "{}: starts {:.6g} s after the first component: {} zeros added before it{}",
+          component->file, late, zeros, is_even ? "" : fmt::format(", {:.2g} s are left", rest)));
     if (zeros == 0) continue;
-    record.warnings.push_back(
-        fmt::format("{}: starts {:.6g} s after the first component: {} zeros added before it",
-                    component->file, late, zeros));
     Eigen::VectorXd padded(component->acceleration.size() + zeros);
     padded << Eigen::VectorXd::Zero(zeros), component->acceleration;
     component->acceleration = std::move(padded);

@@ -9,9 +9,11 @@ namespace gurney {
 ///
 /// 1. Time steps that differ by more than 1e-6: all components are resampled to the smallest
 ///    (processing/resample.h).
-/// 2. Starts that differ by a sample or more, where every file states its own: the record begins
+/// 2. Starts that differ by a sample or more, where every file states its own (if only some do, a
+///    warning says that no start is used): the record begins
 ///    with the earliest component, zeros stand before the others. They are shifted by whole
-///    samples; less than half a sample is left.
+///    samples; what is left, half a sample at most, is part of the warning if it is more than 0.01
+///    of a sample.
 /// 3. Shorter components are filled with zeros at their end.
 ///
 /// @throws Error for starts further apart than the shortest component is long: other earthquakes.

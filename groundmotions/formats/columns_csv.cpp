@@ -9,6 +9,7 @@
 
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/units.h"
+#include "groundmotions/formats/columns_csv_facts.h"
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/time_column.h"
@@ -170,6 +171,8 @@ std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOption
       component.warnings.push_back(late);
     components.push_back(std::move(component));
   }
+  read_columns_csv_facts(file, head, components, mistakes);
+  mistakes.throw_if_any();
   return components;
 }
 
@@ -179,6 +182,7 @@ std::string columns_csv_text(const Record& record, const std::vector<std::string
   std::string text;
   for (const std::string& comment : comments)
     text += comment.empty() ? "#\n" : "# " + comment + "\n";
+  text += columns_csv_facts(record);
   text += "time_s";
   for (const Direction direction : kDirections)
     if (record[direction])

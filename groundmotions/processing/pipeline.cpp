@@ -14,6 +14,7 @@
 #include "groundmotions/processing/resample.h"
 #include "groundmotions/processing/rotate.h"
 #include "groundmotions/processing/taper.h"
+#include "groundmotions/residual.h"
 
 namespace gurney {
 
@@ -40,9 +41,6 @@ void move_start(Record& record, double seconds) {
 double duration(const Record& record) {
   return record.time_step() * static_cast<double>(record.samples() - 1);
 }
-
-/// As in groundmotions/residual.h: a velocity that is visible however long the record.
-constexpr double kVisibleVelocity = 0.05;  // [m/s]
 
 /// Largest magnitudes at the end of a component.
 EndMotion largest_residual(const Record& record) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/base/error.h"
+#include "groundmotions/measures/cumulative.h"
 
 namespace gurney {
 
@@ -14,22 +15,9 @@ TimeInterval significant_interval(double time_step, const Eigen::VectorXd& accel
   require(from >= 0 && from < to && to <= 1,
           fmt::format("shares of the Husid curve must be 0 <= from < to <= 1, got {:g} and {:g}",
                       from, to));
-  Eigen::VectorXd husid = Eigen::VectorXd::Zero(acceleration.size());
-  for (Eigen::Index i = 1; i < husid.size(); ++i) {
-    const double a0 = acceleration[i - 1], a1 = acceleration[i];
-    husid[i] = husid[i - 1] + (a0 * a0 + a0 * a1 + a1 * a1) / 3;
-  }
-  require(husid.size() > 0 && husid[husid.size() - 1] > 0,
-          "a motion that is all zero has no significant duration");
-  const auto time_of = [&](double share) {
-    const double wanted = share * husid[husid.size() - 1];
-    const auto above = std::lower_bound(husid.begin(), husid.end(), wanted);
-    if (above == husid.begin()) return 0.0;
-    const double before = *(above - 1);
-    return time_step *
-           (static_cast<double>(above - husid.begin() - 1) + (wanted - before) / (*above - before));
-  };
-  return {time_of(from), time_of(to)};
+  const SignificantPart part = significant_part(time_step, acceleration, from, to);
+  require(part.end > part.begin, "a motion that is all zero has no significant duration");
+  return {part.begin, part.end};
 }
 
 SampleRange samples_within(const TimeInterval& interval, double time_step, Eigen::Index samples) {

@@ -10,10 +10,8 @@ struct TimeInterval {
   double to = 0;    ///< [s]
 };
 
-/// The part of a record between two shares of its Husid curve I(t) / I(end), with I(t) the integral
-/// of a^2 of the piecewise-linear acceleration (Husid 1969; Trifunac & Brady 1975, BSSA 65(3),
-/// 581-626): 0.05 and 0.95 give the significant duration D5-95. Within a step I(t) is taken as
-/// linear.
+/// The part of a record between two shares of its Husid curve (Husid 1969), significant_part() of
+/// measures/cumulative.h: 0.05 and 0.95 give the significant duration D5-95.
 /// @param time_step  > 0 [s]
 /// @param from, to   0 <= from < to <= 1
 /// @throws Error for other shares and for a motion that is all zero.

@@ -28,7 +28,8 @@ TargetSpectrum read_eurocode8(Table& in) {
   parameters.type = in.integer("type", 1, 2, 1);
   parameters.ground = read_letter(in, "ground");
   parameters.ground_acceleration = in.number("ag_g", Range::positive()) * kStandardGravity;
-  parameters.damping = in.number("damping_ratio", Range::within(0, 1).open_below(), 0.05);
+  parameters.damping =
+      in.number("damping_ratio", Range::within(0, 1).open_below().open_above(), 0.05);
   parameters.vertical = in.boolean("vertical", false);
   return eurocode8_spectrum(parameters);
 }

@@ -100,23 +100,24 @@ TargetSpectrum asce7_spectrum(double sds, double sd1, double tl) {
 TargetSpectrum eurocode8_spectrum(const Eurocode8& p) {
   require(p.type == 1 || p.type == 2, fmt::format("type {}: must be 1 or 2", p.type));
   const std::size_t ground = letter_index(p.ground, "ground type");
-  require(
-      p.ground_acceleration > 0 && p.damping > 0,
-      fmt::format("a_g {:g} m/s2, damping {:g}: must be > 0", p.ground_acceleration, p.damping));
+  require(p.ground_acceleration > 0 && p.damping > 0 && p.damping < 1,
+          fmt::format("a_g {:g} m/s2, damping {:g}: a_g must be > 0, damping > 0 and < 1",
+                      p.ground_acceleration, p.damping));
   const Corners c = p.vertical ? kVertical : (p.type == 1 ? kType1 : kType2)[ground];
   const double eta = std::max(0.55, std::sqrt(10 / (5 + 100 * p.damping)));
   const double share = !p.vertical ? 1 : p.type == 1 ? 0.9 : 0.45;
   const double level = share * p.ground_acceleration * c.soil;
   const double amplified = eta * (p.vertical ? 3.0 : 2.5);
-  return {fmt::format("Eurocode 8 type {}, ground {}, a_g {:.4g} g, damping {:g}{}", p.type,
-                      p.ground, p.ground_acceleration / kStandardGravity, p.damping,
-                      p.vertical ? ", vertical" : ""),
-          0, 4, [=](double t) {
+  return {fmt::format("Eurocode 8 type {}, ground {}, a_g {:.4g} g{}", p.type, p.ground,
+                      p.ground_acceleration / kStandardGravity, p.vertical ? ", vertical" : ""),
+          0, 4,
+          [=](double t) {
             if (t < c.tb) return level * (1 + t / c.tb * (amplified - 1));
             if (t <= c.tc) return level * amplified;
             if (t <= c.td) return level * amplified * c.tc / t;
             return level * amplified * c.tc * c.td / (t * t);
-          }};
+          },
+          p.damping};
 }
 
 TargetSpectrum nzs1170_spectrum(const Nzs1170& p) {

@@ -7,13 +7,13 @@
 
 namespace gurney {
 
-/// A response spectrum that records are scaled to, 5 % of critical damping unless its name says
-/// otherwise.
+/// A response spectrum that records are scaled to. Spectra of records must be of its damping.
 struct TargetSpectrum {
   std::string name;                            ///< with its parameters
   double shortest_period = 0;                  ///< [s]
   double longest_period = 0;                   ///< may be infinite [s]
   std::function<double(double)> acceleration;  ///< Sa(T) [m/s2]
+  double damping = 0.05;                       ///< share of critical, in (0, 1)
 
   /// @throws Error for a period outside of shortest_period..longest_period.
   double at(double period) const;
@@ -35,11 +35,11 @@ struct Eurocode8 {
   int type = 1;                    ///< 1 or 2
   char ground = 'A';               ///< 'A' to 'E'
   double ground_acceleration = 0;  ///< a_g > 0, with the importance factor [m/s2]
-  double damping = 0.05;           ///< share of critical, > 0
+  double damping = 0.05;           ///< share of critical, in (0, 1)
   bool vertical = false;           ///< a_vg = 0.9 a_g (type 1) or 0.45 a_g (type 2)
 };
 
-/// @throws Error for another type or ground.
+/// @throws Error for another type or ground, and for numbers out of range.
 TargetSpectrum eurocode8_spectrum(const Eurocode8& parameters);
 
 /// Elastic site spectrum of NZS 1170.5:2004, 3.1.1: C(T) = C_h(T) Z R N(T,D), with the spectral

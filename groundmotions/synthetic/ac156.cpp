@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "engine/base/error.h"
-#include "groundmotions/oscillator.h"
+#include "groundmotions/measures/response_spectrum.h"
 #include "groundmotions/synthetic/component.h"
 #include "groundmotions/synthetic/noise.h"
 
@@ -18,12 +18,27 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kDamping = 0.05;
-constexpr int kPerOctave = 12, kIterations = 20;
+constexpr int kPerOctave = 24, kIterations = 20;
+/// A spectrum of damping zeta changes by at most a share of 1 / (2 zeta) of a change of ln f: the
+/// steepest place of an oscillator's resonance. Halfway between points of the last grid it may be
+/// lower by (ln 2 / 768 / 2) / (2 zeta) = 0.0045.
+constexpr int kPerOctaveAtLast = 768;
+constexpr double kMargin = 1.005;
 constexpr double kHighestFrequency = 50;  // of the motion's own content [Hz]
 
 /// Straight in logarithms from (x0, y0) to (x1, y1).
 double log_line(double x, double x0, double y0, double x1, double y1) {
   return y0 * std::pow(y1 / y0, std::log(x / x0) / std::log(x1 / x0));
+}
+
+/// Ratio of the spectrum of a motion to the required one.
+Eigen::VectorXd ratios(double time_step, const Eigen::VectorXd& acceleration,
+                       const RequiredSpectrum& required, const std::vector<double>& frequencies) {
+  const auto count = static_cast<Eigen::Index>(frequencies.size());
+  const Eigen::ArrayXd f = Eigen::ArrayXd::Map(frequencies.data(), count);
+  return response_spectrum(time_step, acceleration, f.inverse(), kDamping)
+             .absolute_acceleration.array() /
+         f.unaryExpr([&](double each) { return required.at(each); });
 }
 
 struct Fit {
@@ -51,8 +66,15 @@ class Matching {
     for (int i = 0; i < kIterations; ++i) {
       Fit fit = this_one();
       if (best.acceleration.size() == 0 || fit.largest < best.largest) best = std::move(fit);
-      for (std::size_t k = 0; k < amplitude_.size(); ++k) amplitude_[k] /= ratio_[k];
+      for (std::size_t k = 0; k < amplitude_.size(); ++k)
+        amplitude_[k] /= ratio_[static_cast<Eigen::Index>(k)];
     }
+    const double smallest =
+        ratios(motion_.time_step, best.acceleration, required_, ac156_frequencies(kPerOctaveAtLast))
+            .minCoeff();
+    best.acceleration *= kMargin / smallest;
+    best.largest *= kMargin / smallest;
+    best.smallest = kMargin;
     return best;
   }
 
@@ -80,20 +102,16 @@ class Matching {
                     amplitude_[next]);
   }
 
-  /// The motion of the present amplitudes, scaled to envelope; fills ratio_ before the scaling.
+  /// The motion of the present amplitudes, scaled to envelope at frequencies_; fills ratio_ before
+  /// the scaling.
   Fit this_one() {
     Fit fit;
     fit.acceleration = noise_.acceleration([&](double f) { return amplitude_at(f); }, envelope_);
-    ratio_.clear();
-    for (const double f : frequencies_)
-      ratio_.push_back(
-          peak_absolute_acceleration(motion_.time_step, fit.acceleration, f, kDamping) /
-          required_.at(f));
-    fit.smallest = *std::min_element(ratio_.begin(), ratio_.end());
-    for (std::size_t k = 0; k < ratio_.size() && frequencies_[k] <= kAc156Corner; ++k)
-      fit.largest = std::max(fit.largest, ratio_[k] / fit.smallest);
-    constexpr double kMargin = 1 + 1e-9;  // of rounding
-    fit.acceleration *= kMargin / fit.smallest;
+    ratio_ = ratios(motion_.time_step, fit.acceleration, required_, frequencies_);
+    const double smallest = ratio_.minCoeff();
+    for (std::size_t k = 0; k < frequencies_.size() && frequencies_[k] <= kAc156Corner; ++k)
+      fit.largest = std::max(fit.largest, ratio_[static_cast<Eigen::Index>(k)] / smallest);
+    fit.acceleration /= smallest;
     fit.smallest = 1;
     return fit;
   }
@@ -104,7 +122,7 @@ class Matching {
   Eigen::VectorXd envelope_;
   FourierNoise noise_;
   std::vector<double> amplitude_;  ///< of the noise, at frequencies_
-  std::vector<double> ratio_;      ///< of the motion's spectrum to the required one
+  Eigen::VectorXd ratio_;          ///< of the motion's spectrum to the required one
 };
 
 double correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
@@ -141,22 +159,10 @@ std::vector<double> ac156_frequencies(int per_octave) {
   return frequencies;
 }
 
-double peak_absolute_acceleration(double time_step, const Eigen::VectorXd& acceleration,
-                                  double frequency, double damping) {
-  const double omega = 2 * pi * frequency;
-  Oscillator oscillator(omega, damping, time_step);
-  double peak = 0;
-  for (Eigen::Index i = 1; i < acceleration.size(); ++i) {
-    oscillator.step(-acceleration[i - 1], -acceleration[i]);
-    peak = std::max(peak, std::abs(2 * damping * omega * oscillator.velocity() +
-                                   omega * omega * oscillator.displacement()));
-  }
-  return peak;
-}
-
 Record ac156_motion(const Ac156Motion& motion) {
   constexpr double kLongestStep = 0.005;  // six samples in a period of 33.3 Hz
   constexpr double kIndependent = 0.3, kRecommended = 1.3;
+  constexpr std::uint64_t kMostStreams = 20;
   require(motion.time_step > 0 && motion.time_step <= kLongestStep,
           fmt::format("time step {:g} s: must be > 0 and at most {:g} s", motion.time_step,
                       kLongestStep));
@@ -169,7 +175,11 @@ Record ac156_motion(const Ac156Motion& motion) {
     const bool up = direction == Direction::kVertical;
     Fit fit;
     double worst = 1;
-    while (worst >= kIndependent) {
+    for (const std::uint64_t last = stream + kMostStreams; worst >= kIndependent;) {
+      require(stream < last,
+              fmt::format("{}: none of {} noises has a correlation below {:g} with the other "
+                          "components; another seed may, or a longer motion",
+                          name_of(direction), kMostStreams, kIndependent));
       fit = Matching(motion, up ? vertical : horizontal, stream++).best();
       worst = 0;
       for (const auto& other : record.components)

@@ -4,15 +4,13 @@
 #include <cassert>
 #include <numbers>
 
-#include "engine/base/floor_motion.h"
+#include "groundmotions/processing/integrate.h"
 
 namespace gurney {
 
 Eigen::Vector2d end_state(double time_step, const Eigen::VectorXd& acceleration) {
-  Eigen::Matrix3Xd motion = Eigen::Matrix3Xd::Zero(3, acceleration.size());
-  motion.row(0) = acceleration.transpose();
-  const FloorMotion floor(time_step, std::move(motion));
-  return {floor.residual_velocity().x(), floor.residual_displacement().x()};
+  const EndMotion end = end_motion(time_step, acceleration);
+  return {end.velocity, end.displacement};
 }
 
 void set_end_state(double time_step, Eigen::VectorXd& acceleration, const Eigen::Vector2d& wanted) {
@@ -42,17 +40,6 @@ Eigen::VectorXd acceleration_of(double time_step, const Eigen::VectorXd& displac
   }
   for (Eigen::Index i = last; i-- > 0;) a[i] -= upper[i] * a[i + 1];
   return a;
-}
-
-Eigen::VectorXd displacement_of(double time_step, const Eigen::VectorXd& acceleration) {
-  Eigen::VectorXd d = Eigen::VectorXd::Zero(acceleration.size());
-  double velocity = 0;
-  for (Eigen::Index i = 1; i < d.size(); ++i) {
-    const double a0 = acceleration[i - 1], a1 = acceleration[i];
-    d[i] = d[i - 1] + time_step * velocity + time_step * time_step / 6 * (2 * a0 + a1);
-    velocity += time_step / 2 * (a0 + a1);
-  }
-  return d;
 }
 
 }  // namespace gurney

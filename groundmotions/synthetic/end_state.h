@@ -4,8 +4,8 @@
 
 namespace gurney {
 
-/// Velocity [m/s] and displacement [m] at the last sample, from rest at the first: the exact
-/// integrals of the acceleration taken as linear between samples.
+/// Velocity [m/s] and displacement [m] at the last sample, from rest at the first, by
+/// processing/integrate.h.
 Eigen::Vector2d end_state(double time_step, const Eigen::VectorXd& acceleration);
 
 /// Takes c_1 s^2 + c_2 s^2 cos(pi t / T), s = sin(pi t / T), off an acceleration so that it ends in
@@ -20,8 +20,5 @@ void set_end_state(double time_step, Eigen::VectorXd& acceleration,
 /// has no drift that the displacement has not.
 /// @param displacement  at least 4 samples, the first 0 [m]
 Eigen::VectorXd acceleration_of(double time_step, const Eigen::VectorXd& displacement);
-
-/// Exact displacement at the samples, from rest at the first [m].
-Eigen::VectorXd displacement_of(double time_step, const Eigen::VectorXd& acceleration);
 
 }  // namespace gurney

@@ -5,6 +5,7 @@
 
 #include "engine/base/error.h"
 #include "groundmotions/measures/peaks.h"
+#include "groundmotions/processing/integrate.h"
 #include "groundmotions/synthetic/clough_penzien.h"
 #include "groundmotions/synthetic/component.h"
 #include "groundmotions/synthetic/end_state.h"
@@ -35,9 +36,9 @@ Record long_period_motion(const LongPeriodMotion& m) {
   for (const Direction direction : {Direction::kH1, Direction::kH2}) {
     const auto index = static_cast<std::size_t>(direction);
     if (m.peak_velocity[index] == 0) continue;
-    Eigen::VectorXd a = acceleration_of(
-        m.time_step,
-        displacement_of(m.time_step, clough_penzien_noise(noise, direction)).cwiseProduct(window));
+    Eigen::VectorXd a =
+        acceleration_of(m.time_step, integrated(m.time_step, clough_penzien_noise(noise, direction))
+                                         .displacement.cwiseProduct(window));
     a *= m.peak_velocity[index] / peaks(m.time_step, a).velocity;
     record.components[index] = synthetic_component(direction, m.time_step, std::move(a));
   }

@@ -5,13 +5,17 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
+#include "engine/base/config/document.h"
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "groundmotions/formats/at2_text.h"
+#include "studies/cli/inline_table.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"
 #include "studies/cli/signals.h"
+#include "studies/job/scale_reader.h"
 #include "studies/results/output_files.h"
 
 namespace gurney {
@@ -21,6 +25,7 @@ namespace fs = std::filesystem;
 
 struct ConvertOptions {
   RecordSource source;
+  std::string scale_to;  ///< empty: not scaled
   std::string output, format = "csv";
   bool overwrite = false;
 };
@@ -51,6 +56,23 @@ std::vector<Target> targets(const Record& record, const fs::path& stem, const st
   return files;
 }
 
+/// As in a job; the measure may stand first without its key.
+ScaleTo scale_to_of(const std::string& text) {
+  try {
+    std::vector<std::string> words = words_of(text);
+    require(!words.empty(), "--scale-to needs a measure, such as Sa(1.0)");
+    if (words[0].starts_with("measure=")) words[0].erase(0, words[0].find('=') + 1);
+    config::Document document("scale_to = " + inline_table("measure", words) + "\n", "--scale-to");
+    config::Table root = document.root();
+    auto table = root.table("scale_to");
+    const auto request = table ? read_scale_to(*table) : ScaleTo{};
+    document.finish();
+    return request;
+  } catch (const Error& error) {
+    throw Error(told_of_option("--scale-to", text, "scale_to", error.what()));
+  }
+}
+
 int convert(const ConvertOptions& options) {
   const fs::path output = options.output;
   const bool one_file = output.extension() == ".csv";
@@ -60,10 +82,13 @@ int convert(const ConvertOptions& options) {
           options.output + (options.format == "csv"
                                 ? ": must be a file that ends in .csv, or a folder that exists"
                                 : ": must be a folder that exists"));
+  std::optional<ScaleTo> scale_to;
+  if (!options.scale_to.empty()) scale_to = scale_to_of(options.scale_to);
   OutputFiles files(options.overwrite);
   std::vector<fs::path> written;
   const int code =
-      for_each_record(options.source, nullptr, [&](const SuiteRecord&, const Record& record) {
+      for_each_record(options.source, nullptr, [&](const SuiteRecord&, const Record& read) {
+        const Record record = scale_to ? scaled_to(read, *scale_to) : read;
         require(!one_file || written.empty(),
                 options.output + ": one file for several records; name a folder with -o");
         fs::path stem =
@@ -92,6 +117,10 @@ void add_records_convert(CLI::App& records, std::function<int()>& act) {
   add_source_options(*command, options->source);
   command->add_option("-o,--output", options->output, "A .csv file, or a folder that exists")
       ->required();
+  command->add_option(
+      "--scale-to", options->scale_to,
+      "Scale each record, after its steps, such as \"Sa(1.0) component=RotD50 "
+      "value=0.6 unit=g vertical=kept\" (keys of scale_to in docs/formats/job_file.md)");
   command->add_option("--format", options->format, "csv or at2 (one file for each component)")
       ->check(CLI::IsMember({"csv", "at2"}));
   command->add_flag("--overwrite", options->overwrite, "Replace files that exist");

@@ -7,6 +7,7 @@
 
 #include "studies/cli/record_source.h"
 #include "studies/report/record_report.h"
+#include "studies/report/record_table.h"
 
 namespace gurney {
 namespace {

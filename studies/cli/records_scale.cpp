@@ -81,8 +81,9 @@ std::string files_text(const std::vector<RecordFile>& files, const fs::path& fol
 
 /// A list that `gurney records` reads again, with the factors in it.
 std::string list_text(const ScaledSuite& suite, const SuiteScaling& scaling,
-                      const std::string& target, const fs::path& folder) {
-  std::string text = fmt::format("# scaled to {}\n", target);
+                      const TargetSpectrum& target, const fs::path& folder) {
+  std::string text =
+      fmt::format("# scaled to {}, {:g} % damping\n", target.name, 100 * target.damping);
   text += "name,file,h1,h2,vertical,unit,time_step_s,columns,count_m_per_s2,scale\n";
   std::set<std::string> names;
   for (std::size_t i = 0; i < suite.records.size(); ++i) {
@@ -103,8 +104,9 @@ std::string list_text(const ScaledSuite& suite, const SuiteScaling& scaling,
 
 void print(const ScaleOptions& options, const ScaledSuite& suite, const SuiteScaling& scaling,
            const TargetSpectrum& target) {
-  fmt::print("target {}\n{} spectra, {} s\n\n{:<32} {:>8} {:>8} {:>8}\n", target.name,
-             options.component, options.periods, "record", "own", "factor", "misfit");
+  fmt::print("target {}\n{} spectra of {:g} % damping, {} s\n\n{:<32} {:>8} {:>8} {:>8}\n",
+             target.name, options.component, 100 * target.damping, options.periods, "record", "own",
+             "factor", "misfit");
   for (std::size_t i = 0; i < suite.records.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     fmt::print("{:<32} {:>8.3f} {:>8.3f} {:>8.3f}\n", suite.records[i].name,
@@ -130,6 +132,7 @@ std::string json(const ScaledSuite& suite, const SuiteScaling& scaling,
                        {"misfit", scaling.misfits[row]}});
   }
   const nlohmann::ordered_json result = {{"target", target.name},
+                                         {"damping_ratio", target.damping},
                                          {"records", records},
                                          {"common_factor", scaling.common_factor},
                                          {"misfit_of_mean", scaling.suite_misfit},
@@ -140,6 +143,9 @@ std::string json(const ScaledSuite& suite, const SuiteScaling& scaling,
 }
 
 int scale(const ScaleOptions& options) {
+  require(options.output.empty() || options.source.steps.empty(),
+          "--step with -o: a list of records has no place for steps, and the scaled suite would be "
+          "without them; convert the records with the steps first (gurney records convert)");
   const TargetSpectrum target = target_of(options.target);
   const auto [low, high] = span_of("--periods", options.periods);
   const auto [smallest, largest] = span_of("--limits", options.limits);
@@ -152,7 +158,7 @@ int scale(const ScaleOptions& options) {
   const int code =
       for_each_record(options.source, nullptr, [&](const SuiteRecord& entry, const Record& record) {
         try {
-          suite.spectra.push_back(combined_spectrum(combination, record, periods));
+          suite.spectra.push_back(combined_spectrum(combination, record, periods, target.damping));
           suite.records.push_back(entry);
         } catch (const Error& error) {
           fmt::print(stderr, "left out: {}\n", error.what());
@@ -183,7 +189,7 @@ int scale(const ScaleOptions& options) {
   const SignalsHeld until_written;
   if (!options.output.empty())
     files.stage(options.output,
-                list_text(suite, scaling, target.name, fs::absolute(options.output).parent_path()));
+                list_text(suite, scaling, target, fs::absolute(options.output).parent_path()));
   if (!options.figure.empty())
     files.stage(options.figure, suite_figure(target, periods, spectra, scaling));
   files.commit();

@@ -99,20 +99,16 @@ std::string list_text(const char* title, const std::vector<std::string>& lines) 
   return text;
 }
 
-/// Of the component in a place, or blanks.
-template <class Value>
-std::string three(const Record& record, Value value) {
-  std::string text;
-  for (const auto& component : record.components)
-    text += component ? fmt::format(" {:>8}", fmt::format("{:.3g}", value(*component)))
-                      : fmt::format(" {:>8}", "-");
-  return text;
-}
-
 }  // namespace
 
 std::vector<std::string> record_findings(const Record& record) {
   std::vector<std::string> findings = record.warnings;
+  const bool h1 = record[Direction::kH1].has_value(), h2 = record[Direction::kH2].has_value();
+  if (!h1 && !h2)
+    findings.push_back("h1 and h2 are missing: the record has no horizontal");
+  else if (!h1 || !h2)
+    findings.push_back(
+        fmt::format("{} is missing: the record has one horizontal", h1 ? "h2" : "h1"));
   for (std::string& finding : implausible(record)) findings.push_back(std::move(finding));
   for (std::string& finding : residual(floor_motion(record)).warnings)
     findings.push_back(std::move(finding));
@@ -135,42 +131,6 @@ std::string record_report(const Record& record, const std::vector<RecordFact>& f
   findings.insert(findings.end(), measures.warnings.begin(), measures.warnings.end());
   text += list_text("warnings", findings);
   return text;
-}
-
-std::string record_table_head() {
-  return fmt::format("{:<30} {:<12} {:>7} {:>8}  {:^26}  {:^26}  {:>7} {:>7} {:>8}  {}\n", "record",
-                     "format", "dt [s]", "length", "PGA [g]: h1, h2, vertical", "PGV [m/s]",
-                     "Sa(1.0)", "D5-95", "v at end", "warnings");
-}
-
-std::string record_table_line(const Record& record) {
-  const Component* first = nullptr;
-  double end = 0;
-  for (const auto& component : record.components) {
-    if (!component) continue;
-    if (!first) first = &*component;
-    end =
-        std::max(end, std::abs(end_motion(component->time_step, component->acceleration).velocity));
-  }
-  const Measure pga{MeasureKind::kPga}, pgv{MeasureKind::kPgv}, sa{MeasureKind::kSa, 1},
-      duration{MeasureKind::kD595};
-  const auto of = [](const Measure& measure, double unit) {
-    return [measure, unit](const Component& c) {
-      return value_of(measure, c.time_step, c.acceleration) / unit;
-    };
-  };
-  const double sa_value = has_horizontals(record)
-                              ? value_of(sa, Combination::kRotD50, record)
-                              : value_of(sa, first->time_step, first->acceleration);
-  const auto findings = record_findings(record).size();
-  return fmt::format(
-      "{:<30} {:<12} {:>7} {:>8}  {}  {}  {:>7} {:>7} {:>8}  {}\n", record.name.substr(0, 30),
-      first->format.substr(0, 12), fmt::format("{:.4g}", record.time_step()),
-      fmt::format("{:.2f} s", first->duration()),
-      three(record, of(pga, kStandardGravity)).substr(1), three(record, of(pgv, 1)).substr(1),
-      fmt::format("{:.3g}", sa_value / kStandardGravity),
-      fmt::format("{:.3g}", value_of(duration, first->time_step, first->acceleration)),
-      fmt::format("{:.1g}", end), findings ? std::to_string(findings) : "");
 }
 
 }  // namespace gurney

@@ -15,10 +15,6 @@ using RecordFact = std::pair<std::string, std::string>;
 /// components and of RotD50, what is left at the end, warnings. In 110 columns.
 std::string record_report(const Record& record, const std::vector<RecordFact>& facts);
 
-/// One line for each record, and the lines above them.
-std::string record_table_head();
-std::string record_table_line(const Record& record);
-
 /// What looks wrong: warnings of reading, of amplitudes, of what is left at the end.
 std::vector<std::string> record_findings(const Record& record);
 

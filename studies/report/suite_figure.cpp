@@ -21,8 +21,8 @@ std::string suite_figure(const TargetSpectrum& target, const Eigen::VectorXd& pe
                          const Eigen::MatrixXd& spectra, const SuiteScaling& scaling) {
   Svg svg(900, 470);
   svg.text(70, 34,
-           fmt::format("{} record{} scaled to {}", spectra.rows(), spectra.rows() == 1 ? "" : "s",
-                       target.name),
+           fmt::format("{} record{} scaled to {}, {:g} % damping", spectra.rows(),
+                       spectra.rows() == 1 ? "" : "s", target.name, 100 * target.damping),
            {.size = 16, .bold = true});
   Panel panel{
       .title = fmt::format("Mean at least {:.0f} % of the target; misfit of the mean {:.3f}",

@@ -37,17 +37,36 @@ TEST(Align, ShiftsLateComponentsByWholeSamples) {
   EXPECT_EQ(record[Direction::kH1]->acceleration, samples({1, 2, 3, 4, 0}));
   EXPECT_EQ(record[Direction::kH2]->acceleration, samples({0, 0, 5, 6, 7}));
   EXPECT_THAT(record.warnings,
-              ElementsAre("b: starts 0.19 s after the first component: 2 zeros added before it",
+              ElementsAre("b: starts 0.19 s after the first component: 2 zeros added before it, "
+                          "-0.01 s are left",
                           "a: 4 samples, the longest component has 5: 1 zeros added at the end"));
 }
 
-TEST(Align, LeavesStartsThatAreUnknownOrLessThanHalfASampleApart) {
-  for (const std::optional<double>& start : {std::optional<double>(), std::optional(1000.04)}) {
-    Record record = pair(component("a", {1, 2, 3}, 1000.0), component("b", {5, 6, 7}, start));
-    align(record);
-    EXPECT_EQ(record[Direction::kH2]->acceleration, Eigen::Vector3d(5, 6, 7));
-    EXPECT_THAT(record.warnings, IsEmpty());
-  }
+TEST(Align, LeavesLessThanHalfASample) {
+  Record record = pair(component("a", {1, 2, 3}, 1000.0), component("b", {5, 6, 7}, 1000.04));
+  align(record);
+  EXPECT_EQ(record[Direction::kH2]->acceleration, Eigen::Vector3d(5, 6, 7));
+  EXPECT_THAT(record.warnings,
+              ElementsAre("b: starts 0.04 s after the first component: 0 zeros added before it, "
+                          "0.04 s are left"));
+}
+
+// 0.0005 s are 0.005 of a sample; 0.01 is told.
+TEST(Align, IsSilentOnWhatIsRoundedInAFile) {
+  Record record = pair(component("a", {1, 2, 3}, 1000.0), component("b", {5, 6, 7}, 1000.0005));
+  align(record);
+  EXPECT_THAT(record.warnings, IsEmpty());
+}
+
+TEST(Align, TellsThatStartsAreNotUsed) {
+  Record some = pair(component("a", {1, 2, 3}, 1000.0), component("b", {5, 6, 7}, {}));
+  align(some);
+  EXPECT_EQ(some[Direction::kH2]->acceleration, Eigen::Vector3d(5, 6, 7));
+  EXPECT_THAT(some.warnings, ElementsAre("b: states no start, as other components do: all are "
+                                         "taken to start at the same time"));
+  Record none = pair(component("a", {1, 2, 3}, {}), component("b", {5, 6, 7}, {}));
+  align(none);
+  EXPECT_THAT(none.warnings, IsEmpty());
 }
 
 TEST(Align, RefusesStartsOfOtherEarthquakes) {

@@ -33,7 +33,7 @@ TEST(Eurocode8Spectrum, HasItsFourBranches) {
   EXPECT_NEAR(s.at(1), 1.2 * 2.5 * 2.5 * 0.5, 1e-12);
   EXPECT_NEAR(s.at(4), 1.2 * 2.5 * 2.5 * 0.5 * 2 / 16, 1e-12);
   EXPECT_ERROR(s.at(4.1),
-               "Eurocode 8 type 1, ground B, a_g 0.2549 g, damping 0.05: is not "
+               "Eurocode 8 type 1, ground B, a_g 0.2549 g: is not "
                "defined at 4.1 s, only from 0 to 4 s");
 }
 
@@ -54,6 +54,8 @@ TEST(Eurocode8Spectrum, CorrectsForDampingAndDirection) {
   const TargetSpectrum damped = eurocode8_spectrum({.ground_acceleration = 1, .damping = 0.1});
   EXPECT_NEAR(damped.at(0.3), 2.5 * std::sqrt(10 / 15.), 1e-12);
   EXPECT_NEAR(damped.at(0), 1, 1e-12);
+  EXPECT_EQ(damped.damping, 0.1);  // for the spectra of the records
+  EXPECT_EQ(asce7_spectrum(kG, kG, 8).damping, 0.05);
   const TargetSpectrum limited = eurocode8_spectrum({.ground_acceleration = 1, .damping = 0.5});
   EXPECT_NEAR(limited.at(0.3), 2.5 * 0.55, 1e-12);
   const TargetSpectrum up =
@@ -63,6 +65,8 @@ TEST(Eurocode8Spectrum, CorrectsForDampingAndDirection) {
   EXPECT_ERROR(eurocode8_spectrum({.ground = 'F', .ground_acceleration = 1}),
                "ground type 'F': must be A, B, C, D or E");
   EXPECT_ERROR(eurocode8_spectrum({.type = 3, .ground_acceleration = 1}), "type 3: must be 1 or 2");
+  EXPECT_ERROR(eurocode8_spectrum({.ground_acceleration = 1, .damping = 1}),
+               "damping 1: a_g must be > 0, damping > 0 and < 1");
 }
 
 // Table 3.1 of NZS 1170.5:2004 has two decimals: half a unit of the last.

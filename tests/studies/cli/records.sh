@@ -17,6 +17,9 @@ printf '1\n2\n-3\n' > plain.txt
 records 1 'state it as unit = "..."' info plain.txt
 records 0 "synthetic_3c" ls "$record"
 records 0 "1 record" ls plain.txt --unit g --time-step 0.01
+records 0 "h2 is missing: the record has one horizontal" info plain.txt --unit g --time-step 0.01
+printf 'time_s,z_g\n0,1\n1,2\n' > up.csv
+records 0 "h1 and h2 are missing: the record has no horizontal" info up.csv
 records 0 "residual velocity, from rest" info "$record"
 records 0 '"refused": []' info "$record" --json
 records 1 "did you mean 'high_pass'?" info "$record" --step "high_pas corner_hz=0.1"
@@ -52,9 +55,27 @@ records 1 "no record is left to scale" scale huge.csv --target "asce7 sds_g=1 sd
 records 0 "b.csv" convert "$record" -o b.csv
 records 1 "b.csv: exists already" convert "$record" -o b.csv
 records 0 "b.csv" convert "$record" -o b.csv --overwrite
-diff <("$gurney" records ls "$record" | cut -c 31-) <("$gurney" records ls b.csv | cut -c 31-) ||
+records 0 " $(sha256sum "$record" | cut -c 1-8) " ls "$record"
+# All of the line but the name and the hash.
+values() { "$gurney" records ls "$1" | cut -c 27- | sed 's/  [0-9a-f]\{8\} //'; }
+diff <(values "$record") <(values b.csv) ||
   complain "a converted record is another one"
 records 1 "b.csv: the record is read from this file" convert b.csv -o b.csv --overwrite
+{ printf '# h1: azimuth 318 deg\n# h1: start 1994-01-17T12:30:55.000Z\n'; cat huge.csv; } > where.csv
+records 0 "where_2.csv" convert where.csv -o where_2.csv
+grep -q '^# h1: azimuth 318 deg$' where_2.csv || complain "the azimuth is lost"
+grep -q '^# h1: start 1994-01-17T12:30:55.000Z$' where_2.csv || complain "the start is lost"
+# A scaled record has the value that was asked for, and says what was done.
+records 0 "scaled.csv" convert "$record" -o scaled.csv --scale-to "PGA component=h1 value=0.5 unit=g vertical=kept"
+records 0 '0.5   0.375      0.2' ls scaled.csv  # 0.4, 0.3 and 0.2 g before
+grep -q "^# processing: .*PGA (h1)" scaled.csv || complain "scaled.csv does not say how it was scaled"
+records 0 "scaled_2.csv" convert "$record" -o scaled_2.csv --scale-to "measure=Sa(1.0) component=RotD50 value=0.6 unit=g"
+records 0 "     0.6 " ls scaled_2.csv  # Sa(1), RotD50
+records 1 '--scale-to "Sa(1.0) value=1 unit=m": unit = "m": must be one of' convert "$record" -o x.csv --scale-to "Sa(1.0) value=1 unit=m"
+records 1 "D5-95" convert "$record" -o x.csv --scale-to "D5-95 value=5 unit=s"
+records 1 "must be key=value" convert "$record" -o x.csv --scale-to "Sa(1.0) 0.6"
+records 1 "has no component h2, needed for PGA geomean" convert huge.csv -o x.csv --scale-to "PGA value=0.5 unit=g"
+[ ! -e x.csv ] || complain "x.csv was left"
 mkdir at2
 records 0 "at2/synthetic_3c_UP.AT2" convert "$record" --format at2 -o at2
 records 0 "PEER AT2" ls at2
@@ -79,6 +100,13 @@ records 1 "--floor 9: must be roof, or a number from 0 to 4" floor "$record" --b
 records 0 "misfit of the mean" scale "$record" --target "eurocode8 ground=B ag_g=0.3" -o suite.csv --figure suite.svg
 records 0 "1 record" ls suite.csv
 records 1 "did you mean 'asce7'?" scale "$record" --target "asce sds_g=1"
+records 1 "convert the records with the steps first" scale "$record" --target "eurocode8 ground=B ag_g=0.3" --step "high_pass corner_hz=0.1" -o suite_2.csv
+[ ! -e suite_2.csv ] || complain "a list without the steps was written"
+# In resonance with a long sine of 0.4 g, Sa = 0.4 g / (2 damping) = 10 g at 2 %. The target is
+# 0.3 x 1.2 x 2.5 sqrt(10 / 7) = 1.0757 g: factor 0.108 (0.269 with a spectrum of 5 %).
+records 0 "sine.csv" make harmonic frequency_hz=4 duration_s=60 -o sine.csv
+records 0 " 0.108 " scale sine.csv --target "eurocode8 ground=B ag_g=0.3 damping_ratio=0.02" --component h1 --periods 0.2499:0.2501 --limits 0.01:10
+grep -q "h1 spectra of 2 % damping" stdout || complain "scale does not tell the damping"
 records 1 "must be LOW:HIGH" scale "$record" --target "asce7 sds_g=1 sd1_g=0.6" --periods 2
 
 [ "$failures" -eq 0 ] && echo "all commands did as they should"

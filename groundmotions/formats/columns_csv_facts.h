@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/source_file.h"
+#include "groundmotions/record.h"
+
+namespace gurney {
+
+/// The comment lines of Gurney's CSV (columns_csv.h) that are read back, where they are known:
+///
+///     # h1: azimuth 318 deg
+///     # h1: start 1994-01-17T12:30:55.000Z
+///
+/// with `h2`, `vertical` (which has no azimuth) or `a` (the column of that name) in place of `h1`.
+/// Starts are in UTC, to the millisecond.
+std::string columns_csv_facts(const Record& record);
+
+/// Reads them from the lines before the header row into the components of the file.
+/// @param head  number of lines before the header row
+void read_columns_csv_facts(const SourceFile& file, std::size_t head,
+                            std::vector<Component>& components, Mistakes& mistakes);
+
+}  // namespace gurney

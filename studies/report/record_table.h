@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "groundmotions/record.h"
+
+namespace gurney {
+
+/// One line for each record, and the lines above them; docs/records.md explains the columns.
+std::string record_table_head();
+std::string record_table_line(const Record& record);
+
+/// Eight hexadecimal digits that tell the files of a record: of the SHA-256 of its file or, of
+/// several, of the SHA-256 of their hashes one after the other, h1 first. "-" for no file.
+std::string short_hash(const Record& record);
+
+}  // namespace gurney
