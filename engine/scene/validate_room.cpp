@@ -4,6 +4,7 @@
 
 #include <Eigen/QR>
 #include <cmath>
+#include <set>
 
 #include "engine/base/error.h"
 
@@ -75,9 +76,20 @@ void validate_room(const Scene& scene) {
       problems.check(scene.room[i].name != scene.room[j].name,
                      "room shape '" + scene.room[i].name + "': the name is taken twice");
   }
+  std::set<std::string> names{"floor"};
+  for (const RoomShape& shape : scene.room) names.insert(shape.name);
+  for (const PlacedItem& item : scene.items)
+    problems.check(
+        scene.items.size() == 1 || (!item.name.empty() && names.insert(item.name).second),
+        "item '" + item.name + "': the name must be given and not be taken");
   problems.finish();
-  contact_constants(scene, scene.floor_material);
-  for (const RoomShape& shape : scene.room) contact_constants(scene, shape.material);
+  for (std::size_t i = 0; i < scene.items.size(); ++i) {
+    const std::string& material = scene.items[i].model.material;
+    contact_constants(scene, material, scene.floor_material);
+    for (const RoomShape& shape : scene.room) contact_constants(scene, material, shape.material);
+    for (std::size_t j = 0; j < i; ++j)
+      contact_constants(scene, material, scene.items[j].model.material);
+  }
 }
 
 }  // namespace gurney

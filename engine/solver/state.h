@@ -30,7 +30,7 @@ struct LegState {
   double axle_wind = 0;    ///< of stuck axle friction or brake [rad]
 };
 
-/// Everything that evolves.
+/// Everything of one item that evolves.
 struct State {
   double time = 0;
   Vector3 position = Vector3::Zero();  ///< of the chassis' centre of mass, floor axes
@@ -38,9 +38,14 @@ struct State {
   Velocity velocity;
   std::array<LegState, kMaxLegs> legs;
   std::vector<double> loads;  ///< see Loads
-  std::vector<BodyContactState> contacts;
 
   Pose pose() const { return {position, rotation.toRotationMatrix()}; }
+};
+
+/// Everything of a scene that evolves.
+struct SceneState {
+  std::vector<State> items;  ///< as Scene::items
+  std::vector<BodyContactState> contacts;
 };
 
 /// Rotation by the vector `angle` (axis times angle), after `rotation`.
