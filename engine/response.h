@@ -172,6 +172,22 @@ struct ItemResponse {
   std::vector<Sample> history;  ///< every `history_step`, the start and the end included
 };
 
+/// What happened in a zone of the room. An item is in it when the outline of its chassis' shape on
+/// the floor (the convex hull of each box, seen from above) reaches into it.
+struct ZoneOutcome {
+  double time_of_entry = -1;  ///< first; < 0: nothing entered [s]
+  double occupied_time = 0;   ///< total [s]
+  bool occupied_at_end = false;
+  /// The widest strip along the whole zone that no item enters [m].
+  double least_free_width = 0, free_width_at_end = 0;
+};
+
+struct TetherOutcome {
+  double time_taut = -1;    ///< first; < 0: never [s]
+  double time_broken = -1;  ///< < 0: it held [s]
+  double peak_tension = 0;  ///< [N]
+};
+
 struct Response {
   Outcome outcome = Outcome::kDiverged;             ///< of the run: kOverturned when any item did
   std::string cause;                                ///< of kDiverged; otherwise empty
@@ -179,6 +195,8 @@ struct Response {
   Quality quality;                                  ///< of the whole scene
   std::vector<ItemResponse> items{ItemResponse{}};  ///< as Scene::items
   std::vector<Impact> impacts;                      ///< by time
+  std::vector<ZoneOutcome> zones;                   ///< as Scene::zones
+  std::vector<TetherOutcome> tethers;               ///< as Scene::tethers
 };
 
 }  // namespace gurney

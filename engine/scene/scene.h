@@ -24,6 +24,8 @@ struct Scene {
   double slope = 0;  ///< of the floor: rise over run, the x axis points uphill
   std::string floor_material;
   std::vector<RoomShape> room;
+  std::vector<Zone> zones;
+  std::vector<Tether> tethers;
   std::vector<MaterialPair> pairs;  ///< of the items' materials with all they may touch
 };
 
