@@ -13,6 +13,7 @@
 #include "engine/bullet/multibody_item.h"
 #include "engine/bullet/room_objects.h"
 #include "engine/solver/floor_points.h"
+#include "engine/solver/room_points.h"
 
 namespace gurney {
 namespace {
@@ -42,6 +43,7 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
       : btMultiBodyDynamicsWorld(&dispatcher, &broadphase, &solver, &configuration),
         mechanism_(mechanism),
         floor_points_(scene, mechanism),
+        room_points_(scene, mechanism),
         item_(scene, mechanism, MultibodyItem::Wheels::kCylinders, *this),
         room_(scene.room, *this),
         reach_(mechanism.reach),
@@ -77,6 +79,7 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
     travelled_ = 0;
     clearance_ = measure_clearance();
     floor_points_.collect(*state_, needed, contacts_);
+    room_points_.collect(*state_, step_, needed, contacts_);
     collect_contacts();
   }
 
@@ -159,6 +162,7 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
 
   const Mechanism& mechanism_;
   FloorPoints floor_points_;
+  RoomPoints room_points_;
   MultibodyItem item_;
   RoomObjects room_;
   double reach_, swing_;
