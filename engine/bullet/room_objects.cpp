@@ -46,11 +46,8 @@ RoomObjects::RoomObjects(const std::vector<RoomShape>& room, btDynamicsWorld& wo
     object->setWorldTransform(
         btTransform(to_bullet(room[i].rotation), to_bullet(room[i].position)));
     object->setUserIndex(static_cast<int>(i) + 1);
-    // The chassis against boxes and hulls is analytic: RoomPoints.
-    const bool column = std::holds_alternative<RoomColumn>(room[i].shape);
-    const int chassis = column ? MultibodyItem::kChassis : 0;
-    world_.addCollisionObject(object.get(), MultibodyItem::kRoom,
-                              chassis | MultibodyItem::kCasters);
+    // The chassis against the room is analytic: RoomPoints.
+    world_.addCollisionObject(object.get(), MultibodyItem::kRoom, MultibodyItem::kCasters);
     objects_.push_back(std::move(object));
   }
 }

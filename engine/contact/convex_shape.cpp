@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace gurney {
 namespace {
@@ -15,6 +16,10 @@ constexpr double kFlat = 5e-4;
 constexpr double kFlatPart = 1e-3;
 constexpr double kExact = 1e-9;     // part of a box's size
 constexpr double kParallel = 1e-9;  // sine of the angle
+/// Corners this near to the outermost one touch with it [m].
+constexpr double kSameLevel = 1e-6;
+/// A face that turns its edge faces nothing: cosine of the angle.
+constexpr double kEdgeOn = 1e-6;
 
 double spread_of(const std::vector<Vector3>& points) {
   double spread = 0;
@@ -110,6 +115,35 @@ ConvexShape hull_of(const std::vector<Vector3>& points, double flat) {
 }
 
 }  // namespace
+
+double ConvexShape::lowest(const Vector3& direction) const {
+  double level = std::numeric_limits<double>::infinity();
+  for (const Vector3& corner : corners) level = std::min(level, direction.dot(corner));
+  return level;
+}
+
+double ConvexShape::level(const Face& face) const {
+  return face.normal.dot(corners[static_cast<std::size_t>(face.loop.front())]);
+}
+
+SurfacePiece ConvexShape::facing(const Vector3& direction) const {
+  const double level = -lowest(-direction) - kSameLevel;
+  const Face* best = &faces.front();
+  double best_score = 0;
+  for (const Face& face : faces) {
+    double score = face.normal.dot(direction);
+    if (score < kEdgeOn) continue;
+    for (int i : face.loop)
+      if (direction.dot(corners[static_cast<std::size_t>(i)]) >= level) score += 2;
+    if (score > best_score) {
+      best_score = score;
+      best = &face;
+    }
+  }
+  SurfacePiece piece{{}, best->normal};
+  for (int i : best->loop) piece.outline.push_back(corners[static_cast<std::size_t>(i)]);
+  return piece;
+}
 
 ConvexShape ConvexShape::placed(const Quaternion& rotation, const Vector3& position) const {
   const Matrix3 r = rotation.toRotationMatrix();

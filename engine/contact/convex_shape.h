@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/base/vector.h"
+#include "engine/contact/facing_points.h"
 
 namespace gurney {
 
@@ -17,6 +18,14 @@ struct ConvexShape {
   std::vector<Face> faces;
   std::vector<Vector3> edges;  ///< unit directions, parallel ones once
 
+  /// Least of direction . p over all of its points.
+  double lowest(const Vector3& direction) const;
+  /// normal . p of the points of a face [m].
+  double level(const Face& face) const;
+  /// The face that holds most of the corners farthest along `direction`; of equal ones the one that
+  /// looks there most.
+  SurfacePiece facing(const Vector3& direction) const;
+  /// The same, fixed to a body there.
   ConvexShape placed(const Quaternion& rotation, const Vector3& position) const;
 };
 

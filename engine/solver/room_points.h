@@ -1,18 +1,20 @@
 #pragma once
 
+#include <variant>
 #include <vector>
 
+#include "engine/contact/column_points.h"
 #include "engine/contact/convex_shape.h"
 #include "engine/scene/scene.h"
 #include "engine/solver/mechanism.h"
 
 namespace gurney {
 
-/// Where the boxes of a chassis may touch the boxes and hulls of the room: analytic, like the
-/// corners on the floor.
+/// Where the boxes of a chassis may touch the shapes of the room: analytic, like the corners on the
+/// floor, and known before they touch.
 ///
 /// Bullet reports one edge point of two boxes until they overlap by 0.1 mm, so a face that lands
-/// flat touches with one point and turns.
+/// flat would touch with one point and turn.
 class RoomPoints {
  public:
   RoomPoints(const Scene& scene, const Mechanism& mechanism);
@@ -24,8 +26,8 @@ class RoomPoints {
 
  private:
   struct Obstacle {
-    int other;
-    ConvexShape shape;  // floor axes
+    int other;                                // BodyContact::other
+    std::variant<ConvexShape, Column> shape;  // floor axes
   };
 
   std::vector<ConvexShape> boxes_;  // chassis axes, relative to its centre
