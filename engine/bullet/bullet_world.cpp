@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 #include "engine/bullet/convert.h"
 #include "engine/bullet/multibody_item.h"
@@ -71,9 +72,7 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
     const double needed = kContactMargin + 2 * step_ * speed_;
     if (skip_clear_passes_ && clearance_ - travelled_ > needed) return;
     item_.set(*state_);
-    // A point that turned with a wheel since the last pass is no contact any more.
-    for (int m = 0; m < dispatcher.getNumManifolds(); ++m)
-      dispatcher.getManifoldByIndexInternal(m)->clearManifold();
+    forget_last_pass();
     btMultiBodyDynamicsWorld::performDiscreteCollisionDetection();
     ++passes_;
     travelled_ = 0;
@@ -97,6 +96,16 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
   void synchronizeMotionStates() override {}
 
  private:
+  /// A point that turned with a wheel since the last pass is no contact any more, and Bullet's
+  /// search would start from the axis it found then: results would depend on which passes are
+  /// skipped.
+  void forget_last_pass() {
+    const auto& objects = getCollisionObjectArray();
+    for (int i = 0; i < objects.size(); ++i)
+      getBroadphase()->getOverlappingPairCache()->cleanProxyFromPairs(
+          objects[i]->getBroadphaseHandle(), &dispatcher);
+  }
+
   double speed_of(const State& state) const {
     double speed =
         state.velocity.chassis.head<3>().norm() + state.velocity.chassis.tail<3>().norm() * reach_;
@@ -129,7 +138,9 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
     return clearance;
   }
 
+  /// Of wheels against the room, in an order that does not depend on Bullet's memory.
   void collect_contacts() {
+    const std::size_t analytic = contacts_.size();
     const Quaternion to_chassis = state_->rotation.conjugate();
     for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
       const btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(m);
@@ -158,6 +169,11 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
         contacts_.push_back(contact);
       }
     }
+    const auto order = [](const BodyContact& c) {
+      return std::tuple(c.leg, c.other, c.local.x(), c.local.y(), c.local.z());
+    };
+    std::sort(contacts_.begin() + static_cast<std::ptrdiff_t>(analytic), contacts_.end(),
+              [&](const BodyContact& a, const BodyContact& b) { return order(a) < order(b); });
   }
 
   const Mechanism& mechanism_;
