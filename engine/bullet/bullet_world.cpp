@@ -8,10 +8,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 #include "engine/bullet/convert.h"
 #include "engine/bullet/multibody_item.h"
 #include "engine/bullet/room_objects.h"
+#include "engine/solver/chassis_points.h"
 #include "engine/solver/floor_points.h"
 
 namespace gurney {
@@ -47,6 +49,7 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
   World(const Scene& scene, const Assembly& assembly, bool skip_clear_passes)
       : btMultiBodyDynamicsWorld(&dispatcher, &broadphase, &solver, &configuration),
         assembly_(assembly),
+        chassis_points_(scene, assembly),
         room_(scene.room, *this),
         skip_clear_passes_(skip_clear_passes) {
     for (std::size_t i = 0; i < scene.items.size(); ++i) {
@@ -59,7 +62,6 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
     dispatcher.setDispatcherFlags(
         dispatcher.getDispatcherFlags() &
         ~btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD);
-    configuration.setConvexConvexMultipointIterations(3, 3);
   }
 
   void step(double duration, SceneState& state, const Solve& solve) {
@@ -77,15 +79,14 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
     const double needed = kContactMargin + 2 * step_ * speed_;
     if (skip_clear_passes_ && clearance_ - travelled_ > needed) return;
     for (std::size_t i = 0; i < items_.size(); ++i) items_[i]->set(state_->items[i]);
-    // A point that turned with a wheel since the last pass is no contact any more.
-    for (int m = 0; m < dispatcher.getNumManifolds(); ++m)
-      dispatcher.getManifoldByIndexInternal(m)->clearManifold();
+    forget_last_pass();
     btMultiBodyDynamicsWorld::performDiscreteCollisionDetection();
     ++passes_;
     travelled_ = 0;
     clearance_ = measure_clearance();
     for (std::size_t i = 0; i < items_.size(); ++i)
       floor_points_[i].collect(state_->items[i], needed, contacts_);
+    chassis_points_.collect(*state_, step_, needed, contacts_);
     collect_contacts();
   }
 
@@ -103,6 +104,16 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
   void synchronizeMotionStates() override {}
 
  private:
+  /// A point that turned with a wheel since the last pass is no contact any more, and Bullet's
+  /// search would start from the axis it found then: results would depend on which passes are
+  /// skipped.
+  void forget_last_pass() {
+    const auto& objects = getCollisionObjectArray();
+    for (int i = 0; i < objects.size(); ++i)
+      getBroadphase()->getOverlappingPairCache()->cleanProxyFromPairs(
+          objects[i]->getBroadphaseHandle(), &dispatcher);
+  }
+
   /// How fast two things get nearer to each other at most.
   double approach_speed() const {
     double fastest = 0, second = 0;
@@ -140,17 +151,24 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
     return clearance;
   }
 
-  BodyContact::Side side_at(const btMultiBodyLinkCollider& body, const Vector3& point) const {
+  /// @param towards  unit, outwards of the body
+  BodyContact::Side side_at(const btMultiBodyLinkCollider& body, const Vector3& point,
+                            const Vector3& towards) const {
     const auto item = static_cast<std::size_t>(body.getUserIndex());
     const State& state = state_->items[item];
     if (body.m_link < 0) return {item, -1, state.rotation.conjugate() * (point - state.position)};
     const int leg = body.m_link / 2;
     const auto i = static_cast<std::size_t>(leg);
+    const Leg& wheel = assembly_.items[item].legs[i];
+    const Pose pose = state.pose();
+    const double angle = state.legs[i].swivel_angle;
+    const Vector3 origin = wheel.point(pose, angle, Vector3::Zero());
+    const Vector3 direction = wheel.on_fork(pose, angle, origin + towards);
     return {item, leg,
-            assembly_.items[item].legs[i].on_fork(state.pose(), state.legs[i].swivel_angle,
-                                                  point - state.position)};
+            wheel.tread_point(direction, wheel.on_fork(pose, angle, point - state.position))};
   }
 
+  /// Of wheels against the room and other items.
   void collect_contacts() {
     for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
       const btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(m);
@@ -166,14 +184,14 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
         const Vector3 on_a = from_bullet(point.getPositionWorldOnA());
         const Vector3 on_b = from_bullet(point.getPositionWorldOnB());
         BodyContact contact;
-        contact.side = side_at(*body, first ? on_a : on_b);
         contact.normal = (first ? 1.0 : -1.0) * from_bullet(point.m_normalWorldOnB);
+        contact.side = side_at(*body, first ? on_a : on_b, -contact.normal);
         if (other_body != nullptr) {
           contact.other = BodyContact::kItem;
-          contact.other_side = side_at(*other_body, first ? on_b : on_a);
+          contact.other_side = side_at(*other_body, first ? on_b : on_a, contact.normal);
         } else {
           contact.other = other->getUserIndex();
-          contact.offset = contact.normal.dot(first ? on_a : on_b) - point.getDistance();
+          contact.offset = contact.normal.dot(first ? on_b : on_a);
         }
         contacts_.push_back(contact);
       }
@@ -181,6 +199,7 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
   }
 
   const Assembly& assembly_;
+  ChassisPoints chassis_points_;
   std::vector<FloorPoints> floor_points_;
   std::vector<std::unique_ptr<MultibodyItem>> items_;
   RoomObjects room_;

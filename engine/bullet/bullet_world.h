@@ -13,8 +13,8 @@ namespace gurney {
 ///
 /// A subclass of btMultiBodyDynamicsWorld holds each item as a btMultiBody with its shapes, and the
 /// shapes of the room. Each call of step() is one stepSimulation: Bullet finds the contacts between
-/// them (those with the flat floor are analytic: FloorPoints), and where it would solve constraints
-/// and integrate, it calls us.
+/// them (those with the flat floor and of the chassis with the room are analytic: FloorPoints,
+/// ChassisPoints), and where it would solve constraints and integrate, it calls us.
 ///
 /// The collision pass is skipped while bounds on the distance to everything else and on the motion
 /// since the last pass say that nothing is near, with a margin of 20 mm; results are

@@ -86,18 +86,17 @@ MultibodyItem::MultibodyItem(const EquipmentModel& model, const Mechanism& mecha
         btTransform(to_bullet(Quaternion(base_axes_.conjugate())), to_bullet(center)),
         shapes_.back().get());
   }
-  constexpr int kOthers = kFloor | kRoom | kChassis | kCasters;
-  add_collider(-1, std::move(boxes), kChassis, kOthers, 0.4);
+  add_collider(-1, std::move(boxes), kChassis, kFloor | kCasters, 0.4);
   for (std::size_t i = 0; i < casters_; ++i) {
     const Caster& c = model.casters[i];
     if (wheels == Wheels::kSpheres) {
       add_collider(wheel_link(i), std::make_unique<btSphereShape>(c.wheel_radius), kCasters,
-                   kOthers, c.tread.kinetic_friction);
+                   kFloor | kRoom, c.tread.kinetic_friction);
     } else {
       add_collider(wheel_link(i),
                    std::make_unique<btCylinderShape>(
                        btVector3(c.wheel_radius, 0.5 * c.wheel_width, c.wheel_radius)),
-                   kCasters, kOthers & ~kFloor, c.tread.kinetic_friction);
+                   kCasters, kRoom | kChassis | kCasters, c.tread.kinetic_friction);
     }
   }
 }

@@ -46,8 +46,8 @@ RoomObjects::RoomObjects(const std::vector<RoomShape>& room, btDynamicsWorld& wo
     object->setWorldTransform(
         btTransform(to_bullet(room[i].rotation), to_bullet(room[i].position)));
     object->setUserIndex(static_cast<int>(i) + 1);
-    world_.addCollisionObject(object.get(), MultibodyItem::kRoom,
-                              MultibodyItem::kChassis | MultibodyItem::kCasters);
+    // The chassis against the room is analytic: ChassisPoints.
+    world_.addCollisionObject(object.get(), MultibodyItem::kRoom, MultibodyItem::kCasters);
     objects_.push_back(std::move(object));
   }
 }

@@ -14,8 +14,8 @@ namespace gurney {
 /// The room as Bullet holds it: one static collision object for each shape, in group kRoom, with
 /// user index i + 1.
 ///
-/// Boxes are convex hulls with their faces known: Bullet then reports whole faces of contact before
-/// they overlap, which its own algorithm for two boxes does not.
+/// Wheels meet them; the chassis' contacts with the room are analytic (ChassisPoints). Boxes are
+/// convex hulls with their faces known.
 class RoomObjects {
  public:
   RoomObjects(const std::vector<RoomShape>& room, btDynamicsWorld& world);

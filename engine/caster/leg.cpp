@@ -67,6 +67,17 @@ Leg::Leg(const Caster& caster, const Vector3& chassis_center)
 
 double Leg::edge_radius() const { return radius_ - crown_point(kCrownEnds, 0.5 * width_).drop; }
 
+Vector3 Leg::tread_point(const Vector3& direction, const Vector3& found) const {
+  const double sine = direction.y();
+  const Vector3 in_plane(direction.x(), 0, direction.z());
+  if (lies(Vector3(0, 0, sine))) return found;
+  const Vector3 outwards = in_plane.normalized();
+  if (std::abs(sine) <= kSineOfCrown) return wheel_center_ + radius_ * outwards;
+  const CrownPoint point = crown_point(std::asin(std::abs(sine)), 0.5 * width_);
+  return wheel_center_ + (radius_ - point.drop) * outwards +
+         std::copysign(point.out, sine) * Vector3::UnitY();
+}
+
 Matrix3 Leg::fork_rotation(const Pose& pose, double swivel_angle) const {
   const double c = std::cos(swivel_angle), s = std::sin(swivel_angle);
   Matrix3 fork;

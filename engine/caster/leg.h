@@ -76,6 +76,10 @@ class Leg {
   /// Radius of the wheel at the edge of its tread, smaller by the crown [m].
   double edge_radius() const;
 
+  /// Where the crowned tread touches a plane that faces `direction` (unit, outwards, fork axes); of
+  /// one that faces its side, `found`. Fork axes, relative to the mount.
+  Vector3 tread_point(const Vector3& direction, const Vector3& found) const;
+
   /// Position of the leg's centre of mass relative to O, for the potential energy.
   Vector3 center_of_mass(const Pose& pose, double swivel_angle) const;
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/contact/impact_law.h"
 #include "engine/simulate.h"
 #include "tests/support/blocks.h"
 
@@ -15,17 +16,19 @@ const Vector3 kSize(0.5, 0.4, 0.6);
 
 ContactConstants slippery() { return {.friction = 0}; }
 
-/// Bullet reports the whole face once it overlaps: short steps keep that overlap small.
-Response hit(double speed, const ContactConstants& wall, double time_step = 2e-4) {
+Response hit(double speed, const ContactConstants& wall) {
+  constexpr double kStep = 0.004;
   Scene scene = blocks::block(kMass, kSize, slippery());
   blocks::add_wall(scene, 0.5 * kSize.x() + kGap, wall);
   scene.items[0].initial.velocity = {speed, 0, 0};
-  return simulate(scene, {}, blocks::run_for(2 * kGap / speed, time_step, time_step));
+  return simulate(scene, {}, blocks::run_for(2.5 * kGap / speed, kStep, kStep));
 }
 
 TEST(WallImpact, TheBlockReboundsWithTheRestitutionStatedAtEverySpeed) {
   for (double e : {0.05, 0.2, 0.4, 0.7, 1.0})
-    for (double speed : {0.8, 1.0, 2.5}) {
+    for (double speed : {0.2, 0.8, 1.0, 2.5}) {
+      // It parts at e times the speed, and below 0.01 m/s no step is cut for a contact.
+      if (e * speed < 2 * ImpactLaw::kLeastApproach) continue;
       const Response response = hit(speed, {.restitution = e, .friction = 0});
       ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
       ASSERT_EQ(response.impacts.size(), 1u) << "e " << e << ", " << speed << " m/s";
@@ -102,32 +105,6 @@ TEST(WallImpact, ADampedSpringThatCannotPullReboundsAsItsClosedForm) {
         << zeta;
     EXPECT_NEAR(response.impacts[0].duration, expected.duration, 0.05 * expected.duration);
   }
-}
-
-TEST(WallImpact, AnEdgeOffCentreTurnsTheBlockAsTheImpulseSays) {
-  // The block is turned by 0.4 rad: a vertical edge meets the wall, its two corners with the
-  // lever arm a about z. J = (1 + e) v m_eff, 1 / m_eff = 1 / m + a^2 / I_z; yaw rate J a / I_z.
-  const double yaw = 0.4, e = 0.5, speed = 1;
-  Scene scene = blocks::block(kMass, kSize, slippery());
-  const double reach = 0.5 * (kSize.x() * std::cos(yaw) + kSize.y() * std::sin(yaw));
-  blocks::add_wall(scene, reach + kGap, {.stiffness = 3e7, .restitution = e, .friction = 0});
-  scene.items[0].initial.velocity = {speed, 0, 0};
-  scene.items[0].initial.yaw = yaw;
-  const Response response = simulate(scene, {}, blocks::run_for(0.15, 1e-4, 0.001));
-  ASSERT_GE(response.impacts.size(), 1u);
-  // The lower right edge leads: at (x, -y) of the block.
-  const double arm = 0.5 * (kSize.x() * std::sin(yaw) - kSize.y() * std::cos(yaw));
-  const double inertia = solid_box_inertia(kMass, kSize)(2, 2);
-  const double mass = 1 / (1 / kMass + arm * arm / inertia);
-  // While they touch, pi sqrt(mass / 2 k) = 3.3 ms, the block turns by 5 mrad: the arm, whose
-  // derivative is the half length along the wall, 0.28 m, changes by 2 %.
-  const double impulse = (1 + e) * speed * mass;
-  EXPECT_NEAR(response.impacts[0].impulse, impulse, 0.015 * impulse);
-  const Sample& after = response.items[0].history.back();
-  const Sample& before =
-      response.items[0].history[after.time > 0.145 ? response.items[0].history.size() - 2 : 0];
-  const double rate = (after.yaw - before.yaw) / (after.time - before.time);
-  EXPECT_NEAR(rate, impulse * arm / inertia, 0.035 * std::abs(impulse * arm / inertia));
 }
 
 }  // namespace
