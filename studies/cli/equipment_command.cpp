@@ -27,6 +27,8 @@ ItemOptions item_options(const ShowOptions& options, const ItemDescription& item
   ItemOptions result;
   if (!options.floor.empty())
     result.floor = load_floor_covering(find_data(DataKind::kFloor, options.floor, ""));
+  require(options.brakes.empty() || !item.casters.empty(),
+          "--brakes: " + item.name + " has no casters");
   if (!options.brakes.empty())
     for (const CasterPlace& place : item.casters)
       result.brakes.push_back(options.brakes == "on" && place.type.brake_torque > 0);
