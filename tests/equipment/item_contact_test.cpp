@@ -110,17 +110,19 @@ TEST_F(ItemContactFile, IsNeededWithoutCasters) {
 }
 
 TEST_F(ItemContactFile, TellsEveryMistake) {
-  EXPECT_THAT(mistake("[contact]\nmaterial = \"\"\nfriction = -0.1\nstiffness_n_per_m = 0\n"),
-              testing::AllOf(HasSubstr("17:12: contact.material = \"\": must be the name of a"),
-                             HasSubstr("18:12: contact.friction = -0.1: must be a finite number >= 0"),
-                             HasSubstr("19:21: contact.stiffness_n_per_m = 0: must be a finite number > 0"),
-                             HasSubstr("contact.restitution: must be given, or "
-                                       "damping_n_s_per_m, not both")));
+  EXPECT_THAT(
+      mistake("[contact]\nmaterial = \"\"\nfriction = -0.1\nstiffness_n_per_m = 0\n"),
+      testing::AllOf(HasSubstr("17:12: contact.material = \"\": must be the name of a"),
+                     HasSubstr("18:12: contact.friction = -0.1: must be a finite number >= 0"),
+                     HasSubstr("19:21: contact.stiffness_n_per_m = 0: must be a finite number > 0"),
+                     HasSubstr("contact.restitution: must be given, or "
+                               "damping_n_s_per_m, not both")));
   EXPECT_THAT(mistake(std::string(kContact) + "damping_n_s_per_m = 3\n"), HasSubstr("not both"));
   EXPECT_THAT(mistake("[contact]\nmaterial = \"steel\"\nfriktion = 0.3\nrestitution = 2\n"
                       "stiffness_n_per_m = 1e6\n"),
-              testing::AllOf(HasSubstr("did you mean 'friction'?"),
-                             HasSubstr("contact.restitution = 2: must be a finite number >= 0.01 and <= 1")));
+              testing::AllOf(
+                  HasSubstr("did you mean 'friction'?"),
+                  HasSubstr("contact.restitution = 2: must be a finite number >= 0.01 and <= 1")));
 }
 
 TEST_F(ItemContactFile, WarnsOfASlenderOne) {
