@@ -143,9 +143,14 @@ ItemDescription read_item(Table table) {
   CasterTypes types;
   for (Table& place : table.tables("caster"))
     item.casters.push_back(read_place(place, item.casters.size(), types, item.assumptions));
-  if (item.casters.empty() || item.casters.size() > EquipmentModel::kMaxCasters)
-    table.note("caster", fmt::format(": {} casters; must be 1 to {} tables [[caster]]",
+  if (item.casters.size() > EquipmentModel::kMaxCasters)
+    table.note("caster", fmt::format(": {} casters; must be 0 to {} tables [[caster]]",
                                      item.casters.size(), EquipmentModel::kMaxCasters));
+  if (auto contact = table.table("contact"))
+    item.contact = read_item_contact(*contact);
+  else if (!table.has("contact") && item.casters.empty())
+    table.note("contact", ": missing; an item without casters needs a table [" +
+                              table.name_of("contact") + "], how it meets the floor");
   for (Table& payload : table.tables("payload")) item.payloads.push_back(read_payload(payload));
   for (Table& point : table.tables("marked_point")) {
     Quantities in(point, item.assumptions);

@@ -7,6 +7,7 @@
 #include "engine/scene/equipment_model.h"
 #include "equipment/assumption.h"
 #include "equipment/caster_type.h"
+#include "equipment/item_contact.h"
 
 namespace gurney {
 
@@ -32,7 +33,8 @@ struct PayloadKind {
 };
 
 /// An item as its file describes it (docs/formats/equipment_file.md), in base axes: x forward,
-/// y left, z up from the underside of the base plate, which rests on the casters.
+/// y left, z up from the underside of the base plate, which rests on the casters, or on the lowest
+/// boxes of its shape where it has none.
 struct ItemDescription {
   std::string name;
   std::string description;
@@ -41,7 +43,8 @@ struct ItemDescription {
   Vector3 chassis_center_of_mass = Vector3::Zero();  ///< [m]
   Matrix3 chassis_inertia = Matrix3::Zero();         ///< about its centre of mass [kg m2]
   std::vector<Box> shape;
-  std::vector<CasterPlace> casters;
+  std::vector<CasterPlace> casters;  ///< none: it stands on the lowest faces of its boxes
+  ItemContact contact;
   std::vector<PayloadKind> payloads;
   std::vector<MarkedPoint> marked_points;
   std::vector<std::string> variants;    ///< names of all the file has, sorted

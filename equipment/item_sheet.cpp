@@ -40,7 +40,7 @@ std::vector<TiltTowards> tilts_of(const EquipmentModel& item, const Vector3& cen
 
 }  // namespace
 
-ItemSheet item_sheet(const EquipmentModel& item) {
+ItemSheet item_sheet(const EquipmentModel& item, const ContactConstants& floor) {
   ItemSheet sheet;
   sheet.whole = whole_item(item);
   sheet.principal_inertia =
@@ -66,6 +66,7 @@ ItemSheet item_sheet(const EquipmentModel& item) {
     sliding += grip;
     holding += std::min(grip, rolling + caster.brake_torque / caster.wheel_radius);
   }
+  if (item.casters.empty()) sliding = holding = floor.friction * weight;
   sheet.rolling_share = sheet.rolling_resistance / weight;
   sheet.sliding_share = sliding / weight;
   sheet.holding_share = holding / weight;

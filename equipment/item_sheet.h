@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/scene/contact_pair.h"
 #include "engine/scene/equipment_model.h"
 #include "equipment/stability.h"
 
@@ -37,13 +38,14 @@ struct ItemSheet {
 
   double rolling_resistance = 0;  ///< sum of (Cr / R) N and of axle friction / R, brakes off [N]
   double rolling_share = 0;       ///< over the weight: from this floor acceleration it rolls [g]
-  double sliding_share = 0;       ///< sum of mu_s N over the weight: held wheels slide [g]
+  double sliding_share = 0;       ///< sum of mu_s N over the weight: held wheels or feet slide [g]
   /// Brakes as they are, wheels in line: sum of min(mu_s N, (brake + axle friction + Cr N) / R)
-  /// over the weight; from there some wheels turn or slide [g]
+  /// over the weight; from there some wheels turn or slide [g]. Without casters: sliding_share.
   double holding_share = 0;
   double tipping_share = 0;  ///< b / h as placed: an item that is held tips [g]
 };
 
-ItemSheet item_sheet(const EquipmentModel& item);
+/// @param floor  of an item without casters with the floor
+ItemSheet item_sheet(const EquipmentModel& item, const ContactConstants& floor = {});
 
 }  // namespace gurney

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
@@ -20,6 +22,14 @@ const CasterType& type_at(const CasterPlace& place, const ItemOptions& options) 
 
 double base_height(const CasterPlace& place, const ItemOptions& options) {
   return type_at(place, options).properties.height - place.mount.z();
+}
+
+/// How high the base plate is above the floor [m].
+double base_height(const ItemDescription& item, const ItemOptions& options) {
+  if (!item.casters.empty()) return base_height(item.casters[0], options);
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Box& box : item.shape) lowest = std::min(lowest, box.center.z() - box.size.z() / 2);
+  return -lowest;
 }
 
 /// `value[i]` of an option that may be empty.
@@ -95,7 +105,23 @@ void add_payloads(const PayloadKind& kind, const ItemOptions& options, const Vec
   if (count > 0) add_assumptions(loaded.assumptions, kind.assumptions);
 }
 
+void add_contact(const ItemContact& contact, const ItemOptions& options, LoadedItem& loaded) {
+  loaded.model.material = contact.material;
+  loaded.pairs = {{contact.material, "", contact.constants}};
+  if (options.floor) {
+    MaterialPair pair{contact.material, options.floor->name, contact.constants};
+    pair.constants.friction *= options.floor->friction_factor;
+    loaded.floor_material = pair.other;
+    loaded.pairs.push_back(pair);
+  }
+  add_assumptions(loaded.assumptions, contact.assumptions);
+}
+
 }  // namespace
+
+const ContactConstants& floor_contact(const LoadedItem& item) {
+  return item.pairs.back().constants;
+}
 
 LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options) {
   const std::string problems = find_problems(item, options);
@@ -103,7 +129,7 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
   LoadedItem loaded;
   loaded.assumptions = item.assumptions;
   EquipmentModel& model = loaded.model;
-  const Vector3 base(0, 0, base_height(item.casters.at(0), options));
+  const Vector3 base(0, 0, base_height(item, options));
   model.name = item.name;
   model.chassis_mass = item.chassis_mass;
   model.chassis_center_of_mass = base + item.chassis_center_of_mass;
@@ -114,6 +140,7 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
     model.casters.push_back(make_caster(item.casters[i], i, options, loaded.assumptions));
   for (const MarkedPoint& point : item.marked_points)
     model.marked_points.push_back({point.name, base + point.position});
+  add_contact(item.contact, options, loaded);
   if (options.floor) add_assumptions(loaded.assumptions, options.floor->assumptions);
   validate(model);
   loaded.warnings = stability_of(model).warnings;

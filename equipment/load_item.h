@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/scene/contact_pair.h"
 #include "engine/scene/equipment_model.h"
 #include "equipment/assumption.h"
 #include "equipment/floor_covering.h"
@@ -25,14 +26,23 @@ struct ItemOptions {
 /// An item ready for the engine, with what its numbers rest on.
 struct LoadedItem {
   EquipmentModel model;
+  /// Against what has no material of its own, and last against `floor_material` where there is a
+  /// covering: its factor is on the friction. These are all a scene without further materials
+  /// needs.
+  std::vector<MaterialPair> pairs;
+  std::string floor_material;           ///< name of the covering; empty: none
   std::vector<Assumption> assumptions;  ///< those in use: brakes that are off count for nothing
   std::vector<std::string> warnings;    ///< of equipment/stability.h
 };
 
-/// Base axes become item axes: the base plate is as high as its casters.
+/// Base axes become item axes: the base plate is as high as its casters, or where there are none as
+/// high as it stands on its lowest boxes.
 /// @throws Error with a line for each mistake (a brake that is on but does not exist, base heights
 ///         that differ between casters, constants outside the engine's ranges), without a place.
 LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options = {});
+
+/// Constants of the item's chassis, or its feet, against the floor.
+const ContactConstants& floor_contact(const LoadedItem& item);
 
 /// @throws Error for mistakes of the file and of `assemble_item`.
 LoadedItem load_item(const std::string& file, const ItemOptions& options = {},

@@ -13,8 +13,9 @@
 namespace gurney {
 namespace {
 
-constexpr double kTransportTilt = 10 * kRadiansPerDegree;  // IEC 60601-1, transport position
-constexpr double kAngleTolerance = 1e-9;                   // [rad]
+// IEC 60601-1: the transport position, and all others; what has no casters is not transported.
+constexpr double kTransportTilt = 10 * kRadiansPerDegree, kOtherTilt = 5 * kRadiansPerDegree;
+constexpr double kAngleTolerance = 1e-9;  // [rad]
 
 /// N_i = k_i s_i with the sink s_i = a + b x_i + c y_i of a rigid base; wheels that would pull are
 /// left out, worst first. Fewer than three wheels share by the least-norm sink.
@@ -61,16 +62,22 @@ Stability stability_of(const EquipmentModel& item) {
   result.tilt_as_placed = tilt_of(placed.distance, result.height);
   result.wheel_loads = wheel_loads_of(item, whole);
   const double direction = worst.direction / kRadiansPerDegree;
+  const bool rolls = !item.casters.empty();
+  const double asked = rolls ? kTransportTilt : kOtherTilt;
+  const char* const turned = rolls ? "with the casters turned the worst way " : "";
   if (!(result.base > 0))
     result.warnings.push_back(fmt::format(
-        "{}: the centre of mass can leave the support of the wheels: with the casters turned the "
-        "worst way it is {:.0f} mm outside, towards {:.0f} degrees; the item can fall by itself",
-        item.name, -result.base * kMillimetersPerMeter, direction));
-  else if (result.tilt < kTransportTilt - kAngleTolerance)
+        "{}: the centre of mass can leave the support{}: {}it is {:.0f} mm outside, towards {:.0f} "
+        "degrees; the item can fall by itself",
+        item.name, rolls ? " of the wheels" : "", turned, -result.base * kMillimetersPerMeter,
+        direction));
+  else if (result.tilt < asked - kAngleTolerance)
     result.warnings.push_back(fmt::format(
-        "{}: with the casters turned the worst way a tilt of {:.1f} degrees towards {:.0f} degrees "
-        "overturns it; IEC 60601-1 asks 10 degrees of mobile equipment in its transport position",
-        item.name, result.tilt / kRadiansPerDegree, direction));
+        "{}: {}a tilt of {:.1f} degrees towards {:.0f} degrees overturns it; IEC 60601-1 asks "
+        "{:.0f} "
+        "degrees of {}",
+        item.name, turned, result.tilt / kRadiansPerDegree, direction, asked / kRadiansPerDegree,
+        rolls ? "mobile equipment in its transport position" : "equipment that is not mobile"));
   return result;
 }
 

@@ -29,9 +29,10 @@ struct Stability {
 };
 
 /// Wheel loads are those of a rigid chassis on the casters' tread stiffnesses, lifted wheels left
-/// out. Warns below 10 degrees, the tilt IEC 60601-1 asks of mobile equipment in its transport
-/// position, and where the centre of mass can leave the support polygon. A base that reaches
-/// beyond the chassis is no fault.
+/// out; none without casters, where the support are the corners of the lowest boxes. Warns below 10
+/// degrees, the tilt IEC 60601-1 asks of mobile equipment in its transport position (5 degrees
+/// without casters: in any other position), and where the centre of mass can leave the support
+/// polygon. A base that reaches beyond the chassis is no fault.
 /// @pre `validate(item)` holds.
 Stability stability_of(const EquipmentModel& item);
 

@@ -34,9 +34,24 @@ std::vector<double> ties(const std::vector<Support>& supports) {
 
 double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
+std::vector<Support> corners_on_floor(const std::vector<Box>& shape) {
+  constexpr double kLevel = 1e-6;  // [m] sizes are stated in mm
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Box& box : shape) lowest = std::min(lowest, box.center.z() - box.size.z() / 2);
+  std::vector<Support> corners;
+  for (const Box& box : shape) {
+    if (!(box.center.z() - box.size.z() / 2 <= lowest + kLevel)) continue;
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.5, 0.5})
+        corners.push_back({box.center.head<2>() + Vector2(x * box.size.x(), y * box.size.y()), 0});
+  }
+  return corners;
+}
+
 }  // namespace
 
 std::vector<Support> supports_of(const EquipmentModel& item, Swivels swivels) {
+  if (item.casters.empty()) return corners_on_floor(item.shape);
   std::vector<Support> supports;
   for (const Caster& caster : item.casters) {
     const bool turns = caster.swivels && caster.swivel_lock_torque == 0;

@@ -6,7 +6,7 @@
 
 namespace gurney {
 
-/// Where a wheel stands in plan: somewhere on a circle round `center`.
+/// Where a wheel stands in plan: somewhere on a circle round `center`; or a corner of a foot.
 struct Support {
   Vector2 center;  ///< item axes [m]
   double radius;   ///< >= 0 [m]
@@ -17,6 +17,8 @@ enum class Swivels {
   kAnywhere   ///< free forks stand as is worst; locked and rigid ones as placed
 };
 
+/// Of an item without casters: the corners of those boxes whose lowest face is on the floor, within
+/// 1e-6 m of the lowest of all.
 std::vector<Support> supports_of(const EquipmentModel& item, Swivels swivels);
 
 /// How far a point lies inside an edge of the supports.

@@ -27,6 +27,8 @@ ItemOptions item_options(const ShowOptions& options, const ItemDescription& item
   ItemOptions result;
   if (!options.floor.empty())
     result.floor = load_floor_covering(find_data(DataKind::kFloor, options.floor, ""));
+  require(options.brakes.empty() || !item.casters.empty(),
+          "--brakes: " + item.name + " has no casters");
   if (!options.brakes.empty())
     for (const CasterPlace& place : item.casters)
       result.brakes.push_back(options.brakes == "on" && place.type.brake_torque > 0);
@@ -37,8 +39,11 @@ int show(const ShowOptions& options) {
   const std::string file = find_data(DataKind::kItem, options.item, "");
   const ItemDescription item = load_item_description(file, {options.variants, {}});
   const LoadedItem loaded = assemble_item(item, item_options(options, item));
-  EquipmentFacts facts{loaded.model,  item_sheet(loaded.model), item.description,
-                       item.variants, loaded.assumptions,       loaded.warnings};
+  const ContactConstants& floor = floor_contact(loaded);
+  EquipmentFacts facts{loaded.model,   item_sheet(loaded.model, floor),
+                       floor,          item.description,
+                       item.variants,  loaded.assumptions,
+                       loaded.warnings};
   for (std::string& finding : implausible(loaded.model))
     facts.warnings.push_back(std::move(finding));
   if (!options.figure.empty())

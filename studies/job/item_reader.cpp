@@ -73,6 +73,11 @@ void read_casters(Table& item, ItemDescription* description, ItemOptions& option
     if (const auto drawn = load(draw->of_part(place.name))) place.type = *drawn;
 }
 
+void note_keys_of_casters(Table& item, const ItemDescription& description) {
+  for (const char* key : {"casters", "headings_deg", "brakes", "swivel_locks"})
+    if (item.has(key)) item.note(key, ": " + description.name + " has no casters");
+}
+
 std::map<std::string, int> read_payloads(Table& item, const ItemDescription& description) {
   std::map<std::string, int> counts;
   auto table = item.table("payloads");
@@ -109,10 +114,14 @@ std::optional<LoadedItem> read_job_item(Table& item, ItemOptions& options, Initi
   read_casters(item, description ? &*description : nullptr, options);
   if (!description) return {};
   const std::size_t casters = description->casters.size();
-  options.headings = in.numbers("headings_deg", Range::any(), casters);
-  for (double& heading : options.headings) heading *= kRadiansPerDegree;
-  options.brakes = in.flags("brakes", casters);
-  options.swivel_locks = in.flags("swivel_locks", casters);
+  if (casters == 0) {
+    note_keys_of_casters(item, *description);
+  } else {
+    options.headings = in.numbers("headings_deg", Range::any(), casters);
+    for (double& heading : options.headings) heading *= kRadiansPerDegree;
+    options.brakes = in.flags("brakes", casters);
+    options.swivel_locks = in.flags("swivel_locks", casters);
+  }
   options.payloads = read_payloads(item, *description);
   if (!item.document().clean()) return {};
   try {

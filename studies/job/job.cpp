@@ -125,6 +125,8 @@ Job read_job(config::Document& document) {
   document.finish();
 
   job.scene.items[0].model = std::move(item->model);
+  job.scene.pairs = std::move(item->pairs);
+  job.scene.floor_material = std::move(item->floor_material);
   job.warnings = std::move(item->warnings);
   add_assumptions(job.assumptions, item->assumptions);
   return job;

@@ -160,24 +160,28 @@ void draw_side_view(Svg& svg, const Frame& frame, const View& seen, const Equipm
 
 std::string equipment_figure(const EquipmentFacts& facts) {
   const ItemSheet& sheet = facts.sheet;
+  const bool rolls = !facts.model.casters.empty();
   Svg svg(kLeft + 3 * kPanel + 2 * kGap + 25, kTop + kPanel + 85);
   svg.text(kLeft, 34, facts.model.name, {.size = 17, .bold = true});
   svg.text(kLeft, 55,
            fmt::format("{:.1f} kg; {:.0f} x {:.0f} x {:.0f} mm; centre of mass {:.0f} mm above the "
-                       "floor; falls at a tilt of {:.1f} deg as placed, {:.1f} deg at worst",
+                       "floor; falls at a tilt of {:.1f} deg",
                        sheet.whole.mass, sheet.size.x() * kMillimetersPerMeter,
                        sheet.size.y() * kMillimetersPerMeter, sheet.size.z() * kMillimetersPerMeter,
                        sheet.whole.center_of_mass.z() * kMillimetersPerMeter,
-                       sheet.stability.tilt_as_placed / kRadiansPerDegree,
-                       sheet.stability.tilt / kRadiansPerDegree),
+                       sheet.stability.tilt_as_placed / kRadiansPerDegree) +
+               (rolls ? fmt::format(" as placed, {:.1f} deg at worst",
+                                    sheet.stability.tilt / kRadiansPerDegree)
+                      : std::string()),
            {.size = 12, .color = "#555555"});
   const double half = half_width(facts), step = kPanel + kGap;
   draw_plan_view(svg, {kLeft, kTop, kPanel, kPanel}, facts, half);
   draw_side_view(svg, {kLeft + step, kTop, kPanel, kPanel}, kSide, facts, half);
   draw_side_view(svg, {kLeft + 2 * step, kTop, kPanel, kPanel}, kFront, facts, half);
   svg.text(kLeft, kTop + kPanel + 62,
-           "Plan: wheels as placed, circles of free swivels, support as placed (orange), the "
-           "shortest way to an edge with swivels at their worst (green).",
+           rolls ? "Plan: wheels as placed, circles of free swivels, support as placed (orange), "
+                   "the shortest way to an edge with swivels at their worst (green)."
+                 : "Plan: support (orange), the shortest way to an edge (green).",
            {.size = 11, .color = "#555555"});
   svg.text(kLeft, kTop + kPanel + 77,
            "Sides: dashed lines from the centre of mass to the ends of the support; cross: centre "

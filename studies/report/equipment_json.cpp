@@ -34,6 +34,16 @@ Json wheels(const EquipmentFacts& facts) {
   return result;
 }
 
+Json contact(const EquipmentFacts& facts) {
+  const ContactConstants& floor = facts.floor;
+  const bool compliant = floor.kind == ContactConstants::Kind::kCompliant;
+  return {{"material", facts.model.material},
+          {"friction", floor.friction},
+          {"restitution", compliant ? Json(nullptr) : Json(floor.restitution)},
+          {"stiffness_n_per_m", floor.stiffness},
+          {"damping_n_s_per_m", compliant ? Json(floor.damping) : Json(nullptr)}};
+}
+
 Json assumptions(const std::vector<Assumption>& all) {
   Json result = Json::array();
   for (const Assumption& a : all) {
@@ -53,29 +63,32 @@ std::string equipment_json(const EquipmentFacts& facts) {
   Json inertia = Json::array(), polygon = Json::array();
   for (int row = 0; row < 3; ++row) inertia.push_back(list(Vector3(sheet.whole.inertia.row(row))));
   for (const Vector2& corner : sheet.support_polygon) polygon.push_back(list(corner));
-  const Json result = {{"name", facts.model.name},
-                       {"description", facts.description},
-                       {"variants", facts.variants},
-                       {"mass_kg", sheet.whole.mass},
-                       {"size_m", list(sheet.size)},
-                       {"center_of_mass_m", list(sheet.whole.center_of_mass)},
-                       {"inertia_kg_m2", inertia},
-                       {"principal_inertia_kg_m2", list(sheet.principal_inertia)},
-                       {"support_polygon_m", polygon},
-                       {"base_over_height", sheet.stability.base / sheet.stability.height},
-                       {"base_over_height_as_placed", sheet.tipping_share},
-                       {"tilt_rad", sheet.stability.tilt},
-                       {"tilt_direction_rad", sheet.stability.direction},
-                       {"tilt_as_placed_rad", sheet.stability.tilt_as_placed},
-                       {"tilts", tilts(sheet)},
-                       {"wheels", wheels(facts)},
-                       {"rolling_resistance_n", sheet.rolling_resistance},
-                       {"rolls_from_g", sheet.rolling_share},
-                       {"moves_with_brakes_as_they_are_from_g", sheet.holding_share},
-                       {"slides_from_g", sheet.sliding_share},
-                       {"tips_from_g", sheet.tipping_share},
-                       {"assumptions", assumptions(facts.assumptions)},
-                       {"warnings", facts.warnings}};
+  const bool rolls = !facts.model.casters.empty();
+  const Json result = {
+      {"name", facts.model.name},
+      {"description", facts.description},
+      {"variants", facts.variants},
+      {"mass_kg", sheet.whole.mass},
+      {"size_m", list(sheet.size)},
+      {"center_of_mass_m", list(sheet.whole.center_of_mass)},
+      {"inertia_kg_m2", inertia},
+      {"principal_inertia_kg_m2", list(sheet.principal_inertia)},
+      {"support_polygon_m", polygon},
+      {"base_over_height", sheet.stability.base / sheet.stability.height},
+      {"base_over_height_as_placed", sheet.tipping_share},
+      {"tilt_rad", sheet.stability.tilt},
+      {"tilt_direction_rad", sheet.stability.direction},
+      {"tilt_as_placed_rad", sheet.stability.tilt_as_placed},
+      {"tilts", tilts(sheet)},
+      {"wheels", wheels(facts)},
+      {"floor_contact", contact(facts)},
+      {"rolling_resistance_n", rolls ? Json(sheet.rolling_resistance) : Json(nullptr)},
+      {"rolls_from_g", rolls ? Json(sheet.rolling_share) : Json(nullptr)},
+      {"moves_with_brakes_as_they_are_from_g", rolls ? Json(sheet.holding_share) : Json(nullptr)},
+      {"slides_from_g", sheet.sliding_share},
+      {"tips_from_g", sheet.tipping_share},
+      {"assumptions", assumptions(facts.assumptions)},
+      {"warnings", facts.warnings}};
   return result.dump(2) + "\n";
 }
 

@@ -24,7 +24,7 @@ std::vector<ListedItem> items() {
   std::vector<ListedItem> result;
   for (const std::string& key : catalogue_names(DataKind::kItem)) {
     LoadedItem item = load_item(find_data(DataKind::kItem, key, ""));
-    ItemSheet sheet = item_sheet(item.model);
+    ItemSheet sheet = item_sheet(item.model, floor_contact(item));
     result.push_back({key, std::move(item), std::move(sheet)});
   }
   return result;
@@ -50,7 +50,7 @@ std::string equipment_list() {
                         sheet.stability.base / sheet.stability.height,
                         sheet.stability.tilt / kRadiansPerDegree, item.model.casters.size(),
                         item.assumptions.size());
-  text += "b/h and tilt: free swivels turned the worst way\n";
+  text += "b/h and tilt: free swivels turned the worst way; without casters on its feet\n";
   text += fmt::format("\n{:<24} {:>9} {:>9} {:>8} {:>7} {:>13} {:>10}\n", "caster", "wheel [mm]",
                       "high [mm]", "trail", "Cr / R", "friction mu_s", "brake [N m]");
   for (const std::string& key : catalogue_names(DataKind::kCaster)) {

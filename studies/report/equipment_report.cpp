@@ -31,22 +31,36 @@ std::string body_text(const EquipmentFacts& facts) {
   return text;
 }
 
-std::string stability_text(const ItemSheet& sheet) {
+std::string stability_text(const EquipmentFacts& facts) {
+  const ItemSheet& sheet = facts.sheet;
   const Stability& stability = sheet.stability;
   const double tilt = degrees(stability.tilt);
-  std::string text = fmt::format(
-      "\nstability\n  {:<28} {:.2f}, wheels as placed; {:.2f}, swivels at their worst\n", "b / h",
-      sheet.tipping_share, stability.base / stability.height);
-  text += fmt::format("  {:<28} {:.1f} deg, wheels as placed\n", "falls at a tilt of",
-                      degrees(stability.tilt_as_placed));
-  text += fmt::format("  {:<28} {:.1f} deg towards {:.0f} deg, swivels at their worst\n", "", tilt,
-                      degrees(stability.direction));
-  text += fmt::format("  {:<28} 10 deg in transport: {}; 5 deg otherwise: {}\n", "IEC 60601-1",
-                      tilt >= kTransportTilt ? "met" : "not met",
-                      tilt >= kOtherTilt ? "met" : "not met");
-  text += "\n  tilt towards     as placed   at worst      towards   as placed   at worst\n";
+  std::string text = "\nstability\n";
+  if (facts.model.casters.empty()) {
+    text += fmt::format("  {:<28} {:.2f}; slenderness h / b {:.1f}\n", "b / h", sheet.tipping_share,
+                        1 / sheet.tipping_share);
+    text += fmt::format("  {:<28} {:.1f} deg towards {:.0f} deg\n", "falls at a tilt of", tilt,
+                        degrees(stability.direction));
+    text += fmt::format("  {:<28} 5 deg of what is not mobile: {}\n", "IEC 60601-1",
+                        tilt >= kOtherTilt ? "met" : "not met");
+  } else {
+    text += fmt::format("  {:<28} {:.2f}, wheels as placed; {:.2f}, swivels at their worst\n",
+                        "b / h", sheet.tipping_share, stability.base / stability.height);
+    text += fmt::format("  {:<28} {:.1f} deg, wheels as placed\n", "falls at a tilt of",
+                        degrees(stability.tilt_as_placed));
+    text += fmt::format("  {:<28} {:.1f} deg towards {:.0f} deg, swivels at their worst\n", "",
+                        tilt, degrees(stability.direction));
+    text += fmt::format("  {:<28} 10 deg in transport: {}; 5 deg otherwise: {}\n", "IEC 60601-1",
+                        tilt >= kTransportTilt ? "met" : "not met",
+                        tilt >= kOtherTilt ? "met" : "not met");
+  }
+  const bool rolls = !facts.model.casters.empty();
+  text += rolls ? "\n  tilt towards     as placed   at worst      towards   as placed   at worst\n"
+                : "\n  tilt towards          falls      towards       falls\n";
   const std::size_t half = sheet.tilts.size() / 2;
   const auto cells = [&](const TiltTowards& t) {
+    if (!rolls)
+      return fmt::format("{:>8.0f} deg {:>7.1f} deg", degrees(t.direction), degrees(t.as_placed));
     return fmt::format("{:>8.0f} deg {:>7.1f} deg {:>6.1f} deg", degrees(t.direction),
                        degrees(t.as_placed), degrees(t.worst));
   };
@@ -54,6 +68,20 @@ std::string stability_text(const ItemSheet& sheet) {
     text += fmt::format("  {}  {}\n", cells(sheet.tilts[i]), cells(sheet.tilts[half + i]));
   text += "  0 deg is forward (x), 90 deg to the left (y)\n";
   return text;
+}
+
+std::string feet_text(const EquipmentFacts& facts) {
+  const ContactConstants& floor = facts.floor;
+  std::string text = "\nstands without casters\n";
+  for (const Vector2& corner : facts.sheet.support_polygon)
+    text += fmt::format("  {:<28} ({:.0f}, {:.0f}) mm\n", "corner of the support",
+                        corner.x() * kMillimetersPerMeter, corner.y() * kMillimetersPerMeter);
+  const std::string rebound =
+      floor.kind == ContactConstants::Kind::kRestitution
+          ? fmt::format("restitution {:.2g}", floor.restitution)
+          : fmt::format("compliant, {:.3g} N/m and {:.3g} N s/m", floor.stiffness, floor.damping);
+  return text + fmt::format("  {:<28} {}; friction {:.2g}, {}\n", "material on the floor",
+                            facts.model.material, floor.friction, rebound);
 }
 
 std::string wheels_text(const EquipmentFacts& facts) {
@@ -73,17 +101,25 @@ std::string wheels_text(const EquipmentFacts& facts) {
   return text;
 }
 
-std::string motion_text(const ItemSheet& sheet) {
-  std::string text = fmt::format(
-      "\nunder a slowly growing push of the floor\n  {:<36} {:.3f} g ({:.1f} N); a slope of "
-      "{:.1f} %\n",
-      "brakes off, straight, rolls from", sheet.rolling_share, sheet.rolling_resistance,
-      100 * sheet.rolling_share);
-  text += fmt::format("  {:<36} {:.3f} g\n", "brakes as they are, moves from", sheet.holding_share);
-  text +=
-      fmt::format("  {:<36} {:.2f} g\n", "wheels that cannot turn slide from", sheet.sliding_share);
+std::string motion_text(const EquipmentFacts& facts) {
+  const ItemSheet& sheet = facts.sheet;
+  const bool rolls = !facts.model.casters.empty();
+  std::string text = "\nunder a slowly growing push of the floor\n";
+  if (rolls) {
+    text += fmt::format("  {:<36} {:.3f} g ({:.1f} N); a slope of {:.1f} %\n",
+                        "brakes off, straight, rolls from", sheet.rolling_share,
+                        sheet.rolling_resistance, 100 * sheet.rolling_share);
+    text +=
+        fmt::format("  {:<36} {:.3f} g\n", "brakes as they are, moves from", sheet.holding_share);
+  }
+  text += fmt::format("  {:<36} {:.2f} g\n",
+                      rolls ? "wheels that cannot turn slide from" : "slides from",
+                      sheet.sliding_share);
   text += fmt::format("  {:<36} {:.2f} g, if nothing gives way before\n", "tips from",
                       sheet.tipping_share);
+  if (!rolls)
+    text += sheet.tipping_share < sheet.sliding_share ? "  so it rocks before it slides\n"
+                                                      : "  so it slides before it rocks\n";
   return text;
 }
 
@@ -98,8 +134,9 @@ std::string assumption_text(const Assumption& a) {
 std::string equipment_report(const EquipmentFacts& facts, bool with_assumptions) {
   std::string text = facts.model.name + "\n";
   if (!facts.description.empty()) text += facts.description + "\n";
-  text += "\n" + body_text(facts) + stability_text(facts.sheet) + wheels_text(facts) +
-          motion_text(facts.sheet);
+  text += "\n" + body_text(facts) + stability_text(facts) +
+          (facts.model.casters.empty() ? feet_text(facts) : wheels_text(facts)) +
+          motion_text(facts);
   text += fmt::format("\n{} of the numbers in use are assumptions{}\n", facts.assumptions.size(),
                       with_assumptions ? ":" : " (--assumptions lists them)");
   if (with_assumptions)

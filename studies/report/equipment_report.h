@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/scene/contact_pair.h"
 #include "equipment/assumption.h"
 #include "equipment/item_sheet.h"
 
@@ -12,6 +13,7 @@ namespace gurney {
 struct EquipmentFacts {
   EquipmentModel model;
   ItemSheet sheet;
+  ContactConstants floor;  ///< of the chassis, or the feet, with the floor
   std::string description;
   std::vector<std::string> variants;
   std::vector<Assumption> assumptions;

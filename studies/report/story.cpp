@@ -27,6 +27,8 @@ std::string motion(const Demands& d) {
 }
 
 std::string lifting(const Demands& d) {
+  if (d.wheels.empty())
+    return fmt::format("It tilted by up to {:.2g} deg. ", d.peak_tilt / kRadiansPerDegree);
   if (d.most_wheels_lifted == 0) return "Every wheel stayed on the floor. ";
   return fmt::format("Wheels left the floor for {:.3g} s in all, {} at once at most. ",
                      d.lifted_time, d.most_wheels_lifted);

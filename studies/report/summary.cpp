@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "engine/base/units.h"
@@ -13,6 +14,10 @@ namespace gurney {
 namespace {
 
 constexpr std::size_t kColumns = 100;
+
+/// What says nothing of an item without casters.
+const std::set<std::string> kDemandsOfWheels = {"peak_normal_force", "lifted_time",
+                                                "most_wheels_lifted"};
 
 /// Breaks a text between words; lines after the first start with `indent` blanks.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t used) {
@@ -62,10 +67,12 @@ std::string number_line(const std::string& name, const std::string& value,
 }
 
 template <class Row>
-std::string list(std::span<const Column<Row>> columns, const Row& row) {
+std::string list(std::span<const Column<Row>> columns, const Row& row,
+                 const std::set<std::string>& without = {}) {
   std::string result;
   for (const Column<Row>& column : columns) {
     const double value = column.value(row);
+    if (without.count(column.name) > 0) continue;
     if (column.missing != 0 && value == column.missing) continue;
     std::string units = column.units;
     const std::string text = shown(value, units, column.whole);
@@ -184,14 +191,17 @@ std::string summary(const RunFacts& facts, const Response& response) {
   for (const Caster& caster : item.casters) casters.push_back(caster.name);
   for (const MarkedPoint& point : item.marked_points) points.push_back(point.name);
   std::string text = (facts.title.empty() ? facts.job_name : facts.title) + "\n\n";
-  text += fmt::format("  item     {}: {:.1f} kg on {} casters\n", item.name, mass_of(item),
-                      item.casters.size());
+  const bool rolls = !casters.empty();
+  text += fmt::format("  item     {}: {:.1f} kg {}\n", item.name, mass_of(item),
+                      rolls ? fmt::format("on {} casters", casters.size()) : "without casters");
   text += record_text(facts);
   text += fmt::format("\n{}\n\n", wrapped(story(response), 0, 0));
   text += fmt::format("  {:<32}{:>12}\n", "demand", "value");
-  text += list(demand_columns(), response.items[0].demands);
-  text += table("wheel", wheel_demand_columns(), casters, response.items[0].demands.wheels,
-                std::string("wheel_").size());
+  text += list(demand_columns(), response.items[0].demands,
+               rolls ? std::set<std::string>{} : kDemandsOfWheels);
+  if (rolls)
+    text += table("wheel", wheel_demand_columns(), casters, response.items[0].demands.wheels,
+                  std::string("wheel_").size());
   if (!response.items[0].demands.points.empty())
     text += table("point", point_demand_columns(), points, response.items[0].demands.points,
                   std::string("point_").size());

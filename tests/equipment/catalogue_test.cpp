@@ -112,7 +112,7 @@ void compare_with_page(const std::string& section, const std::string& text, Read
 
 TEST(EquipmentPage, HasEveryKeyTheReadersKnowAndNoOther) {
   compare_with_page("Item file",
-                    "[chassis]\n[[shape]]\n[[caster]]\n[[payload]]\n[[marked_point]]\n",
+                    "[chassis]\n[contact]\n[[shape]]\n[[caster]]\n[[payload]]\n[[marked_point]]\n",
                     [](config::Table table) { read_item(table); });
   compare_with_page("Caster file", "[tread]\n[axle]\n[swivel]\n",
                     [](config::Table table) { read_caster_type(table); });

@@ -48,6 +48,7 @@ std::string text_of(const std::string& file, const char* key) {
 
 /// `2 pu_125, 2 rigid_125 (rigid)`.
 std::string casters_of(const ItemDescription& item) {
+  if (item.casters.empty()) return "none";
   std::vector<std::pair<std::string, int>> kinds;
   for (const CasterPlace& caster : item.casters) {
     const std::string kind = caster.type.name + (caster.swivels ? "" : " (rigid)");
@@ -70,6 +71,7 @@ std::string parked(const ItemDescription& item) {
   const auto locks = std::count_if(item.casters.begin(), item.casters.end(),
                                    [](const CasterPlace& caster) { return caster.swivel_locked; });
   if (locks > 0) return fmt::format("{} locked", locks);
+  if (item.casters.empty()) return "stands";
   return brakes > 0 ? fmt::format("{} braked", brakes) : "free";
 }
 

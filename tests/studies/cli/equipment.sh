@@ -16,6 +16,14 @@ equipment 0 '"tilt_rad":' show icu_ventilator --json
 equipment 0 "tread.patch_width_mm" show icu_ventilator --assumptions
 equipment 0 "swivels, braked" show icu_ventilator --brakes on
 equipment 0 "swivels, braked" show icu_ventilator --variant "brakes on"
+equipment 0 "so it rocks before it slides" show bookcase
+grep -q "wheel" stdout && complain "a bookcase has no wheels"
+equipment 0 "coated board; friction 0.36, restitution 0.2" show bookcase --floor rubber
+equipment 0 "contact.friction = 0.3 (0.2 to 0.6)" show bookcase --assumptions
+equipment 0 '"rolls_from_g": null' show bookcase --json
+equipment 1 "--brakes: Bookcase has no casters" show bookcase --brakes on
+equipment 0 "slenderness h / b" show storage_shelving --figure shelving.svg
+grep -q "wheel" shelving.svg && complain "shelving has no wheels"
 equipment 1 "did you mean 'brakes on'?" show icu_ventilator --variant "brake on"
 equipment 1 "did you mean 'icu_ventilator'?" show icu_ventilater
 equipment 1 "unknown floor covering" show icu_ventilator --floor marble

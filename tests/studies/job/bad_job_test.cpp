@@ -72,6 +72,15 @@ velocity_m_per_s = [1, nan, 0]
             "a.toml:13:24: initial.velocity_m_per_s[1] = nan: must be a finite number");
 }
 
+TEST(BadJob, AnItemWithoutCastersHasNoneToTurnOrBrake) {
+  const std::string kBookcase = "schema = \"gurney-job/1\"\n[item]\nequipment = \"bookcase\"\n";
+  EXPECT_EQ(mistakes(kBookcase), "(no error)");
+  EXPECT_EQ(mistakes(kBookcase + "brakes = true\nheadings_deg = [0, 90]\ncasters = \"R100\"\n"),
+            "a.toml:4:10: item.brakes: Bookcase has no casters\n"
+            "a.toml:5:16: item.headings_deg: Bookcase has no casters\n"
+            "a.toml:6:11: item.casters: Bookcase has no casters");
+}
+
 TEST(BadJob, HistoriesAreSampledAtWholeTimeSteps) {
   EXPECT_EQ(mistakes(std::string(kHead) + "[settings]\ntime_step_s = 0.004\n"
                                           "[output]\nhistory_step_s = 0.01\n"),

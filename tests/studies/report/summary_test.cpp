@@ -43,6 +43,19 @@ TEST(Summary, FitsATerminalOf100Columns) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
 }
 
+TEST(Summary, SaysNothingOfWheelsWhereThereAreNone) {
+  RunFacts facts = fabricated_facts();
+  facts.scene.items[0].model.casters.clear();
+  Response response = fabricated_response();
+  response.items[0].demands.wheels.clear();
+  response.items[0].demands.peak_tilt = 0.05;  // 2.86 deg
+  const std::string text = summary(facts, response);
+  expect_contains(text, "kg without casters");
+  expect_contains(text, "It tilted by up to 2.9 deg.");
+  for (const char* word : {"wheel", "Wheel", "peak normal force", "lifted time"})
+    EXPECT_EQ(text.find(word), std::string::npos) << word;
+}
+
 TEST(Summary, TellsEachOutcome) {
   Response response = fabricated_response();
   expect_contains(story(response), "The item moved at most 125 mm from its start (at 0.50 s)");
@@ -57,6 +70,7 @@ TEST(Summary, TellsEachOutcome) {
   EXPECT_EQ(story(response),
             "The run DIVERGED at 24 s: no solution. Its numbers must not be used.");
   response = {};
+  response.items[0].demands.wheels.resize(4);
   response.outcome = Outcome::kRested;
   expect_contains(story(response), "The item did not move. Every wheel stayed on the floor.");
 }

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/scene/scene.h"
+#include "equipment/load_item.h"
+
+namespace gurney {
+
+/// The item alone on a level floor.
+inline Scene standing(const LoadedItem& item) {
+  Scene scene;
+  scene.items[0].model = item.model;
+  scene.pairs = item.pairs;
+  scene.floor_material = item.floor_material;
+  return scene;
+}
+
+}  // namespace gurney
