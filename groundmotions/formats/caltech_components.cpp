@@ -227,7 +227,7 @@ class ChannelReader {
 }  // namespace
 
 std::vector<Component> caltech_components(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   const auto channels = caltech_channels(file, mistakes);
   mistakes.throw_if_any();
   std::vector<Component> components;

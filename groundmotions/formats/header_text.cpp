@@ -145,9 +145,24 @@ std::optional<std::string_view> quantity_in(std::string_view text) {
   return {};
 }
 
+std::optional<OtherQuantity> other_quantity_in(const std::vector<std::string_view>& lines) {
+  constexpr std::string_view kAcceleration = "acceleration";
+  std::optional<OtherQuantity> first;
+  bool any_acceleration = false;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto quantity = quantity_in(lines[i]);
+    if (!quantity) continue;
+    const auto words = words_of(lines[i], "#%* \t([:,");
+    if (const auto start = quantity_in(words[0]))
+      return *start == kAcceleration ? std::nullopt : std::optional(OtherQuantity{i, *start});
+    any_acceleration = any_acceleration || *quantity == kAcceleration;
+    if (*quantity != kAcceleration && !first) first = OtherQuantity{i, *quantity};
+  }
+  return any_acceleration ? std::nullopt : first;
+}
+
 std::optional<std::string_view> unit_text_in(std::string_view text) {
   const std::string line = upper(text);
-  if (speaks_of_peaks(line)) return {};
   std::optional<std::string_view> found;
   for (const std::string_view key : {"UNITS", "UNIT"})
     if (const auto at = find_word(line, key); !found && at != kNone) {
@@ -159,7 +174,7 @@ std::optional<std::string_view> unit_text_in(std::string_view text) {
           is_one_of(next.substr(0, next.find(' ')), kLinks);
       if (is_statement) found = behind_unit(rest);
     }
-  if (!found) found = unit_elsewhere(line);
+  if (!found && !speaks_of_peaks(line)) found = unit_elsewhere(line);
   if (!found) return {};
   const auto begin = static_cast<std::size_t>(found->data() - line.data());
   auto unit = text.substr(begin, found->size());

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 /// What a line of free text in a header says of the samples, letter case apart.
 namespace gurney {
@@ -10,6 +11,16 @@ namespace gurney {
 /// "displacement in cm", "ACC (G)". Acceleration goes first where a line names several; peaks,
 /// wave velocities and the like are not what the samples are.
 std::optional<std::string_view> quantity_in(std::string_view line);
+
+/// A line of a header (from 0) that says that the samples are "velocity" or "displacement".
+struct OtherQuantity {
+  std::size_t line = 0;
+  std::string_view quantity;
+};
+
+/// Nothing if they may be accelerations. A line that starts with a quantity decides, then any that
+/// speaks of acceleration, then the first.
+std::optional<OtherQuantity> other_quantity_in(const std::vector<std::string_view>& lines);
 
 /// The unit a line gives to the samples, as it is written there: "Units: cm/s2", "IN UNITS OF G",
 /// "acceleration in cm/s", "[gal]". After the word `unit` any text, known or not; elsewhere known

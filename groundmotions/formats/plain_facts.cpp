@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "groundmotions/formats/header_text.h"
 #include "groundmotions/formats/unit_text.h"
@@ -29,7 +30,7 @@ void take_unit(std::string_view line, std::size_t index, PlainFacts& facts, Mist
   else if (facts.unit && facts.unit->to_si != unit->to_si)
     mistakes.add(index, 1,
                  fmt::format("this line states the unit {}, but line {} states {}", unit->name,
-                             facts.unit_line, facts.unit->name));
+                             mistakes.line_in_file(facts.unit_line), facts.unit->name));
   if (!unit || facts.unit) return;
   facts.unit = unit;
   facts.unit_line = index;
@@ -39,25 +40,20 @@ void take_step(std::string_view line, std::size_t index, PlainFacts& facts, Mist
   const auto step = time_step_in(line);
   if (!step) return;
   if (facts.time_step) {
-    check_step(facts, *step, fmt::format("line {}", index), mistakes);
+    check_step(facts, *step, fmt::format("line {}", mistakes.line_in_file(index)), mistakes);
   } else {
     facts.time_step = step;
     facts.step_line = index;
   }
 }
 
-/// Text that speaks of accelerations anywhere is trusted.
 void refuse_other_quantities(const PlainRows& rows, std::size_t count, Mistakes& mistakes) {
-  std::size_t first = count;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto quantity = quantity_in(rows.header[i]);
-    if (quantity == "acceleration") return;
-    if (quantity && first == count) first = i;
-  }
-  if (first < count)
-    mistakes.add(rows.header_lines[first], 1,
+  const std::vector<std::string_view> lines(rows.header.begin(),
+                                            rows.header.begin() + static_cast<long>(count));
+  if (const auto other = other_quantity_in(lines))
+    mistakes.add(rows.header_lines[other->line], 1,
                  fmt::format("a record must be acceleration, but the text speaks of {} ('{}')",
-                             *quantity_in(rows.header[first]), rows.header[first].substr(0, 80)));
+                             other->quantity, lines[other->line].substr(0, 80)));
 }
 
 }  // namespace

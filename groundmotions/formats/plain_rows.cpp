@@ -28,6 +28,7 @@ bool is_text(std::string_view word) {
   if (word.empty() || !is_letter(word[0])) return false;
   if (word.size() > 1 && lower(word)[0] == 'e' && (is_digit(word[1]) || !is_letter(word[1])))
     return false;
+  if (word.size() > 1 && lower(word)[0] == 'd' && (word[1] == '-' || word[1] == '+')) return false;
   constexpr std::array kNoNumbers = {"nan", "inf", "infinity", "na", "null", "none"};
   return std::ranges::find(kNoNumbers, lower(word)) == kNoNumbers.end();
 }

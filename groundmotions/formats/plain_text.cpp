@@ -23,7 +23,7 @@ namespace gurney {
 namespace {
 
 /// Tables that look like records but are none; their other mistakes do not matter.
-void refuse_spectra(const PlainRows& rows, const std::string& file) {
+void refuse_spectra(const PlainRows& rows, const SourceFile& file) {
   Mistakes mistakes(file);
   for (const std::string_view line : rows.header) {
     const std::string text = lower(line);
@@ -93,9 +93,10 @@ ColumnUnit unit_of(const ColumnTitle& title, const Table& table) {
                              "are allowed",
                              title.text, title.unit, kAccelerationUnits));
   if (stated && facts.unit && stated->to_si != facts.unit->to_si)
-    mistakes.add(line, 1,
-                 fmt::format("the column '{}' states the unit {}, but line {} states {}",
-                             title.text, stated->name, facts.unit_line, facts.unit->name));
+    mistakes.add(
+        line, 1,
+        fmt::format("the column '{}' states the unit {}, but line {} states {}", title.text,
+                    stated->name, mistakes.line_in_file(facts.unit_line), facts.unit->name));
   if (!stated) stated = facts.unit;
   if (!title.quantity.empty() || (!title.unit.empty() && !stated)) return {};
   if (options.si_per_count) {
@@ -249,9 +250,9 @@ std::vector<Component> from_table(const PlainColumns& columns, std::vector<Colum
 bool recognises_plain_text(const SourceFile& file) { return has_plain_rows(file); }
 
 std::vector<Component> read_plain_text(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   PlainRows rows = plain_rows(file, mistakes);
-  refuse_spectra(rows, file.name());
+  refuse_spectra(rows, file);
   if (rows.doubtful_commas && !options.si_per_count && !rows.lines.empty())
     mistakes.add(rows.lines[0], 1,
                  "commas between whole numbers: decimal commas are not read, write points (and "

@@ -15,7 +15,7 @@ using testing::ElementsAre;
 std::vector<double> read(const std::string& text, const char* format, std::size_t count,
                          EmptyField empty = EmptyField::kMistake) {
   const SourceFile file("f", text);
-  Mistakes mistakes("f");
+  Mistakes mistakes(file);
   std::size_t line = 0;
   const auto values = FieldReader(file, mistakes)
                           .read(line, count, fortran_format(format).value(), empty, "samples");
