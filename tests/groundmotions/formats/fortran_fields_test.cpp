@@ -24,6 +24,18 @@ std::vector<double> read(const std::string& text, const char* format, std::size_
   return values;
 }
 
+// The last line lost the end of its last number, whether or not a line end was put behind it.
+TEST(FieldReader, SeesThatTheLastFieldIsShort) {
+  for (const std::string end : {"", "\n"}) {
+    EXPECT_THAT(read("  12  34\n -56  78" + end, "2I4", 4), ElementsAre(12, 34, -56, 78));
+    EXPECT_EQ(error_text([&] { read("  12  34\n -56  7" + end, "2I4", 4); }),
+              "f:2:5: '  7' is not a number of the format 2I4")
+        << end;
+  }
+  // Numbers that are not in their columns from the start are read by their blanks.
+  EXPECT_THAT(read("12 34\n -56  7\n", "2I4", 4), ElementsAre(12, 34, -56, 7));
+}
+
 TEST(FortranFormat, ReadsSpellings) {
   for (const char* spelling : {"8F10.3", "(8f10.3)", "( 8 F10.3 )"}) {
     const auto format = fortran_format(spelling);
