@@ -18,13 +18,28 @@ struct ImpactLog::PairStep {
   const BodyContact* contact = nullptr;
 };
 
-ImpactLog::ImpactLog(const Scene& scene, const Mechanism& mechanism)
-    : mechanism_(mechanism), others_{"floor"} {
-  for (std::size_t i = 0; i < scene.item.casters.size(); ++i) {
-    const std::string& name = scene.item.casters[i].name;
-    wheels_.push_back(name.empty() ? "wheel " + std::to_string(i) : name);
+ImpactLog::ImpactLog(const Scene& scene, const Assembly& assembly)
+    : assembly_(assembly), others_{"floor"} {
+  for (const PlacedItem& item : scene.items) {
+    items_.push_back(item.name);
+    std::vector<std::string>& names = wheels_.emplace_back();
+    for (std::size_t i = 0; i < item.model.casters.size(); ++i) {
+      const std::string& name = item.model.casters[i].name;
+      names.push_back(name.empty() ? "wheel " + std::to_string(i) : name);
+    }
   }
   for (const RoomShape& shape : scene.room) others_.push_back(shape.name);
+}
+
+ImpactLog::Key ImpactLog::key_of(const BodyContact& c) {
+  const bool items = c.between_items();
+  return {static_cast<int>(c.side.item), c.side.leg, c.other,
+          items ? static_cast<int>(c.other_side.item) : -1, items ? c.other_side.leg : -1};
+}
+
+bool ImpactLog::in_group(const Key& key, const Group& group) const {
+  return std::binary_search(group.items.begin(), group.items.end(),
+                            static_cast<std::size_t>(key[0]));
 }
 
 void ImpactLog::begin(Pair& pair, const BodyContact& contact, const PairStep& now) {
@@ -33,14 +48,25 @@ void ImpactLog::begin(Pair& pair, const BodyContact& contact, const PairStep& no
   pair.quiet_since = now.begins;
   Impact impact;
   impact.time = now.begins;
-  impact.wheel = contact.leg;
-  impact.body = contact.leg < 0 ? "chassis" : wheels_[static_cast<std::size_t>(contact.leg)];
-  impact.other = others_[static_cast<std::size_t>(contact.other)];
+  const BodyContact::Side &a = contact.side, &b = contact.other_side;
+  const auto name_of = [&](const BodyContact::Side& side) {
+    return side.leg < 0 ? "chassis" : wheels_[side.item][static_cast<std::size_t>(side.leg)];
+  };
+  impact.item = a.item;
+  impact.wheel = a.leg;
+  impact.body = name_of(a);
+  if (contact.between_items()) {
+    impact.other_item = static_cast<int>(b.item);
+    impact.other = items_[b.item];
+    impact.other_body = name_of(b);
+  } else {
+    impact.other = others_[static_cast<std::size_t>(contact.other)];
+  }
   impact.point = now.point;
   impact.normal = contact.normal;
   impact.approach_speed = now.approach;
   impact.peak_force =
-      mechanism_.law_of(contact).compliant() ? 0 : std::numeric_limits<double>::quiet_NaN();
+      assembly_.laws.of(contact).compliant() ? 0 : std::numeric_limits<double>::quiet_NaN();
   impacts_.push_back(impact);
 }
 
@@ -48,10 +74,11 @@ void ImpactLog::observe(const Stepper::Step& step) {
   const auto& before = step.from->contacts;
   const auto& after = step.to->contacts;
   if (before.empty() && pairs_.empty()) return;
-  std::map<std::pair<int, int>, PairStep> steps;
-  for (std::size_t c = 0; c < after.size(); ++c) {
+  std::map<Key, PairStep> steps;
+  for (std::size_t c = step.group->first_contact; c < step.group->end_contact; ++c) {
     const BodyContact& contact = after[c].contact;
-    PairStep& now = steps[{contact.leg, contact.other}];
+    const Key key = key_of(contact);
+    PairStep& now = steps[key];
     now.contact = &contact;
     const auto& first = step.first->contacts[c];
     const auto& end = step.end->contacts[c];
@@ -59,9 +86,9 @@ void ImpactLog::observe(const Stepper::Step& step) {
     now.force += end.normal_force;
     if (end.normal_force > 0) now.fastest = std::max(now.fastest, std::abs(end.normal_speed));
     const double d0 = before[c].compression, d1 = after[c].compression;
-    const double crossing = step.from->time + (d0 * d1 < 0 ? step.duration * d0 / (d0 - d1) : 0.0);
+    const double crossing = step.time + (d0 * d1 < 0 ? step.duration * d0 / (d0 - d1) : 0.0);
     if (first.normal_force > 0 || end.normal_force > 0) {
-      const bool was_touching = pairs_[{contact.leg, contact.other}].touches;
+      const bool was_touching = pairs_[key].touches;
       if (d0 <= 0 || !was_touching) {
         now.approach = std::max(now.approach, before[c].approach_speed);
         if (crossing < now.begins) {
@@ -71,10 +98,10 @@ void ImpactLog::observe(const Stepper::Step& step) {
       }
     }
     if (first.normal_force > 0 || d0 > 0)
-      now.ends = std::max(now.ends, d1 < 0 ? crossing : step.from->time);
+      now.ends = std::max(now.ends, d1 < 0 ? crossing : step.time);
   }
   for (auto& [key, pair] : pairs_)
-    if (!steps.contains(key)) steps[key].ends = step.from->time;
+    if (!steps.contains(key) && in_group(key, *step.group)) steps[key].ends = step.time;
   for (auto& [key, now] : steps) {
     Pair& pair = pairs_[key];
     if (!pair.in_impact && now.approach > kSlowestImpact) begin(pair, *now.contact, now);
@@ -90,8 +117,8 @@ void ImpactLog::observe(const Stepper::Step& step) {
       impact.duration = std::max(0.0, now.ends - impact.time);
       pair.in_impact = false;
     } else if (now.fastest > kSlowestImpact / 2) {
-      pair.quiet_since = step.to->time;
-    } else if (step.to->time - pair.quiet_since > kQuietTime) {
+      pair.quiet_since = step.time + step.duration;
+    } else if (step.time + step.duration - pair.quiet_since > kQuietTime) {
       impact.duration = pair.quiet_since - impact.time;
       pair.in_impact = false;
     }

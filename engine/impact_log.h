@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,18 +13,18 @@ namespace gurney {
 
 /// Turns the contact forces of accepted steps into one event for each impact.
 ///
-/// An impact of a pair (the chassis or a wheel, with the floor or a room shape) begins when a point
-/// of the pair that was apart touches with an approach speed above `kSlowestImpact`. Points that
-/// touch while it lasts belong to it, so a face that lands corner by corner is one impact. It ends
-/// when no point of the pair carries force, or when the force has become quasi-static: every
-/// touching point slower than half that speed for `kQuietTime`; its end is then where that began.
-/// Bodies that rest, slide or roll on each other make no event.
+/// An impact of a pair (the chassis or a wheel, with the floor, a room shape or another item)
+/// begins when a point of the pair that was apart touches with an approach speed above
+/// `kSlowestImpact`. Points that touch while it lasts belong to it, so a face that lands corner by
+/// corner is one impact. It ends when no point of the pair carries force, or when the force has
+/// become quasi-static: every touching point slower than half that speed for `kQuietTime`; its end
+/// is then where that began. Bodies that rest, slide or roll on each other make no event.
 class ImpactLog {
  public:
   static constexpr double kSlowestImpact = 0.05;  ///< [m/s]: a fall of 0.13 mm
   static constexpr double kQuietTime = 0.02;      ///< [s]
 
-  ImpactLog(const Scene& scene, const Mechanism& mechanism);
+  ImpactLog(const Scene& scene, const Assembly& assembly);
 
   void observe(const Stepper::Step& step);
 
@@ -41,9 +42,14 @@ class ImpactLog {
 
   void begin(Pair& pair, const BodyContact& contact, const PairStep& now);
 
-  const Mechanism& mechanism_;
-  std::vector<std::string> wheels_, others_;
-  std::map<std::pair<int, int>, Pair> pairs_;  // leg (-1: chassis), other
+  using Key = std::array<int, 5>;  // item, leg, other, other item, its leg
+  static Key key_of(const BodyContact& contact);
+  bool in_group(const Key& key, const Group& group) const;
+
+  const Assembly& assembly_;
+  std::vector<std::vector<std::string>> wheels_;  // of each item
+  std::vector<std::string> others_, items_;
+  std::map<Key, Pair> pairs_;
   std::vector<Impact> impacts_;
 };
 

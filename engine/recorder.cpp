@@ -24,24 +24,29 @@ WheelMode mode_of(const Leg& leg, const TreadLaw::Result& tread, bool axle_slips
 
 }  // namespace
 
-Recorder::Recorder(const Scene& scene, const Mechanism& mechanism, const State& start)
-    : mechanism_(mechanism),
-      origin_(-mechanism.chassis.center_of_mass),
-      impacts_(scene, mechanism) {
+Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t item,
+                   const SceneState& at_start)
+    : assembly_(assembly),
+      item_(item),
+      mechanism_(assembly.items[item]),
+      origin_(-mechanism_.chassis.center_of_mass) {
+  const Mechanism& mechanism = mechanism_;
+  const State& start = at_start.items[item];
+  const EquipmentModel& model = scene.items[item].model;
   const Matrix3 rotation = start.rotation.toRotationMatrix();
-  for (const auto& point : scene.item.marked_points) {
+  for (const auto& point : model.marked_points) {
     points_.push_back(point.position + origin_);
     point_starts_.push_back(start.position + rotation * points_.back());
   }
   origin_start_ = start.position + rotation * origin_;
   yaw_start_ = yaw_ = yaw_of(rotation);
-  for (const auto& caster : scene.item.casters) trails_.push_back(caster.trail);
+  for (const auto& caster : model.casters) trails_.push_back(caster.trail);
   gaps_.resize(mechanism.legs.size());
   demands_.wheels.resize(mechanism.legs.size());
   demands_.points.resize(points_.size());
   current_.points.resize(points_.size());
   gravitational_start_ = mechanism.gravitational_energy(start);
-  stored_start_ = complete(start, {}).stored();
+  stored_start_ = complete(at_start, {}).stored();
   current_.velocity =
       start.velocity.chassis.head<3>() + start.velocity.chassis.tail<3>().cross(rotation * origin_);
   current_.tilt = demands_.peak_tilt = tilt_of(rotation);
@@ -65,10 +70,10 @@ Recorder::Recorder(const Scene& scene, const Mechanism& mechanism, const State& 
 }
 
 void Recorder::observe(const Stepper::Step& step) {
-  const State& to = *step.to;
+  const State& to = step.to->items[item_];
   const Matrix3 rotation = to.rotation.toRotationMatrix();
   const Vector3 v = to.velocity.chassis.head<3>(), w = to.velocity.chassis.tail<3>();
-  const Vector6& a = step.end->acceleration.chassis;
+  const Vector6& a = step.end->items[item_].acceleration.chassis;
   const Vector3 r = rotation * origin_;
   const Vector3 before = current_.displacement;
   current_.time = to.time;
@@ -98,14 +103,13 @@ void Recorder::observe(const Stepper::Step& step) {
   speed_ = body_speed_ = v.norm() + w.norm() * mechanism_.reach;
   observe_wheels(step);
   observe_points(step, rotation);
-  impacts_.observe(step);
 }
 
 void Recorder::observe_wheels(const Stepper::Step& step) {
-  const State& to = *step.to;
+  const State& to = step.to->items[item_];
   for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
     const Leg& leg = mechanism_.legs[i];
-    const TreadLaw::Result& tread = step.end->treads[i];
+    const TreadLaw::Result& tread = step.end->items[item_].treads[i];
     const Eigen::Vector2d& rates = to.velocity.joints[i];
     WheelSample& wheel = current_.wheels[i];
     wheel.swivel_angle = to.legs[i].swivel_angle;
@@ -113,20 +117,21 @@ void Recorder::observe_wheels(const Stepper::Step& step) {
     wheel.wheel_rate = rates[1];
     wheel.normal_force = tread.force[2];
     const Vector2 tangential = tread.force.head<2>();
-    const Vector2& heading = step.end->heading[i];
+    const Vector2& heading = step.end->items[item_].heading[i];
     wheel.longitudinal_force = heading.dot(tangential);
     wheel.lateral_force = heading.x() * tangential.y() - heading.y() * tangential.x();
     wheel.scrub_torque = leg.tread().spin_radius() * tread.force[3];
     wheel.rolling_resistance = tread.force[4] / leg.wheel_radius();
-    wheel.mode = mode_of(leg, tread, step.end->axle_slips[i]);
+    wheel.mode = mode_of(leg, tread, step.end->items[item_].axle_slips[i]);
     speed_ = std::max({speed_, std::abs(rates[0]) * (trails_[i] + leg.wheel_radius()),
                        std::abs(rates[1]) * leg.wheel_radius()});
 
     WheelDemands& d = demands_.wheels[i];
     d.peak_normal_force = std::max(d.peak_normal_force, wheel.normal_force);
     d.peak_tangential_force = std::max(d.peak_tangential_force, tangential.norm());
-    d.skid_distance += step.duration * ((1 - kSdirkGamma) * step.first->treads[i].slip_speed +
-                                        kSdirkGamma * tread.slip_speed);
+    d.skid_distance +=
+        step.duration * ((1 - kSdirkGamma) * step.first->items[item_].treads[i].slip_speed +
+                         kSdirkGamma * tread.slip_speed);
     demands_.peak_normal_force = std::max(demands_.peak_normal_force, wheel.normal_force);
   }
   observe_lift(step);
@@ -139,7 +144,7 @@ void Recorder::observe_lift(const Stepper::Step& step) {
   bool near = false;
   std::array<Gap, kMaxLegs> now;
   for (std::size_t i = 0; i < gaps_.size(); ++i) {
-    const TreadLaw::Result& tread = step.end->treads[i];
+    const TreadLaw::Result& tread = step.end->items[item_].treads[i];
     now[i] = {-tread.compression, -tread.compression_rate, tread.compression <= 0};
     near |= gaps_[i].height + h * std::max(gaps_[i].rate, 0.0) > 0 ||
             now[i].height + h * std::max(-now[i].rate, 0.0) > 0;
@@ -168,9 +173,9 @@ void Recorder::observe_lift(const Stepper::Step& step) {
 }
 
 void Recorder::observe_points(const Stepper::Step& step, const Matrix3& rotation) {
-  const State& to = *step.to;
+  const State& to = step.to->items[item_];
   const Vector3 v = to.velocity.chassis.head<3>(), w = to.velocity.chassis.tail<3>();
-  const Vector6& a = step.end->acceleration.chassis;
+  const Vector6& a = step.end->items[item_].acceleration.chassis;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const Vector3 r = rotation * points_[i];
     PointSample& point = current_.points[i];
@@ -185,16 +190,17 @@ void Recorder::observe_points(const Stepper::Step& step, const Matrix3& rotation
   }
 }
 
-EnergyAccount Recorder::complete(const State& state, const EnergyAccount& account) const {
+EnergyAccount Recorder::complete(const SceneState& scene, const EnergyAccount& account) const {
+  const State& state = scene.items[item_];
   EnergyAccount energy = account;
   energy.kinetic = mechanism_.kinetic_energy(state);
   energy.gravitational = mechanism_.gravitational_energy(state) - gravitational_start_;
-  energy.elastic = mechanism_.elastic_energy(state);
+  energy.elastic = mechanism_.elastic_energy(state) + assembly_.contact_energy(item_, scene);
   energy.weight_energy = mechanism_.loads.weight_energy(state.loads);
   return energy;
 }
 
-void Recorder::sample(const State& state, const EnergyAccount& account, bool keep) {
+void Recorder::sample(const SceneState& state, const EnergyAccount& account, bool keep) {
   current_.energy = complete(state, account);
   const EnergyAccount& e = current_.energy;
   largest_energy_ = std::max({largest_energy_, e.kinetic, std::abs(e.work()), e.loss(),
@@ -203,28 +209,32 @@ void Recorder::sample(const State& state, const EnergyAccount& account, bool kee
   if (keep) history_.push_back(current_);
 }
 
-void Recorder::finish(const State& state, const EnergyAccount& account, Response& response) const {
-  response.demands = demands_;
-  response.demands.residual_displacement = horizontal(current_.displacement);
-  response.demands.residual_displacement_x = current_.displacement.x();
-  response.demands.residual_displacement_y = current_.displacement.y();
-  response.demands.residual_yaw = current_.yaw;
-  response.energy = complete(state, account);
-  response.stored_energy_at_start = stored_start_;
-  response.end_time = state.time;
-  response.history = history_;
-  response.impacts = impacts_.finish(state.time);
-  Demands& d = response.demands;
-  d.impacts = static_cast<int>(response.impacts.size());
+void Recorder::finish(const SceneState& state, const EnergyAccount& account, double overturned_at,
+                      Response& response) const {
+  ItemResponse item;
+  Demands& d = item.demands = demands_;
+  d.time_of_overturning = overturned_at;
+  d.residual_displacement = horizontal(current_.displacement);
+  d.residual_displacement_x = current_.displacement.x();
+  d.residual_displacement_y = current_.displacement.y();
+  d.residual_yaw = current_.yaw;
   for (const Impact& impact : response.impacts) {
+    if (impact.item != item_ && impact.other_item != static_cast<int>(item_)) continue;
+    ++d.impacts;
     d.largest_approach_speed = std::max(d.largest_approach_speed, impact.approach_speed);
     d.largest_impulse = std::max(d.largest_impulse, impact.impulse);
     d.peak_impact_force = std::fmax(d.peak_impact_force, impact.peak_force);
   }
+  item.energy = complete(state, account);
+  item.stored_energy_at_start = stored_start_;
+  item.history = history_;
   if (largest_energy_ > 0) {
-    response.quality.energy_closure = largest_closure_ / largest_energy_;
-    response.quality.numerical_loss = response.energy.numerical_loss / largest_energy_;
+    Quality& q = response.quality;
+    q.energy_closure = std::max(q.energy_closure, largest_closure_ / largest_energy_);
+    const double numerical = item.energy.numerical_loss / largest_energy_;
+    if (std::abs(numerical) > std::abs(q.numerical_loss)) q.numerical_loss = numerical;
   }
+  response.items.push_back(std::move(item));
 }
 
 }  // namespace gurney

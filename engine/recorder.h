@@ -2,41 +2,41 @@
 
 #include <vector>
 
-#include "engine/impact_log.h"
 #include "engine/response.h"
+#include "engine/run_clock.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
-#include "engine/solver/mechanism.h"
+#include "engine/solver/assembly.h"
 #include "engine/solver/stepper.h"
 
 namespace gurney {
 
-/// Turns the accepted steps of a run into demands, histories and the energy account.
+/// Turns the accepted steps of one item into demands, histories and the energy account.
 class Recorder {
  public:
-  Recorder(const Scene& scene, const Mechanism& mechanism, const State& start);
+  Recorder(const Scene& scene, const Assembly& assembly, std::size_t item, const SceneState& start);
 
-  /// Every accepted step.
+  /// Every accepted step of the item's group.
   void observe(const Stepper::Step& step);
 
   /// Checks the energy account at `state` and, when `keep`, appends a sample to the history.
-  void sample(const State& state, const EnergyAccount& account, bool keep);
+  void sample(const SceneState& state, const EnergyAccount& account, bool keep);
 
-  /// Fastest motion of any part of the item at the last step [m/s].
-  double speed() const { return speed_; }
-  /// The same without the joints of casters: what an item that lies on the floor rests by [m/s].
-  double body_speed() const { return body_speed_; }
-  double tilt() const { return current_.tilt; }
-  Demands& demands() { return demands_; }
+  /// At the last step.
+  RunClock::ItemMotion motion() const { return {speed_, body_speed_, current_.tilt}; }
 
-  void finish(const State& state, const EnergyAccount& account, Response& response) const;
+  /// Adds the item to `response`, whose impacts are there, and its energy errors to the quality.
+  void finish(const SceneState& state, const EnergyAccount& account, double overturned_at,
+              Response& response) const;
 
  private:
-  EnergyAccount complete(const State& state, const EnergyAccount& account) const;
+  EnergyAccount complete(const SceneState& state, const EnergyAccount& account) const;
   void observe_wheels(const Stepper::Step& step);
   void observe_lift(const Stepper::Step& step);
   void observe_points(const Stepper::Step& step, const Matrix3& rotation);
 
+  const Assembly& assembly_;
+  std::size_t item_;
   const Mechanism& mechanism_;
   std::vector<Vector3> points_;  // marked points relative to the chassis' centre, chassis axes
   std::vector<Vector3> point_starts_;
@@ -56,7 +56,6 @@ class Recorder {
   Sample current_;
   Demands demands_;
   std::vector<Sample> history_;
-  ImpactLog impacts_;
 };
 
 }  // namespace gurney

@@ -30,18 +30,22 @@ struct EnergyAccount {
   double work_of_floor = 0;     ///< of the floor's inertia forces
   double work_of_forces = 0;    ///< of point forces and string potentiometers
   double work_of_fixtures = 0;  ///< of guides with prescribed motion and guides that hold
-  double rolling_loss = 0;      ///< rolling resistance, W_R
-  double sliding_loss = 0;      ///< sliding and scrub of the patch
-  double relaxation_loss = 0;   ///< deflection that rolls out of the patch
-  double tread_loss = 0;        ///< damping of the treads, normal and tangential
-  double axle_loss = 0;         ///< axle bearings and brakes
-  double swivel_loss = 0;       ///< swivel bearings and locks
-  double damper_loss = 0;       ///< dampers of guides, blocks and cables; weights that land
-  double contact_loss = 0;      ///< bodies in contact with other things than wheels with the floor
-  double numerical_loss = 0;    ///< dissipated by the integrator, from its own formula
+  /// Of contacts between items, at the later item's side: what it gives, the earlier one takes.
+  double work_of_neighbours = 0;
+  double rolling_loss = 0;     ///< rolling resistance, W_R
+  double sliding_loss = 0;     ///< sliding and scrub of the patch
+  double relaxation_loss = 0;  ///< deflection that rolls out of the patch
+  double tread_loss = 0;       ///< damping of the treads, normal and tangential
+  double axle_loss = 0;        ///< axle bearings and brakes
+  double swivel_loss = 0;      ///< swivel bearings and locks
+  double damper_loss = 0;      ///< dampers of guides, blocks and cables; weights that land
+  double contact_loss = 0;     ///< bodies in contact with other things than wheels with the floor
+  double numerical_loss = 0;   ///< dissipated by the integrator, from its own formula
 
   double stored() const { return kinetic + gravitational + elastic + weight_energy; }
-  double work() const { return work_of_floor + work_of_forces + work_of_fixtures; }
+  double work() const {
+    return work_of_floor + work_of_forces + work_of_fixtures + work_of_neighbours;
+  }
   double loss() const;
   /// stored now - stored at the start - work + loss: zero for a perfect account [J].
   double closure(double stored_at_start) const {
@@ -119,7 +123,7 @@ struct Demands {
   double lifted_time = 0;             ///< while at least one wheel is off the floor [s]
   int most_wheels_lifted = 0;         ///< at once
   double time_of_overturning = -1;    ///< < 0: not overturned [s]
-  int impacts = 0;                    ///< see Response::impacts
+  int impacts = 0;                    ///< of this item: see Response::impacts
   double largest_approach_speed = 0;  ///< of an impact [m/s]
   double largest_impulse = 0;         ///< [N s]
   double peak_impact_force =
@@ -142,13 +146,16 @@ struct Quality {
   long collision_passes = 0;  ///< of Bullet
 };
 
-/// The chassis or a wheel that hit the floor or a room shape (when one begins and ends:
-/// engine/impact_log.h). Wheels that land on their treads are not among them.
+/// The chassis or a wheel of an item that hit the floor, a room shape or another item (when one
+/// begins and ends: engine/impact_log.h). Wheels that land on their treads are not among them.
 struct Impact {
-  double time = 0;                   ///< of the first touch [s]
-  int wheel = -1;                    ///< -1: the chassis
-  std::string body;                  ///< "chassis" or the caster's name
-  std::string other;                 ///< "floor" or the room shape's name
+  double time = 0;         ///< of the first touch [s]
+  std::size_t item = 0;    ///< index in Scene::items
+  int wheel = -1;          ///< -1: the chassis
+  std::string body;        ///< "chassis" or the caster's name
+  int other_item = -1;     ///< index; -1: the floor or a room shape. Then other_item > item
+  std::string other;       ///< "floor", or the name of the room shape or the other item
+  std::string other_body;  ///< of another item: "chassis" or the caster's name
   Vector3 point = Vector3::Zero();   ///< floor axes [m]
   Vector3 normal = Vector3::Zero();  ///< towards the item
   double approach_speed = 0;         ///< largest of the points that came to touch [m/s]
@@ -157,16 +164,39 @@ struct Impact {
   double duration = 0;    ///< [s]
 };
 
-struct Response {
-  Outcome outcome = Outcome::kDiverged;
-  std::string cause;    ///< of kDiverged; otherwise empty
-  double end_time = 0;  ///< [s]
+/// What one item did.
+struct ItemResponse {
   Demands demands;
-  Quality quality;
   EnergyAccount energy;  ///< at the end
   double stored_energy_at_start = 0;
-  std::vector<Impact> impacts;  ///< by time
   std::vector<Sample> history;  ///< every `history_step`, the start and the end included
+};
+
+/// What happened in a zone of the room. An item is in it when the outline of its chassis' shape on
+/// the floor (the convex hull of each box, seen from above) reaches into it.
+struct ZoneOutcome {
+  double time_of_entry = -1;  ///< first; < 0: nothing entered [s]
+  double occupied_time = 0;   ///< total [s]
+  bool occupied_at_end = false;
+  /// The widest strip along the whole zone that no item enters [m].
+  double least_free_width = 0, free_width_at_end = 0;
+};
+
+struct TetherOutcome {
+  double time_taut = -1;    ///< first; < 0: never [s]
+  double time_broken = -1;  ///< < 0: it held [s]
+  double peak_tension = 0;  ///< [N]
+};
+
+struct Response {
+  Outcome outcome = Outcome::kDiverged;             ///< of the run: kOverturned when any item did
+  std::string cause;                                ///< of kDiverged; otherwise empty
+  double end_time = 0;                              ///< [s]
+  Quality quality;                                  ///< of the whole scene
+  std::vector<ItemResponse> items{ItemResponse{}};  ///< as Scene::items
+  std::vector<Impact> impacts;                      ///< by time
+  std::vector<ZoneOutcome> zones;                   ///< as Scene::zones
+  std::vector<TetherOutcome> tethers;               ///< as Scene::tethers
 };
 
 }  // namespace gurney

@@ -38,12 +38,18 @@ bool RunClock::next(double time) {
   return true;
 }
 
-void RunClock::observe(double time, double speed, double tilt) {
-  if (tilt > settings_.overturn_tilt && overturned_at_ < 0) {
-    overturned_at_ = time;
+void RunClock::observe(double time, const std::vector<ItemMotion>& items) {
+  overturned_at_.resize(items.size(), -1);
+  double speed = 0;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const bool lay = overturned_at_[i] >= 0;
+    speed = std::max(speed, lay ? items[i].body_speed : items[i].speed);
+    if (lay || !(items[i].tilt > settings_.overturn_tilt)) continue;
+    overturned_at_[i] = time;
+    any_overturned_ = true;
     outcome_ = Outcome::kOverturned;
-    if (!settings_.follow_overturning) return stop(Outcome::kOverturned);
   }
+  if (any_overturned_ && !settings_.follow_overturning) return stop(Outcome::kOverturned);
   if (settings_.duration > 0) return;
   if (speed > settings_.rest_speed || time < excitation_end_) {
     resting_since_ = std::max(time, excitation_end_);
@@ -55,7 +61,7 @@ void RunClock::observe(double time, double speed, double tilt) {
   peak = std::max(peak, speed);
   if (held < settings_.rest_hold - kTimeTolerance) return;
   if (late_peak_ <= early_peak_ + kNoMotion)
-    return stop(overturned_at_ < 0 ? Outcome::kRested : Outcome::kOverturned);
+    return stop(any_overturned_ ? Outcome::kOverturned : Outcome::kRested);
   resting_since_ = time;  // slow but gaining speed: not at rest
   early_peak_ = late_peak_ = 0;
 }

@@ -27,13 +27,20 @@ class RunClock {
   bool sample_due() const { return on_grid_ && grid_ % stride_ == 0; }
   bool keeps_history() const { return settings_.history_step > 0; }
 
-  /// Ends the run when the item rests, or has overturned and is not followed to rest.
-  /// @param speed  of the fastest part of the item [m/s]
-  void observe(double time, double speed, double tilt);
+  /// Of one item: `speed` of its fastest part, `body_speed` without the joints of its casters, by
+  /// which an item that lies on the floor rests [m/s].
+  struct ItemMotion {
+    double speed = 0, body_speed = 0, tilt = 0;
+  };
+
+  /// Ends the run when all items rest, or one has overturned and is not followed to rest.
+  void observe(double time, const std::vector<ItemMotion>& items);
   void stop(Outcome outcome, std::string cause = {});
 
   /// When the item overturned; < 0: not [s].
-  double overturned_at() const { return overturned_at_; }
+  double overturned_at(std::size_t item) const {
+    return item < overturned_at_.size() ? overturned_at_[item] : -1;
+  }
   Outcome outcome() const { return outcome_; }
   const std::string& cause() const { return cause_; }
 
@@ -43,7 +50,8 @@ class RunClock {
   std::size_t next_break_ = 0;
   double excitation_end_, limit_;
   long grid_ = 0, stride_;
-  double overturned_at_ = -1;
+  std::vector<double> overturned_at_;
+  bool any_overturned_ = false;
   double target_ = 0, resting_since_ = 0;
   double early_peak_ = 0, late_peak_ = 0;  // of the speed in the halves of the hold
   bool at_breakpoint_ = false, on_grid_ = true, over_ = false;

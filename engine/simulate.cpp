@@ -2,58 +2,91 @@
 
 #include "engine/bullet/bullet_world.h"
 #include "engine/bullet/stock_baseline.h"
+#include "engine/impact_log.h"
 #include "engine/recorder.h"
 #include "engine/run_clock.h"
+#include "engine/solver/assembly.h"
 #include "engine/solver/equilibrium.h"
-#include "engine/solver/mechanism.h"
 #include "engine/solver/stepper.h"
+#include "engine/tether_log.h"
+#include "engine/zone_log.h"
 
 namespace gurney {
 namespace {
 
+/// Everything placed, settled and set in motion.
+SceneState start_of(const Scene& scene, const Assembly& assembly, const Excitation& excitation) {
+  SceneState state;
+  for (std::size_t i = 0; i < scene.items.size(); ++i)
+    state.items.push_back(assembly.items[i].placed(scene.items[i].initial));
+  for (std::size_t i = 0; i < scene.items.size(); ++i) {
+    settle(assembly, scene, i, excitation, state);
+    assembly.items[i].set_in_motion(scene.items[i].initial, state.items[i]);
+  }
+  return state;
+}
+
 Response simulate_with_star(const Scene& scene, const Excitation& excitation,
                             const SimulationSettings& settings) {
-  const Mechanism mechanism(scene, excitation);
-  State state = mechanism.placed(scene.initial);
-  settle(mechanism, scene, excitation, state);
-  mechanism.set_in_motion(scene.initial, state);
+  const Assembly assembly(scene, excitation);
+  const std::size_t count = assembly.items.size();
+  SceneState state = start_of(scene, assembly, excitation);
+  const double& time = state.items.front().time;
 
-  Stepper stepper(mechanism, excitation.floor, settings);
-  BulletWorld world(scene, mechanism, settings.skip_clear_collision_passes);
-  Recorder recorder(scene, mechanism, state);
-  RunClock clock(excitation, mechanism.loads.breakpoints(), settings);
-  const Stepper::Observer observer = [&](const Stepper::Step& step) { recorder.observe(step); };
+  Stepper stepper(assembly, excitation.floor, settings);
+  BulletWorld world(scene, assembly, settings.skip_clear_collision_passes);
+  std::vector<Recorder> recorders;
+  for (std::size_t i = 0; i < count; ++i) recorders.emplace_back(scene, assembly, i, state);
+  ImpactLog impacts(scene, assembly);
+  TetherLog tethers(assembly, scene.tethers.size());
+  ZoneLog zones(scene, assembly);
+  RunClock clock(excitation, assembly.items.front().loads.breakpoints(), settings);
+  const Stepper::Observer observer = [&](const Stepper::Step& step) {
+    for (std::size_t i : step.group->items) recorders[i].observe(step);
+    impacts.observe(step);
+    tethers.observe(step);
+  };
   std::optional<std::string> cause;
   const BulletWorld::Solve solve = [&](double, const std::vector<BodyContact>& contacts) {
     stepper.set_contacts(contacts, state);
     cause = stepper.advance(state, clock.target(), observer);
   };
+  const auto sample = [&] {
+    for (std::size_t i = 0; i < count; ++i)
+      recorders[i].sample(state, stepper.accounts()[i], clock.keeps_history());
+    return time;
+  };
 
-  recorder.sample(state, stepper.account(), clock.keeps_history());
-  double sampled_at = state.time;
-  while (clock.next(state.time)) {
-    world.step(clock.target() - state.time, state, solve);
+  double sampled_at = sample();
+  zones.observe(time, 0, state);
+  std::vector<RunClock::ItemMotion> motions(count);
+  while (clock.next(time)) {
+    const double began = time;
+    world.step(clock.target() - began, state, solve);
     if (cause) {
       clock.stop(Outcome::kDiverged, *cause);
       break;
     }
     if (clock.at_breakpoint()) stepper.change_loads(state);
-    if (clock.sample_due()) {
-      recorder.sample(state, stepper.account(), clock.keeps_history());
-      sampled_at = state.time;
-    }
-    const bool fallen = clock.overturned_at() >= 0;
-    clock.observe(state.time, fallen ? recorder.body_speed() : recorder.speed(), recorder.tilt());
+    zones.observe(time, clock.target() - began, state);
+    if (clock.sample_due()) sampled_at = sample();
+    for (std::size_t i = 0; i < count; ++i) motions[i] = recorders[i].motion();
+    clock.observe(time, motions);
   }
-  if (sampled_at != state.time) recorder.sample(state, stepper.account(), clock.keeps_history());
-  recorder.demands().time_of_overturning = clock.overturned_at();
+  if (sampled_at != time) sample();
 
   Response response;
   response.outcome = clock.outcome();
   response.cause = clock.cause();
+  response.end_time = time;
   response.quality = stepper.quality();
   response.quality.collision_passes = world.collision_passes();
-  recorder.finish(state, stepper.account(), response);
+  response.impacts = impacts.finish(time);
+  response.tethers = tethers.outcomes();
+  response.zones = zones.outcomes();
+  response.items.clear();
+  for (std::size_t i = 0; i < count; ++i)
+    recorders[i].finish(state, stepper.accounts()[i], clock.overturned_at(i), response);
   return response;
 }
 

@@ -20,10 +20,16 @@ namespace {
 /// Bullet reports contacts from this far; nearer than this a pass is always made [m].
 constexpr double kContactMargin = 0.02;
 
-double largest_swing(const Mechanism& mechanism) {
-  double swing = 0;
-  for (const Leg& leg : mechanism.legs) swing = std::max(swing, leg.swing());
-  return swing;
+/// How fast any point of the item moves at most.
+double speed_of(const Mechanism& mechanism, const State& state) {
+  double swing = 0, joints = 0;
+  for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
+    const auto& rates = state.velocity.joints[i];
+    swing = std::max(swing, mechanism.legs[i].swing());
+    joints = std::max(joints, std::abs(rates[0]) + std::abs(rates[1]));
+  }
+  return state.velocity.chassis.head<3>().norm() +
+         state.velocity.chassis.tail<3>().norm() * mechanism.reach + joints * swing;
 }
 
 /// What Bullet's world needs before it can be made.
@@ -38,15 +44,17 @@ struct Foundations {
 
 class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld {
  public:
-  World(const Scene& scene, const Mechanism& mechanism, bool skip_clear_passes)
+  World(const Scene& scene, const Assembly& assembly, bool skip_clear_passes)
       : btMultiBodyDynamicsWorld(&dispatcher, &broadphase, &solver, &configuration),
-        mechanism_(mechanism),
-        floor_points_(scene, mechanism),
-        item_(scene, mechanism, MultibodyItem::Wheels::kCylinders, *this),
+        assembly_(assembly),
         room_(scene.room, *this),
-        reach_(mechanism.reach),
-        swing_(largest_swing(mechanism)),
         skip_clear_passes_(skip_clear_passes) {
+    for (std::size_t i = 0; i < scene.items.size(); ++i) {
+      const EquipmentModel& model = scene.items[i].model;
+      floor_points_.emplace_back(model, assembly.items[i], i);
+      items_.push_back(std::make_unique<MultibodyItem>(
+          model, assembly.items[i], static_cast<int>(i), MultibodyItem::Wheels::kCylinders, *this));
+    }
     // Points are reported from the same distance for shapes of every size.
     dispatcher.setDispatcherFlags(
         dispatcher.getDispatcherFlags() &
@@ -54,12 +62,12 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
     configuration.setConvexConvexMultipointIterations(3, 3);
   }
 
-  void step(double duration, State& state, const Solve& solve) {
+  void step(double duration, SceneState& state, const Solve& solve) {
     state_ = &state;
     solve_ = &solve;
-    speed_ = speed_of(state);
+    speed_ = approach_speed();
     stepSimulation(duration, 0);
-    travelled_ += duration * std::max(speed_, speed_of(state));
+    travelled_ += duration * std::max(speed_, approach_speed());
   }
 
   long passes() const { return passes_; }
@@ -68,7 +76,7 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
     contacts_.clear();
     const double needed = kContactMargin + 2 * step_ * speed_;
     if (skip_clear_passes_ && clearance_ - travelled_ > needed) return;
-    item_.set(*state_);
+    for (std::size_t i = 0; i < items_.size(); ++i) items_[i]->set(state_->items[i]);
     // A point that turned with a wheel since the last pass is no contact any more.
     for (int m = 0; m < dispatcher.getNumManifolds(); ++m)
       dispatcher.getManifoldByIndexInternal(m)->clearManifold();
@@ -76,7 +84,8 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
     ++passes_;
     travelled_ = 0;
     clearance_ = measure_clearance();
-    floor_points_.collect(*state_, needed, contacts_);
+    for (std::size_t i = 0; i < items_.size(); ++i)
+      floor_points_[i].collect(state_->items[i], needed, contacts_);
     collect_contacts();
   }
 
@@ -94,18 +103,22 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
   void synchronizeMotionStates() override {}
 
  private:
-  double speed_of(const State& state) const {
-    double speed =
-        state.velocity.chassis.head<3>().norm() + state.velocity.chassis.tail<3>().norm() * reach_;
-    double joints = 0;
-    for (const auto& rates : state.velocity.joints)
-      joints = std::max(joints, std::abs(rates[0]) + std::abs(rates[1]));
-    return speed + joints * swing_;
+  /// How fast two things get nearer to each other at most.
+  double approach_speed() const {
+    double fastest = 0, second = 0;
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      const double speed = speed_of(assembly_.items[i], state_->items[i]);
+      second = std::max(second, std::min(speed, fastest));
+      fastest = std::max(fastest, speed);
+    }
+    return fastest + second;
   }
 
   /// Least distance between boxes around what may touch, and from the floor.
   double measure_clearance() {
-    double clearance = floor_points_.clearance(*state_);
+    double clearance = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < items_.size(); ++i)
+      clearance = std::min(clearance, floor_points_[i].clearance(state_->items[i]));
     const auto& objects = getCollisionObjectArray();
     for (int a = 0; a < objects.size(); ++a) {
       const auto* item = btMultiBodyLinkCollider::upcast(objects[a]);
@@ -113,7 +126,8 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
       btVector3 low, high;
       item->getCollisionShape()->getAabb(item->getWorldTransform(), low, high);
       for (int b = 0; b < objects.size(); ++b) {
-        if (btMultiBodyLinkCollider::upcast(objects[b]) != nullptr) continue;
+        const auto* other = btMultiBodyLinkCollider::upcast(objects[b]);
+        if (other != nullptr && (b < a || other->m_multiBody == item->m_multiBody)) continue;
         btVector3 other_low, other_high;
         objects[b]->getCollisionShape()->getAabb(objects[b]->getWorldTransform(), other_low,
                                                  other_high);
@@ -126,55 +140,63 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
     return clearance;
   }
 
+  BodyContact::Side side_at(const btMultiBodyLinkCollider& body, const Vector3& point) const {
+    const auto item = static_cast<std::size_t>(body.getUserIndex());
+    const State& state = state_->items[item];
+    if (body.m_link < 0) return {item, -1, state.rotation.conjugate() * (point - state.position)};
+    const int leg = body.m_link / 2;
+    const auto i = static_cast<std::size_t>(leg);
+    return {item, leg,
+            assembly_.items[item].legs[i].on_fork(state.pose(), state.legs[i].swivel_angle,
+                                                  point - state.position)};
+  }
+
   void collect_contacts() {
-    const Quaternion to_chassis = state_->rotation.conjugate();
     for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
       const btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(m);
       const auto* a = btMultiBodyLinkCollider::upcast(manifold->getBody0());
       const auto* b = btMultiBodyLinkCollider::upcast(manifold->getBody1());
-      const btMultiBodyLinkCollider* item = a != nullptr ? a : b;
-      if (item == nullptr) continue;
-      const btCollisionObject* other = a != nullptr ? manifold->getBody1() : manifold->getBody0();
+      const bool first = a != nullptr && (b == nullptr || a->getUserIndex() < b->getUserIndex());
+      const btMultiBodyLinkCollider* body = first ? a : b;
+      const btMultiBodyLinkCollider* other_body = first ? b : a;
+      if (body == nullptr) continue;
+      const btCollisionObject* other = first ? manifold->getBody1() : manifold->getBody0();
       for (int k = 0; k < manifold->getNumContacts(); ++k) {
         const btManifoldPoint& point = manifold->getContactPoint(k);
-        const Vector3 on_item =
-            from_bullet(a != nullptr ? point.getPositionWorldOnA() : point.getPositionWorldOnB());
-        const Vector3 normal = (a != nullptr ? 1.0 : -1.0) * from_bullet(point.m_normalWorldOnB);
+        const Vector3 on_a = from_bullet(point.getPositionWorldOnA());
+        const Vector3 on_b = from_bullet(point.getPositionWorldOnB());
         BodyContact contact;
-        contact.other = other->getUserIndex();
-        contact.local = to_chassis * (on_item - state_->position);
-        contact.normal = normal;
-        contact.offset = normal.dot(on_item) - point.getDistance();
-        if (item->m_link >= 0) {
-          contact.body = BodyContact::Body::kWheel;
-          contact.leg = item->m_link / 2;
-          const auto i = static_cast<std::size_t>(contact.leg);
-          contact.local = mechanism_.legs[i].on_fork(state_->pose(), state_->legs[i].swivel_angle,
-                                                     on_item - state_->position);
+        contact.side = side_at(*body, first ? on_a : on_b);
+        contact.normal = (first ? 1.0 : -1.0) * from_bullet(point.m_normalWorldOnB);
+        if (other_body != nullptr) {
+          contact.other = BodyContact::kItem;
+          contact.other_side = side_at(*other_body, first ? on_b : on_a);
+        } else {
+          contact.other = other->getUserIndex();
+          contact.offset = contact.normal.dot(first ? on_a : on_b) - point.getDistance();
         }
         contacts_.push_back(contact);
       }
     }
   }
 
-  const Mechanism& mechanism_;
-  FloorPoints floor_points_;
-  MultibodyItem item_;
+  const Assembly& assembly_;
+  std::vector<FloorPoints> floor_points_;
+  std::vector<std::unique_ptr<MultibodyItem>> items_;
   RoomObjects room_;
-  double reach_, swing_;
   bool skip_clear_passes_;
-  State* state_ = nullptr;
+  SceneState* state_ = nullptr;
   const Solve* solve_ = nullptr;
   std::vector<BodyContact> contacts_;
   double step_ = 0, speed_ = 0, travelled_ = 0, clearance_ = 0;
   long passes_ = 0;
 };
 
-BulletWorld::BulletWorld(const Scene& scene, const Mechanism& mechanism, bool skip_clear_passes)
-    : world_(std::make_unique<World>(scene, mechanism, skip_clear_passes)) {}
+BulletWorld::BulletWorld(const Scene& scene, const Assembly& assembly, bool skip_clear_passes)
+    : world_(std::make_unique<World>(scene, assembly, skip_clear_passes)) {}
 BulletWorld::~BulletWorld() = default;
 
-void BulletWorld::step(double duration, State& state, const Solve& solve) {
+void BulletWorld::step(double duration, SceneState& state, const Solve& solve) {
   world_->step(duration, state, solve);
 }
 

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "engine/scene/scene.h"
-#include "engine/solver/mechanism.h"
+#include "engine/solver/assembly.h"
 
 namespace gurney {
 
 /// Bullet's world with our solve in it.
 ///
-/// A subclass of btMultiBodyDynamicsWorld holds the item as a btMultiBody with its shapes, and the
+/// A subclass of btMultiBodyDynamicsWorld holds each item as a btMultiBody with its shapes, and the
 /// shapes of the room. Each call of step() is one stepSimulation: Bullet finds the contacts between
 /// them (those with the flat floor are analytic: FloorPoints), and where it would solve constraints
 /// and integrate, it calls us.
@@ -21,12 +21,12 @@ namespace gurney {
 /// then the same bits either way.
 class BulletWorld {
  public:
-  BulletWorld(const Scene& scene, const Mechanism& mechanism, bool skip_clear_passes);
+  BulletWorld(const Scene& scene, const Assembly& assembly, bool skip_clear_passes);
   ~BulletWorld();
 
   /// Advances `state` by `duration` with `solve`, which receives the contacts found at the start.
   using Solve = std::function<void(double duration, const std::vector<BodyContact>& contacts)>;
-  void step(double duration, State& state, const Solve& solve);
+  void step(double duration, SceneState& state, const Solve& solve);
 
   long collision_passes() const;
 

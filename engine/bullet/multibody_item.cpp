@@ -31,9 +31,9 @@ int wheel_link(std::size_t caster) { return static_cast<int>(2 * caster) + 1; }
 
 }  // namespace
 
-MultibodyItem::MultibodyItem(const Scene& scene, const Mechanism& mechanism, Wheels wheels,
-                             btMultiBodyDynamicsWorld& world)
-    : world_(world), casters_(scene.item.casters.size()) {
+MultibodyItem::MultibodyItem(const EquipmentModel& model, const Mechanism& mechanism, int index,
+                             Wheels wheels, btMultiBodyDynamicsWorld& world)
+    : world_(world), index_(index), casters_(model.casters.size()) {
   const MassProperties& chassis = mechanism.chassis;
   const PrincipalAxes base = principal_axes(chassis.inertia);
   base_axes_ = base.rotation;
@@ -47,7 +47,7 @@ MultibodyItem::MultibodyItem(const Scene& scene, const Mechanism& mechanism, Whe
   body_->setHasSelfCollision(false);
 
   for (std::size_t i = 0; i < casters_; ++i) {
-    const Caster& c = scene.item.casters[i];
+    const Caster& c = model.casters[i];
     swivels_.push_back(c.swivels);
     headings_.push_back(c.heading);
     const PrincipalAxes fork = principal_axes(c.fork_inertia);
@@ -76,7 +76,7 @@ MultibodyItem::MultibodyItem(const Scene& scene, const Mechanism& mechanism, Whe
   world_.addMultiBody(body_.get());
 
   auto boxes = std::make_unique<btCompoundShape>();
-  for (const Box& box : scene.item.shape) {
+  for (const Box& box : model.shape) {
     auto shape = std::make_unique<btBoxShape>(to_bullet(Vector3(0.5 * box.size)));
     shape->setMargin(0.001);
     shape->initializePolyhedralFeatures();  // whole faces of contact against boxes of the room
@@ -86,17 +86,18 @@ MultibodyItem::MultibodyItem(const Scene& scene, const Mechanism& mechanism, Whe
         btTransform(to_bullet(Quaternion(base_axes_.conjugate())), to_bullet(center)),
         shapes_.back().get());
   }
-  add_collider(-1, std::move(boxes), kChassis, kFloor | kRoom, 0.4);
+  constexpr int kOthers = kFloor | kRoom | kChassis | kCasters;
+  add_collider(-1, std::move(boxes), kChassis, kOthers, 0.4);
   for (std::size_t i = 0; i < casters_; ++i) {
-    const Caster& c = scene.item.casters[i];
+    const Caster& c = model.casters[i];
     if (wheels == Wheels::kSpheres) {
       add_collider(wheel_link(i), std::make_unique<btSphereShape>(c.wheel_radius), kCasters,
-                   kFloor | kRoom, c.tread.kinetic_friction);
+                   kOthers, c.tread.kinetic_friction);
     } else {
       add_collider(wheel_link(i),
                    std::make_unique<btCylinderShape>(
                        btVector3(c.wheel_radius, 0.5 * c.wheel_width, c.wheel_radius)),
-                   kCasters, kRoom, c.tread.kinetic_friction);
+                   kCasters, kOthers & ~kFloor, c.tread.kinetic_friction);
     }
   }
 }
@@ -110,6 +111,7 @@ void MultibodyItem::add_collider(int link, std::unique_ptr<btCollisionShape> sha
                                  int mask, double friction) {
   auto collider = std::make_unique<btMultiBodyLinkCollider>(body_.get(), link);
   collider->setCollisionShape(shape.get());
+  collider->setUserIndex(index_);
   collider->setFriction(friction);
   collider->setRollingFriction(0);
   collider->setSpinningFriction(0);

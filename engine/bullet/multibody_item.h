@@ -8,12 +8,11 @@
 #include <memory>
 #include <vector>
 
-#include "engine/scene/scene.h"
 #include "engine/solver/mechanism.h"
 
 namespace gurney {
 
-/// The item as Bullet holds it: a btMultiBody whose base is the chassis with its payloads and whose
+/// One item as Bullet holds it: a btMultiBody whose base is the chassis with its payloads and whose
 /// links are, for caster i, the fork (2 i: revolute about the swivel axis, or fixed) and the wheel
 /// (2 i + 1: revolute about the axle). Bullet's bodies use principal axes; this class keeps the
 /// rotations between.
@@ -28,7 +27,8 @@ class MultibodyItem {
   /// baselines. Otherwise they are cylinders, and the floor's contact with them is ours.
   enum class Wheels { kCylinders, kSpheres };
 
-  MultibodyItem(const Scene& scene, const Mechanism& mechanism, Wheels wheels,
+  /// @param index  of the item: the user index of its colliders
+  MultibodyItem(const EquipmentModel& model, const Mechanism& mechanism, int index, Wheels wheels,
                 btMultiBodyDynamicsWorld& world);
   ~MultibodyItem();
   MultibodyItem(const MultibodyItem&) = delete;
@@ -49,6 +49,7 @@ class MultibodyItem {
                     double friction);
 
   btMultiBodyDynamicsWorld& world_;
+  int index_;
   std::size_t casters_;
   std::vector<bool> swivels_;
   std::vector<double> headings_;

@@ -34,7 +34,7 @@ class StockWorld {
                     : std::make_unique<btMultiBodyConstraintSolver>()),
         world_(&dispatcher_, &broadphase_, solver_.get(), &configuration_),
         floor_shape_(btVector3(0, 0, 1), 0),
-        item_(scene, mechanism, MultibodyItem::Wheels::kSpheres, world_) {
+        item_(scene.items[0].model, mechanism, 0, MultibodyItem::Wheels::kSpheres, world_) {
     floor_.setCollisionShape(&floor_shape_);
     floor_.setFriction(1);  // Bullet multiplies the two: the tread's coefficient is left
     world_.addCollisionObject(&floor_, MultibodyItem::kFloor,
@@ -46,7 +46,7 @@ class StockWorld {
     if (solver == Solver::kBulletDantzig) info.m_globalCfm = 1e-9;
     for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
       const int link = static_cast<int>(2 * i);
-      const Caster& c = scene.item.casters[i];
+      const Caster& c = scene.items[0].model.casters[i];
       const auto add_motor = [&](int at) {
         motors_.push_back(std::make_unique<btMultiBodyJointMotor>(&item_.body(), at, 0, 0));
         world_.addMultiBodyConstraint(motors_.back().get());
@@ -68,7 +68,7 @@ class StockWorld {
   void place(const State& state) { item_.set(state); }
 
   void step(double duration, const Vector3& gravity, const std::vector<Loads::Row>& rows,
-            const State& before, State& after, StageSolver::Output& output) {
+            const State& before, State& after, ItemStage::Output& output) {
     world_.setGravity(to_bullet(gravity));
     item_.body().clearForcesAndTorques();
     for (const auto& row : rows) {
@@ -111,7 +111,7 @@ class StockWorld {
   }
 
   void fill(double duration, const State& before, const State& after,
-            StageSolver::Output& output) const {
+            ItemStage::Output& output) const {
     output.acceleration.chassis = (after.velocity.chassis - before.velocity.chassis) / duration;
     for (std::size_t i = 0; i < normal_.size(); ++i) {
       TreadLaw::Result& tread = output.treads[i];
@@ -146,25 +146,30 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
                                   const SimulationSettings& settings) {
   bool free = true;
   for (const Guide& guide : excitation.fixture.guides) free &= guide.kind == Guide::Kind::kFree;
-  require(scene.room.empty() && !scene.item.casters.empty(),
-          "the stock Bullet baselines know no room and no items without casters; use solver = "
+  require(scene.room.empty() && scene.tethers.empty() && scene.zones.empty() &&
+              scene.items.size() == 1 && !scene.items[0].model.casters.empty(),
+          "the stock Bullet baselines know one item on casters and no room; use solver = "
           "\"star\" for this job");
   require(free && excitation.drop_weights.empty() && excitation.blocks.empty(),
           "the stock Bullet baselines know no drop weights, blocks or fixtures; use solver = "
           "\"star\" for this job");
-  const Mechanism mechanism(scene, excitation);
-  State state = mechanism.placed(scene.initial);
-  mechanism.set_in_motion(scene.initial, state);
-  Recorder recorder(scene, mechanism, state);
+  const Assembly assembly(scene, excitation);
+  const Mechanism& mechanism = assembly.items[0];
+  SceneState scene_state{{mechanism.placed(scene.items[0].initial)}, {}};
+  State& state = scene_state.items[0];
+  mechanism.set_in_motion(scene.items[0].initial, state);
+  Recorder recorder(scene, assembly, 0, scene_state);
   RunClock clock(excitation, mechanism.loads.breakpoints(), settings);
   StockWorld world(scene, mechanism, settings.solver);
   world.place(state);
   Response response;
-  EnergyAccount account;
+  const EnergyAccount account;
   StageSolver::Output output;
+  output.items.resize(1);
+  const Group alone{{0}, 0, 0};
   std::vector<Loads::Row> rows;
-  State next = state;
-  recorder.sample(state, account, clock.keeps_history());
+  SceneState next = scene_state;
+  recorder.sample(scene_state, account, clock.keeps_history());
   double sampled_at = state.time;
   while (clock.next(state.time)) {
     const double duration = clock.target() - state.time;
@@ -173,26 +178,27 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
         duration;
     const Loads::Stage stage{duration, state.time, clock.target(), true, &state.loads};
     mechanism.loads.evaluate(stage, state.pose(), state.velocity.chassis, rows);
-    world.step(duration, mechanism.gravity - floor, rows, state, next, output);
+    world.step(duration, mechanism.gravity - floor, rows, state, next.items[0], output.items[0]);
     ++response.quality.steps;
-    if (!next.position.allFinite()) {
+    if (!next.items[0].position.allFinite()) {
       clock.stop(Outcome::kDiverged, "the position is not finite");
       break;
     }
-    recorder.observe({&state, &next, &output, &output, floor, duration});
-    state = next;
+    recorder.observe({&alone, state.time, duration, &scene_state, &next, &output, &output, floor});
+    state = next.items[0];
     state.time = clock.target();
     if (clock.sample_due()) {
-      recorder.sample(state, account, clock.keeps_history());
+      recorder.sample(scene_state, account, clock.keeps_history());
       sampled_at = state.time;
     }
-    clock.observe(state.time, recorder.speed(), recorder.tilt());
+    clock.observe(state.time, {recorder.motion()});
   }
-  if (sampled_at != state.time) recorder.sample(state, account, clock.keeps_history());
+  if (sampled_at != state.time) recorder.sample(scene_state, account, clock.keeps_history());
   response.outcome = clock.outcome();
   response.cause = clock.cause();
-  recorder.demands().time_of_overturning = clock.overturned_at();
-  recorder.finish(state, account, response);
+  response.end_time = state.time;
+  response.items.clear();
+  recorder.finish(scene_state, account, clock.overturned_at(0), response);
   response.quality.energy_closure = response.quality.numerical_loss = 0;
   return response;
 }

@@ -1,28 +1,38 @@
 #pragma once
 
+#include <cstddef>
+
 #include "engine/base/vector.h"
 
 namespace gurney {
 
-/// A contact of the item with something else than wheel on floor: a point fixed to a body of the
-/// item against a plane of the floor or a room shape.
-///
-/// Two items in one scene will need a second point and body here instead of `offset`, and couple
-/// their 6 x 6 systems through the difference of the two Jacobians.
+/// A contact of an item with something else than wheel on floor: a point fixed to one of its bodies
+/// against a plane of the floor or a room shape, or against a point of another item.
 struct BodyContact {
-  enum class Body { kChassis, kWheel };
-  Body body = Body::kChassis;
-  int leg = -1;   ///< of kWheel
-  int other = 0;  ///< 0: the floor; i + 1: room shape i
-  /// kChassis: chassis axes, relative to its centre; kWheel: fork axes, relative to the mount (the
-  /// point does not turn with the axle).
-  Vector3 local = Vector3::Zero();
-  Vector3 normal = Vector3::UnitZ();  ///< unit, towards the item, floor axes
-  double offset = 0;                  ///< gap = normal . point - offset [m]
+  /// A point of an item.
+  struct Side {
+    std::size_t item = 0;  ///< index in Scene::items
+    int leg = -1;          ///< -1: on the chassis; else on the wheel of this leg
+    /// Chassis: chassis axes, relative to its centre; wheel: fork axes, relative to the mount (the
+    /// point does not turn with the axle).
+    Vector3 local = Vector3::Zero();
 
+    bool same_body(const Side& b) const { return item == b.item && leg == b.leg; }
+  };
+  static constexpr int kItem = -1;
+
+  Side side;
+  int other = 0;  ///< 0: the floor; i + 1: room shape i; kItem: `other_side`, of a later item
+  Side other_side;
+  Vector3 normal = Vector3::UnitZ();  ///< unit, towards `side`, floor axes
+  double offset = 0;                  ///< of floor and room shapes: gap = normal . point - offset;
+                                      ///< of two items: gap = normal . (point - other point) [m]
+
+  bool between_items() const { return other == kItem; }
   /// Whether both may be the same contact at two times: points of one pair of bodies.
   bool same_pair(const BodyContact& b) const {
-    return body == b.body && leg == b.leg && other == b.other;
+    return side.same_body(b.side) && other == b.other &&
+           (other != kItem || other_side.same_body(b.other_side));
   }
 };
 

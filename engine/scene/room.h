@@ -1,12 +1,13 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "engine/base/vector.h"
 
-/// What stands still around the item, in floor axes.
+/// What stands still around the items, in floor axes.
 namespace gurney {
 
 /// A box: wall, kerb, threshold, fixed furniture.
@@ -25,13 +26,36 @@ struct RoomHull {
   std::vector<Vector3> points;  ///< shape axes [m]
 };
 
-/// One static shape. The item's chassis and its wheels touch it; forks have no shape.
+/// One static shape. Chassis and wheels touch it; forks have no shape.
 struct RoomShape {
   std::string name;                    ///< in events; not empty, unique in a scene, not "floor"
   std::string material;                ///< against the item's: see Scene::pairs
   Vector3 position = Vector3::Zero();  ///< of the shape's centre (hull: its origin) [m]
   Quaternion rotation = Quaternion::Identity();
   std::variant<RoomBox, RoomColumn, RoomHull> shape;
+};
+
+/// A rectangle of the floor that should stay free: a doorway, an egress lane, the place beside a
+/// bed. Its x axis is the way through.
+struct Zone {
+  std::string name;                  ///< unique among zones, not empty
+  Vector2 center = Vector2::Zero();  ///< [m]
+  double length = 0;                 ///< along its x axis, > 0 [m]
+  double width = 0;                  ///< across, > 0 [m]
+  double angle = 0;                  ///< of its x axis from the floor's [rad]
+};
+
+/// A cord, hose or line from an item to a point of the room. It pulls when it is longer than its
+/// slack length, and breaks (or unplugs) at its strength.
+struct Tether {
+  std::string name;                  ///< unique among tethers, not empty
+  std::size_t item = 0;              ///< index in Scene::items
+  Vector3 point = Vector3::Zero();   ///< on the chassis, item axes [m]
+  Vector3 anchor = Vector3::Zero();  ///< floor axes [m]
+  double slack_length = 0;           ///< > 0, not less than the distance at the start [m]
+  double stiffness = 0;              ///< > 0 [N/m]
+  double damping = 0;                ///< while taut, >= 0 [N s/m]
+  double strength = std::numeric_limits<double>::infinity();  ///< > 0 [N]
 };
 
 }  // namespace gurney

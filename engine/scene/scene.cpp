@@ -67,25 +67,29 @@ std::string name_of(const std::string& material) {
 
 }  // namespace
 
-ContactConstants contact_constants(const Scene& scene, const std::string& other) {
+ContactConstants contact_constants(const Scene& scene, const std::string& item,
+                                   const std::string& other) {
   for (const MaterialPair& pair : scene.pairs)
-    if (pair.item == scene.item.material && pair.other == other) return pair.constants;
-  require(scene.item.material.empty() && other.empty(),
-          fmt::format("no contact constants for the materials {} of the item and {}",
-                      name_of(scene.item.material), name_of(other)));
+    if ((pair.item == item && pair.other == other) || (pair.item == other && pair.other == item))
+      return pair.constants;
+  require(item.empty() && other.empty(),
+          fmt::format("no contact constants for the materials {} of an item and {}", name_of(item),
+                      name_of(other)));
   return {};
 }
 
 void validate(const Scene& scene) {
-  validate(scene.item);
+  require(!scene.items.empty(), "a scene needs an item");
+  for (const PlacedItem& item : scene.items) validate(item.model);
   Problems problems;
   problems.not_negative("gravity", scene.gravity);
   problems.check(std::abs(scene.slope) <= 1, "slope", scene.slope, "in -1..1");
-  problems.finite("initial.position", scene.initial.position);
-  problems.finite("initial.velocity", scene.initial.velocity);
-  problems.check(std::isfinite(scene.initial.yaw), "initial.yaw", scene.initial.yaw, "finite");
-  problems.check(std::isfinite(scene.initial.yaw_rate), "initial.yaw_rate", scene.initial.yaw_rate,
-                 "finite");
+  for (const auto& [name, model, initial] : scene.items) {
+    problems.finite("initial.position", initial.position);
+    problems.finite("initial.velocity", initial.velocity);
+    problems.check(std::isfinite(initial.yaw), "initial.yaw", initial.yaw, "finite");
+    problems.check(std::isfinite(initial.yaw_rate), "initial.yaw_rate", initial.yaw_rate, "finite");
+  }
   problems.finish();
   validate_room(scene);
 }

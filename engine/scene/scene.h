@@ -10,18 +10,26 @@
 
 namespace gurney {
 
-/// A flat floor, the room and what stands in it.
-struct Scene {
-  EquipmentModel item;
+/// One item of the scene and how it stands there.
+struct PlacedItem {
+  std::string name;  ///< in events: unique in a scene of several, not "floor" or of a room shape
+  EquipmentModel model;
   InitialMotion initial;
-  double gravity = 9.80665;  ///< >= 0 [m/s2]
-  double slope = 0;          ///< of the floor: rise over run, the x axis points uphill
-  std::string floor_material;
-  std::vector<RoomShape> room;
-  std::vector<MaterialPair> pairs;  ///< of item.material with floor_material and those of the room
 };
 
-/// What acts on the scene.
+/// A flat floor, the room and the items that stand in it.
+struct Scene {
+  std::vector<PlacedItem> items{PlacedItem{}};  ///< 1 or more
+  double gravity = 9.80665;                     ///< >= 0 [m/s2]
+  double slope = 0;  ///< of the floor: rise over run, the x axis points uphill
+  std::string floor_material;
+  std::vector<RoomShape> room;
+  std::vector<Zone> zones;
+  std::vector<Tether> tethers;
+  std::vector<MaterialPair> pairs;  ///< of the items' materials with all they may touch
+};
+
+/// What acts on the scene: the floor's motion on all items, the rest on the first one.
 struct Excitation {
   FloorMotion floor;
   std::vector<PointForce> forces;
@@ -31,10 +39,11 @@ struct Excitation {
   Fixture fixture;
 };
 
-/// Constants of the item's chassis against `other`: those of the pair, or the defaults where both
-/// materials are empty.
+/// Constants of a chassis of material `item` against `other`: those of the pair, or the defaults
+/// where both are empty.
 /// @throws Error when named materials have no pair.
-ContactConstants contact_constants(const Scene& scene, const std::string& other);
+ContactConstants contact_constants(const Scene& scene, const std::string& item,
+                                   const std::string& other);
 
 /// @throws Error naming every value outside its range, the item's included.
 void validate(const Scene& scene);

@@ -18,12 +18,12 @@ struct SimulationSettings {
   double residual = 1e-9;    ///< momentum residual per step, as a fraction of M g dt, (0, 1e-3]
   int max_newton_iterations = 40;  ///< per stage before the step is subdivided, 4..1000
   int max_subdivisions = 10;  ///< halvings of one step before the run counts as diverged, 0..20
-  double settle_time = 60;    ///< longest time after the excitation until the item rests, >= 0 [s]
+  double settle_time = 60;    ///< longest time after the excitation until all rests, >= 0 [s]
   double duration = 0;        ///< > 0: stop exactly then, resting or not [s]
   double rest_speed = 1e-3;   ///< slower than this everywhere ... > 0 [m/s]
   double rest_hold = 0.5;     ///< ... for this long is rest, > 0 [s]
-  double overturn_tilt = 1.0471975511965976;  ///< the item has overturned here, (0, pi/2) [rad]
-  bool follow_overturning = true;  ///< goes on until the item lies at rest; else ends there
+  double overturn_tilt = 1.0471975511965976;  ///< an item has overturned here, (0, pi/2) [rad]
+  bool follow_overturning = true;             ///< goes on until all lies at rest; else ends there
   double history_step =
       0.02;  ///< spacing of the histories, rounded to whole steps; 0: none kept [s]
   bool skip_clear_collision_passes =

@@ -19,23 +19,26 @@ constexpr double kRestMotion = 1e-12;  // [m] in one pseudo step
 
 /// Implicit Euler steps that start from rest each time: M / tau^2 regularises Newton's method on
 /// the static problem, and the fixed point is an equilibrium.
-bool relax(const Mechanism& mechanism, const std::vector<BodyContact>& contacts, double pseudo_step,
-           State& state) {
-  StageSolver solver(mechanism, {1e-10, 200});
+bool relax(const Assembly& standing, double pseudo_step, SceneState& scene) {
+  StageSolver solver(standing, {1e-10, 200});
   StageSolver::Output out;
   StageSolver::Input input;
+  const Group alone{{0}, 0, scene.contacts.size()};
+  const Mechanism& mechanism = standing.items.front();
+  State& state = scene.items.front();
   input.tau = pseudo_step;
-  input.contacts = &contacts;
-  state.contacts.resize(contacts.size());
+  input.group = &alone;
+  input.guess.resize(1);
   for (int i = 0; i < kMaxPseudoSteps; ++i) {
-    input.start = &state;
-    input.loads = {input.tau, state.time, state.time + input.tau, true, &state.loads};
+    input.start = &scene;
+    input.loads = {input.tau, state.time, state.time + input.tau, true, nullptr};
     if (!solver.solve(input, out) && !(out.residual < 1e-6)) return false;
-    double motion = out.end.velocity.chassis.cwiseAbs().maxCoeff();
+    const Velocity& end = out.end.items.front().velocity;
+    double motion = end.chassis.cwiseAbs().maxCoeff();
     for (std::size_t k = 0; k < mechanism.legs.size(); ++k)
-      motion = std::max(motion, out.end.velocity.joints[k].cwiseAbs().maxCoeff());
+      motion = std::max(motion, end.joints[k].cwiseAbs().maxCoeff());
     const double time = state.time;
-    state = out.end;
+    scene = out.end;
     state.time = time;
     state.velocity = Velocity();
     if (!(motion < 1e3)) return false;
@@ -46,11 +49,12 @@ bool relax(const Mechanism& mechanism, const std::vector<BodyContact>& contacts,
 
 /// The item's contact with the floor has no damping here, and `friction` or its own.
 void stand_on_springs(Scene& scene, std::optional<double> friction) {
-  ContactConstants constants = contact_constants(scene, scene.floor_material);
+  const std::string& material = scene.items[0].model.material;
+  ContactConstants constants = contact_constants(scene, material, scene.floor_material);
   constants.kind = ContactConstants::Kind::kCompliant;
   constants.damping = 0;
   constants.friction = friction.value_or(constants.friction);
-  scene.pairs.insert(scene.pairs.begin(), {scene.item.material, scene.floor_material, constants});
+  scene.pairs.insert(scene.pairs.begin(), {material, scene.floor_material, constants});
 }
 
 void stop_at_zero_rate(Fixture& fixture) {
@@ -58,59 +62,81 @@ void stop_at_zero_rate(Fixture& fixture) {
     if (guide.kind == Guide::Kind::kVelocity) guide = {Guide::Kind::kHeld, 0, 0, 0};
 }
 
+/// The item alone on the bare floor.
+Scene alone(const Scene& scene, std::size_t item) {
+  Scene one = scene;
+  one.items = {scene.items[item]};
+  one.room.clear();
+  one.tethers.clear();
+  return one;
+}
+
 }  // namespace
 
-void settle(const Mechanism& mechanism, const Scene& scene, const Excitation& excitation,
-            State& state) {
+void settle(const Assembly& assembly, const Scene& scene, std::size_t index,
+            const Excitation& excitation, SceneState& all) {
+  const Mechanism& mechanism = assembly.items[index];
+  State& state = all.items[index];
   Excitation still;
-  still.fixture = excitation.fixture;
+  if (index == 0) still.fixture = excitation.fixture;
   stop_at_zero_rate(still.fixture);
   Excitation held = still;
   for (int dof : {0, 1, 5}) held.fixture.guides[dof] = {Guide::Kind::kHeld, 0, 0, 0};
-  Scene level = scene;
+  Scene level = alone(scene, index);
   level.slope = 0;
   level.gravity = scene.gravity * std::cos(std::atan(scene.slope));
   // Nothing pushes sideways: without friction the treads settle without holding each other.
-  for (Caster& caster : level.item.casters) {
+  for (Caster& caster : level.items[0].model.casters) {
     caster.tread.static_friction = caster.tread.kinetic_friction = 0;
     caster.tread.rolling_resistance = 0;
     caster.brake_torque = caster.swivel_lock_torque = std::numeric_limits<double>::infinity();
   }
   stand_on_springs(level, 0);
-  const Mechanism standing(level, held);
-  State settled = state;
-  settled.loads = standing.loads.initial_state();
+  const Assembly standing(level, held);
+  SceneState settled{{state}, {}};
+  settled.items[0].loads = standing.items[0].loads.initial_state();
   std::vector<BodyContact> contacts;
-  FloorPoints(scene, mechanism).collect(state, kNearFloor, contacts);
-  const bool stands = relax(standing, contacts, kPseudoStep, settled);
-  const double tilt = std::acos(std::min(1.0, (settled.rotation * Vector3::UnitZ()).z()));
-  require(stands && tilt < 0.2 && std::abs(settled.position.z() - state.position.z()) < 0.1,
-          scene.item.casters.empty()
-              ? "the item does not stand on its base: its centre of mass lies outside it"
-              : "the item does not stand on its casters: its centre of mass lies outside their "
-                "support");
+  FloorPoints(scene.items[index].model, mechanism, 0).collect(state, kNearFloor, contacts);
+  for (const BodyContact& contact : contacts) settled.contacts.emplace_back().contact = contact;
+  const bool stands = relax(standing, kPseudoStep, settled);
+  const State& there = settled.items[0];
+  const double tilt = std::acos(std::min(1.0, (there.rotation * Vector3::UnitZ()).z()));
+  const bool on_casters = !scene.items[index].model.casters.empty();
+  require(stands && tilt < 0.2 && std::abs(there.position.z() - state.position.z()) < 0.1,
+          on_casters ? "the item does not stand on its casters: its centre of mass lies outside "
+                       "their support"
+                     : "the item does not stand on its base: its centre of mass lies outside it");
   std::vector<double> loads = state.loads;
-  mechanism.loads.adopt_springs(standing.loads, settled.loads, loads);
-  state = settled;
-  state.loads = loads;
+  mechanism.loads.adopt_springs(standing.items[0].loads, there.loads, loads);
+  const auto adopt = [&](const SceneState& found) {
+    state = found.items[0];
+    state.loads = loads;
+    std::erase_if(all.contacts,
+                  [&](const BodyContactState& c) { return c.contact.side.item == index; });
+    for (BodyContactState memory : found.contacts) {
+      memory.contact.side.item = index;
+      all.contacts.push_back(memory);
+    }
+  };
+  adopt(settled);
   if (scene.slope == 0 && !mechanism.loads.holds_at_start()) return;
 
-  Excitation loaded = excitation;
+  Excitation loaded = index == 0 ? excitation : Excitation();
   stop_at_zero_rate(loaded.fixture);
   if (!mechanism.loads.holds_at_start()) {
     loaded.forces.clear();
     loaded.string_potentiometers.clear();
     loaded.drop_weights.clear();
   }
-  Scene sprung = scene;
+  Scene sprung = alone(scene, index);
   stand_on_springs(sprung, std::nullopt);
-  const Mechanism free(sprung, loaded);
-  State trial = state;
-  trial.loads = free.loads.initial_state();
-  if (!relax(free, contacts, kPseudoStep, trial)) return;
-  mechanism.loads.adopt_springs(free.loads, trial.loads, loads);
-  state = trial;
-  if (!mechanism.loads.holds_at_start()) state.loads = loads;
+  const Assembly free(sprung, loaded);
+  SceneState trial = settled;
+  trial.items[0].loads = free.items[0].loads.initial_state();
+  if (!relax(free, kPseudoStep, trial)) return;
+  mechanism.loads.adopt_springs(free.items[0].loads, trial.items[0].loads, loads);
+  if (mechanism.loads.holds_at_start()) loads = trial.items[0].loads;
+  adopt(trial);
 }
 
 }  // namespace gurney

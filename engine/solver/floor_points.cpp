@@ -20,8 +20,9 @@ Vector3 axle_of(const Leg& leg, const State& state, std::size_t i) {
 
 }  // namespace
 
-FloorPoints::FloorPoints(const Scene& scene, const Mechanism& mechanism) : mechanism_(mechanism) {
-  for (const Box& box : scene.item.shape)
+FloorPoints::FloorPoints(const EquipmentModel& model, const Mechanism& mechanism, std::size_t item)
+    : mechanism_(mechanism), item_(item) {
+  for (const Box& box : model.shape)
     for (int k = 0; k < 8; ++k) {
       const Vector3 side(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
       corners_.push_back(box.center + 0.5 * side.cwiseProduct(box.size) -
@@ -31,11 +32,11 @@ FloorPoints::FloorPoints(const Scene& scene, const Mechanism& mechanism) : mecha
 
 void FloorPoints::collect(const State& state, double margin,
                           std::vector<BodyContact>& contacts) const {
-  const auto add_if_low = [&](const BodyContact& contact) {
-    if (state.position.z() + mechanism_.contact_point(contact, state).z() < margin)
-      contacts.push_back(contact);
+  const auto add_if_low = [&](const BodyContact::Side& side) {
+    if (state.position.z() + mechanism_.point(side, state).z() < margin)
+      contacts.emplace_back().side = side;
   };
-  for (const Vector3& corner : corners_) add_if_low({.local = corner});
+  for (const Vector3& corner : corners_) add_if_low({item_, -1, corner});
   for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
     const Leg& leg = mechanism_.legs[i];
     if (!Leg::lies(axle_of(leg, state, i))) continue;
@@ -44,9 +45,7 @@ void FloorPoints::collect(const State& state, double margin,
       const Vector3 on_rim(leg.edge_radius() * std::cos(angle),
                            (k % 2 ? 0.5 : -0.5) * leg.wheel_width(),
                            leg.edge_radius() * std::sin(angle));
-      add_if_low({.body = BodyContact::Body::kWheel,
-                  .leg = static_cast<int>(i),
-                  .local = leg.wheel_center() + on_rim});
+      add_if_low({item_, static_cast<int>(i), leg.wheel_center() + on_rim});
     }
   }
 }

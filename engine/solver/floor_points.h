@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "engine/contact/body_contact.h"
-#include "engine/scene/scene.h"
 #include "engine/solver/mechanism.h"
 
 namespace gurney {
@@ -16,7 +15,8 @@ namespace gurney {
 /// so this contact is analytic like that of wheels.
 class FloorPoints {
  public:
-  FloorPoints(const Scene& scene, const Mechanism& mechanism);
+  /// @param item  index of the item, for its contacts
+  FloorPoints(const EquipmentModel& model, const Mechanism& mechanism, std::size_t item);
 
   /// Appends the contacts of points lower than `margin` above the floor [m].
   void collect(const State& state, double margin, std::vector<BodyContact>& contacts) const;
@@ -26,6 +26,7 @@ class FloorPoints {
 
  private:
   const Mechanism& mechanism_;
+  std::size_t item_;
   std::vector<Vector3> corners_;  // chassis axes, relative to its centre
 };
 

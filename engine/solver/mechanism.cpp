@@ -12,14 +12,6 @@ Vector3 sloped_gravity(double gravity, double slope) {
   return {-gravity * std::sin(angle), 0, -gravity * std::cos(angle)};
 }
 
-/// A wheel touches other things than the floor with its tread.
-ContactConstants tread_constants(const Tread& tread) {
-  return {.kind = ContactConstants::Kind::kCompliant,
-          .stiffness = tread.normal_stiffness,
-          .damping = tread.normal_damping,
-          .friction = tread.kinetic_friction};
-}
-
 Leg::Geometry geometry(const Leg& leg, const State& state, std::size_t i) {
   Leg::Geometry g;
   leg.evaluate(state.pose(), state.legs[i].swivel_angle, state.velocity.chassis,
@@ -29,29 +21,27 @@ Leg::Geometry geometry(const Leg& leg, const State& state, std::size_t i) {
 
 }  // namespace
 
-Mechanism::Mechanism(const Scene& scene, const Excitation& excitation)
-    : chassis(chassis_with_payloads(scene.item)),
-      loads(excitation, chassis.center_of_mass, scene.gravity),
-      fixture(excitation.fixture),
+Mechanism::Mechanism(const Scene& scene, std::size_t item, const Excitation& excitation)
+    : chassis(chassis_with_payloads(scene.items[item].model)),
+      loads(item == 0 ? excitation : Excitation(), chassis.center_of_mass, scene.gravity),
+      tethers(scene, item, chassis.center_of_mass),
+      fixture(item == 0 ? excitation.fixture : Fixture()),
       gravity(sloped_gravity(scene.gravity, scene.slope)),
       total_mass(chassis.mass),
       length(0),
       reach(0) {
-  for (const auto& caster : scene.item.casters) {
+  const EquipmentModel& model = scene.items[item].model;
+  for (const auto& caster : model.casters) {
     legs.emplace_back(caster, chassis.center_of_mass);
     total_mass += legs.back().mass();
     length =
         std::max({length, (caster.mount - chassis.center_of_mass).norm(), caster.wheel_radius});
     reach = std::max(reach, legs.back().reach());
-    wheel_laws.emplace_back(tread_constants(caster.tread));
   }
-  for (const auto& box : scene.item.shape) {
+  for (const auto& box : model.shape) {
     reach = std::max(reach, (box.center - chassis.center_of_mass).norm() + 0.5 * box.size.norm());
     if (legs.empty()) length = std::max(length, 0.5 * box.size.norm());
   }
-  chassis_laws.emplace_back(contact_constants(scene, scene.floor_material));
-  for (const RoomShape& shape : scene.room)
-    chassis_laws.emplace_back(contact_constants(scene, shape.material));
 }
 
 double Mechanism::gravitational_energy(const State& state) const {
@@ -74,7 +64,7 @@ double Mechanism::kinetic_energy(const State& state) const {
 }
 
 double Mechanism::elastic_energy(const State& state) const {
-  double energy = loads.stored_energy(state.loads) + contact_energy(state);
+  double energy = loads.stored_energy(state.loads) + tethers.stored_energy(state);
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const Leg& leg = legs[i];
     const LegState& s = state.legs[i];
@@ -85,35 +75,28 @@ double Mechanism::elastic_energy(const State& state) const {
   return energy;
 }
 
-double Mechanism::contact_energy(const State& state) const {
-  double energy = 0;
-  for (const BodyContactState& contact : state.contacts)
-    energy += law_of(contact.contact).stored_energy(contact.compression, contact.deflection.norm());
-  return energy;
+Vector3 Mechanism::point(const BodyContact::Side& side, const State& state) const {
+  if (side.leg < 0) return state.rotation * side.local;
+  const auto leg = static_cast<std::size_t>(side.leg);
+  return legs[leg].point(state.pose(), state.legs[leg].swivel_angle, side.local);
 }
 
-Vector3 Mechanism::contact_point(const BodyContact& contact, const State& state) const {
-  if (contact.leg < 0) return state.rotation * contact.local;
-  const auto leg = static_cast<std::size_t>(contact.leg);
-  return legs[leg].point(state.pose(), state.legs[leg].swivel_angle, contact.local);
-}
-
-Vector3 Mechanism::contact_velocity(const BodyContact& contact, const State& state) const {
+Vector3 Mechanism::velocity(const BodyContact::Side& side, const State& state) const {
   const Vector6& v = state.velocity.chassis;
-  const Vector3 point = contact_point(contact, state);
-  Vector3 u = v.head<3>() + v.tail<3>().cross(point);
-  if (contact.leg < 0) return u;
-  const auto leg = static_cast<std::size_t>(contact.leg);
+  const Vector3 here = point(side, state);
+  Vector3 u = v.head<3>() + v.tail<3>().cross(here);
+  if (side.leg < 0) return u;
+  const auto leg = static_cast<std::size_t>(side.leg);
   const auto g = geometry(legs[leg], state, leg);
   const Eigen::Vector2d& rates = state.velocity.joints[leg];
-  if (legs[leg].swivels()) u += rates[0] * g.swivel_axis.cross(point - g.mount);
-  return u + rates[1] * g.axle.cross(point - g.wheel_center);
+  if (legs[leg].swivels()) u += rates[0] * g.swivel_axis.cross(here - g.mount);
+  return u + rates[1] * g.axle.cross(here - g.wheel_center);
 }
 
-double Mechanism::effective_mass(const BodyContact& contact, const State& state) const {
-  const Vector3 arm =
-      state.rotation.conjugate() * contact_point(contact, state).cross(contact.normal);
-  return 1 / (1 / chassis.mass + arm.dot(chassis.inertia.inverse() * arm));
+double Mechanism::mobility(const BodyContact::Side& side, const Vector3& normal,
+                           const State& state) const {
+  const Vector3 arm = state.rotation.conjugate() * point(side, state).cross(normal);
+  return 1 / chassis.mass + arm.dot(chassis.inertia.inverse() * arm);
 }
 
 State Mechanism::placed(const InitialMotion& initial) const {

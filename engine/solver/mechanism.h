@@ -3,22 +3,21 @@
 #include <vector>
 
 #include "engine/caster/leg.h"
-#include "engine/contact/impact_law.h"
 #include "engine/scene/scene.h"
 #include "engine/solver/loads.h"
 #include "engine/solver/state.h"
+#include "engine/solver/tethers.h"
 
 namespace gurney {
 
 /// The constants of one item on its casters under its loads: what a run reads and never changes.
 struct Mechanism {
-  Mechanism(const Scene& scene, const Excitation& excitation);
+  Mechanism(const Scene& scene, std::size_t item, const Excitation& excitation);
 
   MassProperties chassis;  ///< with payloads; item axes
   std::vector<Leg> legs;
-  /// Of the chassis against the floor and each room shape, and of each wheel against those.
-  std::vector<ImpactLaw> chassis_laws, wheel_laws;
   Loads loads;
+  Tethers tethers;
   Fixture fixture;
   Vector3 gravity;    ///< floor axes: the floor may slope
   double total_mass;  ///< [kg]
@@ -28,19 +27,16 @@ struct Mechanism {
   /// Potential energy of gravity, any constant origin [J].
   double gravitational_energy(const State& state) const;
   double kinetic_energy(const State& state) const;
-  /// Energy in treads, stuck bearings, springs, cables and contacts of bodies [J].
+  /// Energy in treads, stuck bearings, springs and cables [J].
   double elastic_energy(const State& state) const;
-  double contact_energy(const State& state) const;  ///< of bodies only [J]
 
-  const ImpactLaw& law_of(const BodyContact& contact) const {
-    return contact.leg < 0 ? chassis_laws[static_cast<std::size_t>(contact.other)]
-                           : wheel_laws[static_cast<std::size_t>(contact.leg)];
-  }
-  /// The point of a contact, relative to the chassis' centre, floor axes; and its velocity.
-  Vector3 contact_point(const BodyContact& contact, const State& state) const;
-  Vector3 contact_velocity(const BodyContact& contact, const State& state) const;
-  /// What a normal impulse at the contact feels of the chassis alone: less than all of it [kg].
-  double effective_mass(const BodyContact& contact, const State& state) const;
+  /// A point of the item (BodyContact::Side), relative to the chassis' centre, floor axes; and its
+  /// velocity.
+  Vector3 point(const BodyContact::Side& side, const State& state) const;
+  Vector3 velocity(const BodyContact::Side& side, const State& state) const;
+  /// 1 / the mass that an impulse along `normal` feels there of the chassis alone: more than that
+  /// of all the item [1/kg].
+  double mobility(const BodyContact::Side& side, const Vector3& normal, const State& state) const;
 
   /// The item as it is placed: chassis pose, headings, initial velocity with rolling wheels; treads
   /// unloaded.

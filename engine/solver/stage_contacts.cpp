@@ -3,69 +3,94 @@
 // Contacts of bodies in a stage.
 namespace gurney {
 
-void StageSolver::update_contacts(const Input& input, const Velocity& v) {
-  const State& start = *input.start;
-  contacts_.resize(input.contacts ? input.contacts->size() : 0);
+void StageSolver::place(const Input& input, const std::vector<Velocity>& v, const Matrix3& frame,
+                        const BodyContact::Side& at, Side& side) const {
+  const ItemStage& item = items_[at.item];
+  side.joints.setZero();
+  if (at.leg < 0) {
+    side.point = item.pose().rotation * at.local;
+  } else {
+    const auto i = static_cast<std::size_t>(at.leg);
+    const Leg& leg = item.mechanism().legs[i];
+    const Leg::Geometry& g = item.leg(at.leg).g;
+    const double swivel =
+        input.start->items[at.item].legs[i].swivel_angle + input.tau * v[at.item].joints[i][0];
+    side.point = leg.point(item.pose(), swivel, at.local);
+    if (leg.swivels()) side.joints.col(0) = frame * g.swivel_axis.cross(side.point - g.mount);
+    side.joints.col(1) = frame * g.axle.cross(side.point - g.wheel_center);
+  }
+  side.chassis.leftCols<3>() = frame;
+  for (int k = 0; k < 3; ++k)
+    side.chassis.block<1, 3>(k, 3) = side.point.cross(frame.row(k).transpose()).transpose();
+}
+
+Vector3 StageSolver::rates(const BodyContact::Side& at, const Side& side,
+                           const std::vector<Velocity>& v) const {
+  Vector3 u = side.chassis * v[at.item].chassis;
+  if (at.leg >= 0) u += side.joints * v[at.item].joints[static_cast<std::size_t>(at.leg)];
+  return u;
+}
+
+Vector3 StageSolver::contact_rates(const ContactWork& work, const std::vector<Velocity>& v) const {
+  Vector3 u = rates(work.contact->side, work.side, v);
+  if (work.contact->between_items()) u -= rates(work.contact->other_side, work.other_side, v);
+  return u;
+}
+
+void StageSolver::update_contacts(const Input& input, const std::vector<Velocity>& v) {
+  const std::size_t first = input.group->first_contact;
+  contacts_.resize(input.group->end_contact - first);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const BodyContact& contact = (*input.contacts)[c];
+    const BodyContactState& memory = input.start->contacts[first + c];
+    const BodyContact& contact = memory.contact;
+    const BodyContact::Side &a = contact.side, &b = contact.other_side;
     ContactWork& work = contacts_[c];
-    work.law = &mechanism_.law_of(contact);
+    work.contact = &contact;
+    work.law = &assembly_.laws.of(contact);
     work.frame.row(2) = contact.normal.transpose();
     work.frame.row(0) = contact.normal.unitOrthogonal().transpose();
     work.frame.row(1) = work.frame.row(2).cross(work.frame.row(0));
-    work.jacobian_joints.setZero();
-    if (contact.leg < 0) {
-      work.point = pose_.rotation * contact.local;
+    place(input, v, work.frame, a, work.side);
+    double gap = contact.normal.dot(items_[a.item].pose().position + work.side.point);
+    if (contact.between_items()) {
+      place(input, v, work.frame, b, work.other_side);
+      gap -= contact.normal.dot(items_[b.item].pose().position + work.other_side.point);
+      if (a.leg >= 0) items_[a.item].keep(a.leg);
+      if (b.leg >= 0) items_[b.item].keep(b.leg);
     } else {
-      const auto i = static_cast<std::size_t>(contact.leg);
-      const Leg& leg = mechanism_.legs[i];
-      const Leg::Geometry& g = legs_[i].g;
-      const double swivel = start.legs[i].swivel_angle + input.tau * v.joints[i][0];
-      work.point = leg.point(pose_, swivel, contact.local);
-      if (leg.swivels())
-        work.jacobian_joints.col(0) = work.frame * g.swivel_axis.cross(work.point - g.mount);
-      work.jacobian_joints.col(1) = work.frame * g.axle.cross(work.point - g.wheel_center);
+      gap -= contact.offset;
     }
-    work.jacobian_chassis.leftCols<3>() = work.frame;
-    for (int k = 0; k < 3; ++k)
-      work.jacobian_chassis.block<1, 3>(k, 3) =
-          work.point.cross(work.frame.row(k).transpose()).transpose();
-
-    const BodyContactState& memory = start.contacts[c];
-    const double gap = contact.normal.dot(pose_.position + work.point) - contact.offset;
     work.stage.tau = input.tau;
-    work.stage.compression = -gap + input.tau * contact_rates(work, contact, v).z();
+    work.stage.compression = -gap + input.tau * contact_rates(work, v).z();
     work.stage.approach_speed = memory.approach_speed;
     work.stage.deflection = work.frame.topRows<2>() * memory.deflection;
   }
 }
 
-Vector3 StageSolver::contact_rates(const ContactWork& work, const BodyContact& contact,
-                                   const Velocity& v) const {
-  Vector3 u = work.jacobian_chassis * v.chassis;
-  if (contact.leg >= 0) u += work.jacobian_joints * v.joints[static_cast<std::size_t>(contact.leg)];
-  return u;
-}
-
-double StageSolver::finish_contacts(const Input& input, const Velocity& v, Output& out) const {
-  double rates = 0;
-  out.end.contacts.resize(contacts_.size());
-  out.contacts.resize(contacts_.size());
+void StageSolver::finish_contacts(const Input& input, const std::vector<Velocity>& v,
+                                  Output& out) const {
+  const std::size_t first = input.group->first_contact;
+  out.end.contacts.resize(input.start->contacts.size());
+  out.contacts.resize(input.start->contacts.size());
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const ContactWork& work = contacts_[c];
-    const BodyContact& contact = (*input.contacts)[c];
-    const Vector3 u = contact_rates(work, contact, v);
+    const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
+    const Vector3 u = contact_rates(work, v);
     const ImpactLaw::Result result = work.law->finish(work.stage, u);
-    BodyContactState& end = out.end.contacts[c];
-    end = input.start->contacts[c];
-    end.contact = contact;
+    BodyContactState& end = out.end.contacts[first + c];
+    end = input.start->contacts[first + c];
     end.deflection = work.frame.topRows<2>().transpose() * result.deflection;
     end.compression = result.compression;
-    out.contacts[c] = {result.force.z(), u.z(), pose_.position + work.point};
-    out.power.contact_loss += result.sliding_power + result.damping_power;
-    rates += result.spring_rates;
+    out.contacts[first + c] = {result.force.z(), u.z(),
+                               items_[a.item].pose().position + work.side.point};
+    EnergyAccount& power = out.items[a.item].power;
+    power.contact_loss += result.sliding_power + result.damping_power;
+    out.items[a.item].spring_rates += result.spring_rates;
+    if (!work.contact->between_items()) continue;
+    const double given = -result.force.dot(rates(b, work.other_side, v));
+    out.items[b.item].power.work_of_neighbours += given;
+    power.work_of_neighbours -= given;
   }
-  return rates;
 }
 
 }  // namespace gurney

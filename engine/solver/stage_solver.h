@@ -1,24 +1,24 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
-#include "engine/contact/body_contact.h"
-#include "engine/solver/mechanism.h"
+#include "engine/solver/assembly.h"
+#include "engine/solver/group.h"
+#include "engine/solver/item_stage.h"
 
 namespace gurney {
 
-/// Solves one implicit stage of length tau of the whole mechanism,
+/// Solves one implicit stage of length tau for a group of items that may touch,
 ///
 ///     M (v - v_start) = tau (J' f(J v) + f_loads(v) - bias),
 ///
 /// with every force law evaluated at the end of the stage, by Newton's method on v. The force laws
 /// are piecewise smooth functions of velocity with known slopes D = -df/du (semismooth Newton, Qi &
-/// Sun 1993). The mechanism is a star: each caster touches only the chassis, so its two joints are
-/// eliminated from K = M + tau J' D J and one 6 x 6 system for the chassis is left.
+/// Sun 1993). Each item leaves one 6 x 6 system for its chassis (ItemStage), and contacts between
+/// items couple these.
 ///
 /// The geometry (M, J, bias) is that of the predicted end of the stage and is evaluated again when
-/// the solution has turned a joint or the chassis further from it than `kGeometryTolerance`.
+/// the solution has turned a joint or a chassis further from it than `kGeometryTolerance`.
 class StageSolver {
  public:
   struct Settings {
@@ -26,15 +26,15 @@ class StageSolver {
     int max_iterations = 40;
   };
 
-  StageSolver(const Mechanism& mechanism, const Settings& settings);
+  StageSolver(const Assembly& assembly, const Settings& settings);
 
   struct Input {
-    const State* start = nullptr;  ///< pose, velocity and memory the stage starts from
+    const SceneState* start = nullptr;
+    const Group* group = nullptr;
     double tau = 0;
     Vector3 floor_acceleration = Vector3::Zero();
-    Loads::Stage loads;
-    Velocity guess;  ///< of the velocity at the end
-    const std::vector<BodyContact>* contacts = nullptr;
+    Loads::Stage loads;           ///< `start` aside
+    std::vector<Velocity> guess;  ///< of the velocity at the end; as Scene::items
   };
 
   struct ContactResult {
@@ -43,16 +43,11 @@ class StageSolver {
     Vector3 point = Vector3::Zero();  ///< on the item, floor axes [m]
   };
 
-  /// What the stage dissipated and how it ended, besides the new state.
+  /// Of the group's items and contacts only; the rest is left as it was.
   struct Output {
-    State end;
-    Velocity acceleration;    ///< (v - v_start) / tau
-    EnergyAccount power;      ///< work and loss entries in W
-    double spring_rates = 0;  ///< a' M a + sum of k x'^2 [W/s]: for the numerical loss
-    std::array<TreadLaw::Result, kMaxLegs> treads;
+    SceneState end;
+    std::vector<ItemStage::Output> items;
     std::vector<ContactResult> contacts;
-    std::array<bool, kMaxLegs> axle_slips{};
-    std::array<Vector2, kMaxLegs> heading;
     double residual = 0;
     int iterations = 0;
   };
@@ -62,49 +57,42 @@ class StageSolver {
   bool solve(const Input& input, Output& out);
 
  private:
-  struct LegWork {
-    Leg::Geometry g;
-    TreadLaw::Stage tread;
-    Vector5 rates;
-    Vector5 force;
-    Matrix5 slope;
-    DryFriction::Result swivel, axle;
-    Eigen::Vector2d joint_residual;
-    Matrix2 k_inverse;
-    Eigen::Matrix<double, 6, 2> k_chassis_joints;
-    Eigen::Matrix<double, 2, 6> k_joints_chassis;
+  struct Side {
+    ItemStage::Matrix36 chassis;
+    ItemStage::Matrix32 joints;
+    Vector3 point;  // relative to the chassis' centre
   };
   struct ContactWork {
-    Eigen::Matrix<double, 3, 6> jacobian_chassis;
-    Eigen::Matrix<double, 3, 2> jacobian_joints;
+    const BodyContact* contact = nullptr;
     const ImpactLaw* law = nullptr;
     ImpactLaw::Stage stage;
     Matrix3 frame;  // rows: two tangents and the normal
-    Vector3 point;
+    Side side, other_side;
     Vector3 force;
     Matrix3 slope;
   };
 
-  Vector3 contact_rates(const ContactWork& work, const BodyContact& contact,
-                        const Velocity& v) const;
-  void update_contacts(const Input& input, const Velocity& v);
-  void update_geometry(const Input& input, const Velocity& v, bool first);
-  double evaluate_forces(const Input& input, const Velocity& v);
-  void newton_step(const Input& input, Velocity& v);
-  void finish(const Input& input, const Velocity& v, Output& out);
-  double finish_contacts(const Input& input, const Velocity& v, Output& out) const;
-  double geometry_error(const Input& input, const Velocity& v) const;
+  ItemStage::Input item_input(const Input& input, std::size_t item) const;
+  void update_geometry(const Input& input, const std::vector<Velocity>& v, bool first);
+  double evaluate_forces(const Input& input, const std::vector<Velocity>& v);
+  void newton_step(const Input& input, std::vector<Velocity>& v);
+  void coupled_step(const Group& group, double tau, std::vector<Velocity>& v);
+  double geometry_error(const Group& group, const std::vector<Velocity>& v) const;
+  void finish(const Input& input, const std::vector<Velocity>& v, Output& out);
 
-  const Mechanism& mechanism_;
+  Vector3 rates(const BodyContact::Side& at, const Side& side,
+                const std::vector<Velocity>& v) const;
+  Vector3 contact_rates(const ContactWork& work, const std::vector<Velocity>& v) const;
+  void place(const Input& input, const std::vector<Velocity>& v, const Matrix3& frame,
+             const BodyContact::Side& at, Side& side) const;
+  void update_contacts(const Input& input, const std::vector<Velocity>& v);
+  void finish_contacts(const Input& input, const std::vector<Velocity>& v, Output& out) const;
+
+  const Assembly& assembly_;
   Settings settings_;
-  std::array<LegWork, kMaxLegs> legs_;
-  std::vector<ContactWork> contacts_;
-  std::vector<Loads::Row> load_rows_;
-  Pose pose_;           // predicted end of the stage
-  Velocity predicted_;  // the velocity that leads there
-  Matrix6 mass_;
-  Vector6 bias_, chassis_residual_;
-  std::array<double, 6> reaction_{};  // of guides, impulse
+  std::vector<ItemStage> items_;
+  std::vector<ContactWork> contacts_;  // of the group
+  std::vector<Velocity> v_, before_, full_;
 };
 
 }  // namespace gurney

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "engine/base/vector.h"
@@ -30,17 +31,23 @@ struct LegState {
   double axle_wind = 0;    ///< of stuck axle friction or brake [rad]
 };
 
-/// Everything that evolves.
+/// Everything of one item that evolves.
 struct State {
   double time = 0;
   Vector3 position = Vector3::Zero();  ///< of the chassis' centre of mass, floor axes
   Quaternion rotation = Quaternion::Identity();
   Velocity velocity;
   std::array<LegState, kMaxLegs> legs;
-  std::vector<double> loads;  ///< see Loads
-  std::vector<BodyContactState> contacts;
+  std::vector<double> loads;         ///< see Loads
+  std::uint32_t broken_tethers = 0;  ///< bit i: the i-th of Tethers
 
   Pose pose() const { return {position, rotation.toRotationMatrix()}; }
+};
+
+/// Everything of a scene that evolves.
+struct SceneState {
+  std::vector<State> items;  ///< as Scene::items
+  std::vector<BodyContactState> contacts;
 };
 
 /// Rotation by the vector `angle` (axis times angle), after `rotation`.

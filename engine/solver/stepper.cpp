@@ -33,19 +33,23 @@ Velocity advanced(const Velocity& v, double time, const Velocity& acceleration, 
   return result;
 }
 
-/// Start of the second stage: y + h (1 - gamma) k, with k = (y_first - y) / (gamma h).
-void extrapolate(const State& from, double duration, const StageSolver::Output& first,
-                 std::size_t legs, State& start) {
-  const double time = (1 - kSdirkGamma) * duration;
+template <typename T>
+T extrapolated(const T& y, const T& y_first) {
   constexpr double ratio = (1 - kSdirkGamma) / kSdirkGamma;
-  const auto extrapolated = [ratio](const auto& y, const auto& y1) { return y + ratio * (y1 - y); };
-  const Velocity& v1 = first.end.velocity;
+  return y + ratio * (y_first - y);
+}
+
+/// Start of the second stage: y + h (1 - gamma) k, with k = (y_first - y) / (gamma h).
+void extrapolate_item(const State& from, const State& end, const Velocity& acceleration,
+                      double duration, std::size_t legs, State& start) {
+  const double time = (1 - kSdirkGamma) * duration;
+  const Velocity& v1 = end.velocity;
   start.position = from.position + time * v1.chassis.head<3>();
   start.rotation = rotated(time * v1.chassis.tail<3>(), from.rotation);
-  start.velocity = advanced(from.velocity, time, first.acceleration, legs);
+  start.velocity = advanced(from.velocity, time, acceleration, legs);
   for (std::size_t i = 0; i < legs; ++i) {
     const LegState& a = from.legs[i];
-    const LegState& b = first.end.legs[i];
+    const LegState& b = end.legs[i];
     LegState& s = start.legs[i];
     s.swivel_angle = a.swivel_angle + time * v1.joints[i][0];
     s.axle_angle = a.axle_angle + time * v1.joints[i][1];
@@ -56,21 +60,17 @@ void extrapolate(const State& from, double duration, const StageSolver::Output& 
     s.tread.sliding = a.tread.sliding;
     s.tread.rolling = b.tread.rolling;
   }
+  start.broken_tethers = from.broken_tethers;
   start.loads.resize(from.loads.size());
   for (std::size_t i = 0; i < from.loads.size(); ++i)
-    start.loads[i] = extrapolated(from.loads[i], first.end.loads[i]);
-  start.contacts.resize(from.contacts.size());
-  for (std::size_t c = 0; c < from.contacts.size(); ++c) {
-    start.contacts[c] = from.contacts[c];
-    start.contacts[c].deflection =
-        extrapolated(from.contacts[c].deflection, first.end.contacts[c].deflection);
-  }
+    start.loads[i] = extrapolated(from.loads[i], end.loads[i]);
 }
 
 void add_power(const EnergyAccount& power, double time, EnergyAccount& account) {
   account.work_of_floor += time * power.work_of_floor;
   account.work_of_forces += time * power.work_of_forces;
   account.work_of_fixtures += time * power.work_of_fixtures;
+  account.work_of_neighbours += time * power.work_of_neighbours;
   account.rolling_loss += time * power.rolling_loss;
   account.sliding_loss += time * power.sliding_loss;
   account.relaxation_loss += time * power.relaxation_loss;
@@ -83,132 +83,187 @@ void add_power(const EnergyAccount& power, double time, EnergyAccount& account) 
 
 }  // namespace
 
-Stepper::Stepper(const Mechanism& mechanism, const FloorMotion& floor,
+Stepper::Stepper(const Assembly& assembly, const FloorMotion& floor,
                  const SimulationSettings& settings)
-    : mechanism_(mechanism),
+    : assembly_(assembly),
       floor_(floor),
       settings_(settings),
-      solver_(mechanism, {settings.residual, settings.max_newton_iterations}) {}
+      solver_(assembly, {settings.residual, settings.max_newton_iterations}),
+      predictions_(assembly.items.size()),
+      accounts_(assembly.items.size()) {
+  input_.guess.resize(assembly.items.size());
+  between_.items.resize(assembly.items.size());
+  std::vector<BodyContact> none;
+  groups_ = groups_of(none, assembly.items.size());
+}
 
-void Stepper::set_contacts(const std::vector<BodyContact>& contacts, State& state) {
-  contacts_ = contacts;
+void Stepper::set_contacts(const std::vector<BodyContact>& contacts, SceneState& state) {
   if (contacts.empty() && state.contacts.empty()) return;
-  const double stored = mechanism_.contact_energy(state);
-  std::vector<BodyContactState> memories(contacts.size());
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
+  const std::size_t count = state.items.size();
+  for (std::size_t i = 0; i < count; ++i)
+    accounts_[i].contact_loss += assembly_.contact_energy(i, state);
+  std::vector<BodyContact> sorted = contacts;
+  groups_ = groups_of(sorted, count);
+  std::vector<BodyContactState> memories(sorted.size());
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
     double nearest = kSameContactDistance;
     for (const BodyContactState& memory : state.contacts) {
-      if (!memory.contact.same_pair(contacts[i])) continue;
-      const double distance = (memory.contact.local - contacts[i].local).norm();
+      if (!memory.contact.same_pair(sorted[i])) continue;
+      const double distance = (memory.contact.side.local - sorted[i].side.local).norm();
       if (distance >= nearest) continue;
       nearest = distance;
       memories[i] = memory;
     }
     const bool is_new = nearest == kSameContactDistance;
-    memories[i].contact = contacts[i];
-    const Vector3 point = state.position + mechanism_.contact_point(contacts[i], state);
-    memories[i].compression = contacts[i].offset - contacts[i].normal.dot(point);
-    if (is_new) memories[i].approach_speed = approach_speed(contacts[i], state);
+    memories[i].contact = sorted[i];
+    memories[i].deflection -= sorted[i].normal * sorted[i].normal.dot(memories[i].deflection);
+    memories[i].compression = -assembly_.gap(sorted[i], state);
+    if (is_new) memories[i].approach_speed = approach_speed(sorted[i], state);
   }
   state.contacts = std::move(memories);
-  account_.contact_loss += stored - mechanism_.contact_energy(state);
+  for (std::size_t i = 0; i < count; ++i)
+    accounts_[i].contact_loss -= assembly_.contact_energy(i, state);
 }
 
-void Stepper::change_loads(State& state) {
-  if (!mechanism_.loads.empty())
-    account_.damper_loss += mechanism_.loads.release(state.time, state.loads);
-  acceleration_known_ = false;
+void Stepper::change_loads(SceneState& state) {
+  for (std::size_t i = 0; i < state.items.size(); ++i) {
+    State& item = state.items[i];
+    const Loads& loads = assembly_.items[i].loads;
+    if (!loads.empty()) accounts_[i].damper_loss += loads.release(item.time, item.loads);
+    predictions_[i].known = false;
+  }
 }
 
-double Stepper::approach_speed(const BodyContact& contact, const State& state) const {
-  return std::max(0.0, -contact.normal.dot(mechanism_.contact_velocity(contact, state)));
+double Stepper::approach_speed(const BodyContact& contact, const SceneState& state) const {
+  return std::max(0.0, -contact.normal.dot(assembly_.velocity(contact, state)));
 }
 
-double Stepper::longest_step(const State& state, double remaining) const {
+double Stepper::longest_step(const Group& group, const SceneState& state, double remaining) const {
   double longest = remaining;
-  const auto count = static_cast<double>(contacts_.size());
-  for (const BodyContactState& memory : state.contacts) {
-    const double rate =
-        memory.contact.normal.dot(mechanism_.contact_velocity(memory.contact, state));
+  const auto count = static_cast<double>(group.end_contact - group.first_contact);
+  for (std::size_t c = group.first_contact; c < group.end_contact; ++c) {
+    const BodyContactState& memory = state.contacts[c];
+    const BodyContact& contact = memory.contact;
+    const double rate = contact.normal.dot(assembly_.velocity(contact, state));
     const double gap = -memory.compression;
-    const Vector3 arm = mechanism_.contact_point(memory.contact, state);
-    const Vector3 turn = acceleration_.chassis.tail<3>().cross(arm);
-    const double change =
-        gap < 0 ? remaining * memory.contact.normal.dot(acceleration_.chassis.head<3>() + turn) : 0;
+    const double change = gap < 0 ? remaining * predicted_acceleration(contact, state) : 0;
     if (std::max(std::abs(rate), std::abs(change)) < ImpactLaw::kLeastApproach) continue;
     if (gap > 0 && gap > -2 * rate * remaining) continue;  // does not touch in this time
-    const double stiffness = mechanism_.law_of(memory.contact).impact_stiffness() * count;
+    const double stiffness = assembly_.laws.of(contact).impact_stiffness() * count;
     const double duration =
-        std::numbers::pi * std::sqrt(mechanism_.effective_mass(memory.contact, state) / stiffness);
+        std::numbers::pi * std::sqrt(assembly_.effective_mass(contact, state) / stiffness);
     const double until_touch = gap > 0 ? gap / -rate : 0;
     longest = std::min(longest, std::max(duration / kStepsInImpact, 0.8 * until_touch));
   }
   return longest;
 }
 
-bool Stepper::attempt(const State& from, double duration) {
-  const std::size_t legs = mechanism_.legs.size();
+double Stepper::predicted_acceleration(const BodyContact& contact, const SceneState& state) const {
+  const auto of = [&](const BodyContact::Side& side) {
+    const Vector6& a = predictions_[side.item].acceleration.chassis;
+    const Vector3 arm = assembly_.items[side.item].point(side, state.items[side.item]);
+    return contact.normal.dot(a.head<3>() + a.tail<3>().cross(arm));
+  };
+  return of(contact.side) - (contact.between_items() ? of(contact.other_side) : 0);
+}
+
+void Stepper::extrapolate(const Group& group, const SceneState& from, double duration) {
+  for (std::size_t i : group.items)
+    extrapolate_item(from.items[i], first_.end.items[i], first_.items[i].acceleration, duration,
+                     assembly_.items[i].legs.size(), between_.items[i]);
+  between_.contacts.resize(from.contacts.size());
+  for (std::size_t c = group.first_contact; c < group.end_contact; ++c) {
+    between_.contacts[c] = from.contacts[c];
+    between_.contacts[c].deflection =
+        extrapolated(from.contacts[c].deflection, first_.end.contacts[c].deflection);
+  }
+}
+
+bool Stepper::attempt(const Group& group, const SceneState& from, double duration) {
   const double tau = kSdirkGamma * duration;
-  StageSolver::Input input;
-  input.tau = tau;
-  input.loads = {tau, from.time, from.time + duration, true, &from.loads};
+  const double time = from.items[group.items.front()].time;
+  input_.group = &group;
+  input_.tau = tau;
+  input_.loads = {tau, time, time + duration, true, nullptr};
 
   Vector3 floor_first = Vector3::Zero();
   floor_second_.setZero();
-  if (!floor_.at_rest() && from.time < floor_.duration()) {
-    const Vector3 v0 = floor_.velocity_at(from.time);
-    const Vector3 v1 = floor_.velocity_at(from.time + 2 * tau);
-    const Vector3 v2 = floor_.velocity_at(from.time + duration);
+  if (!floor_.at_rest() && time < floor_.duration()) {
+    const Vector3 v0 = floor_.velocity_at(time);
+    const Vector3 v1 = floor_.velocity_at(time + 2 * tau);
+    const Vector3 v2 = floor_.velocity_at(time + duration);
     floor_first = (v1 - v0) / (2 * tau);
     floor_second_ = ((v2 - v0) / duration - (1 - kSdirkGamma) * floor_first) / kSdirkGamma;
   }
 
-  input.start = &from;
-  input.floor_acceleration = floor_first;
-  input.loads.floor_acceleration_up = floor_first.z();
-  input.guess =
-      acceleration_known_ ? advanced(from.velocity, tau, acceleration_, legs) : from.velocity;
-  input.contacts = &contacts_;
-  const bool first_converged = solver_.solve(input, first_);
+  input_.start = &from;
+  input_.floor_acceleration = floor_first;
+  input_.loads.floor_acceleration_up = floor_first.z();
+  for (std::size_t i : group.items) {
+    const Velocity& v = from.items[i].velocity;
+    input_.guess[i] = predictions_[i].known ? advanced(v, tau, predictions_[i].acceleration,
+                                                       assembly_.items[i].legs.size())
+                                            : v;
+  }
+  const bool first_converged = solver_.solve(input_, first_);
   quality_.newton_iterations += first_.iterations;
   if (!std::isfinite(first_.residual)) return false;
 
-  extrapolate(from, duration, first_, legs, between_);
-  input.start = &between_;
-  input.floor_acceleration = floor_second_;
-  input.loads.floor_acceleration_up = floor_second_.z();
-  input.guess = advanced(between_.velocity, tau, first_.acceleration, legs);
-  input.loads.start = &between_.loads;
-  input.loads.first = false;
-  const bool second_converged = solver_.solve(input, second_);
+  extrapolate(group, from, duration);
+  input_.start = &between_;
+  input_.floor_acceleration = floor_second_;
+  input_.loads.floor_acceleration_up = floor_second_.z();
+  for (std::size_t i : group.items)
+    input_.guess[i] = advanced(between_.items[i].velocity, tau, first_.items[i].acceleration,
+                               assembly_.items[i].legs.size());
+  input_.loads.first = false;
+  const bool second_converged = solver_.solve(input_, second_);
   quality_.newton_iterations += second_.iterations;
-  second_.end.time = from.time + duration;
+  for (std::size_t i : group.items) second_.end.items[i].time = time + duration;
   return first_converged && second_converged && std::isfinite(second_.residual);
 }
 
-void Stepper::accept(State& state, double duration, const Observer& observer) {
-  add_power(first_.power, (1 - kSdirkGamma) * duration, account_);
-  add_power(second_.power, kSdirkGamma * duration, account_);
+void Stepper::accept(const Group& group, SceneState& state, double duration,
+                     const Observer& observer) {
   const double tau = kSdirkGamma * duration;
-  account_.numerical_loss += 0.5 * tau * tau * (second_.spring_rates - first_.spring_rates);
+  const double time = state.items[group.items.front()].time;
+  for (std::size_t i : group.items) {
+    const ItemStage::Output &first = first_.items[i], &second = second_.items[i];
+    add_power(first.power, (1 - kSdirkGamma) * duration, accounts_[i]);
+    add_power(second.power, kSdirkGamma * duration, accounts_[i]);
+    accounts_[i].numerical_loss += 0.5 * tau * tau * (second.spring_rates - first.spring_rates);
+    predictions_[i] = {second.acceleration, true};
+    const Tethers& tethers = assembly_.items[i].tethers;
+    if (!tethers.empty()) accounts_[i].damper_loss += tethers.give_way(second_.end.items[i]);
+  }
   quality_.largest_residual =
       std::max({quality_.largest_residual, first_.residual, second_.residual});
   ++quality_.steps;
-  acceleration_ = second_.acceleration;
-  acceleration_known_ = true;
-  if (observer) observer({&state, &second_.end, &first_, &second_, floor_second_, duration});
-  std::swap(state, second_.end);
+  if (observer)
+    observer({&group, time, duration, &state, &second_.end, &first_, &second_, floor_second_});
+  for (std::size_t i : group.items) std::swap(state.items[i], second_.end.items[i]);
+  for (std::size_t c = group.first_contact; c < group.end_contact; ++c)
+    std::swap(state.contacts[c], second_.end.contacts[c]);
 }
 
-std::optional<double> Stepper::locate_landing(const State& from, double duration) {
+double Stepper::penetration(const Group& group, const SceneState& state) const {
+  double deepest = -1;
+  for (std::size_t i : group.items)
+    if (!assembly_.items[i].loads.empty())
+      deepest = std::max(deepest, assembly_.items[i].loads.penetration(state.items[i].loads));
+  return deepest;
+}
+
+std::optional<double> Stepper::locate_landing(const Group& group, const SceneState& from,
+                                              double duration) {
   double low = 0, high = duration;
-  double at_low = mechanism_.loads.penetration(from.loads);
-  double at_high = mechanism_.loads.penetration(second_.end.loads);
+  double at_low = penetration(group, from);
+  double at_high = penetration(group, second_.end);
   double trial = duration;
   for (int i = 0; i < kMaxLandingTrials && high - low > 1e-15; ++i) {
     trial = low + (high - low) * at_low / (at_low - at_high);
-    if (!attempt(from, trial)) return std::nullopt;
-    const double here = mechanism_.loads.penetration(second_.end.loads);
+    if (!attempt(group, from, trial)) return std::nullopt;
+    const double here = penetration(group, second_.end);
     if (std::abs(here) < kLandingTolerance) break;
     if (here < 0) {
       low = trial;
@@ -221,58 +276,71 @@ std::optional<double> Stepper::locate_landing(const State& from, double duration
   return trial;
 }
 
-std::optional<std::string> Stepper::advance_smoothly(State& state, double time, int depth,
+std::optional<std::string> Stepper::advance_smoothly(const Group& group, SceneState& state,
+                                                     double time, int depth,
                                                      const Observer& observer) {
-  double duration = time - state.time;
-  const bool converged = attempt(state, duration);
+  const double from = state.items[group.items.front()].time;
+  double duration = time - from;
+  const bool converged = attempt(group, state, duration);
   if (!converged) {
     if (depth < settings_.max_subdivisions) {
       if (depth == 0) ++quality_.subdivided_steps;
-      acceleration_known_ = false;
-      const double middle = state.time + 0.5 * duration;
-      if (auto cause = advance_smoothly(state, middle, depth + 1, observer)) return cause;
-      return advance_smoothly(state, time, depth + 1, observer);
+      for (std::size_t i : group.items) predictions_[i].known = false;
+      const double middle = from + 0.5 * duration;
+      if (auto cause = advance_smoothly(group, state, middle, depth + 1, observer)) return cause;
+      return advance_smoothly(group, state, time, depth + 1, observer);
     }
     const bool finite = std::isfinite(first_.residual) && std::isfinite(second_.residual);
     const double residual = std::max(first_.residual, second_.residual);
     if (!finite || residual > kAcceptableResidual)
-      return fmt::format("the contact solve did not converge at {:.6g} s, residual {:.3g}",
-                         state.time, finite ? residual : std::nan(""));
+      return fmt::format("the contact solve did not converge at {:.6g} s, residual {:.3g}", from,
+                         finite ? residual : std::nan(""));
     ++quality_.unconverged_steps;
   }
-  if (!mechanism_.loads.empty() &&
-      mechanism_.loads.penetration(second_.end.loads) > kLandingTolerance) {
-    const std::optional<double> landing = locate_landing(state, duration);
+  if (penetration(group, second_.end) > kLandingTolerance) {
+    const std::optional<double> landing = locate_landing(group, state, duration);
     if (!landing) return "the landing of a drop weight could not be located";
     duration = *landing;
     ++quality_.event_steps;
-    accept(state, duration, observer);
-    account_.damper_loss += mechanism_.loads.land(state.loads);
-    acceleration_known_ = false;
-    if (time - state.time < kShortestStep) {
-      state.time = time;
-      return std::nullopt;
+    accept(group, state, duration, observer);
+    for (std::size_t i : group.items) {
+      if (!assembly_.items[i].loads.empty())
+        accounts_[i].damper_loss += assembly_.items[i].loads.land(state.items[i].loads);
+      predictions_[i].known = false;
     }
-    return advance_smoothly(state, time, depth, observer);
+    if (time - from - duration >= kShortestStep)
+      return advance_smoothly(group, state, time, depth, observer);
+  } else {
+    accept(group, state, duration, observer);
   }
-  accept(state, duration, observer);
-  state.time = time;
+  for (std::size_t i : group.items) state.items[i].time = time;
   return std::nullopt;
 }
 
-std::optional<std::string> Stepper::advance(State& state, double time, const Observer& observer) {
-  std::optional<std::string> cause;
-  while (!cause && state.time < time) {
-    for (BodyContactState& memory : state.contacts)
+std::optional<std::string> Stepper::advance_group(const Group& group, SceneState& state,
+                                                  double time, const Observer& observer) {
+  const State& front = state.items[group.items.front()];
+  while (front.time < time) {
+    for (std::size_t c = group.first_contact; c < group.end_contact; ++c) {
+      BodyContactState& memory = state.contacts[c];
       if (memory.compression <= 0) memory.approach_speed = approach_speed(memory.contact, state);
-    const double remaining = time - state.time;
-    const double step = longest_step(state, remaining);
-    const double parts = std::ceil(remaining / step);
+    }
+    const double remaining = time - front.time;
+    const double parts = std::ceil(remaining / longest_step(group, state, remaining));
     if (parts >= 2) ++quality_.event_steps;
-    cause = advance_smoothly(state, parts < 2 ? time : state.time + remaining / parts, 0, observer);
+    const double stop = parts < 2 ? time : front.time + remaining / parts;
+    if (auto cause = advance_smoothly(group, state, stop, 0, observer)) return cause;
   }
-  if (!cause && !state.position.allFinite()) cause = "the position is not finite";
-  return cause;
+  for (std::size_t i : group.items)
+    if (!state.items[i].position.allFinite()) return "the position is not finite";
+  return std::nullopt;
+}
+
+std::optional<std::string> Stepper::advance(SceneState& state, double time,
+                                            const Observer& observer) {
+  for (const Group& group : groups_)
+    if (auto cause = advance_group(group, state, time, observer)) return cause;
+  return std::nullopt;
 }
 
 }  // namespace gurney

@@ -11,60 +11,75 @@
 
 namespace gurney {
 
-/// Advances a mechanism in time with the two-stage method of quadrature.h: second order, L-stable.
+/// Advances the items of a scene in time with the two-stage method of quadrature.h: second order,
+/// L-stable. Items that may touch take their steps together, all others apart.
 ///
 /// A step whose solve does not converge is halved, again and again down to `max_subdivisions`.
 /// Events that change the equations (a drop weight reaching its floor) are located inside the step
-/// and end it. While a body meets another one the steps are a fraction of the contact's duration.
+/// and end it. While a body meets another one the steps are a
+/// fraction of the contact's duration.
 class Stepper {
  public:
-  Stepper(const Mechanism& mechanism, const FloorMotion& floor, const SimulationSettings& settings);
+  Stepper(const Assembly& assembly, const FloorMotion& floor, const SimulationSettings& settings);
 
-  /// What an accepted step did.
+  /// What an accepted step did to the items and contacts of one group.
   struct Step {
-    const State* from;
-    const State* to;
+    const Group* group;
+    double time, duration;  ///< at its start
+    const SceneState* from;
+    const SceneState* to;
     const StageSolver::Output* first;  ///< the first stage; its weight is 1 - gamma
     const StageSolver::Output* end;    ///< the second stage, at the end of the step; weight gamma
     Vector3 floor_acceleration;        ///< in that stage
-    double duration;
   };
   using Observer = std::function<void(const Step&)>;
 
   /// Advances `state` to `time`, telling the observer every accepted step.
   /// @returns a cause when the run cannot go on.
-  std::optional<std::string> advance(State& state, double time, const Observer& observer);
+  std::optional<std::string> advance(SceneState& state, double time, const Observer& observer);
 
   /// The contacts of bodies from now on. A contact that persists (same body, nearly the same place)
   /// keeps what it remembers in `state`; the energy stored in contacts that end is lost.
-  void set_contacts(const std::vector<BodyContact>& contacts, State& state);
+  void set_contacts(const std::vector<BodyContact>& contacts, SceneState& state);
 
   /// Loads change at the state's time: blocks let go, and the last acceleration predicts nothing.
-  void change_loads(State& state);
+  void change_loads(SceneState& state);
 
-  const EnergyAccount& account() const { return account_; }
+  /// As Scene::items.
+  const std::vector<EnergyAccount>& accounts() const { return accounts_; }
   const Quality& quality() const { return quality_; }
 
  private:
-  bool attempt(const State& from, double duration);
-  void accept(State& state, double duration, const Observer& observer);
-  std::optional<std::string> advance_smoothly(State& state, double time, int depth,
-                                              const Observer& observer);
-  std::optional<double> locate_landing(const State& from, double duration);
-  double approach_speed(const BodyContact& contact, const State& state) const;
-  double longest_step(const State& state, double remaining) const;
+  bool attempt(const Group& group, const SceneState& from, double duration);
+  void extrapolate(const Group& group, const SceneState& from, double duration);
+  void accept(const Group& group, SceneState& state, double duration, const Observer& observer);
+  std::optional<std::string> advance_group(const Group& group, SceneState& state, double time,
+                                           const Observer& observer);
+  std::optional<std::string> advance_smoothly(const Group& group, SceneState& state, double time,
+                                              int depth, const Observer& observer);
+  double penetration(const Group& group, const SceneState& state) const;
+  std::optional<double> locate_landing(const Group& group, const SceneState& from, double duration);
+  double approach_speed(const BodyContact& contact, const SceneState& state) const;
+  double predicted_acceleration(const BodyContact& contact, const SceneState& state) const;
+  double longest_step(const Group& group, const SceneState& state, double remaining) const;
 
-  const Mechanism& mechanism_;
+  /// What the last accepted step of an item tells the next one.
+  struct Prediction {
+    Velocity acceleration;
+    bool known = false;
+  };
+
+  const Assembly& assembly_;
   const FloorMotion& floor_;
   SimulationSettings settings_;
   StageSolver solver_;
+  StageSolver::Input input_;
   StageSolver::Output first_, second_;
-  State between_;  // start of the second stage
-  std::vector<BodyContact> contacts_;
+  SceneState between_;  // start of the second stage
+  std::vector<Group> groups_;
   Vector3 floor_second_ = Vector3::Zero();
-  Velocity acceleration_;
-  bool acceleration_known_ = false;
-  EnergyAccount account_;
+  std::vector<Prediction> predictions_;
+  std::vector<EnergyAccount> accounts_;
   Quality quality_;
 };
 

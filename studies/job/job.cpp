@@ -110,7 +110,7 @@ Job read_job(config::Document& document) {
   std::optional<LoadedItem> item;
   read_floor(root, job.assumptions, job.scene, options);
   if (auto table = root.table("item"))
-    item = read_job_item(*table, options, job.scene.initial, job.assumptions);
+    item = read_job_item(*table, options, job.scene.items[0].initial, job.assumptions);
   else if (!root.has("item"))
     root.note("item", ": missing; must be a table [item]");
   if (auto table = root.table("excitation")) {
@@ -119,12 +119,12 @@ Job read_job(config::Document& document) {
   }
   if (auto table = root.table("fixture"))
     job.excitation.fixture = read_fixture(*table, job.assumptions);
-  read_initial(root, job.assumptions, job.scene.initial);
+  read_initial(root, job.assumptions, job.scene.items[0].initial);
   read_settings(root, job.settings);
   read_output(root, job.settings);
   document.finish();
 
-  job.scene.item = std::move(item->model);
+  job.scene.items[0].model = std::move(item->model);
   job.warnings = std::move(item->warnings);
   add_assumptions(job.assumptions, item->assumptions);
   return job;

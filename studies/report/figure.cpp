@@ -61,7 +61,7 @@ Panel vector_panel(const std::string& title, const std::string& y_label,
 Panel wheel_panel(const std::string& title, const std::string& y_label, const RunFacts& facts,
                   const std::vector<Sample>& history, double WheelSample::*member, double unit) {
   Panel panel = time_panel(title, y_label, 2);
-  const auto& casters = facts.scene.item.casters;
+  const auto& casters = facts.scene.items[0].model.casters;
   for (std::size_t i = 0; i < casters.size(); ++i)
     panel.curves.push_back(curve(casters[i].name, history, i,
                                  [&](const Sample& s) { return s.wheels[i].*member / unit; }));
@@ -107,9 +107,9 @@ void draw_heading(Svg& svg, const RunFacts& facts, const Response& response) {
   svg.text(kLeft, 34, facts.title.empty() ? facts.job_name : facts.title,
            {.size = 17, .bold = true});
   svg.text(kLeft, 55,
-           fmt::format("{}   \u00b7   {}   \u00b7   {} at {:.2f} s{}", facts.scene.item.name, floor,
-                       name_of(response.outcome), response.end_time,
-                       response.cause.empty() ? "" : ": " + response.cause),
+           fmt::format("{}   \u00b7   {}   \u00b7   {} at {:.2f} s{}",
+                       facts.scene.items[0].model.name, floor, name_of(response.outcome),
+                       response.end_time, response.cause.empty() ? "" : ": " + response.cause),
            {.size = 12, .color = "#555555"});
 }
 
@@ -121,7 +121,7 @@ bool pulled(const std::vector<Sample>& history) {
 }  // namespace
 
 std::string figure(const RunFacts& facts, const Response& response) {
-  const std::vector<Sample>& history = response.history;
+  const std::vector<Sample>& history = response.items[0].history;
   if (history.empty()) {
     Svg svg(kWidth, 120);
     draw_heading(svg, facts, response);
@@ -147,7 +147,7 @@ std::string figure(const RunFacts& facts, const Response& response) {
   draw(svg, frame_at(0, 3),
        wheel_panel("Swivel angles", "Swivel angle (deg)", facts, history,
                    &WheelSample::swivel_angle, kRadiansPerDegree));
-  draw(svg, frame_at(1, 3), energy_panel(history, response.stored_energy_at_start));
+  draw(svg, frame_at(1, 3), energy_panel(history, response.items[0].stored_energy_at_start));
   if (with_pull) {
     draw(svg, frame_at(0, 4), pull_panel(history));
     draw(svg, frame_at(1, 4), turn_panel(history));

@@ -15,7 +15,8 @@ struct Pose {
 };
 
 Pose pose_of(const Scene& scene, const Sample& sample) {
-  return {(scene.initial.position + sample.displacement).head<2>(), scene.initial.yaw + sample.yaw};
+  return {(scene.items[0].initial.position + sample.displacement).head<2>(),
+          scene.items[0].initial.yaw + sample.yaw};
 }
 
 std::vector<Vector2> corners(const Box& box, const Pose& pose) {
@@ -52,15 +53,16 @@ const Sample& last_finite(const std::vector<Sample>& history) {
 void draw_item(Svg& svg, const Scaling& scaling, const Scene& scene, const Sample& sample,
                const std::string& color) {
   const Pose pose = pose_of(scene, sample);
-  for (const Box& box : scene.item.shape) {
+  for (const Box& box : scene.items[0].model.shape) {
     Svg::Points outline;
     for (const Vector2& corner : corners(box, pose))
       outline.emplace_back(scaling.x(corner.x()), scaling.y(corner.y()));
     svg.polyline(outline, {.stroke = "", .fill = color, .opacity = 0.08}, true);
     svg.polyline(outline, {.stroke = color, .width = 1.2}, true);
   }
-  for (std::size_t i = 0; i < scene.item.casters.size(); ++i) {
-    const WheelPlan wheel = wheel_plan(scene.item.casters[i], sample.wheels[i].swivel_angle, pose);
+  for (std::size_t i = 0; i < scene.items[0].model.casters.size(); ++i) {
+    const WheelPlan wheel =
+        wheel_plan(scene.items[0].model.casters[i], sample.wheels[i].swivel_angle, pose);
     svg.line(scaling.x(wheel.mount.x()), scaling.y(wheel.mount.y()), scaling.x(wheel.middle.x()),
              scaling.y(wheel.middle.y()), {.stroke = color, .width = 1});
     svg.line(scaling.x(wheel.back.x()), scaling.y(wheel.back.y()), scaling.x(wheel.front.x()),
@@ -85,11 +87,11 @@ void fit_ranges(Panel& panel, const Scene& scene, const std::vector<Sample>& his
     if (sample.displacement.allFinite()) include(panel, pose_of(scene, sample).origin);
   for (const Sample* sample : {&history.front(), &end}) {
     const Pose pose = pose_of(scene, *sample);
-    for (const Box& box : scene.item.shape)
+    for (const Box& box : scene.items[0].model.shape)
       for (const Vector2& corner : corners(box, pose)) include(panel, corner);
-    for (std::size_t i = 0; i < scene.item.casters.size(); ++i) {
+    for (std::size_t i = 0; i < scene.items[0].model.casters.size(); ++i) {
       const WheelPlan wheel =
-          wheel_plan(scene.item.casters[i], sample->wheels[i].swivel_angle, pose);
+          wheel_plan(scene.items[0].model.casters[i], sample->wheels[i].swivel_angle, pose);
       include(panel, wheel.back);
       include(panel, wheel.front);
     }

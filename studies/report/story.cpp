@@ -33,7 +33,7 @@ std::string lifting(const Demands& d) {
 }
 
 std::string ending(const Response& response) {
-  const Demands& d = response.demands;
+  const Demands& d = response.items[0].demands;
   const std::string place =
       fmt::format("{} from its start, turned by {:.1f} deg", millimetres(d.residual_displacement),
                   d.residual_yaw / kRadiansPerDegree);
@@ -61,7 +61,7 @@ std::string story(const Response& response) {
   if (response.outcome == Outcome::kDiverged)
     return fmt::format("The run DIVERGED at {:.4g} s: {}. Its numbers must not be used.",
                        response.end_time, response.cause);
-  return motion(response.demands) + lifting(response.demands) + ending(response);
+  return motion(response.items[0].demands) + lifting(response.items[0].demands) + ending(response);
 }
 
 }  // namespace gurney

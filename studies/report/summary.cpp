@@ -179,7 +179,7 @@ std::string notes(const RunFacts& facts) {
 }  // namespace
 
 std::string summary(const RunFacts& facts, const Response& response) {
-  const EquipmentModel& item = facts.scene.item;
+  const EquipmentModel& item = facts.scene.items[0].model;
   std::vector<std::string> casters, points;
   for (const Caster& caster : item.casters) casters.push_back(caster.name);
   for (const MarkedPoint& point : item.marked_points) points.push_back(point.name);
@@ -189,11 +189,11 @@ std::string summary(const RunFacts& facts, const Response& response) {
   text += record_text(facts);
   text += fmt::format("\n{}\n\n", wrapped(story(response), 0, 0));
   text += fmt::format("  {:<32}{:>12}\n", "demand", "value");
-  text += list(demand_columns(), response.demands);
-  text += table("wheel", wheel_demand_columns(), casters, response.demands.wheels,
+  text += list(demand_columns(), response.items[0].demands);
+  text += table("wheel", wheel_demand_columns(), casters, response.items[0].demands.wheels,
                 std::string("wheel_").size());
-  if (!response.demands.points.empty())
-    text += table("point", point_demand_columns(), points, response.demands.points,
+  if (!response.items[0].demands.points.empty())
+    text += table("point", point_demand_columns(), points, response.items[0].demands.points,
                   std::string("point_").size());
   text += fmt::format("\n  {:<32}{:>12}\n", "quality", "value");
   text += list(quality_columns(), response.quality);

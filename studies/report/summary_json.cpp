@@ -83,7 +83,7 @@ Json draw(const RunFacts& facts) {
 
 std::string summary_json(const RunFacts& facts, const Response& response) {
   const BuildInfo build = build_info();
-  const EquipmentModel& item = facts.scene.item;
+  const EquipmentModel& item = facts.scene.items[0].model;
   Json json{{"title", facts.title},
             {"job_name", facts.job_name},
             {"job_sha256", facts.job_sha256},
@@ -96,12 +96,13 @@ std::string summary_json(const RunFacts& facts, const Response& response) {
             {"cause", response.cause},
             {"story", story(response)},
             {"end_time_s", response.end_time}};
-  json["demands"] = object(demand_columns(), response.demands);
-  json["wheels"] = named_objects(wheel_demand_columns(), response.demands.wheels, item.casters);
+  json["demands"] = object(demand_columns(), response.items[0].demands);
+  json["wheels"] =
+      named_objects(wheel_demand_columns(), response.items[0].demands.wheels, item.casters);
   json["points"] =
-      named_objects(point_demand_columns(), response.demands.points, item.marked_points);
+      named_objects(point_demand_columns(), response.items[0].demands.points, item.marked_points);
   json["quality"] = object(quality_columns(), response.quality);
-  json["energy"] = object(energy_columns(), response.energy);
+  json["energy"] = object(energy_columns(), response.items[0].energy);
   json["warnings"] = facts.warnings;
   json["draw"] = draw(facts);
   json["assumptions"] = assumptions(facts.assumptions);

@@ -40,13 +40,14 @@ void add_columns(Hdf5Writer& file, const std::string& group, std::span<const Col
 
 std::vector<std::string> caster_names(const RunFacts& facts) {
   std::vector<std::string> names;
-  for (const Caster& caster : facts.scene.item.casters) names.push_back(caster.name);
+  for (const Caster& caster : facts.scene.items[0].model.casters) names.push_back(caster.name);
   return names;
 }
 
 std::vector<std::string> point_names(const RunFacts& facts) {
   std::vector<std::string> names;
-  for (const MarkedPoint& point : facts.scene.item.marked_points) names.push_back(point.name);
+  for (const MarkedPoint& point : facts.scene.items[0].model.marked_points)
+    names.push_back(point.name);
   return names;
 }
 
@@ -110,18 +111,19 @@ void add_runs(Hdf5Writer& file, const RunFacts& facts, const Response& response)
   file.add_scale({"/runs/wheel", "1", "name of the caster", {}}, caster_names(facts));
   file.add_scale({"/runs/point", "1", "name of the marked point", {}}, point_names(facts));
   file.add_scale({"/runs/axis", "1", "floor axis", {}}, std::vector<std::string>{"x", "y", "z"});
-  one_text("item", "name of the item", facts.scene.item.name);
+  one_text("item", "name of the item", facts.scene.items[0].model.name);
   one_text("record", "name of the floor motion; empty: the floor is at rest",
            facts.record ? facts.record->name : "");
   one_text("outcome", "how the run ended: rested, still_moving, stopped, overturned or diverged",
            name_of(response.outcome));
   one_text("cause", "why the run diverged; empty: it did not", response.cause);
   file.add({"/runs/end_time", "s", "end of the run", kRun}, std::vector<double>{response.end_time});
-  add_columns(file, "/runs/", demand_columns(), kRun, std::vector<Demands>{response.demands});
+  add_columns(file, "/runs/", demand_columns(), kRun,
+              std::vector<Demands>{response.items[0].demands});
   add_columns(file, "/runs/", wheel_demand_columns(), {"/runs/run", "/runs/wheel"},
-              response.demands.wheels);
+              response.items[0].demands.wheels);
   add_columns(file, "/runs/", point_demand_columns(), {"/runs/run", "/runs/point"},
-              response.demands.points);
+              response.items[0].demands.points);
   add_record(file, facts.record.value_or(RecordFacts{}));
 }
 
@@ -132,9 +134,9 @@ void add_verification(Hdf5Writer& file, const Response& response) {
   add_columns(file, "/verification/", quality_columns(), run,
               std::vector<Quality>{response.quality});
   file.add({"/verification/stored_energy_at_start", "J", "energy stored at the start", run},
-           std::vector<double>{response.stored_energy_at_start});
+           std::vector<double>{response.items[0].stored_energy_at_start});
   add_columns(file, "/verification/", energy_columns(), run,
-              std::vector<EnergyAccount>{response.energy});
+              std::vector<EnergyAccount>{response.items[0].energy});
 }
 
 /// `get` gives a Vector3 for each sample.
@@ -225,8 +227,8 @@ void add_histories(Hdf5Writer& file, const RunFacts& facts, const std::vector<Sa
   file.add({"/histories/count", "1", "number of samples of the run", {"/histories/run"}},
            std::vector<std::int64_t>{static_cast<std::int64_t>(history.size())});
   add_body_histories(file, history);
-  add_wheel_histories(file, history, facts.scene.item.casters.size());
-  add_point_histories(file, history, facts.scene.item.marked_points.size());
+  add_wheel_histories(file, history, facts.scene.items[0].model.casters.size());
+  add_point_histories(file, history, facts.scene.items[0].model.marked_points.size());
 }
 
 void add_assumptions(Hdf5Writer& file, const std::vector<AssumptionFacts>& assumptions) {
@@ -273,7 +275,7 @@ std::string results_image(const RunFacts& facts, const Response& response) {
   Hdf5Writer file;
   add_root(file, facts);
   add_runs(file, facts, response);
-  add_histories(file, facts, response.history);
+  add_histories(file, facts, response.items[0].history);
   add_assumptions(file, facts.assumptions);
   if (facts.draw) add_drawn(file, facts.drawn);
   add_verification(file, response);

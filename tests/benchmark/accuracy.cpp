@@ -25,7 +25,7 @@ double relative(double value, double reference) { return std::abs(value / refere
 /// Largest absolute acceleration of the marked points.
 double peak_acceleration(const Response& response) {
   double peak = 0;
-  for (const auto& point : response.demands.points)
+  for (const auto& point : response.items[0].demands.points)
     peak = std::max(peak, point.peak_absolute_acceleration);
   return peak;
 }
@@ -55,11 +55,11 @@ void print_pulling_accuracy() {
     const Response response = simulate(scene, pull(), {.time_step = s.step, .history_step = 0.5});
     const PullReference reference = pull_reference(scene);
     double at_release = 0;
-    for (const Sample& sample : response.history)
+    for (const Sample& sample : response.items[0].history)
       if (std::abs(sample.time - 3) < 1e-9) at_release = sample.displacement.x();
     fmt::print("{:>10.0e} {:>10.0e} {:>9.3g} {:>13.4f}% {:>13.4f}%\n", s.normal, s.tangential,
                1e3 * s.step, 100 * (at_release / reference.at_release - 1),
-               100 * (response.demands.residual_displacement / reference.at_rest - 1));
+               100 * (response.items[0].demands.residual_displacement / reference.at_rest - 1));
   }
   fmt::print(
       "The soft tread (last rows) winds up 0.05 mm before the full resistance acts: that is the\n"
@@ -103,7 +103,7 @@ void print_ensemble_accuracy(int records, int headings) {
     std::vector<double> end_distance;
     double coarse_lift = 0, fine_lift = 0;
     for (const Pair& pair : pairs) {
-      const Demands &a = pair.coarse.demands, &b = pair.fine.demands;
+      const Demands &a = pair.coarse.items[0].demands, &b = pair.fine.items[0].demands;
       errors[0].push_back(relative(a.peak_displacement, b.peak_displacement));
       errors[1].push_back(relative(peak_acceleration(pair.coarse), peak_acceleration(pair.fine)));
       errors[2].push_back(relative(a.peak_normal_force, b.peak_normal_force));

@@ -23,9 +23,10 @@ struct Peer {
 /// Largest distance between two paths sampled at the same times [m].
 double path_distance(const Response& a, const Response& b) {
   double distance = 0;
-  for (std::size_t i = 0; i < std::min(a.history.size(), b.history.size()); ++i)
-    distance = std::max(distance,
-                        (a.history[i].displacement - b.history[i].displacement).head<2>().norm());
+  for (std::size_t i = 0; i < std::min(a.items[0].history.size(), b.items[0].history.size()); ++i)
+    distance = std::max(
+        distance,
+        (a.items[0].history[i].displacement - b.items[0].history[i].displacement).head<2>().norm());
   return distance;
 }
 

@@ -17,12 +17,12 @@ Scene trolley(const std::vector<double>& headings_deg) {
   ItemOptions options;
   for (double heading : headings_deg) options.headings.push_back(heading * kRadiansPerDegree);
   Scene scene;
-  scene.item = load_item(find_data(DataKind::kItem, "xu_trolley", ""), options).model;
+  scene.items[0].model = load_item(find_data(DataKind::kItem, "xu_trolley", ""), options).model;
   return scene;
 }
 
 void make_rigid(Scene& scene, double normal_stiffness, double tangential_stiffness) {
-  for (Caster& caster : scene.item.casters) {
+  for (Caster& caster : scene.items[0].model.casters) {
     Tread& tread = caster.tread;
     tread.normal_damping *= std::sqrt(normal_stiffness / tread.normal_stiffness);
     tread.tangential_damping *= std::sqrt(tangential_stiffness / tread.tangential_stiffness);
@@ -54,11 +54,11 @@ Excitation pull() {
 }
 
 PullReference pull_reference(const Scene& scene) {
-  const double mass = whole_item(scene.item).mass;
+  const double mass = whole_item(scene.items[0].model).mass;
   double rolling_inertia = 0;
-  for (const Caster& c : scene.item.casters)
+  for (const Caster& c : scene.items[0].model.casters)
     rolling_inertia += c.wheel_axial_inertia / (c.wheel_radius * c.wheel_radius);
-  const Caster& c = scene.item.casters.front();
+  const Caster& c = scene.items[0].model.casters.front();
   const double resistance = c.tread.rolling_resistance / c.wheel_radius * mass * scene.gravity;
   const double a1 = (40 - resistance) / (mass + rolling_inertia);
   const double a2 = resistance / (mass + rolling_inertia);

@@ -21,7 +21,7 @@ struct Job {
 
 Job shaken_job() {
   Job job;
-  job.scene.item = small::trolley({10, 100, 200, 300}, Tread());
+  job.scene.items[0].model = small::trolley({10, 100, 200, 300}, Tread());
   job.excitation.floor = small::noise_record(5, 4, {4, 3, 2});
   return job;
 }
@@ -29,8 +29,8 @@ Job shaken_job() {
 /// A trolley with a skirt 40 mm above the floor, pushed over until the skirt touches and carries.
 Job tipping_job() {
   Job job;
-  job.scene.item = small::trolley({0, 90, 180, 270}, Tread());
-  job.scene.item.shape.push_back({{0, 0, 0.125}, {1.2, 0.9, 0.2}});
+  job.scene.items[0].model = small::trolley({0, 90, 180, 270}, Tread());
+  job.scene.items[0].model.shape.push_back({{0, 0, 0.125}, {1.2, 0.9, 0.2}});
   job.excitation.forces = {{"push", {0, 0, 1.0}, {0, 1, 0}, {0, 0.3, 0.6, 0.9}, {0, 340, 340, 0}}};
   job.settings.duration = 4;
   return job;
@@ -42,10 +42,10 @@ bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 /// Whether two runs agree in every bit of what matters: motion, forces, energy.
 void expect_same_bits(const Response& a, const Response& b) {
-  ASSERT_EQ(a.history.size(), b.history.size());
+  ASSERT_EQ(a.items[0].history.size(), b.items[0].history.size());
   EXPECT_EQ(a.outcome, b.outcome);
-  for (std::size_t i = 0; i < a.history.size(); ++i) {
-    const Sample &s = a.history[i], &t = b.history[i];
+  for (std::size_t i = 0; i < a.items[0].history.size(); ++i) {
+    const Sample &s = a.items[0].history[i], &t = b.items[0].history[i];
     bool equal = same(s.time, t.time) && same(s.yaw, t.yaw) && same(s.tilt, t.tilt);
     for (int k = 0; k < 3; ++k)
       equal &= same(s.displacement[k], t.displacement[k]) && same(s.velocity[k], t.velocity[k]) &&
@@ -57,7 +57,7 @@ void expect_same_bits(const Response& a, const Response& b) {
     equal &= same(s.energy.loss(), t.energy.loss()) && same(s.energy.stored(), t.energy.stored());
     ASSERT_TRUE(equal) << "at " << s.time << " s";
   }
-  EXPECT_TRUE(same(a.demands.peak_displacement, b.demands.peak_displacement));
+  EXPECT_TRUE(same(a.items[0].demands.peak_displacement, b.items[0].demands.peak_displacement));
   EXPECT_TRUE(same(a.quality.largest_residual, b.quality.largest_residual));
   EXPECT_EQ(a.quality.newton_iterations, b.quality.newton_iterations);
 }
@@ -93,11 +93,12 @@ TEST(BodyContact, ATippingChassisLandsOnItsSkirtAndDoesNotSink) {
   const Job job = tipping_job();
   const Response response = run(job);
   ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
-  const Box& skirt = job.scene.item.shape.back();
+  const Box& skirt = job.scene.items[0].model.shape.back();
   const double bottom = skirt.center.z() - 0.5 * skirt.size.z(), edge = 0.5 * skirt.size.y();
-  const double sink = response.history[0].wheels[0].normal_force / Tread().normal_stiffness;
+  const double sink =
+      response.items[0].history[0].wheels[0].normal_force / Tread().normal_stiffness;
   double lowest = 1, tilt = 0;
-  for (const Sample& sample : response.history) {
+  for (const Sample& sample : response.items[0].history) {
     tilt = std::max(tilt, sample.tilt);
     // It tilts about x: height of the skirt's lower edge above the floor.
     lowest = std::min(lowest, sample.displacement.z() - sink + bottom * std::cos(sample.tilt) -
@@ -108,10 +109,10 @@ TEST(BodyContact, ATippingChassisLandsOnItsSkirtAndDoesNotSink) {
   // The weight on two points of 1e6 N/m sinks 0.5 mm, landing doubles it.
   EXPECT_LT(lowest, 0);
   EXPECT_GT(lowest, -1.5e-3);
-  EXPECT_GT(response.energy.contact_loss, 1);
+  EXPECT_GT(response.items[0].energy.contact_loss, 1);
   EXPECT_EQ(response.quality.unconverged_steps, 0);
   // It falls back onto its casters and stands there.
-  EXPECT_LT(response.history.back().tilt, 0.002);
+  EXPECT_LT(response.items[0].history.back().tilt, 0.002);
 }
 
 TEST(BodyContact, TheEnergyAccountClosesWithTheTimeStep) {

@@ -20,21 +20,21 @@ Job coasting(double rolling_resistance) {
   Tread tread;
   tread.rolling_resistance = rolling_resistance;
   tread.tangential_damping = 500;
-  job.scene.item = small::trolley({0, 0, 0, 0}, tread);
-  job.scene.initial.velocity = {0.3, 0, 0};
+  job.scene.items[0].model = small::trolley({0, 0, 0, 0}, tread);
+  job.scene.items[0].initial.velocity = {0.3, 0, 0};
   return job;
 }
 
 Response run(const Job& job) { return simulate(job.scene, job.excitation, job.settings); }
 
 bool finite(const Response& response) {
-  bool all = std::isfinite(response.demands.peak_displacement) &&
-             std::isfinite(response.demands.peak_normal_force) &&
-             std::isfinite(response.demands.residual_yaw) &&
-             std::isfinite(response.energy.loss()) &&
+  bool all = std::isfinite(response.items[0].demands.peak_displacement) &&
+             std::isfinite(response.items[0].demands.peak_normal_force) &&
+             std::isfinite(response.items[0].demands.residual_yaw) &&
+             std::isfinite(response.items[0].energy.loss()) &&
              std::isfinite(response.quality.energy_closure) &&
              std::isfinite(response.quality.largest_residual);
-  for (const Sample& sample : response.history)
+  for (const Sample& sample : response.items[0].history)
     all &= sample.displacement.allFinite() && sample.velocity.allFinite() &&
            sample.acceleration.allFinite() && std::isfinite(sample.energy.stored());
   return all;
@@ -48,8 +48,8 @@ TEST(Outcome, AnItemThatComesToRestHasRested) {
   EXPECT_EQ(response.outcome, Outcome::kRested);
   EXPECT_GT(response.end_time, 1.53 + 0.5);
   EXPECT_LT(response.end_time, 1.53 + 0.5 + 0.5);
-  EXPECT_LT(response.history.back().velocity.norm(), job.settings.rest_speed);
-  EXPECT_NEAR(response.history.back().time, response.end_time, 1e-9) << "the end is kept";
+  EXPECT_LT(response.items[0].history.back().velocity.norm(), job.settings.rest_speed);
+  EXPECT_NEAR(response.items[0].history.back().time, response.end_time, 1e-9) << "the end is kept";
   EXPECT_EQ(response.cause, "");
   EXPECT_TRUE(finite(response));
 }
@@ -71,27 +71,28 @@ TEST(Outcome, AGivenDurationStopsTheRunRestingOrNot) {
 
 TEST(Outcome, AnItemPushedOverHasOverturned) {
   Job job = coasting(1e-3);
-  job.scene.initial.velocity.setZero();
+  job.scene.items[0].initial.velocity.setZero();
   job.excitation.forces = {{"push", {0, 0, 1.0}, {0, 1, 0}, {0, 0.2, 3}, {0, 900, 900}}};
-  for (Caster& c : job.scene.item.casters) {
+  for (Caster& c : job.scene.items[0].model.casters) {
     c.swivels = false;  // and cannot roll sideways
     c.tread.static_friction = c.tread.kinetic_friction = 2;
   }
   const Response response = run(job);
   EXPECT_EQ(response.outcome, Outcome::kOverturned) << response.cause;
-  EXPECT_LT(response.demands.time_of_overturning, response.end_time) << "followed to rest";
+  EXPECT_LT(response.items[0].demands.time_of_overturning, response.end_time) << "followed to rest";
   EXPECT_LT(response.end_time, 12);
-  EXPECT_GT(response.history.back().tilt, 1.4) << "lies on its side";
-  EXPECT_GE(response.demands.impacts, 1);
+  EXPECT_GT(response.items[0].history.back().tilt, 1.4) << "lies on its side";
+  EXPECT_GE(response.items[0].demands.impacts, 1);
   EXPECT_LT(response.quality.energy_closure, 0.01);
   SimulationSettings& settings = job.settings;
   settings.follow_overturning = false;
   const Response cut = run(job);
-  EXPECT_EQ(cut.demands.time_of_overturning, response.demands.time_of_overturning);
-  EXPECT_EQ(cut.end_time, cut.demands.time_of_overturning);
-  EXPECT_GT(response.demands.peak_tilt, job.settings.overturn_tilt);
-  EXPECT_GE(response.demands.most_wheels_lifted, 2);
-  EXPECT_GT(response.demands.wheels[1].liftoffs, 0);
+  EXPECT_EQ(cut.items[0].demands.time_of_overturning,
+            response.items[0].demands.time_of_overturning);
+  EXPECT_EQ(cut.end_time, cut.items[0].demands.time_of_overturning);
+  EXPECT_GT(response.items[0].demands.peak_tilt, job.settings.overturn_tilt);
+  EXPECT_GE(response.items[0].demands.most_wheels_lifted, 2);
+  EXPECT_GT(response.items[0].demands.wheels[1].liftoffs, 0);
   EXPECT_TRUE(finite(response));
 }
 
@@ -112,7 +113,7 @@ TEST(Outcome, WrongScenesAndSettingsAreErrorsNotOutcomes) {
   job.settings.time_step = 0.5;
   EXPECT_EQ(error_text([&] { run(job); }), "settings: time_step = 0.5: must be > 0 and <= 0.02 s");
   job = coasting(1e-3);
-  job.scene.item.chassis_mass = -1;
+  job.scene.items[0].model.chassis_mass = -1;
   EXPECT_EQ(error_text([&] { run(job); }),
             "item 'item': chassis_mass = -1: must be > 0 and finite");
 }

@@ -66,7 +66,7 @@ TEST(RunClock, CountsRestFromTheEndOfTheExcitation) {
   double time = 0;
   while (clock.next(time)) {
     time = clock.target();
-    clock.observe(time, time < 1.8 ? 1.0 : 0.0, 0);
+    clock.observe(time, {{time < 1.8 ? 1.0 : 0.0, 0, 0}});
   }
   EXPECT_EQ(clock.outcome(), Outcome::kRested);
   EXPECT_NEAR(time, 2.5, 1e-9);
@@ -81,7 +81,7 @@ TEST(RunClock, DoesNotTakeASlowStartForRest) {
   double time = 0;
   while (clock.next(time)) {
     time = clock.target();
-    clock.observe(time, 1e-3 * time, 0);
+    clock.observe(time, {{1e-3 * time, 1e-3 * time, 0}});
   }
   EXPECT_EQ(clock.outcome(), Outcome::kStillMoving);
 }
@@ -91,7 +91,7 @@ TEST(RunClock, GivesUpWaitingForRestAtTheSettleTime) {
   s.settle_time = 0.2;
   RunClock clock({}, {0.1}, s);
   double time = 0;
-  while (clock.next(time)) clock.observe(time = clock.target(), 1, 0);
+  while (clock.next(time)) clock.observe(time = clock.target(), {{1, 1, 0}});
   EXPECT_EQ(clock.outcome(), Outcome::kStillMoving);
   EXPECT_NEAR(time, 0.3, 1e-12);
 }
@@ -101,10 +101,10 @@ TEST(RunClock, EndsAtOverturningAndAtACause) {
   s.follow_overturning = false;
   RunClock clock({}, {}, s);
   ASSERT_TRUE(clock.next(0));
-  clock.observe(0.01, 1, 1.05);
+  clock.observe(0.01, {{1, 1, 1.05}});
   EXPECT_EQ(clock.outcome(), Outcome::kOverturned);
   EXPECT_FALSE(clock.next(0.01));
-  EXPECT_EQ(clock.overturned_at(), 0.01);
+  EXPECT_EQ(clock.overturned_at(0), 0.01);
   RunClock failed({}, {}, settings(1));
   failed.stop(Outcome::kDiverged, "because");
   EXPECT_FALSE(failed.next(0));
@@ -117,11 +117,11 @@ TEST(RunClock, FollowsAnOverturnedItemUntilItRests) {
   double time = 0;
   while (clock.next(time)) {
     time = clock.target();
-    clock.observe(time, time < 1 ? 1 : 0, 1.6);
+    clock.observe(time, {{time < 1 ? 1.0 : 0.0, time < 1 ? 1.0 : 0.0, 1.6}});
   }
   EXPECT_EQ(clock.outcome(), Outcome::kOverturned);
   EXPECT_NEAR(time, 1 + s.rest_hold, 2 * s.time_step);
-  EXPECT_NEAR(clock.overturned_at(), s.time_step, 1e-12);
+  EXPECT_NEAR(clock.overturned_at(0), s.time_step, 1e-12);
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ SimulationSettings settings(double duration) {
 Scene on_slope(const std::string& name) {
   Scene scene;
   scene.slope = 0.005;
-  scene.item = assemble_item(describe(name)).model;
+  scene.items[0].model = assemble_item(describe(name)).model;
   return scene;
 }
 
@@ -134,8 +134,8 @@ Scene on_slope(const std::string& name) {
 TEST_P(EveryItem, StaysWhereItIsParked) {
   const Response response = simulate(on_slope(GetParam()), {}, settings(2));
   ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
-  EXPECT_LT(response.demands.peak_displacement, 1e-6);
-  EXPECT_LT(std::abs(response.history.back().displacement.z()), 1e-6);
+  EXPECT_LT(response.items[0].demands.peak_displacement, 1e-6);
+  EXPECT_LT(std::abs(response.items[0].history.back().displacement.z()), 1e-6);
 }
 
 // With the casters as somebody left them the forks first turn by the wind-up of their scrub, which
@@ -143,12 +143,13 @@ TEST_P(EveryItem, StaysWhereItIsParked) {
 TEST_P(EveryItem, HoldsWithItsCastersAnyhow) {
   Scene scene = on_slope(GetParam());
   const double headings[] = {0.3, 1.6, 2.8, 5.2, 4.0};
-  for (std::size_t i = 0; i < scene.item.casters.size(); ++i)
-    if (scene.item.casters[i].swivels) scene.item.casters[i].heading = headings[i];
+  for (std::size_t i = 0; i < scene.items[0].model.casters.size(); ++i)
+    if (scene.items[0].model.casters[i].swivels)
+      scene.items[0].model.casters[i].heading = headings[i];
   const Response response = simulate(scene, {}, settings(20));
   ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
-  const Sample &middle = response.history[10], &end = response.history.back();
-  EXPECT_LT(response.demands.peak_displacement, 0.01);
+  const Sample &middle = response.items[0].history[10], &end = response.items[0].history.back();
+  EXPECT_LT(response.items[0].demands.peak_displacement, 0.01);
   EXPECT_LT((end.displacement - middle.displacement).norm(), 1e-6);
   EXPECT_LT(std::abs(end.yaw - middle.yaw), 1e-6);
 }
@@ -158,24 +159,24 @@ TEST_P(EveryItem, HoldsWithItsCastersAnyhow) {
 TEST_P(EveryItem, ComesToRestAfterAPush) {
   constexpr double kSpeed = 0.4;
   Scene scene;
-  scene.item = assemble_item(describe(GetParam())).model;
-  scene.initial.velocity = Vector3(kSpeed, kSpeed, 0) / std::sqrt(2.0);
+  scene.items[0].model = assemble_item(describe(GetParam())).model;
+  scene.items[0].initial.velocity = Vector3(kSpeed, kSpeed, 0) / std::sqrt(2.0);
   double least = 1;
-  for (const Caster& caster : scene.item.casters)
+  for (const Caster& caster : scene.items[0].model.casters)
     least = std::min(least, caster.tread.rolling_resistance / caster.wheel_radius);
   SimulationSettings until_rest = settings(0);
   const Response response = simulate(scene, {}, until_rest);
   ASSERT_EQ(response.outcome, Outcome::kRested) << response.cause;
-  EXPECT_LT(response.demands.path_length, 1.1 * kSpeed * kSpeed / (2 * kG * least));
-  EXPECT_LT(response.demands.peak_tilt, 5 * kRadiansPerDegree);
+  EXPECT_LT(response.items[0].demands.path_length, 1.1 * kSpeed * kSpeed / (2 * kG * least));
+  EXPECT_LT(response.items[0].demands.peak_tilt, 5 * kRadiansPerDegree);
   EXPECT_LT(response.quality.energy_closure, 1e-3);
   EXPECT_EQ(response.quality.unconverged_steps, 0);
 }
 
 TEST_P(EveryItem, ComesToRestAfterItWasPushedOver) {
   Scene scene;
-  scene.item = load_item(find_data(DataKind::kItem, GetParam(), "")).model;
-  const MassProperties whole = whole_item(scene.item);
+  scene.items[0].model = load_item(find_data(DataKind::kItem, GetParam(), "")).model;
+  const MassProperties whole = whole_item(scene.items[0].model);
   // Its weight for a second, sideways above its centre of mass.
   const double force = whole.mass * kG;
   Excitation excitation;

@@ -70,7 +70,7 @@ RunFacts fabricated_facts(bool pulled) {
   facts.job_text = "title = \"A trolley\"\n";
   facts.job_sha256 = std::string(64, 'a');
   facts.title = pulled ? "A trolley pulled by a drop weight" : "A trolley under a made-up motion";
-  EquipmentModel& item = facts.scene.item;
+  EquipmentModel& item = facts.scene.items[0].model;
   item.name = "Trolley";
   item.chassis_mass = 94.5;
   item.shape = {{{0, 0, 0.8}, {1.1, 0.55, 1.3}}};
@@ -110,10 +110,10 @@ Response fabricated_response(bool pulled) {
   Response response;
   response.outcome = Outcome::kRested;
   response.end_time = 24;
-  response.demands = counted_demands();
+  response.items[0].demands = counted_demands();
   response.quality = {1e-7, 2e-6, 3e-10, 6000, 4, 5, 6, 12000, 7};
-  for (int i = 0; i <= 2400; ++i) response.history.push_back(sample_at(0.01 * i, pulled));
-  response.energy = response.history.back().energy;
+  for (int i = 0; i <= 2400; ++i) response.items[0].history.push_back(sample_at(0.01 * i, pulled));
+  response.items[0].energy = response.items[0].history.back().energy;
   return response;
 }
 

@@ -11,13 +11,13 @@ namespace gurney::blocks {
 /// A uniform box standing on the floor: width (x), depth (y), height (z).
 inline Scene block(double mass, const Vector3& size, const ContactConstants& floor) {
   Scene scene;
-  scene.item.name = "block";
-  scene.item.chassis_mass = mass;
-  scene.item.chassis_center_of_mass = {0, 0, 0.5 * size.z()};
-  scene.item.chassis_inertia = solid_box_inertia(mass, size);
-  scene.item.shape = {{{0, 0, 0.5 * size.z()}, size}};
-  scene.item.material = "steel";
-  scene.item.marked_points = {{"center", {0, 0, 0.5 * size.z()}}};
+  scene.items[0].model.name = "block";
+  scene.items[0].model.chassis_mass = mass;
+  scene.items[0].model.chassis_center_of_mass = {0, 0, 0.5 * size.z()};
+  scene.items[0].model.chassis_inertia = solid_box_inertia(mass, size);
+  scene.items[0].model.shape = {{{0, 0, 0.5 * size.z()}, size}};
+  scene.items[0].model.material = "steel";
+  scene.items[0].model.marked_points = {{"center", {0, 0, 0.5 * size.z()}}};
   scene.floor_material = "concrete";
   scene.pairs = {{"steel", "concrete", floor}};
   return scene;
@@ -27,7 +27,7 @@ inline Scene block(double mass, const Vector3& size, const ContactConstants& flo
 inline void add_wall(Scene& scene, double face, const ContactConstants& constants) {
   scene.room.push_back(
       {"wall", "plaster", {face + 0.1, 0, 1.5}, Quaternion::Identity(), RoomBox{{0.2, 3, 3}}});
-  scene.pairs.push_back({scene.item.material, "plaster", constants});
+  scene.pairs.push_back({scene.items[0].model.material, "plaster", constants});
 }
 
 inline SimulationSettings run_for(double duration, double time_step, double history_step) {

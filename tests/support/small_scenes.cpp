@@ -75,9 +75,9 @@ EquipmentModel trolley(const std::vector<double>& headings, const Tread& tread) 
 
 Towed towed_caster(double speed, double trail, double heading, const Tread& tread) {
   Towed towed;
-  towed.scene.item = item_on({{0, 0}}, {heading}, tread);
-  towed.scene.item.casters = {caster({0, 0, 0.131}, heading, tread, trail)};
-  towed.scene.initial.velocity = {speed, 0, 0};
+  towed.scene.items[0].model = item_on({{0, 0}}, {heading}, tread);
+  towed.scene.items[0].model.casters = {caster({0, 0, 0.131}, heading, tread, trail)};
+  towed.scene.items[0].initial.velocity = {speed, 0, 0};
   for (int dof : {1, 3, 4, 5}) towed.excitation.fixture.guides[dof].kind = Guide::Kind::kHeld;
   towed.excitation.fixture.guides[0] = {Guide::Kind::kVelocity, speed, 0, 0};
   return towed;

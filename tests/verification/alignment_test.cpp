@@ -55,18 +55,18 @@ class Alignment : public testing::TestWithParam<Case> {
     const Response response =
         simulate(towed.scene, towed.excitation, small::settings_for(step * time, 12 * time));
     ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
-    ASSERT_GT(response.history.size(), 12 / step);
+    ASSERT_GT(response.items[0].history.size(), 12 / step);
     const double force =
-        small::swivel_inertia(towed.scene.item.casters[0]) / (2 * time * time * c.trail);
+        small::swivel_inertia(towed.scene.items[0].model.casters[0]) / (2 * time * time * c.trail);
     const double slip = force / (kStiffness * 0.01);
     double largest = 0, shift = 0;
-    for (const Sample& sample : response.history) {
+    for (const Sample& sample : response.items[0].history) {
       const double path = sample.time / time, expected = closed_form(start, path);
       largest = std::max(largest, std::abs(sample.wheels[0].swivel_angle - expected));
       shift = std::max(shift, path * std::abs(std::sin(expected)));
     }
     EXPECT_LT(largest, shift * 0.0404 * step * step + 12 * slip);
-    EXPECT_LT(std::abs(response.history.back().wheels[0].swivel_angle), 2e-3);
+    EXPECT_LT(std::abs(response.items[0].history.back().wheels[0].swivel_angle), 2e-3);
   }
 };
 

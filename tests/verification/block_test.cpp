@@ -32,14 +32,16 @@ TEST(Block, StandsStillBelowFriction) {
   ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
   // Stuck corners deflect by m a / (4 k_t) = 11 um, and by twice that when loaded at once; the
   // centre, 0.4 m up, tilts with the normal springs by about as much. Nothing creeps.
-  EXPECT_LT(response.demands.peak_displacement, 1e-4);
+  EXPECT_LT(response.items[0].demands.peak_displacement, 1e-4);
   const auto at = [&](double t) {
-    return response.history[static_cast<std::size_t>(std::lround(t / 0.1))].displacement.x();
+    return response.items[0]
+        .history[static_cast<std::size_t>(std::lround(t / 0.1))]
+        .displacement.x();
   };
   EXPECT_NEAR(at(1.9), at(1.0), 1e-7) << "creeps";
   // Corners that carry little slip until the others hold: less than they deflect.
-  EXPECT_LT(response.demands.residual_displacement, 2.2e-5);
-  EXPECT_EQ(response.demands.impacts, 0) << "resting contact is no impact";
+  EXPECT_LT(response.items[0].demands.residual_displacement, 2.2e-5);
+  EXPECT_EQ(response.items[0].demands.impacts, 0) << "resting contact is no impact";
 }
 
 TEST(Block, SlidesUnderAPulseAsCoulombSays) {
@@ -54,8 +56,8 @@ TEST(Block, SlidesUnderAPulseAsCoulombSays) {
       const double s = (acceleration - mu * kG) * T * T / 2 * acceleration / (mu * kG);
       // The stuck corners give back their deflection, (mu m g) / (4 k_t) = 2 um at k 1e8; the pulse
       // begins in one step of 2 ms at half its height: a h^2 / 2 over s, below 0.3 %.
-      EXPECT_NEAR(response.demands.residual_displacement, s, 0.003 * s) << mu << ", " << a;
-      EXPECT_EQ(response.demands.impacts, 0);
+      EXPECT_NEAR(response.items[0].demands.residual_displacement, s, 0.003 * s) << mu << ", " << a;
+      EXPECT_EQ(response.items[0].demands.impacts, 0);
     }
 }
 
@@ -72,7 +74,7 @@ TEST(Block, UpliftBeginsAtWidthOverHeight) {
       });
       SimulationSettings settings = blocks::run_for(1.2, 0.004, 0.1);
       settings.follow_overturning = false;
-      return shake(scene, floor, settings).demands.peak_tilt;
+      return shake(scene, floor, settings).items[0].demands.peak_tilt;
     };
     // Below, the corners' springs tilt it by 2 W / (k b) at most: 1e-4 rad.
     EXPECT_LT(tilt(0.98 * threshold), 2e-4) << width;

@@ -21,7 +21,7 @@ struct Job {
     tread.normal_damping = 5e4;
     tread.tangential_damping = 1e3;
     tread.rolling_resistance = 1e-3;
-    scene.item = small::trolley({10, 105, 200, 295}, tread);
+    scene.items[0].model = small::trolley({10, 105, 200, 295}, tread);
     excitation.floor = small::noise_record(seed, 7, kStandardGravity * Vector3(0.4, 0.3, 0.2));
   }
   Demands demands(Solver solver, double step) const {
@@ -29,7 +29,7 @@ struct Job {
     settings.solver = solver;
     const Response response = simulate(scene, excitation, settings);
     EXPECT_EQ(response.outcome, Outcome::kStopped) << response.cause;
-    return response.demands;
+    return response.items[0].demands;
   }
 };
 

@@ -28,8 +28,8 @@ struct World {
 
 Scene odd_scene() {
   Scene scene;
-  scene.item = small::trolley({10, 105, 200, 295}, small::bare_tread(3e5, 1e5));
-  EquipmentModel& item = scene.item;
+  scene.items[0].model = small::trolley({10, 105, 200, 295}, small::bare_tread(3e5, 1e5));
+  EquipmentModel& item = scene.items[0].model;
   Matrix3 inertia;
   inertia << 7, 0.8, -0.5, 0.8, 9, 0.6, -0.5, 0.6, 8;
   item.chassis_inertia = inertia;
@@ -57,8 +57,9 @@ class BulletMechanics : public testing::Test {
 
   BulletMechanics()
       : scene_(odd_scene()),
-        mechanism_(scene_, {}),
-        item_(scene_, mechanism_, MultibodyItem::Wheels::kCylinders, world_.world) {}
+        mechanism_(scene_, 0, {}),
+        item_(scene_.items[0].model, mechanism_, 0, MultibodyItem::Wheels::kCylinders,
+              world_.world) {}
 
   double draw() { return std::ldexp(static_cast<double>(random_()), -31) - 1; }
   Vector3 draw3(double size) { return size * Vector3(draw(), draw(), draw()); }
@@ -70,7 +71,7 @@ class BulletMechanics : public testing::Test {
     state.rotation = Quaternion(1, 0.3 * draw(), 0.3 * draw(), draw()).normalized();
     state.velocity.chassis << draw3(2), draw3(3);
     for (std::size_t i = 0; i < 4; ++i) {
-      state.legs[i].swivel_angle = scene_.item.casters[i].heading;
+      state.legs[i].swivel_angle = scene_.items[0].model.casters[i].heading;
       state.velocity.joints[i] = {8 * draw(), 40 * draw()};
       if (mechanism_.legs[i].swivels()) {
         state.legs[i].swivel_angle += 3 * draw();
@@ -148,7 +149,7 @@ TEST_F(BulletMechanics, AccelerationsAgreeUnderRandomForces) {
           g.jacobian_joints.transpose() * contact - g.bias_joints + Eigen::Vector2d(swivel, axle);
 
       const int fork = 2 * i, wheel = 2 * i + 1;
-      const Caster& c = scene_.item.casters[leg];
+      const Caster& c = scene_.items[0].model.casters[leg];
       body.addLinkForce(fork, to_bullet(Vector3(c.fork_mass * gravity_)));
       body.addLinkForce(wheel, to_bullet(Vector3(c.wheel_mass * gravity_ + contact.head<3>())));
       const Vector3 moment =

@@ -31,6 +31,7 @@ TEST(Convergence, TowedCasterIsOfSecondOrder) {
     const auto angle = [&](double step) {
       const auto towed = small::towed_caster(1, 0.034, heading, tread);
       return simulate(towed.scene, towed.excitation, small::settings_for(step, 0.048))
+          .items[0]
           .history.back()
           .wheels[0]
           .swivel_angle;
@@ -41,10 +42,13 @@ TEST(Convergence, TowedCasterIsOfSecondOrder) {
 
 TEST(Convergence, HeaveIsOfSecondOrder) {
   Scene scene;
-  scene.item = small::trolley({0, 0, 0, 0}, small::bare_tread(3e5, 1e5));
-  scene.initial.velocity = {0, 0, 0.01};
+  scene.items[0].model = small::trolley({0, 0, 0, 0}, small::bare_tread(3e5, 1e5));
+  scene.items[0].initial.velocity = {0, 0, 0.01};
   const auto height = [&](double step) {
-    return simulate(scene, {}, small::settings_for(step, 0.064)).history.back().displacement.z();
+    return simulate(scene, {}, small::settings_for(step, 0.064))
+        .items[0]
+        .history.back()
+        .displacement.z();
   };
   EXPECT_NEAR(observed_order(height, 0.002), kOrder, kSpread);
 }
@@ -55,11 +59,11 @@ TEST(Convergence, CoastingAndTurningTrolleyIsOfSecondOrder) {
   tread.normal_damping = 500;
   tread.tangential_damping = 50;
   tread.static_friction = tread.kinetic_friction = 5;
-  scene.item = small::trolley({20, 60, -30, 100}, tread);
-  scene.initial.velocity = {0.3, 0.1, 0};
-  scene.initial.yaw_rate = 0.5;
+  scene.items[0].model = small::trolley({20, 60, -30, 100}, tread);
+  scene.items[0].initial.velocity = {0.3, 0.1, 0};
+  scene.items[0].initial.yaw_rate = 0.5;
   const auto run = [&](double step) {
-    return simulate(scene, {}, small::settings_for(step, 0.8)).history.back();
+    return simulate(scene, {}, small::settings_for(step, 0.8)).items[0].history.back();
   };
   EXPECT_NEAR(observed_order([&](double h) { return run(h).displacement.x(); }, 0.002), kOrder,
               kSpread);
@@ -74,7 +78,7 @@ TEST(Convergence, ARecordAtFourMillisecondsAgainstAQuarter) {
   std::vector<double> displacement, acceleration, force;
   for (std::size_t i = 0; i < angles.size(); ++i) {
     Scene scene;
-    scene.item = small::trolley(angles[i], Tread());
+    scene.items[0].model = small::trolley(angles[i], Tread());
     Excitation excitation;
     excitation.floor = small::noise_record(10 + i, 10, {4, 3, 2});
     const auto demands = [&](double step) {
@@ -82,7 +86,7 @@ TEST(Convergence, ARecordAtFourMillisecondsAgainstAQuarter) {
       EXPECT_EQ(response.outcome, Outcome::kStopped) << response.cause;
       EXPECT_EQ(response.quality.unconverged_steps, 0);
       EXPECT_LT(response.quality.energy_closure, 0.01);
-      return response.demands;
+      return response.items[0].demands;
     };
     const Demands coarse = demands(0.004), fine = demands(2.5e-4);
     EXPECT_GT(fine.peak_displacement, 0.02);

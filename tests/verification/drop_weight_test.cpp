@@ -88,16 +88,16 @@ Excitation rigged(const Rig& rig) {
 void check(const Rig& rig, double normal_stiffness, double time_step, const Fixture& fixture,
            double tolerance) {
   Scene scene;
-  scene.item = pulled_trolley(rig, normal_stiffness);
+  scene.items[0].model = pulled_trolley(rig, normal_stiffness);
   Excitation excitation = rigged(rig);
   excitation.fixture = fixture;
-  const Exact e = exact(rig, scene.item);
+  const Exact e = exact(rig, scene.items[0].model);
   const auto response =
       simulate(scene, excitation, run_for(kReleaseTime + e.stop + 1, time_step, 0.02));
   EXPECT_EQ(response.quality.unconverged_steps, 0);
   EXPECT_EQ(response.quality.event_steps, 1);  // the landing
 
-  for (const Sample& s : response.history) {
+  for (const Sample& s : response.items[0].history) {
     SCOPED_TRACE(s.time);
     const double t = std::clamp(s.time - kReleaseTime, 0.0, e.stop);
     const double pull = std::min(t, e.landing), coast = t - pull;
@@ -120,8 +120,9 @@ void check(const Rig& rig, double normal_stiffness, double time_step, const Fixt
   const double pulley = rig.pulley_inertia / (0.05 * 0.05), force = rig.weight * kG;
   const double landing_loss = 0.5 * (rig.weight + pulley) * e.velocity * e.velocity;
   const double strain = force * force / kCableStiffness;
-  EXPECT_NEAR(response.energy.damper_loss, landing_loss, 2 * tolerance * landing_loss + strain);
-  EXPECT_NEAR(response.energy.weight_energy, -rig.weight * kG * rig.drop, 1e-8 * force);
+  EXPECT_NEAR(response.items[0].energy.damper_loss, landing_loss,
+              2 * tolerance * landing_loss + strain);
+  EXPECT_NEAR(response.items[0].energy.weight_energy, -rig.weight * kG * rig.drop, 1e-8 * force);
 }
 
 class DropWeightPull : public testing::TestWithParam<Rig> {};
@@ -147,15 +148,15 @@ INSTANTIATE_TEST_SUITE_P(Rigs, DropWeightPull,
 TEST(DropWeightEvent, LandingDoesNotDependOnTheGridOfSteps) {
   const Rig rig{"plain", 5, 0.7, 0.02};
   Scene scene;
-  scene.item = pulled_trolley(rig, 3e8);
+  scene.items[0].model = pulled_trolley(rig, 3e8);
   Excitation excitation = rigged(rig);
   excitation.fixture = hold_rotations(false, true, false);
-  const Exact e = exact(rig, scene.item);
+  const Exact e = exact(rig, scene.items[0].model);
   for (const double time_step : {0.004, 0.0041, 0.0043, 0.0047}) {
     const auto response =
         simulate(scene, excitation, run_for(kReleaseTime + e.stop + 1, time_step));
-    EXPECT_NEAR(response.demands.residual_displacement_x, e.distance, 1e-4 * e.distance);
-    EXPECT_NEAR(response.demands.peak_velocity, e.velocity, 1e-4 * e.velocity);
+    EXPECT_NEAR(response.items[0].demands.residual_displacement_x, e.distance, 1e-4 * e.distance);
+    EXPECT_NEAR(response.items[0].demands.peak_velocity, e.velocity, 1e-4 * e.velocity);
   }
 }
 
@@ -164,14 +165,14 @@ TEST(DropWeightEvent, LandingDoesNotDependOnTheGridOfSteps) {
 TEST(DropWeightEvent, BlocksHoldUntilTheirTime) {
   const Rig rig{"plain", 5, 0.7, 0.02};
   Scene scene;
-  scene.item = pulled_trolley(rig, 3e8);
+  scene.items[0].model = pulled_trolley(rig, 3e8);
   std::vector<double> travelled;
   for (const double release : {0.696, 0.7, 0.704, 1.404}) {
     Excitation excitation = rigged(rig);
     excitation.fixture = hold_rotations(false, true, false);
     excitation.blocks[0].release_time = release;
     const auto response = simulate(scene, excitation, run_for(release + 1, 0.004));
-    travelled.push_back(response.demands.residual_displacement_x);
+    travelled.push_back(response.items[0].demands.residual_displacement_x);
   }
   for (double x : travelled) EXPECT_NEAR(x, travelled[0], 1e-6 * travelled[0]);
 }
@@ -180,18 +181,18 @@ TEST(DropWeightEvent, BlocksHoldUntilTheirTime) {
 TEST(DropWeightEvent, VerticalFloorAccelerationIsGravity) {
   const Rig rig{"plain", 5, 0.7, 0.02};
   Scene scene;
-  scene.item = pulled_trolley(rig, 3e8);
+  scene.items[0].model = pulled_trolley(rig, 3e8);
   Excitation excitation = rigged(rig);
   excitation.blocks.clear();
   excitation.fixture = hold_rotations(false, true, false);
   Scene heavy = scene;
   heavy.gravity += 2;
   const double expected =
-      simulate(heavy, excitation, run_for(1.5, 0.004)).demands.residual_displacement_x;
+      simulate(heavy, excitation, run_for(1.5, 0.004)).items[0].demands.residual_displacement_x;
   excitation.floor = floor_motion(0.01, 3, Vector3::UnitZ(), [](double) { return 2.0; });
   const auto response = simulate(scene, excitation, run_for(1.5, 0.004));
   // The floor starts at once, so the treads sink and swing a little; their mean load is the same.
-  EXPECT_NEAR(response.demands.residual_displacement_x, expected, 1e-3 * expected);
+  EXPECT_NEAR(response.items[0].demands.residual_displacement_x, expected, 1e-3 * expected);
   EXPECT_LT(response.quality.energy_closure, 1e-4);
 }
 
@@ -205,10 +206,10 @@ TEST(DropWeightEvent, CableGoesSlackWhenTheItemIsFaster) {
     stiffen(options.caster.tread);
     options.caster.tread.static_friction = options.caster.tread.kinetic_friction = 0.3;
     Scene scene;
-    scene.item = locked_block(options);
+    scene.items[0].model = locked_block(options);
     const double v0 = 0.8, braking = 0.3 * kG;
-    scene.initial.velocity.x() = v0;
-    scene.initial.wheels_roll = false;
+    scene.items[0].initial.velocity.x() = v0;
+    scene.items[0].initial.wheels_roll = false;
     Excitation excitation;
     excitation.fixture = hold_rotations();
     DropWeight weight;
@@ -225,7 +226,7 @@ TEST(DropWeightEvent, CableGoesSlackWhenTheItemIsFaster) {
     const auto response = simulate(scene, excitation, run_for(2, kStep, kStep));
     const double pull = 5 * kG;
     double first_taut = 0;
-    for (const Sample& s : response.history) {
+    for (const Sample& s : response.items[0].history) {
       if (s.cable_tension > 0 && first_taut == 0) first_taut = s.time;
       if (s.time > taut - kStep) continue;
       SCOPED_TRACE(s.time);
@@ -236,8 +237,8 @@ TEST(DropWeightEvent, CableGoesSlackWhenTheItemIsFaster) {
     }
     EXPECT_NEAR(first_taut, taut, 2 * kStep);
     // Locked wheels hold the weight (m_d g < mu M g): all rests, the cable carries the weight.
-    EXPECT_NEAR(response.history.back().cable_tension, pull, 1e-3 * pull);
-    EXPECT_NEAR(response.history.back().velocity.x(), 0, 1e-6);
+    EXPECT_NEAR(response.items[0].history.back().cable_tension, pull, 1e-3 * pull);
+    EXPECT_NEAR(response.items[0].history.back().velocity.x(), 0, 1e-6);
   }
 }
 

@@ -64,12 +64,13 @@ class Flutter : public testing::TestWithParam<Case> {
   std::vector<double> swivel_angles() {
     const Case c = GetParam();
     const auto towed = small::towed_caster(c.speed, kTrail, kStart / kRadiansPerDegree, tread(c));
-    inertia_ = small::swivel_inertia(towed.scene.item.casters[0]);
+    inertia_ = small::swivel_inertia(towed.scene.items[0].model.casters[0]);
     auto settings = small::settings_for(kStep, 400 * kStep);
     settings.residual = 1e-12;  // the forces of the start are 1e-4 of the weight
     const Response response = simulate(towed.scene, towed.excitation, settings);
     std::vector<double> angles;
-    for (const Sample& sample : response.history) angles.push_back(sample.wheels[0].swivel_angle);
+    for (const Sample& sample : response.items[0].history)
+      angles.push_back(sample.wheels[0].swivel_angle);
     return angles;
   }
   double inertia_ = 0;

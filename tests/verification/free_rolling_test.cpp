@@ -31,15 +31,15 @@ TEST(FreeRolling, KeepsItsSpeedTo1em9In60s) {
         caster.tread.rolling_resistance = 0;
         caster.tread.tangential_damping = 100;  // above I_p v / trail^3: no flutter
         Scene scene;
-        scene.item = trolley(options);
-        scene.initial.velocity.x() = speed;
+        scene.items[0].model = trolley(options);
+        scene.items[0].initial.velocity.x() = speed;
         const auto response = simulate(scene, {}, run_for(60, 0.004, 1));
-        for (const Sample& s : response.history) {
+        for (const Sample& s : response.items[0].history) {
           ASSERT_NEAR(s.velocity.x(), speed, 1e-9 * speed) << s.time;
           ASSERT_NEAR(s.displacement.x(), speed * s.time, 1e-9 * speed * 60) << s.time;
           ASSERT_NEAR(s.displacement.y(), 0, 1e-9) << s.time;
         }
-        EXPECT_NEAR(response.energy.loss(), 0, 1e-9);
+        EXPECT_NEAR(response.items[0].energy.loss(), 0, 1e-9);
       }
 }
 
@@ -66,7 +66,7 @@ Shaken shaken(bool swivels, double amplitude = 0.3) {
 
 Response run(const Shaken& shaken, double time_step) {
   Scene scene;
-  scene.item = shaken.item;
+  scene.items[0].model = shaken.item;
   return simulate(scene, shaken.excitation, run_for(4, time_step, time_step));
 }
 
@@ -88,14 +88,14 @@ double momentum_defect(const Shaken& scene, double time_step) {
   };
   Vector3 impulse = Vector3::Zero();
   double defect = 0;
-  for (std::size_t i = 1; i < response.history.size(); ++i) {
-    const Sample& a = response.history[i - 1];
-    const Sample& b = response.history[i];
+  for (std::size_t i = 1; i < response.items[0].history.size(); ++i) {
+    const Sample& a = response.items[0].history[i - 1];
+    const Sample& b = response.items[0].history[i];
     impulse += 0.5 * (b.time - a.time) * (force(a) + force(b));
     defect = std::max(defect, (mass * b.points[0].velocity - impulse).cwiseAbs().maxCoeff());
   }
-  EXPECT_EQ(response.demands.lifted_time, 0);
-  return defect / (mass * response.demands.peak_velocity);
+  EXPECT_EQ(response.items[0].demands.lifted_time, 0);
+  return defect / (mass * response.items[0].demands.peak_velocity);
 }
 
 // Smooth motion, locked wheels on swaying treads: the trapezoidal rule and the method are of second
@@ -130,12 +130,12 @@ TEST(EnergyAccount, ClosesWithSecondOrderUnderARecord) {
 // A pull has no turning parts, so all that is left is rounding and the residual of the solve.
 TEST(EnergyAccount, ClosesForAPull) {
   Scene scene;
-  scene.item = trolley();
+  scene.items[0].model = trolley();
   Excitation excitation;
   excitation.forces = {constant_force(40, 3, {0, 0, 0.6})};
   const auto response = simulate(scene, excitation, run_for(8, 0.004, 0.1));
   EXPECT_LT(response.quality.energy_closure, 1e-8);
-  EXPECT_GT(response.energy.work_of_forces, 30);
+  EXPECT_GT(response.items[0].energy.work_of_forces, 30);
   EXPECT_LT(std::abs(response.quality.numerical_loss), 1e-6);
 }
 
@@ -148,8 +148,8 @@ TEST(EnergyAccount, LossesOnlyGrow) {
     }
     const auto response = run(scene, 0.004);
     const EnergyAccount* last = nullptr;
-    const double rounding = 1e-9 * response.energy.loss();
-    for (const Sample& s : response.history) {
+    const double rounding = 1e-9 * response.items[0].energy.loss();
+    for (const Sample& s : response.items[0].history) {
       const EnergyAccount& e = s.energy;
       if (last) {
         EXPECT_GE(e.rolling_loss, last->rolling_loss - rounding);
@@ -163,10 +163,10 @@ TEST(EnergyAccount, LossesOnlyGrow) {
       }
       last = &e;
     }
-    EXPECT_GT(response.energy.rolling_loss, 0);
-    EXPECT_GT(response.energy.relaxation_loss, 0);
-    EXPECT_GT(response.energy.tread_loss, 0);
-    EXPECT_GT(response.energy.axle_loss, 0);
+    EXPECT_GT(response.items[0].energy.rolling_loss, 0);
+    EXPECT_GT(response.items[0].energy.relaxation_loss, 0);
+    EXPECT_GT(response.items[0].energy.tread_loss, 0);
+    EXPECT_GT(response.items[0].energy.axle_loss, 0);
   }
 }
 
@@ -178,17 +178,18 @@ TEST(EnergyAccount, RollingLossIsResistanceTimesDistance) {
     stiffen(options.caster.tread);
     options.caster.tread.rolling_resistance = resistance * options.caster.wheel_radius;
     Scene scene;
-    scene.item = trolley(options);
-    scene.initial.velocity.x() = 1;
+    scene.items[0].model = trolley(options);
+    scene.items[0].initial.velocity.x() = 1;
     Excitation excitation;
     excitation.fixture = hold_rotations(false, true, false);
     const auto response = simulate(scene, excitation, run_for(12, 0.004, 1));
-    const double mass = total_mass(scene.item), inertia = mass + wheel_inertia_mass(scene.item);
+    const double mass = total_mass(scene.items[0].model),
+                 inertia = mass + wheel_inertia_mass(scene.items[0].model);
     const double distance = inertia / (2 * resistance * mass * kG);
-    EXPECT_NEAR(response.demands.residual_displacement_x, distance, 1e-5 * distance);
-    EXPECT_NEAR(response.energy.rolling_loss, resistance * mass * kG * distance,
+    EXPECT_NEAR(response.items[0].demands.residual_displacement_x, distance, 1e-5 * distance);
+    EXPECT_NEAR(response.items[0].energy.rolling_loss, resistance * mass * kG * distance,
                 1e-5 * inertia / 2);
-    EXPECT_NEAR(response.energy.sliding_loss, 0, 1e-9);
+    EXPECT_NEAR(response.items[0].energy.sliding_loss, 0, 1e-9);
   }
 }
 
@@ -197,12 +198,13 @@ TEST(EnergyAccount, RollingLossIsResistanceTimesDistance) {
 // coast, f = f_r - J a2 of all wheels together.
 TEST(EnergyAccount, RelaxationLossOfASoftTread) {
   Scene scene;
-  scene.item = trolley();
-  scene.initial.velocity.x() = 1;
+  scene.items[0].model = trolley();
+  scene.items[0].initial.velocity.x() = 1;
   Excitation excitation;
   excitation.fixture = hold_rotations(false, true, false);
-  const Tread& tread = scene.item.casters[0].tread;
-  const double mass = total_mass(scene.item), inertia = wheel_inertia_mass(scene.item);
+  const Tread& tread = scene.items[0].model.casters[0].tread;
+  const double mass = total_mass(scene.items[0].model),
+               inertia = wheel_inertia_mass(scene.items[0].model);
   const double resistance = tread.rolling_resistance / 0.05 * mass * kG;
   const double a2 = resistance / (mass + inertia);
   constexpr double kDuration = 2;
@@ -212,9 +214,9 @@ TEST(EnergyAccount, RelaxationLossOfASoftTread) {
   const double slip = force / (tread.tangential_stiffness * tread.relaxation_length);
   // The start, where the force builds up over a travel of sigma, and slip^2 are left out.
   const double start = tread.relaxation_length / travel;
-  EXPECT_NEAR(response.energy.relaxation_loss, 4 * force * slip * travel,
+  EXPECT_NEAR(response.items[0].energy.relaxation_loss, 4 * force * slip * travel,
               2 * (start + slip) * 4 * force * slip * travel);
-  EXPECT_NEAR(response.energy.rolling_loss, resistance * travel * (1 - slip),
+  EXPECT_NEAR(response.items[0].energy.rolling_loss, resistance * travel * (1 - slip),
               start * resistance * travel * slip + 1e-4 * resistance * travel);
 }
 
@@ -226,15 +228,16 @@ TEST(EnergyAccount, SlidingLossIsFrictionTimesDistance) {
     stiffen(options.caster.tread);
     options.caster.tread.static_friction = options.caster.tread.kinetic_friction = mu;
     Scene scene;
-    scene.item = locked_block(options);
-    scene.initial.velocity = {0.8, 0.6, 0};
-    scene.initial.wheels_roll = false;
+    scene.items[0].model = locked_block(options);
+    scene.items[0].initial.velocity = {0.8, 0.6, 0};
+    scene.items[0].initial.wheels_roll = false;
     Excitation excitation;
     excitation.fixture = hold_rotations();
     const auto response = simulate(scene, excitation, run_for(2, 0.001, 1));
-    const double loss = total_mass(scene.item) / 2;
-    EXPECT_NEAR(response.energy.sliding_loss, loss, 1e-5 * loss);
-    EXPECT_NEAR(response.demands.residual_displacement, 1 / (2 * mu * kG), 1e-5 / (2 * mu * kG));
+    const double loss = total_mass(scene.items[0].model) / 2;
+    EXPECT_NEAR(response.items[0].energy.sliding_loss, loss, 1e-5 * loss);
+    EXPECT_NEAR(response.items[0].demands.residual_displacement, 1 / (2 * mu * kG),
+                1e-5 / (2 * mu * kG));
   }
 }
 
@@ -247,15 +250,16 @@ TEST(EnergyAccount, BrakeLossIsTorqueTimesAngle) {
     options.caster.tread.rolling_resistance = 0;
     options.caster.brake_torque = torque;
     Scene scene;
-    scene.item = trolley(options);
-    scene.initial.velocity.x() = 1;
+    scene.items[0].model = trolley(options);
+    scene.items[0].initial.velocity.x() = 1;
     Excitation excitation;
     excitation.fixture = hold_rotations(false, true, false);
     const auto response = simulate(scene, excitation, run_for(4, 0.001, 1));
-    const double inertia = total_mass(scene.item) + wheel_inertia_mass(scene.item);
+    const double inertia =
+        total_mass(scene.items[0].model) + wheel_inertia_mass(scene.items[0].model);
     const double distance = inertia / 2 / (4 * torque / 0.05);
-    EXPECT_NEAR(response.demands.residual_displacement_x, distance, 1e-4 * distance);
-    EXPECT_NEAR(response.energy.axle_loss, inertia / 2, 1e-4 * inertia / 2);
+    EXPECT_NEAR(response.items[0].demands.residual_displacement_x, distance, 1e-4 * distance);
+    EXPECT_NEAR(response.items[0].energy.axle_loss, inertia / 2, 1e-4 * inertia / 2);
   }
 }
 
@@ -267,18 +271,18 @@ TEST(EnergyAccount, SwivelLossIsTorqueTimesAngle) {
     caster.swivel.coulomb = 0.05;
     caster.heading = start;
     Scene scene;
-    scene.item = single_caster(25, caster);
+    scene.items[0].model = single_caster(25, caster);
     Excitation excitation;
     excitation.fixture = tow(0.3);
     const auto response = simulate(scene, excitation, run_for(2, 0.001, 0.001));
     double turned = 0, last = start;
-    for (const Sample& s : response.history) {
+    for (const Sample& s : response.items[0].history) {
       turned += std::abs(s.wheels[0].swivel_angle - last);
       last = s.wheels[0].swivel_angle;
     }
     EXPECT_GT(turned, 0.9 * start);
     // Elastic wind-up of the stuck bearing: c / k = 0.05 / 2500 rad each time it turns round.
-    EXPECT_NEAR(response.energy.swivel_loss, 0.05 * turned, 0.05 * 1e-3);
+    EXPECT_NEAR(response.items[0].energy.swivel_loss, 0.05 * turned, 0.05 * 1e-3);
   }
 }
 

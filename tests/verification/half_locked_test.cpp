@@ -60,7 +60,7 @@ Thresholds thresholds(const Cart& cart, const EquipmentModel& item) {
 /// of milliseconds, so the cart sees a static load. Inertia acts along -direction.
 Response push(const EquipmentModel& item, double level, double direction) {
   Scene scene;
-  scene.item = item;
+  scene.items[0].model = item;
   Excitation excitation;
   excitation.floor = floor_motion(0.01, kRamp + kHold, direction * Vector3::UnitX(),
                                   [=](double t) { return level * kG * std::min(1.0, t / kRamp); });
@@ -78,10 +78,10 @@ class HalfLocked : public testing::TestWithParam<Cart> {};
 TEST_P(HalfLocked, SlidesTowardsTheFreeAxleAtItsThreshold) {
   const EquipmentModel item = half_locked(GetParam());
   const double level = thresholds(GetParam(), item).towards_free;
-  EXPECT_LT(push(item, kBelow * level, 1).demands.peak_displacement, kHeld);
+  EXPECT_LT(push(item, kBelow * level, 1).items[0].demands.peak_displacement, kHeld);
   const auto response = push(item, kAbove * level, 1);
-  EXPECT_GT(response.demands.peak_displacement, 0.5 * slid(level));
-  EXPECT_LT(response.demands.residual_displacement_x, 0);
+  EXPECT_GT(response.items[0].demands.peak_displacement, 0.5 * slid(level));
+  EXPECT_LT(response.items[0].demands.residual_displacement_x, 0);
 }
 
 TEST_P(HalfLocked, SlidesOrTipsTowardsTheLockedAxleAtItsThreshold) {
@@ -90,16 +90,16 @@ TEST_P(HalfLocked, SlidesOrTipsTowardsTheLockedAxleAtItsThreshold) {
   const bool tips = at.tip < at.towards_locked || at.towards_locked < 0;
   const double level = tips ? at.tip : at.towards_locked;
   const auto held = push(item, kBelow * level, -1);
-  EXPECT_LT(held.demands.peak_displacement, kHeld);
-  EXPECT_EQ(held.demands.most_wheels_lifted, 0);
+  EXPECT_LT(held.items[0].demands.peak_displacement, kHeld);
+  EXPECT_EQ(held.items[0].demands.most_wheels_lifted, 0);
   const auto moved = push(item, kAbove * level, -1);
   if (tips) {
-    EXPECT_EQ(moved.demands.most_wheels_lifted, 2);
-    EXPECT_GT(moved.demands.wheels[2].lifted_time, 0);
-    EXPECT_EQ(moved.demands.wheels[0].lifted_time, 0);
+    EXPECT_EQ(moved.items[0].demands.most_wheels_lifted, 2);
+    EXPECT_GT(moved.items[0].demands.wheels[2].lifted_time, 0);
+    EXPECT_EQ(moved.items[0].demands.wheels[0].lifted_time, 0);
   } else {
-    EXPECT_GT(moved.demands.residual_displacement_x, 0.5 * slid(level));
-    EXPECT_EQ(moved.demands.most_wheels_lifted, 0);
+    EXPECT_GT(moved.items[0].demands.residual_displacement_x, 0.5 * slid(level));
+    EXPECT_EQ(moved.items[0].demands.most_wheels_lifted, 0);
   }
 }
 
@@ -115,17 +115,17 @@ INSTANTIATE_TEST_SUITE_P(Carts, HalfLocked,
 TEST(HalfLockedCart, RatchetsTowardsTheFreeAxle) {
   const Cart cart{0.5, 0.6, 0.45, 0};
   Scene scene;
-  scene.item = half_locked(cart);
-  const Thresholds at = thresholds(cart, scene.item);
+  scene.items[0].model = half_locked(cart);
+  const Thresholds at = thresholds(cart, scene.items[0].model);
   const double level = 0.5 * (at.towards_free + at.towards_locked);
   Excitation excitation;
   excitation.floor = floor_motion(0.004, 5, Vector3::UnitX(), [=](double t) {
     return level * kG * std::sin(2 * std::numbers::pi * t) * std::min(1.0, t);
   });
   const auto response = simulate(scene, excitation, run_for(5, 0.002, 0.1));
-  EXPECT_LT(response.demands.residual_displacement_x, -0.1);
+  EXPECT_LT(response.items[0].demands.residual_displacement_x, -0.1);
   double last = 0;
-  for (const Sample& s : response.history) {
+  for (const Sample& s : response.items[0].history) {
     EXPECT_LT(s.displacement.x(), last + 1e-4);  // the sway of the treads
     last = s.displacement.x();
   }

@@ -46,8 +46,8 @@ Scene scene_of(const Case& c) {
   tread.relaxation_length = 1e6;
   tread.static_friction = tread.kinetic_friction = 3;
   Scene scene;
-  scene.item = small::trolley({c.heading, c.heading, c.heading, c.heading}, tread);
-  for (Caster& caster : scene.item.casters) {
+  scene.items[0].model = small::trolley({c.heading, c.heading, c.heading, c.heading}, tread);
+  for (Caster& caster : scene.items[0].model.casters) {
     caster.swivels = false;
     caster.trail = 0;
     caster.fork_center_of_mass.x() = 0;
@@ -104,8 +104,8 @@ class HeavePitch : public testing::TestWithParam<Case> {
   Response response(double step) const {
     Scene scene = scene_of(GetParam());
     // Amplitudes of a few micrometres: 1 % of the static compression.
-    scene.initial.velocity = {5e-4, 0, 7e-4};
-    scene.initial.wheels_roll = false;
+    scene.items[0].initial.velocity = {5e-4, 0, 7e-4};
+    scene.items[0].initial.wheels_roll = false;
     auto settings = small::settings_for(step, 0.3);
     settings.residual = 1e-12;
     return simulate(scene, {}, settings);
@@ -114,16 +114,16 @@ class HeavePitch : public testing::TestWithParam<Case> {
 
 TEST_P(HeavePitch, FollowTheLinearModel) {
   constexpr double kStep = 5e-4;
-  const EquipmentModel item = scene_of(GetParam()).item;
+  const EquipmentModel item = scene_of(GetParam()).items[0].model;
   const LinearModel model = linear_model(GetParam(), item);
   const Response run = response(kStep);
-  ASSERT_EQ(run.history.size(), 601u);
+  ASSERT_EQ(run.items[0].history.size(), 601u);
   const Eigen::MatrixXd one_step = small::sdirk_step(model.state, kStep);
   Eigen::VectorXd y = Eigen::VectorXd::Zero(14);
   y[7] = 5e-4;
   y[8] = 7e-4;
   Vector3 largest = Vector3::Zero(), deviation = Vector3::Zero();
-  for (const Sample& sample : run.history) {
+  for (const Sample& sample : run.items[0].history) {
     // The origin of the item lies H below G.
     const Vector3 expected(y[0] - model.height * y[2], y[1], std::abs(y[2]));
     const Vector3 found(sample.displacement.x(), sample.displacement.z(), sample.tilt);
@@ -141,10 +141,10 @@ TEST_P(HeavePitch, FollowTheLinearModel) {
 TEST_P(HeavePitch, FrequenciesAndDecayConvergeToTheLinearModel) {
   // The slowest modes (pitch with sway, heave) of the simulated motion, by its own samples: at a
   // step h the method moves lambda by 0.04 h^2 |lambda|^3.
-  const LinearModel model = linear_model(GetParam(), scene_of(GetParam()).item);
+  const LinearModel model = linear_model(GetParam(), scene_of(GetParam()).items[0].model);
   const Response run = response(2.5e-4);
   std::vector<double> heave;
-  for (const Sample& sample : run.history) heave.push_back(sample.displacement.z());
+  for (const Sample& sample : run.items[0].history) heave.push_back(sample.displacement.z());
   const auto found = small::exponents(heave, 2.5e-4, 2);
   double nearest = 1e9, frequency = 0;
   for (const auto& exact : model.state.eigenvalues()) {
@@ -153,7 +153,7 @@ TEST_P(HeavePitch, FrequenciesAndDecayConvergeToTheLinearModel) {
     frequency = std::abs(exact);
   }
   // Closed form of heave, which is none of the other modes' business.
-  const double whole = whole_item(scene_of(GetParam()).item).mass;
+  const double whole = whole_item(scene_of(GetParam()).items[0].model).mass;
   const double rate = 2 * GetParam().normal_damping / whole;
   const double omega = std::sqrt(4 * 3e5 / whole);
   EXPECT_NEAR(frequency, omega, 1e-9 * omega);
@@ -172,11 +172,12 @@ TEST(HeavePitch, PeakVerticalAccelerationAtFourMilliseconds) {
   std::vector<double> errors;
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u, 7u}) {
     Scene scene;
-    scene.item = small::trolley({0, 0, 0, 0}, Tread());
+    scene.items[0].model = small::trolley({0, 0, 0, 0}, Tread());
     Excitation excitation;
     excitation.floor = small::noise_record(seed, 4, {0, 0, 3});
     const auto peak = [&](double step) {
       return simulate(scene, excitation, small::settings_for(step, 4, 100))
+          .items[0]
           .demands.points[0]
           .peak_absolute_acceleration;
     };

@@ -29,17 +29,18 @@ struct Travel {
 Travel push(const EquipmentModel& item, const Push& p, double angle, double duration,
             const Fixture& fixture) {
   Scene scene;
-  scene.item = item;
+  scene.items[0].model = item;
   const Vector3 direction(std::cos(angle), std::sin(angle), 0);
-  scene.initial.velocity = kSpeed * direction;
-  scene.initial.wheels_roll = false;
+  scene.items[0].initial.velocity = kSpeed * direction;
+  scene.items[0].initial.wheels_roll = false;
   Excitation excitation;
   excitation.fixture = fixture;
   excitation.forces = {constant_force(p.force_ratio * p.mu * total_mass(item) * kG, duration,
                                       item.marked_points[0].position, direction)};
   const auto response = simulate(scene, excitation, run_for(duration, 0.002, duration));
-  const Vector3 d = response.history.back().points[0].displacement;
-  return {d.dot(direction), Vector3::UnitZ().cross(direction).dot(d), response.history.back().yaw};
+  const Vector3 d = response.items[0].history.back().points[0].displacement;
+  return {d.dot(direction), Vector3::UnitZ().cross(direction).dot(d),
+          response.items[0].history.back().yaw};
 }
 
 EquipmentModel block(double mu, const std::vector<double>& headings = {}) {
@@ -103,7 +104,7 @@ TEST_P(Isotropy, SameStaticLimitInAllDirections) {
     // A sudden force swings the treads to twice its static stretch: ramp it over 0.5 s.
     const auto ramped = [&](double ratio) {
       Scene scene;
-      scene.item = item;
+      scene.items[0].model = item;
       const double force = ratio * 1.3 * p.mu * total_mass(item) * kG;
       Excitation excitation;
       excitation.fixture = hold_rotations();
@@ -112,7 +113,9 @@ TEST_P(Isotropy, SameStaticLimitInAllDirections) {
                             Vector3(std::cos(angle), std::sin(angle), 0),
                             {0, 0.5, 1.5},
                             {0, force, force}}};
-      return simulate(scene, excitation, run_for(1.5, 0.002)).demands.residual_displacement;
+      return simulate(scene, excitation, run_for(1.5, 0.002))
+          .items[0]
+          .demands.residual_displacement;
     };
     EXPECT_LT(ramped(0.99), 1e-6);
     // mu_k once it moves: from 0.5 s on at (1.01 * 1.3 - 1) mu g, a little earlier in the ramp.

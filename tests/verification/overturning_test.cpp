@@ -18,15 +18,15 @@ Response push_over(const Vector3& direction) {
   Scene scene;
   Tread tread;
   tread.static_friction = tread.kinetic_friction = 1.5;
-  scene.item = small::trolley({0, 0, 0, 0}, tread);
-  for (Caster& caster : scene.item.casters) {
+  scene.items[0].model = small::trolley({0, 0, 0, 0}, tread);
+  for (Caster& caster : scene.items[0].model.casters) {
     caster.swivels = false;
     caster.brake_torque = std::numeric_limits<double>::infinity();
   }
-  scene.item.marked_points.clear();
-  const Box& box = scene.item.shape[0];
+  scene.items[0].model.marked_points.clear();
+  const Box& box = scene.items[0].model.shape[0];
   for (int k = 0; k < 8; ++k)
-    scene.item.marked_points.push_back(
+    scene.items[0].model.marked_points.push_back(
         {"corner", box.center + 0.5 * box.size.cwiseProduct(Vector3(k & 1 ? 1 : -1, k & 2 ? 1 : -1,
                                                                     k & 4 ? 1 : -1))});
   Excitation excitation;
@@ -40,20 +40,21 @@ TEST(Overturning, IsFollowedUntilTheTrolleyLiesOnTheFloor) {
   for (const Vector3& direction : {Vector3(0, 1, 0), Vector3(0, -1, 0), Vector3(0.6, 0.8, 0)}) {
     const Response response = push_over(direction);
     ASSERT_EQ(response.outcome, Outcome::kOverturned) << response.cause;
-    EXPECT_GT(response.demands.time_of_overturning, 0);
+    EXPECT_GT(response.items[0].demands.time_of_overturning, 0);
     EXPECT_LT(response.end_time, 20) << "rests before it is cut off";
     // On its side, or on its head.
-    EXPECT_GT(response.history.back().tilt, 80 * kRadiansPerDegree);
+    EXPECT_GT(response.items[0].history.back().tilt, 80 * kRadiansPerDegree);
     EXPECT_LT(response.quality.energy_closure, 0.01);
     // At rest a corner sinks by the weight over two of them, W / (2 k) = 0.5 mm, at most.
     for (int k = 0; k < 8; ++k) {
       const double start = k & 4 ? 0.9 : 0.2;
       const auto corner = static_cast<std::size_t>(k);
-      EXPECT_GT(start + response.history.back().points[corner].displacement.z(), -1e-3) << k;
+      EXPECT_GT(start + response.items[0].history.back().points[corner].displacement.z(), -1e-3)
+          << k;
     }
     EXPECT_EQ(response.quality.unconverged_steps, 0);
-    EXPECT_GE(response.demands.impacts, 1);
-    EXPECT_LE(response.demands.impacts, 30) << "no flood";
+    EXPECT_GE(response.items[0].demands.impacts, 1);
+    EXPECT_LE(response.items[0].demands.impacts, 30) << "no flood";
     EXPECT_EQ(response.impacts[0].other, "floor");
   }
 }
@@ -77,7 +78,7 @@ TEST(Kerb, TheSpeedThatTripsIsThatOfTheEnergyOverThePivot) {
                           RoomBox{{0.2, 2, 0.1}}});
     scene.pairs.push_back(
         {"steel", "stone", {.stiffness = 1e8, .restitution = 0.01, .friction = 0}});
-    scene.initial.velocity = {speed, 0, 0};
+    scene.items[0].initial.velocity = {speed, 0, 0};
     SimulationSettings settings;
     settings.duration = 3;
     settings.time_step = 0.002;
@@ -93,14 +94,14 @@ TEST(Kerb, TheSpeedThatTripsIsThatOfTheEnergyOverThePivot) {
 TEST(Kerb, AWheelClimbsALowThresholdAndStopsAtAHighKerb) {
   const auto run = [](double height, double speed) {
     Scene scene;
-    scene.item = small::trolley({180, 180, 0, 0}, Tread());
-    for (Caster& caster : scene.item.casters) caster.swivels = false;
+    scene.items[0].model = small::trolley({180, 180, 0, 0}, Tread());
+    for (Caster& caster : scene.items[0].model.casters) caster.swivels = false;
     scene.room.push_back({"threshold",
                           "",
                           {1.0, 0, 0.5 * height - 0.05},
                           Quaternion::Identity(),
                           RoomBox{{0.1, 2, height + 0.1}}});
-    scene.initial.velocity = {speed, 0, 0};
+    scene.items[0].initial.velocity = {speed, 0, 0};
     SimulationSettings settings;
     settings.duration = 2;
     settings.time_step = 0.002;
@@ -109,9 +110,9 @@ TEST(Kerb, AWheelClimbsALowThresholdAndStopsAtAHighKerb) {
   const Response over = run(0.005, 0.8);
   EXPECT_EQ(over.outcome, Outcome::kStopped) << over.cause;
   // The front wheels, at x = 0.43, leave the threshold at 1.05.
-  EXPECT_GT(over.history.back().displacement.x(), 0.7) << "the front wheels are over";
+  EXPECT_GT(over.items[0].history.back().displacement.x(), 0.7) << "the front wheels are over";
   const Response stopped = run(0.08, 0.8);
-  EXPECT_LT(stopped.demands.peak_displacement_x, 0.6) << "stands before it";
+  EXPECT_LT(stopped.items[0].demands.peak_displacement_x, 0.6) << "stands before it";
   ASSERT_GE(stopped.impacts.size(), 1u);
   EXPECT_EQ(stopped.impacts[0].other, "threshold");
   EXPECT_GE(stopped.impacts[0].wheel, 0);

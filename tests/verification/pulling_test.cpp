@@ -60,12 +60,13 @@ struct Errors {
 
 Errors pull(const PullCase& c, double normal_stiffness, double time_step, const Fixture& fixture) {
   Scene scene;
-  scene.item = pulled_trolley(c, normal_stiffness);
+  scene.items[0].model = pulled_trolley(c, normal_stiffness);
   Excitation excitation;
   excitation.fixture = fixture;
-  excitation.forces = {constant_force(c.force, c.duration, scene.item.marked_points[0].position)};
-  const double mass = total_mass(scene.item), resistance = c.resistance * mass * kG;
-  const double inertia = mass + wheel_inertia_mass(scene.item);
+  excitation.forces = {
+      constant_force(c.force, c.duration, scene.items[0].model.marked_points[0].position)};
+  const double mass = total_mass(scene.items[0].model), resistance = c.resistance * mass * kG;
+  const double inertia = mass + wheel_inertia_mass(scene.items[0].model);
   const double a1 = (c.force - resistance) / inertia, a2 = resistance / inertia;
   const double v1 = a1 * c.duration, stop = v1 / a2;
   const double distance = v1 * (c.duration + stop) / 2;
@@ -75,7 +76,7 @@ Errors pull(const PullCase& c, double normal_stiffness, double time_step, const 
   EXPECT_EQ(response.outcome, Outcome::kStopped);
   EXPECT_EQ(response.quality.unconverged_steps, 0);
   Errors errors;
-  for (const Sample& s : response.history) {
+  for (const Sample& s : response.items[0].history) {
     const PointSample& center = s.points[0];  // the item's origin swings as the trolley pitches
     const Motion exact = pull_and_coast(a1, c.duration, a2, s.time);
     errors.displacement = std::max(
@@ -83,8 +84,9 @@ Errors pull(const PullCase& c, double normal_stiffness, double time_step, const 
     errors.velocity =
         std::max(errors.velocity, std::abs(center.velocity.x() - exact.velocity) / v1);
   }
-  errors.displacement = std::max(errors.displacement,
-                                 std::abs(response.demands.residual_displacement_x / distance - 1));
+  errors.displacement =
+      std::max(errors.displacement,
+               std::abs(response.items[0].demands.residual_displacement_x / distance - 1));
   return errors;
 }
 
@@ -128,9 +130,10 @@ TEST(SoftTread, PullsAsTheClosedFormWithWindUp) {
     SCOPED_TRACE(force);
     const double duration = 90 / force;
     Scene scene;
-    scene.item = trolley();  // k_t = 1e5 N/m
-    const Tread& tread = scene.item.casters[0].tread;
-    const double mass = total_mass(scene.item), inertia = wheel_inertia_mass(scene.item);
+    scene.items[0].model = trolley();  // k_t = 1e5 N/m
+    const Tread& tread = scene.items[0].model.casters[0].tread;
+    const double mass = total_mass(scene.items[0].model),
+                 inertia = wheel_inertia_mass(scene.items[0].model);
     const double resistance = tread.rolling_resistance / 0.05 * mass * kG;
     Excitation excitation;
     excitation.fixture = hold_rotations(false, true, false);
@@ -143,7 +146,7 @@ TEST(SoftTread, PullsAsTheClosedFormWithWindUp) {
     const double velocity = v1 + a1 * t, displacement = x1 + v1 * t + a1 * t * t / 2;
 
     const auto response = simulate(scene, excitation, run_for(duration, 0.001, duration));
-    const Sample& end = response.history.back();
+    const Sample& end = response.items[0].history.back();
     const double missing = 2.0 / 3 * 4 * tread.tangential_damping * x1 / mass +
                            10.0 / 11 * inertia / mass * v1;  // [m/s]
     EXPECT_NEAR(end.velocity.x(), velocity, 1.5 * missing);

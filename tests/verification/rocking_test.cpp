@@ -98,7 +98,7 @@ TEST(Rocking, PeriodAndEnergyRatioAreThoseOfHousner) {
     ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
     // Peaks of the tilt and the times between them and the impacts, after the pulse.
     std::vector<double> peaks, peak_times, landings;
-    const auto& h = response.history;
+    const auto& h = response.items[0].history;
     for (std::size_t i = 1; i + 1 < h.size(); ++i) {
       if (h[i].time < T) continue;
       if (h[i].tilt > h[i - 1].tilt && h[i].tilt >= h[i + 1].tilt && h[i].tilt > 0.1 * r.alpha) {
@@ -119,7 +119,7 @@ TEST(Rocking, PeriodAndEnergyRatioAreThoseOfHousner) {
       // Samples of 1 ms at a flat peak: 2 ms.
       EXPECT_NEAR(peak_times[n + 1] - peak_times[n], expected, 0.002 + 0.01 * expected);
     }
-    EXPECT_LE(response.demands.impacts, static_cast<int>(6 * peaks.size()));
+    EXPECT_LE(response.items[0].demands.impacts, static_cast<int>(6 * peaks.size()));
     EXPECT_LT(response.quality.energy_closure, 0.01);
   }
 }

@@ -39,9 +39,9 @@ class SkidToRoll : public testing::TestWithParam<Skid> {
     caster.wheel_axial_inertia = k * kMass * caster.wheel_radius * caster.wheel_radius;
     caster.wheel_transverse_inertia = caster.wheel_axial_inertia;
     Scene scene;
-    scene.item = single_caster(kMass, caster);
-    scene.initial.velocity.x() = v0;
-    scene.initial.wheels_roll = false;
+    scene.items[0].model = single_caster(kMass, caster);
+    scene.items[0].initial.velocity.x() = v0;
+    scene.items[0].initial.wheels_roll = false;
     Excitation excitation;
     excitation.fixture = hold_rotations();
     return simulate(scene, excitation, run_for(duration, time_step, history_step));
@@ -66,7 +66,7 @@ TEST_P(SkidToRoll, ReachesTheSpeedTimeAndDistance) {
 
   double first_roll = 0;
   const double slack = mu * kG * kStep * kStep + 1e-6;
-  for (const Sample& s : response.history) {
+  for (const Sample& s : response.items[0].history) {
     SCOPED_TRACE(s.time);
     const double t = std::min(s.time, roll_time);
     const double x = v0 * t - mu * kG * t * t / 2 + v_end * (s.time - t);
@@ -80,14 +80,15 @@ TEST_P(SkidToRoll, ReachesTheSpeedTimeAndDistance) {
     ASSERT_GE(0.05 * wheel.wheel_rate, -1e-9);
   }
   EXPECT_NEAR(first_roll, roll_time, 2 * kStep);
-  const Sample& end = response.history.back();
+  const Sample& end = response.items[0].history.back();
   EXPECT_NEAR(end.velocity.x(), v_end, 2e-6 * v0);
   EXPECT_NEAR(0.05 * end.wheels[0].wheel_rate, v_end, 2e-6 * v0);
   // Skidding ends at the distance; the patch has slipped by the mean slip v0 / 2 for that time.
-  EXPECT_NEAR(response.demands.wheels[0].skid_distance, v0 * roll_time / 2, 2e-3 * distance);
+  EXPECT_NEAR(response.items[0].demands.wheels[0].skid_distance, v0 * roll_time / 2,
+              2e-3 * distance);
   // The loss is that of kinetic energy: m v0^2 k / (2 (1 + k)).
   const double loss = kMass * v0 * v0 * k / (2 * (1 + k));
-  EXPECT_NEAR(response.energy.sliding_loss, loss, 1e-3 * loss);
+  EXPECT_NEAR(response.items[0].energy.sliding_loss, loss, 1e-3 * loss);
 }
 
 INSTANTIATE_TEST_SUITE_P(Wheels, SkidToRoll,
@@ -101,13 +102,13 @@ TEST_P(SkidToRoll, DoesNotHappenToAWheelThatRolls) {
   caster.tread.rolling_resistance = 0;
   caster.swivels = false;
   Scene scene;
-  scene.item = single_caster(kMass, caster);
-  scene.initial.velocity.x() = v0;
+  scene.items[0].model = single_caster(kMass, caster);
+  scene.items[0].initial.velocity.x() = v0;
   Excitation excitation;
   excitation.fixture = hold_rotations();
   const auto response = simulate(scene, excitation, run_for(1, 0.004, 1));
-  EXPECT_NEAR(response.history.back().velocity.x(), v0, 1e-10);
-  EXPECT_EQ(response.energy.sliding_loss, 0);
+  EXPECT_NEAR(response.items[0].history.back().velocity.x(), v0, 1e-10);
+  EXPECT_EQ(response.items[0].energy.sliding_loss, 0);
 }
 
 }  // namespace

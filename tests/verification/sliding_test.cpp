@@ -60,9 +60,9 @@ Slider slider(bool rolls, double mu) {
 Response shake(const EquipmentModel& item, const FloorMotion& floor, const SimulationSettings& run,
                double speed = 0) {
   Scene scene;
-  scene.item = item;
-  scene.initial.velocity.x() = speed;
-  scene.initial.wheels_roll = item.casters[0].brake_torque == 0;
+  scene.items[0].model = item;
+  scene.items[0].initial.velocity.x() = speed;
+  scene.items[0].initial.wheels_roll = item.casters[0].brake_torque == 0;
   Excitation excitation;
   excitation.floor = floor;
   excitation.fixture = hold_rotations();
@@ -123,7 +123,7 @@ double measured_peak_to_peak(const Slider& s, const Harmonic& h) {
   const auto response =
       shake(s.item, floor, run_for(duration, kStep, kSampling), s.scale * steady_start(h));
   double low = 1e9, high = -1e9;
-  for (const Sample& sample : response.history) {
+  for (const Sample& sample : response.items[0].history) {
     if (sample.time < duration - 1.5 / h.frequency) continue;
     low = std::min(low, sample.displacement.x());
     high = std::max(high, sample.displacement.x());
@@ -161,7 +161,7 @@ TEST(HarmonicFloor, MovesNothingBelowTheThreshold) {
     const FloorMotion floor = floor_motion(0.001, 10, Vector3::UnitX(), [&](double t) {
       return 0.95 * mu * kG * std::sin(kTwoPi * t) * std::min(1.0, t);
     });
-    EXPECT_LT(shake(s.item, floor, run_for(10, 0.002)).demands.peak_displacement, 3e-7);
+    EXPECT_LT(shake(s.item, floor, run_for(10, 0.002)).items[0].demands.peak_displacement, 3e-7);
   }
 }
 
@@ -187,8 +187,8 @@ TEST_P(RectangularPulse, LeavesNewmarksDisplacement) {
     for (const double time_step : {0.004, 0.0005}) {
       const auto response =
           shake(s.item, rectangular_pulse(a, p.duration), run_for(speed / yield + 1, time_step));
-      EXPECT_NEAR(response.demands.residual_displacement_x, -exact, tolerance);
-      EXPECT_NEAR(response.demands.peak_displacement, exact, tolerance);
+      EXPECT_NEAR(response.items[0].demands.residual_displacement_x, -exact, tolerance);
+      EXPECT_NEAR(response.items[0].demands.peak_displacement, exact, tolerance);
     }
   }
 }
@@ -220,7 +220,7 @@ TEST_P(HalfSinePulse, LeavesNewmarksDisplacement) {
         floor_motion(T / 1000, T, Vector3::UnitX(), [&](double t) { return a * std::sin(w * t); });
     const auto response = shake(s.item, floor, run_for(T + v / yield + 1, 0.001));
     // The sampled sine has (pi / 1000)^2 / 12 less area; the start is met inside a step.
-    EXPECT_NEAR(response.demands.residual_displacement_x, -s.scale * block_distance,
+    EXPECT_NEAR(response.items[0].demands.residual_displacement_x, -s.scale * block_distance,
                 2e-5 * block_distance);
   }
 }

@@ -105,19 +105,19 @@ class StaticLoads : public testing::TestWithParam<Standing> {};
 
 TEST_P(StaticLoads, AreThoseOfTheStiffnessSolution) {
   Scene scene;
-  scene.item = item_of(GetParam());
+  scene.items[0].model = item_of(GetParam());
   const Response response = simulate(scene, {}, small::settings_for(0.004, 0.004));
-  const Eigen::VectorXd expected = solve(scene.item);
+  const Eigen::VectorXd expected = solve(scene.items[0].model);
   double total = 0;
-  for (std::size_t i = 0; i < scene.item.casters.size(); ++i) {
-    const double force = response.history.front().wheels[i].normal_force;
+  for (std::size_t i = 0; i < scene.items[0].model.casters.size(); ++i) {
+    const double force = response.items[0].history.front().wheels[i].normal_force;
     // Locked swivels of k = 10 k_t R^2 wind up by N trail 1e-3 / k = 1e-8 rad under the tilt, which
     // moves a wheel by 1e-9 of the base; 1e-12 m of a tread is 1e-6 N.
     EXPECT_NEAR(force, expected[static_cast<Eigen::Index>(i)], 2e-6) << "caster " << i;
     EXPECT_GT(force, 10) << "caster " << i;
     total += force;
   }
-  EXPECT_NEAR(total, whole_item(scene.item).mass * kGravity, 1e-6);
+  EXPECT_NEAR(total, whole_item(scene.items[0].model).mass * kGravity, 1e-6);
 }
 
 const std::vector<Vector2> kFour = {{0.4, 0.2}, {0.4, -0.2}, {-0.4, 0.2}, {-0.4, -0.2}};
@@ -143,25 +143,26 @@ TEST(StaticLoads, AnItemWhoseCentreOfMassLiesOutsideItsSupportIsRefused) {
   const std::string refusal =
       "the item does not stand on its casters: its centre of mass lies outside their support";
   Scene scene;
-  scene.item = item_of({kFour, {0, 0, 0, 0}, payload(200, {0.7, 0, 0.5})});
+  scene.items[0].model = item_of({kFour, {0, 0, 0, 0}, payload(200, {0.7, 0, 0.5})});
   EXPECT_EQ(error_text([&] { simulate(scene, {}, {}); }), refusal);
-  scene.item = item_of({{{0.4, 0}, {-0.4, 0}}, {0, 0}, payload(1, {0, 0.01, 0.5})});
+  scene.items[0].model = item_of({{{0.4, 0}, {-0.4, 0}}, {0, 0}, payload(1, {0, 0.01, 0.5})});
   EXPECT_EQ(error_text([&] { simulate(scene, {}, {}); }), refusal);
 }
 
 TEST(StaticLoads, ARunStartsAtRest) {
   // Nothing drops, swings or creeps: braked rigid casters keep their forces and stand still.
   Scene scene;
-  scene.item = item_of({kFour, {10, 100, 200, 300}, payload(30, {0.2, 0.1, 0.8})});
-  for (Caster& c : scene.item.casters) {
+  scene.items[0].model = item_of({kFour, {10, 100, 200, 300}, payload(30, {0.2, 0.1, 0.8})});
+  for (Caster& c : scene.items[0].model.casters) {
     c.swivels = false;
     c.brake_torque = INFINITY;
   }
   const Response response = simulate(scene, {}, small::settings_for(0.004, 2, 10));
-  for (const Sample& sample : response.history) {
+  for (const Sample& sample : response.items[0].history) {
     // The tilt of 1e-3 rad shifts the treads sideways once they hold: 1e-6 of the weight.
     for (std::size_t i = 0; i < 4; ++i)
-      EXPECT_NEAR(sample.wheels[i].normal_force, response.history[0].wheels[i].normal_force, 1e-3);
+      EXPECT_NEAR(sample.wheels[i].normal_force,
+                  response.items[0].history[0].wheels[i].normal_force, 1e-3);
     EXPECT_LT(sample.displacement.norm(), 1e-8);
   }
 }
@@ -169,16 +170,16 @@ TEST(StaticLoads, ARunStartsAtRest) {
 TEST(StaticLoads, ThreeCastersFollowFromStaticsAlone) {
   // Stiff treads: no tilt, and the lever rule holds.
   Scene scene;
-  scene.item = small::item_on({{0.4, 0}, {-0.2, 0.3}, {-0.2, -0.3}}, {0, 0, 0},
-                              small::bare_tread(1e10, 1e5));
-  const MassProperties whole = whole_item(scene.item);
+  scene.items[0].model = small::item_on({{0.4, 0}, {-0.2, 0.3}, {-0.2, -0.3}}, {0, 0, 0},
+                                        small::bare_tread(1e10, 1e5));
+  const MassProperties whole = whole_item(scene.items[0].model);
   const Response response = simulate(scene, {}, small::settings_for(0.004, 0.004));
-  const double trail = scene.item.casters[0].trail;
+  const double trail = scene.items[0].model.casters[0].trail;
   const double front = whole.mass * kGravity * (whole.center_of_mass.x() + 0.2 + trail) / 0.6;
   // Tilt N / k / 0.6 m of about 1e-7 rad.
-  EXPECT_NEAR(response.history[0].wheels[0].normal_force, front, 1e-6 * front);
-  EXPECT_NEAR(response.history[0].wheels[1].normal_force, 0.5 * (whole.mass * kGravity - front),
-              1e-6 * front);
+  EXPECT_NEAR(response.items[0].history[0].wheels[0].normal_force, front, 1e-6 * front);
+  EXPECT_NEAR(response.items[0].history[0].wheels[1].normal_force,
+              0.5 * (whole.mass * kGravity - front), 1e-6 * front);
 }
 
 }  // namespace

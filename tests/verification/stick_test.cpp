@@ -26,7 +26,7 @@ Scene on_slope(double slope, double resistance, bool downhill) {
   options.caster.tread.rolling_resistance = resistance * options.caster.wheel_radius;
   if (downhill) options.headings.assign(4, std::numbers::pi);
   Scene scene;
-  scene.item = trolley(options);
+  scene.items[0].model = trolley(options);
   scene.slope = slope;
   return scene;
 }
@@ -41,10 +41,10 @@ TEST_P(Slope, HoldsFor60sAt0p9OfTheThreshold) {
   for (const bool downhill : {false, true}) {
     const auto response =
         simulate(on_slope(slope, slope / 0.9, downhill), {}, run_for(60, 0.004, 1));
-    EXPECT_LT(response.demands.peak_displacement, 1e-9);
-    EXPECT_EQ(response.energy.rolling_loss, 0);
+    EXPECT_LT(response.items[0].demands.peak_displacement, 1e-9);
+    EXPECT_EQ(response.items[0].energy.rolling_loss, 0);
     for (int i = 0; i < 4; ++i)
-      EXPECT_EQ(response.history.back().wheels[i].mode, WheelMode::kSticks);
+      EXPECT_EQ(response.items[0].history.back().wheels[i].mode, WheelMode::kSticks);
   }
 }
 
@@ -56,21 +56,22 @@ TEST_P(Slope, HoldsWithCastersAtAnyHeading) {
   Scene scene = on_slope(slope, slope / 0.9, false);
   const double headings[] = {0.3, 1.6, 2.8, 5.2};
   for (int i = 0; i < 4; ++i) {
-    scene.item.casters[i].heading = headings[i];
-    scene.item.casters[i].swivel.coulomb = 0.03;
+    scene.items[0].model.casters[i].heading = headings[i];
+    scene.items[0].model.casters[i].swivel.coulomb = 0.03;
   }
   const auto response = simulate(scene, {}, run_for(60, 0.004, 30));
-  ASSERT_EQ(response.history.size(), 3u);
-  const Vector3 crept = response.history[2].displacement - response.history[1].displacement;
+  ASSERT_EQ(response.items[0].history.size(), 3u);
+  const Vector3 crept =
+      response.items[0].history[2].displacement - response.items[0].history[1].displacement;
   EXPECT_LT(crept.norm(), 1e-8);
-  EXPECT_LT(response.demands.peak_displacement, 0.03);
+  EXPECT_LT(response.items[0].demands.peak_displacement, 0.03);
 }
 
 TEST_P(Slope, RollsAt1p1OfTheThreshold) {
   const double slope = GetParam();
   const auto response = simulate(on_slope(slope, slope / 1.1, true), {}, run_for(10, 0.004));
-  EXPECT_GT(response.demands.residual_displacement, kRolled);
-  EXPECT_LT(response.demands.residual_displacement_x, 0);
+  EXPECT_GT(response.items[0].demands.residual_displacement, kRolled);
+  EXPECT_LT(response.items[0].demands.residual_displacement_x, 0);
 }
 
 // From rest x = a t^2 / 2. Stiff treads: the wind-up (pulling_test.cpp) leaves less than 4e-5 of
@@ -80,14 +81,14 @@ TEST_P(Slope, AcceleratesAsTheClosedForm) {
   for (const double share : {0.0, 0.3, 0.5}) {
     SCOPED_TRACE(share);
     Scene scene = on_slope(slope, share * slope, true);
-    for (Caster& caster : scene.item.casters) stiffen(caster.tread);
-    const double mass = total_mass(scene.item);
-    const double a =
-        mass * kG * std::cos(angle) * slope * (1 - share) / (mass + wheel_inertia_mass(scene.item));
+    for (Caster& caster : scene.items[0].model.casters) stiffen(caster.tread);
+    const double mass = total_mass(scene.items[0].model);
+    const double a = mass * kG * std::cos(angle) * slope * (1 - share) /
+                     (mass + wheel_inertia_mass(scene.items[0].model));
     Excitation excitation;
     excitation.fixture = hold_rotations(false, true, false);
     const auto response = simulate(scene, excitation, run_for(4, 0.004, 2));
-    for (const Sample& s : response.history) {
+    for (const Sample& s : response.items[0].history) {
       EXPECT_NEAR(s.displacement.x(), -a * s.time * s.time / 2, 1e-4 * a * 8);
       EXPECT_NEAR(s.velocity.x(), -a * s.time, 1e-4 * a * 4);
     }
@@ -102,7 +103,7 @@ Response shaken(double amplitude, double resistance, double frequency, bool soft
   options.caster.tread.rolling_resistance = resistance * options.caster.wheel_radius;
   if (!soft) stiffen(options.caster.tread);
   Scene scene;
-  scene.item = trolley(options);
+  scene.items[0].model = trolley(options);
   Excitation excitation;
   excitation.floor = floor_motion(0.004, 60, Vector3::UnitX(), [=](double t) {
     return amplitude * std::min({1.0, t / 5, (60 - t) / 5}) *
@@ -118,10 +119,10 @@ TEST(FloorMotion, Of0p005gBelowTheThresholdMovesNothingIn60s) {
     const auto response = shaken(kAmplitude, 0.005 / 0.9, frequency, true);
     // 20 % more than the static sway for the inertia of the sway itself and the pitch.
     const double sway = kAmplitude * 96.5 / (4 * 1e5 * 10.0 / 11);
-    EXPECT_LT(response.demands.peak_displacement, 1.2 * sway);
-    EXPECT_GT(response.demands.peak_displacement, 0.9 * sway);
-    EXPECT_NEAR(response.energy.rolling_loss, 0, 1e-15);      // rounding
-    EXPECT_LT(response.demands.residual_displacement, 1e-8);  // swung out, no creep
+    EXPECT_LT(response.items[0].demands.peak_displacement, 1.2 * sway);
+    EXPECT_GT(response.items[0].demands.peak_displacement, 0.9 * sway);
+    EXPECT_NEAR(response.items[0].energy.rolling_loss, 0, 1e-15);      // rounding
+    EXPECT_LT(response.items[0].demands.residual_displacement, 1e-8);  // swung out, no creep
   }
 }
 
@@ -130,8 +131,9 @@ TEST(FloorMotion, Of0p005gAboveTheThresholdMoves) {
     SCOPED_TRACE(frequency);
     const auto still = shaken(0.005 * kG, 0.005 / 0.9, frequency, false);
     const auto moved = shaken(0.005 * kG, 0.005 / 1.1, frequency, false);
-    EXPECT_GT(moved.demands.peak_displacement, 1000 * still.demands.peak_displacement);
-    EXPECT_GT(moved.energy.rolling_loss, 0);
+    EXPECT_GT(moved.items[0].demands.peak_displacement,
+              1000 * still.items[0].demands.peak_displacement);
+    EXPECT_GT(moved.items[0].energy.rolling_loss, 0);
   }
 }
 

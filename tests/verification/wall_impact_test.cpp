@@ -19,7 +19,7 @@ ContactConstants slippery() { return {.friction = 0}; }
 Response hit(double speed, const ContactConstants& wall, double time_step = 2e-4) {
   Scene scene = blocks::block(kMass, kSize, slippery());
   blocks::add_wall(scene, 0.5 * kSize.x() + kGap, wall);
-  scene.initial.velocity = {speed, 0, 0};
+  scene.items[0].initial.velocity = {speed, 0, 0};
   return simulate(scene, {}, blocks::run_for(2 * kGap / speed, time_step, time_step));
 }
 
@@ -32,7 +32,7 @@ TEST(WallImpact, TheBlockReboundsWithTheRestitutionStatedAtEverySpeed) {
       const Impact& impact = response.impacts[0];
       // 32 steps of a second-order method in half a period of the spring: (pi / 32)^2 / 12 = 0.08 %
       // of the speed, and as much again for the touch and the end inside steps.
-      EXPECT_NEAR(response.history.back().velocity.x(), -e * speed, 0.003 * speed)
+      EXPECT_NEAR(response.items[0].history.back().velocity.x(), -e * speed, 0.003 * speed)
           << "e " << e << ", " << speed << " m/s";
       EXPECT_NEAR(impact.approach_speed, speed, 1e-6 * speed);
       EXPECT_NEAR(impact.impulse, kMass * (1 + e) * speed, 0.003 * kMass * speed);
@@ -57,9 +57,9 @@ TEST(WallImpact, AnUndampedSpringTouchesForPiRootOfMassOverStiffness) {
     // the touch inside a step.
     EXPECT_NEAR(impact.duration, std::numbers::pi / omega, 0.01 * std::numbers::pi / omega);
     EXPECT_NEAR(impact.peak_force, kMass * speed * omega, 0.01 * kMass * speed * omega);
-    EXPECT_NEAR(response.demands.points[0].peak_absolute_acceleration, speed * omega,
+    EXPECT_NEAR(response.items[0].demands.points[0].peak_absolute_acceleration, speed * omega,
                 0.01 * speed * omega);
-    EXPECT_NEAR(response.demands.peak_impact_force, impact.peak_force, 0);
+    EXPECT_NEAR(response.items[0].demands.peak_impact_force, impact.peak_force, 0);
   }
 }
 
@@ -98,7 +98,8 @@ TEST(WallImpact, ADampedSpringThatCannotPullReboundsAsItsClosedForm) {
                                           .damping = 2 * zeta * k / omega,
                                           .friction = 0});
     ASSERT_EQ(response.impacts.size(), 1u);
-    EXPECT_NEAR(-response.history.back().velocity.x(), expected.restitution, 0.005) << zeta;
+    EXPECT_NEAR(-response.items[0].history.back().velocity.x(), expected.restitution, 0.005)
+        << zeta;
     EXPECT_NEAR(response.impacts[0].duration, expected.duration, 0.05 * expected.duration);
   }
 }
@@ -110,8 +111,8 @@ TEST(WallImpact, AnEdgeOffCentreTurnsTheBlockAsTheImpulseSays) {
   Scene scene = blocks::block(kMass, kSize, slippery());
   const double reach = 0.5 * (kSize.x() * std::cos(yaw) + kSize.y() * std::sin(yaw));
   blocks::add_wall(scene, reach + kGap, {.stiffness = 3e7, .restitution = e, .friction = 0});
-  scene.initial.velocity = {speed, 0, 0};
-  scene.initial.yaw = yaw;
+  scene.items[0].initial.velocity = {speed, 0, 0};
+  scene.items[0].initial.yaw = yaw;
   const Response response = simulate(scene, {}, blocks::run_for(0.15, 1e-4, 0.001));
   ASSERT_GE(response.impacts.size(), 1u);
   // The lower right edge leads: at (x, -y) of the block.
@@ -122,8 +123,9 @@ TEST(WallImpact, AnEdgeOffCentreTurnsTheBlockAsTheImpulseSays) {
   // derivative is the half length along the wall, 0.28 m, changes by 2 %.
   const double impulse = (1 + e) * speed * mass;
   EXPECT_NEAR(response.impacts[0].impulse, impulse, 0.015 * impulse);
-  const Sample& after = response.history.back();
-  const Sample& before = response.history[after.time > 0.145 ? response.history.size() - 2 : 0];
+  const Sample& after = response.items[0].history.back();
+  const Sample& before =
+      response.items[0].history[after.time > 0.145 ? response.items[0].history.size() - 2 : 0];
   const double rate = (after.yaw - before.yaw) / (after.time - before.time);
   EXPECT_NEAR(rate, impulse * arm / inertia, 0.035 * std::abs(impulse * arm / inertia));
 }

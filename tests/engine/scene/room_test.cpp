@@ -43,7 +43,7 @@ TEST(ValidateRoom, NamesAreTakenOnceAndMaterialsHaveAPair) {
   scene = with(box("wall", {0.1, 3, 3}));
   scene.room[0].material = "plaster";
   EXPECT_EQ(problems(scene),
-            "no contact constants for the materials (none) of the item and 'plaster'");
+            "no contact constants for the materials (none) of an item and 'plaster'");
   scene.pairs = {{"", "plaster", {.restitution = 0}}};
   EXPECT_EQ(problems(scene), "pair of '' and 'plaster': restitution = 0: must be in 0.01..1");
   scene.pairs[0].constants.restitution = 0.5;

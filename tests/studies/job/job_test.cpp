@@ -142,18 +142,18 @@ TEST(Job, ReadsTheItemAndItsPlace) {
   const Job job = read_job(write_everything(folder));
   EXPECT_EQ(job.title, "everything");
   EXPECT_EQ(job.text, kEverything);
-  const EquipmentModel& item = job.scene.item;
+  const EquipmentModel& item = job.scene.items[0].model;
   EXPECT_EQ(item.name, "cart");
   EXPECT_EQ(item.casters[0].wheel_radius, 0.0625);
   EXPECT_DOUBLE_EQ(item.casters[1].heading, 90 * kRadiansPerDegree);
   EXPECT_GT(item.casters[0].brake_torque, 0);
   EXPECT_EQ(item.casters[1].brake_torque, 0);
   EXPECT_EQ(item.payloads.size(), 2u);
-  EXPECT_EQ(job.scene.initial.position, Vector3(1, 2, 0));
-  EXPECT_DOUBLE_EQ(job.scene.initial.yaw, 30 * kRadiansPerDegree);
-  EXPECT_EQ(job.scene.initial.velocity, Vector3(1, 0, 0));
-  EXPECT_DOUBLE_EQ(job.scene.initial.yaw_rate, 180 * kRadiansPerDegree);
-  EXPECT_FALSE(job.scene.initial.wheels_roll);
+  EXPECT_EQ(job.scene.items[0].initial.position, Vector3(1, 2, 0));
+  EXPECT_DOUBLE_EQ(job.scene.items[0].initial.yaw, 30 * kRadiansPerDegree);
+  EXPECT_EQ(job.scene.items[0].initial.velocity, Vector3(1, 0, 0));
+  EXPECT_DOUBLE_EQ(job.scene.items[0].initial.yaw_rate, 180 * kRadiansPerDegree);
+  EXPECT_FALSE(job.scene.items[0].initial.wheels_roll);
   EXPECT_EQ(job.scene.slope, 0.005);
   EXPECT_EQ(job.scene.gravity, 9.81);
 }
@@ -317,7 +317,7 @@ TEST(BadJob, RefusesBrakesTheCasterDoesNotHave) {
 TEST(ShippedJob, PullingTestIsThePapers) {
   const Job job = read_job(GURNEY_SOURCE_DIR "/studies/jobs/pulling_test.toml");
   EXPECT_TRUE(job.warnings.empty());
-  EXPECT_EQ(job.scene.item.chassis_mass, 96.5);
+  EXPECT_EQ(job.scene.items[0].model.chassis_mass, 96.5);
   EXPECT_EQ(job.excitation.blocks.size(), 1u);
   EXPECT_EQ(job.excitation.drop_weights.size(), 1u);
   EXPECT_EQ(job.excitation.string_potentiometers.size(), 1u);
@@ -334,7 +334,7 @@ TEST(ShippedJob, VentilatorIsShakenInThreeDirections) {
   ASSERT_TRUE(job.record);
   EXPECT_EQ(job.record->files.at(0).path, record);
   EXPECT_TRUE(job.record->use_x && job.record->use_y && job.record->use_z);
-  EXPECT_EQ(job.scene.item.casters.size(), 4u);
+  EXPECT_EQ(job.scene.items[0].model.casters.size(), 4u);
 }
 
 TEST(JobPage, HasEveryKeyTheReaderKnowsAndNoOther) {

@@ -59,10 +59,10 @@ TEST(JobDraw, WithoutItEveryNumberHasItsValue) {
   const Job job = job_of(kUncertain);
   EXPECT_FALSE(job.draw);
   EXPECT_TRUE(drawn_in(job).empty());
-  EXPECT_EQ(job.scene.item.chassis_mass, 30);
-  EXPECT_EQ(job.scene.initial.position, Vector3(0, 0, 0));
-  EXPECT_EQ(job.scene.initial.yaw, 0);
-  for (const Caster& caster : job.scene.item.casters) {
+  EXPECT_EQ(job.scene.items[0].model.chassis_mass, 30);
+  EXPECT_EQ(job.scene.items[0].initial.position, Vector3(0, 0, 0));
+  EXPECT_EQ(job.scene.items[0].initial.yaw, 0);
+  for (const Caster& caster : job.scene.items[0].model.casters) {
     EXPECT_EQ(caster.heading, 0);
     EXPECT_EQ(caster.brake_torque, 0);
     EXPECT_DOUBLE_EQ(caster.tread.rolling_resistance, 0.001);
@@ -76,13 +76,14 @@ TEST(JobDraw, ReachesTheItemItsCastersItsFloorAndItsPlace) {
              "'survey' }\n");
   const Draw draw(5, 2);
   EXPECT_EQ(
-      job.scene.item.chassis_mass,
+      job.scene.items[0].model.chassis_mass,
       Distribution::lognormal(30, 0.15, 27, 45).quantile(draw.probability("chassis.mass_kg")));
-  EXPECT_EQ(job.scene.initial.position,
+  EXPECT_EQ(job.scene.items[0].initial.position,
             Vector3(0, -1 + 2 * draw.probability("item.position_m.y"), 0));
-  EXPECT_EQ(job.scene.initial.yaw, 360 * draw.probability("item.yaw_deg") * kRadiansPerDegree);
+  EXPECT_EQ(job.scene.items[0].initial.yaw,
+            360 * draw.probability("item.yaw_deg") * kRadiansPerDegree);
   EXPECT_EQ(job.scene.slope, -0.01 + 0.02 * draw.probability("floor.slope"));
-  const EquipmentModel& item = job.scene.item;
+  const EquipmentModel& item = job.scene.items[0].model;
   for (std::size_t i = 0; i < item.casters.size(); ++i) {
     const std::string index = "[" + std::to_string(i) + "]", name = item.casters[i].name;
     EXPECT_EQ(item.casters[i].heading,
@@ -99,7 +100,7 @@ TEST(JobDraw, ReachesTheItemItsCastersItsFloorAndItsPlace) {
 
 TEST(JobDraw, ReplacedCastersAreDrawnForEachPlace) {
   const Job job = job_of("casters = \"R125\"\n[uncertainty]\ndraw = 1\n");
-  const std::vector<Caster>& casters = job.scene.item.casters;
+  const std::vector<Caster>& casters = job.scene.items[0].model.casters;
   EXPECT_EQ(casters[0].wheel_radius, 0.0625);
   EXPECT_NE(casters[0].tread.rolling_resistance, casters[1].tread.rolling_resistance);
   EXPECT_EQ(casters[3].tread.rolling_resistance,
@@ -116,7 +117,8 @@ friction_factor = 1
   const auto resistance_in = [&](const std::string& covering) {
     return read_job(folder.write("job.toml",
                                  std::string(kHead) + "[uncertainty]\ndraw = 2\n" + covering))
-        .scene.item.casters[0]
+        .scene.items[0]
+        .model.casters[0]
         .tread.rolling_resistance;
   };
   const double factor = 1 + 2 * Draw(1, 2).probability("floor/rolling_resistance_factor");
@@ -165,7 +167,7 @@ TEST(JobDraw, GoesIntoTheFactsOfTheRun) {
     return *std::find_if(list.begin(), list.end(),
                          [&](const DrawnFacts& each) { return each.variable == variable; });
   };
-  EXPECT_EQ(fact("chassis.mass_kg").value, run.facts.scene.item.chassis_mass);
+  EXPECT_EQ(fact("chassis.mass_kg").value, run.facts.scene.items[0].model.chassis_mass);
   EXPECT_EQ(fact("chassis.mass_kg").unit, "kg");
   EXPECT_EQ(fact("chassis.mass_kg").file, "icu_ventilator.toml");
   EXPECT_EQ(fact("item.yaw_deg").distribution, "uniform, 0 to 360");
@@ -181,16 +183,20 @@ TEST(ShippedJob, DrawsTheVentilator) {
   const Job job = read_job(GURNEY_SOURCE_DIR "/studies/jobs/icu_ventilator_draw.toml");
   // mass, three of the centre of mass; yaw; for each caster heading, brake and four constants.
   EXPECT_EQ(drawn_in(job).size(), 4u + 1 + 4 * 6);
-  for (const Caster& caster : job.scene.item.casters)
-    EXPECT_EQ(caster.brake_torque > 0, job.scene.item.casters[0].brake_torque > 0);
+  for (const Caster& caster : job.scene.items[0].model.casters)
+    EXPECT_EQ(caster.brake_torque > 0, job.scene.items[0].model.casters[0].brake_torque > 0);
 }
 
 TEST(JobVariant, ChangesTheItem) {
-  EXPECT_EQ(job_of("").scene.item.casters[0].brake_torque, 0);
+  EXPECT_EQ(job_of("").scene.items[0].model.casters[0].brake_torque, 0);
   for (const char* text : {"variant = \"brakes on\"\n", "variant = [\"brakes on\"]\n"})
-    for (const Caster& caster : job_of(text).scene.item.casters) EXPECT_GT(caster.brake_torque, 0);
+    for (const Caster& caster : job_of(text).scene.items[0].model.casters)
+      EXPECT_GT(caster.brake_torque, 0);
   // What the job itself says comes after the variant.
-  EXPECT_EQ(job_of("variant = \"brakes on\"\nbrakes = false\n").scene.item.casters[0].brake_torque,
+  EXPECT_EQ(job_of("variant = \"brakes on\"\nbrakes = false\n")
+                .scene.items[0]
+                .model.casters[0]
+                .brake_torque,
             0);
 }
 

@@ -52,13 +52,13 @@ TEST(Figure, ShowsThePull) {
 
 TEST(Figure, SurvivesWhatDivergedAndWhatHasNoHistory) {
   Response response = fabricated_response();
-  response.history.resize(3);
-  for (Sample& sample : response.history) sample.displacement.x() = std::nan("");
-  response.history.front().displacement.setZero();
+  response.items[0].history.resize(3);
+  for (Sample& sample : response.items[0].history) sample.displacement.x() = std::nan("");
+  response.items[0].history.front().displacement.setZero();
   const std::string svg = figure(fabricated_facts(), response);
   EXPECT_EQ(count(svg, "nan"), 0u);
   EXPECT_EQ(count(svg, "inf"), 0u);
-  response.history.clear();
+  response.items[0].history.clear();
   EXPECT_EQ(count(figure(fabricated_facts(), response), "No history was kept"), 1u);
 }
 

@@ -50,7 +50,7 @@ TEST(Summary, TellsEachOutcome) {
   response.outcome = Outcome::kStillMoving;
   expect_contains(story(response), "STILL MOVED when the settling time was over at 24.00 s");
   response.outcome = Outcome::kOverturned;
-  response.demands.time_of_overturning = 7.5;
+  response.items[0].demands.time_of_overturning = 7.5;
   expect_contains(story(response), "It OVERTURNED at 7.50 s.");
   response.outcome = Outcome::kDiverged;
   response.cause = "no solution";

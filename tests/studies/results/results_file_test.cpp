@@ -33,7 +33,8 @@ TEST_F(ResultsFile, HoldsTheRun) {
   EXPECT_EQ(file.text_attribute("filetype"), "gurney-results");
   EXPECT_EQ(file.text_attribute("job_text"), "title = \"A trolley\"\n");
   EXPECT_EQ(file.strings("/runs/outcome"), std::vector<std::string>{"rested"});
-  EXPECT_EQ(file.numbers("/runs/residual_yaw"), std::vector<double>{response.demands.residual_yaw});
+  EXPECT_EQ(file.numbers("/runs/residual_yaw"),
+            std::vector<double>{response.items[0].demands.residual_yaw});
   EXPECT_EQ(file.numbers("/runs/wheel_liftoffs"), (std::vector<double>{0, 1, 2, 3}));
   EXPECT_EQ(file.numbers("/runs/record_pgv"), (std::vector<double>{0.31, 0.22, 0.11}));
   EXPECT_EQ(file.numbers("/verification/subdivided_steps"), std::vector<double>{4});
@@ -49,8 +50,8 @@ TEST_F(ResultsFile, HoldsTheHistories) {
   const Response response = fabricated_response();
   const Hdf5Reader file(save(fabricated_facts(), response));
   constexpr std::size_t kSample = 345, kWheel = 2, kWheels = 4;
-  const Sample& sample = response.history[kSample];
-  EXPECT_EQ(file.numbers("/histories/count").at(0), response.history.size());
+  const Sample& sample = response.items[0].history[kSample];
+  EXPECT_EQ(file.numbers("/histories/count").at(0), response.items[0].history.size());
   EXPECT_EQ(file.numbers("/histories/time").at(kSample), sample.time);
   EXPECT_EQ(file.numbers("/histories/velocity").at(3 * kSample + 1), sample.velocity.y());
   EXPECT_EQ(file.numbers("/histories/normal_force").at(kWheels * kSample + kWheel),
@@ -73,11 +74,11 @@ TEST_F(ResultsFile, GivesTheSameBytesForTheSameRun) {
 
 TEST_F(ResultsFile, ManagesWithoutHistoryRecordOrPoints) {
   RunFacts facts = fabricated_facts(true);
-  facts.scene.item.marked_points.clear();
+  facts.scene.items[0].model.marked_points.clear();
   facts.assumptions.clear();
   Response response = fabricated_response(true);
-  response.history.clear();
-  response.demands.points.clear();
+  response.items[0].history.clear();
+  response.items[0].demands.points.clear();
   const Hdf5Reader file(save(facts, response));
   EXPECT_TRUE(file.numbers("/histories/displacement").empty());
   EXPECT_EQ(file.strings("/runs/record"), std::vector<std::string>{""});
@@ -86,8 +87,8 @@ TEST_F(ResultsFile, ManagesWithoutHistoryRecordOrPoints) {
 TEST_F(ResultsFile, HoldsARunThatDiverged) {
   Response response;
   response.cause = "the solve did not converge";
-  response.demands.wheels.resize(4);
-  response.demands.points.resize(1);
+  response.items[0].demands.wheels.resize(4);
+  response.items[0].demands.points.resize(1);
   const Hdf5Reader file(save(fabricated_facts(), response));
   EXPECT_EQ(file.strings("/runs/outcome"), std::vector<std::string>{"diverged"});
   EXPECT_EQ(file.strings("/runs/cause"), std::vector<std::string>{"the solve did not converge"});

@@ -1,13 +1,12 @@
 #include <cmath>
 
-#include "engine/solver/stage_solver.h"
+#include "engine/solver/item_stage.h"
 
 namespace gurney {
 
-void StageSolver::finish(const Input& input, const Velocity& v, Output& out) {
+void ItemStage::finish(const Input& input, const Velocity& v, State& end, Output& out) const {
   const State& start = *input.start;
   const double tau = input.tau;
-  State& end = out.end;
   EnergyAccount& power = out.power;
   power = EnergyAccount();
 
@@ -65,12 +64,14 @@ void StageSolver::finish(const Input& input, const Velocity& v, Output& out) {
       power.work_of_fixtures += reaction_[static_cast<std::size_t>(dof)] / tau * v.chassis[dof];
   }
 
-  rates += finish_contacts(input, v, out);
   if (mechanism_.loads.empty()) {
     end.loads.clear();
   } else {
     rates += mechanism_.loads.finish(input.loads, pose_, v.chassis, power, end.loads);
   }
+  end.broken_tethers = start.broken_tethers;
+  if (!mechanism_.tethers.empty())
+    rates += mechanism_.tethers.finish(tau, start, pose_, v.chassis, power);
   out.spring_rates = rates;
 }
 

@@ -1,0 +1,45 @@
+#include "engine/solver/assembly.h"
+
+namespace gurney {
+
+Assembly::Assembly(const Scene& scene, const Excitation& excitation) : laws(scene) {
+  for (std::size_t i = 0; i < scene.items.size(); ++i) items.emplace_back(scene, i, excitation);
+}
+
+Vector3 Assembly::point(const BodyContact& contact, const SceneState& state) const {
+  const std::size_t item = contact.side.item;
+  return items[item].point(contact.side, state.items[item]);
+}
+
+double Assembly::gap(const BodyContact& contact, const SceneState& state) const {
+  const Vector3 here = state.items[contact.side.item].position + point(contact, state);
+  if (!contact.between_items()) return contact.normal.dot(here) - contact.offset;
+  const BodyContact::Side& b = contact.other_side;
+  const State& other = state.items[b.item];
+  return contact.normal.dot(here - other.position - items[b.item].point(b, other));
+}
+
+Vector3 Assembly::velocity(const BodyContact& contact, const SceneState& state) const {
+  const BodyContact::Side &a = contact.side, &b = contact.other_side;
+  const Vector3 velocity = items[a.item].velocity(a, state.items[a.item]);
+  if (!contact.between_items()) return velocity;
+  return velocity - items[b.item].velocity(b, state.items[b.item]);
+}
+
+double Assembly::effective_mass(const BodyContact& contact, const SceneState& state) const {
+  const BodyContact::Side &a = contact.side, &b = contact.other_side;
+  double mobility = items[a.item].mobility(a, contact.normal, state.items[a.item]);
+  if (contact.between_items())
+    mobility += items[b.item].mobility(b, contact.normal, state.items[b.item]);
+  return 1 / mobility;
+}
+
+double Assembly::contact_energy(std::size_t item, const SceneState& state) const {
+  double energy = 0;
+  for (const BodyContactState& memory : state.contacts)
+    if (memory.contact.side.item == item)
+      energy += laws.of(memory.contact).stored_energy(memory.compression, memory.deflection.norm());
+  return energy;
+}
+
+}  // namespace gurney

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/solver/contact_laws.h"
+#include "engine/solver/mechanism.h"
+
+namespace gurney {
+
+/// The constants of all items of a scene and of what they do to each other.
+struct Assembly {
+  Assembly(const Scene& scene, const Excitation& excitation);
+
+  std::vector<Mechanism> items;  ///< as Scene::items
+  ContactLaws laws;
+
+  /// Where a contact's first side is, relative to its chassis' centre, floor axes [m].
+  Vector3 point(const BodyContact& contact, const SceneState& state) const;
+  /// Distance along the normal; < 0: they overlap [m].
+  double gap(const BodyContact& contact, const SceneState& state) const;
+  /// Velocity of the first side relative to the other, floor axes [m/s].
+  Vector3 velocity(const BodyContact& contact, const SceneState& state) const;
+  /// What a normal impulse at the contact feels of the chassis alone: less than all of it [kg].
+  double effective_mass(const BodyContact& contact, const SceneState& state) const;
+
+  /// Energy in the contacts whose first side is of this item [J].
+  double contact_energy(std::size_t item, const SceneState& state) const;
+};
+
+}  // namespace gurney

@@ -1,0 +1,175 @@
+#include "engine/solver/item_stage.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/units.h"
+
+namespace gurney {
+
+bool ItemStage::constrained(int dof) const {
+  const Guide::Kind kind = mechanism_.fixture.guides[dof].kind;
+  return kind == Guide::Kind::kHeld || kind == Guide::Kind::kVelocity;
+}
+
+void ItemStage::update_geometry(const Input& input, const Velocity& v, bool first) {
+  const State& start = *input.start;
+  const double tau = input.tau;
+  tau_ = tau;
+  predicted_ = v;
+  pose_.position = start.position + tau * v.chassis.head<3>();
+  pose_.rotation = rotated(tau * v.chassis.tail<3>(), start.rotation).toRotationMatrix();
+  const Vector3 gravity = mechanism_.gravity - input.floor_acceleration;
+
+  const auto& chassis = mechanism_.chassis;
+  const Matrix3 inertia = pose_.rotation * chassis.inertia * pose_.rotation.transpose();
+  const Vector3 w = v.chassis.tail<3>();
+  mass_.setZero();
+  mass_.diagonal().head<3>().setConstant(chassis.mass);
+  mass_.bottomRightCorner<3, 3>() = inertia;
+  bias_ << -chassis.mass * gravity, w.cross(inertia * w);
+
+  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
+    const Leg& leg = mechanism_.legs[i];
+    LegWork& work = legs_[i];
+    work.kept = false;
+    const double swivel = start.legs[i].swivel_angle + tau * v.joints[i][0];
+    leg.evaluate(pose_, swivel, v.chassis, v.joints[i], gravity, work.g);
+    mass_ += work.g.mass_chassis;
+    bias_ += work.g.bias_chassis;
+    const Vector5 u = work.g.jacobian_chassis * v.chassis + work.g.jacobian_joints * v.joints[i];
+    work.tread.tau = tau;
+    work.tread.compression = -work.g.height + tau * u[2];
+    work.tread.start = start.legs[i].tread;
+    const bool rolls = first ? start.legs[i].tread.rolling : std::abs(work.slope(4, 4)) == 0;
+    work.tread.rolling_speed = rolls ? leg.wheel_radius() * std::abs(u[4]) : 0;
+  }
+}
+
+double ItemStage::geometry_error(const Velocity& v) const {
+  double error = (v.chassis.tail<3>() - predicted_.chassis.tail<3>()).norm();
+  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i)
+    error = std::max(error, std::abs(v.joints[i][0] - predicted_.joints[i][0]));
+  return tau_ * error;
+}
+
+void ItemStage::begin_forces(const Input& input, const Velocity& v) {
+  const State& start = *input.start;
+  const double tau = input.tau;
+  force_ = -bias_;
+  const Vector6 chassis_change = v.chassis - start.velocity.chassis;
+  momentum_ = mass_ * chassis_change;
+  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
+    const Leg& leg = mechanism_.legs[i];
+    LegWork& work = legs_[i];
+    const Eigen::Vector2d& rates = v.joints[i];
+    work.rates.noalias() = work.g.jacobian_chassis * v.chassis + work.g.jacobian_joints * rates;
+    work.force = leg.tread().force(work.tread, work.rates, work.slope);
+    work.swivel = leg.swivel_friction().evaluate(start.legs[i].swivel_wind, rates[0],
+                                                 leg.swivel_limit(), tau);
+    work.axle =
+        leg.axle_friction().evaluate(start.legs[i].axle_wind, rates[1], leg.axle_limit(), tau);
+    force_.noalias() += work.g.jacobian_chassis.transpose() * work.force;
+    const Eigen::Vector2d change = rates - start.velocity.joints[i];
+    momentum_.noalias() += work.g.mass_coupling * change;
+    Eigen::Vector2d joint_force =
+        work.g.jacobian_joints.transpose() * work.force - work.g.bias_joints;
+    joint_force += Eigen::Vector2d(leg.swivels() ? work.swivel.torque : 0.0, work.axle.torque);
+    work.joint_residual = work.g.mass_coupling.transpose() * chassis_change +
+                          work.g.mass_joints * change - tau * joint_force;
+  }
+}
+
+void ItemStage::add_contact_force(int leg, const Matrix36& chassis, const Matrix32& joints,
+                                  const Vector3& force) {
+  force_.noalias() += chassis.transpose() * force;
+  if (leg >= 0)
+    legs_[static_cast<std::size_t>(leg)].joint_residual -= tau_ * joints.transpose() * force;
+}
+
+double ItemStage::end_forces(const Input& input, const Velocity& v) {
+  const double tau = input.tau;
+  load_rows_.clear();
+  if (!mechanism_.loads.empty())
+    mechanism_.loads.evaluate(input.loads, pose_, v.chassis, load_rows_);
+  if (!mechanism_.tethers.empty())
+    mechanism_.tethers.evaluate(tau, *input.start, pose_, v.chassis, load_rows_);
+  for (const auto& row : load_rows_) force_ += row.force * row.direction;
+  residual_ = momentum_ - tau * force_;
+  for (int dof = 0; dof < 6; ++dof) {
+    if (!constrained(dof)) continue;
+    reaction_[static_cast<std::size_t>(dof)] = residual_[dof];
+    residual_[dof] =
+        mechanism_.total_mass * (v.chassis[dof] - mechanism_.fixture.guides[dof].velocity);
+  }
+  double joints = 0;
+  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i)
+    joints = std::max(
+        joints, legs_[i].joint_residual.cwiseAbs().maxCoeff() / mechanism_.legs[i].wheel_radius());
+  const double scale = 1 / (mechanism_.total_mass * kStandardGravity * tau);
+  return scale * std::max({residual_.head<3>().cwiseAbs().maxCoeff(),
+                           residual_.tail<3>().cwiseAbs().maxCoeff() / mechanism_.length, joints});
+}
+
+void ItemStage::begin_matrix() {
+  matrix_ = mass_;
+  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
+    const Leg& leg = mechanism_.legs[i];
+    LegWork& work = legs_[i];
+    const auto& jc = work.g.jacobian_chassis;
+    const auto& jl = work.g.jacobian_joints;
+    const Eigen::Matrix<double, 5, 6> dc = tau_ * work.slope * jc;
+    const Eigen::Matrix<double, 5, 2> dl = tau_ * work.slope * jl;
+    matrix_.noalias() += jc.transpose() * dc;
+    work.k_chassis_joints = work.g.mass_coupling;
+    work.k_chassis_joints.noalias() += jc.transpose() * dl;
+    work.k_joints_chassis = work.g.mass_coupling.transpose();
+    work.k_joints_chassis.noalias() += jl.transpose() * dc;
+    work.k_joints = work.g.mass_joints;
+    work.k_joints.noalias() += jl.transpose() * dl;
+    if (leg.swivels()) work.k_joints(0, 0) += tau_ * work.swivel.rate_slope;
+    work.k_joints(1, 1) += tau_ * work.axle.rate_slope;
+  }
+}
+
+void ItemStage::add_contact_slope(int leg, const Matrix36& chassis, const Matrix32& joints,
+                                  const Matrix3& slope) {
+  matrix_ += chassis.transpose() * slope * chassis;
+  if (leg < 0) return;
+  LegWork& owner = legs_[static_cast<std::size_t>(leg)];
+  owner.k_chassis_joints += chassis.transpose() * slope * joints;
+  owner.k_joints_chassis += joints.transpose() * slope * chassis;
+  owner.k_joints += joints.transpose() * slope * joints;
+}
+
+void ItemStage::eliminate() {
+  right_side_ = -residual_;
+  for (const auto& row : load_rows_)
+    if (row.slope != 0) matrix_ += tau_ * row.slope * row.direction * row.direction.transpose();
+  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
+    LegWork& work = legs_[i];
+    if (work.kept) continue;
+    work.k_inverse = work.k_joints.inverse();
+    const Eigen::Matrix<double, 6, 2> eliminated = work.k_chassis_joints * work.k_inverse;
+    matrix_.noalias() -= eliminated * work.k_joints_chassis;
+    right_side_.noalias() += eliminated * work.joint_residual;
+  }
+  for (int dof = 0; dof < 6; ++dof) {
+    if (!constrained(dof)) continue;
+    matrix_.row(dof).setZero();
+    matrix_(dof, dof) = mechanism_.total_mass;
+    right_side_[dof] = -residual_[dof];
+  }
+}
+
+void ItemStage::apply(const Vector6& step, Velocity& v) const {
+  v.chassis += step;
+  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
+    const LegWork& work = legs_[i];
+    if (work.kept) continue;
+    v.joints[i] -= work.k_inverse * (work.joint_residual + work.k_joints_chassis * step);
+  }
+}
+
+}  // namespace gurney

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/solver/mechanism.h"
+
+namespace gurney {
+
+/// The equations of one item in one implicit stage of length tau (stage_solver.h),
+///
+///     M (v - v_start) = tau (J' f(J v) + f_loads(v) - bias),
+///
+/// their residual at v, and the matrix of Newton's method K = M + tau J' D J.
+///
+/// The item is a star: each caster touches only the chassis, so its two joints are eliminated and
+/// one 6 x 6 system for the chassis is left. Legs that touch another item keep theirs.
+class ItemStage {
+ public:
+  using Matrix36 = Eigen::Matrix<double, 3, 6>;
+  using Matrix32 = Eigen::Matrix<double, 3, 2>;
+
+  struct Input {
+    const State* start = nullptr;  ///< pose, velocity and memory the stage starts from
+    double tau = 0;
+    Vector3 floor_acceleration = Vector3::Zero();
+    Loads::Stage loads;
+  };
+
+  /// What the stage dissipated and how it ended, besides the new state and contacts.
+  struct Output {
+    Velocity acceleration;    ///< (v - v_start) / tau
+    EnergyAccount power;      ///< work and loss entries in W
+    double spring_rates = 0;  ///< a' M a + sum of k x'^2 [W/s]: for the numerical loss
+    std::array<TreadLaw::Result, kMaxLegs> treads;
+    std::array<bool, kMaxLegs> axle_slips{};
+    std::array<Vector2, kMaxLegs> heading;
+  };
+
+  explicit ItemStage(const Mechanism& mechanism) : mechanism_(mechanism) {}
+
+  /// Moves the geometry (M, J, bias) to the end of the stage that `v` leads to.
+  void update_geometry(const Input& input, const Velocity& v, bool first);
+  /// How far `v` turns a joint or the chassis from that geometry [rad].
+  double geometry_error(const Velocity& v) const;
+
+  /// The residual at v: begin, add every contact, end.
+  void begin_forces(const Input& input, const Velocity& v);
+  void add_contact_force(int leg, const Matrix36& chassis, const Matrix32& joints,
+                         const Vector3& force);
+  /// @returns the largest entry as a fraction of M g tau
+  double end_forces(const Input& input, const Velocity& v);
+
+  /// K at the last v: begin, add every contact, then eliminate the joints of legs not kept.
+  void begin_matrix();
+  void keep(int leg) { legs_[static_cast<std::size_t>(leg)].kept = true; }
+  void add_contact_slope(int leg, const Matrix36& chassis, const Matrix32& joints,
+                         const Matrix3& slope);
+  void eliminate();
+
+  /// Applies Newton's step of the chassis, and with it those of the eliminated joints.
+  void apply(const Vector6& step, Velocity& v) const;
+
+  void finish(const Input& input, const Velocity& v, State& end, Output& out) const;
+
+  struct LegWork {
+    Leg::Geometry g;
+    TreadLaw::Stage tread;
+    Vector5 rates;
+    Vector5 force;
+    Matrix5 slope;
+    DryFriction::Result swivel, axle;
+    bool kept = false;
+    Eigen::Vector2d joint_residual;
+    Matrix2 k_joints, k_inverse;
+    Eigen::Matrix<double, 6, 2> k_chassis_joints;
+    Eigen::Matrix<double, 2, 6> k_joints_chassis;
+  };
+  const Mechanism& mechanism() const { return mechanism_; }
+  const Pose& pose() const { return pose_; }
+  const LegWork& leg(int i) const { return legs_[static_cast<std::size_t>(i)]; }
+  /// After eliminate(): of the chassis, K and the negative residual.
+  const Matrix6& matrix() const { return matrix_; }
+  const Vector6& right_side() const { return right_side_; }
+  bool constrained(int dof) const;
+
+ private:
+  const Mechanism& mechanism_;
+  std::array<LegWork, kMaxLegs> legs_;
+  std::vector<Loads::Row> load_rows_;
+  double tau_ = 0;
+  Pose pose_;           // predicted end of the stage
+  Velocity predicted_;  // the velocity that leads there
+  Matrix6 mass_, matrix_;
+  Vector6 bias_, momentum_, force_, residual_, right_side_;
+  std::array<double, 6> reaction_{};  // of guides, impulse
+};
+
+}  // namespace gurney

@@ -1,0 +1,83 @@
+#include <Eigen/LU>
+
+#include "engine/solver/stage_solver.h"
+
+// Newton's step of a group of several items.
+namespace gurney {
+namespace {
+
+/// Where the unknowns of an item are in the group's system: its chassis, then its kept joints.
+struct Place {
+  Eigen::Index chassis = 0;
+  std::array<Eigen::Index, kMaxLegs> joints{};
+};
+
+}  // namespace
+
+void StageSolver::coupled_step(const Group& group, double tau, std::vector<Velocity>& v) {
+  std::vector<Place> places(items_.size());
+  Eigen::Index size = 0;
+  for (std::size_t i : group.items) {
+    places[i].chassis = size;
+    size += 6;
+    for (std::size_t j = 0; j < assembly_.items[i].legs.size(); ++j) {
+      if (!items_[i].leg(static_cast<int>(j)).kept) continue;
+      places[i].joints[j] = size;
+      size += 2;
+    }
+  }
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size, size);
+  Eigen::VectorXd right_side = Eigen::VectorXd::Zero(size);
+  for (std::size_t i : group.items) {
+    const ItemStage& item = items_[i];
+    const Eigen::Index at = places[i].chassis;
+    K.block<6, 6>(at, at) = item.matrix();
+    right_side.segment<6>(at) = item.right_side();
+    for (std::size_t j = 0; j < assembly_.items[i].legs.size(); ++j) {
+      const ItemStage::LegWork& leg = item.leg(static_cast<int>(j));
+      if (!leg.kept) continue;
+      const Eigen::Index joint = places[i].joints[j];
+      K.block<2, 2>(joint, joint) = leg.k_joints;
+      K.block<6, 2>(at, joint) = leg.k_chassis_joints;
+      K.block<2, 6>(joint, at) = leg.k_joints_chassis;
+      right_side.segment<2>(joint) = -leg.joint_residual;
+    }
+  }
+  for (const ContactWork& work : contacts_) {
+    if (!work.contact->between_items()) continue;
+    const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
+    const Matrix3 slope = tau * work.slope;
+    const auto couple = [&](Eigen::Index row, const auto& left, Eigen::Index column,
+                            const auto& right) {
+      K.block(row, column, left.cols(), right.cols()) -= left.transpose() * slope * right;
+      K.block(column, row, right.cols(), left.cols()) -= right.transpose() * slope * left;
+    };
+    const Place &pa = places[a.item], &pb = places[b.item];
+    couple(pa.chassis, work.side.chassis, pb.chassis, work.other_side.chassis);
+    if (a.leg >= 0)
+      couple(pa.joints[static_cast<std::size_t>(a.leg)], work.side.joints, pb.chassis,
+             work.other_side.chassis);
+    if (b.leg >= 0)
+      couple(pa.chassis, work.side.chassis, pb.joints[static_cast<std::size_t>(b.leg)],
+             work.other_side.joints);
+    if (a.leg >= 0 && b.leg >= 0)
+      couple(pa.joints[static_cast<std::size_t>(a.leg)], work.side.joints,
+             pb.joints[static_cast<std::size_t>(b.leg)], work.other_side.joints);
+  }
+  for (std::size_t i : group.items)
+    for (int dof = 0; dof < 6; ++dof) {
+      if (!items_[i].constrained(dof)) continue;
+      const Eigen::Index row = places[i].chassis + dof;
+      K.row(row).setZero();
+      K(row, row) = assembly_.items[i].total_mass;
+    }
+  const Eigen::VectorXd step = K.partialPivLu().solve(right_side);
+  for (std::size_t i : group.items) {
+    items_[i].apply(step.segment<6>(places[i].chassis), v[i]);
+    for (std::size_t j = 0; j < assembly_.items[i].legs.size(); ++j)
+      if (items_[i].leg(static_cast<int>(j)).kept)
+        v[i].joints[j] += step.segment<2>(places[i].joints[j]);
+  }
+}
+
+}  // namespace gurney
