@@ -1,21 +1,28 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace gurney {
 
 /// A unit of acceleration.
 struct AccelerationUnit {
-  const char* name;  ///< "g", "m/s2", "cm/s2" or "mm/s2"
+  const char* name;  ///< "g", "m/s2", "cm/s2"...
   double to_si;      ///< m/s2 in one unit
 };
 
-/// The unit meant by a spelling of files and users, letter case apart: g; m/s2, m/s/s, m/s^2,
-/// m/s**2, m/sec2, m/sec/sec and the same with cm and mm; gal. Nothing for any other.
+/// One spelling for all those of a unit: "CM/SEC**2", "cm / s²" (UTF-8 or Latin-1), "cm s^-2",
+/// "cm/sec/sec", "CMS/SEC2." and "cm_per_s2" are "cm/s2"; "Gals" is "gal", "[msec]" is "ms".
+/// Every reader compares units in this spelling.
+std::string plain_unit(std::string_view spelling);
+
+/// The unit meant by a spelling of files and users: g, mg, %g, g/10 (as digitisers wrote); m/s2,
+/// cm/s2, mm/s2, in/s2, ft/s2; gal. Nothing for any other.
 std::optional<AccelerationUnit> acceleration_unit(std::string_view spelling);
 
 /// What to write in a message about a wrong unit.
-inline constexpr const char* kAccelerationUnits = "g, m/s2, cm/s2 (gal) or mm/s2";
+inline constexpr const char* kAccelerationUnits =
+    "g, m/s2, cm/s2 (gal), mm/s2, mg, %g, ft/s2 or in/s2";
 
 }  // namespace gurney

@@ -21,11 +21,16 @@ constexpr auto kNone = std::string_view::npos;
 
 /// What the comments state.
 struct Header {
-  std::size_t lines = 0;      ///< of comments at the top
-  std::string_view unit;      ///< empty: not stated
-  std::size_t unit_line = 1;  ///< from 1
+  std::size_t lines = 0;            ///< of comments at the top
+  std::string_view unit;            ///< empty: not stated
+  std::size_t unit_line = 1;        ///< from 1
+  std::size_t other_unit_line = 0;  ///< of a column that states another; 0: none
+  std::string_view time_unit;       ///< empty: not stated
+  std::size_t time_line = 1;
   std::array<std::string, 3> names = {"N-S", "E-W", "U-D"};
-  bool names_columns = false;  ///< a comment speaks of the columns
+  std::array<bool, 3> is_negative = {};  ///< (+ is southward), westward, downward
+  bool names_columns = false;            ///< a comment speaks of the columns
+  bool has_orientation = false;          ///< which goes before what is said of the columns
   std::vector<std::pair<std::string_view, std::string_view>> facts;
 };
 
@@ -53,6 +58,32 @@ void take_orientation(std::string_view value, Header& header) {
   }
 }
 
+/// `Column 2: North-south acceleration (cm/s/s) (+ is northward)`
+/// @param column  0 for the first component
+void take_column(std::string_view text, std::size_t column, Header& header) {
+  constexpr std::array<std::array<std::string_view, 4>, 3> kAxes = {
+      {{"north-south", "n-s", "north", "N-S"},
+       {"east-west", "e-w", "east", "E-W"},
+       {"up-down", "u-d", "vert", "U-D"}}};
+  const std::string line = lower(text);
+  const auto sense = line.find("(+ is ");
+  const std::string_view axis = std::string_view(line).substr(0, sense);
+  for (const auto& [name, code, start, plain] : kAxes)
+    if (!header.has_orientation &&
+        (axis.find(name) != kNone || axis.starts_with(code) || axis.starts_with(start)))
+      header.names[column] = plain;
+  if (sense == kNone) return;
+  const auto towards = std::string_view(line).substr(sense + 6);
+  const std::pair<std::string_view, std::string_view> kSenses[] = {
+      {"north", "N-S"}, {"south", "N-S"}, {"east", "E-W"},
+      {"west", "E-W"},  {"up", "U-D"},    {"down", "U-D"}};
+  for (const auto& [word, name] : kSenses) {
+    if (!towards.starts_with(word)) continue;
+    if (!header.has_orientation) header.names[column] = name;
+    header.is_negative[column] = word == "south" || word == "west" || word == "down";
+  }
+}
+
 void take_comment(std::string_view comment, std::size_t line, Header& header) {
   const std::string text = lower(comment);
   const auto state_unit = [&](std::string_view unit) {
@@ -67,9 +98,19 @@ void take_comment(std::string_view comment, std::size_t line, Header& header) {
     take_names(rest, header);
   } else if (text.find("column 1: time") != kNone) {
     header.names_columns = true;
-  } else if (text.find("column 2:") != kNone) {
-    const auto unit = in_brackets(comment);
-    if (acceleration_unit(unit) || other_quantity(unit)) state_unit(unit);
+    header.time_unit = in_brackets(comment);
+    header.time_line = line;
+  } else if (const auto at = text.find("column "); at != kNone && text.substr(at + 8, 1) == ":" &&
+                                                   text[at + 7] >= '2' && text[at + 7] <= '4') {
+    const auto rest = trimmed(comment.substr(at + 9));
+    take_column(rest, static_cast<std::size_t>(text[at + 7] - '2'), header);
+    const auto unit = in_brackets(rest);
+    if (acceleration_unit(unit) || other_quantity(unit)) {
+      if (header.unit.empty() || plain_unit(header.unit) == plain_unit(unit))
+        state_unit(unit);
+      else
+        header.other_unit_line = line;
+    }
   }
   const auto sign = comment.find_first_of(":=");
   if (sign == kNone) return;
@@ -77,6 +118,7 @@ void take_comment(std::string_view comment, std::size_t line, Header& header) {
   if (lower(key) == "units") state_unit(value.substr(0, value.find_first_of(" ,;")));
   if (lower(key) == "orientation") {
     header.names_columns = true;
+    header.has_orientation = true;
     take_orientation(value, header);
   }
   if (!key.empty() && !value.empty() && !text.starts_with("column"))
@@ -93,6 +135,15 @@ Header header_of(const SourceFile& file) {
     take_comment(comment, header.lines, header);
   }
   return header;
+}
+
+/// Of N-S, E-W and U-D the first is positive.
+void turn(bool is_negative, Component& component) {
+  if (!is_negative) return;
+  component.acceleration = -component.acceleration;
+  component.warnings.push_back(fmt::format(
+      "the comments say that + is to the south, west or down in {}: its sign was turned",
+      component.name));
 }
 
 void warn_of_copies(std::vector<Component>& components) {
@@ -112,7 +163,7 @@ bool recognises_bbp(const SourceFile& file) {
 }
 
 std::vector<Component> read_bbp(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   const Header header = header_of(file);
   if (const auto quantity = other_quantity(header.unit)) {
     mistakes.add(header.unit_line, 1,
@@ -121,6 +172,21 @@ std::vector<Component> read_bbp(const SourceFile& file, const ReadOptions& optio
                              *quantity, header.unit));
     mistakes.throw_if_any();
   }
+  const auto seconds = header.time_unit.empty() ? std::optional(1.0) : time_unit(header.time_unit);
+  if (!seconds)
+    mistakes.add(
+        header.time_line, 1,
+        fmt::format("'{}' is not a unit of time: s, ms, us or min are allowed", header.time_unit));
+  if (header.other_unit_line > 0)
+    mistakes.add(header.other_unit_line, 1,
+                 fmt::format("this column has another unit than line {}; one unit is allowed",
+                             mistakes.line_in_file(header.unit_line)));
+  auto names = header.names;
+  std::ranges::sort(names);
+  if (std::ranges::adjacent_find(names) != names.end())
+    mistakes.add(1, 1,
+                 fmt::format("the comments name the columns {}, {} and {}: one is named twice",
+                             header.names[0], header.names[1], header.names[2]));
   const AccelerationUnit unit =
       header.unit.empty() ? agreed_unit({}, 0, options, mistakes)
                           : checked_unit(header.unit, header.unit_line, options, mistakes);
@@ -142,6 +208,7 @@ std::vector<Component> read_bbp(const SourceFile& file, const ReadOptions& optio
   std::array<std::vector<double>, 4> columns;
   for (std::size_t i = 0; i < reader.values().size(); ++i)
     columns[i % 4].push_back(reader.values()[i]);
+  for (double& time : columns[0]) time *= seconds.value_or(1);
   const double step = even_step(columns[0], lines, mistakes);
   checked_time_step(step, "the time step", lines[0], options, mistakes);
   mistakes.throw_if_any();
@@ -155,6 +222,7 @@ std::vector<Component> read_bbp(const SourceFile& file, const ReadOptions& optio
     component.acceleration = scaled(columns[k + 1], unit.to_si);
     component.header.insert(component.header.end(), header.facts.begin(), header.facts.end());
     orient(component.name, component);
+    turn(header.is_negative[k], component);
   }
   if (const auto late = late_start(columns[0][0], step); !late.empty())
     components[0].warnings.push_back(late);

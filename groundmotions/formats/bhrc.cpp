@@ -129,7 +129,7 @@ bool recognises_bhrc(const SourceFile& file) {
 }
 
 std::vector<Component> read_bhrc(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   ChannelReader reader(file, options, mistakes);
   std::vector<Component> components;
   for (std::size_t line = 0; line < file.lines().size() && !mistakes.any();) {

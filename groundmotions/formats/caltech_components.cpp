@@ -24,6 +24,7 @@ constexpr auto kNone = std::string_view::npos;
 constexpr double kGrid = 1e-6;              ///< printed times on an even grid differ by less [s]
 constexpr double kPeakOfVolume1 = 0.00056;  ///< printed to 0.001 g, the samples to 0.0001 g [g]
 constexpr double kPeakOfVolume2 = 1.1e-5;   ///< both are printed to 0.001 cm/s2 [m/s2]
+constexpr double kPeakTooFar = 0.1;         ///< of the peak; an assumption
 constexpr double kPeakShare = 1e-4;         ///< of large peaks with fewer digits after the point
 
 using Quantity = CaltechSeries::Quantity;
@@ -130,6 +131,14 @@ class ChannelReader {
     const Eigen::VectorXd samples = scaled(series.values, to_si);
     check_peak({size, std::max(rounding, kPeakShare * size), line_of(channel, at)}, samples,
                component, mistakes_);
+    const double raw = samples.cwiseAbs().maxCoeff();
+    const double centred = (samples.array() - samples.mean()).abs().maxCoeff();
+    const double difference = std::min(std::abs(raw - size), std::abs(centred - size));
+    if (difference > kPeakTooFar * size + rounding && !mistakes_.any())
+      mistakes_.add(line_of(channel, at), 1,
+                    fmt::format("the header states a peak of {:.5g} m/s2, but the samples have "
+                                "{:.5g} m/s2: one of them is damaged",
+                                size, raw));
   }
 
   /// "CHAN  1:  90 DEG  (STA CHN: 14)", "Chan  1: Up   Location: Roof" of CSMIP, "COMP N08W" of
@@ -227,7 +236,7 @@ class ChannelReader {
 }  // namespace
 
 std::vector<Component> caltech_components(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   const auto channels = caltech_channels(file, mistakes);
   mistakes.throw_if_any();
   std::vector<Component> components;

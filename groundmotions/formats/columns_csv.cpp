@@ -126,7 +126,7 @@ bool recognises_columns_csv(const SourceFile& file) {
 }
 
 std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   const std::size_t head = header_line(file);
   const auto columns = columns_of(file, head, mistakes);
   if (!file.ends_with_line_end())

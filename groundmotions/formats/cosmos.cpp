@@ -240,7 +240,7 @@ bool holds_spectra(const SourceFile& file) {
 bool recognises_cosmos(const SourceFile& file) { return starts_cosmos_channel(file.lines()[0]); }
 
 std::vector<Component> read_cosmos(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   if (holds_spectra(file)) refuse_spectra(file.name(), "V3", "the V2");
   const auto channels = cosmos_channels(file, mistakes);
   mistakes.throw_if_any();

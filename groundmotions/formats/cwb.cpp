@@ -198,7 +198,7 @@ bool recognises_cwb(const SourceFile& file) {
 }
 
 std::vector<Component> read_cwb(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   return CwbReader(file, options, mistakes).read();
 }
 

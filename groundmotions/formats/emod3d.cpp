@@ -40,7 +40,7 @@ bool recognises_emod3d(const SourceFile& file) {
 }
 
 std::vector<Component> read_emod3d(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   const auto words = words_of(file.lines()[0], kBlanks);
   const auto head = numbers_of(file.lines()[1]);
   Component component;

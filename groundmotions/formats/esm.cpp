@@ -88,26 +88,51 @@ void set_facts(const ColonHeader& header, Component& component) {
       component.header.emplace_back(name, value);
 }
 
-void check_against_header(const ColonHeader& header, Component& component, Mistakes& mistakes) {
-  const auto* peak = header.find("PGA_CM/S^2");
-  if (!peak || peak->value.empty()) return;
-  check_peak(peak->value, {"cm/s2", 0.01}, peak->line, component, mistakes);
-  const auto time = number(header.value("TIME_PGA_S"));
+/// The duration counts samples or steps and has three decimals.
+bool check_duration(const ColonHeader& header, const Component& component, Mistakes& mistakes) {
+  const auto* entry = header.find("DURATION_S");
+  const auto stated = entry ? number(entry->value) : std::nullopt;
+  if (!stated || !(*stated > 0)) return false;
+  const double held = static_cast<double>(component.acceleration.size()) * component.time_step;
+  if (!(std::abs(held - *stated) <= 1.5 * component.time_step + 0.001 * held))
+    mistakes.add(
+        entry->line, 1,
+        fmt::format("DURATION_S is {}, but {} samples at SAMPLING_INTERVAL_S {} have "
+                    "{:.6g} s",
+                    entry->value, component.acceleration.size(), component.time_step, held));
+  return true;
+}
+
+/// Without a duration the time of the peak is the only check of the time step.
+void check_time_of_peak(const ColonHeader& header, bool step_is_sure, Component& component,
+                        Mistakes& mistakes) {
+  const auto* entry = header.find("TIME_PGA_S");
+  const auto time = entry ? number(entry->value) : std::nullopt;
   if (!time) return;
   Eigen::Index at = 0;
   const double largest = component.acceleration.cwiseAbs().maxCoeff(&at);
   const double step = component.time_step;
-  const auto stated = static_cast<Eigen::Index>(std::clamp(
-      std::round(*time / step), 0.0, static_cast<double>(component.acceleration.size())));
-  // Equal peaks may be at several times.
-  for (Eigen::Index i = stated - 1; i <= stated + 1; ++i)
-    if (i >= 0 && i < component.acceleration.size() &&
+  // Equal peaks may be at several times; samples may be counted from 0 or 1.
+  for (Eigen::Index i = 0; i < component.acceleration.size(); ++i)
+    if (std::abs(static_cast<double>(i) * step - *time) <= 1.01 * step &&
         std::abs(component.acceleration[i]) >= 0.999 * largest)
       return;
-  component.warnings.push_back(
-      fmt::format("the file states its peak at {} s, its samples have it "
-                  "at {:.9g} s",
-                  *time, static_cast<double>(at) * step));
+  const std::string message = fmt::format(
+      "the file states its peak at {} s, its samples have it "
+      "at {:.9g} s",
+      *time, static_cast<double>(at) * step);
+  if (step_is_sure)
+    component.warnings.push_back(message);
+  else
+    mistakes.add(entry->line, 1, message + ": SAMPLING_INTERVAL_S or TIME_PGA_S is wrong");
+}
+
+void check_against_header(const ColonHeader& header, Component& component, Mistakes& mistakes) {
+  const bool step_is_sure = check_duration(header, component, mistakes);
+  const auto* peak = header.find("PGA_CM/S^2");
+  if (!peak || peak->value.empty()) return;
+  check_peak(peak->value, {"cm/s2", 0.01}, peak->line, component, mistakes);
+  check_time_of_peak(header, step_is_sure, component, mistakes);
 }
 
 void warn_of_state(const ColonHeader& header, Component& component) {
@@ -127,7 +152,7 @@ bool recognises_esm(const SourceFile& file) {
 }
 
 std::vector<Component> read_esm(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   const ColonHeader header(file);
   refuse_other_quantities(header, mistakes);
 

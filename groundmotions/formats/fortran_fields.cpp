@@ -76,6 +76,7 @@ std::vector<double> FieldReader::read(std::size_t& line, std::size_t count,
                                       const FortranFormat& format, EmptyField empty,
                                       std::string_view what) {
   std::vector<double> values;
+  bool all_fit = true;
   for (; values.size() < count; ++line) {
     if (line >= file_.lines().size()) {
       mistakes_.add(file_.lines().size(), 1,
@@ -83,9 +84,14 @@ std::vector<double> FieldReader::read(std::size_t& line, std::size_t count,
       return values;
     }
     const std::size_t expected = std::min(format.per_line, count - values.size());
-    Mistakes of_line(file_.name());
+    Mistakes of_line(file_);
     if (read_fields(line, expected, format, empty, of_line, values)) continue;
-    const bool cut = line + 1 == file_.lines().size() && !file_.ends_with_line_end();
+    // Only the last field is short, on the last line.
+    const std::size_t length = file_.lines()[line].size();
+    const std::size_t full = format.skip + expected * format.width;
+    const bool is_short = all_fit && length < full && length + format.width > full;
+    const bool cut = line + 1 == file_.lines().size() && (!file_.ends_with_line_end() || is_short);
+    all_fit = false;
     if (!cut && read_freely(line, expected, values)) continue;
     read_fields(line, expected, format, empty, mistakes_, values);
     return values;
@@ -94,7 +100,7 @@ std::vector<double> FieldReader::read(std::size_t& line, std::size_t count,
 }
 
 bool FieldReader::fits(std::size_t line, std::size_t count, const FortranFormat& format) const {
-  Mistakes mistakes(file_.name());
+  Mistakes mistakes(file_);
   std::vector<double> values;
   return line < file_.lines().size() &&
          read_fields(line, count, format, EmptyField::kMistake, mistakes, values);
@@ -136,7 +142,7 @@ bool FieldReader::read_fields(std::size_t index, std::size_t count, const Fortra
 
 bool FieldReader::read_freely(std::size_t index, std::size_t count,
                               std::vector<double>& values) const {
-  Mistakes mistakes(file_.name());
+  Mistakes mistakes(file_);
   NumberReader reader(file_, mistakes);
   if (reader.read_line(index) != count || mistakes.any()) return false;
   values.insert(values.end(), reader.values().begin(), reader.values().end());

@@ -184,7 +184,7 @@ class BlockReader {
 }  // namespace
 
 bool recognises_geonet(const SourceFile& file) {
-  Mistakes ignored(file.name());
+  Mistakes ignored(file);
   const FieldReader fields(file, ignored);
   const std::string first = upper(file.lines().front().substr(0, 100));
   return first.find("CORRECTED ACCELEROGRAM") != first.npos && file.lines().size() > kTextLines &&
@@ -194,7 +194,7 @@ bool recognises_geonet(const SourceFile& file) {
 }
 
 std::vector<Component> read_geonet(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   auto components = BlockReader(file, options, mistakes).read();
   mistakes.throw_if_any();
   return components;

@@ -5,17 +5,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "groundmotions/formats/calendar.h"
+#include "groundmotions/formats/column_table.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/stated.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney {
 
 namespace {
 
-constexpr std::size_t kHeaderLines = 17;
+constexpr std::size_t kHeaderLines = 60;  ///< at most; NIED writes 17
+constexpr double kPeakTooFar = 0.02;  ///< of the peak; the mean of all samples defines it exactly
 constexpr double kTriggerDelay = 15;  ///< in Record Time [s] (NIED, "About K-NET ASCII format")
 constexpr double kJapanTime = 9 * 3600.0;  ///< ahead of UTC [s]
 constexpr AccelerationUnit kGal = {"cm/s2", 0.01};
@@ -25,11 +29,22 @@ struct Entry {
   std::size_t line = 0;  ///< from 1; 0: not there
 };
 
-/// The header line that starts with `key`.
+/// Lines of the header: up to `Memo.`, or to the first number.
+std::size_t header_end(const SourceFile& file) {
+  const std::size_t most = std::min(kHeaderLines, file.lines().size());
+  for (std::size_t i = 0; i < most; ++i) {
+    const auto line = trimmed(file.lines()[i]);
+    if (lower(line.substr(0, 4)) == "memo") return i + 1;
+    if (!line.empty() && std::string_view("+-.0123456789").find(line[0]) != line.npos) return i;
+  }
+  return most;
+}
+
+/// The header line that starts with `key`, letter case apart.
 Entry find(const SourceFile& file, std::string_view key) {
-  for (std::size_t i = 0; i < std::min(kHeaderLines, file.lines().size()); ++i)
-    if (file.lines()[i].starts_with(key))
-      return {trimmed(file.lines()[i].substr(key.size())), i + 1};
+  for (std::size_t i = 0; i < header_end(file); ++i)
+    if (const auto line = trimmed(file.lines()[i]); lower(line).starts_with(lower(key)))
+      return {trimmed(line.substr(key.size())), i + 1};
   return {};
 }
 
@@ -45,7 +60,7 @@ double number_at(const SourceFile& file, std::string_view key, std::string_view 
   std::string_view rest = entry.value;
   const auto value = take_number(rest);
   rest = trimmed(rest);
-  if (value && (rest.empty() || rest == unit)) return *value;
+  if (value && (rest.empty() || lower(rest) == lower(unit))) return *value;
   mistakes.add(entry.line, 1, fmt::format("{} must be a number, got '{}'", key, entry.value));
   return 0;
 }
@@ -57,7 +72,9 @@ double scale_factor(const SourceFile& file, Mistakes& mistakes) {
     mistakes.add("the header has no line 'Scale Factor': the samples are raw counts without it");
     return 0;
   }
-  std::string_view rest = entry.value;
+  std::string text = lower(entry.value);
+  std::erase(text, ' ');
+  std::string_view rest = text;
   const auto gal = take_number(rest);
   constexpr std::string_view kBetween = "(gal)/";
   if (gal && rest.starts_with(kBetween)) {
@@ -84,7 +101,9 @@ constexpr std::array kChannels = {
 
 void set_channel(const SourceFile& file, Component& component, Mistakes& mistakes) {
   const Entry entry = find(file, "Dir.");
-  const auto channel = std::ranges::find(kChannels, entry.value, &Channel::dir);
+  std::string dir = upper(entry.value);
+  if (dir == "NS" || dir == "EW" || dir == "UD") dir.insert(1, "-");
+  const auto channel = std::ranges::find(kChannels, dir, &Channel::dir);
   if (channel == kChannels.end()) {
     mistakes.add(std::max<std::size_t>(entry.line, 1), 1,
                  fmt::format("Dir. must be N-S, E-W, U-D or 1 to 6, got '{}'", entry.value));
@@ -129,14 +148,29 @@ void set_facts(const SourceFile& file, Component& component) {
   }
 }
 
+/// The mean and the peak are of these very samples: rounding explains no more than a digit.
+void refuse_other_peak(std::string_view text, std::size_t line, const Component& component,
+                       Mistakes& mistakes) {
+  const auto stated = number(text);
+  if (!stated || mistakes.any()) return;
+  const double held = component.acceleration.cwiseAbs().maxCoeff() / kGal.to_si;
+  const double rounding = rounding_of(text);
+  if (std::abs(std::abs(*stated) - held) <= kPeakTooFar * held + rounding) return;
+  mistakes.add(line, 1,
+               fmt::format("the file states a peak of {} gal, but its samples have {:.6g} gal: one "
+                           "of them is damaged",
+                           text, held));
+}
+
 }  // namespace
 
 bool recognises_knet(const SourceFile& file) {
-  return find(file, "Origin Time").line == 1 && find(file, "Sampling Freq").line > 0;
+  return find(file, "Origin Time").line > 0 && find(file, "Sampling Freq").line > 0 &&
+         find(file, "Station Code").line > 0;
 }
 
 std::vector<Component> read_knet(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   Component component;
   const Entry scale = find(file, "Scale Factor");
   component.unit = checked_unit(kGal.name, scale.line, options, mistakes).name;
@@ -152,7 +186,7 @@ std::vector<Component> read_knet(const SourceFile& file, const ReadOptions& opti
       checked_time_step(1 / frequency, "1 / Sampling Freq", rate.line, options, mistakes);
 
   NumberReader reader(file, mistakes);
-  for (std::size_t i = kHeaderLines; i < file.lines().size(); ++i) reader.read_line(i);
+  for (std::size_t i = header_end(file); i < file.lines().size(); ++i) reader.read_line(i);
   reader.check_end();
   const auto& counts = reader.values();
   if (!mistakes.any())
@@ -171,6 +205,7 @@ std::vector<Component> read_knet(const SourceFile& file, const ReadOptions& opti
   if (!peak.value.empty()) {
     component.header.emplace_back("published peak", fmt::format("{} cm/s2", peak.value));
     check_peak(peak.value, kGal, peak.line, component, mistakes);
+    refuse_other_peak(peak.value, peak.line, component, mistakes);
   }
   set_start(file, component, mistakes);
   set_channel(file, component, mistakes);

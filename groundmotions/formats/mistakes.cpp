@@ -9,7 +9,7 @@ namespace gurney {
 constexpr std::size_t kShown = 20;
 
 void Mistakes::add(std::size_t line, std::size_t column, const std::string& message) {
-  keep(fmt::format("{}:{}:{}: {}", file_, line, column, message));
+  keep(fmt::format("{}:{}:{}: {}", file_, line_in_file(line), column, message));
 }
 
 void Mistakes::add(const std::string& message) { keep(fmt::format("{}: {}", file_, message)); }

@@ -3,14 +3,19 @@
 #include <string>
 #include <vector>
 
+#include "groundmotions/formats/source_file.h"
+
 namespace gurney {
 
 /// Collects what is wrong with one file, so that one Error tells all of it.
 class Mistakes {
  public:
-  explicit Mistakes(std::string file) : file_(std::move(file)) {}
+  explicit Mistakes(const SourceFile& file) : file_(file.name()), before_(file.blank_lines()) {}
 
-  /// @param line, column  counted from 1
+  /// The number in the file of a line of SourceFile::lines(), both counted from 1.
+  std::size_t line_in_file(std::size_t line) const { return line + before_; }
+
+  /// @param line, column  of SourceFile::lines(), counted from 1
   void add(std::size_t line, std::size_t column, const std::string& message);
 
   /// A mistake of the whole file.
@@ -25,6 +30,7 @@ class Mistakes {
   void keep(std::string line);
 
   std::string file_;
+  std::size_t before_;  ///< blank lines before the first
   std::vector<std::string> lines_;
   std::size_t count_ = 0;
 };

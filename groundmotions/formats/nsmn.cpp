@@ -134,7 +134,7 @@ bool recognises_nsmn(const SourceFile& file) {
 }
 
 std::vector<Component> read_nsmn(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   return NsmnReader(file, options, mistakes).read();
 }
 

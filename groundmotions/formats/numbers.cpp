@@ -21,6 +21,22 @@ bool is_bare_exponent(std::string_view text) {
          is_digit(text[3]) && (text.size() == 4 || is_sign(text[4]));
 }
 
+/// The number of a mantissa that ends before the D of its exponent, `-03` of `1.5D-03`; `rest`
+/// begins with the D and is shortened. Nothing if there is no such exponent.
+std::optional<double> with_d_exponent(std::string_view mantissa, std::string_view& rest) {
+  if (rest.empty() || (rest[0] != 'D' && rest[0] != 'd')) return {};
+  if (mantissa.find_first_of("eE") != std::string_view::npos) return {};
+  std::size_t end = rest.size() > 1 && is_sign(rest[1]) ? 2 : 1;
+  const std::size_t digits = end;
+  while (end < rest.size() && is_digit(rest[end])) ++end;
+  if (end == digits) return {};
+  const std::string text = fmt::format("{}e{}", mantissa, rest.substr(1, end - 1));
+  double value = 0;
+  if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc()) return {};
+  rest.remove_prefix(end);
+  return value;
+}
+
 }  // namespace
 
 std::string_view trimmed(std::string_view text) {
@@ -38,7 +54,9 @@ std::optional<double> take_number(std::string_view& text) {
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc()) return {};
   const bool negative = text[0] == '-';
+  const auto length = static_cast<std::size_t>(end - digits.data());
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  value = with_d_exponent(digits.substr(0, length), text).value_or(value);
   return negative ? -value : value;
 }
 
@@ -61,12 +79,34 @@ NumberReader::NumberReader(const SourceFile& file, Mistakes& mistakes, std::stri
 std::size_t NumberReader::read_line(std::size_t index) {
   const std::string_view line = file_.lines()[index];
   const std::size_t before = values_.size();
+  Layout layout;
   for (std::size_t begin = line.find_first_not_of(separators_); begin != std::string_view::npos;) {
     const std::size_t end = std::min(line.find_first_of(separators_, begin), line.size());
     read_word(line.substr(begin, end - begin), index + 1, begin + 1);
+    layout.emplace_back(begin, end);
     begin = line.find_first_not_of(separators_, end);
   }
+  if (!layout.empty()) compare(layout);
   return values_.size() - before;
+}
+
+void NumberReader::compare(const Layout& layout) {
+  if (layout_.empty()) {
+    layout_ = layout;
+    // Columns of one width, as in Fortran, with numbers of several lengths.
+    for (std::size_t k = 2; k < layout.size(); ++k) {
+      const auto width = layout[k].second - layout[k - 1].second;
+      if (width != layout[1].second - layout[0].second) return;
+      is_flush_right_ = is_flush_right_ || layout[k].first - layout[k - 1].first != width;
+    }
+    return;
+  }
+  all_in_columns_ = all_in_columns_ && last_in_columns_;
+  last_in_columns_ = layout.size() <= layout_.size();
+  for (std::size_t k = 0; last_in_columns_ && k < layout.size(); ++k) {
+    last_in_columns_ = layout[k].second == layout_[k].second;
+    if (last_in_columns_ && layout[k].first != layout_[k].first) is_flush_right_ = true;
+  }
 }
 
 void NumberReader::read_word(std::string_view word, std::size_t line, std::size_t column) {
@@ -95,10 +135,14 @@ void NumberReader::read_word(std::string_view word, std::size_t line, std::size_
 }
 
 void NumberReader::check_end() const {
-  if (file_.ends_with_line_end() || values_.size() < 2 || last_tail_ >= shortest_tail_) return;
+  if (file_.ends_with_line_end() || values_.size() < 2) return;
+  const bool is_short = last_tail_ < shortest_tail_;
+  const bool ends_early = is_flush_right_ && all_in_columns_ && !last_in_columns_;
+  if (!is_short && !ends_early) return;
   mistakes_.add(file_.lines().size(), file_.lines().back().size(),
-                "the file ends within a line and its last number is shorter than all others: the "
-                "file seems to be cut");
+                fmt::format("the file ends within a line and its last number {}: the file seems to "
+                            "be cut",
+                            is_short ? "is shorter than all others" : "ends left of its column"));
 }
 
 }  // namespace gurney

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "groundmotions/formats/mistakes.h"
@@ -12,8 +13,8 @@
 namespace gurney {
 
 /// The longest number at the start of `text`, which is shortened by it; nothing if there is none.
-/// Decimal only, whatever the locale; a leading '+' is fine; NaN, infinities and numbers beyond
-/// the range of double are not numbers.
+/// Decimal only, whatever the locale; Fortran's D is an E (`1.5D-03`); a leading '+' is fine; NaN,
+/// infinities and numbers beyond the range of double are not numbers.
 std::optional<double> take_number(std::string_view& text);
 
 /// The number that `text` is, blanks around it apart.
@@ -38,13 +39,18 @@ class NumberReader {
   /// @returns how many numbers it holds.
   std::size_t read_line(std::size_t index);
 
-  /// To be called after the last line: a file that ends in the middle of a line, with a last
-  /// number shorter behind its point than all others, was cut.
+  /// To be called after the last line: a file that ends in the middle of a line was cut if its last
+  /// number is shorter behind its point than all others, or ends left of its column where all
+  /// columns are flush right.
   void check_end() const;
 
   const std::vector<double>& values() const { return values_; }
 
  private:
+  /// Columns of the words of one line: where they begin and end, from 0.
+  using Layout = std::vector<std::pair<std::size_t, std::size_t>>;
+
+  void compare(const Layout& layout);
   void read_word(std::string_view word, std::size_t line, std::size_t column);
 
   const SourceFile& file_;
@@ -53,6 +59,9 @@ class NumberReader {
   std::vector<double> values_;
   std::size_t shortest_tail_ = std::string_view::npos;  ///< of all but the last number
   std::size_t last_tail_ = std::string_view::npos;      ///< characters after the decimal point
+  Layout layout_;                                       ///< of the first line
+  bool is_flush_right_ = false;  ///< words of several lengths end in the same columns
+  bool all_in_columns_ = true, last_in_columns_ = true;  ///< all lines but the last; the last
 };
 
 }  // namespace gurney

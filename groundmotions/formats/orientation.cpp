@@ -23,8 +23,9 @@ bool is_one_of(std::string_view text, const std::array<std::string_view, size>& 
   return std::ranges::find(names, text) != names.end();
 }
 
+/// Not the points of the compass NNE and ENE, which say neither north nor east.
 bool is_seed_code(const std::string& code) {
-  return code.size() == 3 &&
+  return code.size() == 3 && code != "NNE" && code != "ENE" &&
          std::ranges::all_of(code, [](unsigned char c) { return std::isalpha(c) != 0; }) &&
          (code[1] == 'N' || code[1] == 'G' || code[1] == 'L' || code[1] == 'H');
 }
@@ -41,15 +42,22 @@ std::optional<double> bearing(std::string_view word) {
   return std::fmod(azimuth + 360, 360);
 }
 
+/// The number of a channel rather than of degrees.
+bool is_lone_digit(std::string_view word) { return word.size() == 1 && word != "0"; }
+
 std::optional<double> azimuth_in(std::string_view label) {
   const auto words = words_of(label, " \t,;:()");
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const auto degrees = number(words[i]);
-    const bool named =
-        words.size() == 1 || (i + 1 < words.size() && words[i + 1].starts_with("DEG"));
+    const bool has_unit = words[i].size() > 3 && words[i].ends_with("DEG");
+    const auto degrees = number(words[i].substr(0, words[i].size() - (has_unit ? 3 : 0)));
+    const bool named = has_unit || (words.size() == 1 && !is_lone_digit(words[0])) ||
+                       (i + 1 < words.size() && words[i + 1].starts_with("DEG"));
     if (degrees && named && *degrees >= 0 && *degrees <= 360) return std::fmod(*degrees, 360);
     if (const auto result = bearing(words[i])) return result;
   }
+  std::string glued(label);  // N 08 W
+  std::erase(glued, ' ');
+  if (const auto result = bearing(glued)) return result;
   constexpr std::string_view kPoints = "NESW";
   const auto point = label.size() == 1 ? kPoints.find(label[0]) : kNone;
   return point == kNone ? std::nullopt : std::optional(90.0 * static_cast<double>(point));
@@ -58,8 +66,10 @@ std::optional<double> azimuth_in(std::string_view label) {
 }  // namespace
 
 void orient(std::string_view name, Component& component) {
-  constexpr std::array<std::string_view, 5> kNorth = {"N", "NS", "N-S", "NORTH", "NORTH-SOUTH"};
-  constexpr std::array<std::string_view, 6> kEast = {"E", "EW", "E-W", "WE", "EAST", "EAST-WEST"};
+  constexpr std::array<std::string_view, 7> kNorth = {"N",   "NS",    "N-S",        "SN",
+                                                      "S-N", "NORTH", "NORTH-SOUTH"};
+  constexpr std::array<std::string_view, 7> kEast = {"E",   "EW",   "E-W",      "WE",
+                                                     "W-E", "EAST", "EAST-WEST"};
   constexpr std::array<std::string_view, 10> kUp = {"U", "UP",  "UD",   "U-D",      "V",
                                                     "Z", "VER", "VERT", "VERTICAL", "UP-DOWN"};
   constexpr std::array<std::string_view, 3> kDown = {"DN", "DWN", "DOWN"};
@@ -69,7 +79,7 @@ void orient(std::string_view name, Component& component) {
   if (is_seed_code(code)) code = code.back();
   const auto degrees = number(code);
   if (degrees && *degrees >= 0 && *degrees <= 360) {
-    component.azimuth = *degrees * kRadiansPerDegree;
+    if (!is_lone_digit(code)) component.azimuth = *degrees * kRadiansPerDegree;
   } else if (is_one_of(code, kNorth)) {
     component.azimuth = 0;
   } else if (is_one_of(code, kEast)) {
@@ -78,6 +88,10 @@ void orient(std::string_view name, Component& component) {
     component.direction = Direction::kVertical;
   } else if (is_one_of(code, kDown)) {
     turn_up(trimmed(name), component);
+  } else if (code == "SOUTH" || code == "WEST") {
+    component.azimuth = (code == "SOUTH" ? 180 : 270) * kRadiansPerDegree;
+  } else if (const auto azimuth = azimuth_in(code)) {
+    component.azimuth = *azimuth * kRadiansPerDegree;
   }
 }
 

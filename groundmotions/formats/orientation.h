@@ -8,12 +8,14 @@ namespace gurney {
 
 /// Sets azimuth or direction of a component from what its file calls it, whatever the letter case:
 ///
-/// - degrees in [0, 360] clockwise from north;
+/// - degrees in [0, 360] clockwise from north, such as 090, 45 or 45 DEG; a lone digit from 1 to 9
+///   is the number of a channel and says nothing;
 /// - N, NS, N-S, NORTH...; E, EW, E-W, WE, EAST... (positive to the north and to the east);
+///   S, SOUTH and W, WEST; bearings such as N38E and S38W;
 /// - U, UP, UD, U-D, V, Z, VER, VERT, VERTICAL: up;
 /// - DN, DWN, DOWN: the samples change sign so that they point up, with a warning;
 /// - a SEED channel code of three letters ending in N, E or Z, with or without a location of two
-///   digits: HNE, HGZ, BHZ00.
+///   digits: HNE, HGZ, BHZ00; ENE may be a point of the compass and says nothing.
 ///
 /// Any other name (L, T, H1, HN2) sets nothing. To be called when the samples are there.
 void orient(std::string_view name, Component& component);

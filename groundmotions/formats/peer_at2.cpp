@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "groundmotions/acceleration_unit.h"
+#include "groundmotions/formats/header_text.h"
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
@@ -46,6 +47,7 @@ struct Header {
   std::string quantity;  ///< "ACCELERATION", "VELOCITY", "DISPLACEMENT" or empty
   std::size_t unit_line = kNone;
   std::string unit;
+  bool has_unit_word = false;
 
   std::size_t first_data_line() const {
     std::size_t first = 0;
@@ -60,7 +62,8 @@ void find_entry(std::string_view line, std::string_view key, std::size_t index, 
   if (at == kNone || entry.value) return;
   auto rest = line.substr(at + key.size());
   rest.remove_prefix(std::min(rest.find_first_not_of(" \t=:"), rest.size()));
-  if (const auto value = take_number(rest)) entry = {value, index};
+  const auto value = key == "DT" ? leading_time(rest) : take_number(rest);
+  if (value) entry = {value, index};
 }
 
 void find_leading_pair(std::string_view line, std::size_t index, Header& header) {
@@ -83,16 +86,12 @@ void find_quantity(std::string_view line, std::size_t index, Header& header) {
     header.quantity = quantity;
     header.quantity_line = index;
   }
-  const auto units = find_word(line, "UNITS");
-  if (units == kNone || !header.unit.empty()) return;
-  auto rest = line.substr(units + 5);
-  for (const std::string_view filler : {"OF", "ARE"}) {
-    rest = trimmed(rest);
-    if (rest.starts_with(filler)) rest.remove_prefix(filler.size());
-  }
-  rest.remove_prefix(std::min(rest.find_first_not_of(" \t(=:"), rest.size()));
-  header.unit = rest.substr(0, rest.find_first_of(" \t).,;"));
+  const auto unit = unit_text_in(line);
+  const bool is_statement = find_word(line, "UNITS") != kNone || quantity_in(line);
+  if (!unit || !is_statement || !header.unit.empty()) return;
+  header.unit = *unit;
   header.unit_line = index;
+  header.has_unit_word = find_word(line, "UNITS") != kNone;
 }
 
 Header header_of(const SourceFile& file) {
@@ -107,16 +106,41 @@ Header header_of(const SourceFile& file) {
   return header;
 }
 
-/// The last field of the second line names the component: "228", "360 (CDMG STATION 24461)", "UP".
-void name_component(const SourceFile& file, Component& component) {
-  if (file.lines().size() < 2) return;
-  const std::string_view event = trimmed(file.lines()[1]);
+/// The second line, or where that is blank the last above NPTS, quantity and unit.
+std::string_view event_line(const SourceFile& file, const Header& header) {
+  std::size_t end = file.lines().size();
+  for (const auto line :
+       {header.samples.line, header.time_step.line, header.quantity_line, header.unit_line})
+    end = std::min(end, line);
+  if (end > 1 && end < file.lines().size() && !trimmed(file.lines()[1]).empty())
+    return trimmed(file.lines()[1]);
+  while (end > 0 && end < file.lines().size() && trimmed(file.lines()[end - 1]).empty()) --end;
+  return end > 0 && end < file.lines().size() ? trimmed(file.lines()[end - 1]) : "";
+}
+
+/// The last field of that line names the component: "228", "360 (CDMG STATION 24461)", "UP".
+void name_component(const SourceFile& file, const Header& header, Component& component) {
+  const std::string_view event = event_line(file, header);
+  if (event.empty()) return;
   component.header.emplace_back("event", event);
   const auto comma = event.rfind(',');
   if (comma == kNone) return;
   const auto field = trimmed(event.substr(comma + 1));
   component.name = trimmed(field.substr(0, field.find('(')));
   orient(component.name, component);
+}
+
+/// The lines above the samples speak of a velocity or a displacement.
+void refuse_other_quantities(const SourceFile& file, const Header& header, Mistakes& mistakes) {
+  const auto& lines = file.lines();
+  const std::size_t end = std::min(header.first_data_line(), lines.size());
+  const auto other = other_quantity_in({lines.begin(), lines.begin() + static_cast<long>(end)});
+  if (!other) return;
+  mistakes.add(other->line + 1, 1,
+               fmt::format("a record must be acceleration, but this is a {} file ('{}'); "
+                           "take the .AT2 file of this component",
+                           other->quantity, trimmed(lines[other->line])));
+  mistakes.throw_if_any();
 }
 
 double time_step_of(const Header& header, const ReadOptions& options, Mistakes& mistakes) {
@@ -155,27 +179,34 @@ void find_bare_pair(const SourceFile& file, Header& header) {
   header.time_step = {time_step, line};
 }
 
+/// Rows of a time that grows and a value: plain text, whatever the line above them.
+bool is_table(const SourceFile& file, const Header& header) {
+  constexpr std::size_t kRows = 3;
+  double last = 0;
+  for (std::size_t i = 0; i < kRows; ++i) {
+    const std::size_t line = header.first_data_line() + i;
+    if (line >= file.lines().size()) return false;
+    const auto words = words_of(file.lines()[line], " \t,;");
+    const auto time = words.size() == 2 ? number(words[0]) : std::nullopt;
+    if (!time || !number(words[1]) || (i > 0 && !(*time > last))) return false;
+    last = *time;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool recognises_peer_at2(const SourceFile& file) {
   const Header header = header_of(file);
-  return (header.samples.value && header.time_step.value) ||
-         (!header.quantity.empty() && !header.unit.empty());
+  if (header.samples.value && header.time_step.value) return true;
+  return !header.quantity.empty() && header.has_unit_word && !is_table(file, header);
 }
 
 std::vector<Component> read_peer_at2(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   Header header = header_of(file);
   find_bare_pair(file, header);
-  if (!header.quantity.empty() && header.quantity != "ACCELERATION") {
-    const std::size_t line = header.quantity_line;
-    mistakes.add(line + 1, 1,
-                 fmt::format("a record must be acceleration, but this is a {} file ('{}'); "
-                             "take the .AT2 file of this component",
-                             header.quantity == "VELOCITY" ? "velocity" : "displacement",
-                             trimmed(file.lines()[line])));
-    mistakes.throw_if_any();
-  }
+  refuse_other_quantities(file, header, mistakes);
 
   Component component;
   component.time_step = time_step_of(header, options, mistakes);
@@ -193,7 +224,7 @@ std::vector<Component> read_peer_at2(const SourceFile& file, const ReadOptions& 
 
   component.acceleration = scaled(reader.values(), unit.to_si);
   component.header.emplace_back("title", trimmed(file.lines()[0]));
-  name_component(file, component);
+  name_component(file, header, component);
   if (header.quantity_line != kNone)
     component.header.emplace_back("quantity", trimmed(file.lines()[header.quantity_line]));
   if (header.samples.line != kNone)

@@ -28,6 +28,7 @@ bool is_text(std::string_view word) {
   if (word.empty() || !is_letter(word[0])) return false;
   if (word.size() > 1 && lower(word)[0] == 'e' && (is_digit(word[1]) || !is_letter(word[1])))
     return false;
+  if (word.size() > 1 && lower(word)[0] == 'd' && (word[1] == '-' || word[1] == '+')) return false;
   constexpr std::array kNoNumbers = {"nan", "inf", "infinity", "na", "null", "none"};
   return std::ranges::find(kNoNumbers, lower(word)) == kNoNumbers.end();
 }
@@ -83,6 +84,16 @@ std::optional<std::size_t> first_row(const SourceFile& file) {
   return {};
 }
 
+std::vector<std::string_view> apart_by_two_blanks(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
+    const auto end = std::min({line.find("  "), line.find('\t'), line.size()});
+    words.push_back(line.substr(0, end));
+    line.remove_prefix(end);
+  }
+  return words;
+}
+
 std::size_t last_content(const SourceFile& file) {
   std::size_t last = file.lines().size();
   while (last > 0 && is_blank(file.lines()[last - 1])) --last;
@@ -113,7 +124,7 @@ PlainRows plain_rows(const SourceFile& file, Mistakes& mistakes) {
   for (std::size_t i = 0; i < first; ++i)
     if (!is_blank(file.lines()[i])) {
       rows.header.push_back(trimmed(file.lines()[i]));
-      rows.title_line = i + 1;
+      rows.header_lines.push_back(i + 1);
     }
 
   std::size_t last = last_content(file);
@@ -146,9 +157,13 @@ std::vector<std::string> column_titles(const PlainRows& rows, std::size_t count)
   if (rows.header.empty()) return {};
   std::string_view line = rows.header.back();
   line.remove_prefix(std::min(line.find_first_not_of("#% \t"), line.size()));
-  for (const std::string_view between : {";", ",", "\t", " \t"}) {
+  std::vector<std::vector<std::string_view>> partings;
+  for (const std::string_view between : {";", ",", "\t", " \t"})
+    partings.push_back(words_of(line, between));
+  partings.push_back(apart_by_two_blanks(line));
+  for (const auto& words : partings) {
     std::vector<std::string> titles;
-    for (const auto word : words_of(line, between)) {
+    for (const auto word : words) {
       const auto text = trimmed(word);
       if (!titles.empty() && !text.empty() && (text[0] == '(' || text[0] == '['))
         titles.back() += std::string(text);

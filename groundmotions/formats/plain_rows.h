@@ -12,12 +12,12 @@ namespace gurney {
 /// A text file of numbers, cut into a header of text, rows of numbers and an end mark. Numbers are
 /// apart by blanks, tabs, commas or semicolons; `#` starts a comment line anywhere.
 struct PlainRows {
-  std::vector<std::string_view> header;  ///< lines of text and comments before the numbers
-  std::size_t title_line = 1;            ///< of the last of them in the file, from 1
-  std::vector<double> values;            ///< row after row
-  std::vector<std::size_t> lengths;      ///< of the rows, each at least 1
-  std::vector<std::size_t> lines;        ///< of the rows in the file, from 1
-  std::vector<std::string_view> end;     ///< last lines with the word `end`
+  std::vector<std::string_view> header;   ///< lines of text and comments before the numbers
+  std::vector<std::size_t> header_lines;  ///< of them in the file, from 1
+  std::vector<double> values;             ///< row after row
+  std::vector<std::size_t> lengths;       ///< of the rows, each at least 1
+  std::vector<std::size_t> lines;         ///< of the rows in the file, from 1
+  std::vector<std::string_view> end;      ///< last lines with the word `end`
 
   /// Commas part the numbers and none has a point: they may be decimal commas.
   bool doubtful_commas = false;
@@ -36,7 +36,7 @@ bool has_plain_rows(const SourceFile& file);
 PlainRows plain_rows(const SourceFile& file, Mistakes& mistakes);
 
 /// The cells of the last line of text, if it names `count` columns: `Time[s] Accel[g]`; else none.
-/// A bracket belongs to the word before it.
+/// A bracket belongs to the word before it; titles of several words are apart by two blanks.
 std::vector<std::string> column_titles(const PlainRows& rows, std::size_t count);
 
 }  // namespace gurney

@@ -7,9 +7,11 @@
 #include <cctype>
 #include <cmath>
 
+#include "groundmotions/formats/column_title.h"
+#include "groundmotions/formats/header_text.h"
 #include "groundmotions/formats/numbers.h"
-#include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/plain_columns.h"
+#include "groundmotions/formats/plain_facts.h"
 #include "groundmotions/formats/plain_rows.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/time_column.h"
@@ -21,7 +23,7 @@ namespace gurney {
 namespace {
 
 /// Tables that look like records but are none; their other mistakes do not matter.
-void refuse_spectra(const PlainRows& rows, const std::string& file) {
+void refuse_spectra(const PlainRows& rows, const SourceFile& file) {
   Mistakes mistakes(file);
   for (const std::string_view line : rows.header) {
     const std::string text = lower(line);
@@ -54,35 +56,57 @@ CountRow take_count_row(PlainRows& rows) {
   return result;
 }
 
-/// Unit of one column: stated by its title, by the user, or by both.
+/// Unit of one column: stated by its title, by the text, by the user, or by some of them.
 struct ColumnUnit {
   std::string name;
   double to_si = 1;
 };
 
-ColumnUnit unit_of(std::string_view title, std::size_t line, const ReadOptions& options,
-                   Mistakes& mistakes) {
-  const auto stated = in_brackets(title);
-  const auto quantity = lower(title).starts_with("vel")    ? "velocity"
-                        : lower(title).starts_with("disp") ? "displacement"
-                                                           : other_quantity(stated).value_or("");
-  if (!quantity.empty()) {
-    mistakes.add(
+/// What all columns share.
+struct Table {
+  const PlainRows& rows;
+  const PlainFacts& facts;
+  const CountRow& count;
+  const ReadOptions& options;
+  Mistakes& mistakes;
+
+  std::size_t title_line() const {
+    return rows.header_lines.empty() ? 1 : rows.header_lines.back();
+  }
+};
+
+void refuse_other_quantities(const ColumnTitle& title, const Table& table) {
+  if (!title.quantity.empty())
+    table.mistakes.add(
         fmt::format("a record must be acceleration, but the column '{}' is a {}; name "
                     "the columns of accelerations, such as columns = \"time,h1,skip\"",
-                    title, quantity));
-    return {};
-  }
+                    title.text, title.quantity));
+}
+
+ColumnUnit unit_of(const ColumnTitle& title, const Table& table) {
+  const auto& [rows, facts, count, options, mistakes] = table;
+  const std::size_t line = title.unit.empty() ? facts.unit_line : table.title_line();
+  auto stated = acceleration_unit(title.unit);
+  if (!title.unit.empty() && !stated && title.quantity.empty())
+    mistakes.add(line, 1,
+                 fmt::format("the column '{}' states '{}', which is not a unit of acceleration: {} "
+                             "are allowed",
+                             title.text, title.unit, kAccelerationUnits));
+  if (stated && facts.unit && stated->to_si != facts.unit->to_si)
+    mistakes.add(
+        line, 1,
+        fmt::format("the column '{}' states the unit {}, but line {} states {}", title.text,
+                    stated->name, mistakes.line_in_file(facts.unit_line), facts.unit->name));
+  if (!stated) stated = facts.unit;
+  if (!title.quantity.empty() || (!title.unit.empty() && !stated)) return {};
   if (options.si_per_count) {
-    if (acceleration_unit(stated))
-      mistakes.add(
-          line, 1,
-          fmt::format("count_m_per_s2 is for raw counts, but the column '{}' has a unit", title));
+    if (stated)
+      mistakes.add(line, 1,
+                   fmt::format("count_m_per_s2 is for raw counts, but the file states the unit {}",
+                               stated->name));
     return {"counts", *options.si_per_count};
   }
-  const AccelerationUnit unit = acceleration_unit(stated)
-                                    ? checked_unit(stated, line, options, mistakes)
-                                    : agreed_unit({}, 0, options, mistakes);
+  const AccelerationUnit unit = agreed_unit(stated, line, options, mistakes);
   return {unit.name, unit.to_si};
 }
 
@@ -105,9 +129,17 @@ void warn_of_text(const PlainRows& rows, Component& component) {
                     rows.end.size() == 1 ? "line" : "lines", rows.end[0].substr(0, 60)));
 }
 
-double time_step_of(const CountRow& count, const ReadOptions& options, Mistakes& mistakes) {
-  const auto stated = count.line > 0 ? std::optional(count.time_step) : std::nullopt;
-  return agreed_time_step(stated, count.line, options, mistakes);
+double time_step_of(const Table& table) {
+  const auto& [rows, facts, count, options, mistakes] = table;
+  if (count.line > 0) {
+    check_step(facts, count.time_step, "the first row", mistakes);
+    return agreed_time_step(count.time_step, count.line, options, mistakes);
+  }
+  if (options.time_step) {  // the text may be rounded
+    check_step(facts, *options.time_step, "time_step_s was given as", mistakes);
+    return *options.time_step;
+  }
+  return agreed_time_step(facts.time_step, facts.step_line, options, mistakes);
 }
 
 std::vector<double> column(const PlainRows& rows, std::size_t at, std::size_t width) {
@@ -116,54 +148,91 @@ std::vector<double> column(const PlainRows& rows, std::size_t at, std::size_t wi
   return values;
 }
 
-std::vector<Component> one_component(const PlainRows& rows, const CountRow& count,
-                                     const ReadOptions& options, Mistakes& mistakes) {
-  const auto titles = column_titles(rows, 1);
-  const std::string title = titles.empty() || in_brackets(titles[0]).empty() ? "" : titles[0];
-  const ColumnUnit unit = unit_of(title, rows.title_line, options, mistakes);
+/// The last line of text, if it is the title of the only column: `Acc [g]`.
+std::vector<ColumnTitle> only_title(const PlainRows& rows) {
+  if (rows.header.empty()) return {};
+  auto line = rows.header.back();
+  line.remove_prefix(std::min(line.find_first_not_of("#% \t"), line.size()));
+  const bool has_bracket = line.ends_with(')') || line.ends_with(']');
+  if (!has_bracket || !quantity_in(line) || unit_text_in(line)) return {};
+  return parsed_titles({std::string(line)});
+}
+
+std::vector<Component> one_component(const Table& table) {
+  const auto titles = only_title(table.rows);
+  const ColumnTitle title = titles.empty() ? ColumnTitle{} : titles[0];
+  refuse_other_quantities(title, table);
+  const ColumnUnit unit = unit_of(title, table);
   Component component;
-  component.time_step = time_step_of(count, options, mistakes);
+  component.time_step = time_step_of(table);
   component.unit = unit.name;
-  component.acceleration = scaled(rows.values, unit.to_si);
+  component.acceleration = scaled(table.rows.values, unit.to_si);
   return {component};
 }
 
-std::vector<Component> from_table(const PlainRows& rows, const PlainColumns& columns,
-                                  const CountRow& count, const ReadOptions& options,
-                                  Mistakes& mistakes) {
+/// Seconds in the unit of a column of times.
+double time_unit_of(const ColumnTitle& title, const Table& table) {
+  if (title.unit.empty()) return table.facts.time_unit;
+  const auto unit = time_unit(title.unit);
+  if (!unit && lower(title.name).starts_with('t'))
+    table.mistakes.add(table.title_line(), 1,
+                       fmt::format("the column '{}' states '{}', which is not a unit of time: s, "
+                                   "ms, us or min are allowed",
+                                   title.text, title.unit));
+  return unit.value_or(1);
+}
+
+/// @returns the first of the times [s]
+double take_times(std::vector<double> times, const ColumnTitle& title, const Table& table,
+                  double& step) {
+  const auto& [rows, facts, count, options, mistakes] = table;
+  const std::string name = lower(title.name);
+  if (name.starts_with("per") || name.starts_with("freq"))
+    mistakes.add(
+        table.title_line(), 1,
+        fmt::format("a record must be a history, but the first column is '{}'", title.text));
+  const double unit = time_unit_of(title, table);
+  for (double& time : times) time *= unit;
+  step = even_step(times, rows.lines, mistakes);
+  if (mistakes.any()) return times[0];
+  checked_time_step(step, "the time step", rows.lines[0], options, mistakes);
+  check_step(facts, step, "the times have", mistakes);
+  return times[0];
+}
+
+std::vector<Component> from_table(const PlainColumns& columns, std::vector<ColumnTitle> titles,
+                                  const Table& table) {
   using Kind = PlainColumns::Kind;
+  const auto& [rows, facts, count, options, mistakes] = table;
   const std::size_t width = columns.columns.size();
-  const auto titles = column_titles(rows, width);
-  const auto time = std::ranges::find(columns.columns, Kind::kTime, &PlainColumns::Column::kind);
+  titles.resize(width);
   double step = 0, first = 0;
-  if (time == columns.columns.end()) {
-    step = time_step_of(count, options, mistakes);
-  } else {
-    const auto times =
-        column(rows, static_cast<std::size_t>(time - columns.columns.begin()), width);
-    const std::string title = titles.empty() ? "" : lower(titles[0]);
-    if (title.starts_with("per") || title.starts_with("freq"))
-      mistakes.add(
-          rows.title_line, 1,
-          fmt::format("a record must be a history, but the first column is '{}'", titles[0]));
-    step = even_step(times, rows.lines, mistakes);
-    first = times[0];
-    if (!mistakes.any()) checked_time_step(step, "the time step", rows.lines[0], options, mistakes);
-  }
+  const auto time = std::ranges::find(columns.columns, Kind::kTime, &PlainColumns::Column::kind);
+  const auto at = static_cast<std::size_t>(time - columns.columns.begin());
+  if (at == width)
+    step = time_step_of(table);
+  else
+    first = take_times(column(rows, at, width), titles[at], table, step);
 
   std::vector<Component> components;
   for (std::size_t k = 0; k < width; ++k) {
     if (columns.columns[k].kind != Kind::kComponent) continue;
-    const std::string title = titles.empty() ? "" : titles[k];
-    const ColumnUnit unit = unit_of(title, rows.title_line, options, mistakes);
+    const ColumnTitle& title = titles[k];
+    const auto& stated = columns.columns[k].direction;
+    refuse_other_quantities(title, table);
+    if (title.is_doubtful && stated != Direction::kVertical)
+      mistakes.add(table.title_line(), 1,
+                   fmt::format("the column '{}' may be a velocity or the vertical; say which by "
+                               "columns, such as \"time,vertical\" or \"time,h1,skip\"",
+                               title.text));
+    const ColumnUnit unit = unit_of(title, table);
     Component component;
     component.time_step = step;
     component.unit = unit.name;
     component.acceleration = scaled(column(rows, k, width), unit.to_si);
-    component.name = trimmed(title.substr(0, title.find_first_of("([")));
+    component.name = title.name;
+    orient(title, stated, component);
     if (component.name.empty()) component.name = fmt::format("column {}", k + 1);
-    component.direction = columns.columns[k].direction;
-    if (!component.direction) orient(component.name, component);
     components.push_back(std::move(component));
   }
   if (const auto late = late_start(first, step); !mistakes.any() && !late.empty())
@@ -181,9 +250,9 @@ std::vector<Component> from_table(const PlainRows& rows, const PlainColumns& col
 bool recognises_plain_text(const SourceFile& file) { return has_plain_rows(file); }
 
 std::vector<Component> read_plain_text(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   PlainRows rows = plain_rows(file, mistakes);
-  refuse_spectra(rows, file.name());
+  refuse_spectra(rows, file);
   if (rows.doubtful_commas && !options.si_per_count && !rows.lines.empty())
     mistakes.add(rows.lines[0], 1,
                  "commas between whole numbers: decimal commas are not read, write points (and "
@@ -195,9 +264,12 @@ std::vector<Component> read_plain_text(const SourceFile& file, const ReadOptions
   const std::size_t samples = columns.samples ? rows.values.size() : rows.lengths.size();
   if (samples < 2) mistakes.add(fmt::format("{} samples are no record (2 at least)", samples));
 
-  const bool table = !columns.samples && !mistakes.any();
-  auto components = table ? from_table(rows, columns, count, options, mistakes)
-                          : one_component(rows, count, options, mistakes);
+  const bool is_table = !columns.samples && !mistakes.any();
+  const auto titles = parsed_titles(is_table ? column_titles(rows, columns.columns.size())
+                                             : std::vector<std::string>());
+  const PlainFacts facts = plain_facts(rows, !titles.empty(), mistakes);
+  const Table table{rows, facts, count, options, mistakes};
+  auto components = is_table ? from_table(columns, titles, table) : one_component(table);
   mistakes.throw_if_any();
   for (Component& component : components) set_header(rows, component);
   warn_of_text(rows, components[0]);

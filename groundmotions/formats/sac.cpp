@@ -192,7 +192,7 @@ void describe(const SacWords& words, Component& component) {
 bool recognises_sac(const SourceFile& file) { return sac_words(file.bytes()).has_value(); }
 
 std::vector<Component> read_sac(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   const SacWords words = *sac_words(file.bytes());
   check_layout(words, mistakes);
   mistakes.throw_if_any();

@@ -39,7 +39,7 @@ bool recognises_simbad(const SourceFile& file) {
 }
 
 std::vector<Component> read_simbad(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   const ColonHeader header(file);
   const std::size_t title = header.lines();
   const auto line = title < file.lines().size() ? file.lines()[title] : std::string_view();

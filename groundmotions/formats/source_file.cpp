@@ -68,6 +68,12 @@ void SourceFile::cut() {
     else if (!rest.empty())
       rest.remove_prefix(1);
   }
+  const auto first = std::ranges::find_if(lines_, [](std::string_view line) {
+    return line.find_first_not_of(" \t\v\f\x1a") != std::string_view::npos;
+  });
+  if (first == lines_.end()) return;
+  blank_lines_ = static_cast<std::size_t>(first - lines_.begin());
+  lines_.erase(lines_.begin(), first);
 }
 
 std::string SourceFile::sha256() const { return gurney::sha256(bytes_); }

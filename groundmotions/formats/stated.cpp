@@ -17,7 +17,7 @@ constexpr double kTooFar = 1.5;  ///< factor between what is stated and what is 
 /// Half of the last digit of a decimal number: 0.0005 of "4.078", 0.005 of "1.2E-01".
 double half_digit(std::string_view text) {
   text = trimmed(text);
-  const auto letter = std::min(text.find_first_of("eE"), text.size());
+  const auto letter = std::min(text.find_first_of("eEdD"), text.size());
   const auto mantissa = text.substr(0, letter);
   const auto point = mantissa.find('.');
   const auto places = point == std::string_view::npos ? 0 : mantissa.size() - point - 1;

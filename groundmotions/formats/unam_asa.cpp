@@ -121,7 +121,7 @@ class UnamReader {
     if (in_header.empty() || in_header != above)
       mistakes_.add(names_line_ + 1, 1,
                     fmt::format("the columns are{} here, but{} in line {}", above, in_header,
-                                names_.line + 1));
+                                mistakes_.line_in_file(names_.line + 1)));
   }
 
   AccelerationUnit stated_unit() {
@@ -160,7 +160,7 @@ class UnamReader {
       mistakes_.add(steps.line + 1, 1,
                     fmt::format("a time step of {} s is not that of {} samples in a second (line "
                                 "{})",
-                                *step, *rate, rates.line + 1));
+                                *step, *rate, mistakes_.line_in_file(rates.line + 1)));
   }
 
   void check_count(std::size_t i, Component& component) {
@@ -226,7 +226,7 @@ bool recognises_unam(const SourceFile& file) {
 }
 
 std::vector<Component> read_unam(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   return UnamReader(file, options, mistakes).read();
 }
 

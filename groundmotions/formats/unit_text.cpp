@@ -2,36 +2,43 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <utility>
 
-#include "engine/base/units.h"
-#include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney {
 
 std::optional<AccelerationUnit> unit_in(std::string_view line) {
-  const std::string text = upper(line);
-  for (std::string_view word : words_of(text, " \t(),:;=")) {
-    while (word.ends_with('.')) word.remove_suffix(1);
-    if (word == "G/10") return AccelerationUnit{"g/10", kStandardGravity / 10};
-    std::string spelling(word);
-    for (auto at = spelling.find("SEC"); at != std::string::npos; at = spelling.find("SEC"))
-      spelling.replace(at, 3, "S");
-    if (spelling.starts_with("CMS/")) spelling.erase(2, 1);  // centimetres
-    if (const auto unit = acceleration_unit(spelling)) return unit;
-  }
+  for (const std::string_view word : words_of(line, " \t(),:;=[]"))
+    if (const auto unit = acceleration_unit(word)) return unit;
+  return {};
+}
+
+std::optional<double> time_unit(std::string_view spelling) {
+  // "seconds" is "s" in the plain spelling, so "milliseconds" is "millis".
+  constexpr std::array<std::pair<std::string_view, double>, 8> kUnits = {{{"s", 1},
+                                                                          {"ms", 1e-3},
+                                                                          {"millis", 1e-3},
+                                                                          {"us", 1e-6},
+                                                                          {"micros", 1e-6},
+                                                                          {"min", 60},
+                                                                          {"minute", 60},
+                                                                          {"minutes", 60}}};
+  const std::string text = plain_unit(spelling);
+  for (const auto& [name, seconds] : kUnits)
+    if (text == name) return seconds;
   return {};
 }
 
 std::optional<std::string_view> other_quantity(std::string_view unit) {
-  constexpr std::array kLengths = {"m", "cm", "mm", "in", "ft"};
-  const std::string text = lower(trimmed(unit));
-  if (std::ranges::find(kLengths, text) != kLengths.end()) return "displacement";
-  for (const std::string_view second : {"/s", "/sec"})
-    if (text.ends_with(second) &&
-        std::ranges::find(kLengths, text.substr(0, text.size() - second.size())) != kLengths.end())
-      return "velocity";
-  return {};
+  constexpr std::array<std::string_view, 5> kLengths = {"m", "cm", "mm", "in", "ft"};
+  std::string text = plain_unit(unit);
+  if (text == "kine") return "velocity";
+  const bool is_rate = text.ends_with("/s");
+  if (is_rate) text.resize(text.size() - 2);
+  if (std::ranges::find(kLengths, text) == kLengths.end()) return {};
+  return is_rate ? "velocity" : "displacement";
 }
 
 }  // namespace gurney

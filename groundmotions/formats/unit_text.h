@@ -11,6 +11,10 @@ namespace gurney {
 /// "SEC AND G/10.", "in cm/sec2.". A tenth of g is "g/10".
 std::optional<AccelerationUnit> unit_in(std::string_view line);
 
+/// Seconds in a unit of time: s, sec, seconds, ms, msec, milliseconds, us, min, minutes; nothing
+/// for any other.
+std::optional<double> time_unit(std::string_view spelling);
+
 /// "velocity" or "displacement" if that is what the unit measures, else nothing.
 std::optional<std::string_view> other_quantity(std::string_view unit);
 

@@ -56,7 +56,7 @@ bool recognises_usc_blocks(const SourceFile& file) {
 }
 
 std::vector<Component> read_usc_blocks(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   FieldReader fields(file, mistakes);
   const FortranFormat format = *fortran_format("10F8.2");
   std::vector<Component> components;

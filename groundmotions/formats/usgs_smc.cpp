@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <utility>
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
@@ -140,6 +141,30 @@ class SmcReader {
     component.time_step = agreed_time_step(1 / rate, kRealLine + 1, options_, mistakes_);
     component.acceleration = scaled(values, kCentimetre);
     check_stated_peak(component.acceleration, component);
+    check_times_of_peaks(component);
+  }
+
+  /// Reals 29 and 31: the times of the largest and the smallest sample, to a step (samples may be
+  /// counted from 0 or 1) and the rounding of the print. Both must be wrong to be a mistake.
+  void check_times_of_peaks(const Component& component) {
+    const auto& a = component.acceleration;
+    std::size_t stated = 0, wrong = 0;
+    for (const auto& [time, value] : {std::pair<std::size_t, std::size_t>{28, 29}, {30, 31}}) {
+      if (!has_real(time) || !has_real(value)) continue;
+      ++stated;
+      const double peak = reals_[value] * kCentimetre;
+      bool found = false;
+      for (Eigen::Index i = 0; i < a.size(); ++i)
+        found = found || (std::abs(static_cast<double>(i) * component.time_step - reals_[time]) <=
+                              1.02 * component.time_step + 1e-3 &&
+                          std::abs(a[i] - peak) <= 0.01 * std::abs(peak));
+      wrong += !found;
+    }
+    if (stated == 0 || wrong < stated || mistakes_.any()) return;
+    mistakes_.add(kRealLine + 6, 1,
+                  fmt::format("the times that the header states for its peaks do not fit {:g} "
+                              "samples in a second (line {})",
+                              reals_[1], mistakes_.line_in_file(kRealLine + 1)));
   }
 
   void take_pairs(const std::vector<double>& numbers, Component& component) {
@@ -270,13 +295,13 @@ bool recognises_smc(const SourceFile& file) {
       first == "*" || (first.size() > 2 && std::isdigit(static_cast<unsigned char>(first[0])) &&
                        first[1] == ' ' && std::isalpha(static_cast<unsigned char>(first[2])));
   if (!has_type || file.lines().size() <= kRealLine) return false;
-  Mistakes ignored(file.name());
+  Mistakes ignored(file);
   const FieldReader fields(file, ignored);
   return fields.fits(kTextLines, 8, kIntegerFormat) || fields.fits(kRealLine, 5, kRealFormat);
 }
 
 std::vector<Component> read_smc(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   return {SmcReader(file, options, mistakes).read()};
 }
 

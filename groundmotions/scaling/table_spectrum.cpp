@@ -47,7 +47,7 @@ double interpolated(const std::vector<Row>& rows, double period) {
 }  // namespace
 
 TargetSpectrum table_spectrum(const SourceFile& file) {
-  Mistakes mistakes(file.name());
+  Mistakes mistakes(file);
   std::vector<Row> rows;
   double unit = 0;
   for (std::size_t i = 0; i < file.lines().size(); ++i) {

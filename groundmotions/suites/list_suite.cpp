@@ -28,7 +28,7 @@ bool is_content(std::string_view line) {
 class ListReader {
  public:
   ListReader(const SourceFile& file, const ReadOptions& options)
-      : file_(file), options_(options), mistakes_(file.name()) {}
+      : file_(file), options_(options), mistakes_(file) {}
 
   Suite read() {
     bool first = true;

@@ -69,8 +69,8 @@ Columns columns_of(const SourceFile& file, std::size_t line) {
   columns.number = column_of(titles, "Record Sequence Number");
   for (std::size_t i = 0; i < 3; ++i) {
     columns.files[i] = column_of(titles, kFiles[i]);
-    require(columns.files[i] != kNone,
-            fmt::format("{}:{}:1: no column '{}'", file.name(), line + 1, kFiles[i]));
+    require(columns.files[i] != kNone, fmt::format("{}:{}:1: no column '{}'", file.name(),
+                                                   line + 1 + file.blank_lines(), kFiles[i]));
   }
   for (const auto& [start, name] : kFacts)
     if (const auto column = column_of(titles, start); column != kNone)
@@ -119,18 +119,21 @@ Suite read_peer_search_results(const SourceFile& file, const ReadOptions& option
       if (const std::string text = cell(row, column); !text.empty())
         record.facts.emplace_back(name, text);
     const std::string number = cell(row, columns.number);
-    record.name = number.empty() ? fmt::format("line {}", line + 1) : "RSN" + number;
-    const std::string reason = row.size() == columns.count
-                                   ? add_files(row, columns, folder, record)
-                                   : fmt::format("{}:{}:1: {} cells, the header has {} columns",
-                                                 file.name(), line + 1, row.size(), columns.count);
+    record.name =
+        number.empty() ? fmt::format("line {}", line + 1 + file.blank_lines()) : "RSN" + number;
+    const std::string reason =
+        row.size() == columns.count
+            ? add_files(row, columns, folder, record)
+            : fmt::format("{}:{}:1: {} cells, the header has {} columns", file.name(),
+                          line + 1 + file.blank_lines(), row.size(), columns.count);
     if (reason.empty())
       suite.records.push_back(std::move(record));
     else
       suite.refused.push_back({record.name, reason});
   }
   require(!suite.records.empty() || !suite.refused.empty(),
-          fmt::format("{}:{}:1: the table '{}' has no rows", file.name(), titles + 1, kTable));
+          fmt::format("{}:{}:1: the table '{}' has no rows", file.name(),
+                      titles + 1 + file.blank_lines(), kTable));
   return suite;
 }
 

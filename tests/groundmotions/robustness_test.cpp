@@ -29,6 +29,16 @@ class Robustness : public testing::TestWithParam<std::size_t> {
         << found[0].format;
   }
 
+  /// What was cut in its last number is not another number without a word.
+  void expect_no_silent_change(const std::string& changed, const std::string& what) const {
+    const Components found = read(changed);
+    if (!sample_.states_count || found.size() != whole_.size() ||
+        samples_in(found) != samples_in(whole_) || warnings_in(found) > warnings_in(whole_))
+      return;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      EXPECT_EQ(found[i].acceleration, whole_[i].acceleration) << what << ": " << found[i].name;
+  }
+
   std::vector<std::string> lines() const {
     std::vector<std::string> result;
     for (std::size_t begin = 0; begin < bytes().size();) {
@@ -63,8 +73,25 @@ TEST_P(Robustness, OtherFormatsDoNotClaimTheSample) {
 }
 
 TEST_P(Robustness, ATruncatedFileIsNotReadAsAShorterOne) {
-  for (std::size_t length = 1; length < bytes().size(); ++length)
-    expect_no_silent_loss(bytes().substr(0, length), "cut at " + std::to_string(length));
+  for (std::size_t length = 1; length < bytes().size(); ++length) {
+    const std::string cut = bytes().substr(0, length), what = "cut at " + std::to_string(length);
+    expect_no_silent_loss(cut, what);
+    expect_no_silent_change(cut, what);
+  }
+}
+
+TEST_P(Robustness, BlankLinesAtTheStartDoNotMatter) {
+  if (!SourceFile("f", bytes()).is_text()) return;
+  for (const std::string blanks : {"\n", " \r\n\t\r\n"}) {
+    const Components found = read(blanks + bytes());
+    ASSERT_EQ(found.size(), whole_.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_EQ(found[i].format, whole_[i].format);
+      EXPECT_EQ(found[i].name, whole_[i].name);
+      EXPECT_EQ(found[i].azimuth, whole_[i].azimuth);
+      EXPECT_EQ(found[i].acceleration, whole_[i].acceleration);
+    }
+  }
 }
 
 TEST_P(Robustness, ALineIsNotLostSilently) {

@@ -65,6 +65,37 @@ TEST(Bbp, TakesOrientationsAndOrdersOfTheComments) {
   EXPECT_EQ(swapped[1].azimuth, 0);
 }
 
+TEST(Bbp, TakesAxesAndSensesOfTheColumns) {
+  const std::string swapped =
+      replaced(replaced(kLong, "Column 2: North-south", "Column 2: East-west"),
+               "Column 3: East-west", "Column 3: North-south");
+  const auto exchanged = read_text(replaced(replaced(swapped, "(+ is northward)", "(+ is X)"),
+                                            "(+ is eastward)", "(+ is northward)"));
+  EXPECT_EQ(exchanged[0].name, "E-W");
+  EXPECT_EQ(exchanged[0].azimuth, 90 * kRadiansPerDegree);
+  EXPECT_EQ(exchanged[1].azimuth, 0);
+
+  const auto turned =
+      read_text(replaced(replaced(kLong, "upward", "downward"), "eastward", "westward"));
+  EXPECT_DOUBLE_EQ(turned[0].acceleration[0], 0.01);
+  EXPECT_DOUBLE_EQ(turned[1].acceleration[0], 0.02);
+  EXPECT_DOUBLE_EQ(turned[2].acceleration[0], -0.03);
+  EXPECT_EQ(turned[1].azimuth, 90 * kRadiansPerDegree);
+  EXPECT_THAT(turned[2].warnings, ElementsAre("the comments say that + is to the south, west or "
+                                              "down in U-D: its sign was turned"));
+  EXPECT_THAT(
+      error_text([] {
+        read_text(replaced(replaced(kLong, "East-west", "North-south"), "eastward", "northward"));
+      }),
+      HasSubstr("f:1:1: the comments name the columns"));
+  EXPECT_THAT(
+      error_text([] {
+        read_text(replaced(kLong, "East-west acceleration (cm/s/s)", "East-west acceleration (g)"));
+      }),
+      HasSubstr("f:5:1: this column has another unit than line 4; one unit is allowed"));
+  EXPECT_DOUBLE_EQ(read_text(replaced(kLong, "Time (s)", "Time (ms)"), {})[0].time_step, 2e-5);
+}
+
 TEST(Bbp, RefusesVelocityAndDisplacement) {
   EXPECT_EQ(error_text([] { read_text(replaced(kFile, "cm/s/s", "cm/s")); }),
             "f:2:1: a record must be acceleration, but this is a velocity file (cm/s); take the "

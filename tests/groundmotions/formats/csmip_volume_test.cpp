@@ -189,5 +189,15 @@ TEST(CsmipVolume, RefusesSpectra) {
       "take the .V2 of this record");
 }
 
+// 12 % are more than rounding or the mean explain.
+TEST(CsmipVolume, RefusesAPeakThatTheSamplesDoNotHave) {
+  VolumeHeader header;
+  header.units = "UNITS OF UNCOR ACCEL IS G.                 MAX  =  -.112 G, AT    .015 SEC.";
+  EXPECT_THAT(
+      error_text([&] { read(csmip_volume1(header)); }),
+      testing::HasSubstr("f.V1:12:1: the header states a peak of 1.0983 m/s2, but the samples "
+                         "have 0.98067 m/s2: one of them is damaged"));
+}
+
 }  // namespace
 }  // namespace gurney

@@ -97,12 +97,25 @@ TEST(Esm, ChecksTheHeader) {
                           "cm/s2"));
   EXPECT_THAT(error_text([] { read_text(replaced(kFile, ": -3.250000", ": 325")); }),
               HasSubstr("f:11:1: the file states a peak of 325 cm/s2"));
-  EXPECT_THAT(read_text(replaced(kFile, ": 0.010000", ": 0.1"))[0].warnings,
-              ElementsAre("the file states its peak at 0.1 s, its samples have it at 0.01 s"));
   EXPECT_THAT(error_text([] { read_text(replaced(kFile, "UNITS: cm/s^2", "UNITS: ")); }),
               HasSubstr("f: the file does not state its unit"));
   EXPECT_THAT(error_text([] { read_text(replaced(kFile, "040510.250", "990510.250")); }),
               HasSubstr("f:6:1: DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS must be a date and a time"));
+}
+
+TEST(Esm, ChecksTheTimeStepAgainstDurationAndPeak) {
+  const std::string text = replaced(kFile, "NDATA: 4\n", "NDATA: 4\nDURATION_S: 0.020\n");
+  EXPECT_EQ(read_one(text).time_step, 0.005);
+  EXPECT_EQ(read_one(replaced(text, "0.020", "0.015")).time_step, 0.005);
+  EXPECT_THAT(
+      error_text([&] { read_text(replaced(text, "0.005000", "0.010000")); }),
+      HasSubstr("f:9:1: DURATION_S is 0.020, but 4 samples at SAMPLING_INTERVAL_S 0.01 have "
+                "0.04 s"));
+  EXPECT_EQ(error_text([] { read_text(replaced(kFile, "0.005000", "0.020000")); }),
+            "f:12:1: the file states its peak at 0.01 s, its samples have it at 0.04 s: "
+            "SAMPLING_INTERVAL_S or TIME_PGA_S is wrong");
+  EXPECT_THAT(read_one(replaced(text, ": 0.010000", ": 0.1")).warnings,
+              ElementsAre("the file states its peak at 0.1 s, its samples have it at 0.01 s"));
 }
 
 TEST(Esm, WarnsOfRawRecordsAndBoreholes) {

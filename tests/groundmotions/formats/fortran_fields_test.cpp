@@ -15,13 +15,25 @@ using testing::ElementsAre;
 std::vector<double> read(const std::string& text, const char* format, std::size_t count,
                          EmptyField empty = EmptyField::kMistake) {
   const SourceFile file("f", text);
-  Mistakes mistakes("f");
+  Mistakes mistakes(file);
   std::size_t line = 0;
   const auto values = FieldReader(file, mistakes)
                           .read(line, count, fortran_format(format).value(), empty, "samples");
   mistakes.throw_if_any();
   EXPECT_EQ(line, file.lines().size());
   return values;
+}
+
+// The last line lost the end of its last number, whether or not a line end was put behind it.
+TEST(FieldReader, SeesThatTheLastFieldIsShort) {
+  for (const std::string end : {"", "\n"}) {
+    EXPECT_THAT(read("  12  34\n -56  78" + end, "2I4", 4), ElementsAre(12, 34, -56, 78));
+    EXPECT_EQ(error_text([&] { read("  12  34\n -56  7" + end, "2I4", 4); }),
+              "f:2:5: '  7' is not a number of the format 2I4")
+        << end;
+  }
+  // Numbers that are not in their columns from the start are read by their blanks.
+  EXPECT_THAT(read("12 34\n -56  7\n", "2I4", 4), ElementsAre(12, 34, -56, 7));
 }
 
 TEST(FortranFormat, ReadsSpellings) {

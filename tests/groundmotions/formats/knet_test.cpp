@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cctype>
+
 #include "engine/base/units.h"
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
@@ -86,11 +88,41 @@ TEST(Knet, ReadsTheOtherSpellings) {
   EXPECT_EQ(read_text(replaced(kFile, "\n", "\r\n"))[0].acceleration.size(), 10);
 }
 
+// Its mean and its peak are of these very samples.
 TEST(Knet, ChecksThePeakOfTheHeader) {
-  EXPECT_THAT(read_text(replaced(kFile, "0.200", "0.210"))[0].warnings,
-              ElementsAre("the file states a peak of 0.210 cm/s2, but its samples have 0.2 cm/s2"));
-  EXPECT_EQ(error_text([] { read_text(replaced(kFile, "0.200", "0.301")); }),
-            "f:15:1: the file states a peak of 0.301 cm/s2, but its samples have 0.2 cm/s2");
+  EXPECT_THAT(read_text(replaced(kFile, "0.200", "0.203"))[0].warnings,
+              ElementsAre("the file states a peak of 0.203 cm/s2, but its samples have 0.2 cm/s2"));
+  for (const std::string stated : {"0.210", "0.190"})
+    EXPECT_EQ(error_text([&] { read_text(replaced(kFile, "0.200", stated)); }),
+              "f:15:1: the file states a peak of " + stated +
+                  " gal, but its samples have 0.2 gal: one of them is damaged");
+}
+
+TEST(Knet, ReadsTheHeaderByItsKeys) {
+  const auto expect_same = [](const std::string& text) {
+    const Component component = read_one(text), whole = read_one(kFile);
+    EXPECT_EQ(component.format, "K-NET") << text;
+    EXPECT_EQ(component.acceleration, whole.acceleration) << text;
+    EXPECT_EQ(component.azimuth, whole.azimuth) << text;
+    EXPECT_EQ(component.name, whole.name) << text;
+  };
+  expect_same(replaced(kFile, "Memo.", "Remark            one more line\nMemo."));
+  expect_same(replaced(kFile, "Station Height(m) 7\n", ""));
+  expect_same(replaced(kFile, "Memo.\n", ""));
+  expect_same(replaced(kFile, "2(gal)/400", "2 (gal) / 400"));
+  expect_same(replaced(kFile, "2(gal)/400", "2(GAL)/400"));
+  std::string text = kFile;
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  expect_same(text);
+  for (const char* dir : {"EW", "e-w", "ew", "E-W"}) expect_same(replaced(kFile, "E-W", dir));
+}
+
+TEST(Knet, SeesThatTheLastNumberWasCut) {
+  const auto cut = [](std::size_t lost) { return kFile.substr(0, kFile.size() - lost); };
+  EXPECT_EQ(read_one(cut(2)).acceleration, read_one(kFile).acceleration);  // a blank and the end
+  EXPECT_THAT(error_text([&] { read_text(cut(3)); }),
+              HasSubstr("f:19:17: the file ends within a line and its last number ends left of its "
+                        "column: the file seems to be cut"));
 }
 
 TEST(Knet, RefusesWhatDoesNotFit) {

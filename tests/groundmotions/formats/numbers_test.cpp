@@ -12,7 +12,7 @@ using testing::HasSubstr;
 
 std::vector<double> read(const std::string& text) {
   const SourceFile file("f", text);
-  Mistakes mistakes("f");
+  Mistakes mistakes(file);
   NumberReader reader(file, mistakes);
   for (std::size_t i = 0; i < file.lines().size(); ++i) reader.read_line(i);
   reader.check_end();
@@ -24,8 +24,11 @@ TEST(Number, TakesDecimalsAndNothingElse) {
   EXPECT_EQ(number(" +1.5e3 "), 1500);
   EXPECT_EQ(number("-.25"), -0.25);
   EXPECT_EQ(number("3."), 3);
-  for (const char* text : {"", "-", "+-1", "--1", "nan", "inf", "-Infinity", "0x10", "1,5", "1e999",
-                           "1e", "1 2", "****"})
+  EXPECT_EQ(number("1.5D+03"), 1500);
+  EXPECT_EQ(number("-.25d-1"), -0.025);
+  EXPECT_EQ(number("2D2"), 200);
+  for (const char* text : {"1D", "1.5D+", "1e5D3", "1D999", "1DT", "", "-", "+-1", "--1", "nan",
+                           "inf", "-Infinity", "0x10", "1,5", "1e999", "1e", "1 2", "****"})
     EXPECT_FALSE(number(text)) << text;
 }
 
@@ -33,6 +36,25 @@ TEST(NumberReader, ReadsNumbersApartByBlanksTabsOrTheirSigns) {
   EXPECT_THAT(read("  .1E-01\t-0.2 3\n"), ElementsAre(0.01, -0.2, 3));
   EXPECT_THAT(read(".123E-01-.456E-02+.5\n"), ElementsAre(0.0123, -0.00456, 0.5));
   EXPECT_THAT(read("-0.00128-0.00343\n"), ElementsAre(-0.00128, -0.00343));
+}
+
+TEST(NumberReader, ReadsExponentsOfFortran) {
+  EXPECT_THAT(read("  .1D-01\t-0.2d+1 0.123D-01-0.456D-02\n"),
+              ElementsAre(0.01, -2, 0.0123, -0.00456));
+}
+
+// The last number of a file whose columns are flush right may have lost its last digits.
+TEST(NumberReader, SeesThatTheLastNumberOfFlushColumnsWasCut) {
+  const std::string rows = "   12   345     6\n -123     4    56\n";
+  EXPECT_THAT(read(rows + "    1   -25"), ElementsAre(12, 345, 6, -123, 4, 56, 1, -25));
+  EXPECT_THAT(error_text([&] { read(rows + "    1   -2"); }),
+              HasSubstr("f:3:10: the file ends within a line and its last number ends left of its "
+                        "column: the file seems to be cut"));
+  EXPECT_THAT(error_text([&] { read("   12   345     6\n   1"); }),
+              HasSubstr("ends left of its column"));
+  // Numbers written without columns may end anywhere.
+  for (const char* text : {"10\n20\n5", "1 22 333\n4", "100 200\n300 4"})
+    EXPECT_EQ(error_text([&] { read(text); }), "(no error)") << text;
 }
 
 TEST(NumberReader, ReadsExponentsThatLostTheirLetter) {

@@ -23,6 +23,24 @@ TEST(Orientation, KnowsAzimuths) {
   EXPECT_FALSE(oriented("090").direction);
 }
 
+TEST(Orientation, KnowsBearingsAndTheOtherPointsOfTheCompass) {
+  const std::pair<const char*, double> names[] = {
+      {"N38E", 38},  {"s38w", 218}, {"S38E", 142},  {"N 38 W", 322}, {"45 DEG", 45},
+      {"45DEG", 45}, {"S", 180},    {"South", 180}, {"W", 270},      {"West", 270},
+      {"S-N", 0},    {"5 deg", 5},  {"W-E", 90}};
+  for (const auto& [name, degrees] : names)
+    EXPECT_NEAR(oriented(name).azimuth.value_or(-1), degrees * kRadiansPerDegree, 1e-12) << name;
+}
+
+// 1, 2 and 3 number the channels of a recorder; ENE lies 22.5 degrees off the east.
+TEST(Orientation, TakesNoAzimuthFromChannelNumbersAndHalfPoints) {
+  for (const char* name : {"1", "2", "3", "9", "ENE", "NNE"}) {
+    EXPECT_FALSE(oriented(name).azimuth || oriented(name).direction) << name;
+    Component component;
+    EXPECT_FALSE(orient_by_label(name, component)) << name;
+  }
+}
+
 TEST(Orientation, KnowsVerticals) {
   for (const char* up : {"UP", "U-D", "UD", "V", "ver", "Z", "HNZ", "Vertical"}) {
     EXPECT_EQ(oriented(up).direction, Direction::kVertical) << up;

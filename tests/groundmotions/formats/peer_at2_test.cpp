@@ -128,6 +128,62 @@ TEST(PeerAt2, KnowsTheComponentAndItsAzimuth) {
   EXPECT_EQ(with("228").sha256, SourceFile("f", text).sha256());
 }
 
+TEST(PeerAt2, KnowsBearingsAndNoChannelNumbers) {
+  const std::string text = file_with("NPTS= 5, DT= .02 SEC");
+  for (const auto& [name, degrees] :
+       {std::pair{"N38E", 38}, {"S38W", 218}, {"45 DEG", 45}, {"W", 270}, {"S", 180}})
+    EXPECT_NEAR(read(replaced(text, "228", name))[0].azimuth.value_or(-1),
+                degrees * kRadiansPerDegree, 1e-12)
+        << name;
+  for (const char* name : {"1", "2", "3", "ENE"})
+    EXPECT_FALSE(read(replaced(text, "228", name))[0].azimuth) << name;
+}
+
+TEST(PeerAt2, ReadsOtherWaysToStateQuantityAndUnit) {
+  const std::string text = file_with("NPTS= 5, DT= .02 SEC");
+  const auto with = [&](const char* line) {
+    return replaced(text, "ACCELERATION TIME SERIES IN UNITS OF G", line);
+  };
+  for (const char* line : {"ACCELERATION (G)", "ACCELERATION IN G", "ACCELERATION HISTORY [g]"})
+    expect_the_motion(read(with(line)));
+  for (const char* line : {"ACCELERATION (CM/SEC**2)", "ACCELERATION IN GALS",
+                           "ACCELERATION TIME SERIES IN UNITS OF CM / SEC^2, PEAK= 0.4"})
+    EXPECT_DOUBLE_EQ(read(with(line))[0].acceleration[0], 0.1 * 0.01) << line;
+  for (const char* line : {"VELOCITY (CM/S)", "VELOCITY HISTORY", "Velocity in cm/s",
+                           "VELOCITY TIME SERIES (FROM ACCELERATION)"})
+    EXPECT_THAT(error_text([&] { read(with(line), {.unit = "g"}); }),
+                HasSubstr("f.AT2:3:1: a record must be acceleration, but this is a velocity file "
+                          "('" +
+                          std::string(line) + "'); take the .AT2"));
+}
+
+TEST(PeerAt2, LeavesTablesWithTimesToPlainText) {
+  const std::string title = "ACCELERATION TIME SERIES IN UNITS OF G\n";
+  const Component table = read(title + "0 .1\n.02 .2\n.04 .3\n")[0];
+  EXPECT_EQ(table.format, "plain text");
+  EXPECT_EQ(table.time_step, 0.02);
+  EXPECT_EQ(read(title + ".1 .2\n.3 .1\n", {.time_step = 0.02})[0].format, "PEER AT2");
+}
+
+TEST(PeerAt2, ReadsMillisecondsAndExponentsOfFortran) {
+  expect_the_motion(read(file_with("NPTS=   5, DT=20 MSEC")));
+  expect_the_motion(read(file_with("NPTS=   5, DT= 20.0 ms")));
+  expect_the_motion(read(file_with("NPTS= 5, DT= .2D-01 SEC")));
+  expect_the_motion(read(replaced(file_with("NPTS= 5, DT= .02 SEC"), "E+00", "D+00")));
+}
+
+TEST(PeerAt2, FindsTheComponentBelowBlankLines) {
+  const std::string text = file_with("NPTS= 5, DT= .02 SEC");
+  for (const std::string& other :
+       {"\n\n" + text, replaced(text, "PEER NGA STRONG MOTION DATABASE RECORD", ""),
+        replaced(text, "RECORD\n", "RECORD\n\n")}) {
+    expect_the_motion(read(other));
+    EXPECT_EQ(read(other)[0].name, "228") << other;
+  }
+  EXPECT_THAT(error_text([&] { read("\n" + replaced(text, ".1000000E+00", ".1x00000E+00")); }),
+              HasSubstr("f.AT2:6:4: '.1x00000E+00' is not a finite number"));
+}
+
 TEST(PeerAt2, RefusesVelocityAndDisplacement) {
   const std::string text = file_with("NPTS= 5, DT= .02 SEC");
   EXPECT_EQ(error_text([&] {

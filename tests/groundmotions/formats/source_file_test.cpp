@@ -15,6 +15,9 @@ using testing::HasSubstr;
 TEST(SourceFile, CutsAtEveryKindOfLineEnd) {
   EXPECT_THAT(SourceFile("f", "a\nb\r\nc\r\r\nd\re").lines(), ElementsAre("a", "b", "c", "d", "e"));
   EXPECT_THAT(SourceFile("f", "a\n\nb\r\n\r\n").lines(), ElementsAre("a", "", "b", ""));
+  EXPECT_THAT(SourceFile("f", "\n \t\r\na\n\n").lines(), ElementsAre("a", ""));
+  EXPECT_EQ(SourceFile("f", "\n \t\r\na\n\n").blank_lines(), 2u);
+  EXPECT_THAT(SourceFile("f", "\n\n").lines(), ElementsAre("", ""));
 }
 
 TEST(SourceFile, DropsTheByteOrderMark) {

@@ -19,7 +19,8 @@ struct Verdict {
 Verdict peak(std::string_view stated, const AccelerationUnit& unit = {"cm/s2", 0.01}) {
   Component component;
   component.acceleration = Eigen::Vector2d(0.01, -0.02);
-  Mistakes mistakes("f");
+  const SourceFile named("f", "-");
+  Mistakes mistakes(named);
   check_peak(stated, unit, 7, component, mistakes);
   return {component.warnings, error_text([&] { mistakes.throw_if_any(); })};
 }
@@ -48,7 +49,8 @@ TEST(Stated, RefusesPeaksOffByMoreThanHalf) {
 
 TEST(Stated, AcceptsThePeakOfSamplesWithoutTheirMean) {
   Component component;
-  Mistakes mistakes("f");
+  const SourceFile named("f", "-");
+  Mistakes mistakes(named);
   component.acceleration = Eigen::Vector4d(1, 1.2, 0.8, 1);
   check_peak({1.2, 1e-9, 3}, component.acceleration, component, mistakes);
   check_peak({0.2, 1e-9, 3}, component.acceleration, component, mistakes);
@@ -63,7 +65,8 @@ TEST(Stated, AcceptsThePeakOfSamplesWithoutTheirMean) {
 
 TEST(Stated, ComparesLengths) {
   Component component;
-  Mistakes mistakes("f");
+  const SourceFile named("f", "-");
+  Mistakes mistakes(named);
   component.time_step = 0.1;
   component.acceleration = Eigen::VectorXd::Zero(100);
   for (const double good : {0.0, -1.0, 10.0, 9.75, 10.25})
@@ -82,7 +85,8 @@ TEST(Stated, ComparesLengths) {
 /// What is told of the unit and the time step that a file states, if it does.
 std::string told(std::optional<AccelerationUnit> unit, std::optional<double> time_step,
                  const ReadOptions& options, std::size_t line = 4) {
-  Mistakes mistakes("f");
+  const SourceFile named("f", "-");
+  Mistakes mistakes(named);
   agreed_unit(unit, line, options, mistakes);
   agreed_time_step(time_step, line, options, mistakes);
   return error_text([&] { mistakes.throw_if_any(); });
@@ -100,12 +104,12 @@ TEST(Stated, FileAndUserMustAgree) {
   EXPECT_EQ(told({}, {}, {}),
             "f:4:1: the file does not state its unit; state it as unit = \"...\" or --unit (g, "
             "m/s2, cm/s2 "
-            "(gal) or mm/s2)\n"
+            "(gal), mm/s2, mg, %g, ft/s2 or in/s2)\n"
             "f:4:1: the file does not state its time step; state it as time_step_s or --time-step");
   EXPECT_EQ(
       told({}, 0.02, {}, 0),
       "f: the file does not state its unit; state it as unit = \"...\" or --unit (g, m/s2, cm/s2 "
-      "(gal) or mm/s2)");
+      "(gal), mm/s2, mg, %g, ft/s2 or in/s2)");
 }
 
 }  // namespace

@@ -145,6 +145,16 @@ TEST(UsgsSmc, ChecksWhatTheHeaderStates) {
               HasSubstr("the time step must be in (0, 1] s, got 2"));
 }
 
+TEST(UsgsSmc, ChecksTheRateAgainstTheTimesOfThePeaks) {
+  EXPECT_EQ(read_one(smc_file({.reals = {{29, 0.03}, {31, 0.015}}})).time_step, 0.005);
+  EXPECT_EQ(read_one(smc_file({.reals = {{29, 0.035}, {31, 0.02}}})).time_step, 0.005);
+  EXPECT_EQ(error_text([] {
+              read_text(smc_file({.reals = {{2, 100}, {29, 0.03}, {31, 0.015}}}));
+            }),
+            "f:23:1: the times that the header states for its peaks do not fit 100 samples in a "
+            "second (line 18)");
+}
+
 TEST(UsgsSmc, ChecksTheOptions) {
   EXPECT_THAT(error_text([] { read_text(smc_file(), {.unit = "g"}); }),
               HasSubstr("the file states the unit cm/s2, but unit = \"g\" was given"));

@@ -1,0 +1,228 @@
+#include "groundmotions/formats/header_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+#include <vector>
+
+#include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/unit_text.h"
+#include "groundmotions/formats/words.h"
+
+namespace gurney {
+
+namespace {
+
+constexpr auto kNone = std::string_view::npos;
+using Words = std::vector<std::string_view>;
+
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+template <std::size_t size>
+bool is_one_of(std::string_view text, const std::array<std::string_view, size>& names) {
+  return std::ranges::find(names, text) != names.end();
+}
+
+/// Where `word` stands alone in `line`; digits may touch it.
+std::size_t find_word(std::string_view line, std::string_view word) {
+  for (auto at = line.find(word); at != kNone; at = line.find(word, at + 1)) {
+    const auto end = at + word.size();
+    if ((at == 0 || !is_letter(line[at - 1])) && (end == line.size() || !is_letter(line[end])))
+      return at;
+  }
+  return kNone;
+}
+
+/// Velocities and displacements that are no samples.
+bool is_of_something_else(const Words& words, std::size_t i) {
+  constexpr std::array<std::string_view, 16> kBefore = {
+      "WAVE", "SHEAR", "S-WAVE",  "P-WAVE",  "S",     "P",        "GROUP",    "PHASE",
+      "PEAK", "MAX",   "MAXIMUM", "RUPTURE", "FAULT", "RESIDUAL", "SAMPLING", "PERMANENT"};
+  constexpr std::array<std::string_view, 4> kAfter = {"MODEL", "PROFILE", "STRUCTURE", "PULSE"};
+  return (i > 0 && is_one_of(words[i - 1], kBefore)) ||
+         (i + 1 < words.size() && is_one_of(words[i + 1], kAfter));
+}
+
+bool speaks_of_peaks(std::string_view line) {
+  constexpr std::array<std::string_view, 8> kPeaks = {"PEAK", "PGA", "PGV",     "PGD",
+                                                      "MAX",  "MIN", "MAXIMUM", "MINIMUM"};
+  return std::ranges::any_of(kPeaks, [&](auto word) { return find_word(line, word) != kNone; });
+}
+
+/// What follows the word `unit`: "OF G. FILTER...", "(g)", ": cm / s2", "= SEC AND G".
+std::optional<std::string_view> behind_unit(std::string_view rest) {
+  for (bool again = true; again;) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t(=:["), rest.size()));
+    again = false;
+    for (const std::string_view filler : {"OF ", "ARE ", "IS ", "IN ", "ACCELERATION"})
+      if (rest.starts_with(filler)) {
+        rest.remove_prefix(filler.size());
+        again = true;
+      }
+  }
+  rest = rest.substr(0, rest.find_first_of(",;"));
+  const auto words = words_of(rest, " \t");
+  for (std::size_t count = std::min<std::size_t>(words.size(), 4); count > 0; --count) {
+    const auto end =
+        static_cast<std::size_t>(words[count - 1].data() - rest.data()) + words[count - 1].size();
+    if (acceleration_unit(rest.substr(0, end))) return rest.substr(0, end);
+  }
+  for (const auto word : words)
+    if (acceleration_unit(word)) return word;
+  if (words.empty() || time_unit(words[0])) return {};
+  return words[0];
+}
+
+/// Whether a value follows: "Vs30 (m/s): 379".
+bool is_of_a_value(std::string_view behind) {
+  const auto sign = behind.find_first_of(":=");
+  if (sign == kNone) return false;
+  auto rest = trimmed(behind.substr(sign + 1));
+  return take_number(rest).has_value();
+}
+
+/// "in cm/s", "(g)", "[m/s2]" and words such as "cm/sec/sec" and "gal" that are nothing else.
+/// Lengths are left out: "in" and "m" measure depths and distances.
+std::optional<std::string_view> unit_elsewhere(std::string_view line) {
+  const auto words = words_of(line, " \t,;:=");
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const auto word = words[i];
+    const auto end = static_cast<std::size_t>(word.data() - line.data()) + word.size();
+    const bool in_brackets = std::string_view("([").find(word[0]) != kNone &&
+                             std::string_view(")]").find(word.back()) != kNone;
+    const bool after_in = i > 0 && words[i - 1] == "IN";
+    const bool is_plain = word.find('/') != kNone || word.starts_with("GAL");
+    const bool after_number = i > 0 && number(words[i - 1]).has_value();
+    if (after_number || is_of_a_value(line.substr(end))) continue;
+    if ((in_brackets || after_in || is_plain) && acceleration_unit(word)) return word;
+    if ((in_brackets || after_in) && other_quantity(word) == "velocity") return word;
+  }
+  return {};
+}
+
+/// Behind the key: "(SEC) = 0.02 SEC", "IS 5 ms", ": .005".
+std::optional<double> keyed(std::string_view rest, bool is_rate) {
+  constexpr std::string_view kBetween = " \t=:,";
+  std::string_view unit;
+  const auto skip = [&] {
+    rest.remove_prefix(std::min(rest.find_first_not_of(kBetween), rest.size()));
+  };
+  skip();
+  if (rest.starts_with('(') || rest.starts_with('[')) {
+    unit = in_brackets(rest);
+    rest.remove_prefix(std::min(rest.find_first_of(")]"), rest.size() - 1) + 1);
+  }
+  skip();
+  for (const std::string_view filler : {"OF ", "IS "})
+    if (rest.starts_with(filler)) rest.remove_prefix(filler.size());
+  skip();
+  const auto value = take_number(rest);
+  if (!value || !(*value > 0)) return {};
+  if (unit.empty()) unit = trimmed(rest).substr(0, trimmed(rest).find_first_of(" \t,;)"));
+  const auto seconds = time_unit(unit);
+  if (seconds) return *value * *seconds;
+  const bool is_per_second =
+      unit.starts_with("HZ") || unit.starts_with("SPS") || unit.find("/S") != kNone;
+  return is_rate || is_per_second ? 1 / *value : *value;
+}
+
+}  // namespace
+
+std::optional<std::string_view> quantity_in(std::string_view text) {
+  const std::string line = upper(text);
+  const auto words = words_of(line, " \t,;:()[]=.#%*\"");
+  const auto acceleration = [](std::string_view word) {
+    return word.starts_with("ACCEL") || word == "ACC";
+  };
+  if (std::ranges::any_of(words, acceleration)) return "acceleration";
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool velocity = words[i].starts_with("VELOC") || words[i] == "VEL";
+    const bool displacement = words[i].starts_with("DISPL") || words[i] == "DISP";
+    if ((velocity || displacement) && !is_of_something_else(words, i))
+      return velocity ? "velocity" : "displacement";
+  }
+  return {};
+}
+
+std::optional<OtherQuantity> other_quantity_in(const std::vector<std::string_view>& lines) {
+  constexpr std::string_view kAcceleration = "acceleration";
+  std::optional<OtherQuantity> first;
+  bool any_acceleration = false;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto quantity = quantity_in(lines[i]);
+    if (!quantity) continue;
+    const auto words = words_of(lines[i], "#%* \t([:,");
+    if (const auto start = quantity_in(words[0]))
+      return *start == kAcceleration ? std::nullopt : std::optional(OtherQuantity{i, *start});
+    any_acceleration = any_acceleration || *quantity == kAcceleration;
+    if (*quantity != kAcceleration && !first) first = OtherQuantity{i, *quantity};
+  }
+  return any_acceleration ? std::nullopt : first;
+}
+
+std::optional<std::string_view> unit_text_in(std::string_view text) {
+  const std::string line = upper(text);
+  std::optional<std::string_view> found;
+  for (const std::string_view key : {"UNITS", "UNIT"})
+    if (const auto at = find_word(line, key); !found && at != kNone) {
+      const auto rest = std::string_view(line).substr(at + key.size());
+      const auto next = rest.substr(std::min(rest.find_first_not_of(" \t"), rest.size()));
+      constexpr std::array<std::string_view, 4> kLinks = {"OF", "ARE", "IS", "IN"};
+      const bool is_statement =
+          (!next.empty() && std::string_view(":=([").find(next[0]) != kNone) ||
+          is_one_of(next.substr(0, next.find(' ')), kLinks);
+      if (is_statement) found = behind_unit(rest);
+    }
+  if (!found && !speaks_of_peaks(line)) found = unit_elsewhere(line);
+  if (!found) return {};
+  const auto begin = static_cast<std::size_t>(found->data() - line.data());
+  auto unit = text.substr(begin, found->size());
+  unit.remove_prefix(std::min(unit.find_first_not_of("(["), unit.size()));
+  return unit.substr(0, unit.find_last_not_of("]).") + 1);
+}
+
+std::optional<double> time_step_in(std::string_view text) {
+  const std::string line = upper(text);
+  for (const std::string_view key :
+       {"DT", "TIME STEP", "TIMESTEP", "TIME INTERVAL", "TIME INCREMENT", "SAMPLING INTERVAL",
+        "SAMPLE INTERVAL", "SAMPLING PERIOD", "SAMPLING TIME", "SPACING OF", "EQUALLY SPACED AT"})
+    if (const auto at = find_word(line, key); at != kNone)
+      if (const auto step = keyed(std::string_view(line).substr(at + key.size()), false))
+        return step;
+  for (const std::string_view key :
+       {"SAMPLING RATE", "SAMPLE RATE", "SAMPLING FREQUENCY", "SAMPLING FREQ", "SAMPLING FREQ."})
+    if (const auto at = find_word(line, key); at != kNone)
+      if (const auto step = keyed(std::string_view(line).substr(at + key.size()), true))
+        return step;
+  for (const std::string_view key :
+       {"SAMPLES PER SECOND", "SAMPLES/SEC", "SAMPLES/S", "SPS", "POINTS PER SECOND"}) {
+    const auto at = find_word(line, key);
+    if (at == kNone) continue;
+    const auto words = words_of(std::string_view(line).substr(0, at), " \t,;:=(");
+    const auto rate = words.empty() ? std::nullopt : number(words.back());
+    if (rate && *rate > 0) return 1 / *rate;
+    if (const auto step = keyed(std::string_view(line).substr(at + key.size()), true)) return step;
+  }
+  return {};
+}
+
+std::optional<double> time_unit_in(std::string_view text) {
+  const std::string line = upper(text);
+  const auto at = find_word(line, "TIME");
+  if (at == kNone) return {};
+  const auto rest = trimmed(std::string_view(line).substr(at + 4));
+  if (rest.starts_with('(') || rest.starts_with('[')) return time_unit(in_brackets(rest));
+  return rest.starts_with("IN ") ? time_unit(rest.substr(3, rest.find_first_of(" \t,;:", 3) - 3))
+                                 : std::nullopt;
+}
+
+std::optional<double> leading_time(std::string_view text) {
+  const auto value = take_number(text);
+  if (!value) return {};
+  text = trimmed(text);
+  const auto unit = time_unit(text.substr(0, text.find_first_of(" \t,;)")));
+  return *value * unit.value_or(1);
+}
+
+}  // namespace gurney

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "groundmotions/formats/plain_rows.h"
+#include "groundmotions/formats/stated.h"
+
+namespace gurney {
+
+/// What the free text above plain numbers states. Lines are counted from 1.
+struct PlainFacts {
+  std::optional<AccelerationUnit> unit;
+  std::size_t unit_line = 0;
+  std::optional<double> time_step;  ///< [s]
+  std::size_t step_line = 0;
+  double time_unit = 1;  ///< of a column of times without a title of its own [s]
+};
+
+/// Mistakes: samples that are velocity or displacement as the text says, a unit that is none of
+/// acceleration, and lines that contradict each other.
+/// @param with_titles  the last line of text has the titles of columns and is not looked at
+PlainFacts plain_facts(const PlainRows& rows, bool with_titles, Mistakes& mistakes);
+
+/// A mistake if `step` [s], which `what` gives, is farther from that of the text than its rounding
+/// explains: 1 %, an assumption.
+void check_step(const PlainFacts& facts, double step, std::string_view what, Mistakes& mistakes);
+
+}  // namespace gurney
