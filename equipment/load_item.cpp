@@ -105,6 +105,7 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
   EquipmentModel& model = loaded.model;
   const Vector3 base(0, 0, base_height(item.casters.at(0), options));
   model.name = item.name;
+  model.material = item.material;
   model.chassis_mass = item.chassis_mass;
   model.chassis_center_of_mass = base + item.chassis_center_of_mass;
   model.chassis_inertia = item.chassis_inertia;

@@ -54,8 +54,19 @@ struct CheckOptions {
 };
 
 const char* noun(DataKind kind) {
-  if (kind == DataKind::kItem) return "item";
-  return kind == DataKind::kCaster ? "caster" : "floor covering";
+  switch (kind) {
+    case DataKind::kItem:
+      return "item";
+    case DataKind::kCaster:
+      return "caster";
+    case DataKind::kFloor:
+      return "floor covering";
+    case DataKind::kRoom:
+      return "room";
+    case DataKind::kTether:
+      break;
+  }
+  return "kind of tether";
 }
 
 int check(const CheckOptions& options) {
