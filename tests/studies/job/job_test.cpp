@@ -131,7 +131,7 @@ history_step_s = 0.02
 )toml";
 
 /// What needs another solver than kEverything has.
-constexpr const char* kRoomAndTether = R"toml(
+constexpr const char* kRoomAndTether = R"toml(position_m = [2, 0]
 [room]
 file = "icu_bay"
 [[tether]]
@@ -140,7 +140,7 @@ item = "icu_ventilator"
 kind = "power_cord"
 point_m = [0, 0, 0.5]
 anchor_m = [0, 1, 0.5]
-slack_length_m = 2
+slack_length_m = 3
 )toml";
 
 /// kEverything with its records beside it.
