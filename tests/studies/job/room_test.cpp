@@ -205,6 +205,42 @@ strength_n = 100
   EXPECT_EQ(job.scene.tethers[0].damping, 0);
 }
 
+/// Neither the other tether nor the job's items change what is drawn.
+TEST(JobTether, IsDrawnByItsName) {
+  const auto slack = [](const std::string& before) {
+    const Job job = job_of(std::string(kTwo) + before + R"([[tether]]
+name = "cord"
+item = "pole"
+kind = "power_cord"
+point_m = [0, 0, 1]
+anchor_m = [-1, 1, 1]
+slack_length_m = { value = 2, distribution = { kind = "uniform", low = 1.5, high = 3, source = "s" } }
+[uncertainty]
+draw = 6
+)");
+    return job.scene.tethers.back().slack_length;
+  };
+  EXPECT_EQ(slack(""), 1.5 + 1.5 * Draw(1, 6).of_part("cord").probability("tether.slack_length_m"));
+  EXPECT_EQ(slack(kTether), slack(""));
+}
+
+TEST(JobRoom, AFileIsDrawnAsThePartRoom) {
+  const TempFolder folder;
+  folder.write("bay.toml", R"(schema = "gurney-room/1"
+name = "bay"
+[[wall]]
+from_m = [3, -1]
+to_m = [3, 1]
+thickness_m = { value = 0.2, distribution = { kind = "uniform", low = 0.1, high = 0.3, source = "s" } }
+height_m = 2
+)");
+  const Job job = read_job(
+      folder.write("job.toml", std::string("schema = \"gurney-job/1\"\n") + kTwo +
+                                   "[room]\nfile = \"bay.toml\"\n[uncertainty]\ndraw = 6\n"));
+  EXPECT_DOUBLE_EQ(std::get<RoomBox>(job.scene.room.at(0).shape).size.y(),
+                   0.1 + 0.2 * Draw(1, 6).of_part("room").probability("wall[0].thickness_m"));
+}
+
 TEST(BadTether, TheMessagesSayWhatIsAllowed) {
   EXPECT_EQ(mistakes(std::string(kTwo) + R"([[room.point]]
 name = "socket"
