@@ -241,10 +241,24 @@ height_m = 2
                    0.1 + 0.2 * Draw(1, 6).of_part("room").probability("wall[0].thickness_m"));
 }
 
+TEST(JobTether, ItsLengthIsMeasuredFromTheItemAsItStands) {
+  const auto with_slack = [](const std::string& length) {
+    return mistakes(
+        "[item]\nequipment = \"infusion_pole\"\nposition_m = [2, 0]\nyaw_deg = "
+        "90\n[[tether]]\nkind "
+        "= \"iv_line\"\npoint_m = [1, 0, 1]\nanchor_m = [2, 3, 1]\nslack_length_m = " +
+        length + "\n");
+  };
+  EXPECT_EQ(with_slack("2.001"), "(no error)");
+  EXPECT_EQ(with_slack("1.999"),
+            "a.toml:10:18: tether[0].slack_length_m = 1.999: must be at least 2, the distance from "
+            "'infusion_pole' to the anchor at the start");
+}
+
 TEST(BadTether, TheMessagesSayWhatIsAllowed) {
   EXPECT_EQ(mistakes(std::string(kTwo) + R"([[room.point]]
 name = "socket"
-position_m = [1, 0, 0.4]
+position_m = [1.5, 1, 0.4]
 [[tether]]
 name = "a"
 item = "pol"
@@ -261,7 +275,7 @@ item = "ventilator"
 kind = "iv_line"
 point_m = [0, 0, 0.4]
 anchor = "socket"
-slack_length_m = 0.9
+slack_length_m = 0.4
 )"),
             "a.toml:15:8: tether[0].item = \"pol\": no such item; did you mean 'pole'?\n"
             "a.toml:16:8: tether[0].kind = \"power_chord\": unknown kind of tether; did you mean "
@@ -275,7 +289,7 @@ slack_length_m = 0.9
             "a.toml:20:1: tether[1].strength_n: missing; must be a number > 0 or inf\n"
             "a.toml:21:8: tether[1].name = \"a\": must differ from the name at a.toml:14:8\n"
             "a.toml:23:18: tether[1].slack_length_m = 0: must be a finite number > 0\n"
-            "a.toml:29:18: tether[2].slack_length_m = 0.9: must be at least 1, the distance from "
+            "a.toml:29:18: tether[2].slack_length_m = 0.4: must be at least 0.5, the distance from "
             "'ventilator' to the anchor at the start");
 }
 
