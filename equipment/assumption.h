@@ -20,7 +20,7 @@ struct Assumption {
   std::string distribution;  ///< that it was drawn from; empty: not drawn
 };
 
-/// Appends what is not there yet (same file and key).
+/// Appends what is not there yet (same file, key and value).
 void add_assumptions(std::vector<Assumption>& list, const std::vector<Assumption>& more);
 
 }  // namespace gurney

@@ -24,9 +24,13 @@ KindNames names_of(DataKind kind) {
     case DataKind::kCaster:
       return {"casters", "caster"};
     case DataKind::kFloor:
+      return {"floors", "floor covering"};
+    case DataKind::kRoom:
+      return {"rooms", "room"};
+    case DataKind::kTether:
       break;
   }
-  return {"floors", "floor covering"};
+  return {"tethers", "kind of tether"};
 }
 
 fs::path folder_of(DataKind kind) {

@@ -5,18 +5,19 @@
 
 namespace gurney {
 
-enum class DataKind { kItem, kCaster, kFloor };
+enum class DataKind { kItem, kCaster, kFloor, kRoom, kTether };
 
 /// Where the shipped data are: the environment variable GURNEY_DATA, else the source folder this
-/// program was built from. It holds equipment/items, equipment/casters and equipment/floors.
+/// program was built from. It holds equipment/ with a folder for each kind, and contacts.toml.
 std::string data_folder();
 
 /// Names in the catalogue, sorted.
 /// @throws Error if the folder is missing.
 std::vector<std::string> catalogue_names(DataKind kind);
 
-/// The file of an item, a caster or a floor covering. A name that ends in `.toml` or has a slash
-/// is a path relative to the folder of `named_in`; any other is looked up in the catalogue.
+/// The file of an item, a caster, a floor covering, a room or a tether. A name that ends in `.toml`
+/// or has a slash is a path relative to the folder of `named_in`; any other is looked up in the
+/// catalogue.
 /// @throws Error for an unknown name, with the nearest one and the list; the caller adds the place.
 std::string find_data(DataKind kind, const std::string& name, const std::string& named_in);
 

@@ -1,20 +1,24 @@
 #include "equipment/check_file.h"
 
+#include <fmt/format.h>
+
 #include "engine/base/config/table.h"
 #include "engine/base/error.h"
 #include "equipment/implausible.h"
 #include "equipment/load_item.h"
+#include "equipment/room_description.h"
+#include "equipment/tether_type.h"
 
 namespace gurney {
 namespace {
 
 DataKind kind_of(const std::string& file) {
   config::Document document(file);
-  const std::size_t kind =
-      document.root().choice("schema", {"gurney-item/1", "gurney-caster/1", "gurney-floor/1"});
-  require(document.clean(), file +
-                                ":1:1: schema: must be one of \"gurney-item/1\", "
-                                "\"gurney-caster/1\", \"gurney-floor/1\"");
+  const std::vector<std::string> schemas = {"gurney-item/1", "gurney-caster/1", "gurney-floor/1",
+                                            "gurney-room/1", "gurney-tether/1"};
+  const std::size_t kind = document.root().choice("schema", schemas);
+  require(document.clean(),
+          fmt::format("{}:1:1: schema: must be one of \"{}\"", file, fmt::join(schemas, "\", \"")));
   return static_cast<DataKind>(kind);
 }
 
@@ -55,9 +59,16 @@ CheckedFile check_data_file(const std::string& file) {
       return {DataKind::kCaster, caster.name, implausible(caster)};
     }
     case DataKind::kFloor:
+      return {DataKind::kFloor, load_floor_covering(file).name, {}};
+    case DataKind::kRoom: {
+      RoomNames names;
+      RoomDescription room;
+      return {DataKind::kRoom, load_room(file, {}, names, room), {}};
+    }
+    case DataKind::kTether:
       break;
   }
-  return {DataKind::kFloor, load_floor_covering(file).name, {}};
+  return {DataKind::kTether, load_tether_type(file).name, {}};
 }
 
 }  // namespace gurney

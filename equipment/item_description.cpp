@@ -20,6 +20,7 @@ using config::Table;
 constexpr int kMostPayloads = 100;
 
 void read_chassis(Quantities in, ItemDescription& item) {
+  item.material = in.table().text("material", "");
   item.chassis_mass = in.number("mass_kg", Range::positive());
   item.chassis_center_of_mass = in.vector_mm("center_of_mass_mm", Range::any());
   const bool box = in.table().has("inertia_box_mm");

@@ -106,10 +106,12 @@ void add_payloads(const PayloadKind& kind, const ItemOptions& options, const Vec
 }
 
 void add_contact(const ItemContact& contact, const ItemOptions& options, LoadedItem& loaded) {
-  loaded.model.material = contact.material;
-  loaded.pairs = {{contact.material, "", contact.constants}};
+  loaded.states_contact = !contact.material.empty();
+  if (loaded.states_contact) loaded.model.material = contact.material;
+  const std::string& material = loaded.model.material;
+  loaded.pairs = {{material, "", contact.constants}};
   if (options.floor) {
-    MaterialPair pair{contact.material, options.floor->name, contact.constants};
+    MaterialPair pair{material, options.floor->name, contact.constants};
     pair.constants.friction *= options.floor->friction_factor;
     loaded.floor_material = pair.other;
     loaded.pairs.push_back(pair);
@@ -131,6 +133,7 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
   EquipmentModel& model = loaded.model;
   const Vector3 base(0, 0, base_height(item, options));
   model.name = item.name;
+  model.material = item.material;
   model.chassis_mass = item.chassis_mass;
   model.chassis_center_of_mass = base + item.chassis_center_of_mass;
   model.chassis_inertia = item.chassis_inertia;

@@ -30,6 +30,7 @@ struct LoadedItem {
   /// covering: its factor is on the friction. These are all a scene without further materials
   /// needs.
   std::vector<MaterialPair> pairs;
+  bool states_contact = false;          ///< `pairs` are those of its file
   std::string floor_material;           ///< name of the covering; empty: none
   std::vector<Assumption> assumptions;  ///< those in use: brakes that are off count for nothing
   std::vector<std::string> warnings;    ///< of equipment/stability.h

@@ -231,14 +231,15 @@ void Quantities::note_outside(const std::string& key, const Uncertainty& uncerta
 double Quantities::settle(const std::string& name, double value,
                           const std::optional<Uncertainty>& uncertainty, const Basis& basis) {
   const std::optional<Draw>& draw = table_.document().draw();
-  const std::string variable = table_.name_of(name), file = table_.document().path();
+  const std::string path = table_.name_of(name), file = table_.document().path();
   if (uncertainty && draw) {
     const Distribution& distribution = uncertainty->distribution;
+    const std::string variable = table_.document().variable_name(path);
     value = distribution.quantile(draw->probability(variable, uncertainty->group));
     assumptions_->push_back({draw->full_name(variable), "", value, distribution.low(),
                              distribution.high(), uncertainty->reason, file, distribution.text()});
   } else if (!basis.reason.empty()) {
-    assumptions_->push_back({variable, "", value, basis.low, basis.high, basis.reason, file, ""});
+    assumptions_->push_back({path, "", value, basis.low, basis.high, basis.reason, file, ""});
   }
   return value;
 }

@@ -59,8 +59,19 @@ struct CheckOptions {
 };
 
 const char* noun(DataKind kind) {
-  if (kind == DataKind::kItem) return "item";
-  return kind == DataKind::kCaster ? "caster" : "floor covering";
+  switch (kind) {
+    case DataKind::kItem:
+      return "item";
+    case DataKind::kCaster:
+      return "caster";
+    case DataKind::kFloor:
+      return "floor covering";
+    case DataKind::kRoom:
+      return "room";
+    case DataKind::kTether:
+      break;
+  }
+  return "kind of tether";
 }
 
 int check(const CheckOptions& options) {
@@ -88,7 +99,8 @@ int check(const CheckOptions& options) {
 
 void add_list(CLI::App& equipment, std::function<int()>& act) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* const command = equipment.add_subcommand("ls", "Tables of items, casters and floors");
+  CLI::App* const command =
+      equipment.add_subcommand("ls", "Tables of items, casters, floors, rooms and tethers");
   command->add_flag("--json", *json, "Print JSON, in SI units");
   command->callback([json, &act] {
     act = [json] {
@@ -121,7 +133,7 @@ void add_show(CLI::App& equipment, std::function<int()>& act) {
 void add_check(CLI::App& equipment, std::function<int()>& act) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* const command = equipment.add_subcommand(
-      "check", "Look for mistakes in files of items, casters and floor coverings");
+      "check", "Look for mistakes in files of items, casters, floors, rooms and tethers");
   command->add_option("FILE", options->files, "Files (docs/formats/equipment_file.md)")->required();
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &act] { act = [options] { return check(*options); }; });

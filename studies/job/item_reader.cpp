@@ -5,8 +5,8 @@
 
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/units.h"
-#include "equipment/catalogue.h"
 #include "equipment/quantity.h"
+#include "studies/job/load_named.h"
 
 namespace gurney {
 namespace {
@@ -15,28 +15,6 @@ using config::Range;
 using config::Table;
 
 constexpr int kMostPayloads = 100;
-
-/// Loads what `key` names; a mistake in the name is noted here, mistakes in the file after ours.
-template <typename Load>
-auto load_named(Table& table, const std::string& key, DataKind kind, Load load)
-    -> std::optional<decltype(load(std::string()))> {
-  if (!table.has(key)) return {};
-  const std::string name = table.text(key);
-  if (!table.is_text(key)) return {};
-  std::string file;
-  try {
-    file = find_data(kind, name, table.document().path());
-  } catch (const Error& error) {
-    table.note(key, " = \"" + name + "\": " + error.what());
-    return {};
-  }
-  try {
-    return load(file);
-  } catch (const Error& error) {
-    table.document().note(error);
-    return {};
-  }
-}
 
 std::optional<ItemDescription> read_description(Table& item) {
   ItemSelection selection{item.texts("variant"), item.document().draw()};
@@ -104,6 +82,7 @@ std::optional<FloorCovering> read_floor_covering(Table& floor) {
 
 std::optional<LoadedItem> read_job_item(Table& item, ItemOptions& options, InitialMotion& initial,
                                         std::vector<Assumption>& assumptions) {
+  const std::size_t mistakes_of_others = item.document().mistakes();
   Quantities in(item, assumptions);
   const std::vector<double> position = in.plane("position_m", Range::any(), {0, 0});
   initial.position = Vector3(position[0], position[1], 0);
@@ -123,7 +102,7 @@ std::optional<LoadedItem> read_job_item(Table& item, ItemOptions& options, Initi
     options.swivel_locks = in.flags("swivel_locks", casters);
   }
   options.payloads = read_payloads(item, *description);
-  if (!item.document().clean()) return {};
+  if (item.document().mistakes() > mistakes_of_others) return {};
   try {
     return assemble_item(*description, options);
   } catch (const Error& error) {

@@ -12,8 +12,8 @@ namespace gurney {
 /// The covering named in the table [floor] of a job, if any.
 std::optional<FloorCovering> read_floor_covering(config::Table& floor);
 
-/// The table [item] of a job: which item, what is changed on it, where it stands. Mistakes are
-/// noted in the document; the result is empty then.
+/// A table [item] or [[item]] of a job: which item, what is changed on it, where it stands.
+/// Mistakes are noted in the document; the result is empty then.
 ///
 /// @param options  with the floor covering; the rest is read here
 /// @param initial  its position and yaw are set

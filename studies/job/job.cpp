@@ -13,7 +13,11 @@
 #include "equipment/quantity.h"
 #include "studies/job/excitation_reader.h"
 #include "studies/job/item_reader.h"
+#include "studies/job/items_reader.h"
+#include "studies/job/overlap_check.h"
 #include "studies/job/record_reader.h"
+#include "studies/job/room_reader.h"
+#include "studies/job/tether_reader.h"
 
 namespace gurney {
 namespace {
@@ -70,14 +74,14 @@ void read_output(Table& root, SimulationSettings& settings) {
   settings.history_step = histories ? whole : 0;
 }
 
-void read_floor(Table& root, std::vector<Assumption>& assumptions, Scene& scene,
-                ItemOptions& options) {
+std::optional<FloorCovering> read_floor(Table& root, std::vector<Assumption>& assumptions,
+                                        Scene& scene) {
   auto table = root.table("floor");
-  if (!table) return;
+  if (!table) return {};
   Quantities in(*table, assumptions);
-  options.floor = read_floor_covering(*table);
   scene.slope = in.number("slope", Range::within(-1, 1), scene.slope);
   scene.gravity = in.number("gravity_m_per_s2", Range::not_negative(), scene.gravity);
+  return read_floor_covering(*table);
 }
 
 std::optional<Draw> read_draw(Table& root) {
@@ -106,29 +110,23 @@ Job read_job(config::Document& document) {
   job.draw = read_draw(root);
   document.set_draw(job.draw);
 
-  ItemOptions options;
-  std::optional<LoadedItem> item;
-  read_floor(root, job.assumptions, job.scene, options);
-  if (auto table = root.table("item"))
-    item = read_job_item(*table, options, job.scene.items[0].initial, job.assumptions);
-  else if (!root.has("item"))
-    root.note("item", ": missing; must be a table [item]");
+  const std::optional<FloorCovering> covering = read_floor(root, job.assumptions, job.scene);
+  RoomNames names;
+  RoomDescription room = read_job_room(root, names);
+  std::vector<JobItem> items = read_items(root, covering, names.shapes, job);
+  read_tethers(root, room.points, job);
   if (auto table = root.table("excitation")) {
     job.record = read_record_request(*table);
     read_loads(*table, job.assumptions, job.excitation);
   }
   if (auto table = root.table("fixture"))
     job.excitation.fixture = read_fixture(*table, job.assumptions);
-  read_initial(root, job.assumptions, job.scene.items[0].initial);
+  read_initial(root, job.assumptions, job.scene.items.front().initial);
   read_settings(root, job.settings);
   read_output(root, job.settings);
+  furnish(root, items, std::move(room), job);
+  if (document.clean()) check_overlaps(items, job.scene);
   document.finish();
-
-  job.scene.items[0].model = std::move(item->model);
-  job.scene.pairs = std::move(item->pairs);
-  job.scene.floor_material = std::move(item->floor_material);
-  job.warnings = std::move(item->warnings);
-  add_assumptions(job.assumptions, item->assumptions);
   return job;
 }
 

@@ -10,6 +10,8 @@
 #include "equipment/floor_covering.h"
 #include "equipment/item_sheet.h"
 #include "equipment/load_item.h"
+#include "equipment/room_description.h"
+#include "equipment/tether_type.h"
 
 namespace gurney {
 namespace {
@@ -36,6 +38,26 @@ CasterType caster(const std::string& key) {
 
 FloorCovering floor(const std::string& key) {
   return load_floor_covering(find_data(DataKind::kFloor, key, ""));
+}
+
+struct ListedRoom {
+  std::string key, name;
+  RoomDescription room;
+};
+
+std::vector<ListedRoom> rooms() {
+  std::vector<ListedRoom> result;
+  for (const std::string& key : catalogue_names(DataKind::kRoom)) {
+    RoomNames names;
+    ListedRoom listed{key, {}, {}};
+    listed.name = load_room(find_data(DataKind::kRoom, key, ""), {}, names, listed.room);
+    result.push_back(std::move(listed));
+  }
+  return result;
+}
+
+TetherType tether(const std::string& key) {
+  return load_tether_type(find_data(DataKind::kTether, key, ""));
 }
 
 }  // namespace
@@ -68,12 +90,25 @@ std::string equipment_list() {
     text += fmt::format("{:<24} {:<40} {:>12.2f} {:>12.2f}\n", key, covering.name,
                         covering.rolling_resistance_factor, covering.friction_factor);
   }
+  text += fmt::format("\n{:<24} {:<40} {:>12} {:>12} {:>12}\n", "room", "name", "shapes", "zones",
+                      "points");
+  for (const auto& [key, name, room] : rooms())
+    text += fmt::format("{:<24} {:<40} {:>12} {:>12} {:>12}\n", key, name, room.shapes.size(),
+                        room.zones.size(), room.points.size());
+  text +=
+      fmt::format("\n{:<24} {:<40} {:>12} {:>12}\n", "tether", "name", "EA [N]", "strength [N]");
+  for (const std::string& key : catalogue_names(DataKind::kTether)) {
+    const TetherType type = tether(key);
+    text += fmt::format("{:<24} {:<40} {:>12g} {:>12g}\n", key, type.name, type.axial_stiffness,
+                        type.strength);
+  }
   return text;
 }
 
 std::string equipment_list_json() {
   using Json = nlohmann::ordered_json;
   Json listed = Json::array(), casters = Json::array(), floors = Json::array();
+  Json listed_rooms = Json::array(), tethers = Json::array();
   for (const auto& [key, item, sheet] : items())
     listed.push_back({{"key", key},
                       {"name", item.model.name},
@@ -102,7 +137,28 @@ std::string equipment_list_json() {
                       {"rolling_resistance_factor", covering.rolling_resistance_factor},
                       {"friction_factor", covering.friction_factor}});
   }
-  return Json{{"items", listed}, {"casters", casters}, {"floors", floors}}.dump(2) + "\n";
+  for (const auto& [key, name, room] : rooms())
+    listed_rooms.push_back({{"key", key},
+                            {"name", name},
+                            {"shapes", room.shapes.size()},
+                            {"zones", room.zones.size()},
+                            {"points", room.points.size()},
+                            {"assumptions", room.assumptions.size()}});
+  for (const std::string& key : catalogue_names(DataKind::kTether)) {
+    const TetherType type = tether(key);
+    tethers.push_back({{"key", key},
+                       {"name", type.name},
+                       {"axial_stiffness_n", type.axial_stiffness},
+                       {"damping_n_s_per_m", type.damping},
+                       {"strength_n", type.strength}});
+  }
+  return Json{{"items", listed},
+              {"casters", casters},
+              {"floors", floors},
+              {"rooms", listed_rooms},
+              {"tethers", tethers}}
+             .dump(2) +
+         "\n";
 }
 
 }  // namespace gurney

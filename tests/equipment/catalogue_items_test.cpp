@@ -58,7 +58,8 @@ TEST(CatalogueItems, HasWhatHospitalsAskFor) {
 }
 
 TEST(CatalogueItems, NamesAreUnique) {
-  for (const DataKind kind : {DataKind::kItem, DataKind::kCaster, DataKind::kFloor}) {
+  for (const DataKind kind :
+       {DataKind::kItem, DataKind::kCaster, DataKind::kFloor, DataKind::kRoom, DataKind::kTether}) {
     std::set<std::string> seen;
     for (const std::string& file : catalogue_names(kind)) {
       const config::Document document(find_data(kind, file, ""));

@@ -20,9 +20,11 @@ using config::Node;
 /// Every shipped file of every kind.
 std::vector<std::string> shipped_files() {
   std::vector<std::string> files;
-  for (const DataKind kind : {DataKind::kItem, DataKind::kCaster, DataKind::kFloor})
+  for (const DataKind kind :
+       {DataKind::kItem, DataKind::kCaster, DataKind::kFloor, DataKind::kRoom, DataKind::kTether})
     for (const std::string& name : catalogue_names(kind))
       files.push_back(find_data(kind, name, ""));
+  files.push_back(data_folder() + "/equipment/contacts.toml");
   return files;
 }
 

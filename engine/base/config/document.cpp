@@ -60,6 +60,16 @@ std::optional<Node> Document::take(const std::string& key) {
 
 Table Document::root() { return Table(*this, tree_, ""); }
 
+void Document::set_draw_of(const std::string& element, const std::optional<Draw>& draw) {
+  draw_ = draw;
+  drawn_element_ = element;
+}
+
+std::string Document::variable_name(const std::string& path) const {
+  if (drawn_element_.empty() || !path.starts_with(drawn_element_ + '.')) return path;
+  return drawn_element_.substr(0, drawn_element_.rfind('[')) + path.substr(drawn_element_.size());
+}
+
 std::string Document::where(Place place) const {
   return fmt::format("{}:{}:{}", path_, place.line, place.column);
 }

@@ -47,6 +47,11 @@ class Document {
   const std::optional<Draw>& draw() const { return draw_; }
   void set_draw(const std::optional<Draw>& draw) { draw_ = draw; }
 
+  /// From here on numbers are drawn for one element of an array of tables, `item[1]`: by `draw`, a
+  /// part of its own, and by names that begin with `item`, so that its index does not matter.
+  void set_draw_of(const std::string& element, const std::optional<Draw>& draw);
+  std::string variable_name(const std::string& path) const;  ///< of the number at `path`
+
   std::string where(Place place) const;  ///< `path:line:column`
 
   void note(Place place, const std::string& message);
@@ -71,6 +76,7 @@ class Document {
   std::string path_, text_;
   Node tree_;
   std::optional<Draw> draw_;
+  std::string drawn_element_;
   std::vector<Problem> problems_;
   std::vector<std::string> foreign_;
 };

@@ -25,7 +25,7 @@ TEST(BadJob, FileThatIsNotThere) {
 TEST(BadJob, EmptyFileNamesWhatItNeeds) {
   EXPECT_EQ(mistakes(""),
             "a.toml:1:1: schema: missing; must be one of gurney-job/1\n"
-            "a.toml:1:1: item: missing; must be a table [item]");
+            "a.toml:1:1: item: missing; must be a table [item], or tables [[item]] for several");
 }
 
 TEST(BadJob, NamesUnknownItemsCastersAndFloors) {

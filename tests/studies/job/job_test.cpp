@@ -130,6 +130,19 @@ histories = true
 history_step_s = 0.02
 )toml";
 
+/// What needs another solver than kEverything has.
+constexpr const char* kRoomAndTether = R"toml(position_m = [2, 0]
+[room]
+file = "icu_bay"
+[[tether]]
+name = "cord"
+item = "icu_ventilator"
+kind = "power_cord"
+point_m = [0, 0, 0.5]
+anchor_m = [0, 1, 0.5]
+slack_length_m = 3
+)toml";
+
 /// kEverything with its records beside it.
 std::string write_everything(const TempFolder& folder) {
   folder.write("record_x.at2", "");
@@ -350,11 +363,15 @@ TEST(JobPage, HasEveryKeyTheReaderKnowsAndNoOther) {
     read_job(document);
     for (const std::string& key : without_provenance(document.asked_keys())) asked.insert(key);
   }
+  config::Document room(std::string(kHead) + kRoomAndTether, folder.path() + "/room.toml");
+  read_job(room);
+  for (const std::string& key : without_provenance(room.asked_keys())) asked.insert(key);
   for (const char* angle : {"fixture.roll.", "fixture.pitch."})
     asked.insert(std::string(angle) + "velocity_deg_per_s");  // read as yaw is
   std::erase_if(asked, [](const std::string& key) {
     return key.starts_with("item.inline.") || key.starts_with("excitation.record.processing[") ||
            key.starts_with("excitation.record.synthetic.") ||
+           (key.starts_with("room.") && key != "room.file") ||
            (key.starts_with("excitation.building.") && key != "excitation.building.file" &&
             key != "excitation.building.floor");  // on pages of their own
   });
