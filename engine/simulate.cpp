@@ -8,6 +8,8 @@
 #include "engine/solver/assembly.h"
 #include "engine/solver/equilibrium.h"
 #include "engine/solver/stepper.h"
+#include "engine/tether_log.h"
+#include "engine/zone_log.h"
 
 namespace gurney {
 namespace {
@@ -36,9 +38,12 @@ Response simulate_with_star(const Scene& scene, const Excitation& excitation,
   std::vector<Recorder> recorders;
   for (std::size_t i = 0; i < count; ++i) recorders.emplace_back(scene, assembly, i, state);
   ImpactLog impacts(scene, assembly);
+  TetherLog tethers(assembly, scene.tethers.size());
+  ZoneLog zones(scene, assembly);
   RunClock clock(excitation, assembly.items.front().loads.breakpoints(), settings);
   const Stepper::Observer observer = [&](const Stepper::Step& step) {
     impacts.observe(step);
+    tethers.observe(step);
     for (std::size_t i : step.group->items) recorders[i].observe(step, impacts.impacts_of(i));
   };
   std::optional<std::string> cause;
@@ -53,14 +58,17 @@ Response simulate_with_star(const Scene& scene, const Excitation& excitation,
   };
 
   double sampled_at = sample();
+  zones.observe(time, 0, state);
   std::vector<RunClock::ItemMotion> motions(count);
   while (clock.next(time)) {
-    world.step(clock.target() - time, state, solve);
+    const double began = time;
+    world.step(clock.target() - began, state, solve);
     if (cause) {
       clock.stop(Outcome::kDiverged, *cause);
       break;
     }
     if (clock.at_breakpoint()) stepper.change_loads(state);
+    zones.observe(time, clock.target() - began, state);
     if (clock.sample_due()) sampled_at = sample();
     for (std::size_t i = 0; i < count; ++i) motions[i] = recorders[i].motion();
     clock.observe(time, motions);
@@ -76,6 +84,8 @@ Response simulate_with_star(const Scene& scene, const Excitation& excitation,
   response.quality = stepper.quality();
   response.quality.collision_passes = world.collision_passes();
   response.impacts = impacts.finish(time);
+  response.tethers = tethers.outcomes();
+  response.zones = zones.outcomes();
   response.items.clear();
   for (std::size_t i = 0; i < count; ++i)
     recorders[i].finish(state, stepper.accounts()[i], clock.overturned_at(i), response);

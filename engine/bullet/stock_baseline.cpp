@@ -146,7 +146,8 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
                                   const SimulationSettings& settings) {
   bool free = true;
   for (const Guide& guide : excitation.fixture.guides) free &= guide.kind == Guide::Kind::kFree;
-  require(scene.room.empty() && scene.items.size() == 1 && !scene.items[0].model.casters.empty(),
+  require(scene.room.empty() && scene.tethers.empty() && scene.zones.empty() &&
+              scene.items.size() == 1 && !scene.items[0].model.casters.empty(),
           "the stock Bullet baselines know one item on casters and no room; use solver = "
           "\"star\" for this job");
   require(free && excitation.drop_weights.empty() && excitation.blocks.empty(),

@@ -77,6 +77,7 @@ struct Caster {
 /// its boxes stand on the floor.
 struct EquipmentModel {
   static constexpr std::size_t kMaxCasters = 8;
+  static constexpr std::size_t kMaxTethers = 32;
 
   std::string name;
   double chassis_mass = 0;                           ///< without payloads and casters, > 0 [kg]

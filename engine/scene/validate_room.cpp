@@ -57,6 +57,59 @@ void check_shape(const RoomShape& shape, Problems& problems) {
   }
 }
 
+void check_zone(const Zone& zone, Problems& problems) {
+  const std::string owner = "zone '" + zone.name + "': ";
+  problems.check(!zone.name.empty(), owner + "the name must not be empty");
+  problems.check(zone.center.allFinite() && std::isfinite(zone.angle),
+                 owner + "center and angle: must be finite");
+  problems.positive(owner + "length", zone.length);
+  problems.positive(owner + "width", zone.width);
+}
+
+void check_tether(const Scene& scene, const Tether& tether, Problems& problems) {
+  const std::string owner = "tether '" + tether.name + "': ";
+  problems.check(!tether.name.empty(), owner + "the name must not be empty");
+  problems.positive(owner + "slack_length", tether.slack_length);
+  problems.positive(owner + "stiffness", tether.stiffness);
+  problems.not_negative(owner + "damping", tether.damping);
+  problems.number(tether.strength > 0, owner + "strength", tether.strength, "> 0");
+  problems.check(tether.point.allFinite() && tether.anchor.allFinite(),
+                 owner + "point and anchor: must be finite");
+  if (tether.item >= scene.items.size())
+    return problems.check(false, owner + "there is no such item");
+  const InitialMotion& initial = scene.items[tether.item].initial;
+  const Vector3 origin(initial.position.x(), initial.position.y(), 0);
+  const Vector3 point = origin + Eigen::AngleAxisd(initial.yaw, Vector3::UnitZ()) * tether.point;
+  const double distance = (tether.anchor - point).norm();
+  problems.check(distance <= tether.slack_length,
+                 fmt::format("{}slack_length = {:g}: must be at least {:g}, the distance to its "
+                             "anchor at the start",
+                             owner, tether.slack_length, distance));
+}
+
+template <typename T>
+void check_names(const std::vector<T>& all, const char* kind, Problems& problems) {
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      problems.check(all[i].name != all[j].name,
+                     fmt::format("{} '{}': the name is taken twice", kind, all[i].name));
+}
+
+void check_items(const Scene& scene, Problems& problems) {
+  std::set<std::string> names{"floor"};
+  for (const RoomShape& shape : scene.room) names.insert(shape.name);
+  for (std::size_t i = 0; i < scene.items.size(); ++i) {
+    const std::string& name = scene.items[i].name;
+    problems.check(scene.items.size() == 1 || (!name.empty() && names.insert(name).second),
+                   "item '" + name + "': the name must be given and not be taken");
+    std::size_t tethers = 0;
+    for (const Tether& tether : scene.tethers) tethers += tether.item == i;
+    problems.number(tethers <= EquipmentModel::kMaxTethers,
+                    "item '" + name + "': number of tethers", static_cast<double>(tethers),
+                    "32 at most");
+  }
+}
+
 }  // namespace
 
 void validate_room(const Scene& scene) {
@@ -70,18 +123,13 @@ void validate_room(const Scene& scene) {
     problems.number(c.restitution >= 0.01 && c.restitution <= 1, owner + "restitution",
                     c.restitution, "in 0.01..1");
   }
-  for (std::size_t i = 0; i < scene.room.size(); ++i) {
-    check_shape(scene.room[i], problems);
-    for (std::size_t j = 0; j < i; ++j)
-      problems.check(scene.room[i].name != scene.room[j].name,
-                     "room shape '" + scene.room[i].name + "': the name is taken twice");
-  }
-  std::set<std::string> names{"floor"};
-  for (const RoomShape& shape : scene.room) names.insert(shape.name);
-  for (const PlacedItem& item : scene.items)
-    problems.check(
-        scene.items.size() == 1 || (!item.name.empty() && names.insert(item.name).second),
-        "item '" + item.name + "': the name must be given and not be taken");
+  for (const RoomShape& shape : scene.room) check_shape(shape, problems);
+  for (const Zone& zone : scene.zones) check_zone(zone, problems);
+  for (const Tether& tether : scene.tethers) check_tether(scene, tether, problems);
+  check_names(scene.room, "room shape", problems);
+  check_names(scene.zones, "zone", problems);
+  check_names(scene.tethers, "tether", problems);
+  check_items(scene, problems);
   problems.finish();
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
     const std::string& material = scene.items[i].model.material;

@@ -67,6 +67,7 @@ Scene alone(const Scene& scene, std::size_t item) {
   Scene one = scene;
   one.items = {scene.items[item]};
   one.room.clear();
+  one.tethers.clear();
   return one;
 }
 

@@ -90,10 +90,12 @@ void ItemStage::add_contact_force(int leg, const Matrix36& chassis, const Matrix
 
 double ItemStage::end_forces(const Input& input, const Velocity& v) {
   const double tau = input.tau;
-  if (!mechanism_.loads.empty()) {
+  load_rows_.clear();
+  if (!mechanism_.loads.empty())
     mechanism_.loads.evaluate(input.loads, pose_, v.chassis, load_rows_);
-    for (const auto& row : load_rows_) force_ += row.force * row.direction;
-  }
+  if (!mechanism_.tethers.empty())
+    mechanism_.tethers.evaluate(tau, *input.start, pose_, v.chassis, load_rows_);
+  for (const auto& row : load_rows_) force_ += row.force * row.direction;
   residual_ = momentum_ - tau * force_;
   for (int dof = 0; dof < 6; ++dof) {
     if (!constrained(dof)) continue;

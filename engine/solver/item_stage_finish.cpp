@@ -69,6 +69,9 @@ void ItemStage::finish(const Input& input, const Velocity& v, State& end, Output
   } else {
     rates += mechanism_.loads.finish(input.loads, pose_, v.chassis, power, end.loads);
   }
+  end.broken_tethers = start.broken_tethers;
+  if (!mechanism_.tethers.empty())
+    rates += mechanism_.tethers.finish(tau, start, pose_, v.chassis, power);
   out.spring_rates = rates;
 }
 

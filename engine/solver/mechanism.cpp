@@ -24,6 +24,7 @@ Leg::Geometry geometry(const Leg& leg, const State& state, std::size_t i) {
 Mechanism::Mechanism(const Scene& scene, std::size_t item, const Excitation& excitation)
     : chassis(chassis_with_payloads(scene.items[item].model)),
       loads(item == 0 ? excitation : Excitation(), chassis.center_of_mass, scene.gravity),
+      tethers(scene, item, chassis.center_of_mass),
       fixture(item == 0 ? excitation.fixture : Fixture()),
       gravity(sloped_gravity(scene.gravity, scene.slope)),
       total_mass(chassis.mass),
@@ -63,7 +64,7 @@ double Mechanism::kinetic_energy(const State& state) const {
 }
 
 double Mechanism::elastic_energy(const State& state) const {
-  double energy = loads.stored_energy(state.loads);
+  double energy = loads.stored_energy(state.loads) + tethers.stored_energy(state);
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const Leg& leg = legs[i];
     const LegState& s = state.legs[i];

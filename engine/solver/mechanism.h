@@ -6,6 +6,7 @@
 #include "engine/scene/scene.h"
 #include "engine/solver/loads.h"
 #include "engine/solver/state.h"
+#include "engine/solver/tethers.h"
 
 namespace gurney {
 
@@ -16,6 +17,7 @@ struct Mechanism {
   MassProperties chassis;  ///< with payloads; item axes
   std::vector<Leg> legs;
   Loads loads;
+  Tethers tethers;
   Fixture fixture;
   Vector3 gravity;    ///< floor axes: the floor may slope
   double total_mass;  ///< [kg]

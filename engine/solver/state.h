@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "engine/base/vector.h"
@@ -37,7 +38,8 @@ struct State {
   Quaternion rotation = Quaternion::Identity();
   Velocity velocity;
   std::array<LegState, kMaxLegs> legs;
-  std::vector<double> loads;  ///< see Loads
+  std::vector<double> loads;         ///< see Loads
+  std::uint32_t broken_tethers = 0;  ///< bit i: the i-th of Tethers
 
   Pose pose() const { return {position, rotation.toRotationMatrix()}; }
 };

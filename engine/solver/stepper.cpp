@@ -60,6 +60,7 @@ void extrapolate_item(const State& from, const State& end, const Velocity& accel
     s.tread.sliding = a.tread.sliding;
     s.tread.rolling = b.tread.rolling;
   }
+  start.broken_tethers = from.broken_tethers;
   start.loads.resize(from.loads.size());
   for (std::size_t i = 0; i < from.loads.size(); ++i)
     start.loads[i] = extrapolated(from.loads[i], end.loads[i]);
@@ -115,6 +116,7 @@ void Stepper::set_contacts(const std::vector<BodyContact>& contacts, SceneState&
     }
     const bool is_new = nearest == kSameContactDistance;
     memories[i].contact = sorted[i];
+    memories[i].deflection -= sorted[i].normal * sorted[i].normal.dot(memories[i].deflection);
     memories[i].compression = -assembly_.gap(sorted[i], state);
     if (is_new) memories[i].approach_speed = approach_speed(sorted[i], state);
   }
@@ -231,6 +233,8 @@ void Stepper::accept(const Group& group, SceneState& state, double duration,
     add_power(second.power, kSdirkGamma * duration, accounts_[i]);
     accounts_[i].numerical_loss += 0.5 * tau * tau * (second.spring_rates - first.spring_rates);
     predictions_[i] = {second.acceleration, true};
+    const Tethers& tethers = assembly_.items[i].tethers;
+    if (!tethers.empty()) accounts_[i].damper_loss += tethers.give_way(second_.end.items[i]);
   }
   quality_.largest_residual =
       std::max({quality_.largest_residual, first_.residual, second_.residual});

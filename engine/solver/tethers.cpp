@@ -1,0 +1,94 @@
+#include "engine/solver/tethers.h"
+
+#include <algorithm>
+
+namespace gurney {
+namespace {
+
+bool broken(const State& state, std::size_t i) { return (state.broken_tethers >> i & 1u) != 0; }
+
+}  // namespace
+
+Tethers::Tethers(const Scene& scene, std::size_t item, const Vector3& chassis_center) {
+  for (std::size_t i = 0; i < scene.tethers.size(); ++i) {
+    if (scene.tethers[i].item != item) continue;
+    tethers_.push_back(scene.tethers[i]);
+    tethers_.back().point -= chassis_center;
+    indices_.push_back(i);
+  }
+}
+
+double Tethers::stretch(const Tether& tether, const State& state) const {
+  const Vector3 point = state.position + state.rotation * tether.point;
+  return (tether.anchor - point).norm() - tether.slack_length;
+}
+
+Tethers::Pull Tethers::pull(const Tether& tether, double tau, const State& start, const Pose& pose,
+                            const Vector6& velocity) const {
+  const Vector3 arm = pose.rotation * tether.point;
+  const Vector3 direction = (tether.anchor - pose.position - arm).normalized();
+  Pull pull;
+  pull.row << direction, arm.cross(direction);
+  pull.rate = -pull.row.dot(velocity);
+  const double stretched = stretch(tether, start) + tau * pull.rate;
+  if (!(stretched > 0)) return pull;
+  pull.elastic = tether.stiffness * stretched;
+  pull.damping = std::clamp(tether.damping * pull.rate, -pull.elastic, pull.elastic);
+  const double elastic_slope = tether.stiffness * tau;
+  if (pull.damping >= pull.elastic) {
+    pull.slope = 2 * elastic_slope;
+  } else if (pull.damping > -pull.elastic) {
+    pull.slope = elastic_slope + tether.damping;
+  }
+  return pull;
+}
+
+void Tethers::evaluate(double tau, const State& start, const Pose& pose, const Vector6& velocity,
+                       std::vector<Loads::Row>& rows) const {
+  for (std::size_t i = 0; i < tethers_.size(); ++i) {
+    if (broken(start, i)) continue;
+    const Pull p = pull(tethers_[i], tau, start, pose, velocity);
+    rows.push_back({p.row, p.elastic + p.damping, p.slope});
+  }
+}
+
+double Tethers::finish(double tau, const State& start, const Pose& pose, const Vector6& velocity,
+                       EnergyAccount& power) const {
+  double rates = 0;
+  for (std::size_t i = 0; i < tethers_.size(); ++i) {
+    if (broken(start, i)) continue;
+    const Pull p = pull(tethers_[i], tau, start, pose, velocity);
+    power.damper_loss += p.damping * p.rate;
+    if (p.elastic > 0) rates += tethers_[i].stiffness * p.rate * p.rate;
+  }
+  return rates;
+}
+
+double Tethers::give_way(State& state) const {
+  double lost = 0;
+  for (std::size_t i = 0; i < tethers_.size(); ++i) {
+    if (broken(state, i)) continue;
+    const double s = std::max(stretch(tethers_[i], state), 0.0);
+    if (tethers_[i].stiffness * s <= tethers_[i].strength) continue;
+    lost += 0.5 * tethers_[i].stiffness * s * s;
+    state.broken_tethers |= 1u << i;
+  }
+  return lost;
+}
+
+double Tethers::stored_energy(const State& state) const {
+  double energy = 0;
+  for (std::size_t i = 0; i < tethers_.size(); ++i) {
+    const double s = std::max(stretch(tethers_[i], state), 0.0);
+    if (!broken(state, i)) energy += 0.5 * tethers_[i].stiffness * s * s;
+  }
+  return energy;
+}
+
+double Tethers::tension(std::size_t i, const State& state) const {
+  if (broken(state, i)) return 0;
+  const Pull p = pull(tethers_[i], 0, state, state.pose(), state.velocity.chassis);
+  return p.elastic + p.damping;
+}
+
+}  // namespace gurney

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/caster/leg.h"
+#include "engine/response.h"
+#include "engine/scene/scene.h"
+#include "engine/solver/loads.h"
+#include "engine/solver/state.h"
+
+namespace gurney {
+
+/// The tethers of one item. With the length L from its point to its anchor, the stretch s = L - L0
+/// and its rate s',
+///
+///     T = k s + min(max(c s', -k s), k s)  for s > 0, else 0,
+///
+/// so that a cord never pushes and takes up its load without a jump. A tether whose spring force
+/// k s exceeds its strength at the end of a step has broken and carries nothing any more.
+class Tethers {
+ public:
+  Tethers(const Scene& scene, std::size_t item, const Vector3& chassis_center);
+
+  bool empty() const { return tethers_.empty(); }
+  /// Index in Scene::tethers of each.
+  const std::vector<std::size_t>& indices() const { return indices_; }
+
+  /// Appends the rows of those that are whole, at the chassis velocity V at the end of a stage of
+  /// length tau whose predicted end is `pose`.
+  void evaluate(double tau, const State& start, const Pose& pose, const Vector6& velocity,
+                std::vector<Loads::Row>& rows) const;
+
+  /// Adds the damping's power (W) to `power`, and returns the sum of k s'^2.
+  double finish(double tau, const State& start, const Pose& pose, const Vector6& velocity,
+                EnergyAccount& power) const;
+
+  /// Breaks those loaded beyond their strength; returns the energy lost [J].
+  double give_way(State& state) const;
+
+  double stored_energy(const State& state) const;
+  /// T of the i-th [N].
+  double tension(std::size_t i, const State& state) const;
+
+ private:
+  struct Pull {
+    Vector6 row;  // towards the anchor
+    double elastic = 0, damping = 0, slope = 0, rate = 0;
+  };
+  Pull pull(const Tether& tether, double tau, const State& start, const Pose& pose,
+            const Vector6& velocity) const;
+  double stretch(const Tether& tether, const State& state) const;
+
+  std::vector<Tether> tethers_;  // points relative to the chassis' centre
+  std::vector<std::size_t> indices_;
+};
+
+}  // namespace gurney
