@@ -42,6 +42,17 @@ double top_of(const RoomShape& shape) {
   return 2 * kLow;
 }
 
+/// Above the middle of a polygon, at its edge.
+Vector2 top_of(const Polygon& polygon) {
+  Vector2 middle = Vector2::Zero();
+  double top = -1e9;
+  for (const Vector2& p : polygon) {
+    middle += p / static_cast<double>(polygon.size());
+    top = std::max(top, p.y());
+  }
+  return {middle.x(), top};
+}
+
 /// Draws in metres.
 class Plan {
  public:
@@ -279,7 +290,7 @@ void draw_plan(Svg& svg, const Frame& frame, const Scene& scene, const Response&
   draw_tethers(plan, scene, response);
   for (const Impact& impact : response.impacts) plan.cross(impact.point.head<2>());
   for (const Zone& zone : scene.zones)
-    plan.text(zone.center, 0, zone.name,
+    plan.text(top_of(footprint(zone)), 11, zone.name,
               {.size = 9, .anchor = Anchor::kMiddle, .color = "#225577"});
   draw_scale_bar(svg, frame, scaling);
   svg.end_clip();
