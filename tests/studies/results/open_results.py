@@ -24,7 +24,7 @@ with tempfile.TemporaryDirectory() as folder:
 
     with h5py.File(paths[0]) as file:
         assert file.attrs["filetype"] == "gurney-results"
-        assert file["runs/peak_displacement"].attrs["units"] == "m"
+        assert file["items/peak_displacement"].attrs["units"] == "m"
         items = pandas.DataFrame({name: data[:] for name, data in file["items"].items()})
         assert abs(items["peak_yaw"][0] - 1.25) < 1e-15
         wheels = pandas.DataFrame({name: data[:] for name, data in file["wheels"].items()})
