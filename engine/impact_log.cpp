@@ -125,6 +125,18 @@ void ImpactLog::observe(const Stepper::Step& step) {
   }
 }
 
+ImpactLog::Kinds ImpactLog::impacts_of(std::size_t item) const {
+  Kinds kinds;
+  const int index = static_cast<int>(item);
+  for (const auto& [key, pair] : pairs_) {
+    if (!pair.in_impact || (key[0] != index && key[3] != index)) continue;
+    const bool restitution = std::isnan(impacts_[pair.impact].peak_force);
+    kinds.restitution |= restitution;
+    kinds.compliant |= !restitution;
+  }
+  return kinds;
+}
+
 std::vector<Impact> ImpactLog::finish(double time) const {
   std::vector<Impact> impacts = impacts_;
   for (const auto& [key, pair] : pairs_)

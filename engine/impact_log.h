@@ -28,6 +28,12 @@ class ImpactLog {
 
   void observe(const Stepper::Step& step);
 
+  /// Kinds of impact an item is in after the last step.
+  struct Kinds {
+    bool restitution = false, compliant = false;
+  };
+  Kinds impacts_of(std::size_t item) const;
+
   /// Impacts by their beginning; those that last are cut off at `time`.
   std::vector<Impact> finish(double time) const;
 

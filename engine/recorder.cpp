@@ -50,6 +50,7 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
   current_.velocity =
       start.velocity.chassis.head<3>() + start.velocity.chassis.tail<3>().cross(rotation * origin_);
   current_.tilt = demands_.peak_tilt = tilt_of(rotation);
+  current_.orientation = start.rotation;
   current_.cable_tension = mechanism.loads.cable_tension(start.loads);
   current_.pull_force = mechanism.loads.pull_force(start.time);
   demands_.peak_velocity = horizontal(current_.velocity);
@@ -57,7 +58,7 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
     Leg::Geometry g;
     mechanism.legs[i].evaluate(start.pose(), start.legs[i].swivel_angle, start.velocity.chassis,
                                start.velocity.joints[i], Vector3::Zero(), g);
-    gaps_[i] = {g.height, 0, g.height >= 0};
+    gaps_[i] = {g.height, 0, g.height >= 0, start.time};
     WheelSample& wheel = current_.wheels[i];
     wheel.swivel_angle = start.legs[i].swivel_angle;
     wheel.swivel_rate = start.velocity.joints[i][0];
@@ -69,7 +70,7 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
   }
 }
 
-void Recorder::observe(const Stepper::Step& step) {
+void Recorder::observe(const Stepper::Step& step, const ImpactLog::Kinds& impacts) {
   const State& to = step.to->items[item_];
   const Matrix3 rotation = to.rotation.toRotationMatrix();
   const Vector3 v = to.velocity.chassis.head<3>(), w = to.velocity.chassis.tail<3>();
@@ -84,6 +85,7 @@ void Recorder::observe(const Stepper::Step& step) {
   yaw_ += std::remainder(yaw - yaw_, 2 * std::numbers::pi);
   current_.yaw = yaw_ - yaw_start_;
   current_.tilt = tilt_of(rotation);
+  current_.orientation = to.rotation;
 
   Demands& d = demands_;
   d.path_length += horizontal(current_.displacement - before);
@@ -102,7 +104,14 @@ void Recorder::observe(const Stepper::Step& step) {
   }
   speed_ = body_speed_ = v.norm() + w.norm() * mechanism_.reach;
   observe_wheels(step);
-  observe_points(step, rotation);
+  observe_points(step, rotation, impacts);
+}
+
+void Recorder::overturned() {
+  const Vector3 up = current_.orientation * Vector3::UnitZ();
+  demands_.direction_of_overturning = std::atan2(up.y(), up.x());
+  for (std::size_t i = 0; i < gaps_.size(); ++i)
+    if (gaps_[i].lifted) demands_.wheels[i].liftoff_before_overturning = gaps_[i].since;
 }
 
 void Recorder::observe_wheels(const Stepper::Step& step) {
@@ -145,7 +154,8 @@ void Recorder::observe_lift(const Stepper::Step& step) {
   std::array<Gap, kMaxLegs> now;
   for (std::size_t i = 0; i < gaps_.size(); ++i) {
     const TreadLaw::Result& tread = step.end->items[item_].treads[i];
-    now[i] = {-tread.compression, -tread.compression_rate, tread.compression <= 0};
+    now[i] = {-tread.compression, -tread.compression_rate, tread.compression <= 0,
+              gaps_[i].lifted ? gaps_[i].since : step.time + h};
     near |= gaps_[i].height + h * std::max(gaps_[i].rate, 0.0) > 0 ||
             now[i].height + h * std::max(-now[i].rate, 0.0) > 0;
   }
@@ -172,7 +182,8 @@ void Recorder::observe_lift(const Stepper::Step& step) {
   }
 }
 
-void Recorder::observe_points(const Stepper::Step& step, const Matrix3& rotation) {
+void Recorder::observe_points(const Stepper::Step& step, const Matrix3& rotation,
+                              const ImpactLog::Kinds& impacts) {
   const State& to = step.to->items[item_];
   const Vector3 v = to.velocity.chassis.head<3>(), w = to.velocity.chassis.tail<3>();
   const Vector6& a = step.end->items[item_].acceleration.chassis;
@@ -185,8 +196,13 @@ void Recorder::observe_points(const Stepper::Step& step, const Matrix3& rotation
         a.head<3>() + a.tail<3>().cross(r) + w.cross(w.cross(r)) + step.floor_acceleration;
     PointDemands& d = demands_.points[i];
     d.peak_displacement = std::max(d.peak_displacement, horizontal(point.displacement));
-    d.peak_absolute_acceleration =
-        std::max(d.peak_absolute_acceleration, point.absolute_acceleration.norm());
+    const double acceleration = point.absolute_acceleration.norm();
+    if (impacts.restitution) {
+      d.numerical_acceleration = std::fmax(d.numerical_acceleration, acceleration);
+      continue;
+    }
+    d.peak_absolute_acceleration = std::max(d.peak_absolute_acceleration, acceleration);
+    if (impacts.compliant) d.impact_acceleration = std::fmax(d.impact_acceleration, acceleration);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/impact_log.h"
 #include "engine/response.h"
 #include "engine/run_clock.h"
 #include "engine/scene/scene.h"
@@ -17,7 +18,11 @@ class Recorder {
   Recorder(const Scene& scene, const Assembly& assembly, std::size_t item, const SceneState& start);
 
   /// Every accepted step of the item's group.
-  void observe(const Stepper::Step& step);
+  /// @param impacts  the item is in after the step
+  void observe(const Stepper::Step& step, const ImpactLog::Kinds& impacts);
+
+  /// Notes which way the item fell and which wheels were in the air, at the last step.
+  void overturned();
 
   /// Checks the energy account at `state` and, when `keep`, appends a sample to the history.
   void sample(const SceneState& state, const EnergyAccount& account, bool keep);
@@ -33,7 +38,8 @@ class Recorder {
   EnergyAccount complete(const SceneState& state, const EnergyAccount& account) const;
   void observe_wheels(const Stepper::Step& step);
   void observe_lift(const Stepper::Step& step);
-  void observe_points(const Stepper::Step& step, const Matrix3& rotation);
+  void observe_points(const Stepper::Step& step, const Matrix3& rotation,
+                      const ImpactLog::Kinds& impacts);
 
   const Assembly& assembly_;
   std::size_t item_;
@@ -45,6 +51,7 @@ class Recorder {
     double height = 0;  // of the tread above the floor [m]
     double rate = 0;    // [m/s]
     bool lifted = false;
+    double since = 0;  // when it was lifted [s]
   };
   std::vector<Gap> gaps_;
   Vector3 origin_;  // the item's origin relative to the chassis' centre, chassis axes

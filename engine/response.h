@@ -1,11 +1,11 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "engine/base/vector.h"
+#include "engine/demands.h"
 #include "engine/events.h"
 #include "engine/scene/equipment_model.h"
 
@@ -82,55 +82,13 @@ struct Sample {
   Vector3 velocity = Vector3::Zero();
   Vector3 acceleration = Vector3::Zero();  ///< relative to the floor [m/s2]
   double yaw = 0;                          ///< since the start, not wrapped [rad]
-  double tilt = 0;           ///< angle between the item's z axis and the floor normal [rad]
-  double cable_tension = 0;  ///< sum over drop weights [N]
-  double pull_force = 0;     ///< sum of point forces (signed magnitudes) [N]
+  double tilt = 0;  ///< angle between the item's z axis and the floor normal [rad]
+  Quaternion orientation = Quaternion::Identity();  ///< item axes in floor axes
+  double cable_tension = 0;                         ///< sum over drop weights [N]
+  double pull_force = 0;                            ///< sum of point forces (signed magnitudes) [N]
   std::array<WheelSample, EquipmentModel::kMaxCasters> wheels{};
   std::vector<PointSample> points;  ///< one for each marked point
   EnergyAccount energy;
-};
-
-/// Engineering demand parameters of one wheel.
-struct WheelDemands {
-  double peak_normal_force = 0;      ///< [N]
-  double peak_tangential_force = 0;  ///< [N]
-  double lifted_time = 0;            ///< total [s]
-  int liftoffs = 0;                  ///< number of times the wheel left the floor
-  double skid_distance = 0;          ///< path of the patch while sliding [m]
-};
-
-/// Engineering demand parameters of one marked point.
-struct PointDemands {
-  double peak_displacement = 0;           ///< horizontal resultant relative to the floor [m]
-  double peak_absolute_acceleration = 0;  ///< resultant [m/s2]
-};
-
-/// Engineering demand parameters of a run, at the item's origin unless they say otherwise.
-struct Demands {
-  double peak_displacement = 0;    ///< horizontal resultant [m]
-  double peak_displacement_x = 0;  ///< largest |x| [m]
-  double peak_displacement_y = 0;  ///< largest |y| [m]
-  double time_of_peak_displacement = 0;
-  double residual_displacement = 0;  ///< horizontal resultant at the end [m]
-  double residual_displacement_x = 0;
-  double residual_displacement_y = 0;
-  double peak_velocity = 0;  ///< horizontal resultant, relative to the floor [m/s]
-  double path_length = 0;    ///< [m]
-  double peak_yaw = 0;       ///< largest |yaw| [rad]
-  double residual_yaw = 0;
-  double peak_tilt = 0;
-  double time_of_peak_tilt = 0;
-  double peak_normal_force = 0;       ///< largest of any wheel [N]
-  double lifted_time = 0;             ///< while at least one wheel is off the floor [s]
-  int most_wheels_lifted = 0;         ///< at once
-  double time_of_overturning = -1;    ///< < 0: not overturned [s]
-  int impacts = 0;                    ///< of this item: see Response::impacts
-  double largest_approach_speed = 0;  ///< of an impact [m/s]
-  double largest_impulse = 0;         ///< [N s]
-  double peak_impact_force =
-      std::numeric_limits<double>::quiet_NaN();  ///< of compliant impacts; NaN: none [N]
-  std::vector<WheelDemands> wheels;              ///< one for each caster
-  std::vector<PointDemands> points;              ///< one for each marked point
 };
 
 /// What the numbers of a run are worth.

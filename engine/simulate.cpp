@@ -42,9 +42,9 @@ Response simulate_with_star(const Scene& scene, const Excitation& excitation,
   ZoneLog zones(scene, assembly);
   RunClock clock(excitation, assembly.items.front().loads.breakpoints(), settings);
   const Stepper::Observer observer = [&](const Stepper::Step& step) {
-    for (std::size_t i : step.group->items) recorders[i].observe(step);
     impacts.observe(step);
     tethers.observe(step);
+    for (std::size_t i : step.group->items) recorders[i].observe(step, impacts.impacts_of(i));
   };
   std::optional<std::string> cause;
   const BulletWorld::Solve solve = [&](double, const std::vector<BodyContact>& contacts) {
@@ -72,6 +72,8 @@ Response simulate_with_star(const Scene& scene, const Excitation& excitation,
     if (clock.sample_due()) sampled_at = sample();
     for (std::size_t i = 0; i < count; ++i) motions[i] = recorders[i].motion();
     clock.observe(time, motions);
+    for (std::size_t i = 0; i < count; ++i)
+      if (clock.overturned_at(i) == time) recorders[i].overturned();
   }
   if (sampled_at != time) sample();
 

@@ -46,6 +46,7 @@ PreparedRun prepare_run(const std::string& job_path) {
   if (!job.record) return run;
 
   Motion motion = motion_of(*job.record);
+  facts.floor = motion.floor;
   run.excitation.floor = std::move(motion.floor);
   facts.record = std::move(motion.facts);
   facts.seed = motion.seed;

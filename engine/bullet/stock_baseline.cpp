@@ -184,7 +184,8 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
       clock.stop(Outcome::kDiverged, "the position is not finite");
       break;
     }
-    recorder.observe({&alone, state.time, duration, &scene_state, &next, &output, &output, floor});
+    recorder.observe({&alone, state.time, duration, &scene_state, &next, &output, &output, floor},
+                     {});
     state = next.items[0];
     state.time = clock.target();
     if (clock.sample_due()) {
@@ -192,6 +193,7 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
       sampled_at = state.time;
     }
     clock.observe(state.time, {recorder.motion()});
+    if (clock.overturned_at(0) == state.time) recorder.overturned();
   }
   if (sampled_at != state.time) recorder.sample(scene_state, account, clock.keeps_history());
   response.outcome = clock.outcome();

@@ -8,15 +8,16 @@
 #include "engine/base/units.h"
 #include "studies/report/panel.h"
 #include "studies/report/plan_view.h"
+#include "studies/results/names.h"
 
 namespace gurney {
 namespace {
 
 constexpr double kWidth = 1060, kLeft = 70, kColumn = 560, kPanelWidth = 430, kPanelHeight = 150,
-                 kTop = 112, kRow = 225;
+                 kTop = 112, kRow = 225, kPlanWidth = 740;
 
-Frame frame_at(int column, int row, int rows = 1) {
-  return {kLeft + column * (kColumn - kLeft + 30.0), kTop + row * kRow, kPanelWidth,
+Frame frame_at(int column, int row, double top = kTop, int rows = 1) {
+  return {kLeft + column * (kColumn - kLeft + 30.0), top + row * kRow, kPanelWidth,
           kPanelHeight + (rows - 1) * kRow};
 }
 
@@ -102,20 +103,59 @@ Panel turn_panel(const std::vector<Sample>& history) {
   return panel;
 }
 
+/// A curve for each item.
+template <class Get>
+Panel item_panel(const std::string& title, const std::string& y_label, const RunFacts& facts,
+                 const Response& response, Get get) {
+  Panel panel = time_panel(title, y_label, 0);
+  const std::vector<std::string> names = item_names(facts.scene);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    panel.curves.push_back(curve(names[i], response.items[i].history, i, get));
+    if (i >= 7) panel.curves.back().pen.dash = "5 3";  // the palette repeats
+  }
+  return panel;
+}
+
 void draw_heading(Svg& svg, const RunFacts& facts, const Response& response) {
+  const std::vector<std::string> names = item_names(facts.scene);
+  const std::string items = names.size() == 1 ? names[0] : fmt::format("{} items", names.size());
   const std::string floor = facts.record ? facts.record->name : "floor at rest";
   svg.text(kLeft, 34, facts.title.empty() ? facts.job_name : facts.title,
            {.size = 17, .bold = true});
   svg.text(kLeft, 55,
-           fmt::format("{}   \u00b7   {}   \u00b7   {} at {:.2f} s{}",
-                       facts.scene.items[0].model.name, floor, name_of(response.outcome),
-                       response.end_time, response.cause.empty() ? "" : ": " + response.cause),
+           fmt::format("{}   \u00b7   {}   \u00b7   {} at {:.2f} s{}", items, floor,
+                       name_of(response.outcome), response.end_time,
+                       response.cause.empty() ? "" : ": " + response.cause),
            {.size = 12, .color = "#555555"});
 }
 
 bool pulled(const std::vector<Sample>& history) {
   return std::any_of(history.begin(), history.end(),
                      [](const Sample& s) { return s.cable_tension != 0 || s.pull_force != 0; });
+}
+
+std::vector<Panel> panels_of_item(const RunFacts& facts, const ItemResponse& item) {
+  const std::vector<Sample>& history = item.history;
+  std::vector<Panel> panels{
+      vector_panel("Displacement relative to the floor", "Displacement (m)", history,
+                   &Sample::displacement),
+      vector_panel("Velocity relative to the floor", "Velocity (m/s)", history, &Sample::velocity),
+      wheel_panel("Normal forces", "Normal force (N)", facts, history, &WheelSample::normal_force,
+                  1),
+      vector_panel("Acceleration relative to the floor", "Acceleration (m/s\u00b2)", history,
+                   &Sample::acceleration),
+      wheel_panel("Swivel angles", "Swivel angle (deg)", facts, history, &WheelSample::swivel_angle,
+                  kRadiansPerDegree),
+      energy_panel(history, item.stored_energy_at_start)};
+  if (pulled(history)) panels.insert(panels.end(), {pull_panel(history), turn_panel(history)});
+  return panels;
+}
+
+std::vector<Panel> panels_of_items(const RunFacts& facts, const Response& response) {
+  return {item_panel("Horizontal distance from the start", "Distance (m)", facts, response,
+                     [](const Sample& s) { return s.displacement.head<2>().norm(); }),
+          item_panel("Tilt", "Angle (deg)", facts, response,
+                     [](const Sample& s) { return s.tilt / kRadiansPerDegree; })};
 }
 
 }  // namespace
@@ -128,30 +168,29 @@ std::string figure(const RunFacts& facts, const Response& response) {
     svg.text(kLeft, 90, "No history was kept, so there is nothing to draw.");
     return svg.str();
   }
-  const bool with_pull = pulled(history);
-  Svg svg(kWidth, kTop + (with_pull ? 5 : 4) * kRow - 25);
-  draw_heading(svg, facts, response);
-  draw_plan(svg, frame_at(0, 0, 2), facts.scene, history);
-  draw(svg, frame_at(1, 0),
-       vector_panel("Displacement relative to the floor", "Displacement (m)", history,
-                    &Sample::displacement));
-  draw(
-      svg, frame_at(1, 1),
-      vector_panel("Velocity relative to the floor", "Velocity (m/s)", history, &Sample::velocity));
-  draw(svg, frame_at(1, 2),
-       vector_panel("Acceleration relative to the floor", "Acceleration (m/s\u00b2)", history,
-                    &Sample::acceleration));
-  draw(svg, frame_at(0, 2),
-       wheel_panel("Normal forces", "Normal force (N)", facts, history, &WheelSample::normal_force,
-                   1));
-  draw(svg, frame_at(0, 3),
-       wheel_panel("Swivel angles", "Swivel angle (deg)", facts, history,
-                   &WheelSample::swivel_angle, kRadiansPerDegree));
-  draw(svg, frame_at(1, 3), energy_panel(history, response.items[0].stored_energy_at_start));
-  if (with_pull) {
-    draw(svg, frame_at(0, 4), pull_panel(history));
-    draw(svg, frame_at(1, 4), turn_panel(history));
+  const std::vector<Panel> panels = response.items.size() == 1
+                                        ? panels_of_item(facts, response.items[0])
+                                        : panels_of_items(facts, response);
+  const int count = static_cast<int>(panels.size());
+  if (response.items.size() == 1 && facts.scene.room.empty()) {
+    // The plan takes the left half of two rows.
+    const int rows = 2 + (count - 1) / 2;
+    Svg svg(kWidth, kTop + rows * kRow - 25);
+    draw_heading(svg, facts, response);
+    draw_plan(svg, frame_at(0, 0, kTop, 2), facts.scene, response);
+    for (int i = 0; i < count; ++i)
+      draw(svg, i < 2 ? frame_at(1, i) : frame_at(i % 2, 1 + i / 2),
+           panels[static_cast<std::size_t>(i)]);
+    return svg.str();
   }
+  const double height =
+      std::clamp(kPlanWidth * plan_aspect(facts.scene, response), kPlanWidth / 3, kPlanWidth);
+  const double top = kTop + height + 75;
+  Svg svg(kWidth, top + (count + 1) / 2 * kRow - 25);
+  draw_heading(svg, facts, response);
+  draw_plan(svg, {kLeft, kTop, kPlanWidth, height}, facts.scene, response);
+  for (int i = 0; i < count; ++i)
+    draw(svg, frame_at(i % 2, i / 2, top), panels[static_cast<std::size_t>(i)]);
   return svg.str();
 }
 

@@ -7,9 +7,10 @@
 
 namespace gurney {
 
-/// One page of SVG: the path in plan with the item and its casters at start and end, histories of
-/// displacement, velocity, acceleration, normal forces, swivel angles and energy; for a pulled item
-/// its pull and yaw as well. Without a history it says so.
+/// One page of SVG: the scene from above (plan_view.h); for a single item histories of
+/// displacement, velocity, acceleration, normal forces, swivel angles and energy, and when it is
+/// pulled its pull and yaw as well; for several items the distance from the start and the tilt of
+/// each, in the colours of the plan. Without a history it says so.
 std::string figure(const RunFacts& facts, const Response& response);
 
 }  // namespace gurney

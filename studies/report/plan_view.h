@@ -1,16 +1,19 @@
 #pragma once
 
-#include <vector>
-
 #include "engine/response.h"
 #include "engine/scene/scene.h"
 #include "studies/report/panel.h"
 
 namespace gurney {
 
-/// Draws the path of the item's origin from above, with the outline of its boxes and its casters at
-/// the start (grey) and at the end (coloured). `history` must not be empty.
-void draw_plan(Svg& svg, const Frame& frame, const Scene& scene,
-               const std::vector<Sample>& history);
+/// Draws the scene from above: room shapes (low ones, such as thresholds, lighter), zones (those
+/// that are occupied at the end darker), tethers, each item's boxes at the start (outline) and at
+/// the end (filled, also where it lies), the path of its origin, its casters while it stands, the
+/// points of impact and a scale bar. Several items carry their numbers and are named at the right
+/// of the frame. Every item must have a history.
+void draw_plan(Svg& svg, const Frame& frame, const Scene& scene, const Response& response);
+
+/// Height over width of what draw_plan shows.
+double plan_aspect(const Scene& scene, const Response& response);
 
 }  // namespace gurney

@@ -1,9 +1,11 @@
+#include "studies/report/story.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "studies/report/summary.h"
+#include "studies/results/names.h"
 
 namespace gurney {
 namespace {
@@ -13,8 +15,9 @@ std::string millimetres(double metres) {
   return std::abs(value) < 10 ? fmt::format("{:.2f} mm", value) : fmt::format("{:.0f} mm", value);
 }
 
+constexpr double kNothing = 5e-6;  // half of the last digit shown [m]
+
 std::string motion(const Demands& d) {
-  constexpr double kNothing = 5e-6;  // half of the last digit shown [m]
   if (!(d.peak_displacement >= kNothing)) return "The item did not move. ";
   std::string text = fmt::format(
       "The item moved at most {} from its start (at {:.2f} s), at up to {:.3g} m/s, on a path of "
@@ -50,20 +53,76 @@ std::string ending(const Response& response) {
     case Outcome::kStopped:
       return fmt::format("The run stopped at {:.2f} s as asked, {}.", response.end_time, place);
     case Outcome::kOverturned:
-      return fmt::format("It OVERTURNED at {:.2f} s.", d.time_of_overturning);
+      return fmt::format("It overturned and lay at {:.2f} s, {}.", response.end_time, place);
     case Outcome::kDiverged:
       break;
   }
   return {};
 }
 
+/// How all items together ended.
+std::string common_ending(const Response& response) {
+  switch (response.outcome) {
+    case Outcome::kRested:
+      return fmt::format("All items were at rest at {:.2f} s.", response.end_time);
+    case Outcome::kStillMoving:
+      return fmt::format(
+          "Something STILL MOVED when the settling time was over at {:.2f} s: residual values are "
+          "not final.",
+          response.end_time);
+    case Outcome::kStopped:
+      return fmt::format("The run stopped at {:.2f} s as asked.", response.end_time);
+    case Outcome::kOverturned: {
+      long fallen = 0;
+      for (const ItemResponse& item : response.items)
+        fallen += item.demands.time_of_overturning >= 0 ? 1 : 0;
+      return fmt::format("{} of {} items overturned; the run ended at {:.2f} s.", fallen,
+                         response.items.size(), response.end_time);
+    }
+    case Outcome::kDiverged:
+      break;
+  }
+  return {};
+}
+
+/// One line for each item that moved; the others in one.
+std::string motions(const Response& response, const std::vector<std::string>& names) {
+  std::string text, still;
+  for (std::size_t i = 0; i < response.items.size(); ++i) {
+    const Demands& d = response.items[i].demands;
+    if (!(d.peak_displacement >= kNothing)) {
+      still += (still.empty() ? "" : ", ") + names.at(i);
+      continue;
+    }
+    text += fmt::format(
+        "  {} moved at most {} (at {:.2f} s), ended {} from its start, turned by "
+        "{:.1f} deg",
+        names.at(i), millimetres(d.peak_displacement), d.time_of_peak_displacement,
+        millimetres(d.residual_displacement), d.residual_yaw / kRadiansPerDegree);
+    if (d.most_wheels_lifted > 0)
+      text += fmt::format("; {} of {} wheels off the floor at once, {:.3g} s in all",
+                          d.most_wheels_lifted, d.wheels.size(), d.lifted_time);
+    text += "\n";
+  }
+  if (!still.empty()) text += fmt::format("  did not move: {}\n", still);
+  return text;
+}
+
 }  // namespace
 
-std::string story(const Response& response) {
+std::string story(const RunFacts& facts, const Response& response) {
   if (response.outcome == Outcome::kDiverged)
     return fmt::format("The run DIVERGED at {:.4g} s: {}. Its numbers must not be used.",
                        response.end_time, response.cause);
-  return motion(response.items[0].demands) + lifting(response.items[0].demands) + ending(response);
+  const std::vector<std::string> names = item_names(facts.scene);
+  const Demands& first = response.items[0].demands;
+  std::string text = response.items.size() == 1
+                         ? motion(first) + lifting(first) + ending(response) + "\n"
+                         : common_ending(response) + "\n" + motions(response, names);
+  text += story_of_falls(facts, response) + story_of_impacts(response, names) +
+          story_of_zones(facts, response) + story_of_tethers(facts, response);
+  text.pop_back();
+  return text;
 }
 
 }  // namespace gurney

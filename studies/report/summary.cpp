@@ -8,7 +8,9 @@
 #include <sstream>
 
 #include "engine/base/units.h"
+#include "studies/report/story.h"
 #include "studies/results/columns.h"
+#include "studies/results/names.h"
 
 namespace gurney {
 namespace {
@@ -72,8 +74,7 @@ std::string list(std::span<const Column<Row>> columns, const Row& row,
   std::string result;
   for (const Column<Row>& column : columns) {
     const double value = column.value(row);
-    if (without.count(column.name) > 0) continue;
-    if (column.missing != 0 && value == column.missing) continue;
+    if (without.count(column.name) > 0 || column.is_missing(value)) continue;
     std::string units = column.units;
     const std::string text = shown(value, units, column.whole);
     result += number_line(column.name, text, units);
@@ -81,11 +82,10 @@ std::string list(std::span<const Column<Row>> columns, const Row& row,
   return result;
 }
 
-/// A column for each quantity, a row for each wheel or point. `prefix` is cut from the names.
+/// A column for each quantity, a row for each wheel or point.
 template <class Row>
 std::string table(const std::string& heading, std::span<const Column<Row>> columns,
-                  const std::vector<std::string>& names, const std::vector<Row>& rows,
-                  std::size_t prefix) {
+                  const std::vector<std::string>& names, const std::vector<Row>& rows) {
   std::size_t width = 18;
   for (const std::string& name : names) width = std::max(width, name.size());
   std::string titles = fmt::format("\n  {:<{}}", heading, width);
@@ -93,7 +93,7 @@ std::string table(const std::string& heading, std::span<const Column<Row>> colum
   for (const Column<Row>& column : columns) {
     std::string units = column.units;
     shown(0, units, false);
-    const std::string words = words_of(column.name + prefix);
+    const std::string words = words_of(column.name);
     titles += "  " + words;
     units_line += fmt::format("  {:>{}}", units, words.size());
   }
@@ -102,8 +102,10 @@ std::string table(const std::string& heading, std::span<const Column<Row>> colum
     result += fmt::format("  {:<{}}", names.at(i), width);
     for (const Column<Row>& column : columns) {
       std::string units = column.units;
-      const std::string text = shown(column.value(rows[i]), units, column.whole);
-      result += fmt::format("  {:>{}}", text, words_of(column.name + prefix).size());
+      const double value = column.value(rows[i]);
+      const std::string text =
+          column.is_missing(value) ? "none" : shown(value, units, column.whole);
+      result += fmt::format("  {:>{}}", text, words_of(column.name).size());
     }
     result += "\n";
   }
@@ -115,6 +117,73 @@ double mass_of(const EquipmentModel& item) {
   for (const Payload& payload : item.payloads) mass += payload.mass;
   for (const Caster& caster : item.casters) mass += caster.wheel_mass + caster.fork_mass;
   return mass;
+}
+
+std::string item_line(const std::string& name, const EquipmentModel& model) {
+  const std::string kind = name == model.name ? "" : model.name + ", ";
+  return fmt::format("  item     {}: {}{:.1f} kg {}\n", name, kind, mass_of(model),
+                     model.casters.empty() ? "without casters"
+                                           : fmt::format("on {} casters", model.casters.size()));
+}
+
+/// The story, its lines broken; what belongs to a heading stays indented.
+std::string story_text(const RunFacts& facts, const Response& response) {
+  std::istringstream lines(story(facts, response));
+  std::string text = "\n";
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t indent = line.find_first_not_of(' ');
+    text += std::string(indent, ' ') + wrapped(line, 2 * indent, indent) + "\n";
+  }
+  return text + "\n";
+}
+
+/// Every number of a single item.
+std::string demands_text(const EquipmentModel& model, const Demands& demands) {
+  std::string text = fmt::format("  {:<32}{:>12}\n", "demand", "value");
+  const bool rolls = !model.casters.empty();
+  text += list(demand_columns(), demands, rolls ? std::set<std::string>{} : kDemandsOfWheels);
+  // When wheels lifted before a fall, and numerical accelerations, are told in words.
+  if (rolls)
+    text += table("wheel", wheel_demand_columns().first(5), caster_names(model), demands.wheels);
+  if (!demands.points.empty())
+    text += table("point", point_demand_columns().first(3), point_names(model), demands.points);
+  return text;
+}
+
+/// One row for each of several items.
+std::string items_text(const std::vector<std::string>& names,
+                       const std::vector<ItemResponse>& items) {
+  constexpr const char* kRow = "  {:<{}}{:>9}{:>9}{:>8}{:>8}{:>9}{:>8}{:>10}{:>12}\n";
+  std::size_t width = 24;
+  for (const std::string& name : names) width = std::max(width, name.size());
+  std::string text = fmt::format(kRow, "item", width, "moved", "at end", "turned", "tilt", "lifted",
+                                 "impacts", "fastest", "overturned");
+  text += fmt::format(kRow, "", width, "mm", "mm", "deg", "deg", "s", "", "m/s", "s");
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const Demands& d = items[i].demands;
+    const auto number = [](double value) { return fmt::format("{:.1f}", value); };
+    text +=
+        fmt::format(kRow, names.at(i), width, number(1000 * d.peak_displacement),
+                    number(1000 * d.residual_displacement), number(d.peak_yaw / kRadiansPerDegree),
+                    number(d.peak_tilt / kRadiansPerDegree), fmt::format("{:.2f}", d.lifted_time),
+                    d.impacts, d.impacts > 0 ? fmt::format("{:.2f}", d.largest_approach_speed) : "",
+                    d.time_of_overturning >= 0 ? fmt::format("{:.2f}", d.time_of_overturning) : "");
+  }
+  return text + "\n  Wheels, points and impacts one by one: --json, or the results file.\n";
+}
+
+/// Accelerations that are none.
+std::string numerical_text(const std::vector<ItemResponse>& items) {
+  double largest = 0;
+  for (const ItemResponse& item : items)
+    for (const PointDemands& point : item.demands.points)
+      largest = std::fmax(largest, point.numerical_acceleration);
+  if (!(largest > 0)) return "";
+  const std::string text = fmt::format(
+      "note: accelerations of points leave out impacts that state a restitution and no stiffness; "
+      "the numerical ones there reach {:.3g} m/s2.",
+      largest);
+  return fmt::format("\n{}\n", wrapped(text, 6, 0));
 }
 
 std::string record_text(const RunFacts& facts) {
@@ -186,25 +255,14 @@ std::string notes(const RunFacts& facts) {
 }  // namespace
 
 std::string summary(const RunFacts& facts, const Response& response) {
-  const EquipmentModel& item = facts.scene.items[0].model;
-  std::vector<std::string> casters, points;
-  for (const Caster& caster : item.casters) casters.push_back(caster.name);
-  for (const MarkedPoint& point : item.marked_points) points.push_back(point.name);
+  const std::vector<std::string> names = item_names(facts.scene);
   std::string text = (facts.title.empty() ? facts.job_name : facts.title) + "\n\n";
-  const bool rolls = !casters.empty();
-  text += fmt::format("  item     {}: {:.1f} kg {}\n", item.name, mass_of(item),
-                      rolls ? fmt::format("on {} casters", casters.size()) : "without casters");
-  text += record_text(facts);
-  text += fmt::format("\n{}\n\n", wrapped(story(response), 0, 0));
-  text += fmt::format("  {:<32}{:>12}\n", "demand", "value");
-  text += list(demand_columns(), response.items[0].demands,
-               rolls ? std::set<std::string>{} : kDemandsOfWheels);
-  if (rolls)
-    text += table("wheel", wheel_demand_columns(), casters, response.items[0].demands.wheels,
-                  std::string("wheel_").size());
-  if (!response.items[0].demands.points.empty())
-    text += table("point", point_demand_columns(), points, response.items[0].demands.points,
-                  std::string("point_").size());
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += item_line(names[i], facts.scene.items[i].model);
+  text += record_text(facts) + story_text(facts, response);
+  text += names.size() == 1 ? demands_text(facts.scene.items[0].model, response.items[0].demands)
+                            : items_text(names, response.items);
+  text += numerical_text(response.items);
   text += fmt::format("\n  {:<32}{:>12}\n", "quality", "value");
   text += list(quality_columns(), response.quality);
   return text + notes(facts);

@@ -10,9 +10,6 @@ namespace gurney {
 /// What a run did, to be read in a terminal of 100 columns.
 std::string summary(const RunFacts& facts, const Response& response);
 
-/// What happened, in a few sentences.
-std::string story(const Response& response);
-
 /// The same facts as JSON: SI units, names as in the results file. A number that does not exist is
 /// null.
 std::string summary_json(const RunFacts& facts, const Response& response);

@@ -1,8 +1,11 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/build_info/build_info.h"
+#include "studies/report/fall.h"
+#include "studies/report/story.h"
 #include "studies/report/summary.h"
 #include "studies/results/columns.h"
+#include "studies/results/names.h"
 
 namespace gurney {
 namespace {
@@ -14,7 +17,7 @@ Json object(std::span<const Column<Row>> columns, const Row& row) {
   Json result = Json::object();
   for (const Column<Row>& column : columns) {
     const double value = column.value(row);
-    if (column.missing != 0 && value == column.missing) {
+    if (column.is_missing(value)) {
       result[column.name] = nullptr;
     } else if (column.whole) {
       result[column.name] = static_cast<std::int64_t>(value);
@@ -38,6 +41,61 @@ Json named_objects(std::span<const Column<Row>> columns, const std::vector<Row>&
 }
 
 Json vector(const Vector3& value) { return {value.x(), value.y(), value.z()}; }
+
+Json items(const RunFacts& facts, const Response& response) {
+  const std::vector<std::string> names = item_names(facts.scene);
+  Json result = Json::array();
+  for (std::size_t i = 0; i < response.items.size(); ++i) {
+    const ItemResponse& item = response.items[i];
+    const EquipmentModel& model = facts.scene.items.at(i).model;
+    result.push_back(
+        {{"name", names.at(i)},
+         {"model", model.name},
+         {"demands", object(demand_columns(), item.demands)},
+         {"wheels", named_objects(wheel_demand_columns(), item.demands.wheels, model.casters)},
+         {"points",
+          named_objects(point_demand_columns(), item.demands.points, model.marked_points)},
+         {"energy", object(energy_columns(), item.energy)}});
+  }
+  return result;
+}
+
+Json impacts(const RunFacts& facts, const Response& response) {
+  const std::vector<std::string> names = item_names(facts.scene);
+  Json result = Json::array();
+  for (const Impact& impact : response.impacts) {
+    Json entry{{"item", names.at(impact.item)},
+               {"body", impact.body},
+               {"other", impact.other},
+               {"other_body", impact.other_body}};
+    entry.update(object(impact_columns(), impact));
+    result.push_back(entry);
+  }
+  return result;
+}
+
+Json falls_of(const RunFacts& facts, const Response& response) {
+  const std::vector<std::string> names = item_names(facts.scene);
+  Json result = Json::array();
+  for (const Fall& fall : falls(facts, response)) {
+    Json liftoffs = Json::array();
+    for (const Fall::Liftoff& each : fall.liftoffs)
+      liftoffs.push_back({{"wheel", each.wheel}, {"time_s", each.time}});
+    Json pulse = nullptr;
+    if (fall.pulse)
+      pulse = {{"start_s", fall.pulse->start},
+               {"end_s", fall.pulse->end},
+               {"velocity_change_m_per_s", fall.pulse->velocity_change},
+               {"peak_acceleration_m_per_s2", fall.pulse->peak_acceleration},
+               {"time_of_peak_s", fall.pulse->time_of_peak}};
+    result.push_back({{"item", names.at(fall.item)},
+                      {"time_s", fall.time},
+                      {"direction_rad", fall.direction},
+                      {"liftoffs", liftoffs},
+                      {"floor_pulse", pulse}});
+  }
+  return result;
+}
 
 Json record(const RecordFacts& facts) {
   Json files = Json::array();
@@ -83,26 +141,23 @@ Json draw(const RunFacts& facts) {
 
 std::string summary_json(const RunFacts& facts, const Response& response) {
   const BuildInfo build = build_info();
-  const EquipmentModel& item = facts.scene.items[0].model;
   Json json{{"title", facts.title},
             {"job_name", facts.job_name},
             {"job_sha256", facts.job_sha256},
             {"program_version", build.program_version},
             {"git_commit", build.git_commit},
             {"cpu_class", build.cpu_class},
-            {"item", item.name},
             {"record", facts.record ? record(*facts.record) : Json(nullptr)},
             {"outcome", name_of(response.outcome)},
             {"cause", response.cause},
-            {"story", story(response)},
+            {"story", story(facts, response)},
             {"end_time_s", response.end_time}};
-  json["demands"] = object(demand_columns(), response.items[0].demands);
-  json["wheels"] =
-      named_objects(wheel_demand_columns(), response.items[0].demands.wheels, item.casters);
-  json["points"] =
-      named_objects(point_demand_columns(), response.items[0].demands.points, item.marked_points);
+  json["items"] = items(facts, response);
+  json["impacts"] = impacts(facts, response);
+  json["falls"] = falls_of(facts, response);
+  json["zones"] = named_objects(zone_columns(), response.zones, facts.scene.zones);
+  json["tethers"] = named_objects(tether_columns(), response.tethers, facts.scene.tethers);
   json["quality"] = object(quality_columns(), response.quality);
-  json["energy"] = object(energy_columns(), response.items[0].energy);
   json["warnings"] = facts.warnings;
   json["draw"] = draw(facts);
   json["assumptions"] = assumptions(facts.assumptions);

@@ -1,9 +1,12 @@
 #include "studies/results/columns.h"
 
+#include <limits>
+
 namespace gurney {
 namespace {
 
 constexpr bool kWhole = true;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 constexpr Column<Demands> kDemands[] = {
     {"peak_displacement", "m", "largest horizontal displacement relative to the floor",
@@ -39,26 +42,48 @@ constexpr Column<Demands> kDemands[] = {
      [](const Demands& d) { return double(d.most_wheels_lifted); }, kWhole},
     {"time_of_overturning", "s", "time at which the item overturned; -1: it did not",
      [](const Demands& d) { return d.time_of_overturning; }, !kWhole, -1},
+    {"direction_of_overturning", "rad",
+     "where the item fell to, from the floor's x axis; NaN: it did not",
+     [](const Demands& d) { return d.direction_of_overturning; }, !kWhole, kNaN},
+    {"impacts", "1", "number of impacts of the item",
+     [](const Demands& d) { return double(d.impacts); }, kWhole},
+    {"largest_approach_speed", "m/s", "largest approach speed of its impacts",
+     [](const Demands& d) { return d.largest_approach_speed; }},
+    {"largest_impulse", "N s", "largest impulse of its impacts",
+     [](const Demands& d) { return d.largest_impulse; }},
+    {"peak_impact_force", "N", "largest force of its impacts with a stated stiffness; NaN: none",
+     [](const Demands& d) { return d.peak_impact_force; }, !kWhole, kNaN},
 };
 
 constexpr Column<WheelDemands> kWheelDemands[] = {
-    {"wheel_peak_normal_force", "N", "largest normal force",
+    {"peak_normal_force", "N", "largest normal force",
      [](const WheelDemands& w) { return w.peak_normal_force; }},
-    {"wheel_peak_tangential_force", "N", "largest force in the plane of the floor",
+    {"peak_tangential_force", "N", "largest force in the plane of the floor",
      [](const WheelDemands& w) { return w.peak_tangential_force; }},
-    {"wheel_lifted_time", "s", "total time off the floor",
+    {"lifted_time", "s", "total time off the floor",
      [](const WheelDemands& w) { return w.lifted_time; }},
-    {"wheel_liftoffs", "1", "number of times the wheel left the floor",
+    {"liftoffs", "1", "number of times the wheel left the floor",
      [](const WheelDemands& w) { return double(w.liftoffs); }, kWhole},
-    {"wheel_skid_distance", "m", "path of the contact patch while it slides",
+    {"skid_distance", "m", "path of the contact patch while it slides",
      [](const WheelDemands& w) { return w.skid_distance; }},
+    {"liftoff_before_overturning", "s",
+     "when a wheel that was in the air as the item overturned had left the floor; -1: there is "
+     "none",
+     [](const WheelDemands& w) { return w.liftoff_before_overturning; }, !kWhole, -1},
 };
 
 constexpr Column<PointDemands> kPointDemands[] = {
-    {"point_peak_displacement", "m", "largest horizontal displacement relative to the floor",
+    {"peak_displacement", "m", "largest horizontal displacement relative to the floor",
      [](const PointDemands& p) { return p.peak_displacement; }},
-    {"point_peak_absolute_acceleration", "m/s2", "largest absolute acceleration, all directions",
+    {"peak_absolute_acceleration", "m/s2",
+     "largest absolute acceleration, all directions, outside impacts whose law is restitution",
      [](const PointDemands& p) { return p.peak_absolute_acceleration; }},
+    {"impact_acceleration", "m/s2",
+     "the same during impacts with a stated stiffness, as uncertain as that; NaN: there were none",
+     [](const PointDemands& p) { return p.impact_acceleration; }, !kWhole, kNaN},
+    {"numerical_acceleration", "m/s2",
+     "during impacts whose law is restitution: numerical, no demand; NaN: there were none",
+     [](const PointDemands& p) { return p.numerical_acceleration; }, !kWhole, kNaN},
 };
 
 constexpr Column<Quality> kQuality[] = {
@@ -96,6 +121,8 @@ constexpr Column<EnergyAccount> kEnergy[] = {
      [](const EnergyAccount& e) { return e.work_of_forces; }},
     {"work_of_fixtures", "J", "work of guides that hold or prescribe a motion",
      [](const EnergyAccount& e) { return e.work_of_fixtures; }},
+    {"work_of_neighbours", "J", "work of other items in contact",
+     [](const EnergyAccount& e) { return e.work_of_neighbours; }},
     {"loss_rolling", "J", "loss to rolling resistance",
      [](const EnergyAccount& e) { return e.rolling_loss; }},
     {"loss_sliding", "J", "loss to sliding and scrub of the contact patches",
@@ -114,6 +141,49 @@ constexpr Column<EnergyAccount> kEnergy[] = {
      [](const EnergyAccount& e) { return e.contact_loss; }},
     {"loss_numerical", "J", "dissipated by the integrator, from its own formula",
      [](const EnergyAccount& e) { return e.numerical_loss; }},
+};
+
+constexpr Column<Impact> kImpact[] = {
+    {"time", "s", "time of the first touch", [](const Impact& i) { return i.time; }},
+    {"point_x", "m", "x of the point touched first, floor axes",
+     [](const Impact& i) { return i.point.x(); }},
+    {"point_y", "m", "y of the point touched first, floor axes",
+     [](const Impact& i) { return i.point.y(); }},
+    {"point_z", "m", "z of the point touched first, floor axes",
+     [](const Impact& i) { return i.point.z(); }},
+    {"normal_x", "1", "x of the normal, towards the item",
+     [](const Impact& i) { return i.normal.x(); }},
+    {"normal_y", "1", "y of the normal, towards the item",
+     [](const Impact& i) { return i.normal.y(); }},
+    {"normal_z", "1", "z of the normal, towards the item",
+     [](const Impact& i) { return i.normal.z(); }},
+    {"approach_speed", "m/s", "largest approach speed of the points that came to touch",
+     [](const Impact& i) { return i.approach_speed; }},
+    {"impulse", "N s", "impulse of the normal force", [](const Impact& i) { return i.impulse; }},
+    {"peak_force", "N", "largest normal force; NaN: the law is restitution, which states none",
+     [](const Impact& i) { return i.peak_force; }, !kWhole, kNaN},
+    {"duration", "s", "duration of the impact", [](const Impact& i) { return i.duration; }},
+};
+
+constexpr Column<ZoneOutcome> kZone[] = {
+    {"time_of_entry", "s", "when an item first entered; -1: none did",
+     [](const ZoneOutcome& z) { return z.time_of_entry; }, !kWhole, -1},
+    {"occupied_time", "s", "time during which an item was in the zone",
+     [](const ZoneOutcome& z) { return z.occupied_time; }},
+    {"occupied_at_end", "1", "1: an item is in the zone at the end; 0: none",
+     [](const ZoneOutcome& z) { return z.occupied_at_end ? 1.0 : 0.0; }, kWhole},
+    {"least_free_width", "m", "least width of the widest way along the zone",
+     [](const ZoneOutcome& z) { return z.least_free_width; }},
+    {"free_width_at_end", "m", "width of the widest way along the zone at the end",
+     [](const ZoneOutcome& z) { return z.free_width_at_end; }},
+};
+
+constexpr Column<TetherOutcome> kTether[] = {
+    {"time_taut", "s", "when it first got taut; -1: never",
+     [](const TetherOutcome& t) { return t.time_taut; }, !kWhole, -1},
+    {"time_broken", "s", "when it broke or unplugged; -1: it held",
+     [](const TetherOutcome& t) { return t.time_broken; }, !kWhole, -1},
+    {"peak_tension", "N", "largest tension", [](const TetherOutcome& t) { return t.peak_tension; }},
 };
 
 constexpr Column<Sample> kSample[] = {
@@ -151,6 +221,9 @@ std::span<const Column<WheelDemands>> wheel_demand_columns() { return kWheelDema
 std::span<const Column<PointDemands>> point_demand_columns() { return kPointDemands; }
 std::span<const Column<Quality>> quality_columns() { return kQuality; }
 std::span<const Column<EnergyAccount>> energy_columns() { return kEnergy; }
+std::span<const Column<Impact>> impact_columns() { return kImpact; }
+std::span<const Column<ZoneOutcome>> zone_columns() { return kZone; }
+std::span<const Column<TetherOutcome>> tether_columns() { return kTether; }
 std::span<const Column<Sample>> sample_columns() { return kSample; }
 std::span<const Column<WheelSample>> wheel_sample_columns() { return kWheelSample; }
 

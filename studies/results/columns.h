@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <span>
 
 #include "engine/response.h"
@@ -15,7 +16,11 @@ struct Column {
   const char* meaning;
   double (*value)(const Row&);
   bool whole = false;  ///< a count
-  double missing = 0;  ///< not 0: this value means "there is none"
+  double missing = 0;  ///< not 0: this value (or, if NaN, no number) means "there is none"
+
+  bool is_missing(double number) const {
+    return std::isnan(missing) ? std::isnan(number) : missing != 0 && number == missing;
+  }
 };
 
 std::span<const Column<Demands>> demand_columns();
@@ -23,6 +28,9 @@ std::span<const Column<WheelDemands>> wheel_demand_columns();
 std::span<const Column<PointDemands>> point_demand_columns();
 std::span<const Column<Quality>> quality_columns();
 std::span<const Column<EnergyAccount>> energy_columns();
+std::span<const Column<Impact>> impact_columns();  ///< without the names
+std::span<const Column<ZoneOutcome>> zone_columns();
+std::span<const Column<TetherOutcome>> tether_columns();
 
 /// One number for each sample of a history.
 std::span<const Column<Sample>> sample_columns();

@@ -8,7 +8,7 @@
 namespace gurney {
 
 /// Version of the layout in docs/formats/results_file.md. It grows when a reader could break.
-inline constexpr int kResultsFormatVersion = 1;
+inline constexpr int kResultsFormatVersion = 2;
 
 /// The bytes of a results file of one run, laid out as docs/formats/results_file.md says. The same
 /// run gives the same bytes: no date, machine or folder is in them.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/floor_motion.h"
 #include "engine/base/random/draw.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
@@ -59,6 +60,7 @@ struct RunFacts {
   Scene scene;
   SimulationSettings settings;
   std::optional<RecordFacts> record;  ///< none: the floor is at rest
+  FloorMotion floor;
   std::optional<std::uint64_t> seed;  ///< none: nothing in the run is random
   std::optional<Draw> draw;           ///< none: every number has its value
   std::vector<DrawnFacts> drawn;

@@ -34,6 +34,7 @@ Sample sample_at(double t, bool pulled) {
   s.acceleration = Vector3(-2.6 * calm * std::sin(9.1 * t), 1.9 * calm * std::cos(8.3 * t), 0);
   s.yaw = 0.3 * (1 - std::exp(-t / 5));
   s.tilt = 0.004 * calm * std::abs(std::sin(8 * t));
+  s.orientation = Eigen::AngleAxisd(s.yaw, Vector3::UnitZ());
   s.cable_tension = pulled && t < 5 ? 38.2 + std::sin(20 * t) * std::exp(-t) : 0;
   for (std::size_t i = 0; i < 4; ++i) s.wheels[i] = wheel_sample(i, t, calm);
   s.points = {{s.displacement + Vector3(0, 0, 0.001), s.velocity, s.acceleration}};
@@ -57,8 +58,8 @@ Demands counted_demands() {
     *member = 0.125 * ++next;
   d.most_wheels_lifted = 2;
   for (int i = 0; i < 4; ++i)
-    d.wheels.push_back({300.0 + i, 90.0 + i, 0.01 * i, i, 0.001 * (i + 1)});
-  d.points = {{0.231, 5.25}};
+    d.wheels.push_back({300.0 + i, 90.0 + i, 0.01 * i, i, 0.001 * (i + 1), -1});
+  d.points = {{0.231, 5.25, 4.75, 98.5}};
   return d;
 }
 

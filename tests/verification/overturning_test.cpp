@@ -59,6 +59,26 @@ TEST(Overturning, IsFollowedUntilTheTrolleyLiesOnTheFloor) {
   }
 }
 
+TEST(Overturning, TellsWhichWayItFellAndWhichWheelsLeftTheFloor) {
+  // Pushed to the left, the trolley turns over its left wheels and the right ones lift off.
+  const Demands demands = push_over({0, 1, 0}).items[0].demands;
+  // Trailing wheels make it not quite symmetric; a wrong axis or sign is off by 90 degrees.
+  EXPECT_NEAR(demands.direction_of_overturning, std::numbers::pi / 2, 1 * kRadiansPerDegree);
+  const EquipmentModel trolley = small::trolley({0, 0, 0, 0}, Tread());
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double liftoff = demands.wheels[i].liftoff_before_overturning;
+    if (trolley.casters[i].mount.y() > 0) continue;
+    EXPECT_GE(liftoff, 0) << i;
+    EXPECT_LT(liftoff, demands.time_of_overturning - 0.1) << i;
+  }
+}
+
+TEST(Overturning, SaysNothingOfAFallThatWasNone) {
+  const Demands demands = push_over({0, 0, -0.1}).items[0].demands;
+  EXPECT_TRUE(std::isnan(demands.direction_of_overturning));
+  for (const WheelDemands& wheel : demands.wheels) EXPECT_LT(wheel.liftoff_before_overturning, 0);
+}
+
 TEST(Kerb, TheSpeedThatTripsIsThatOfTheEnergyOverThePivot) {
   // A block slides without friction against a kerb of no height to speak of and turns about its
   // edge: angular momentum about the edge gives w = m v h / I_0 (h: height of the centre), and the

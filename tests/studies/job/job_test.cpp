@@ -389,10 +389,10 @@ TEST(Job, BringsTheContactOfAnItemOnFeetToTheSceneAndItsAssumptions) {
       "[floor]\ncovering = \"rubber\"\n");
   EXPECT_TRUE(job.scene.items[0].model.casters.empty());
   EXPECT_EQ(job.scene.items[0].model.material, "coated board");
-  EXPECT_EQ(job.scene.floor_material, "Rubber");
+  EXPECT_EQ(job.scene.floor_material, "floor");
   EXPECT_NO_THROW(validate(job.scene));
   // 0.3 of the bookcase times 1.2 of the covering.
-  EXPECT_DOUBLE_EQ(contact_constants(job.scene, job.scene.floor_material).friction, 0.36);
+  EXPECT_DOUBLE_EQ(contact_constants(job.scene, "coated board", "floor").friction, 0.36);
   for (const char* key :
        {"contact.friction", "contact.restitution", "contact.stiffness_n_per_m", "friction_factor"})
     EXPECT_TRUE(std::any_of(job.assumptions.begin(), job.assumptions.end(),

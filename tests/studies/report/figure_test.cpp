@@ -8,6 +8,7 @@
 
 #include "studies/report/panel.h"
 #include "tests/studies/fabricated_run.h"
+#include "tests/studies/fabricated_ward.h"
 
 namespace gurney {
 namespace {
@@ -48,6 +49,34 @@ TEST(Figure, HasEveryPanelWithUnits) {
 
 TEST(Figure, ShowsThePull) {
   EXPECT_EQ(count(figure(fabricated_facts(true), fabricated_response(true)), "Force (N)"), 1u);
+}
+
+TEST(Figure, ShowsARoomOfSeveralItems) {
+  const RunFacts facts = fabricated_ward();
+  const std::string svg = figure(facts, fabricated_ward_response());
+  if (const char* path = std::getenv("GURNEY_SAVE_FIGURE")) std::ofstream(path) << svg;
+  EXPECT_EQ(count(svg, "nan"), 0u);
+  for (const PlacedItem& item : facts.scene.items)
+    EXPECT_EQ(count(svg, ">" + item.name + ", "), 1u) << item.name;
+  EXPECT_EQ(count(svg, "infusion pump, overturned"), 1u);
+  // 9 items on four casters at the start; without the one that lies at the end.
+  EXPECT_EQ(count(svg, "r=\"2.20\""), 4u * 9 + 4u * 8);
+  EXPECT_EQ(count(svg, "fill=\"#c4c4c4\""), 6u) << "walls and column";
+  EXPECT_EQ(count(svg, "fill=\"#eadfc8\""), 1u) << "threshold";
+  EXPECT_EQ(count(svg, "fill=\"#e69f00\" stroke=\"none\" opacity=\"0.3\""), 1u) << "doorway";
+  EXPECT_EQ(count(svg, "stroke=\"#c00000\" stroke-width=\"1.6\""), 2u * 6) << "crosses";
+  EXPECT_EQ(count(svg, "stroke-dasharray=\"2 3\""), 1u) << "the broken cord";
+  EXPECT_EQ(count(svg, ">1 m<"), 1u);
+  EXPECT_EQ(count(svg, "Tilt"), 1u);
+}
+
+TEST(Figure, ShowsTheRoomOfASingleItem) {
+  RunFacts facts = fabricated_facts();
+  facts.scene.room = {{"wall", "", {2, 0, 1}, Quaternion::Identity(), RoomBox{{0.2, 4, 2}}}};
+  const std::string svg = figure(facts, fabricated_response());
+  EXPECT_EQ(count(svg, "fill=\"#c4c4c4\""), 1u);
+  EXPECT_EQ(count(svg, "Normal force (N)"), 1u);
+  EXPECT_EQ(count(svg, "Energy (J)"), 1u);
 }
 
 TEST(Figure, SurvivesWhatDivergedAndWhatHasNoHistory) {

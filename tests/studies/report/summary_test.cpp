@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/studies/fabricated_run.h"
+#include "tests/studies/fabricated_ward.h"
 
 namespace gurney {
 namespace {
@@ -56,31 +58,43 @@ TEST(Summary, SaysNothingOfWheelsWhereThereAreNone) {
     EXPECT_EQ(text.find(word), std::string::npos) << word;
 }
 
-TEST(Summary, TellsEachOutcome) {
+TEST(Summary, FlagsNumericalAccelerations) {
+  expect_contains(
+      summary(fabricated_facts(), fabricated_response()),
+      "\nnote: accelerations of points leave out impacts that state a restitution and no "
+      "stiffness; the\n      numerical ones there reach 98.5 m/s2.\n");
   Response response = fabricated_response();
-  expect_contains(story(response), "The item moved at most 125 mm from its start (at 0.50 s)");
-  expect_contains(story(response), "It was at rest at 24.00 s, 625 mm from its start");
-  response.outcome = Outcome::kStillMoving;
-  expect_contains(story(response), "STILL MOVED when the settling time was over at 24.00 s");
-  response.outcome = Outcome::kOverturned;
-  response.items[0].demands.time_of_overturning = 7.5;
-  expect_contains(story(response), "It OVERTURNED at 7.50 s.");
-  response.outcome = Outcome::kDiverged;
-  response.cause = "no solution";
-  EXPECT_EQ(story(response),
-            "The run DIVERGED at 24 s: no solution. Its numbers must not be used.");
-  response = {};
-  response.items[0].demands.wheels.resize(4);
-  response.outcome = Outcome::kRested;
-  expect_contains(story(response), "The item did not move. Every wheel stayed on the floor.");
+  response.items[0].demands.points[0].numerical_acceleration = PointDemands::kNone;
+  EXPECT_EQ(summary(fabricated_facts(), response).find("note:"), std::string::npos);
+}
+
+TEST(Summary, HasARowForEachOfSeveralItems) {
+  const std::string text = summary(fabricated_ward(), fabricated_ward_response());
+  expect_contains(text, "  item     bookcase: 80.0 kg without casters\n");
+  expect_contains(
+      text,
+      "  item                        moved   at end  turned    tilt   lifted impacts   fastest  "
+      "overturned\n");
+  // Turned and leaning as the made-up run says: 0.2 rad (1 - exp(-5)) and 90 deg.
+  expect_contains(text, "    11.4    90.0    11.00       1      3.10        4.50\n");
+  expect_contains(text,
+                  "  bookcase                      0.0      0.0     0.0     0.0     0.00       "
+                  "0                      \n");
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
 }
 
 TEST(Summary, SaysTheSameAsJson) {
   const auto json = nlohmann::json::parse(summary_json(fabricated_facts(), fabricated_response()));
-  EXPECT_EQ(json["demands"]["peak_yaw"], 1.25);
-  EXPECT_TRUE(json["demands"]["time_of_overturning"].is_null());
-  EXPECT_EQ(json["wheels"][3]["name"], "rear right");
-  EXPECT_EQ(json["wheels"][3]["wheel_liftoffs"], 3);
+  const auto& item = json["items"][0];
+  EXPECT_EQ(item["name"], "Trolley");
+  EXPECT_EQ(item["demands"]["peak_yaw"], 1.25);
+  EXPECT_TRUE(item["demands"]["time_of_overturning"].is_null());
+  EXPECT_TRUE(item["demands"]["peak_impact_force"].is_null());
+  EXPECT_EQ(item["wheels"][3]["name"], "rear right");
+  EXPECT_EQ(item["wheels"][3]["liftoffs"], 3);
+  EXPECT_EQ(item["points"][0]["numerical_acceleration"], 98.5);
+  EXPECT_TRUE(json["impacts"].empty());
   EXPECT_EQ(json["record"]["residual_velocity_m_per_s"][1], -0.002);
   EXPECT_EQ(json["outcome"], "rested");
   EXPECT_EQ(json["assumptions"][0]["key"], "tread.rolling_resistance_m");
@@ -90,6 +104,24 @@ TEST(Summary, SaysTheSameAsJson) {
   const auto still =
       nlohmann::json::parse(summary_json(fabricated_facts(true), fabricated_response(true)));
   EXPECT_TRUE(still["record"].is_null());
+}
+
+TEST(Summary, TellsOfSeveralItemsInJson) {
+  const auto json =
+      nlohmann::json::parse(summary_json(fabricated_ward(), fabricated_ward_response()));
+  EXPECT_EQ(json["items"].size(), 10u);
+  EXPECT_EQ(json["items"][3]["demands"]["time_of_overturning"], 4.5);
+  EXPECT_EQ(json["impacts"][1]["item"], "ventilator");
+  EXPECT_EQ(json["impacts"][1]["other_body"], "rear left");
+  EXPECT_EQ(json["impacts"][3]["peak_force"], 5200);
+  EXPECT_TRUE(json["impacts"][0]["peak_force"].is_null()) << "restitution states no force";
+  ASSERT_EQ(json["falls"].size(), 1u);
+  EXPECT_EQ(json["falls"][0]["item"], "infusion pump");
+  EXPECT_EQ(json["falls"][0]["liftoffs"][2]["wheel"], "front right");
+  EXPECT_NEAR(json["falls"][0]["floor_pulse"]["time_of_peak_s"].get<double>(), 4.0, 0.006);
+  EXPECT_EQ(json["zones"][0]["name"], "doorway");
+  EXPECT_EQ(json["zones"][0]["occupied_at_end"], 1);
+  EXPECT_TRUE(json["tethers"][2]["time_taut"].is_null());
 }
 
 }  // namespace

@@ -24,22 +24,25 @@ with tempfile.TemporaryDirectory() as folder:
 
     with h5py.File(paths[0]) as file:
         assert file.attrs["filetype"] == "gurney-results"
-        assert file["runs/peak_displacement"].attrs["units"] == "m"
-        columns = {name: data[:] for name, data in file["runs"].items() if data.dims[0].label == ""
-                   and data.shape == (1,)}
-        assert abs(pandas.DataFrame(columns)["peak_yaw"][0] - 1.25) < 1e-15
+        assert file["items/peak_displacement"].attrs["units"] == "m"
+        items = pandas.DataFrame({name: data[:] for name, data in file["items"].items()})
+        assert abs(items["peak_yaw"][0] - 1.25) < 1e-15
+        wheels = pandas.DataFrame({name: data[:] for name, data in file["wheels"].items()})
+        assert wheels.set_index("wheel")["liftoffs"][b"rear right"] == 3
+        assert len(pandas.DataFrame({name: data[:] for name, data in file["events"].items()})) == 0
         assert file["histories/normal_force"].dims[1][0].name == "/histories/wheel"
         assert file["histories/normal_force"].compression == "gzip"
         assert file["histories/normal_force"].shuffle
 
-    with xarray.open_dataset(paths[0], group="runs", engine="h5netcdf") as runs:
-        assert list(runs.wheel.values) == ["front left", "front right", "rear left", "rear right"]
-        assert float(runs.wheel_liftoffs.sel(wheel="rear right")[0]) == 3
-        assert runs.time_of_overturning.isnull().all()
+    with xarray.open_dataset(paths[0], group="items", engine="h5netcdf") as items:
+        assert items.time_of_overturning.isnull().all()
+        assert items.item.values[0] == "Trolley"
     with xarray.open_dataset(paths[0], group="histories", engine="h5netcdf") as histories:
         assert histories.normal_force.dims == ("time", "wheel")
+        assert histories.displacement.dims == ("time", "item", "axis")
         assert histories.point_velocity.dims == ("time", "point", "axis")
-        assert abs(float(histories.displacement.sel(time=1.0, axis="x", method=None))) < 1
-    for group in ("verification", "assumptions"):
+        assert abs(float(histories.displacement.sel(time=1.0, item="Trolley", axis="x"))) < 1
+    for group in ("runs", "wheels", "points", "events", "zones", "tethers", "energy", "verification",
+                  "assumptions"):
         xarray.open_dataset(paths[0], group=group, engine="h5netcdf").load().close()
 print("opened with h5py", h5py.__version__, "and xarray", xarray.__version__)

@@ -1,0 +1,194 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/units.h"
+#include "studies/report/fall.h"
+#include "studies/report/footprint.h"
+#include "studies/report/story.h"
+#include "studies/results/names.h"
+
+namespace gurney {
+namespace {
+
+/// All impacts of an item with one other thing.
+struct Hits {
+  std::string item, other;
+  int count = 0;
+  double last = 0;
+  const Impact* first = nullptr;
+  const Impact* fastest = nullptr;
+};
+
+/// Fastest first.
+std::vector<Hits> hits_of(const std::vector<Impact>& impacts,
+                          const std::vector<std::string>& items) {
+  std::vector<Hits> all;
+  for (const Impact& impact : impacts) {
+    const std::string& item = items.at(impact.item);
+    auto found = std::find_if(all.begin(), all.end(), [&](const Hits& h) {
+      return h.item == item && h.other == impact.other;
+    });
+    if (found == all.end())
+      found = all.insert(all.end(), Hits{item, impact.other, 0, 0, &impact, &impact});
+    ++found->count;
+    found->last = impact.time;
+    if (impact.approach_speed > found->fastest->approach_speed) found->fastest = &impact;
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Hits& a, const Hits& b) {
+    return a.fastest->approach_speed > b.fastest->approach_speed;
+  });
+  return all;
+}
+
+/// "front right on rear left", where it is not chassis on chassis.
+std::string bodies(const Impact& impact) {
+  const std::string chassis = "chassis";
+  if (impact.body == chassis && (impact.other_body.empty() || impact.other_body == chassis))
+    return {};
+  return impact.other_body.empty() ? impact.body + ", "
+                                   : fmt::format("{} on {}, ", impact.body, impact.other_body);
+}
+
+std::string sentence(const Hits& hits) {
+  const Impact& worst = *hits.fastest;
+  const std::string other = hits.other == "floor" ? "the floor" : hits.other;
+  const std::string when = hits.count == 1
+                               ? ""
+                               : fmt::format(" {} times from {:.2f} s to {:.2f} s, fastest",
+                                             hits.count, hits.first->time, hits.last);
+  const std::string force =
+      std::isnan(worst.peak_force) ? "" : fmt::format(", peak force {:.3g} N", worst.peak_force);
+  return fmt::format("  {} hit {}{} at {:.2f} s with {:.3g} m/s ({}impulse {:.3g} N s{})\n",
+                     hits.item, other, when, worst.time, worst.approach_speed, bodies(worst),
+                     worst.impulse, force);
+}
+
+/// "towards -y" or "between +x and +y", by the nearest of eight directions.
+std::string towards(double direction) {
+  const char* const names[] = {"towards +x",        "between +x and +y", "towards +y",
+                               "between -x and +y", "towards -x",        "between -x and -y",
+                               "towards -y",        "between +x and -y"};
+  const long octant = std::lround(direction / (45 * kRadiansPerDegree));
+  return fmt::format("{} ({:.0f} deg from the x axis)", names[((octant % 8) + 8) % 8],
+                     direction / kRadiansPerDegree);
+}
+
+/// "a, b and c"
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
+}
+
+std::string liftoff_text(const std::vector<Fall::Liftoff>& liftoffs) {
+  if (liftoffs.empty()) return {};
+  std::vector<std::string> wheels;
+  for (const Fall::Liftoff& l : liftoffs)
+    wheels.push_back(fmt::format("{} ({:.2f} s)", l.wheel.empty() ? "a wheel" : l.wheel, l.time));
+  return fmt::format(" Wheels that had left the floor by then and not come back: {}.",
+                     listed(wheels));
+}
+
+std::string pulse_text(const FloorPulse& pulse) {
+  return fmt::format(
+      " The floor's pulse before: its velocity against the fall rose by {:.3g} m/s from {:.2f} s "
+      "to {:.2f} s, with up to {:.3g} m/s2 ({:.3g} g) at {:.2f} s (the largest rise from {:g} s "
+      "before the lift-off to the overturning).",
+      pulse.velocity_change, pulse.start, pulse.end, pulse.peak_acceleration,
+      pulse.peak_acceleration / kStandardGravity, pulse.time_of_peak, Fall::kLookBack);
+}
+
+/// Names of the items that are in a zone in the last sample of the histories.
+std::vector<std::string> items_in(const Zone& zone, const RunFacts& facts,
+                                  const Response& response) {
+  const std::vector<std::string> names = item_names(facts.scene);
+  const Polygon area = footprint(zone);
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < response.items.size(); ++i) {
+    if (response.items[i].history.empty()) continue;
+    const auto parts = footprint(facts.scene.items.at(i), last_finite(response.items[i].history));
+    if (std::any_of(parts.begin(), parts.end(),
+                    [&](const Polygon& part) { return overlap(part, area); }))
+      result.push_back(names[i]);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string story_of_impacts(const Response& response, const std::vector<std::string>& items) {
+  constexpr std::size_t kMost = 12;
+  if (response.impacts.empty()) return {};
+  const std::vector<Hits> hits = hits_of(response.impacts, items);
+  std::string text = fmt::format("Impacts: {}, fastest first:\n", response.impacts.size());
+  for (std::size_t i = 0; i < std::min(kMost, hits.size()); ++i) text += sentence(hits[i]);
+  if (hits.size() > kMost)
+    text += fmt::format("  and {} more pairs, with {:.3g} m/s at most\n", hits.size() - kMost,
+                        hits[kMost].fastest->approach_speed);
+  return text;
+}
+
+std::string story_of_falls(const RunFacts& facts, const Response& response) {
+  const std::vector<std::string> names = item_names(facts.scene);
+  std::string text;
+  for (const Fall& fall : falls(facts, response)) {
+    text += fmt::format("{} OVERTURNED at {:.2f} s", names.at(fall.item), fall.time);
+    if (std::isfinite(fall.direction)) text += ", falling " + towards(fall.direction);
+    text += "." + liftoff_text(fall.liftoffs);
+    if (fall.pulse) text += pulse_text(*fall.pulse);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string story_of_zones(const RunFacts& facts, const Response& response) {
+  std::string text;
+  for (std::size_t i = 0; i < response.zones.size(); ++i) {
+    const ZoneOutcome& outcome = response.zones[i];
+    const Zone& zone = facts.scene.zones.at(i);
+    text += zone.name;
+    if (outcome.occupied_at_end) {
+      const std::string by = listed(items_in(zone, facts, response));
+      text += fmt::format(
+          " is {} at the end{}: ", outcome.free_width_at_end > 0 ? "NARROWED" : "BLOCKED",
+          by.empty() ? "" : " by " + by);
+      text += outcome.free_width_at_end > 0 ? fmt::format("a way of {:.2f} m is left of {:.2f} m",
+                                                          outcome.free_width_at_end, zone.width)
+                                            : fmt::format("no way is left of {:.2f} m", zone.width);
+    } else if (outcome.time_of_entry >= 0) {
+      text += fmt::format(
+          " is free at the end; it was not for {:.3g} s from {:.2f} s, when a way "
+          "of {:.2f} m was left of {:.2f} m",
+          outcome.occupied_time, outcome.time_of_entry, outcome.least_free_width, zone.width);
+    } else {
+      text += " stayed free";
+    }
+    text += ".\n";
+  }
+  return text;
+}
+
+std::string story_of_tethers(const RunFacts& facts, const Response& response) {
+  const std::vector<std::string> names = item_names(facts.scene);
+  std::string text;
+  for (std::size_t i = 0; i < response.tethers.size(); ++i) {
+    const TetherOutcome& outcome = response.tethers[i];
+    const Tether& tether = facts.scene.tethers.at(i);
+    text += fmt::format("{} of {} ", tether.name, names.at(tether.item));
+    if (outcome.time_taut < 0) {
+      text += "stayed slack";
+    } else {
+      text += fmt::format("got taut at {:.2f} s and ", outcome.time_taut);
+      text +=
+          outcome.time_broken < 0 ? "held" : fmt::format("BROKE at {:.2f} s", outcome.time_broken);
+      text += fmt::format(" (largest tension {:.3g} N)", outcome.peak_tension);
+    }
+    text += ".\n";
+  }
+  return text;
+}
+
+}  // namespace gurney

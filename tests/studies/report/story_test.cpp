@@ -1,0 +1,118 @@
+#include "studies/report/story.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/studies/fabricated_run.h"
+#include "tests/studies/fabricated_ward.h"
+
+namespace gurney {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+TEST(Story, TellsEachOutcomeOfASingleItem) {
+  const RunFacts facts = fabricated_facts();
+  Response response = fabricated_response();
+  EXPECT_THAT(story(facts, response),
+              HasSubstr("The item moved at most 125 mm from its start (at 0.50 s)"));
+  EXPECT_THAT(story(facts, response),
+              HasSubstr("It was at rest at 24.00 s, 625 mm from its start"));
+  response.outcome = Outcome::kStillMoving;
+  EXPECT_THAT(story(facts, response),
+              HasSubstr("STILL MOVED when the settling time was over at 24.00 s"));
+  response.outcome = Outcome::kOverturned;
+  response.items[0].demands.time_of_overturning = 7.5;
+  EXPECT_THAT(story(facts, response), HasSubstr("It overturned and lay at 24.00 s"));
+  EXPECT_THAT(story(facts, response), HasSubstr("\nTrolley OVERTURNED at 7.50 s."));
+  response.outcome = Outcome::kDiverged;
+  response.cause = "no solution";
+  EXPECT_EQ(story(facts, response),
+            "The run DIVERGED at 24 s: no solution. Its numbers must not be used.");
+  response = {};
+  response.outcome = Outcome::kRested;
+  EXPECT_THAT(story(facts, response),
+              StartsWith("The item did not move. Every wheel stayed on the floor."));
+}
+
+TEST(Story, TellsHowFarEachItemMoved) {
+  const std::string text = story(fabricated_ward(), fabricated_ward_response());
+  EXPECT_THAT(text, StartsWith("1 of 10 items overturned; the run ended at 15.00 s.\n"));
+  EXPECT_THAT(text, HasSubstr("\n  did not move: bookcase\n"));
+  EXPECT_THAT(text, HasSubstr("\n  infusion pump moved at most "));
+  EXPECT_THAT(text, HasSubstr("; 4 of 4 wheels off the floor at once, 11 s in all\n"));
+}
+
+TEST(Story, SumsUpTheHitsOfAPairFastestFirst) {
+  const std::string text = story(fabricated_ward(), fabricated_ward_response());
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          "Impacts: 6, fastest first:\n"
+          "  infusion pump hit the floor at 4.75 s with 3.1 m/s (impulse 90 N s)\n"
+          "  ventilator hit monitor 3 times from 2.50 s to 3.50 s, fastest at 2.90 s with 0.9 m/s "
+          "(front right on rear left, impulse 42 N s)\n"
+          "  bed 1 hit north wall at 3.75 s with 0.65 m/s (impulse 210 N s, peak force 5.2e+03 N)\n"
+          "  crash cart hit column at 5.25 s with 0.125 m/s (front left, impulse 6 N s, peak force "
+          "900 N)\n"));
+}
+
+TEST(Story, IsNotFloodedByImpacts) {
+  Response response = fabricated_ward_response();
+  for (int i = 0; i < 20; ++i) {
+    Impact impact = response.impacts[5];
+    impact.other = "shape " + std::to_string(i);
+    impact.approach_speed = 0.1 - 0.001 * i;
+    response.impacts.push_back(impact);
+  }
+  // 24 pairs; the twelve fastest are the four of the ward and eight of the new ones.
+  EXPECT_THAT(story(fabricated_ward(), response),
+              HasSubstr("  and 12 more pairs, with 0.092 m/s at most\n"));
+}
+
+TEST(Story, SaysWhatFellAndWhy) {
+  // Half a sine of 2 m/s2 over 1 s: 4 / pi = 1.27 m/s, all of it between 3.08 s and 4.5 s.
+  EXPECT_THAT(
+      story(fabricated_ward(), fabricated_ward_response()),
+      HasSubstr(
+          "\ninfusion pump OVERTURNED at 4.50 s, falling towards -y (-90 deg from the x axis). "
+          "Wheels that had left the floor by then and not come back: front left (4.08 s), rear "
+          "left (4.10 s) and front right (4.40 s). The floor's pulse before: its velocity "
+          "against the fall rose by 1.27 m/s from 3.50 s to 4.50 s, with up to 2 m/s2 (0.204 g) "
+          "at 4.00 s (the largest rise from 1 s before the lift-off to the overturning).\n"));
+}
+
+TEST(Story, NamesNoPulseOfAFloorAtRest) {
+  RunFacts facts = fabricated_ward();
+  facts.floor = {};
+  EXPECT_THAT(story(facts, fabricated_ward_response()), Not(HasSubstr("floor's pulse")));
+}
+
+TEST(Story, SaysWhichZonesAreBlocked) {
+  Response response = fabricated_ward_response();
+  EXPECT_THAT(
+      story(fabricated_ward(), response),
+      HasSubstr("\ndoorway is NARROWED at the end by infusion pump: a way of 0.35 m is left "
+                "of 1.10 m.\n"
+                "egress lane is free at the end; it was not for 0.75 s from 1.50 s, when a "
+                "way of 0.50 m was left of 0.90 m.\n"));
+  response.zones[0].free_width_at_end = 0;
+  response.zones[1] = {};
+  EXPECT_THAT(story(fabricated_ward(), response),
+              HasSubstr("\ndoorway is BLOCKED at the end by infusion pump: no way is left of 1.10 "
+                        "m.\negress lane stayed free.\n"));
+}
+
+TEST(Story, SaysWhatBecameOfTethers) {
+  EXPECT_THAT(
+      story(fabricated_ward(), fabricated_ward_response()),
+      testing::EndsWith("\npower cord of ventilator got taut at 3.25 s and BROKE at 3.50 s "
+                        "(largest tension 300 N).\n"
+                        "gas hose of anaesthesia workstation got taut at 5.75 s and held (largest "
+                        "tension 120 N).\n"
+                        "network cable of monitor stayed slack."));
+}
+
+}  // namespace
+}  // namespace gurney
