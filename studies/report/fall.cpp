@@ -3,11 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/units.h"
+
 namespace gurney {
 namespace {
 
 constexpr double kNoPulse = 1e-3;  // [m/s]
 constexpr double kNoise = 1e-6;    // of a velocity that stays [m/s]
+
+/// The last sample before `time` in which the item stood; without one, `time`.
+double began_to_tip(const ItemResponse& item, double time) {
+  constexpr double kStands = 1 * kRadiansPerDegree;
+  double stood = time;
+  for (const Sample& sample : item.history)
+    if (sample.time < time && sample.tilt < kStands) stood = sample.time;
+  return stood;
+}
 
 }  // namespace
 
@@ -57,7 +68,8 @@ std::vector<Fall> falls(const RunFacts& facts, const Response& response) {
     std::stable_sort(fall.liftoffs.begin(), fall.liftoffs.end(),
                      [](const auto& a, const auto& b) { return a.time < b.time; });
     if (std::isfinite(fall.direction)) {
-      const double first = fall.liftoffs.empty() ? fall.time : fall.liftoffs.front().time;
+      const double first = fall.liftoffs.empty() ? began_to_tip(response.items[i], fall.time)
+                                                 : fall.liftoffs.front().time;
       fall.pulse =
           largest_pulse(facts.floor, -Vector2(std::cos(fall.direction), std::sin(fall.direction)),
                         first - Fall::kLookBack, fall.time);

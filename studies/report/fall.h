@@ -35,7 +35,8 @@ struct Fall {
   double direction = 0;           ///< from the floor's x axis, -pi to pi [rad]
   std::vector<Liftoff> liftoffs;  ///< of the wheels in the air at `time`, by time
   /// The largest pulse of the floor against the direction of the fall, which is the way that tips
-  /// the item over, from kLookBack before the first of these liftoffs (or before `time`) to `time`.
+  /// the item over, from kLookBack before the first of these liftoffs to `time`. Without
+  /// liftoffs: before the last sample of the histories whose tilt is below 1 degree.
   std::optional<FloorPulse> pulse;
 };
 

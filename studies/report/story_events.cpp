@@ -96,7 +96,7 @@ std::string pulse_text(const FloorPulse& pulse) {
   return fmt::format(
       " The floor's pulse before: its velocity against the fall rose by {:.3g} m/s from {:.2f} s "
       "to {:.2f} s, with up to {:.3g} m/s2 ({:.3g} g) at {:.2f} s (the largest rise from {:g} s "
-      "before the lift-off to the overturning).",
+      "before it lifted or tipped to the overturning).",
       pulse.velocity_change, pulse.start, pulse.end, pulse.peak_acceleration,
       pulse.peak_acceleration / kStandardGravity, pulse.time_of_peak, Fall::kLookBack);
 }

@@ -63,6 +63,12 @@ TEST(Falls, LookAgainstTheFall) {
   EXPECT_EQ(all[0].liftoffs[1].wheel, "rear left") << "by time";
   ASSERT_TRUE(all[0].pulse) << "the floor moves towards +y, the item falls towards -y";
   EXPECT_NEAR(all[0].pulse->velocity_change, 4 / kPi, 1e-3);
+  // Without casters the look starts 1 s before the tilt last was below 1 degree, about 4.1 s.
+  Response block = response;
+  for (WheelDemands& wheel : block.items[3].demands.wheels) wheel.liftoff_before_overturning = -1;
+  block.items[3].demands.time_of_overturning = 5.75;  // later than 1 s after the floor's pulse
+  ASSERT_TRUE(falls(facts, block)[0].pulse);
+  EXPECT_NEAR(falls(facts, block)[0].pulse->velocity_change, 4 / kPi, 1e-3);
   response.items[3].demands.direction_of_overturning *= -1;
   EXPECT_FALSE(falls(facts, response)[0].pulse) << "the floor never moves towards -y";
   response.outcome = Outcome::kDiverged;

@@ -80,7 +80,8 @@ TEST(Story, SaysWhatFellAndWhy) {
           "Wheels that had left the floor by then and not come back: front left (4.08 s), rear "
           "left (4.10 s) and front right (4.40 s). The floor's pulse before: its velocity "
           "against the fall rose by 1.27 m/s from 3.50 s to 4.50 s, with up to 2 m/s2 (0.204 g) "
-          "at 4.00 s (the largest rise from 1 s before the lift-off to the overturning).\n"));
+          "at 4.00 s (the largest rise from 1 s before it lifted or tipped to the "
+          "overturning).\n"));
 }
 
 TEST(Story, NamesNoPulseOfAFloorAtRest) {
