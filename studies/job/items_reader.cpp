@@ -55,7 +55,7 @@ std::vector<std::string> read_names(std::vector<Table>& items, UniqueNames& name
 }  // namespace
 
 std::vector<JobItem> read_items(Table& root, const std::optional<FloorCovering>& covering,
-                              UniqueNames& names, Job& job) {
+                                UniqueNames& names, Job& job) {
   std::vector<Table> tables = item_tables(root);
   const bool several = root.is_array("item");
   const std::vector<std::string> item_names = read_names(tables, names);

@@ -22,6 +22,6 @@ struct JobItem {
 /// @param names  takes the name of each
 /// @return as Scene::items; empty where there is a mistake in them
 std::vector<JobItem> read_items(config::Table& root, const std::optional<FloorCovering>& covering,
-                                      UniqueNames& names, Job& job);
+                                UniqueNames& names, Job& job);
 
 }  // namespace gurney

@@ -15,8 +15,8 @@ void check_overlaps(std::vector<JobItem>& items, const Scene& scene) {
     const std::size_t later = item ? static_cast<std::size_t>(overlap.other_item) : overlap.item;
     const std::string& other = item ? scene.items[overlap.item].name
                                     : scene.room[static_cast<std::size_t>(overlap.shape)].name;
-    items[later].table.note("position_m",
-                      fmt::format(": '{}' stands {:.0f} mm deep in '{}'", scene.items[later].name,
+    items[later].table.note(
+        "position_m", fmt::format(": '{}' stands {:.0f} mm deep in '{}'", scene.items[later].name,
                                   overlap.depth * kMillimetersPerMeter, other));
   }
 }

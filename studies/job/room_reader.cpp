@@ -37,8 +37,7 @@ class PairList {
     const ContactConstants* own = one.own != nullptr ? one.own : other.own;
     if (found == nullptr && own == nullptr) found = find_contact(usual_, one.known, other.known);
     if (found == nullptr && own == nullptr) return false;
-    job_->scene.pairs.push_back(
-        {one.name, other.name, found != nullptr ? found->constants : *own});
+    job_->scene.pairs.push_back({one.name, other.name, found != nullptr ? found->constants : *own});
     if (found != nullptr) add_assumptions(job_->assumptions, found->assumptions);
     return true;
   }

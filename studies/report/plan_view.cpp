@@ -13,7 +13,8 @@ namespace gurney {
 namespace {
 
 constexpr double kStanding = 30 * kRadiansPerDegree;  // of tilt; casters are drawn below
-constexpr double kLow = 0.05;  // a room shape that reaches no higher may be rolled over [m]
+constexpr double kLow = 0.05;      // a room shape that reaches no higher may be rolled over [m]
+constexpr double kOverhead = 1.8;  // a room shape above that stands in nobody's way [m]
 const std::string kStartColor = "#777777", kImpactColor = "#c00000";
 
 Vector2 at(const PlacedItem& item, const Sample& sample, const Vector3& point) {
@@ -40,6 +41,12 @@ double top_of(const RoomShape& shape) {
   if (const auto* box = std::get_if<RoomBox>(&shape.shape))
     return shape.position.z() + 0.5 * box->size.z();
   return 2 * kLow;
+}
+
+/// A lintel, say.
+bool is_overhead(const RoomShape& shape) {
+  const auto* box = std::get_if<RoomBox>(&shape.shape);
+  return box != nullptr && shape.position.z() - 0.5 * box->size.z() > kOverhead;
 }
 
 /// Above the middle of a polygon, at its edge.
@@ -99,9 +106,13 @@ void draw_room(Plan& plan, const Scene& scene, const Response& response) {
               taken ? 0.3 : 0.15);
   }
   for (const RoomShape& shape : scene.room) {
-    const bool low = top_of(shape) <= kLow;
+    const bool low = top_of(shape) <= kLow, overhead = is_overhead(shape);
     plan.area(footprint(shape),
-              {.stroke = "#888888", .width = 0.8, .fill = low ? "#eadfc8" : "#c4c4c4"}, 1);
+              {.stroke = "#888888",
+               .width = 0.8,
+               .dash = overhead ? "2 3" : "",
+               .fill = low ? "#eadfc8" : "#c4c4c4"},
+              overhead ? 0.0 : 1.0);
   }
 }
 

@@ -42,10 +42,10 @@ Job tipping_job() {
 Job room_job(const decltype(RoomShape::shape)& ahead) {
   Job job;
   job.scene.items[0].model = small::trolley({0, 90, 180, 270}, Tread());
-  job.scene.items[0].initial.velocity = {2.6, 0.3, 0};
+  job.scene.items[0].initial.velocity = {1.8, 0.3, 0};
   job.scene.room = {
       {"kerb", "", {0.8, 0, 0}, Quaternion::Identity(), RoomBox{{0.1, 6, 0.008}}},
-      {"ahead", "", {1.1, 0.1, 1}, Quaternion::Identity(), ahead},
+      {"ahead", "", {1.1, 0.1, 1.3}, Quaternion::Identity(), ahead},  // above the wheels
   };
   job.excitation.floor = small::noise_record(7, 2, {4, 3, 2});
   job.settings.duration = 2;

@@ -106,7 +106,7 @@ TEST(Feet, ACoveringShortensTheWayThatAnItemSlides) {
     SimulationSettings settings;
     settings.duration = 1;
     settings.time_step = 1e-3;
-    return simulate(scene, {}, settings).demands.peak_displacement;
+    return simulate(scene, {}, settings).items[0].demands.peak_displacement;
   };
   // Friction spread over 1e-3 m of elastic deflection and 4 % of rocking.
   for (const double factor : {0.7, 1.0})
@@ -120,8 +120,8 @@ TEST(Feet, StandsOnTheFloorOfItsCoveringWithAllItsPairs) {
   options.floor = load_floor_covering(find_data(DataKind::kFloor, "rubber", ""));
   const Scene scene = standing(load_item(find_data(DataKind::kItem, "bookcase", ""), options));
   EXPECT_NO_THROW(validate(scene));
-  EXPECT_DOUBLE_EQ(contact_constants(scene, scene.floor_material).friction, 0.36);
-  EXPECT_DOUBLE_EQ(contact_constants(scene, "").friction, 0.3);
+  EXPECT_DOUBLE_EQ(contact_constants(scene, "coated board", scene.floor_material).friction, 0.36);
+  EXPECT_DOUBLE_EQ(contact_constants(scene, "coated board", "").friction, 0.3);
 }
 
 }  // namespace

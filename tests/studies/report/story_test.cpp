@@ -31,6 +31,7 @@ TEST(Story, TellsEachOutcomeOfASingleItem) {
   EXPECT_EQ(story(facts, response),
             "The run DIVERGED at 24 s: no solution. Its numbers must not be used.");
   response = {};
+  response.items[0].demands.wheels.resize(4);
   response.outcome = Outcome::kRested;
   EXPECT_THAT(story(facts, response),
               StartsWith("The item did not move. Every wheel stayed on the floor."));
