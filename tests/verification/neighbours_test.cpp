@@ -42,7 +42,7 @@ TEST(Neighbours, ABlockHitsABlockWithMomentumAndRestitutionKept) {
       const double heavy = 80, v = 0.8;
       const Response response =
           simulate(two_blocks(heavy, light, v, 0, {.restitution = e, .friction = 0}), {},
-                   blocks::run_for(0.5, 2e-4, 2e-3));
+                   blocks::run_for(0.5, 0.004, 0.004));
       ASSERT_EQ(response.impacts.size(), 1u);
       const double a = final_velocity(response, 0).x(), b = final_velocity(response, 1).x();
       // The error of the rebound from a wall (wall_impact_test.cpp) is that of the relative speed.
@@ -69,7 +69,7 @@ TEST(Neighbours, AnImpactOffCenterTurnsTheHitBlock) {
   const double heavy = 80, light = 20, v = 0.8, e = 0.5, offset = 0.04;
   const Response response =
       simulate(two_blocks(heavy, light, v, offset, {.restitution = e, .friction = 0}), {},
-               blocks::run_for(0.32, 2e-4, 2e-3));
+               blocks::run_for(0.32, 0.004, 0.004));
   ASSERT_GE(response.impacts.size(), 1u);
   const double inertia = heavy * (0.5 * 0.5 + 0.4 * 0.4) / 12;
   const double momentum =
