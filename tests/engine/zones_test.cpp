@@ -38,6 +38,16 @@ TEST(Zones, TellWhatStandsInThemAtTheEnd) {
   EXPECT_NEAR(zone.free_width_at_end, 0.6 + 0.2 - 0.15, 1e-9);
 }
 
+// No corner of the block is in it.
+TEST(Zones, AnItemLongerThanAZoneStandsInIt) {
+  Scene scene = sliding(0, 0.2);
+  scene.items[0].initial.position.x() = 0;
+  scene.zones[0].length = 0.1;
+  const ZoneOutcome zone = simulate(scene, {}, blocks::run_for(0.1, 0.004, 0)).zones.at(0);
+  EXPECT_TRUE(zone.occupied_at_end);
+  EXPECT_NEAR(zone.free_width_at_end, 0.6 + 0.2 - 0.15, 1e-9);
+}
+
 TEST(Zones, AnItemBesideThemDoesNotCount) {
   const ZoneOutcome zone = simulate(sliding(1, 0.76), {}, blocks::run_for(2, 0.004, 0)).zones.at(0);
   EXPECT_LT(zone.time_of_entry, 0);

@@ -80,6 +80,27 @@ TEST(Neighbours, AnImpactOffCenterTurnsTheHitBlock) {
   EXPECT_LT(response.quality.energy_closure, 0.01);
 }
 
+// A push on the first of two blocks before a wall goes through both: at rest each pair of faces,
+// four corners of stiffness k, is pressed together by F / 4 k.
+TEST(Neighbours, AReachedWallHoldsTheWholeRow) {
+  const double push = 200, k = 1e6, gap = 1e-3;
+  Scene scene = two_blocks(80, 20, 0, 0, {.stiffness = k, .restitution = 0.3, .friction = 0});
+  scene.items[1].initial.position.x() = 0.25 + gap + 0.15;
+  blocks::add_wall(scene, 0.25 + gap + 0.3 + gap, {.stiffness = k, .friction = 0});
+  Excitation excitation;
+  excitation.forces = {{"push", {0, 0, 0.3}, {1, 0, 0}, {0, 10}, {push, push}}};
+  const Response response = simulate(scene, excitation, blocks::run_for(3, 0.004, 0.1));
+  ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
+  const Sample &first = response.items[0].history.back(),
+               &second = response.items[1].history.back();
+  EXPECT_LT(first.velocity.norm(), 1e-6);
+  // Both corners of a height carry the same; the push is at the height of the middle.
+  EXPECT_NEAR(second.displacement.x(), gap + push / (4 * k), 1e-7);
+  EXPECT_NEAR(first.displacement.x(), 2 * gap + 2 * push / (4 * k), 2e-7);
+  EXPECT_EQ(response.quality.subdivided_steps, 0);
+  EXPECT_LT(response.quality.newton_iterations, 5 * response.quality.steps);
+}
+
 Scene two_trolleys(double gap, double speed, double height) {
   Scene scene;
   EquipmentModel model = small::trolley({10, 100, 200, 300}, Tread());
@@ -100,6 +121,9 @@ TEST(Neighbours, TrolleysThatCollideKeepTheirEnergyAccounts) {
   EXPECT_NEAR(a.work_of_neighbours + b.work_of_neighbours, 0,
               1e-9 * std::abs(a.work_of_neighbours));
   EXPECT_LT(response.quality.energy_closure, 0.01);
+  // Newton's method knows how the items push each other: a few iterations in each of two stages.
+  EXPECT_EQ(response.quality.subdivided_steps, 0);
+  EXPECT_LT(response.quality.newton_iterations, 5 * response.quality.steps);
 }
 
 // The chassis are above the casters' reach and narrower than these: wheels meet wheels.
