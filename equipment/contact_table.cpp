@@ -3,12 +3,11 @@
 #include <set>
 
 #include "equipment/catalogue.h"
-#include "equipment/quantity.h"
+#include "equipment/contact_constants.h"
 
 namespace gurney {
 namespace {
 
-using config::Range;
 using config::Table;
 
 void read_materials(Table& table, MaterialContact& contact) {
@@ -21,25 +20,6 @@ void read_materials(Table& table, MaterialContact& contact) {
   } else {
     table.note("materials", ": must be an array of 2 texts");
   }
-}
-
-ContactConstants read_constants(Quantities in) {
-  ContactConstants constants;
-  Table& table = in.table();
-  const bool compliant = table.has("stiffness_n_per_m");
-  if (compliant == table.has("restitution"))
-    table.note("restitution", ": must be given, or stiffness_n_per_m, not both");
-  if (compliant) {
-    constants.kind = ContactConstants::Kind::kCompliant;
-    constants.stiffness = in.number("stiffness_n_per_m", Range::positive());
-    constants.damping = in.number("damping_n_s_per_m", Range::not_negative());
-  } else {
-    constants.restitution = in.number("restitution", Range::within(0.01, 1), constants.restitution);
-    if (table.has("damping_n_s_per_m"))
-      table.note("damping_n_s_per_m", ": must go with stiffness_n_per_m");
-  }
-  constants.friction = in.number("friction", Range::not_negative());
-  return constants;
 }
 
 /// What an assumption is about: `equipment-concrete/contact.friction`, drawn or not.
@@ -62,7 +42,7 @@ std::vector<MaterialContact> read_contacts(Table& parent) {
     read_materials(table, contact);
     const std::string part = contact.one + "-" + contact.other;
     if (draw) document.set_draw_of(path, draw->of_part(part));
-    contact.constants = read_constants(Quantities(table, contact.assumptions));
+    contact.constants = read_contact_constants(Quantities(table, contact.assumptions));
     name_assumptions(path, part, contact.assumptions);
     if (!contact.one.empty() && find_contact(contacts, contact.one, contact.other) != nullptr)
       table.note("materials", ": the pair of '" + contact.one + "' and '" + contact.other +

@@ -218,7 +218,7 @@ friction = 0.3
 [[contact]]
 materials = ["a", "b"]
 restitution = 0
-damping_n_s_per_m = 10
+stiffness_n_per_m = 0
 friction = -1
 [[contact]]
 materials = ["b", "a"]
@@ -226,9 +226,9 @@ restitution = 0.5
 friction = 0.5
 )"),
             "a.toml:2:13: contact[0].materials: must be an array of 2 texts\n"
-            "a.toml:3:15: contact[0].restitution: must be given, or stiffness_n_per_m, not both\n"
+            "a.toml:3:15: contact[0].restitution: must be given, or damping_n_s_per_m, not both\n"
             "a.toml:9:15: contact[1].restitution = 0: must be a finite number >= 0.01 and <= 1\n"
-            "a.toml:10:21: contact[1].damping_n_s_per_m: must go with stiffness_n_per_m\n"
+            "a.toml:10:21: contact[1].stiffness_n_per_m = 0: must be a finite number > 0\n"
             "a.toml:11:12: contact[1].friction = -1: must be a finite number >= 0\n"
             "a.toml:13:13: contact[2].materials: the pair of 'b' and 'a' is there already");
 }
@@ -262,7 +262,7 @@ TEST(ShippedTethers, Load) {
 
 TEST(RoomPage, HasEveryKeyTheReaderKnowsAndNoOther) {
   std::set<std::string> asked;
-  for (const char* constants : {"restitution = 0.5", "stiffness_n_per_m = 1"}) {
+  for (const char* constants : {"restitution = 0.5", "damping_n_s_per_m = 1"}) {
     config::Document document(std::string("wall = [{ door = [{}] }]\nbox = [{}]\ncolumn = [{}]\n"
                                           "kerb = [{}]\nthreshold = [{}]\nzone = [{}]\npoint = "
                                           "[{}]\ncontact = [{ ") +
