@@ -23,6 +23,7 @@ double log_normal_cdf(double x) {
 }
 
 double normal_hazard_below(double x) {
+  if (x > -37) return normal_density(x) / normal_cdf(x);
   return std::exp(-x * x / 2 - std::log(2 * std::numbers::pi) / 2 - log_normal_cdf(x));
 }
 
