@@ -109,6 +109,12 @@ Quadratic<2> binomial_likelihood(const std::vector<Stripe>& stripes, const Eigen
 }
 
 ProbitFit fit_probit(const std::vector<Stripe>& stripes) {
+  return fit_line(stripes,
+                  [&](const Eigen::Vector2d& line) { return binomial_likelihood(stripes, line); });
+}
+
+ProbitFit fit_line(const std::vector<Stripe>& stripes,
+                   const std::function<Quadratic<2>(const Eigen::Vector2d&)>& likelihood) {
   const Extremes at(stripes);
   const bool hits = at.highest_hit > 0, misses = at.highest_miss > 0;
   if (!hits && !misses) return {};
@@ -130,9 +136,7 @@ ProbitFit fit_probit(const std::vector<Stripe>& stripes) {
   }
   const double middle = sum / runs;
   const double slope = 1 / std::sqrt(squares / runs - middle * middle);
-  const auto maximum =
-      maximize<2>([&](const Eigen::Vector2d& line) { return binomial_likelihood(stripes, line); },
-                  {slope, -slope * middle});
+  const auto maximum = maximize<2>(likelihood, {slope, -slope * middle});
   if (!maximum.found) return without_line(FragilityStatus::kNotIncreasing, 0, kInfinity);
   ProbitFit fit;
   const bool rises = maximum.point[0] > kNoRise * slope;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,6 +49,10 @@ ProbitFit fit_probit(const std::vector<Stripe>& stripes);
 
 /// The ln likelihood of a line (slope, intercept) and its derivatives; concave.
 Quadratic<2> binomial_likelihood(const std::vector<Stripe>& stripes, const Eigen::Vector2d& line);
+
+/// The same for another likelihood of (slope, intercept) that is concave, such as the logistic one.
+ProbitFit fit_line(const std::vector<Stripe>& stripes,
+                   const std::function<Quadratic<2>(const Eigen::Vector2d&)>& likelihood);
 
 /// Covariance of the line that allows for dependence within groups: I^-1 (sum s_g s_g') I^-1
 /// G / (G - 1), s_g the score of group g (Liang & Zeger 1986, Biometrika 73(1), 13-22).

@@ -42,7 +42,7 @@ Maximum<kSize> maximize(const Function& function, Eigen::Matrix<double, kSize, 1
     Maximum<kSize> next{false, best.point + way, {}};
     next.at = function(next.point);
     if (gain < kClose * (1 + std::abs(best.at.value))) {
-      if (next.at.value >= best.at.value) best = next;
+      if (std::isfinite(next.at.value)) best = next;  // the value is flat to rounding here
       best.found = true;
       return best;
     }
