@@ -20,13 +20,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNarrow = 1e-2;  // interval, in sigma, below which a series is more exact
 using Dynamic = Quadratic<Eigen::Dynamic>;
 
-/// ln(Phi(u) - Phi(v)) for u > v, from the tail that is exact.
-double log_between(double u, double v) {
-  if (v > 0) return log_between(-v, -u);
-  const double a = log_normal_cdf(u);
-  return v == -kInfinity ? a : a + std::log(-std::expm1(log_normal_cdf(v) - a));
-}
-
 /// A term of the likelihood as a function of m = x'g and h = 1 / sigma: value, first and second
 /// derivatives.
 struct Term {
@@ -60,7 +53,7 @@ Term narrow_term(const CensoredValue& y, double m, double h) {
 Term interval_term(const CensoredValue& y, double m, double h) {
   const bool has_low = std::isfinite(y.low), has_high = std::isfinite(y.high);
   const double u = has_high ? h * y.high - m : kInfinity, v = has_low ? h * y.low - m : -kInfinity;
-  const double value = log_between(u, v);
+  const double value = log_normal_between(v, u);
   const auto relative_density = [&](double x) {
     return std::exp(-x * x / 2 - std::log(2 * std::numbers::pi) / 2 - value);
   };

@@ -8,12 +8,15 @@
 
 #include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
-#include "studies/statistics/censored_normal.h"
 
 namespace gurney {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double logistic(double line) { return 1 / (1 + std::exp(-line)); }
+
+}  // namespace
 
 CensoredValue log_demand(const CloudPoint& point) {
   const double y = std::log(point.edp);
@@ -26,10 +29,6 @@ CensoredValue log_demand(const CloudPoint& point) {
       return {y, y};
   }
 }
-
-double logistic(double line) { return 1 / (1 + std::exp(-line)); }
-
-}  // namespace
 
 std::string text(CloudStatus status) {
   switch (status) {

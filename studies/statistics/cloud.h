@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/statistics/censored_normal.h"
 #include "studies/statistics/fragility.h"
 
 namespace gurney {
@@ -21,6 +22,9 @@ struct CloudPoint {
   } known = Known::kExactly;
   std::size_t group = 0;  ///< number of the record
 };
+
+/// What is known of ln EDP of one run.
+CensoredValue log_demand(const CloudPoint& point);
 
 enum class CloudStatus {
   kFitted,

@@ -15,6 +15,7 @@ namespace gurney {
 double normal_density(double x) { return std::exp(-x * x / 2) / std::sqrt(2 * std::numbers::pi); }
 
 double log_normal_cdf(double x) {
+  if (std::isinf(x)) return x > 0 ? 0 : x;
   if (x > 0) return std::log1p(-normal_cdf(-x));
   if (x > -37) return std::log(normal_cdf(x));
   const double r = 1 / (x * x);
@@ -25,6 +26,12 @@ double log_normal_cdf(double x) {
 double normal_hazard_below(double x) {
   if (x > -37) return normal_density(x) / normal_cdf(x);
   return std::exp(-x * x / 2 - std::log(2 * std::numbers::pi) / 2 - log_normal_cdf(x));
+}
+
+double log_normal_between(double low, double high) {
+  if (low > 0) return log_normal_between(-high, -low);
+  const double a = log_normal_cdf(high);
+  return std::isinf(low) ? a : a + std::log(-std::expm1(log_normal_cdf(low) - a));
 }
 
 double chi_squared_survival(double x, double degrees) {

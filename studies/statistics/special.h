@@ -12,6 +12,9 @@ double log_normal_cdf(double x);
 /// phi(x) / Phi(x), the slope of log_normal_cdf(); about -x far below zero.
 double normal_hazard_below(double x);
 
+/// ln(Phi(high) - Phi(low)) for low < high, from the tail that is exact; either may be infinite.
+double log_normal_between(double low, double high);
+
 /// P(X > x) of the chi-squared distribution, degrees > 0; 1 for x <= 0.
 double chi_squared_survival(double x, double degrees);
 double chi_squared_quantile(double probability, double degrees);
