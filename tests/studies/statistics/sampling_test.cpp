@@ -27,8 +27,8 @@ TEST(LatinHypercube, HasOneDrawInEachCell) {
   }
 }
 
-// Every cell is as likely for every draw: chi-squared over (draw, cell) of 4000 variables. Its
-// (n - 1)^2 degrees are those of a table with fixed margins. Limit at 1e-4 in the tail.
+// Every cell is as likely for every draw, over 4000 variables. Sums of permutation matrices have fixed
+// margins: Pearson's sum is n / (n - 1) times chi-squared with (n - 1)^2 degrees. 1e-4 in the tail.
 TEST(LatinHypercube, PermutesEvenly) {
   for (const std::uint64_t n : {2, 3, 7, 16}) {
     std::vector<double> counts(n * n);
@@ -40,7 +40,6 @@ TEST(LatinHypercube, PermutesEvenly) {
     double chi = 0;
     const double expected = static_cast<double>(variables) / static_cast<double>(n);
     for (const double count : counts) chi += std::pow(count - expected, 2) / expected;
-    // The statistic of n permuted cells has (n - 1)/n of the multinomial's variance taken off once.
     chi *= static_cast<double>(n - 1) / static_cast<double>(n);
     EXPECT_GT(chi_squared_survival(chi, std::pow(static_cast<double>(n - 1), 2)), 1e-4) << n;
   }
