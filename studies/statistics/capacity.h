@@ -17,8 +17,8 @@ struct Capacity {
   int runs = 0;
 };
 
-/// The capacity of each group by first exceedance (Vamvatsikos & Cornell 2002, EESD 31(3), 491-514,
-/// section 4), in increasing order of groups. The order of the runs changes nothing.
+/// The capacity of each group by first exceedance (Vamvatsikos & Cornell 2002, EESD 31(3),
+/// 491-514), in increasing order of groups. The order of the runs changes nothing.
 /// @throws Error unless every im is > 0 and finite.
 std::vector<Capacity> ida_capacities(const std::vector<Observation>& observations);
 
@@ -33,7 +33,8 @@ struct CapacityFit {
 };
 
 /// Lognormal capacities by maximum likelihood from brackets; records that never exceed count as
-/// above their highest im (Baker 2015, eq. 8 to 10, where the bracket has no width). A bracket with
+/// above their highest im (Baker 2015, where the bracket has
+/// no width). A bracket with
 /// low == high is an exact capacity. Brackets that share a point are separated: one capacity
 /// would explain all, and beta is not determined.
 CapacityFit fit_capacities(const std::vector<Capacity>& capacities);

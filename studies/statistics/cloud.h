@@ -65,7 +65,7 @@ struct CloudFragility {
 std::optional<CloudFragility> cloud_fragility(const CloudFit& fit, double limit);
 
 /// P(EDP > limit | IM) = P(C) + (1 - P(C)) P(EDP > limit | no C), C: collapsed or overturned
-/// (Jalayer, Ebrahimian, Miano, Manfredi & Sezen 2017, EESD 46(15), 2639-2663, eq. 3 and 5).
+/// (Jalayer, Ebrahimian, Miano, Manfredi & Sezen 2017, EESD 46(15), 2639-2663).
 struct TwoPartCloud {
   CloudFit without;     ///< of the runs that did not collapse
   ProbitFit collapse;   ///< logistic: P(C) = 1 / (1 + exp(-line)); kNoneExceeds: P(C) = 0

@@ -18,7 +18,7 @@ struct FitCheck {
 };
 
 /// Pearson's and the likelihood-ratio statistic (McCullagh & Nelder 1989, Generalized linear
-/// models, section 4.4), and the parametric bootstrap of the second (Davison & Hinkley 1997,
+/// models, chapter 4), and the parametric bootstrap of the second (Davison & Hinkley 1997,
 /// section 4.2), p = (1 + number of resamples with at least the deviance) / (1 + resamples), for
 /// small counts. All suppose independent runs: where runs of one record are alike p is too small or
 /// too large. None unless the fit is kFitted on three stripes or more.

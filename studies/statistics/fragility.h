@@ -39,7 +39,7 @@ struct ProbitFit {
   LognormalCurve curve() const;  ///< @pre kFitted
 };
 
-/// Multiple stripes by maximum likelihood (Baker 2015, Earthquake Spectra 31(1), 579-599, eq. 11),
+/// Multiple stripes by maximum likelihood (Baker 2015, Earthquake Spectra 31(1), 579-599),
 /// as a probit regression on ln im by Newton's method with step halving.
 ///
 /// The maximum exists and is unique unless the outcomes are separated (Silvapulle 1981, J. R.

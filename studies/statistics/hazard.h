@@ -45,7 +45,8 @@ struct MeanRate {
 /// Integral of P(exceeded | im) |d rate(im)| (Cornell & Krawinkler 2000, PEER Center News 3(2)).
 /// Exact for a lognormal curve: on a piece c im^-k it is P1 r1 - P2 r2 + c theta^-k exp(k^2 beta^2
 /// / 2) (Phi(z2 + k beta) - Phi(z1 + k beta)), z = ln(im / theta) / beta; over all im that is
-/// Cornell's k0 theta^-k exp(k^2 beta^2 / 2) (Cornell et al. 2002, J. Struct. Eng. 128(4), eq. 10).
+/// Cornell's k0 theta^-k exp(k^2 beta^2 / 2) (Cornell et al. 2002, J. Struct. Eng. 128(4),
+/// 526-533).
 MeanRate mean_rate(const LognormalCurve& curve, const HazardCurve& hazard);
 
 /// The same for any curve, by Gauss-Legendre on panels of at most 0.05 in ln im.

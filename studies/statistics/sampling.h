@@ -10,7 +10,7 @@ namespace gurney {
 ///
 /// A function of its arguments alone: the cell of draw i is a permutation of 0 to n - 1 by a
 /// Feistel network of Philox numbers on the next power of 4, walked until it lands below n (Black &
-/// Rogaway 2002, CT-RSA, section 3). Another n is another plan, not a longer one.
+/// Rogaway 2002, CT-RSA). Another n is another plan, not a longer one.
 /// @param variable  ordinal or hash of the name
 /// @throws Error unless i < n and n <= 2^40.
 double latin_hypercube_draw(std::uint64_t seed, std::uint64_t variable, std::uint64_t i,

@@ -41,7 +41,7 @@ struct VarianceIndex {
 };
 
 /// First-order index Var E(y | x) / Var y from any runs with independent inputs, by classes of x
-/// (Plischke, Borgonovo & Smith 2013, European J. Operational Research 226(3), 536-550, eq. 15).
+/// (Plischke, Borgonovo & Smith 2013, European J. Operational Research 226(3), 536-550).
 /// The variance between the means of classes that chance alone makes is taken off: 1 - (n - 1) / (n
 /// - m) SS_within / SS_total for m classes, Kelley's epsilon squared (1935, PNAS 21(9), 554-559).
 /// The bootstrap's bias is taken off its percentiles. None where y does not vary or n < 2 m. Values

@@ -65,7 +65,7 @@ TEST(Isotonic, PoolsAdjacentViolators) {
   EXPECT_ERROR(isotonic({1}, {}), "1 values have 0 weights");
 }
 
-// max over s <= i of min over t >= i of the mean of s to t (Barlow et al. 1972, eq. 1.9), which
+// max over s <= i of min over t >= i of the mean of s to t (Barlow et al. 1972), which
 // shares nothing with pooling.
 TEST(Isotonic, AgreesWithTheMaxMinFormula) {
   const auto stripes = StripeTable(SyntheticStudy{.records = 8}.outcomes(2)).stripes();
