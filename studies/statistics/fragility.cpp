@@ -132,10 +132,11 @@ ProbitFit fit_line(const std::vector<Stripe>& stripes,
   for (const Stripe& stripe : stripes) {
     runs += stripe.runs;
     sum += stripe.runs * std::log(stripe.im);
-    squares += stripe.runs * std::pow(std::log(stripe.im), 2);
   }
   const double middle = sum / runs;
-  const double slope = 1 / std::sqrt(squares / runs - middle * middle);
+  for (const Stripe& stripe : stripes)
+    squares += stripe.runs * std::pow(std::log(stripe.im) - middle, 2);
+  const double slope = 1 / std::sqrt(squares / runs);
   const auto maximum = maximize<2>(likelihood, {slope, -slope * middle});
   if (!maximum.found) return without_line(FragilityStatus::kNotIncreasing, 0, kInfinity);
   ProbitFit fit;
