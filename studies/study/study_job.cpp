@@ -1,5 +1,7 @@
 #include "studies/study/study_job.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <sstream>
@@ -8,6 +10,7 @@
 #include "engine/base/config/overlay.h"
 #include "engine/base/config/table.h"
 #include "engine/base/error.h"
+#include "studies/limit_states/response_values.h"
 #include "studies/study/study_reader.h"
 
 namespace gurney {
@@ -84,6 +87,19 @@ void collect(Mistakes& mistakes, Work work) {
 
 }  // namespace
 
+void StudyJob::check_limit_states(const Node& study, const Job& job) const {
+  const Node* const stated = study.find("limit_state");
+  if (stated == nullptr) return;
+  for (std::size_t i = 0; i < study_.limit_states.size(); ++i) {
+    try {
+      check_names(study_.limit_states[i], job.scene);
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: study.limit_state[{}]: {}",
+                              document_->where(stated->elements.at(i).place), i, error.what()));
+    }
+  }
+}
+
 StudyJob::StudyJob(const std::string& path) : StudyJob(std::make_unique<Document>(path)) {}
 
 StudyJob::StudyJob(const std::string& text, const std::string& path)
@@ -107,7 +123,11 @@ StudyJob::StudyJob(std::unique_ptr<Document> document) : document_(std::move(doc
     reading.finish();
   });
   for (std::size_t i = 0; i < configurations_.size(); ++i)
-    collect(mistakes, [&] { note_contradictions(*document_, job(i, {}), study_); });
+    collect(mistakes, [&] {
+      const Job each = job(i, {});
+      note_contradictions(*document_, each, study_);
+      check_limit_states(*taken, each);
+    });
   mistakes.raise();
 }
 
