@@ -37,6 +37,17 @@ TEST(MeanRate, OfATableOnAPowerLawIsTheSame) {
   EXPECT_NEAR(mean_rate(probability, table).rate / expected, 1, 1e-9);
 }
 
+// Pieces of different slopes; the closed form and Gauss-Legendre share nothing but the ends.
+TEST(MeanRate, OfATableWithKinksIsTheNumericalIntegral) {
+  const HazardCurve table =
+      HazardCurve::table({0.05, 0.2, 0.5, 1, 2.5}, {0.2, 0.05, 0.01, 1e-3, 2e-5});
+  const LognormalCurve curve{0.6, 0.45};
+  const auto probability = [&](double im) { return curve.probability(im); };
+  const MeanRate closed = mean_rate(curve, table), numerical = mean_rate(probability, table);
+  EXPECT_NEAR(closed.rate / numerical.rate, 1, 1e-8);
+  EXPECT_EQ(closed.most_above, numerical.most_above);
+}
+
 // A step at 0.5 is exceeded at the rate of 0.5; panels meet the step within 0.05 of ln im.
 TEST(MeanRate, OfAStepIsTheHazardThere) {
   const HazardCurve table = HazardCurve::table({0.1, 0.5, 2}, {0.1, 0.01, 1e-4});

@@ -11,7 +11,7 @@ namespace gurney {
 namespace {
 
 /// EDP rests on the velocity; the acceleration is the velocity with a factor of its own, which
-/// grows with magnitude. Ten runs or one for each record.
+/// grows with magnitude. Demands of one record correlate by 0.5.
 struct World {
   std::vector<CloudPoint> demands;
   Column velocity{"PFV", {}}, acceleration{"PFA", {}};
@@ -22,7 +22,9 @@ struct World {
       const std::size_t record = i / runs_of_record;
       const double v = std::exp(0.5 * normal_draw(seed, 0, i));
       const double m = 6.5 + 0.5 * normal_draw(seed, 1, record);
-      const double edp = 0.2 * std::pow(v, 1.4) * std::exp(0.3 * normal_draw(seed, 2, i));
+      const double own = normal_draw(seed, 2, i), shared = normal_draw(seed, 4, record);
+      const double score = runs_of_record == 1 ? own : (own + shared) / std::sqrt(2.0);
+      const double edp = 0.2 * std::pow(v, 1.4) * std::exp(0.3 * score);
       velocity.values.push_back(v);
       acceleration.values.push_back(v * std::exp(0.6 * (m - 6.5)));
       magnitude.values.push_back(m);
@@ -58,7 +60,8 @@ TEST(IntensityTable, FindsTheMeasureThatPredicts) {
 }
 
 // A property without influence is found to have one in 5 % of the repeats: 50 of 1000, and 4.5
-// binomial standard deviations are 31. By run, censored, and with five runs of each of 40 records.
+// binomial standard deviations are 31. By run, censored, and with five correlated runs of each of
+// 40 records.
 TEST(IntensityTable, SufficiencyHoldsItsLevel) {
   struct Case {
     std::size_t runs, of_record;

@@ -27,8 +27,9 @@ TEST(LatinHypercube, HasOneDrawInEachCell) {
   }
 }
 
-// Every cell is as likely for every draw, over 4000 variables. Sums of permutation matrices have fixed
-// margins: Pearson's sum is n / (n - 1) times chi-squared with (n - 1)^2 degrees. 1e-4 in the tail.
+// Every cell is as likely for every draw, over 4000 variables. Sums of permutation matrices have
+// fixed margins: Pearson's sum is n / (n - 1) times chi-squared with (n - 1)^2 degrees. 1e-4 in the
+// tail.
 TEST(LatinHypercube, PermutesEvenly) {
   for (const std::uint64_t n : {2, 3, 7, 16}) {
     std::vector<double> counts(n * n);
