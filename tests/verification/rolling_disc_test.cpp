@@ -1,0 +1,303 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <ostream>
+#include <vector>
+
+#include "engine/base/units.h"
+#include "engine/simulate.h"
+#include "tests/support/small_scenes.h"
+
+// A disc that rolls on its edge without slip, in 3D: mass m, radius r, inertia C about its axle and
+// A about a diameter. With the axle a, the unit vector u from the contact to the centre, and the
+// angular velocity w, the centre moves with r w x u, and
+//
+//     d/dt [A w + (C - A) (w . a) a] = -r u x m (d/dt [r w x u] + g z)
+//
+// (Routh, Advanced Rigid Dynamics; O'Reilly 1996). In the engine it is the wheel of one rigid
+// caster without trail. Its chassis has the mass of a crumb at the wheel's centre and an inertia
+// equal in all directions: it takes part in m and A and not in C, and without friction on the axle
+// never turns about it.
+namespace gurney {
+namespace {
+
+using std::numbers::pi;
+constexpr double kG = kStandardGravity;
+constexpr double kTread = 1e7;  // [N/m]
+
+struct Disc {
+  double mass, radius;
+  double axial;                                     ///< C / (m r^2): 1/2 a disc, 1 a hoop
+  double crumb = 1e-5;                              ///< mass of the chassis over m
+  double gyration() const { return 0.1 * radius; }  ///< of the chassis
+
+  double m() const { return mass * (1 + 2 * crumb); }
+  double C() const { return axial * mass * radius * radius; }
+  double A() const { return 0.5 * C() + crumb * mass * gyration() * gyration(); }
+  /// Speed above which straight rolling is stable: sqrt(g r / 3) of a disc, sqrt(g r / 4) of a
+  /// hoop.
+  double critical_speed() const {
+    const double mr2 = m() * radius * radius;
+    return std::sqrt(kG * radius * mr2 * A() / (C() * (C() + mr2)));
+  }
+  /// x'' = -stiffness x for a small lean x of straight rolling at v.
+  double stiffness(double v) const {
+    const double mr2 = m() * radius * radius, n = v / radius;
+    return (C() * (C() + mr2) * n * n / A() - m() * kG * radius) / (A() + mr2);
+  }
+};
+
+/// The equation above by Runge-Kutta steps of fourth order.
+class DiscReference {
+ public:
+  DiscReference(const Disc& disc, const Vector3& axle, const Vector3& angular_velocity)
+      : disc_(disc), state_{axle, angular_velocity, Vector3::Zero()} {}
+
+  void advance(double duration) {
+    const auto steps = static_cast<int>(std::ceil(duration / 1e-4));
+    for (int i = 0; i < steps; ++i) step(duration / steps);
+  }
+  const Vector3& axle() const { return state_[0]; }
+  const Vector3& angular_velocity() const { return state_[1]; }
+  const Vector3& moved() const { return state_[2]; }  ///< of the centre [m]
+  /// From the contact to the centre, of length 1.
+  static Vector3 upwards(const Vector3& a) { return (Vector3::UnitZ() - a.z() * a).normalized(); }
+
+ private:
+  using State = std::array<Vector3, 3>;  // axle, angular velocity, displacement of the centre
+
+  static State sum(const State& y, double h, const State& k) {
+    return {y[0] + h * k[0], y[1] + h * k[1], y[2] + h * k[2]};
+  }
+
+  State rates(const State& y) const {
+    const Vector3 &a = y[0], &w = y[1];
+    const Vector3 da = w.cross(a), upright = Vector3::UnitZ() - a.z() * a;
+    const Vector3 u = upright.normalized();
+    const Vector3 change = -da.z() * a - a.z() * da;
+    const Vector3 du = (change - u.dot(change) * u) / upright.norm();
+    const double difference = disc_.C() - disc_.A(), r = disc_.radius, m = disc_.m();
+    const Matrix3 inertia = disc_.A() * Matrix3::Identity() + difference * a * a.transpose() +
+                            m * r * r * (Matrix3::Identity() - u * u.transpose());
+    const Vector3 rest = -r * m * u.cross(r * w.cross(du) + kG * Vector3::UnitZ()) -
+                         difference * (w.dot(da) * a + w.dot(a) * da);
+    return {da, inertia.inverse() * rest, r * w.cross(u)};
+  }
+
+  void step(double h) {
+    const State k1 = rates(state_), k2 = rates(sum(state_, h / 2, k1));
+    const State k3 = rates(sum(state_, h / 2, k2)), k4 = rates(sum(state_, h, k3));
+    for (std::size_t i = 0; i < 3; ++i)
+      state_[i] += h / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
+    state_[0].normalize();
+  }
+
+  Disc disc_;
+  State state_;
+};
+
+TEST(DiscReference, KeepsThePublishedSteadyPrecessions) {
+  // (C + m r^2) w3 Om sin th - A Om^2 sin th cos th + m g r cos th = 0, th from the vertical to the
+  // axle, for a thin disc of r = 0.05 m: without spin at 20 and 40 degrees (the table has g
+  // = 9.81), and at 60 degrees with Om = -12 rad/s.
+  struct Row {
+    double theta, precession, spin;
+  };
+  for (const Row& row : {Row{20, 47.90200, 0}, Row{40, 34.94184, 0}, Row{60, -12, 5.293118}}) {
+    const Disc disc{1, 0.05, 0.5, 0};
+    const double theta = row.theta * kRadiansPerDegree, scale = std::sqrt(kG / 9.81);
+    const Vector3 axle(std::sin(theta), 0, std::cos(theta));
+    // Om turns the axle; the rest of the angular velocity is along it.
+    const Vector3 across = row.precession * scale * (Vector3::UnitZ() - axle.z() * axle);
+    DiscReference reference(disc, axle, across + row.spin * scale * axle);
+    for (int i = 0; i < 20; ++i) {
+      reference.advance(0.02);
+      EXPECT_NEAR(std::acos(reference.axle().z()) / kRadiansPerDegree, row.theta, 1e-4) << i;
+    }
+  }
+}
+
+struct Rolling {
+  Scene scene;
+  Response run(const Excitation& excitation, double step, double duration, int stride) const {
+    auto settings = small::settings_for(step, duration, stride);
+    settings.residual = 1e-12;
+    settings.overturn_tilt = 1.5;
+    return simulate(scene, excitation, settings);
+  }
+};
+
+/// The disc upright at the origin, rolling along x at `speed` and turning at `yaw_rate`.
+Rolling rolling(const Disc& d, double speed, double yaw_rate) {
+  Rolling result;
+  EquipmentModel& item = result.scene.items[0].model;
+  item.name = "disc";
+  item.chassis_mass = d.crumb * d.mass;
+  item.chassis_center_of_mass = {0, 0, d.radius};
+  item.chassis_inertia = item.chassis_mass * d.gyration() * d.gyration() * Matrix3::Identity();
+  item.shape = {{{0, 0, d.radius}, 0.01 * d.radius * Vector3::Ones()}};
+  item.marked_points = {{"centre", {0, 0, d.radius}}};
+  Tread tread = small::bare_tread(kTread, kTread);
+  tread.relaxation_length = 1e9;
+  tread.static_friction = tread.kinetic_friction = 5;
+  Caster wheel = small::caster({0, 0, 1.001 * d.radius}, 0, tread, 0);
+  wheel.swivels = false;
+  wheel.wheel_radius = d.radius;
+  wheel.wheel_width = 1e-7 * d.radius;
+  wheel.wheel_mass = d.mass;
+  wheel.wheel_axial_inertia = d.C();
+  wheel.wheel_transverse_inertia = 0.5 * d.C();
+  wheel.fork_mass = d.crumb * d.mass;
+  wheel.fork_center_of_mass = {0, 0, -0.001 * d.radius};
+  wheel.fork_inertia.setZero();
+  item.casters = {wheel};
+  result.scene.items[0].initial.velocity = {speed, 0, 0};
+  result.scene.items[0].initial.yaw_rate = yaw_rate;
+  return result;
+}
+
+Vector3 axle(const Sample& sample) { return sample.orientation * Vector3::UnitY(); }
+
+struct Straight {
+  Disc disc;
+  double speed;      ///< over the critical one
+  double published;  ///< frequency [Hz] or rate of growth [1/s] for g = 9.81 m/s2; 0: none
+};
+
+void PrintTo(const Straight& s, std::ostream* out) {
+  *out << s.disc.mass << " kg, r " << s.disc.radius << " m, C " << s.disc.axial << " m r^2, "
+       << s.speed << " v_crit";
+}
+
+class StraightRolling : public testing::TestWithParam<Straight> {};
+
+TEST_P(StraightRolling, WobblesOrFallsAsTheLinearEquationSays) {
+  const auto& [disc, ratio, published] = GetParam();
+  // The lean x of a disc that rolls upright at n = v / r and is given a breath of yaw rate:
+  //   x = X (1 - cos(sqrt(L) t)),   X = (C + m r^2) n yaw_rate / ((A + m r^2) L),
+  //   L = [C (C + m r^2) n^2 / A - m g r] / (A + m r^2);   L < 0: cosh(sqrt(-L) t).
+  // It leans by 1e-4 at most: the rest of the sine is 1e-9 of it.
+  const double v = ratio * disc.critical_speed(), n = v / disc.radius;
+  const double stiffness = disc.stiffness(v), lambda = std::sqrt(std::abs(stiffness));
+  constexpr double kPhase = 7;  // a cycle, or a growth by e^7
+  const double amplitude = stiffness > 0 ? 0.5e-4 : -1e-4 / std::cosh(kPhase);
+  const double mr2 = disc.m() * disc.radius * disc.radius;
+  const double yaw_rate = amplitude * (disc.A() + mr2) * stiffness / ((disc.C() + mr2) * n);
+  EXPECT_EQ(stiffness > 0, ratio > 1);
+  if (published > 0) {
+    const double found = (ratio > 1 ? lambda / (2 * pi) : lambda) * std::sqrt(9.81 / kG);
+    EXPECT_NEAR(found, published, 1e-4 * published);
+  }
+  const double step = 0.01 / std::max(n, lambda);
+  const int count = static_cast<int>(kPhase / lambda / step);
+  const Response response = rolling(disc, v, yaw_rate).run({}, step, count * step, 1);
+  ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
+  for (const Sample& sample : response.items[0].history) {
+    const double phase = lambda * sample.time;
+    const double exact = amplitude * (1 - (stiffness > 0 ? std::cos(phase) : std::cosh(phase)));
+    // A method of second order: its rates miss by less than (h n)^2 = 1e-4, here over 7 radians.
+    EXPECT_NEAR(axle(sample).z(), exact, 7e-4 * 1e-4) << sample.time;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Discs, StraightRolling,
+    testing::Values(Straight{{1, 0.05, 0.5}, 1.2, 1.32264}, Straight{{1, 0.05, 0.5}, 1.5, 2.22931},
+                    Straight{{1, 0.05, 0.5}, 2, 3.45363}, Straight{{1, 0.05, 0.5}, 0.8, 7.517},
+                    Straight{{1, 0.05, 0.5}, 1.02, 0}, Straight{{1, 0.05, 0.5}, 0.98, 0},
+                    Straight{{1, 0.05, 1}, 1.2, 1.20740}, Straight{{1, 0.05, 1}, 1.5, 2.03506},
+                    Straight{{1, 0.05, 1}, 2, 3.15271}, Straight{{1, 0.05, 1}, 0.8, 6.862},
+                    Straight{{1, 0.05, 1}, 1.02, 0}, Straight{{1, 0.05, 1}, 0.98, 0},
+                    Straight{{8, 0.3, 0.7}, 1.3, 0}, Straight{{8, 0.3, 0.7}, 0.6, 0}));
+
+TEST(UprightDisc, PrecessesUnderAWeightAtItsAxle) {
+  // A force F down at d to the left of the wheel turns the upright disc to the left, on a circle:
+  // F d = Om (C n + m v r), n = v / r.
+  for (const Disc& disc : {Disc{1, 0.05, 0.5}, Disc{2, 0.1, 1}, Disc{8, 0.3, 0.7}}) {
+    const double force = 0.3 * disc.m() * kG, lever = 0.4 * disc.radius;
+    const double v = 2 * disc.critical_speed();
+    const double rate = force * lever / (v * (disc.C() / disc.radius + disc.m() * disc.radius));
+    const double turn = 2 * pi / rate, step = 0.01 * disc.radius / v;
+    Excitation excitation;
+    excitation.forces = {
+        {"weight", {0, lever, disc.radius}, -Vector3::UnitZ(), {0, turn}, {force, force}}};
+    const Response response = rolling(disc, v, rate).run(excitation, step, turn, 20);
+    ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
+    for (const Sample& sample : response.items[0].history) {
+      const double angle = rate * sample.time;
+      const Vector3 circle = v / rate * Vector3(std::sin(angle), 1 - std::cos(angle), 0);
+      // (h n)^2 = 1e-4 of a turn of 2 pi; a lean of the size of the sink (m g + F) / k over r.
+      EXPECT_LT((sample.points[0].displacement - circle).norm(), 7e-4 * v / rate) << sample.time;
+      EXPECT_NEAR(axle(sample).z(), 0, 5e-5) << sample.time;
+    }
+  }
+}
+
+struct Turning {
+  Disc disc;
+  double speed, yaw_rate;
+};
+
+void PrintTo(const Turning& t, std::ostream* out) {
+  *out << t.disc.mass << " kg, r " << t.disc.radius << " m, C " << t.disc.axial << " m r^2, "
+       << t.speed << " m/s, " << t.yaw_rate << " rad/s";
+}
+
+class TurningDisc : public testing::TestWithParam<Turning> {
+ protected:
+  struct Miss {
+    double axle = 0, path = 0;  ///< largest, of the axle's direction [-] and the centre [m]
+    double lean = 0, rate = 0;  ///< largest of the reference [rad], [rad/s]
+  };
+
+  Miss miss(double step) const {
+    const auto& [disc, speed, yaw_rate] = GetParam();
+    DiscReference reference(disc, Vector3::UnitY(), {0, speed / disc.radius, yaw_rate});
+    const int stride = static_cast<int>(std::lround(0.01 / step));
+    const Response response = rolling(disc, speed, yaw_rate).run({}, step, 1, stride);
+    EXPECT_NE(response.outcome, Outcome::kDiverged) << response.cause;
+    EXPECT_LT(response.quality.energy_closure, 1e-4);
+    Miss worst;
+    double time = 0;
+    for (const Sample& sample : response.items[0].history) {
+      if (sample.time > time) reference.advance(sample.time - time);
+      time = sample.time;
+      worst.lean = std::max(worst.lean, std::abs(std::asin(reference.axle().z())));
+      worst.rate = std::max(worst.rate, reference.angular_velocity().norm());
+      worst.axle = std::max(worst.axle, (axle(sample) - reference.axle()).norm());
+      worst.path = std::max(worst.path, (sample.points[0].displacement - reference.moved()).norm());
+    }
+    EXPECT_EQ(time, 1);
+    return worst;
+  }
+};
+
+TEST_P(TurningDisc, LeansAndTurnsAsTheRigidDiscDoes) {
+  // A disc that starts upright with a yaw rate leans out, turns and rises again. The error falls
+  // with the square of the step (or better) down to what the tread's sink of m g / k makes of it: a
+  // few times the sink over r. It is at most (h w)^2 of the angle w t that the disc turns in t = 1
+  // s.
+  const Disc& disc = GetParam().disc;
+  const Miss coarse = miss(1e-3), fine = miss(5e-4);
+  EXPECT_GT(fine.lean, 9 * kRadiansPerDegree) << "a test that asks";
+  const double sink = 10 * disc.m() * kG / (kTread * disc.radius);
+  EXPECT_LT(fine.axle, std::max(coarse.axle / 3, sink));
+  EXPECT_LT(fine.path / disc.radius, std::max(coarse.path / disc.radius / 3, sink));
+  const double largest = std::max(std::pow(5e-4 * fine.rate, 2) * fine.rate, sink);
+  EXPECT_LT(fine.axle, largest);
+  EXPECT_LT(fine.path / disc.radius, largest);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Discs, TurningDisc,
+    testing::Values(Turning{{1, 0.05, 0.5}, 0.8, 2}, Turning{{1, 0.05, 0.5}, 0.8, 5},
+                    Turning{{1, 0.05, 0.5}, 0.5, 2}, Turning{{1, 0.05, 1}, 0.6, 2},
+                    Turning{{8, 0.3, 0.7}, 1.5, 2}, Turning{{8, 0.3, 0.7}, 1.5, 3},
+                    Turning{{8, 0.3, 0.7}, 1.3, 2.5}));
+
+}  // namespace
+}  // namespace gurney
