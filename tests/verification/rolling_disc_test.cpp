@@ -1,104 +1,22 @@
+#include "tests/support/rolling_disc.h"
+
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <ostream>
 #include <vector>
 
 #include "engine/base/units.h"
-#include "engine/simulate.h"
-#include "tests/support/small_scenes.h"
 
-// A disc that rolls on its edge without slip, in 3D: mass m, radius r, inertia C about its axle and
-// A about a diameter. With the axle a, the unit vector u from the contact to the centre, and the
-// angular velocity w, the centre moves with r w x u, and
-//
-//     d/dt [A w + (C - A) (w . a) a] = -r u x m (d/dt [r w x u] + g z)
-//
-// (Routh, Advanced Rigid Dynamics; O'Reilly 1996). In the engine it is the wheel of one rigid
-// caster without trail. Its chassis has the mass of a crumb at the wheel's centre and an inertia
-// equal in all directions: it takes part in m and A and not in C, and without friction on the axle
-// never turns about it.
+// A disc that rolls on its edge without slip, in 3D: tests/support/rolling_disc.h has its
+// equations, and how the engine carries it.
 namespace gurney {
 namespace {
 
 using std::numbers::pi;
 constexpr double kG = kStandardGravity;
-constexpr double kTread = 1e7;  // [N/m]
-
-struct Disc {
-  double mass, radius;
-  double axial;                                     ///< C / (m r^2): 1/2 a disc, 1 a hoop
-  double crumb = 1e-5;                              ///< mass of the chassis over m
-  double gyration() const { return 0.1 * radius; }  ///< of the chassis
-
-  double m() const { return mass * (1 + 2 * crumb); }
-  double C() const { return axial * mass * radius * radius; }
-  double A() const { return 0.5 * C() + crumb * mass * gyration() * gyration(); }
-  /// Speed above which straight rolling is stable: sqrt(g r / 3) of a disc, sqrt(g r / 4) of a
-  /// hoop.
-  double critical_speed() const {
-    const double mr2 = m() * radius * radius;
-    return std::sqrt(kG * radius * mr2 * A() / (C() * (C() + mr2)));
-  }
-  /// x'' = -stiffness x for a small lean x of straight rolling at v.
-  double stiffness(double v) const {
-    const double mr2 = m() * radius * radius, n = v / radius;
-    return (C() * (C() + mr2) * n * n / A() - m() * kG * radius) / (A() + mr2);
-  }
-};
-
-/// The equation above by Runge-Kutta steps of fourth order.
-class DiscReference {
- public:
-  DiscReference(const Disc& disc, const Vector3& axle, const Vector3& angular_velocity)
-      : disc_(disc), state_{axle, angular_velocity, Vector3::Zero()} {}
-
-  void advance(double duration) {
-    const auto steps = static_cast<int>(std::ceil(duration / 1e-4));
-    for (int i = 0; i < steps; ++i) step(duration / steps);
-  }
-  const Vector3& axle() const { return state_[0]; }
-  const Vector3& angular_velocity() const { return state_[1]; }
-  const Vector3& moved() const { return state_[2]; }  ///< of the centre [m]
-  /// From the contact to the centre, of length 1.
-  static Vector3 upwards(const Vector3& a) { return (Vector3::UnitZ() - a.z() * a).normalized(); }
-
- private:
-  using State = std::array<Vector3, 3>;  // axle, angular velocity, displacement of the centre
-
-  static State sum(const State& y, double h, const State& k) {
-    return {y[0] + h * k[0], y[1] + h * k[1], y[2] + h * k[2]};
-  }
-
-  State rates(const State& y) const {
-    const Vector3 &a = y[0], &w = y[1];
-    const Vector3 da = w.cross(a), upright = Vector3::UnitZ() - a.z() * a;
-    const Vector3 u = upright.normalized();
-    const Vector3 change = -da.z() * a - a.z() * da;
-    const Vector3 du = (change - u.dot(change) * u) / upright.norm();
-    const double difference = disc_.C() - disc_.A(), r = disc_.radius, m = disc_.m();
-    const Matrix3 inertia = disc_.A() * Matrix3::Identity() + difference * a * a.transpose() +
-                            m * r * r * (Matrix3::Identity() - u * u.transpose());
-    const Vector3 rest = -r * m * u.cross(r * w.cross(du) + kG * Vector3::UnitZ()) -
-                         difference * (w.dot(da) * a + w.dot(a) * da);
-    return {da, inertia.inverse() * rest, r * w.cross(u)};
-  }
-
-  void step(double h) {
-    const State k1 = rates(state_), k2 = rates(sum(state_, h / 2, k1));
-    const State k3 = rates(sum(state_, h / 2, k2)), k4 = rates(sum(state_, h, k3));
-    for (std::size_t i = 0; i < 3; ++i)
-      state_[i] += h / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
-    state_[0].normalize();
-  }
-
-  Disc disc_;
-  State state_;
-};
 
 TEST(DiscReference, KeepsThePublishedSteadyPrecessions) {
   // (C + m r^2) w3 Om sin th - A Om^2 sin th cos th + m g r cos th = 0, th from the vertical to the
@@ -120,47 +38,6 @@ TEST(DiscReference, KeepsThePublishedSteadyPrecessions) {
     }
   }
 }
-
-struct Rolling {
-  Scene scene;
-  Response run(const Excitation& excitation, double step, double duration, int stride) const {
-    auto settings = small::settings_for(step, duration, stride);
-    settings.residual = 1e-12;
-    settings.overturn_tilt = 1.5;
-    return simulate(scene, excitation, settings);
-  }
-};
-
-/// The disc upright at the origin, rolling along x at `speed` and turning at `yaw_rate`.
-Rolling rolling(const Disc& d, double speed, double yaw_rate) {
-  Rolling result;
-  EquipmentModel& item = result.scene.items[0].model;
-  item.name = "disc";
-  item.chassis_mass = d.crumb * d.mass;
-  item.chassis_center_of_mass = {0, 0, d.radius};
-  item.chassis_inertia = item.chassis_mass * d.gyration() * d.gyration() * Matrix3::Identity();
-  item.shape = {{{0, 0, d.radius}, 0.01 * d.radius * Vector3::Ones()}};
-  item.marked_points = {{"centre", {0, 0, d.radius}}};
-  Tread tread = small::bare_tread(kTread, kTread);
-  tread.relaxation_length = 1e9;
-  tread.static_friction = tread.kinetic_friction = 5;
-  Caster wheel = small::caster({0, 0, 1.001 * d.radius}, 0, tread, 0);
-  wheel.swivels = false;
-  wheel.wheel_radius = d.radius;
-  wheel.wheel_width = 1e-7 * d.radius;
-  wheel.wheel_mass = d.mass;
-  wheel.wheel_axial_inertia = d.C();
-  wheel.wheel_transverse_inertia = 0.5 * d.C();
-  wheel.fork_mass = d.crumb * d.mass;
-  wheel.fork_center_of_mass = {0, 0, -0.001 * d.radius};
-  wheel.fork_inertia.setZero();
-  item.casters = {wheel};
-  result.scene.items[0].initial.velocity = {speed, 0, 0};
-  result.scene.items[0].initial.yaw_rate = yaw_rate;
-  return result;
-}
-
-Vector3 axle(const Sample& sample) { return sample.orientation * Vector3::UnitY(); }
 
 struct Straight {
   Disc disc;
@@ -194,13 +71,13 @@ TEST_P(StraightRolling, WobblesOrFallsAsTheLinearEquationSays) {
   }
   const double step = 0.01 / std::max(n, lambda);
   const int count = static_cast<int>(kPhase / lambda / step);
-  const Response response = rolling(disc, v, yaw_rate).run({}, step, count * step, 1);
+  const Response response = roll(rolling_disc(disc, v, yaw_rate), {}, step, count * step, 1);
   ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
   for (const Sample& sample : response.items[0].history) {
     const double phase = lambda * sample.time;
     const double exact = amplitude * (1 - (stiffness > 0 ? std::cos(phase) : std::cosh(phase)));
     // A method of second order: its rates miss by less than (h n)^2 = 1e-4, here over 7 radians.
-    EXPECT_NEAR(axle(sample).z(), exact, 7e-4 * 1e-4) << sample.time;
+    EXPECT_NEAR(disc_axle(sample).z(), exact, 7e-4 * 1e-4) << sample.time;
   }
 }
 
@@ -225,14 +102,14 @@ TEST(UprightDisc, PrecessesUnderAWeightAtItsAxle) {
     Excitation excitation;
     excitation.forces = {
         {"weight", {0, lever, disc.radius}, -Vector3::UnitZ(), {0, turn}, {force, force}}};
-    const Response response = rolling(disc, v, rate).run(excitation, step, turn, 20);
+    const Response response = roll(rolling_disc(disc, v, rate), excitation, step, turn, 20);
     ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
     for (const Sample& sample : response.items[0].history) {
       const double angle = rate * sample.time;
       const Vector3 circle = v / rate * Vector3(std::sin(angle), 1 - std::cos(angle), 0);
       // (h n)^2 = 1e-4 of a turn of 2 pi; a lean of the size of the sink (m g + F) / k over r.
       EXPECT_LT((sample.points[0].displacement - circle).norm(), 7e-4 * v / rate) << sample.time;
-      EXPECT_NEAR(axle(sample).z(), 0, 5e-5) << sample.time;
+      EXPECT_NEAR(disc_axle(sample).z(), 0, 5e-5) << sample.time;
     }
   }
 }
@@ -258,7 +135,7 @@ class TurningDisc : public testing::TestWithParam<Turning> {
     const auto& [disc, speed, yaw_rate] = GetParam();
     DiscReference reference(disc, Vector3::UnitY(), {0, speed / disc.radius, yaw_rate});
     const int stride = static_cast<int>(std::lround(0.01 / step));
-    const Response response = rolling(disc, speed, yaw_rate).run({}, step, 1, stride);
+    const Response response = roll(rolling_disc(disc, speed, yaw_rate), {}, step, 1, stride);
     EXPECT_NE(response.outcome, Outcome::kDiverged) << response.cause;
     EXPECT_LT(response.quality.energy_closure, 1e-4);
     Miss worst;
@@ -268,7 +145,7 @@ class TurningDisc : public testing::TestWithParam<Turning> {
       time = sample.time;
       worst.lean = std::max(worst.lean, std::abs(std::asin(reference.axle().z())));
       worst.rate = std::max(worst.rate, reference.angular_velocity().norm());
-      worst.axle = std::max(worst.axle, (axle(sample) - reference.axle()).norm());
+      worst.axle = std::max(worst.axle, (disc_axle(sample) - reference.axle()).norm());
       worst.path = std::max(worst.path, (sample.points[0].displacement - reference.moved()).norm());
     }
     EXPECT_EQ(time, 1);
@@ -284,7 +161,7 @@ TEST_P(TurningDisc, LeansAndTurnsAsTheRigidDiscDoes) {
   const Disc& disc = GetParam().disc;
   const Miss coarse = miss(1e-3), fine = miss(5e-4);
   EXPECT_GT(fine.lean, 9 * kRadiansPerDegree) << "a test that asks";
-  const double sink = 10 * disc.m() * kG / (kTread * disc.radius);
+  const double sink = 10 * disc.m() * kG / (kDiscTread * disc.radius);
   EXPECT_LT(fine.axle, std::max(coarse.axle / 3, sink));
   EXPECT_LT(fine.path / disc.radius, std::max(coarse.path / disc.radius / 3, sink));
   const double largest = std::max(std::pow(5e-4 * fine.rate, 2) * fine.rate, sink);
