@@ -60,7 +60,7 @@ double DiscReference::push_for(const State& y, double height_rate2) const {
 
 template <class Push>
 void DiscReference::integrate(double duration, Push push) {
-  const auto steps = static_cast<int>(std::ceil(duration / 1e-4));
+  const auto steps = static_cast<int>(std::ceil(duration / 5e-4));
   const double h = duration / steps;
   for (int i = 0; i < steps; ++i) {
     const auto rate = [&](double t, const State& y) { return rates(y, push(t, y)); };

@@ -72,7 +72,9 @@ Scene rolling_disc(const Disc& disc, double speed, double yaw_rate);
 /// Normal and tangential stiffness of its tread [N/m].
 inline constexpr double kDiscTread = 1e7;
 
-/// Runs it for exactly `duration`; keeps every `stride`-th step.
+/// Runs it for exactly `duration`; keeps every `stride`-th step. The chassis, which does not turn
+/// about the axle, pitches as the disc turns on a circle: what the engine says of its tilt and of
+/// overturning means nothing here.
 Response roll(const Scene& scene, const Excitation& excitation, double step, double duration,
               int stride);
 

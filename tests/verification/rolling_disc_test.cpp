@@ -176,5 +176,92 @@ INSTANTIATE_TEST_SUITE_P(
                     Turning{{8, 0.3, 0.7}, 1.5, 2}, Turning{{8, 0.3, 0.7}, 1.5, 3},
                     Turning{{8, 0.3, 0.7}, 1.3, 2.5}));
 
+class SteadyPrecession : public testing::TestWithParam<Turning> {
+ protected:
+  static constexpr double kLed = 0.4, kSample = 1e-3;  // [s]
+
+  /// A disc that starts upright is led to a_z = `height` in kLed, by a polynomial of fifth order.
+  /// @returns the push that is left to hold it there; `table`: the push from the start on.
+  double lead(double height, Excitation* table) const {
+    const auto& [disc, speed, yaw_rate] = GetParam();
+    DiscReference reference(disc, Vector3::UnitY(), {0, speed / disc.radius, yaw_rate});
+    const auto height_rate2 = [&](double t) {
+      const double s = t / kLed;
+      return height / (kLed * kLed) * (60 * s - 180 * s * s + 120 * s * s * s);
+    };
+    PointForce x{"x", {0, 0, disc.radius}, Vector3::UnitX(), {}, {}};
+    PointForce y{"y", {0, 0, disc.radius}, Vector3::UnitY(), {}, {}};
+    const auto note = [&] {
+      const Vector3& axle = reference.axle();
+      const Vector2 push =
+          reference.push_for(height_rate2(reference.time())) * axle.head<2>().normalized();
+      for (auto* force : {&x, &y}) force->time.push_back(reference.time());
+      x.force.push_back(push.x());
+      y.force.push_back(push.y());
+      return push.dot(axle.head<2>());
+    };
+    note();
+    double left = 0;
+    for (int i = 0; i < std::lround(kLed / kSample); ++i) {
+      reference.advance_led(kSample, height_rate2);
+      left = note();
+    }
+    if (table) {
+      table->forces = {x, y};
+      reference.advance(1);
+      EXPECT_NEAR(reference.axle().z(), height, 1e-6) << "stays";
+    }
+    return left;
+  }
+};
+
+TEST_P(SteadyPrecession, StaysAsItIsWhenItIsLeftAlone) {
+  const auto& [disc, speed, yaw_rate] = GetParam();
+  // Upright it takes a push against the yaw rate; where no push is left it is steady.
+  const double push = lead(0, nullptr);
+  double steady = 0, beyond = std::copysign(0.9, yaw_rate);
+  for (int i = 0; i < 30; ++i) {
+    const double height = 0.5 * (steady + beyond);
+    (lead(height, nullptr) * push > 0 ? steady : beyond) = height;
+  }
+  Excitation excitation;
+  lead(steady, &excitation);
+  const Response response =
+      roll(rolling_disc(disc, speed, yaw_rate), excitation, 2.5e-4, kLed + 1, 40);
+  ASSERT_NE(response.outcome, Outcome::kDiverged) << response.cause;
+  const double C = disc.C(), A = disc.A(), r = disc.radius, mgr = disc.m() * kG * r;
+  const double mr2 = disc.m() * r * r;
+  // Ten sinks of the tread over r, as for turning discs.
+  const double nutation = 10 * mgr / (kDiscTread * r * r);
+  std::vector<Vector2> middles;  // of the circle
+  const auto& history = response.items[0].history;
+  for (std::size_t i = 1; i < history.size(); ++i) {
+    if (history[i - 1].time < kLed - 1e-6) continue;
+    const Vector3 before = disc_axle(history[i - 1]), a = disc_axle(history[i]);
+    const double turn =
+        std::atan2(before.x() * a.y() - before.y() * a.x(), before.head<2>().dot(a.head<2>()));
+    const double rate = turn / (history[i].time - history[i - 1].time);
+    const double spin = history[i].wheels[0].wheel_rate;
+    const double cosine = a.z(), sine = std::sqrt(1 - cosine * cosine);
+    const double left =
+        (C + mr2) * spin * rate * sine - A * rate * rate * sine * cosine + mgr * cosine;
+    // A nutation changes the yaw rate by C w3 / A = 2 w3 times its size.
+    const double yaw = 2 * std::abs(spin / rate) * nutation;
+    EXPECT_NEAR(cosine, steady, nutation) << history[i].time;
+    EXPECT_NEAR(left, 0, yaw * mgr * std::abs(cosine)) << history[i].time;
+    const Vector2 centre = history[i].points[0].displacement.head<2>();
+    const double radius = spin * r / rate;
+    middles.push_back(centre + radius * a.head<2>().normalized());
+    EXPECT_LT((middles.back() - middles.front()).norm(), yaw * std::abs(radius));
+  }
+  ASSERT_GT(middles.size(), 90u);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Discs, SteadyPrecession,
+    testing::Values(Turning{{1, 0.05, 0.5}, 0.6, -4}, Turning{{1, 0.05, 0.5}, 0.8, 10},
+                    Turning{{1, 0.05, 1}, 0.8, 10}, Turning{{1, 0.05, 1}, 0.6, 5},
+                    Turning{{8, 0.3, 0.7}, 2, 4}, Turning{{8, 0.3, 0.7}, 2, -3}));
+
 }  // namespace
 }  // namespace gurney
