@@ -220,7 +220,7 @@ TEST_P(SteadyPrecession, StaysAsItIsWhenItIsLeftAlone) {
   // Upright it takes a push against the yaw rate; where no push is left it is steady.
   const double push = lead(0, nullptr);
   double steady = 0, beyond = std::copysign(0.9, yaw_rate);
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 24; ++i) {
     const double height = 0.5 * (steady + beyond);
     (lead(height, nullptr) * push > 0 ? steady : beyond) = height;
   }
