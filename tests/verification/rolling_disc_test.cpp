@@ -18,7 +18,7 @@ namespace {
 using std::numbers::pi;
 constexpr double kG = kStandardGravity;
 
-TEST(DiscReference, KeepsThePublishedSteadyPrecessions) {
+TEST(DiscReference, KeepsSteadyPrecessions) {
   // (C + m r^2) w3 Om sin th - A Om^2 sin th cos th + m g r cos th = 0, th from the vertical to the
   // axle, for a thin disc of r = 0.05 m: without spin at 20 and 40 degrees (the table has g
   // = 9.81), and at 60 degrees with Om = -12 rad/s.
@@ -41,8 +41,8 @@ TEST(DiscReference, KeepsThePublishedSteadyPrecessions) {
 
 struct Straight {
   Disc disc;
-  double speed;      ///< over the critical one
-  double published;  ///< frequency [Hz] or rate of growth [1/s] for g = 9.81 m/s2; 0: none
+  double speed;  ///< over the critical one
+  double known;  ///< frequency [Hz] or rate of growth [1/s] for g = 9.81 m/s2; 0: none
 };
 
 void PrintTo(const Straight& s, std::ostream* out) {
@@ -53,7 +53,7 @@ void PrintTo(const Straight& s, std::ostream* out) {
 class StraightRolling : public testing::TestWithParam<Straight> {};
 
 TEST_P(StraightRolling, WobblesOrFallsAsTheLinearEquationSays) {
-  const auto& [disc, ratio, published] = GetParam();
+  const auto& [disc, ratio, known] = GetParam();
   // The lean x of a disc that rolls upright at n = v / r and is given a breath of yaw rate:
   //   x = X (1 - cos(sqrt(L) t)),   X = (C + m r^2) n yaw_rate / ((A + m r^2) L),
   //   L = [C (C + m r^2) n^2 / A - m g r] / (A + m r^2);   L < 0: cosh(sqrt(-L) t).
@@ -65,9 +65,9 @@ TEST_P(StraightRolling, WobblesOrFallsAsTheLinearEquationSays) {
   const double mr2 = disc.m() * disc.radius * disc.radius;
   const double yaw_rate = amplitude * (disc.A() + mr2) * stiffness / ((disc.C() + mr2) * n);
   EXPECT_EQ(stiffness > 0, ratio > 1);
-  if (published > 0) {
+  if (known > 0) {
     const double found = (ratio > 1 ? lambda / (2 * pi) : lambda) * std::sqrt(9.81 / kG);
-    EXPECT_NEAR(found, published, 1e-4 * published);
+    EXPECT_NEAR(found, known, 1e-4 * known);
   }
   const double step = 0.01 / std::max(n, lambda);
   const int count = static_cast<int>(kPhase / lambda / step);

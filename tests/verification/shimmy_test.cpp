@@ -21,12 +21,12 @@
 //
 // and a wheel that does not slip sideways, y' = L theta' + v theta. Without F and y:
 //
-//     [Ic + m (L - a)^2 + M L^2] theta''' + [m (L - a) + M L] v theta'' + k L^2 theta' + k L v
-//     theta = 0
+//     [Ic + m (L - a)^2 + M L^2] theta''' + [m (L - a) + M L] v theta'' + k L^2 theta'
+//                                                                            + k L v theta = 0
 //
-// For M = 0 it is the massless pivot of Den Hartog (Mechanical Vibrations). By Routh it is stable
-// if Ic < m a (L - a), for every k, v and also M: the terms of M cancel. The spin of the wheel
-// gives a moment I_w (v / R) theta' about x only, which the guide of the pivot takes.
+// M = 0 is the massless pivot of textbooks (after Den Hartog, Mechanical Vibrations). By Routh it
+// is stable if Ic < m a (L - a), for every k, v and also M: the terms of M cancel. The spin of the
+// wheel gives a moment I_w (v / R) theta' about x only, which the guide of the pivot takes.
 namespace gurney {
 namespace {
 
@@ -82,7 +82,7 @@ std::complex<double> oscillation(const Eigen::VectorXcd& exponents) {
   return found;
 }
 
-TEST(ShimmyEquation, GivesThePublishedRootsOfAMasslessPivot) {
+TEST(ShimmyEquation, GivesTheKnownRootsOfAMasslessPivot) {
   // m = 1, L = 0.05, a = 0.03, k = 2e4, v = 1: growth [1/s] and frequency [Hz], to their digits.
   const double rows[][3] = {
       {0.5, -4.262, 42.48}, {0.9, -0.634, 36.70}, {1, 0, 35.588}, {3, 5.362, 24.09}};
