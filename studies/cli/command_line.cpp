@@ -16,6 +16,7 @@
 #include "studies/cli/records_command.h"
 #include "studies/cli/replay_command.h"
 #include "studies/cli/run_command.h"
+#include "studies/cli/show_command.h"
 #include "studies/cli/signals.h"
 
 namespace gurney {
@@ -69,6 +70,14 @@ void add_replay(CLI::App& app, std::function<int()>& act) {
   replay->callback([held, &act] { act = [held] { return replay_command(*held); }; });
 }
 
+void add_show(CLI::App& app, std::function<int()>& act) {
+  auto held = std::make_shared<ShowOptions>();
+  CLI::App* const show = app.add_subcommand("show", "Tell what a results file holds");
+  show->add_option("FILE", held->file, "The results file of a study or of one run")->required();
+  show->add_flag("--json", held->json, "Print it as JSON");
+  show->callback([held, &act] { act = [held] { return show_command(*held); }; });
+}
+
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
@@ -108,6 +117,7 @@ int run_command_line(int argc, char** argv) {
   std::function<int()> act;
   add_run(app, act);
   add_replay(app, act);
+  add_show(app, act);
   add_records(app, act);
   add_equipment(app, act);
   app.add_subcommand("help", "Print this help, or that of a command: help records scale");

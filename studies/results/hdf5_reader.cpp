@@ -32,15 +32,22 @@ std::vector<std::string> fixed_strings(hid_t dataset, std::size_t width, std::si
   return result;
 }
 
-std::string text_of(hid_t object, const std::string& name) {
+std::vector<std::string> texts_of(hid_t object, const std::string& name) {
   const std::string what = "read attribute '" + name + "'";
   if (checked(H5Aexists(object, name.c_str()), what) == 0) return {};
   const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), what);
   const Handle space(H5Aget_space(attribute), what);
   const Handle type = text_type();
-  std::vector<char*> raw(1);
+  std::vector<char*> raw(
+      static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), what)));
+  if (raw.empty()) return {};
   checked(H5Aread(attribute, type, raw.data()), what);
-  return take_strings(type, space, raw).front();
+  return take_strings(type, space, raw);
+}
+
+std::string text_of(hid_t object, const std::string& name) {
+  const std::vector<std::string> texts = texts_of(object, name);
+  return texts.empty() ? "" : texts.front();
 }
 
 std::string type_name(hid_t dataset) {
@@ -116,6 +123,10 @@ std::vector<std::string> Hdf5Reader::attributes() const {
 
 std::string Hdf5Reader::text_attribute(const std::string& name) const {
   return text_of(file_, name);
+}
+
+std::vector<std::string> Hdf5Reader::text_attributes(const std::string& name) const {
+  return texts_of(file_, name);
 }
 
 std::vector<double> Hdf5Reader::numbers(const std::string& path) const {

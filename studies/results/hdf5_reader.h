@@ -26,6 +26,7 @@ class Hdf5Reader {
   std::vector<Hdf5Dataset> datasets() const;                  ///< in order of their paths
   std::vector<std::string> attributes() const;                ///< names, of the file itself
   std::string text_attribute(const std::string& name) const;  ///< of the file itself
+  std::vector<std::string> text_attributes(const std::string& name) const;  ///< a list of texts
   std::vector<double> numbers(const std::string& path) const;
   std::vector<std::string> strings(const std::string& path) const;
 

@@ -1,0 +1,124 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "engine/base/units.h"
+#include "studies/report/overview_report.h"
+
+namespace gurney {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json head(const FileOverview& file, const char* filetype) {
+  Json motions = Json::array(), assumptions = Json::array();
+  for (const auto& each : file.motions)
+    motions.push_back({{"name", each.name}, {"files", each.files}, {"warnings", each.warnings}});
+  for (const auto& each : file.assumptions)
+    assumptions.push_back({{"key", each.key},
+                           {"value", each.value},
+                           {"range", each.range},
+                           {"reason", each.reason},
+                           {"file", each.file}});
+  return {{"file", file.path},
+          {"filetype", filetype},
+          {"title", file.title},
+          {"program_version", file.program_version},
+          {"git_commit", file.git_commit},
+          {"compiler", file.compiler},
+          {"cpu_class", file.cpu_class},
+          {"job_name", file.job_name},
+          {"job_sha256", file.job_sha256},
+          {"seed", file.seed.empty() ? Json(nullptr) : Json(file.seed)},
+          {"records", motions},
+          {"warnings", file.warnings},
+          {"assumptions", assumptions},
+          {"energy_closure", number(file.energy_closure)}};
+}
+
+Json counts(const StudyOverview& overview) {
+  Json result = Json::array();
+  for (const LevelCounts& each : overview.counts) {
+    Json exceeded = Json::object();
+    for (std::size_t i = 0; i < overview.states.size(); ++i)
+      exceeded[overview.states[i].name] = each.exceeded[i];
+    result.push_back({{"configuration", each.configuration},
+                      {"level", each.level},
+                      {"runs", each.runs},
+                      {"overturned", each.overturned},
+                      {"failed", each.failed},
+                      {"exceeded", exceeded}});
+  }
+  return result;
+}
+
+Json certificate(const StepCertificate& of) {
+  Json demands = Json::array(), states = Json::array();
+  for (const StepChange& each : of.changes) {
+    const bool any = each.compared > 0;
+    demands.push_back({{"demand", each.demand},
+                       {"compared", each.compared},
+                       {"median_relative_change", any ? Json(each.median) : Json(nullptr)},
+                       {"largest_relative_change", any ? Json(each.largest) : Json(nullptr)},
+                       {"largest_in_run", any ? Json(each.largest_run) : Json(nullptr)}});
+  }
+  for (const StateChange& each : of.states)
+    states.push_back({{"limit_state", each.state}, {"changed_runs", each.runs}});
+  return {{"runs", of.runs},
+          {"demands", demands},
+          {"limit_states", states},
+          {"not_compared", of.unjudged}};
+}
+
+}  // namespace
+
+std::string overview_json(const StudyOverview& overview) {
+  Json result = head(overview.file, "gurney-study");
+  Json factors = Json::array(), angles = Json::array(), states = Json::array(),
+       failures = Json::array();
+  for (const auto& each : overview.factors)
+    factors.push_back({{"name", each.name}, {"levels", each.levels}});
+  for (const double angle : overview.angles) angles.push_back(angle / kRadiansPerDegree);
+  for (const LimitState& each : overview.states)
+    states.push_back({{"name", each.name}, {"words", each.words}, {"origin", each.origin}});
+  for (const FailedRun& each : overview.failures)
+    failures.push_back({{"run", each.run}, {"cause", each.cause}, {"replay", each.command}});
+  result["energy_closure_run"] = overview.energy_closure_run;
+  result["factors"] = factors;
+  result["configurations"] = overview.configurations;
+  result["angles_deg"] = angles;
+  result["intensity_measure"] = overview.measure;
+  result["levels"] = overview.levels;
+  result["draws"] = overview.draws;
+  result["runs"] = overview.runs;
+  result["overturned"] = overview.overturned;
+  result["failed"] = overview.failed;
+  result["limit_states"] = states;
+  result["counts"] = counts(overview);
+  result["failures"] = failures;
+  result["certificate"] = overview.certificate ? certificate(*overview.certificate) : Json(nullptr);
+  return result.dump(2) + "\n";
+}
+
+std::string overview_json(const RunOverview& overview) {
+  Json result = head(overview.file, "gurney-results");
+  Json items = Json::array();
+  for (const auto& each : overview.items)
+    items.push_back(
+        {{"name", each.name},
+         {"model", each.model},
+         {"peak_displacement", number(each.peak_displacement)},
+         {"residual_displacement", number(each.residual_displacement)},
+         {"peak_velocity", number(each.peak_velocity)},
+         {"peak_tilt", number(each.peak_tilt)},
+         {"time_of_overturning",
+          each.time_of_overturning < 0 ? Json(nullptr) : Json(each.time_of_overturning)}});
+  result["outcome"] = overview.outcome;
+  result["cause"] = overview.cause;
+  result["end_time"] = overview.end_time;
+  result["items"] = items;
+  return result.dump(2) + "\n";
+}
+
+}  // namespace gurney

@@ -1,0 +1,190 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/units.h"
+#include "studies/report/overview_report.h"
+
+namespace gurney {
+namespace {
+
+constexpr std::size_t kMostLines = 20;
+
+/// Rows of cells; columns as wide as their widest cell, numbers to the right.
+class TextTable {
+ public:
+  explicit TextTable(std::size_t left) : left_(left) {}
+
+  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+
+  std::string text() const {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows_) {
+      widths.resize(std::max(widths.size(), row.size()), 0);
+      for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    }
+    std::string all;
+    for (const auto& row : rows_) {
+      std::string line = " ";
+      for (std::size_t i = 0; i < row.size(); ++i)
+        line += i < left_ ? fmt::format(" {:<{}} ", row[i], widths[i])
+                          : fmt::format(" {:>{}} ", row[i], widths[i]);
+      all += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    }
+    return all;
+  }
+
+ private:
+  std::size_t left_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+std::string entry(const std::string& name, const std::string& value) {
+  return fmt::format("{:<12}{}\n", name, value);
+}
+
+/// The first lines, and how many there are more.
+std::string shortened(const std::vector<std::string>& lines) {
+  std::string all;
+  for (std::size_t i = 0; i < std::min(lines.size(), kMostLines); ++i) all += lines[i] + "\n";
+  if (lines.size() > kMostLines)
+    all += fmt::format("  and {} more; --json lists all\n", lines.size() - kMostLines);
+  return all;
+}
+
+std::string head(const FileOverview& file, const std::string& what) {
+  std::string all = file.title.empty() ? "" : file.title + "\n\n";
+  all += entry("file", file.path + ", " + what);
+  all +=
+      entry("program", fmt::format("gurney {}, commit {}, {}, CPU class {}", file.program_version,
+                                   file.git_commit, file.compiler, file.cpu_class));
+  all += entry("job", fmt::format("{}, SHA-256 {}", file.job_name, file.job_sha256));
+  if (!file.seed.empty()) all += entry("seed", file.seed);
+  return all;
+}
+
+std::string motions(const FileOverview& file) {
+  if (file.motions.empty()) return entry("records", "none, the floor is at rest");
+  std::vector<std::string> lines;
+  for (const auto& motion : file.motions) {
+    lines.push_back("  " + motion.name + (motion.files.empty() ? ", made by the program" : ""));
+    for (const std::string& each : motion.files) lines.push_back("    " + each);
+    for (const std::string& each : motion.warnings) lines.push_back("    warning: " + each);
+  }
+  return "\n" + entry("records", std::to_string(file.motions.size())) + shortened(lines);
+}
+
+std::string tail(const FileOverview& file, const std::string& worst) {
+  std::string all;
+  if (!std::isnan(file.energy_closure))
+    all += entry("energy", fmt::format("closes within {:.2g} of the energy in play{}",
+                                       file.energy_closure, worst));
+  for (const std::string& each : file.warnings) all += entry("warning", each);
+  const std::size_t count = file.assumptions.size();
+  all += entry("assumed", count == 0 ? "no number without a source"
+                                     : fmt::format("{} numbers have no source but a reason and a "
+                                                   "range; --json lists them",
+                                                   count));
+  return all;
+}
+
+std::string share(std::size_t count, std::size_t of) {
+  return of == 0 ? "-" : fmt::format("{:.3f}", double(count) / double(of));
+}
+
+std::string counts(const StudyOverview& overview) {
+  TextTable table(2);
+  std::vector<std::string> names{"configuration",
+                                 overview.measure.empty() ? "records" : overview.measure, "runs",
+                                 "overturned", "failed"};
+  for (const LimitState& state : overview.states) names.push_back(state.name);
+  table.add(names);
+  for (const LevelCounts& each : overview.counts) {
+    std::vector<std::string> row{each.configuration.empty() ? "-" : each.configuration, each.level,
+                                 std::to_string(each.runs), std::to_string(each.overturned),
+                                 std::to_string(each.failed)};
+    for (const std::size_t exceeded : each.exceeded) row.push_back(share(exceeded, each.counted()));
+    table.add(row);
+  }
+  std::string all = "\nshare of the runs that exceed a limit state; failed runs are not counted\n";
+  all += table.text();
+  for (const LimitState& state : overview.states)
+    if (state.words != state.name) all += fmt::format("  {}: {}\n", state.name, state.words);
+  return all;
+}
+
+std::string failures(const StudyOverview& overview) {
+  if (overview.failures.empty()) return {};
+  std::vector<std::string> lines;
+  for (const FailedRun& each : overview.failures)
+    lines.push_back(fmt::format("  {}: {}\n    {}", each.run, each.cause, each.command));
+  return "\nruns that failed, why, and what makes them again\n" + shortened(lines);
+}
+
+std::string certificate(const StudyOverview& overview) {
+  if (!overview.certificate) return {};
+  const StepCertificate& of = *overview.certificate;
+  std::string all = fmt::format(
+      "\ntime step: {} runs were repeated with half the step; relative change of their demands\n",
+      of.runs);
+  TextTable table(1);
+  table.add({"demand", "compared", "median", "largest", "in run"});
+  for (const StepChange& each : of.changes)
+    if (each.compared > 0)
+      table.add({each.demand, std::to_string(each.compared), fmt::format("{:.2g}", each.median),
+                 fmt::format("{:.2g}", each.largest),
+                 each.largest > 0 ? std::to_string(each.largest_run) : "-"});
+  all += table.text();
+  for (const StateChange& each : of.states)
+    all += fmt::format("  {}: another outcome in {} of {} runs\n", each.state, each.runs.size(),
+                       of.runs);
+  for (const std::string& each : of.unjudged)
+    all += fmt::format("  {}: not compared, the repetition keeps items alone\n", each);
+  return all;
+}
+
+}  // namespace
+
+std::string overview_text(const StudyOverview& overview) {
+  std::string all = head(overview.file, fmt::format("a study of {} runs", overview.runs));
+  for (const auto& factor : overview.factors)
+    all += entry("factor", fmt::format("{}: {}", factor.name, fmt::join(factor.levels, ", ")));
+  all += entry("variants", fmt::format("{} configuration{}", overview.configurations.size(),
+                                       overview.configurations.size() == 1 ? "" : "s"));
+  std::vector<std::string> angles;
+  for (const double angle : overview.angles)
+    angles.push_back(fmt::format("{:g}", angle / kRadiansPerDegree));
+  all += entry("angles", fmt::format("{} deg", fmt::join(angles, ", ")));
+  all += entry("intensity",
+               fmt::format("{}: {}", overview.measure.empty() ? "records" : overview.measure,
+                           fmt::join(overview.levels, ", ")));
+  all += entry("draws", overview.draws > 0 ? fmt::format("{} of each record", overview.draws)
+                                           : "none, every number has its value");
+  all += entry("runs", fmt::format("{}, {} overturned, {} failed", overview.runs,
+                                   overview.overturned, overview.failed));
+  all += tail(overview.file, fmt::format(" (worst: run {})", overview.energy_closure_run));
+  return all + motions(overview.file) + counts(overview) + failures(overview) +
+         certificate(overview);
+}
+
+std::string overview_text(const RunOverview& overview) {
+  std::string all = head(overview.file, "one run");
+  all += entry("outcome", fmt::format("{} at {:.4g} s{}{}", overview.outcome, overview.end_time,
+                                      overview.cause.empty() ? "" : ": ", overview.cause));
+  all += tail(overview.file, "") + motions(overview.file);
+  TextTable table(2);
+  table.add({"item", "equipment", "peak", "residual", "speed", "tilt", "overturned"});
+  table.add({"", "", "m", "m", "m/s", "deg", "s"});
+  for (const auto& item : overview.items)
+    table.add(
+        {item.name, item.model, fmt::format("{:.4f}", item.peak_displacement),
+         fmt::format("{:.4f}", item.residual_displacement),
+         fmt::format("{:.3f}", item.peak_velocity),
+         fmt::format("{:.2f}", item.peak_tilt / kRadiansPerDegree),
+         item.time_of_overturning < 0 ? "-" : fmt::format("{:.2f}", item.time_of_overturning)});
+  return all + "\nlargest and last displacement and largest speed against the floor\n" +
+         table.text();
+}
+
+}  // namespace gurney
