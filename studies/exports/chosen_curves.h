@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "studies/analysis/study_data.h"
+#include "studies/statistics/lognormal.h"
+
+namespace gurney {
+
+/// What of a study is exported; an empty text: all configurations, all limit states, the study's
+/// own measure.
+struct ExportChoice {
+  std::string configuration, measure, limit;
+};
+
+/// Indices of the configurations that are chosen.
+/// @throws Error with the nearest name
+std::vector<std::size_t> chosen_configurations(const StudyData& data, const ExportChoice& choice);
+
+/// A fragility curve that may be exported.
+struct ChosenCurve {
+  std::string configuration;
+  LimitState state;
+  LognormalCurve curve;  ///< im in SI
+  std::size_t runs = 0, exceeded = 0, records = 0, failed = 0;
+  double lowest = 0, highest = 0;  ///< im of the runs, SI
+};
+
+struct ChosenCurves {
+  RunMeasure measure;
+  std::vector<ChosenCurve> curves;    ///< in order of configurations, then of limit states
+  std::vector<std::string> left_out;  ///< those without a curve, and why: a line each
+};
+
+/// @throws Error for unknown names, and where no curve is left
+ChosenCurves chosen_curves(const StudyData& data, const ExportChoice& choice);
+
+}  // namespace gurney
