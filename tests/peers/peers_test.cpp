@@ -87,14 +87,14 @@ void row(const char* what, unsigned record, const char* engine, double step, con
 // Without losses nothing is left to differ but time steps: 0.1 % of the peak. Both peers are of
 // first order, so a quarter of the step leaves a quarter of the distance.
 TEST(Peers, WithoutRollingResistanceAllTakeOnePath) {
-  constexpr unsigned record = 2;
-  const CrossCheck check = free_casters(record, false);
+  constexpr unsigned kRecord = 2;
+  const CrossCheck check = free_casters(kRecord, false);
   const Path ours = our_path(check);
   for (const auto& [name, path_of] : kPeers) {
-    SCOPED_TRACE(fmt::format("{}, record {}", name, record));
+    SCOPED_TRACE(fmt::format("{}, record {}", name, kRecord));
     const Path coarse = path_of(check, 4 * kStep), fine = path_of(check, kStep);
-    row("no resistance", record, name, 4 * kStep, ours, coarse);
-    row("no resistance", record, name, kStep, ours, fine);
+    row("no resistance", kRecord, name, 4 * kStep, ours, coarse);
+    row("no resistance", kRecord, name, kStep, ours, fine);
     EXPECT_LT(distance(ours, fine), 0.001 * peak(ours));
     EXPECT_LT(distance(ours, fine), 0.4 * distance(ours, coarse));
   }
@@ -117,12 +117,12 @@ TEST(Peers, WithRollingResistanceAllTakeOnePath) {
 }
 
 TEST(Peers, LockedWheelsSlideInACone) {
-  constexpr unsigned record = 1;
-  const CrossCheck check = locked_casters(record);
+  constexpr unsigned kRecord = 1;
+  const CrossCheck check = locked_casters(kRecord);
   const Path ours = our_path(check), cone = mujoco_path(check, kStep),
              pyramid = ode_path(check, kStep);
-  row("locked", record, "MuJoCo", kStep, ours, cone);
-  row("locked", record, "ODE", kStep, ours, pyramid);
+  row("locked", kRecord, "MuJoCo", kStep, ours, cone);
+  row("locked", kRecord, "ODE", kStep, ours, pyramid);
   EXPECT_NEAR(peak(cone), peak(ours), 0.05 * peak(ours));
   EXPECT_LT(distance(ours, cone), 0.05 * peak(ours));
   // The pyramid holds up to sqrt(2) times as much between its axes: it slides less.
