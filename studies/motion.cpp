@@ -139,11 +139,26 @@ Record through_building(Record ground, const RecordRequest& request) {
 
 }  // namespace
 
+Record ground_record(const RecordRequest& request) {
+  require(request.suite.empty(), request.where +
+                                     ": 'suite' belongs to jobs with a table [study]; one run has "
+                                     "one record: 'file', or 'x', 'y', 'z', or 'synthetic'");
+  return unscaled(request);
+}
+
+Record floor_record_of(const Record& ground, const RecordRequest& request) {
+  return through_building(ground, request);
+}
+
+FloorMotion in_floor_axes(const Record& floor, const RecordRequest& request, double angle) {
+  return floor_motion(floor, 1, angle, used_components(floor, request));
+}
+
 Motion motion_of(const RecordRequest& request) {
-  const Record raw = unscaled(request);
-  const Record record = through_building(scaled_as_asked(raw, request), request);
+  const Record raw = ground_record(request);
+  const Record record = floor_record_of(scaled_as_asked(raw, request), request);
   Motion motion;
-  motion.floor = floor_motion(record, 1, request.angle, used_components(record, request));
+  motion.floor = in_floor_axes(record, request, request.angle);
   const Residual left = residual(motion.floor);
   motion.facts = facts_of(record, motion.floor, left);
   motion.seed = seed_of(request);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/floor_motion.h"
+#include "groundmotions/record.h"
 #include "studies/job/job.h"
 #include "studies/results/run_facts.h"
 
@@ -24,5 +25,11 @@ struct Motion {
 /// @throws Error for a record that cannot be read or processed, lacks a component that the job does
 ///         not leave out, or looks implausible where the job refuses that.
 Motion motion_of(const RecordRequest& request);
+
+/// The parts of motion_of(), for studies, which scale and turn one record many times: read or made
+/// and processed; taken through the building; turned, with the components that act.
+Record ground_record(const RecordRequest& request);
+Record floor_record_of(const Record& ground, const RecordRequest& request);
+FloorMotion in_floor_axes(const Record& floor, const RecordRequest& request, double angle);
 
 }  // namespace gurney

@@ -12,18 +12,18 @@
 namespace gurney {
 namespace {
 
+void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
 AssumptionFacts facts_of(const Assumption& assumption) {
   const bool number = assumption.choice.empty();
   return {assumption.key, number ? fmt::format("{:g}", assumption.value) : assumption.choice,
           number ? fmt::format("{:g} to {:g}", assumption.low, assumption.high) : "",
           assumption.reason, std::filesystem::path(assumption.file).filename().string()};
 }
-
-void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
-  list.insert(list.end(), more.begin(), more.end());
-}
-
-}  // namespace
 
 PreparedRun prepare_run(const std::string& job_path) {
   const Job job = read_job(job_path);

@@ -3,9 +3,13 @@
 #include <string>
 
 #include "engine/scene/scene.h"
+#include "equipment/assumption.h"
 #include "studies/results/run_facts.h"
 
 namespace gurney {
+
+/// An assumption as results and summaries tell it.
+AssumptionFacts facts_of(const Assumption& assumption);
 
 /// A job with its record read: simulate(facts.scene, excitation, facts.settings) runs it.
 struct PreparedRun {

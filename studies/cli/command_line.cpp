@@ -34,7 +34,7 @@ std::string version() {
 void add_run(CLI::App& app, std::function<int()>& act) {
   auto held = std::make_shared<RunOptions>();
   RunOptions& options = *held;
-  CLI::App* const run = app.add_subcommand("run", "Run one job: an item under a record or a pull");
+  CLI::App* const run = app.add_subcommand("run", "Run a job: one run, or a study of many");
   run->add_option("JOB", options.job,
                   "The job file, such as studies/jobs/icu_ventilator_shake.toml")
       ->required();
@@ -44,6 +44,10 @@ void add_run(CLI::App& app, std::function<int()>& act) {
   run->add_flag("--overwrite", options.overwrite, "Replace files that exist");
   run->add_flag("--json", options.json, "Print the summary as JSON");
   run->add_flag("--no-figure", options.no_figure, "Draw no figure");
+  run->add_flag("--resume", options.resume, "Go on with a study that was interrupted");
+  run->add_option("-j,--threads", options.threads,
+                  "Threads for a study (default: all of the machine)")
+      ->check(CLI::Range(1, 4096));
   run->callback([held, &act] { act = [held] { return run_command(*held); }; });
 }
 

@@ -10,12 +10,14 @@
 #include "engine/base/error.h"
 #include "engine/simulate.h"
 #include "studies/build_info/build_info.h"
+#include "studies/cli/run_study.h"
 #include "studies/cli/signals.h"
 #include "studies/report/figure.h"
 #include "studies/report/summary.h"
 #include "studies/results/output_files.h"
 #include "studies/results/results_file.h"
 #include "studies/run_job.h"
+#include "studies/study/study_job.h"
 
 namespace gurney {
 namespace {
@@ -75,6 +77,11 @@ void print(const RunOptions& options, const Paths& paths, const PreparedRun& run
 }  // namespace
 
 int run_command(const RunOptions& options) {
+  if (has_study(options.job)) return run_study(options);
+  require(!options.resume && options.threads == 0,
+          options.job +
+              ": is a single run, which has no use for --resume and -j; studies have a "
+              "table [study]");
   const Paths paths = paths_for(options);
   const PreparedRun run = prepare_run(options.job);
   make_default_folder(options);

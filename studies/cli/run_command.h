@@ -10,6 +10,8 @@ struct RunOptions {
   bool overwrite = false;
   bool json = false;
   bool no_figure = false;
+  bool resume = false;  ///< go on with a study that was interrupted
+  int threads = 0;      ///< of a study; 0: as many as the machine has
 };
 
 /// `gurney run`: reads the job, checks that its files can be written, simulates, writes the results

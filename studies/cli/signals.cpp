@@ -14,6 +14,20 @@ extern "C" void leave(int signal_number) {
   _exit(128 + signal_number);
 }
 
+volatile sig_atomic_t noted = 0;
+
+extern "C" void note(int signal_number) {
+  if (noted != 0) leave(signal_number);
+  noted = signal_number;
+}
+
+void handle_with(void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
 sigset_t interruptions() {
   sigset_t set;
   sigemptyset(&set);
@@ -25,12 +39,13 @@ sigset_t interruptions() {
 }  // namespace
 
 void handle_signals() {
-  struct sigaction action {};
-  action.sa_handler = leave;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  handle_with(leave);
   signal(SIGXFSZ, SIG_IGN);
 }
+
+void note_interruptions() { handle_with(note); }
+
+int interruption() { return noted; }
 
 SignalsHeld::SignalsHeld() {
   const sigset_t set = interruptions();

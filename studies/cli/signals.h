@@ -6,6 +6,13 @@ namespace gurney {
 /// stderr, and a write beyond the largest file size is an error instead of a signal.
 void handle_signals();
 
+/// From now on the first SIGINT or SIGTERM is only noted, for work that ends by itself soon; the
+/// second ends the program as before.
+void note_interruptions();
+
+/// The signal that was noted; 0: none.
+int interruption();
+
 /// While one exists, SIGINT and SIGTERM wait: files are not left half-written.
 class SignalsHeld {
  public:

@@ -93,22 +93,15 @@ std::optional<Draw> read_draw(Table& root) {
               static_cast<std::uint64_t>(table->integer("draw", 0, kMost)));
 }
 
-}  // namespace
-
-Job read_job(const std::string& path) {
-  config::Document document(path);
-  return read_job(document);
-}
-
-Job read_job(config::Document& document) {
+Job read(config::Document& document, const std::optional<Draw>& draw) {
   Job job;
   job.file = document.path();
   job.text = document.text();
   Table root = document.root();
   root.choice("schema", {"gurney-job/1"});
   job.title = root.text("title", "");
-  job.draw = read_draw(root);
-  document.set_draw(job.draw);
+  job.draw = draw;
+  document.set_draw(draw);
 
   const std::optional<FloorCovering> covering = read_floor(root, job.assumptions, job.scene);
   RoomNames names;
@@ -128,6 +121,22 @@ Job read_job(config::Document& document) {
   if (document.clean()) check_overlaps(items, job.scene);
   document.finish();
   return job;
+}
+
+}  // namespace
+
+Job read_job(const std::string& path) {
+  config::Document document(path);
+  return read_job(document);
+}
+
+Job read_job(config::Document& document) {
+  Table root = document.root();
+  return read(document, read_draw(root));
+}
+
+Job read_study_job(config::Document& document, const std::optional<Draw>& draw) {
+  return read(document, draw);
 }
 
 }  // namespace gurney

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,7 +35,8 @@ struct BuildingRequest {
 
 /// The ground or floor motion a job asks for; motion.h makes it.
 struct RecordRequest {
-  std::vector<RecordFile> files;  ///< or `synthetic`
+  std::vector<RecordFile> files;             ///< or `synthetic`, or, in a study, `suite`
+  std::vector<std::filesystem::path> suite;  ///< folders, lists, files: each record in turn
   ReadOptions options;
   std::optional<SyntheticRequest> synthetic;
   bool use_x = true, use_y = true, use_z = true;  ///< components that act; the others stay at 0
@@ -67,5 +69,8 @@ Job read_job(const std::string& path);
 
 /// The same from an open document, which it finishes.
 Job read_job(config::Document& document);
+
+/// One way a study has a job: with this draw, or with every number at its value.
+Job read_study_job(config::Document& document, const std::optional<Draw>& draw);
 
 }  // namespace gurney

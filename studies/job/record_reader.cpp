@@ -22,19 +22,28 @@ namespace fs = std::filesystem;
 constexpr std::array kAxes = {"x", "y", "z"};
 
 /// Relative to the folder of the job; noted where nothing is there.
-fs::path checked_path(Table& table, const std::string& key, const std::string& name) {
+fs::path existing_path(Table& table, const std::string& key, const std::string& name) {
   const fs::path path = (fs::path(table.document().path()).parent_path() / name).lexically_normal();
   std::error_code ignored;
-  if (fs::is_directory(path, ignored))
-    table.note(key, " = \"" + name + "\": is a folder, not a file: " + path.string());
-  else if (!fs::exists(path, ignored))
+  if (!fs::exists(path, ignored))
     table.note(key, " = \"" + name + "\": no such file: " + path.string());
   return path;
 }
 
+/// The same for what cannot be a folder.
+fs::path checked_path(Table& table, const std::string& key, const std::string& name) {
+  fs::path path = existing_path(table, key, name);
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+    table.note(key, " = \"" + name + "\": is a folder, not a file: " + path.string());
+  return path;
+}
+
 /// Files for stated axes, or files that place their components themselves.
-std::vector<RecordFile> read_files(Table& excitation, Table& in) {
+std::vector<RecordFile> read_files(Table& excitation, Table& in, std::vector<fs::path>& suite) {
   std::vector<RecordFile> files;
+  for (const std::string& name : in.texts("suite"))
+    suite.push_back(existing_path(in, "suite", name));
   for (const Direction direction : kDirections) {
     const char* key = kAxes[static_cast<std::size_t>(direction)];
     if (const std::string name = in.text(key, ""); !name.empty())
@@ -44,10 +53,11 @@ std::vector<RecordFile> read_files(Table& excitation, Table& in) {
   for (const std::string& name : in.texts("file"))
     files.push_back({.path = checked_path(in, "file", name)});
   const bool by_file = in.has("file");
-  if (int(by_axis) + int(by_file) + int(in.has("synthetic")) != 1)
+  if (int(by_axis) + int(by_file) + int(in.has("synthetic")) + int(in.has("suite")) != 1)
     excitation.note("record",
                     ": no components or too many; must have 'file' (one file with all components, "
-                    "or an array of files), or files for 'x', 'y', 'z', or 'synthetic'");
+                    "or an array of files), or files for 'x', 'y', 'z', or 'synthetic', or, in a "
+                    "study, 'suite'");
   return files;
 }
 
@@ -138,7 +148,7 @@ std::optional<RecordRequest> read_record_request(Table& excitation) {
   Table& in = *found;
   RecordRequest record;
   record.where = excitation.where("record");
-  record.files = read_files(excitation, in);
+  record.files = read_files(excitation, in, record.suite);
   read_channels(in, record.files);
   if (auto synthetic = in.table("synthetic")) record.synthetic = read_synthetic_request(*synthetic);
   read_use(in, record);

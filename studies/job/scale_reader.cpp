@@ -27,6 +27,27 @@ constexpr std::array kUnits = {Unit{"g", "m/s2", kStandardGravity},
                                Unit{"m", "m", 1},
                                Unit{"cm", "m", 0.01}};
 
+void read_unit(Table& in, ScalingTarget& target) {
+  const std::string si = si_unit_of(target.measure);
+  std::vector<std::string> allowed;
+  std::vector<double> factors;
+  for (const Unit& unit : kUnits)
+    if (si == unit.si) {
+      allowed.push_back(unit.name);
+      factors.push_back(unit.to_si);
+    }
+  if (allowed.empty()) {
+    in.has("unit");
+    in.note("measure", ": a record cannot be scaled to a measure in " + si);
+    return;
+  }
+  const std::size_t chosen = in.choice("unit", allowed);
+  target.unit = allowed[chosen];
+  target.unit_in_si = factors[chosen];
+}
+
+}  // namespace
+
 Measure read_measure(Table& in) {
   try {
     return parse_measure(in.text("measure"));
@@ -46,41 +67,38 @@ Combination read_combination(Table& in, const Measure& measure) {
   return combination;
 }
 
-/// Factor from the unit of `unit` to SI.
-double read_unit(Table& in, const std::string& si) {
-  std::vector<std::string> allowed;
-  std::vector<double> factors;
-  for (const Unit& unit : kUnits)
-    if (si == unit.si) {
-      allowed.push_back(unit.name);
-      factors.push_back(unit.to_si);
-    }
-  if (!allowed.empty()) return factors[in.choice("unit", allowed)];
-  in.has("unit");
-  in.note("measure", ": a record cannot be scaled to a measure in " + si);
-  return 1;
+ScalingTarget read_scaling_target(Table& in) {
+  ScalingTarget target;
+  target.measure = read_measure(in);
+  target.combination = read_combination(in, target.measure);
+  read_unit(in, target);
+  return target;
 }
 
-}  // namespace
+VerticalScaling read_vertical_scaling(Table& in) {
+  VerticalScaling vertical;
+  vertical.rule =
+      static_cast<VerticalScaling::Rule>(in.choice("vertical", {"alike", "kept"}, std::size_t{0}));
+  return vertical;
+}
 
 ScaleTo read_scale_to(Table& in) {
-  ScaleTo request;
-  request.measure = read_measure(in);
-  request.combination = read_combination(in, request.measure);
-  const double factor = read_unit(in, si_unit_of(request.measure));
-  request.value = in.number("value", Range::positive()) * factor;
-  request.vertical.rule =
-      static_cast<VerticalScaling::Rule>(in.choice("vertical", {"alike", "kept"}, std::size_t{0}));
-  return request;
+  const ScalingTarget target = read_scaling_target(in);
+  return {.measure = target.measure,
+          .combination = target.combination,
+          .value = in.number("value", Range::positive()) * target.unit_in_si,
+          .vertical = read_vertical_scaling(in)};
+}
+
+ScalingMeasure scaling_measure(const Measure& measure, Combination combination) {
+  return {fmt::format("{} ({}) [{}]", name_of(measure), name_of(combination), si_unit_of(measure)),
+          [=](const Record& scaled) { return value_of(measure, combination, scaled); },
+          scaling_power(measure)};
 }
 
 Record scaled_to(const Record& record, const ScaleTo& request) {
-  const ScalingMeasure measure{
-      fmt::format("{} ({}) [{}]", name_of(request.measure), name_of(request.combination),
-                  si_unit_of(request.measure)),
-      [&](const Record& scaled) { return value_of(request.measure, request.combination, scaled); },
-      scaling_power(request.measure)};
-  return scale_to(record, measure, request.value, request.vertical);
+  return scale_to(record, scaling_measure(request.measure, request.combination), request.value,
+                  request.vertical);
 }
 
 }  // namespace gurney

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "studies/results/columns.h"
-#include "studies/results/hdf5_file.h"
+#include "studies/results/hdf5_writer.h"
 
 namespace gurney {
 

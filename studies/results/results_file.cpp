@@ -19,14 +19,7 @@ void add_root(Hdf5Writer& file, const RunFacts& facts) {
   const auto text = [&](const std::string& name, const std::string& value) {
     file.set_attribute("/", name, value);
   };
-  const BuildInfo build = build_info();
-  text("filetype", "gurney-results");
-  file.set_attribute("/", "format_version", std::int64_t{kResultsFormatVersion});
-  text("program_version", build.program_version);
-  text("git_commit", build.git_commit);
-  text("compiler", build.compiler);
-  text("bullet_precision", build.bullet_precision);
-  text("cpu_class", build.cpu_class);
+  add_program(file, "gurney-results", kResultsFormatVersion);
   text("job_name", facts.job_name);
   text("job_text", facts.job_text);
   text("job_sha256", facts.job_sha256);
@@ -129,6 +122,17 @@ void add_drawn(Hdf5Writer& file, const std::vector<DrawnFacts>& drawn) {
 }
 
 }  // namespace
+
+void add_program(Hdf5Writer& file, const std::string& filetype, int format_version) {
+  const BuildInfo build = build_info();
+  file.set_attribute("/", "filetype", filetype);
+  file.set_attribute("/", "format_version", std::int64_t{format_version});
+  file.set_attribute("/", "program_version", build.program_version);
+  file.set_attribute("/", "git_commit", build.git_commit);
+  file.set_attribute("/", "compiler", build.compiler);
+  file.set_attribute("/", "bullet_precision", build.bullet_precision);
+  file.set_attribute("/", "cpu_class", build.cpu_class);
+}
 
 std::string results_image(const RunFacts& facts, const Response& response) {
   Hdf5Writer file;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "engine/response.h"
+#include "studies/results/hdf5_writer.h"
 #include "studies/results/run_facts.h"
 
 namespace gurney {
@@ -13,5 +14,8 @@ inline constexpr int kResultsFormatVersion = 2;
 /// The bytes of a results file of one run, laid out as docs/formats/results_file.md says. The same
 /// run gives the same bytes: no date, machine or folder is in them.
 std::string results_image(const RunFacts& facts, const Response& response);
+
+/// What file this is and which program made it, as attributes.
+void add_program(Hdf5Writer& file, const std::string& filetype, int format_version);
 
 }  // namespace gurney

@@ -2,7 +2,7 @@
 
 #include "engine/response.h"
 #include "engine/scene/scene.h"
-#include "studies/results/hdf5_file.h"
+#include "studies/results/hdf5_writer.h"
 
 namespace gurney {
 

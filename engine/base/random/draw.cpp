@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/base/random/normal_draw.h"
+#include "engine/base/random/sampling.h"
 
 namespace gurney {
 namespace {
@@ -30,10 +31,25 @@ Draw Draw::of_part(const std::string& part) const {
 
 std::string Draw::full_name(const std::string& variable) const { return parts_ + variable; }
 
+Draw Draw::of_hypercube(std::uint64_t seed, std::uint64_t run, std::uint64_t size) {
+  Draw draw(seed, run);
+  draw.cells_ = size;
+  return draw;
+}
+
+double Draw::uniform(const std::string& stream) const {
+  const std::uint64_t key = hash_of(stream);
+  const double u = uniform_draw(seed_, key, run_);
+  if (cells_ == 0) return u;
+  const double cells = static_cast<double>(cells_);
+  const double p = (static_cast<double>(permuted(seed_, key, run_, cells_)) + u) / cells;
+  return std::clamp(p, 0x1p-54, 1 - 0x1p-53);
+}
+
 double Draw::probability(const std::string& variable, const Group& group) const {
-  const double own = uniform_draw(seed_, hash_of("variable " + full_name(variable)), run_);
+  const double own = uniform("variable " + full_name(variable));
   if (group.name.empty() || group.correlation == 0) return own;
-  const double shared = uniform_draw(seed_, hash_of("group " + group.name), run_);
+  const double shared = uniform("group " + group.name);
   const double r = group.correlation;
   if (r == 1) return shared;
   const double score =

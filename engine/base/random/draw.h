@@ -19,6 +19,10 @@ class Draw {
  public:
   Draw(std::uint64_t seed, std::uint64_t run) : seed_(seed), run_(run) {}
 
+  /// Draw `run` of a Latin hypercube of `size` draws.
+  /// @param run  below `size`
+  static Draw of_hypercube(std::uint64_t seed, std::uint64_t run, std::uint64_t size);
+
   /// The same draw for a part: names of variables begin with `part/`, groups keep theirs.
   Draw of_part(const std::string& part) const;
 
@@ -26,6 +30,7 @@ class Draw {
 
   /// The probability, in (0, 1), at which the variable's quantile function is to be taken.
   ///
+  /// With u uniform (of a Latin hypercube: in the variable's cell of this draw), it is
   /// u itself where the variable is independent; else Phi(r z_group + sqrt(1 - r^2) z) with
   /// z = Phi^-1(u), r the correlation: a Gaussian copula (docs/theory/uncertainty.md).
   double probability(const std::string& variable, const Group& group = {}) const;
@@ -35,7 +40,10 @@ class Draw {
   std::string text() const;  ///< `draw 3 of seed 1`
 
  private:
+  double uniform(const std::string& stream) const;
+
   std::uint64_t seed_, run_;
+  std::uint64_t cells_ = 0;  ///< of a Latin hypercube; 0: none
   std::string parts_;
 };
 

@@ -109,7 +109,8 @@ TEST(BadJob, ExplainsRecords) {
   EXPECT_EQ(
       mistakes(head),
       "a.toml:4:1: excitation.record: no components or too many; must have 'file' (one file "
-      "with all components, or an array of files), or files for 'x', 'y', 'z', or 'synthetic'");
+      "with all components, or an array of files), or files for 'x', 'y', 'z', or 'synthetic', or, "
+      "in a study, 'suite'");
   EXPECT_EQ(mistakes(head + "file = \"no.csv\"\nunit = \"m/s\"\nscale = inf\ntime_step_s = 0\n"),
             "a.toml:5:8: excitation.record.file = \"no.csv\": no such file: no.csv\n"
             "a.toml:6:8: excitation.record.unit = \"m/s\": must be one of g, m/s2, cm/s2, mm/s2; "

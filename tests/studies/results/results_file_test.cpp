@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "engine/base/hash/sha256.h"
-#include "studies/results/hdf5_file.h"
+#include "studies/results/hdf5_reader.h"
 #include "tests/studies/fabricated_run.h"
 #include "tests/studies/fabricated_ward.h"
 #include "tests/support/temp_folder.h"

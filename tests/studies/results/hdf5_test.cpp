@@ -1,7 +1,7 @@
-#include "studies/results/hdf5_file.h"
-
 #include <fstream>
 
+#include "studies/results/hdf5_reader.h"
+#include "studies/results/hdf5_writer.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 

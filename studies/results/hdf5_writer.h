@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-/// HDF5 behind values and exceptions. hdf5_file.cpp is the only file that includes hdf5.h. Every
-/// call is checked; an Error carries HDF5's own stack of messages.
+/// HDF5 behind values and exceptions. The files hdf5_*.cpp are the only ones that include hdf5.h.
+/// Every call is checked; an Error carries HDF5's own stack of messages.
 namespace gurney {
 
 /// What a dataset is called and means. Its shape is given by dimension scales, named by path.
@@ -17,11 +17,16 @@ struct Hdf5Spec {
   std::vector<std::string> scales;
 };
 
-/// An HDF5 file made in memory, so that a full disk can never meet HDF5 half-way. No object
-/// carries a time: the same calls give the same bytes.
+enum class Hdf5Type { kFloat64, kInt64, kText };
+
+/// An HDF5 file. No object carries a time: the same calls give the same bytes.
 class Hdf5Writer {
  public:
-  Hdf5Writer();
+  Hdf5Writer();  ///< in memory, so that a full disk can never meet HDF5 half-way: image()
+
+  /// On disk, for results that do not fit into memory: finish().
+  /// @throws Error as every other call, where the disk is full
+  explicit Hdf5Writer(const std::string& path);
   ~Hdf5Writer();
   Hdf5Writer(const Hdf5Writer&) = delete;
   Hdf5Writer& operator=(const Hdf5Writer&) = delete;
@@ -51,7 +56,17 @@ class Hdf5Writer {
   void add(const Hdf5Spec& spec, std::span<const std::uint8_t> values);
   void add(const Hdf5Spec& spec, std::span<const std::string> values);
 
-  /// The bytes of the finished file.
+  /// A column that gets its values by append(). Without scales it is a scale itself.
+  /// @param text_width  of kText: bytes of its longest value
+  void add_growing(const Hdf5Spec& spec, Hdf5Type type, std::size_t text_width = 1);
+  void append(const std::string& path, std::span<const double> values);
+  void append(const std::string& path, std::span<const std::int64_t> values);
+  void append(const std::string& path, std::span<const std::string> values);
+
+  /// Completes a file on disk.
+  void finish();
+
+  /// The bytes of the finished file in memory.
   std::string image();
 
  private:
@@ -65,37 +80,12 @@ class Hdf5Writer {
   void write(const Hdf5Spec& spec, const std::vector<std::uint64_t>& shape, std::int64_t type,
              const void* values, std::size_t count);
   std::vector<std::uint64_t> shape_of(const Hdf5Spec& spec) const;
+  void append(const std::string& path, std::int64_t type, const void* values, std::size_t count);
+  void describe(std::int64_t dataset, const Hdf5Spec& spec);
   void make_scale(const std::string& path, std::uint64_t length);
 
   std::int64_t file_;
   std::vector<Scale> scales_;
-};
-
-/// What a file says of one of its datasets.
-struct Hdf5Dataset {
-  std::string path;
-  std::string type;                 ///< "float64", "int64", "uint8" or "string"
-  std::vector<std::string> scales;  ///< name of the scale of each dimension; a scale names itself
-  std::string units;
-  std::string long_name;
-};
-
-class Hdf5Reader {
- public:
-  /// @throws Error when `path` is no HDF5 file.
-  explicit Hdf5Reader(const std::string& path);
-  ~Hdf5Reader();
-  Hdf5Reader(const Hdf5Reader&) = delete;
-  Hdf5Reader& operator=(const Hdf5Reader&) = delete;
-
-  std::vector<Hdf5Dataset> datasets() const;                  ///< in order of their paths
-  std::vector<std::string> attributes() const;                ///< names, of the file itself
-  std::string text_attribute(const std::string& name) const;  ///< of the file itself
-  std::vector<double> numbers(const std::string& path) const;
-  std::vector<std::string> strings(const std::string& path) const;
-
- private:
-  std::int64_t file_;
 };
 
 }  // namespace gurney

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+/// For the files hdf5_*.cpp alone.
+namespace gurney::hdf5 {
+
+static_assert(std::is_same_v<hid_t, std::int64_t>);
+
+/// @throws Error "HDF5 cannot WHAT: ..." with HDF5's stack of messages
+[[noreturn]] void fail(const std::string& what);
+
+/// Passes on what an HDF5 call returned unless it reports a failure (a negative number).
+template <class Result>
+Result checked(Result result, const std::string& what) {
+  if (result < 0) fail(what);
+  return result;
+}
+
+/// Owns one HDF5 identifier.
+class Handle {
+ public:
+  Handle(hid_t id, const std::string& what) : id_(checked(id, what)) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)) {}
+  Handle& operator=(Handle&&) = delete;
+  ~Handle() {
+    if (id_ >= 0) H5Idec_ref(id_);
+  }
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_;
+};
+
+void silence_printing();
+
+/// UTF-8 text.
+/// @param width  bytes; H5T_VARIABLE: of any length
+Handle text_type(std::size_t width = H5T_VARIABLE);
+
+}  // namespace gurney::hdf5

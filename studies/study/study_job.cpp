@@ -1,0 +1,121 @@
+#include "studies/study/study_job.h"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "engine/base/config/overlay.h"
+#include "engine/base/config/table.h"
+#include "engine/base/error.h"
+#include "studies/study/study_reader.h"
+
+namespace gurney {
+namespace {
+
+using config::Document;
+using config::Node;
+
+/// Every combination; the last factor changes fastest.
+/// @param document  takes the mistakes
+std::vector<Configuration> combined(const Node& job, const Study& study, Document& document) {
+  std::vector<Configuration> all{{{}, job}};
+  for (const Factor& factor : study.factors) {
+    std::vector<Configuration> more;
+    for (const Configuration& base : all)
+      for (const FactorLevel& level : factor.levels) {
+        Configuration next = base;
+        next.levels.push_back(level.name);
+        config::overlay(next.tree, level.patch, "study.factor." + factor.name, document);
+        more.push_back(std::move(next));
+      }
+    all = std::move(more);
+  }
+  return all;
+}
+
+/// What a study varies by itself must not be stated for one run.
+void note_contradictions(Document& document, const Job& job, const Study& study) {
+  if (!job.record) {
+    if (study.intensity.kind != IntensityPlan::Kind::kScales || study.angles.size() > 1)
+      throw Error(document.where(document.tree().place) +
+                  ": a study of intensities or angles needs [excitation.record]");
+    return;
+  }
+  const RecordRequest& record = *job.record;
+  const auto refuse = [&](bool wrong, const std::string& message) {
+    if (wrong) throw Error(record.where + ": " + message);
+  };
+  refuse(record.scale_to && study.intensity.kind != IntensityPlan::Kind::kScales,
+         "scale_to must not go with study.intensity, which scales the records");
+  refuse(record.angle != 0 && study.angles.size() > 1,
+         "angle_deg must not go with study.angles_deg");
+  refuse(study.synthetic_records > 0 &&
+             (!record.synthetic || !record.synthetic->values.contains("seed")),
+         "study.synthetic_records needs a synthetic motion that has a seed");
+  refuse(
+      study.synthetic_records > 0 && record.synthetic && record.synthetic->values.at("seed") != 1,
+      "study.synthetic_records gives the seeds 1, 2, ...; leave the seed out");
+}
+
+/// One line each, in the order in which they came.
+class Mistakes {
+ public:
+  void add(const std::string& lines) {
+    std::istringstream stream(lines);
+    for (std::string line; std::getline(stream, line);)
+      if (seen_.insert(line).second) text_ += (text_.empty() ? "" : "\n") + line;
+  }
+  void raise() const { require(text_.empty(), text_); }
+
+ private:
+  std::set<std::string> seen_;
+  std::string text_;
+};
+
+template <class Work>
+void collect(Mistakes& mistakes, Work work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    mistakes.add(error.what());
+  }
+}
+
+}  // namespace
+
+StudyJob::StudyJob(const std::string& path) : StudyJob(std::make_unique<Document>(path)) {}
+
+StudyJob::StudyJob(const std::string& text, const std::string& path)
+    : StudyJob(std::make_unique<Document>(text, path)) {}
+
+StudyJob::StudyJob(std::unique_ptr<Document> document) : document_(std::move(document)) {
+  Mistakes mistakes;
+  auto taken = document_->take("study");
+  require(taken.has_value(), file() + ": the job has no table [study]");
+  Node whole;
+  whole.elements.push_back(*taken);
+  Document reading(whole, *document_);
+  collect(mistakes, [&] {
+    config::Table root = reading.root();
+    if (auto table = root.table("study"))
+      study_ = read_study(*table, *reading.tree().find("study"));
+    if (document_->tree().find("uncertainty") != nullptr)
+      reading.note(document_->tree().find("uncertainty")->key_place,
+                   "uncertainty: must not go with [study], which has draws and a seed of its own");
+    if (reading.clean()) configurations_ = combined(document_->tree(), study_, reading);
+    reading.finish();
+  });
+  for (std::size_t i = 0; i < configurations_.size(); ++i)
+    collect(mistakes, [&] { note_contradictions(*document_, job(i, {}), study_); });
+  mistakes.raise();
+}
+
+Job StudyJob::job(std::size_t configuration, const std::optional<Draw>& draw) const {
+  Document document(configurations_.at(configuration).tree, *document_);
+  return read_study_job(document, draw);
+}
+
+bool has_study(const std::string& path) { return Document(path).tree().find("study") != nullptr; }
+
+}  // namespace gurney

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/config/document.h"
+#include "studies/job/job.h"
+#include "studies/study/study.h"
+
+namespace gurney {
+
+/// One combination of levels, one of each factor.
+struct Configuration {
+  std::vector<std::string> levels;  ///< names, in the order of the factors
+  config::Node tree;                ///< the job with their patches
+};
+
+/// A job file with a table [study], and the jobs that it stands for.
+class StudyJob {
+ public:
+  /// @throws Error with every mistake: of the study, and of the job in any configuration.
+  explicit StudyJob(const std::string& path);
+
+  /// The same from text, such as that kept in a results file.
+  /// @param path  for messages and relative names
+  StudyJob(const std::string& text, const std::string& path);
+
+  const Study& study() const { return study_; }
+  const std::vector<Configuration>& configurations() const { return configurations_; }
+  const std::string& text() const { return document_->text(); }
+  const std::string& file() const { return document_->path(); }
+
+  /// The job of a configuration. May be called from several threads at once.
+  /// @param draw  none: every number has its value
+  /// @throws Error where this draw makes a bad job, such as items that overlap.
+  Job job(std::size_t configuration, const std::optional<Draw>& draw) const;
+
+ private:
+  explicit StudyJob(std::unique_ptr<config::Document> document);
+
+  std::unique_ptr<config::Document> document_;
+  Study study_;
+  std::vector<Configuration> configurations_;
+};
+
+/// Whether a job file has a table [study].
+/// @throws Error if it is missing or is not TOML.
+bool has_study(const std::string& path);
+
+}  // namespace gurney

@@ -1,0 +1,218 @@
+#include "studies/study/study_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <tuple>
+
+#include "engine/base/error.h"
+#include "engine/base/units.h"
+#include "studies/job/scale_reader.h"
+
+namespace gurney {
+namespace {
+
+using config::Node;
+using config::Range;
+using config::Table;
+
+constexpr int kMost = std::numeric_limits<int>::max();
+
+void note_disorder(Table& in, const std::string& key, const std::vector<double>& values) {
+  if (values.empty()) in.note(key, " = []: must have 1 or more values");
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (!(values[i] > values[i - 1])) {
+      in.note(key, fmt::format("[{}] = {:g}: must be more than the value before it, {:g}", i,
+                               values[i], values[i - 1]));
+      return;
+    }
+}
+
+/// The patch that sets one dotted key, such as `item.brakes` or `item.bed.variant`.
+Node patch_of(const std::string& key, const Node& value) {
+  Node patch;
+  patch.place = value.place;
+  const auto dot = key.find('.');
+  Node element = dot == std::string::npos ? value : patch_of(key.substr(dot + 1), value);
+  element.key = key.substr(0, dot);
+  element.key_place = value.place;
+  patch.elements.push_back(std::move(element));
+  return patch;
+}
+
+std::string label_of(const Node& value) {
+  return value.kind == Node::Kind::kText ? value.text : config::describe(value);
+}
+
+/// In the order of the file; a tree has tables in the order of their keys.
+std::vector<const Node*> by_place(const Node& table) {
+  std::vector<const Node*> elements;
+  for (const Node& each : table.elements) elements.push_back(&each);
+  std::ranges::stable_sort(elements, {}, [](const Node* node) {
+    return std::tuple(node->key_place.line, node->key_place.column);
+  });
+  return elements;
+}
+
+void mark_read(const Node& node) {
+  node.read = true;
+  for (const Node& each : node.elements) {
+    node.asked.insert(each.key);
+    mark_read(each);
+  }
+}
+
+/// `key` and `values`, or `level` with a table for each.
+Factor read_factor(Table in, const Node& node, std::size_t index) {
+  Factor factor;
+  factor.name = in.text("name", fmt::format("factor {}", index + 1));
+  if (in.has("level") == in.has("values")) {
+    in.note("level", ": must be given, tables [study.factor.level.NAME], or key and values");
+    return factor;
+  }
+  if (const Node* levels = node.find("level")) {
+    if (!in.table("level")) return factor;
+    for (const Node* level : by_place(*levels)) {
+      if (level->kind == Node::Kind::kTable)
+        factor.levels.push_back({level->key, *level});
+      else
+        in.note("level", fmt::format(".{} = {}: must be a table", level->key, describe(*level)));
+    }
+    mark_read(*levels);
+  } else {
+    const std::string key = in.text("key");
+    const Node* values = node.find("values");
+    if (!in.is_array("values") || values->elements.empty())
+      in.note("values", " = " + describe(*values) + ": must be an array of 1 or more values");
+    else
+      for (const Node& value : values->elements)
+        factor.levels.push_back({label_of(value), patch_of(key, value)});
+    mark_read(*values);
+  }
+  std::set<std::string> names;
+  for (const FactorLevel& level : factor.levels)
+    if (!names.insert(level.name).second)
+      in.note(in.has("level") ? "level" : "values", ": two levels are named '" + level.name + "'");
+  return factor;
+}
+
+void read_factors(Table& in, const Node& node, Study& study) {
+  std::vector<Table> tables = in.tables("factor");
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    study.factors.push_back(read_factor(tables[i], node.find("factor")->elements[i], i));
+    if (!names.insert(study.factors.back().name).second)
+      tables[i].note("name",
+                     " = \"" + study.factors.back().name + "\": two factors have this name");
+  }
+}
+
+void read_hunt(Table hunt, IntensityPlan& plan) {
+  plan.kind = IntensityPlan::Kind::kHunt;
+  plan.first = hunt.number("first", Range::positive()) * plan.unit_in_si;
+  plan.increment = hunt.number("increment", Range::positive()) * plan.unit_in_si;
+  plan.most_runs = hunt.integer("most_runs", 3, 1000, 12);
+  plan.resolution = hunt.number("resolution", Range::within(0, 10).open_below(), 0.1);
+  plan.until = hunt.text("until", "overturned");
+}
+
+IntensityPlan read_intensity(Table in) {
+  IntensityPlan plan;
+  if (!in.has("measure")) {
+    plan.levels = in.numbers("scales", Range::positive(), {}, plan.levels);
+    note_disorder(in, "scales", plan.levels);
+    plan.vertical = read_vertical_scaling(in);
+    return plan;
+  }
+  const ScalingTarget target = read_scaling_target(in);
+  plan.measure = target.measure;
+  plan.combination = target.combination;
+  plan.unit = target.unit;
+  plan.unit_in_si = target.unit_in_si;
+  plan.vertical = read_vertical_scaling(in);
+  if (in.has("scales"))
+    in.note("scales", ": must go without a measure, which has levels or a hunt");
+  if (in.has("levels") == in.has("hunt")) {
+    in.note("levels", ": must be given, or a table hunt, not both");
+    return plan;
+  }
+  if (auto hunt = in.table("hunt")) {
+    read_hunt(*hunt, plan);
+    return plan;
+  }
+  plan.kind = IntensityPlan::Kind::kStripes;
+  plan.levels = in.numbers("levels", Range::positive());
+  note_disorder(in, "levels", plan.levels);
+  for (double& level : plan.levels) level *= plan.unit_in_si;
+  return plan;
+}
+
+/// "Sa(1.0) RotD50": the measure, and how the horizontals become one number.
+std::optional<KeptMeasure> parse_kept(const std::string& text) {
+  const auto blank = text.rfind(' ');
+  KeptMeasure kept;
+  if (blank != std::string::npos && text.find(')', blank) == std::string::npos) {
+    kept.combination = parse_combination(text.substr(blank + 1));
+    kept.measure = parse_measure(text.substr(0, blank));
+  } else {
+    kept.measure = parse_measure(text);
+  }
+  require(kept.combination != Combination::kResultant || has_resultant(kept.measure),
+          name_of(kept.measure) + " has no resultant; PGA, PGV and PGD have");
+  return kept;
+}
+
+void read_measures(Table& in, Study& study) {
+  const bool given = in.has("measures");
+  for (const std::string& text :
+       given ? in.texts("measures")
+             : std::vector<std::string>{"PGA", "PGV", "PGD", "Sa(0.5)", "Sa(1.0)", "Sa(2.0)"}) {
+    try {
+      study.measures.push_back(*parse_kept(text));
+    } catch (const Error& error) {
+      in.note("measures", " = \"" + text + "\": " + error.what());
+    }
+  }
+}
+
+Keep read_keep(Table in) {
+  Keep keep;
+  keep.histories = static_cast<Histories>(
+      in.choice("histories", {"none", "failed", "overturned", "all"}, std::size_t{0}));
+  keep.events = in.boolean("events", keep.events);
+  keep.zones = in.boolean("zones", keep.zones);
+  keep.tethers = in.boolean("tethers", keep.tethers);
+  keep.wheels = in.boolean("wheels", keep.wheels);
+  keep.energy = in.boolean("energy", keep.energy);
+  return keep;
+}
+
+}  // namespace
+
+Study read_study(Table& in, const Node& node) {
+  Study study;
+  read_factors(in, node, study);
+  if (in.has("angles_deg")) {
+    study.angles = in.numbers("angles_deg", Range::any());
+    if (study.angles.empty()) in.note("angles_deg", " = []: must have 1 or more values");
+    for (double& angle : study.angles) angle *= kRadiansPerDegree;
+  }
+  if (in.has("synthetic_records"))
+    study.synthetic_records = in.integer("synthetic_records", 1, 1000000);
+  if (auto table = in.table("intensity")) study.intensity = read_intensity(*table);
+  study.seed = static_cast<std::uint64_t>(in.integer("seed", 0, kMost, 1));
+  if (in.has("draws")) study.draws = in.integer("draws", 1, kMost);
+  static const std::vector<std::string> kSamplings = {"monte-carlo", "latin-hypercube"};
+  if (in.has("sampling")) {
+    study.sampling = static_cast<Sampling>(in.choice("sampling", kSamplings));
+    if (!in.has("draws")) in.note("sampling", ": must go with draws");
+  }
+  read_measures(in, study);
+  if (auto table = in.table("keep")) study.keep = read_keep(*table);
+  study.certificate = in.number("certificate", Range::within(0, 1), 0.0);
+  return study;
+}
+
+}  // namespace gurney

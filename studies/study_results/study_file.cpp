@@ -1,0 +1,149 @@
+#include "studies/study_results/study_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/base/hash/sha256.h"
+#include "studies/results/results_file.h"
+#include "studies/run_job.h"
+#include "studies/study_results/run_tables.h"
+
+namespace gurney {
+namespace {
+
+/// Rows of texts, all known before the first is written.
+struct TextTable {
+  struct TextColumn {
+    std::string name, meaning;
+    std::vector<std::string> values;
+  };
+  std::vector<TextColumn> columns;
+
+  void write(GrowingTable& table) const {
+    for (const TextColumn& column : columns) {
+      std::size_t width = 1;
+      for (const std::string& value : column.values) width = std::max(width, value.size());
+      table.add_text(column.name, column.meaning, width);
+    }
+    for (std::size_t row = 0; row < columns.front().values.size(); ++row) {
+      for (const TextColumn& column : columns) table.put(column.values[row]);
+      table.end_row();
+    }
+    table.finish();
+  }
+};
+
+void add_root(Hdf5Writer& file, const Batch& batch) {
+  add_program(file, "gurney-study", kStudyFormatVersion);
+  const auto text = [&](const char* name, const std::string& value) {
+    file.set_attribute("/", name, value);
+  };
+  text("job_name", std::filesystem::path(batch.job.file()).stem().string());
+  text("job_text", batch.job.text());
+  text("job_sha256", sha256(batch.job.text()));
+  text("title", batch.job.job(0, {}).title);
+  text("seed", std::to_string(batch.job.study().seed));
+  const IntensityPlan& intensity = batch.job.study().intensity;
+  const bool by_measure = intensity.kind != IntensityPlan::Kind::kScales;
+  text("intensity_measure",
+       by_measure ? name_of(intensity.measure) + " " + name_of(intensity.combination) : "");
+  text("intensity_units", by_measure ? si_unit_of(intensity.measure) : "1");
+}
+
+void add_configurations(Hdf5Writer& file, const Batch& batch) {
+  const std::vector<Factor>& factors = batch.job.study().factors;
+  TextTable texts;
+  texts.columns.push_back({"name", "levels of all factors", {}});
+  for (const Factor& factor : factors)
+    texts.columns.push_back({factor.name, "level of this factor", {}});
+  for (const Configuration& each : batch.job.configurations()) {
+    texts.columns[0].values.push_back(fmt::format("{}", fmt::join(each.levels, ", ")));
+    for (std::size_t i = 0; i < factors.size(); ++i)
+      texts.columns[i + 1].values.push_back(each.levels[i]);
+  }
+  GrowingTable table(file, "configurations");
+  texts.write(table);
+}
+
+std::string files_of(const Record& record) {
+  std::string text;
+  for (const auto& component : record.components) {
+    if (!component || component->sha256.empty()) continue;
+    const std::string line = fmt::format(
+        "{} {}", component->sha256, std::filesystem::path(component->file).filename().string());
+    if (text.find(line) == std::string::npos) text += (text.empty() ? "" : "\n") + line;
+  }
+  return text;
+}
+
+void add_records(Hdf5Writer& file, const Batch& batch) {
+  std::vector<std::string> sets, names, files, processing, warnings;
+  for (std::size_t set = 0; set < batch.motions.sets(); ++set)
+    for (std::size_t i = 0; i < batch.motions.set(set).size(); ++i) {
+      const GroundMotion& motion = batch.motions.set(set).ground(i);
+      sets.push_back(std::to_string(set));
+      names.push_back(batch.motions.set(set).name(i));
+      files.push_back(files_of(motion.record));
+      processing.push_back(fmt::format("{}", fmt::join(motion.record.processing, "\n")));
+      warnings.push_back(fmt::format("{}", fmt::join(motion.warnings, "\n")));
+    }
+  GrowingTable table(file, "records");
+  TextTable{{{"set", "set of ground motions", sets},
+             {"name", "name of the record; empty: the floor is at rest", names},
+             {"files", "SHA-256 and name of each of its files", files},
+             {"processing", "what was done to it, step by step", processing},
+             {"warnings", "what its reading warned of", warnings}}}
+      .write(table);
+}
+
+void add_assumptions(Hdf5Writer& file, const Batch& batch) {
+  std::vector<std::string> configurations, keys, values, ranges, reasons, files;
+  for (std::size_t i = 0; i < batch.job.configurations().size(); ++i)
+    for (const Assumption& each : batch.job.job(i, {}).assumptions) {
+      if (each.reason.empty()) continue;
+      const AssumptionFacts facts = facts_of(each);
+      configurations.push_back(std::to_string(i));
+      keys.push_back(facts.key);
+      values.push_back(facts.value);
+      ranges.push_back(facts.range);
+      reasons.push_back(facts.reason);
+      files.push_back(facts.file);
+    }
+  GrowingTable table(file, "assumptions");
+  TextTable{{{"configuration", "row of /configurations", configurations},
+             {"key", "the number that has no source", keys},
+             {"value", "its value where it is not drawn", values},
+             {"range", "how far it may be off", ranges},
+             {"reason", "why this value", reasons},
+             {"file", "data file that states it", files}}}
+      .write(table);
+}
+
+}  // namespace
+
+StudyCounts write_study_file(const std::string& path, const Batch& batch,
+                             const std::function<UnitResult(std::size_t)>& read) {
+  Hdf5Writer file(path);
+  add_root(file, batch);
+  add_configurations(file, batch);
+  add_records(file, batch);
+  add_assumptions(file, batch);
+  StudyCounts counts;
+  RunTables tables(file, batch);
+  for (std::size_t unit = 0; unit < batch.plan.units(); ++unit) {
+    const UnitResult result = read(unit);
+    for (const StudyRun& run : result.runs) {
+      ++counts.runs;
+      counts.failed += run.response.outcome == Outcome::kDiverged;
+      counts.overturned += run.response.outcome == Outcome::kOverturned;
+    }
+    tables.add(result);
+  }
+  tables.finish();
+  file.finish();
+  return counts;
+}
+
+}  // namespace gurney
