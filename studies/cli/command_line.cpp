@@ -13,6 +13,8 @@
 #include "engine/base/error.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/equipment_command.h"
+#include "studies/cli/export_command.h"
+#include "studies/cli/fragility_command.h"
 #include "studies/cli/records_command.h"
 #include "studies/cli/replay_command.h"
 #include "studies/cli/run_command.h"
@@ -70,14 +72,6 @@ void add_replay(CLI::App& app, std::function<int()>& act) {
   replay->callback([held, &act] { act = [held] { return replay_command(*held); }; });
 }
 
-void add_show(CLI::App& app, std::function<int()>& act) {
-  auto held = std::make_shared<ShowOptions>();
-  CLI::App* const show = app.add_subcommand("show", "Tell what a results file holds");
-  show->add_option("FILE", held->file, "The results file of a study or of one run")->required();
-  show->add_flag("--json", held->json, "Print it as JSON");
-  show->callback([held, &act] { act = [held] { return show_command(*held); }; });
-}
-
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
@@ -118,6 +112,8 @@ int run_command_line(int argc, char** argv) {
   add_run(app, act);
   add_replay(app, act);
   add_show(app, act);
+  add_fragility(app, act);
+  add_export(app, act);
   add_records(app, act);
   add_equipment(app, act);
   app.add_subcommand("help", "Print this help, or that of a command: help records scale");

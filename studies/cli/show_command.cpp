@@ -2,11 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+#include <string>
+
 #include "studies/analysis/overview.h"
 #include "studies/report/overview_report.h"
 
 namespace gurney {
 namespace {
+
+struct ShowOptions {
+  std::string file;
+  bool json = false;
+};
 
 template <class Overview>
 int show(const Overview& overview, bool json) {
@@ -14,11 +22,19 @@ int show(const Overview& overview, bool json) {
   return 0;
 }
 
-}  // namespace
-
 int show_command(const ShowOptions& options) {
   if (is_study_file(options.file)) return show(study_overview(options.file), options.json);
   return show(run_overview(options.file), options.json);
+}
+
+}  // namespace
+
+void add_show(CLI::App& app, std::function<int()>& act) {
+  auto held = std::make_shared<ShowOptions>();
+  CLI::App* const show = app.add_subcommand("show", "Tell what a results file holds");
+  show->add_option("FILE", held->file, "The results file of a study or of one run")->required();
+  show->add_flag("--json", held->json, "Print it as JSON");
+  show->callback([held, &act] { act = [held] { return show_command(*held); }; });
 }
 
 }  // namespace gurney

@@ -1,17 +1,11 @@
 #pragma once
 
-#include <string>
+#include <CLI/CLI.hpp>
+#include <functional>
 
 namespace gurney {
 
-struct ShowOptions {
-  std::string file;  ///< results file of a study or of one run
-  bool json = false;
-};
-
-/// `gurney show`: what a results file holds, in plain words or as JSON.
-/// @returns 0
-/// @throws Error
-int show_command(const ShowOptions& options);
+/// Adds `gurney show` to the program.
+void add_show(CLI::App& app, std::function<int()>& act);
 
 }  // namespace gurney

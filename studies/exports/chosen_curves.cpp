@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
+#include "studies/analysis/fragility_result.h"
 #include "studies/limit_states/limit_state_reader.h"
-#include "studies/statistics/fragility.h"
 
 namespace gurney {
 namespace {
@@ -40,23 +41,24 @@ ChosenCurves chosen_curves(const StudyData& data, const ExportChoice& choice) {
       const std::vector<Observation> observations =
           data.observations(state, configuration, chosen.measure);
       const FragilityFit fit = fit_fragility(observations);
+      const auto capacities = hunted_capacities(data, state, chosen.measure.name, observations);
+      const std::optional<LognormalCurve> curve = capacities ? capacities->curve : fit.curve;
       const LimitState& limit = data.limit_states()[state];
-      if (!fit.curve) {
-        chosen.left_out.push_back(fmt::format(
-            "{}{}'{}': {}", data.configurations()[configuration],
-            data.configurations()[configuration].empty() ? "" : ", ", limit.name,
-            text(fit.status)));
+      if (!curve) {
+        chosen.left_out.push_back(
+            fmt::format("{}{}'{}': {}", data.configurations()[configuration],
+                        data.configurations()[configuration].empty() ? "" : ", ", limit.name,
+                        text(capacities ? capacities->status : fit.status)));
         continue;
       }
       const auto [low, high] = std::ranges::minmax(observations, {}, &Observation::im);
-      chosen.curves.push_back({data.configurations()[configuration], limit, *fit.curve, fit.runs,
+      chosen.curves.push_back({data.configurations()[configuration], limit, *curve, fit.runs,
                                fit.exceeded, fit.groups, data.failed(configuration), low.im,
                                high.im});
     }
   require(!chosen.curves.empty(),
           fmt::format("{}: no fragility curve over {} can be fitted; nothing was written\n  {}",
-                      data.file().path(), chosen.measure.name,
-                      fmt::join(chosen.left_out, "\n  ")));
+                      data.file().path(), chosen.measure.name, fmt::join(chosen.left_out, "\n  ")));
   return chosen;
 }
 

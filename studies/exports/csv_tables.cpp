@@ -33,8 +33,8 @@ std::vector<Table> tables_of(const Hdf5Reader& file, const std::string& path) {
   }
   std::vector<Table> result;
   for (auto& [key, table] : tables) {
-    const bool axis_only =
-        table.datasets.size() == 1 && table.datasets[0].path == "/" + table.group + "/" + table.scale;
+    const bool axis_only = table.datasets.size() == 1 &&
+                           table.datasets[0].path == "/" + table.group + "/" + table.scale;
     if (!axis_only) result.push_back(std::move(table));
   }
   return result;

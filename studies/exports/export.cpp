@@ -28,9 +28,7 @@ std::string csv_cell(const std::string& text) {
 std::string csv_cell(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
 
 std::string csv_line(const std::vector<std::string>& cells) {
-  std::string line;
-  for (const std::string& cell : cells) line += (line.empty() ? "" : ",") + cell;
-  return line + "\n";
+  return fmt::format("{}\n", fmt::join(cells, ","));
 }
 
 }  // namespace gurney

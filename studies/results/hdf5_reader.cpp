@@ -147,6 +147,7 @@ std::vector<std::string> Hdf5Reader::strings(const std::string& path) const {
   const Handle stored(H5Dget_type(dataset), "read the type of " + path);
   if (checked(H5Tis_variable_str(stored), "read the type of " + path) == 0)
     return fixed_strings(dataset, H5Tget_size(stored), count);
+  if (count == 0) return {};
   std::vector<char*> raw(count);
   const Handle type = text_type();
   checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.data()), "read " + path);

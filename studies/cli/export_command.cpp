@@ -1,0 +1,129 @@
+#include "studies/cli/export_command.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "engine/base/error.h"
+#include "studies/analysis/overview.h"
+#include "studies/exports/csv_tables.h"
+#include "studies/exports/nrml.h"
+#include "studies/exports/pelicun.h"
+#include "studies/exports/response_csv.h"
+#include "studies/results/output_files.h"
+
+namespace gurney {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ExportOptions {
+  std::string file, format, folder;
+  ExportChoice choice;
+  bool overwrite = false;
+};
+
+/// A folder that is removed again unless what was put into it is kept.
+class NewFolder {
+ public:
+  explicit NewFolder(const fs::path& path) : path_(path) {
+    std::error_code error;
+    const fs::path parent = path.has_parent_path() ? path.parent_path() : ".";
+    require(fs::is_directory(parent, error),
+            fmt::format("{}: cannot be written: the folder {} does not exist", path.string(),
+                        parent.string()));
+    require(!fs::exists(path, error) || fs::is_directory(path, error),
+            path.string() + ": is a file, the name of a folder is needed (-o FOLDER)");
+    made_ = fs::create_directory(path, error);
+    require(!error, path.string() + ": cannot be written: " + error.message());
+  }
+  ~NewFolder() {
+    std::error_code ignored;
+    if (made_) fs::remove(path_, ignored);  // only if it is empty
+  }
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+
+ private:
+  fs::path path_;
+  bool made_ = false;
+};
+
+void check_choice(const ExportOptions& options) {
+  const bool fits = options.format == "pelicun" || options.format == "nrml";
+  const auto refuse = [&](const char* option, const std::string& value, bool allowed) {
+    require(value.empty() || allowed,
+            fmt::format("{} does not go with --to {}, which writes all there is", option,
+                        options.format));
+  };
+  refuse("--measure", options.choice.measure, fits);
+  refuse("--limit", options.choice.limit, fits);
+  refuse("--configuration", options.choice.configuration, options.format != "csv");
+}
+
+std::vector<std::string> write(const ExportOptions& options, const TakeFile& take) {
+  if (options.format == "csv") {
+    export_tables(options.file, take);
+    return {};
+  }
+  require(is_study_file(options.file),
+          fmt::format("{}: is the file of one run; --to {} needs that of a study", options.file,
+                      options.format));
+  const StudyData data(options.file);
+  if (options.format == "pelicun") return export_pelicun(data, options.choice, take);
+  if (options.format == "nrml") return export_nrml(data, options.choice, take);
+  export_responses(data, options.choice, take);
+  return {};
+}
+
+int export_command(const ExportOptions& options) {
+  check_choice(options);
+  is_study_file(options.file);
+  const fs::path file = options.file;
+  const fs::path folder = options.folder.empty()
+                              ? file.parent_path() / (file.stem().string() + "_" + options.format)
+                              : fs::path(options.folder);
+  const NewFolder made(folder.has_filename() ? folder : folder.parent_path());
+  OutputFiles files(options.overwrite);
+  std::string written;
+  const std::vector<std::string> left_out =
+      write(options, [&](const std::string& name, std::string_view bytes) {
+        const std::string path = (folder / name).string();
+        files.check(path);
+        files.stage(path, bytes);
+        written += "wrote    " + path + "\n";
+      });
+  files.commit();
+  fmt::print("{}", written);
+  for (const std::string& each : left_out) fmt::print(stderr, "left out {}\n", each);
+  return 0;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, std::function<int()>& act) {
+  auto held = std::make_shared<ExportOptions>();
+  ExportOptions& options = *held;
+  CLI::App* const command =
+      app.add_subcommand("export", "Write results in the formats of other tools");
+  command->add_option("FILE", options.file, "The results file")->required();
+  command
+      ->add_option("--to", options.format,
+                   "csv: every table; pelicun: fragility for the Damage and Loss Model Library; "
+                   "nrml: fragility for OpenQuake; response-csv: demands run by run")
+      ->required()
+      ->check(CLI::IsMember({"csv", "pelicun", "nrml", "response-csv"}));
+  command->add_option("-o,--output", options.folder,
+                      "Folder for the files (default: FILE_FORMAT beside FILE)");
+  command->add_option("--configuration", options.choice.configuration,
+                      "This configuration only (default: all)");
+  command->add_option("--measure", options.choice.measure,
+                      "Intensity measure of the curves (default: the study's own)");
+  command->add_option("--limit", options.choice.limit, "This limit state only (default: all)");
+  command->add_flag("--overwrite", options.overwrite, "Replace files that exist");
+  command->callback([held, &act] { act = [held] { return export_command(*held); }; });
+}
+
+}  // namespace gurney
