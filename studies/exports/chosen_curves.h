@@ -11,7 +11,7 @@ namespace gurney {
 /// What of a study is exported; an empty text: all configurations, all limit states, the study's
 /// own measure.
 struct ExportChoice {
-  std::string configuration, measure, limit;
+  std::string configuration{}, measure{}, limit{};
 };
 
 /// Indices of the configurations that are chosen.

@@ -1,0 +1,110 @@
+#include <gmock/gmock.h>
+
+#include <cstdio>
+#include <limits>
+#include <map>
+
+#include "studies/exports/nrml.h"
+#include "studies/exports/outside_measure.h"
+#include "studies/exports/pelicun.h"
+#include "studies/exports/response_csv.h"
+#include "tests/studies/exports/fabricated_study.h"
+#include "tests/support/expect_error.h"
+
+namespace gurney {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class Exports : public testing::Test {
+ protected:
+  Exports() : path_(testing::TempDir() + "exports.h5") {
+    FabricatedStudy::write(path_);
+    data_.emplace(path_);
+  }
+  ~Exports() override { std::remove(path_.c_str()); }
+
+  TakeFile take() {
+    return [this](const std::string& name, std::string_view bytes) { files_[name] = bytes; };
+  }
+
+  std::string path_;
+  std::optional<StudyData> data_;
+  std::map<std::string, std::string> files_;
+};
+
+TEST_F(Exports, NameTheNearestOfWhatTheStudyDoesNotHave) {
+  EXPECT_ERROR(export_pelicun(*data_, {.configuration = "flase"}, take()),
+               "exports.h5: no configuration 'flase'; did you mean 'false'?");
+  EXPECT_ERROR(export_nrml(*data_, {.limit = "moed"}, take()),
+               "no limit state 'moed'; did you mean 'moved'?");
+  EXPECT_ERROR(export_nrml(*data_, {.measure = "PGA lager"}, take()),
+               "no intensity measure 'PGA lager'; did you mean 'PGA larger'?");
+  EXPECT_ERROR(export_responses(*data_, {.configuration = "flase"}, take()),
+               "no configuration 'flase'");
+  EXPECT_TRUE(files_.empty());
+}
+
+TEST_F(Exports, RefuseMeasuresTheFormatHasNoNameFor) {
+  EXPECT_ERROR(export_nrml(*data_, {.measure = "pfv"}, take()),
+               "NRML, which knows ground motions only, has no name for the intensity measure "
+               "'pfv'; take one of these with --measure: 'PGA larger', 'Sa(1) RotD50'");
+  EXPECT_ERROR(export_pelicun(*data_, {.measure = "FIV3(1) geomean"}, take()),
+               "DLML, whose names pelicun knows, has no name for the intensity measure 'FIV3(1) "
+               "geomean'; take one of these with --measure: 'PGA larger', 'Sa(1) RotD50', 'pfa', "
+               "'pfv'");
+  // The spectra of both are those with 5 % damping.
+  EXPECT_ERROR(export_pelicun(*data_, {.measure = "Sa(1, 2%) RotD50"}, take()),
+               "no name for the intensity measure 'Sa(1, 2%) RotD50'");
+  EXPECT_TRUE(files_.empty());
+}
+
+TEST_F(Exports, SayWhyThereIsNoCurve) {
+  EXPECT_ERROR(export_pelicun(*data_, {.limit = "hit"}, take()),
+               "no fragility curve over PGA larger can be fitted; nothing was written\n"
+               "  false, 'hit': no run exceeds: the curve lies above the highest intensity\n"
+               "  true, 'hit': no run exceeds");
+  EXPECT_TRUE(files_.empty());
+  EXPECT_THAT(
+      export_nrml(*data_, {.configuration = "true"}, take()),
+      ElementsAre(HasSubstr("true, 'rolled': "), HasSubstr("'hit'"), HasSubstr("'overturned'")));
+  EXPECT_EQ(files_.size(), 1u);
+}
+
+TEST_F(Exports, WriteWhatIsChosen) {
+  export_nrml(*data_, {.configuration = "true"}, take());
+  EXPECT_THAT(files_.at("moved.xml"), HasSubstr("fragilityFunction id=\"true\""));
+  EXPECT_THAT(files_.at("moved.xml"), testing::Not(HasSubstr("id=\"false\"")));
+  files_.clear();
+  export_responses(*data_, {.configuration = "false"}, take());
+  EXPECT_EQ(files_.size(), 1 + FabricatedStudy::kLevels.size());
+}
+
+TEST(OutsideMeasure, HasTheNamesAndUnitsOfEachFormat) {
+  const auto nrml = nrml_measure("PGV RotD50");
+  ASSERT_TRUE(nrml);
+  EXPECT_EQ(nrml->name, "PGV");
+  EXPECT_EQ(nrml->unit, "cm/s");
+  EXPECT_EQ(nrml->unit_in_si, 0.01);
+  EXPECT_EQ(nrml_measure("Sa(0.25) geomean")->name, "SA(0.25)");
+  EXPECT_FALSE(nrml_measure("Sa(0) geomean"));
+  EXPECT_FALSE(nrml_measure("PFA larger"));
+  EXPECT_EQ(dlml_measure("PFA larger")->name, "Peak Floor Acceleration");
+  EXPECT_EQ(dlml_measure("PGV larger")->unit, "mps");
+  EXPECT_EQ(dlml_measure("Sa(2) geomean")->name, "Spectral Acceleration|2.0");
+  EXPECT_FALSE(dlml_measure("PGD larger"));
+}
+
+TEST(ExportText, IsQuotedAndPlain) {
+  EXPECT_EQ(csv_cell("a, \"b\""), "\"a, \"\"b\"\"\"");
+  EXPECT_EQ(csv_cell("plain"), "plain");
+  EXPECT_EQ(csv_cell(0.1), "0.1");
+  EXPECT_EQ(csv_cell(std::numeric_limits<double>::quiet_NaN()), "");
+  EXPECT_EQ(csv_line({"", "a"}), ",a\n");
+  EXPECT_EQ(plain_identifier("half-locked, floor 4", "x"), "half_locked_floor_4");
+  EXPECT_EQ(plain_identifier("-", "x"), "x");
+}
+
+}  // namespace
+}  // namespace gurney
