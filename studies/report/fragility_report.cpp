@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/units.h"
+#include "studies/analysis/performance.h"
 
 namespace gurney {
 namespace {
@@ -86,6 +87,25 @@ std::string notes(const FragilityResult& result, const IntensityUnit& unit) {
           fmt::format("the hazard curve is too short: stronger motions add at most {:.2g} a year, "
                       "and P is {:.2g} at its lower end",
                       result.rate->most_above, result.rate->below));
+  }
+  return text;
+}
+
+std::string performance_text(const StudyData& data, const std::vector<FragilityResult>& results,
+                             const IntensityUnit& unit) {
+  std::string text;
+  for (const PerformanceTable& table : performance_tables(data, results)) {
+    text += fmt::format("\n{}P(worst level reached), %\n{:>10}  {:>10}",
+                        table.configuration.empty() ? "" : table.configuration + ": ",
+                        results.front().measure.name, "none");
+    for (const std::string& level : table.levels) text += fmt::format("  {:>10}", level);
+    text += "\n";
+    for (std::size_t i = 0; i < table.im.size(); ++i) {
+      text += fmt::format("{:>10}", fmt::format("{:.3g} {}", table.im[i] / unit.in_si, unit.name));
+      for (const double probability : table.at[i].of_level)
+        text += fmt::format("  {:>10.1f}", 100 * probability);
+      text += table.at[i].crossed ? "  curves cross: the worse is cut to the milder\n" : "\n";
+    }
   }
   return text;
 }
@@ -179,6 +199,7 @@ std::string fragility_report(const StudyData& data, const std::vector<FragilityR
   std::string below;
   for (const FragilityResult& each : results) below += notes(each, unit);
   text += below.empty() ? "" : "\n" + below;
+  text += performance_text(data, results, unit);
   text += "\n";
   std::vector<std::string> told;
   for (const FragilityResult& each : results) {

@@ -4,10 +4,12 @@
 #include <limits>
 #include <map>
 
+#include "studies/analysis/overview.h"
 #include "studies/exports/nrml.h"
 #include "studies/exports/outside_measure.h"
 #include "studies/exports/pelicun.h"
 #include "studies/exports/response_csv.h"
+#include "studies/statistics/capacity.h"
 #include "tests/studies/exports/fabricated_study.h"
 #include "tests/support/expect_error.h"
 
@@ -79,6 +81,33 @@ TEST_F(Exports, WriteWhatIsChosen) {
   files_.clear();
   export_responses(*data_, {.configuration = "false"}, take());
   EXPECT_EQ(files_.size(), 1 + FabricatedStudy::kLevels.size());
+}
+
+TEST_F(Exports, TakeCapacitiesAfterAHunt) {
+  FabricatedStudy::write(path_, true, true);
+  data_.emplace(path_);
+  const ChosenCurves chosen = chosen_curves(*data_, {.configuration = "true"});
+  ASSERT_EQ(chosen.curves.size(), 1u);
+  const auto capacities =
+      fit_capacities(ida_capacities(data_->observations(0, 1, data_->measure(""))));
+  ASSERT_TRUE(capacities.curve);
+  EXPECT_EQ(chosen.curves[0].curve.theta, capacities.curve->theta);
+  EXPECT_EQ(chosen.curves[0].curve.beta, capacities.curve->beta);
+  // The outcomes of the runs alone have another curve: the test can tell the two apart.
+  const FragilityFit fit = fit_fragility(data_->observations(0, 1, data_->measure("")));
+  EXPECT_NE(fit.curve->theta, capacities.curve->theta);
+
+  export_responses(*data_, {}, take());  // a hunt has no levels, so no samples at one
+  EXPECT_EQ(files_.size(), 2u);
+  EXPECT_TRUE(files_.contains("response_false.csv") && files_.contains("response_true.csv"));
+}
+
+TEST_F(Exports, CountAHuntInOneRowForEachConfiguration) {
+  FabricatedStudy::write(path_, true, true);
+  const StudyOverview overview = study_overview(path_);
+  ASSERT_EQ(overview.counts.size(), 2u);
+  EXPECT_EQ(overview.counts[0].level, "all");
+  EXPECT_EQ(overview.counts[1].runs, 240u);
 }
 
 TEST(OutsideMeasure, HasTheNamesAndUnitsOfEachFormat) {

@@ -25,12 +25,19 @@ measures = ["PGA larger", "Sa(1.0) RotD50", "Sa(1.0, 2%) RotD50", "FIV3(1.0)"]
 measure = "PGA"
 component = "larger"
 unit = "g"
-levels = [0.1, 0.2, 0.3, 0.5, 0.8, 1.2]
+@
 [[study.factor]]
 name = "brakes"
 key = "item.brakes"
 values = [false, true]
 )toml";
+
+std::string job_text(bool hunt) {
+  const std::string levels = "levels = [0.1, 0.2, 0.3, 0.5, 0.8, 1.2]";
+  const std::string hunted = R"(hunt = { first = 0.1, increment = 0.1, until = "moved" })";
+  std::string text = kJob;
+  return text.replace(text.find('@'), 1, hunt ? hunted : levels);
+}
 
 struct TextColumn {
   std::string name;
@@ -48,11 +55,11 @@ void write_texts(Hdf5Writer& file, const std::string& name,
   table.finish();
 }
 
-void write_heads(Hdf5Writer& file) {
+void write_heads(Hdf5Writer& file, bool hunt) {
   add_program(file, "gurney-study", 1);
   for (const auto& [name, value] :
        std::vector<std::pair<std::string, std::string>>{{"job_name", "fabricated"},
-                                                        {"job_text", kJob},
+                                                        {"job_text", job_text(hunt)},
                                                         {"job_sha256", "abc"},
                                                         {"title", "Fabricated & <plain>"},
                                                         {"seed", "1"},
@@ -215,9 +222,9 @@ bool FabricatedStudy::moved(std::size_t configuration, std::size_t record, std::
   return kLevels[level] >= curve(configuration).quantile((double(record) + 0.5) / kRecords);
 }
 
-void FabricatedStudy::write(const std::string& path, bool certificate) {
+void FabricatedStudy::write(const std::string& path, bool certificate, bool hunt) {
   Hdf5Writer file(path);
-  write_heads(file);
+  write_heads(file, hunt);
   Tables(file).write(certificate);
   file.finish();
 }

@@ -27,7 +27,8 @@ struct FabricatedStudy {
   static bool moved(std::size_t configuration, std::size_t record, std::size_t level);
 
   /// @param certificate  with the runs at half the step
-  static void write(const std::string& path, bool certificate = true);
+  /// @param hunt         as if the levels had been found by a hunt for `moved`
+  static void write(const std::string& path, bool certificate = true, bool hunt = false);
 };
 
 }  // namespace gurney

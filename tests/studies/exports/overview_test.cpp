@@ -88,8 +88,12 @@ TEST_F(Overview, ComparesDemandsWithThoseAtHalfTheStep) {
   EXPECT_EQ(certificate->states[0].state, "moved");
   EXPECT_THAT(certificate->states[0].runs, ElementsAre(FabricatedStudy::kChanged));
   EXPECT_THAT(certificate->states[1].runs, IsEmpty());
-  for (const StepChange& each : certificate->changes)
-    if (each.demand == "time_of_overturning") EXPECT_EQ(each.compared, 0u);
+  for (const StepChange& each : certificate->changes) {
+    const bool any = each.demand != "time_of_overturning" &&
+                     each.demand != "direction_of_overturning" &&
+                     each.demand != "peak_impact_force";
+    EXPECT_EQ(each.compared, any ? 10u : 0u) << each.demand;
+  }
 }
 
 TEST_F(Overview, HasNoCertificateWhereTheStudyHasNone) {
