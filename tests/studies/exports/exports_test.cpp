@@ -84,6 +84,7 @@ TEST_F(Exports, WriteWhatIsChosen) {
 }
 
 TEST_F(Exports, TakeCapacitiesAfterAHunt) {
+  data_.reset();  // it has the file open
   FabricatedStudy::write(path_, true, true);
   data_.emplace(path_);
   const ChosenCurves chosen = chosen_curves(*data_, {.configuration = "true"});
@@ -103,6 +104,7 @@ TEST_F(Exports, TakeCapacitiesAfterAHunt) {
 }
 
 TEST_F(Exports, CountAHuntInOneRowForEachConfiguration) {
+  data_.reset();  // it has the file open
   FabricatedStudy::write(path_, true, true);
   const StudyOverview overview = study_overview(path_);
   ASSERT_EQ(overview.counts.size(), 2u);
