@@ -1,7 +1,7 @@
 #pragma once
 
 #include <optional>
-#include <vector>
+#include <set>
 
 #include "studies/study/study.h"
 
@@ -13,7 +13,8 @@ namespace gurney {
 /// 2002, EESD 31(3), 491-514) goes up with steps that grow by the increment each, until the limit
 /// state is exceeded; then it halves the bracket between the highest intensity that is safe below
 /// the lowest that is not and the latter, until the bracket is narrower than `resolution` of its
-/// lower end, or until the runs are used up.
+/// lower end. Then it fills: `fill` more, each in the middle of the widest gap below the capacity.
+/// It ends early where the runs are used up.
 class Intensities {
  public:
   explicit Intensities(const IntensityPlan& plan) : plan_(&plan) {}
@@ -28,12 +29,16 @@ class Intensities {
 
  private:
   std::optional<double> hunted() const;
+  double middle_of_widest_gap() const;
+  double highest_below(double value) const;
 
   const IntensityPlan* plan_;
   std::size_t done_ = 0;
-  double highest_ = 0;              ///< tried
+  std::set<double> tried_;
+  int filled_ = 0;
   double safe_ = 0;                 ///< highest below the lowest that is not
   std::optional<double> exceeded_;  ///< lowest
+  bool narrow_ = false;  ///< the bracket is: what comes now fills
   bool stopped_ = false;
 };
 

@@ -14,6 +14,11 @@ Plan::Plan(const StudyJob& job, const StudyMotions& motions) {
   seed_ = study.seed;
   stated_draws_ = study.draws;
   sampling_ = study.sampling;
+  if (stated_draws_ > 0 && sampling_ == Sampling::kSobol) {
+    streams_ = std::make_shared<Draw::Streams>();
+    for (std::size_t i = 0; i < job.configurations().size(); ++i)
+      job.job(i, Draw::noting(seed_, 0, streams_));
+  }
   first_.push_back(0);
   for (std::size_t i = 0; i < job.configurations().size(); ++i) {
     const std::size_t records = motions.set_of(i).size();
@@ -39,6 +44,7 @@ std::optional<Draw> Plan::draw(const Unit& unit) const {
   const std::uint64_t number = unit.record * draws_ + unit.draw;
   if (sampling_ == Sampling::kLatinHypercube)
     return Draw::of_hypercube(seed_, number, most_records_ * draws_);
+  if (sampling_ == Sampling::kSobol) return Draw::of_sobol(seed_, number, streams_);
   return Draw(seed_, number);
 }
 

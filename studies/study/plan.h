@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -37,7 +38,8 @@ class Plan {
   std::uint64_t seed_, most_records_ = 0;
   int stated_draws_;
   Sampling sampling_;
-  std::vector<std::size_t> first_;  ///< unit of each configuration; last: their number
+  std::shared_ptr<Draw::Streams> streams_;  ///< of Sobol sequences: those of all configurations
+  std::vector<std::size_t> first_;          ///< unit of each configuration; last: their number
 };
 
 }  // namespace gurney

@@ -45,6 +45,7 @@ struct IntensityPlan {
   int most_runs = 0;      ///< of one record, >= 3
   double resolution = 0;  ///< the bracket of the capacity is halved until it is narrower than this
                           ///< fraction of its lower end
+  int fill = 0;           ///< runs below the capacity once the bracket is narrow
   std::size_t until = 0;  ///< limit state that ends the hunt: index in Study::limit_states
 };
 

@@ -117,6 +117,7 @@ void read_hunt(Table hunt, const std::vector<LimitState>& states, IntensityPlan&
   plan.increment = hunt.number("increment", Range::positive()) * plan.unit_in_si;
   plan.most_runs = hunt.integer("most_runs", 3, 1000, 12);
   plan.resolution = hunt.number("resolution", Range::within(0, 10).open_below(), 0.1);
+  plan.fill = hunt.integer("fill", 0, 1000, 0);
   std::vector<std::string> names;
   for (const LimitState& state : states) names.push_back(state.name);
   plan.until = hunt.choice("until", names);
@@ -172,7 +173,8 @@ void read_measures(Table& in, Study& study) {
   const bool given = in.has("measures");
   for (const std::string& text :
        given ? in.texts("measures")
-             : std::vector<std::string>{"PGA", "PGV", "PGD", "Sa(0.5)", "Sa(1.0)", "Sa(2.0)"}) {
+             : std::vector<std::string>{"PGA", "PGV", "PGD", "Sa(0.5)", "Sa(1.0)", "Sa(2.0)",
+                                        "FIV3(1.0)"}) {
     try {
       study.measures.push_back(*parse_kept(text));
     } catch (const Error& error) {
@@ -218,7 +220,7 @@ Study read_study(Table& in, const Node& node) {
   }
   study.seed = static_cast<std::uint64_t>(in.integer("seed", 0, kMost, 1));
   if (in.has("draws")) study.draws = in.integer("draws", 1, kMost);
-  static const std::vector<std::string> kSamplings = {"monte-carlo", "latin-hypercube"};
+  static const std::vector<std::string> kSamplings = {"monte-carlo", "latin-hypercube", "sobol"};
   if (in.has("sampling")) {
     study.sampling = static_cast<Sampling>(in.choice("sampling", kSamplings));
     if (!in.has("draws")) in.note("sampling", ": must go with draws");

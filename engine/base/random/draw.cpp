@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "engine/base/random/normal_draw.h"
 #include "engine/base/random/sampling.h"
@@ -37,13 +39,29 @@ Draw Draw::of_hypercube(std::uint64_t seed, std::uint64_t run, std::uint64_t siz
   return draw;
 }
 
+Draw Draw::of_sobol(std::uint64_t seed, std::uint64_t run, std::shared_ptr<const Streams> streams) {
+  Draw draw(seed, run);
+  draw.streams_ = std::move(streams);
+  return draw;
+}
+
+Draw Draw::noting(std::uint64_t seed, std::uint64_t run, std::shared_ptr<Streams> streams) {
+  Draw draw(seed, run);
+  draw.noted_ = std::move(streams);
+  return draw;
+}
+
 double Draw::uniform(const std::string& stream) const {
+  if (noted_) noted_->insert(stream);
+  if (streams_) {
+    const auto found = streams_->find(stream);
+    if (found != streams_->end())
+      return sobol_draw(seed_, static_cast<std::uint64_t>(std::distance(streams_->begin(), found)),
+                        run_);
+  }
   const std::uint64_t key = hash_of(stream);
-  const double u = uniform_draw(seed_, key, run_);
-  if (cells_ == 0) return u;
-  const double cells = static_cast<double>(cells_);
-  const double p = (static_cast<double>(permuted(seed_, key, run_, cells_)) + u) / cells;
-  return std::clamp(p, 0x1p-54, 1 - 0x1p-53);
+  if (cells_ > 0) return latin_hypercube_draw(seed_, key, run_, cells_);
+  return uniform_draw(seed_, key, run_);
 }
 
 double Draw::probability(const std::string& variable, const Group& group) const {

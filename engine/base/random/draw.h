@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <set>
 #include <string>
 
 namespace gurney {
@@ -23,6 +25,17 @@ class Draw {
   /// @param run  below `size`
   static Draw of_hypercube(std::uint64_t seed, std::uint64_t run, std::uint64_t size);
 
+  /// The streams that draws ask for: every variable, and every group.
+  using Streams = std::set<std::string>;
+
+  /// Point `run` of a Sobol sequence, whose dimensions are the streams in their order. A stream
+  /// that is not among them is drawn by itself.
+  static Draw of_sobol(std::uint64_t seed, std::uint64_t run,
+                       std::shared_ptr<const Streams> streams);
+
+  /// A draw that notes its streams, to know them before a Sobol sequence. Not for several threads.
+  static Draw noting(std::uint64_t seed, std::uint64_t run, std::shared_ptr<Streams> streams);
+
   /// The same draw for a part: names of variables begin with `part/`, groups keep theirs.
   Draw of_part(const std::string& part) const;
 
@@ -30,7 +43,7 @@ class Draw {
 
   /// The probability, in (0, 1), at which the variable's quantile function is to be taken.
   ///
-  /// With u uniform (of a Latin hypercube: in the variable's cell of this draw), it is
+  /// With u uniform, of a Latin hypercube, or of a Sobol sequence, it is
   /// u itself where the variable is independent; else Phi(r z_group + sqrt(1 - r^2) z) with
   /// z = Phi^-1(u), r the correlation: a Gaussian copula (docs/theory/uncertainty.md).
   double probability(const std::string& variable, const Group& group = {}) const;
@@ -43,7 +56,9 @@ class Draw {
   double uniform(const std::string& stream) const;
 
   std::uint64_t seed_, run_;
-  std::uint64_t cells_ = 0;  ///< of a Latin hypercube; 0: none
+  std::uint64_t cells_ = 0;                 ///< of a Latin hypercube; 0: none
+  std::shared_ptr<const Streams> streams_;  ///< of a Sobol sequence
+  std::shared_ptr<Streams> noted_;
   std::string parts_;
 };
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "engine/base/random/normal_draw.h"
-#include "studies/statistics/sampling.h"
+#include "engine/base/random/sampling.h"
 #include "tests/support/expect_error.h"
 
 namespace gurney {

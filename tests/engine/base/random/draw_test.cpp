@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <map>
+#include <memory>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -104,6 +107,32 @@ TEST(Draw, DependsOnNoThreadAndNoOrder) {
   first.join();
   second.join();
   EXPECT_EQ(forwards, backwards);
+}
+
+/// The cells of 1/16 that 16 draws of a variable fall into.
+std::set<int> cells(const char* name, const std::function<Draw(std::uint64_t)>& draw) {
+  std::set<int> result;
+  for (std::uint64_t run = 0; run < 16; ++run)
+    result.insert(static_cast<int>(16 * draw(run).probability(name)));
+  return result;
+}
+
+TEST(Draw, PlansPutOneDrawOfEachVariableInEachCell) {
+  const auto streams = std::make_shared<Draw::Streams>();
+  const Draw noting = Draw::noting(3, 0, streams);
+  for (const char* name : {"mass", "friction"}) noting.probability(name);
+  noting.probability("left", {"treads", 0.5});
+  EXPECT_EQ(*streams,
+            (Draw::Streams{"variable mass", "variable friction", "variable left", "group treads"}));
+  const auto hypercube = [](std::uint64_t run) { return Draw::of_hypercube(3, run, 16); };
+  const auto sobol = [&](std::uint64_t run) { return Draw::of_sobol(3, run, streams); };
+  for (const char* name : {"mass", "friction"}) {
+    EXPECT_EQ(cells(name, hypercube).size(), 16) << name;
+    EXPECT_EQ(cells(name, sobol).size(), 16) << name;
+  }
+  // Plain draws fill all cells with probability 16! / 16^16 = 1e-6 only.
+  EXPECT_LT(cells("mass", [](std::uint64_t run) { return Draw(3, run); }).size(), 16);
+  EXPECT_EQ(Draw::of_sobol(3, 5, streams).probability("new"), Draw(3, 5).probability("new"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "studies/statistics/sampling.h"
+#include "engine/base/random/sampling.h"
 
 #include <gtest/gtest.h>
 
