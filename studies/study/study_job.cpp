@@ -35,7 +35,8 @@ std::vector<Configuration> combined(const Node& job, const Study& study, Documen
 }
 
 /// What a study varies by itself must not be stated for one run.
-void note_contradictions(Document& document, const Job& job, const Study& study) {
+/// @throws Error with each that is
+void refuse_contradictions(const Document& document, const Job& job, const Study& study) {
   if (!job.record) {
     if (study.intensity.kind != IntensityPlan::Kind::kScales || study.angles.size() > 1)
       throw Error(document.where(document.tree().place) +
@@ -43,8 +44,9 @@ void note_contradictions(Document& document, const Job& job, const Study& study)
     return;
   }
   const RecordRequest& record = *job.record;
+  std::string mistakes;
   const auto refuse = [&](bool wrong, const std::string& message) {
-    if (wrong) throw Error(record.where + ": " + message);
+    if (wrong) mistakes += (mistakes.empty() ? "" : "\n") + record.where + ": " + message;
   };
   refuse(record.scale_to && study.intensity.kind != IntensityPlan::Kind::kScales,
          "scale_to must not go with study.intensity, which scales the records");
@@ -54,8 +56,11 @@ void note_contradictions(Document& document, const Job& job, const Study& study)
              (!record.synthetic || !record.synthetic->values.contains("seed")),
          "study.synthetic_records needs a synthetic motion that has a seed");
   refuse(
-      study.synthetic_records > 0 && record.synthetic && record.synthetic->values.at("seed") != 1,
+      study.synthetic_records > 0 && record.synthetic &&
+             record.synthetic->values.contains("seed") &&
+             record.synthetic->values.at("seed") != 1,
       "study.synthetic_records gives the seeds 1, 2, ...; leave the seed out");
+  require(mistakes.empty(), mistakes);
 }
 
 /// One line each, in the order in which they came.
@@ -107,7 +112,7 @@ StudyJob::StudyJob(std::unique_ptr<Document> document) : document_(std::move(doc
     reading.finish();
   });
   for (std::size_t i = 0; i < configurations_.size(); ++i)
-    collect(mistakes, [&] { note_contradictions(*document_, job(i, {}), study_); });
+    collect(mistakes, [&] { refuse_contradictions(*document_, job(i, {}), study_); });
   mistakes.raise();
 }
 

@@ -1,0 +1,172 @@
+#include "studies/study_results/study_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/base/hash/sha256.h"
+#include "studies/results/hdf5_reader.h"
+#include "tests/studies/study/small_study.h"
+#include "tests/support/temp_folder.h"
+
+namespace gurney {
+namespace {
+
+using testing::Each;
+using testing::ElementsAre;
+
+constexpr const char* kStudy = R"raw(angles_deg = [0, 90]
+draws = 2
+certificate = 1
+measures = ["PGA larger", "Sa(1.0)"]
+[study.intensity]
+measure = "PGA"
+component = "larger"
+unit = "g"
+levels = [0.1, 0.3]
+[study.keep]
+histories = "all"
+wheels = true
+energy = true
+[[study.factor]]
+name = "brakes"
+key = "item.brakes"
+values = [false, true]
+[item.yaw_deg]
+value = 0
+distribution = { kind = "uniform", low = 0, high = 360, assumption = "any" }
+)raw";
+
+class StudyFile : public testing::Test {
+ protected:
+  std::string write(const SmallStudy& study) {
+    results_.clear();
+    for (std::size_t i = 0; i < study.plan.units(); ++i) results_.push_back(study.run(i));
+    const std::string path = folder_.file("a.h5");
+    counts_ =
+        write_study_file(path, study.batch, [&](std::size_t unit) { return results_.at(unit); });
+    return path;
+  }
+
+  TempFolder folder_;
+  std::vector<UnitResult> results_;
+  StudyCounts counts_;
+};
+
+TEST_F(StudyFile, HasARowForEachRun) {
+  const SmallStudy study(small_job(kStudy));
+  const Hdf5Reader file(write(study));
+  ASSERT_EQ(study.plan.units(), 2u * 1 * 2 * 2);
+  EXPECT_EQ(counts_.runs, 16u);
+  EXPECT_EQ(counts_.failed, 0u);
+  const auto column = [&](const std::string& name) { return file.numbers("/" + name); };
+  ASSERT_EQ(column("runs/run").size(), 16u);
+  for (std::size_t run = 0; run < 16; ++run) {
+    const Unit unit = study.plan.unit(run / 2);
+    const StudyRun& made = results_[run / 2].runs[run % 2];
+    EXPECT_EQ(column("runs/run")[run], double(run));
+    EXPECT_EQ(column("runs/unit")[run], double(run / 2));
+    EXPECT_EQ(column("runs/configuration")[run], double(unit.configuration));
+    EXPECT_EQ(column("runs/record")[run], double(unit.record));
+    EXPECT_EQ(column("runs/motion")[run], double(run % 2));
+    EXPECT_EQ(column("runs/angle")[run], study.job.study().angles[unit.angle]);
+    EXPECT_EQ(column("runs/draw")[run], double(unit.draw));
+    EXPECT_EQ(column("runs/scale")[run], made.scale);
+    EXPECT_EQ(column("runs/intensity")[run], made.intensity);
+    EXPECT_EQ(column("runs/pfa")[run], made.pfa);
+    EXPECT_EQ(column("runs/pfv")[run], made.pfv);
+    EXPECT_EQ(file.strings("/runs/outcome")[run], name_of(made.response.outcome));
+    EXPECT_EQ(column("runs/end_time")[run], made.response.end_time);
+    EXPECT_EQ(column("items/run")[run], double(run));
+    EXPECT_EQ(column("items/peak_displacement")[run],
+              made.response.items[0].demands.peak_displacement);
+    EXPECT_EQ(column("half_step/peak_displacement")[run], made.at_half_step[0].peak_displacement);
+    EXPECT_EQ(column("energy/work_floor")[run], made.response.items[0].energy.work_of_floor);
+    EXPECT_EQ(column("wheels/peak_normal_force")[4 * run + 2],
+              made.response.items[0].demands.wheels[2].peak_normal_force);
+  }
+}
+
+TEST_F(StudyFile, TheLevelIsTheIntensityOfTheScaledMotion) {
+  const SmallStudy study(small_job(kStudy));
+  const Hdf5Reader file(write(study));
+  EXPECT_THAT(file.numbers("/motions/scale").size(), 2u) << "a row for each scaled record";
+  EXPECT_NEAR(file.numbers("/motions/PGA larger")[0], 0.98066, 1e-4);
+  EXPECT_DOUBLE_EQ(file.numbers("/runs/intensity")[1], 0.3 * 9.80665);
+  // The Ricker wavelet acts in one direction alone: the floor has its PGA whatever the angle.
+  for (std::size_t run = 0; run < 16; ++run)
+    EXPECT_NEAR(file.numbers("/runs/pfa")[run], file.numbers("/runs/intensity")[run], 1e-9) << run;
+}
+
+TEST_F(StudyFile, NamesConfigurationsRecordsDrawsAndItself) {
+  const SmallStudy study(small_job(kStudy));
+  const Hdf5Reader file(write(study));
+  EXPECT_EQ(file.text_attribute("filetype"), "gurney-study");
+  EXPECT_EQ(file.text_attribute("job_text"), study.job.text());
+  EXPECT_EQ(file.text_attribute("job_sha256"), sha256(study.job.text()));
+  EXPECT_EQ(file.text_attribute("intensity_measure"), "PGA larger");
+  EXPECT_EQ(file.text_attribute("intensity_units"), "m/s2");
+  EXPECT_THAT(file.strings("/configurations/brakes"), ElementsAre("false", "true"));
+  EXPECT_THAT(file.strings("/records/name"), ElementsAre("ricker"));
+  EXPECT_THAT(file.numbers("/drawn/configuration"), ElementsAre(0, 0, 1, 1));
+  EXPECT_THAT(file.numbers("/drawn/draw"), ElementsAre(0, 1, 0, 1));
+  EXPECT_THAT(file.strings("/drawn/variable"), Each("item.yaw_deg"));
+  const std::vector<double> value = file.numbers("/drawn/value");
+  EXPECT_EQ(value[0], results_[0].drawn.at(0));
+  EXPECT_EQ(value[0], value[2]) << "paired";
+  EXPECT_NE(value[0], value[1]);
+}
+
+TEST_F(StudyFile, HasTheHistoriesThatAreKept) {
+  const SmallStudy study(small_job(kStudy));
+  const Hdf5Reader file(write(study));
+  const std::vector<Sample>& first = results_[0].runs[0].response.items[0].history;
+  ASSERT_GT(first.size(), 2u);
+  EXPECT_EQ(file.numbers("/histories/displacement_x")[2], first[2].displacement.x());
+  EXPECT_EQ(file.numbers("/histories/run")[first.size()], 1);
+  const SmallStudy without(small_job("draws = 1\n[item.yaw_deg]\nvalue = 0\n"));
+  EXPECT_TRUE(without.run(0).runs[0].response.items[0].history.empty());
+}
+
+TEST_F(StudyFile, ARunThatFailedIsARowWithItsCause) {
+  std::string job = small_job(kStudy);
+  job.insert(job.find("duration_s"),
+             "residual = 1e-300\nmax_newton_iterations = 4\nmax_subdivisions = 0\n");
+  const SmallStudy study(job);
+  const Hdf5Reader file(write(study));
+  EXPECT_EQ(counts_.failed, counts_.runs);
+  EXPECT_EQ(counts_.failed, 8u) << "nothing runs above a level that failed";
+  EXPECT_THAT(file.strings("/runs/outcome"), Each("diverged"));
+  EXPECT_EQ(file.strings("/failures/cause")[7], results_[7].runs[0].response.cause);
+  EXPECT_FALSE(results_[7].runs[0].response.cause.empty());
+  EXPECT_TRUE(file.numbers("/items/run").empty());
+}
+
+TEST_F(StudyFile, DrawsThatMakeNoJobAreFailuresAndNoMore) {
+  // Two trolleys 2 m apart, one of which may stand in the other in the first draw.
+  const SmallStudy study(R"(schema = "gurney-job/1"
+[[item]]
+name = "a"
+equipment = "xu_trolley"
+[[item]]
+name = "b"
+equipment = "xu_trolley"
+[item.position_m]
+value = [2, 0]
+distribution = { x = { kind = "uniform", low = 0, high = 2, assumption = "anywhere" } }
+[settings]
+duration_s = 0.02
+settle_time_s = 0
+[study]
+draws = 20
+)");
+  const Hdf5Reader file(write(study));
+  EXPECT_EQ(counts_.runs, 20u);
+  EXPECT_GT(counts_.failed, 0u);
+  EXPECT_LT(counts_.failed, 20u);
+  EXPECT_NE(file.strings("/failures/cause")[0].find("stand in each other"), std::string::npos)
+      << file.strings("/failures/cause")[0];
+  EXPECT_EQ(file.numbers("/drawn/value").size(), 20u - counts_.failed);
+}
+
+}  // namespace
+}  // namespace gurney
