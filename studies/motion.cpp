@@ -154,22 +154,32 @@ FloorMotion in_floor_axes(const Record& floor, const RecordRequest& request, dou
   return floor_motion(floor, 1, angle, used_components(floor, request));
 }
 
+Motion as_motion(const Record& floor, const RecordRequest& request, double angle) {
+  Motion motion;
+  motion.floor = in_floor_axes(floor, request, angle);
+  const Residual left = residual(motion.floor);
+  motion.facts = facts_of(floor, motion.floor, left);
+  motion.seed = seed_of(request);
+  add_building_file(request, motion.facts);
+  motion.warnings = floor.warnings;
+  motion.warnings.insert(motion.warnings.end(), left.warnings.begin(), left.warnings.end());
+  return motion;
+}
+
 Motion motion_of(const RecordRequest& request) {
   const Record raw = ground_record(request);
   const Record record = floor_record_of(scaled_as_asked(raw, request), request);
-  Motion motion;
-  motion.floor = in_floor_axes(record, request, request.angle);
+  Motion motion = as_motion(record, request, request.angle);
+  const std::vector<std::string> findings = implausible(raw);
+  std::vector<std::string> faults = findings;
   const Residual left = residual(motion.floor);
-  motion.facts = facts_of(record, motion.floor, left);
-  motion.seed = seed_of(request);
-  add_building_file(request, motion.facts);
-  std::vector<std::string> findings = implausible(raw);
-  findings.insert(findings.end(), left.warnings.begin(), left.warnings.end());
-  require(!request.refuse_implausible || findings.empty(),
+  faults.insert(faults.end(), left.warnings.begin(), left.warnings.end());
+  require(!request.refuse_implausible || faults.empty(),
           fmt::format("{}: the record is not plausible, and plausibility = \"refuse\":\n{}",
-                      request.where, fmt::join(findings, "\n")));
-  motion.warnings = record.warnings;
-  motion.warnings.insert(motion.warnings.end(), findings.begin(), findings.end());
+                      request.where, fmt::join(faults, "\n")));
+  motion.warnings.insert(
+      motion.warnings.begin() + static_cast<std::ptrdiff_t>(record.warnings.size()),
+      findings.begin(), findings.end());
   return motion;
 }
 

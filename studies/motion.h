@@ -32,4 +32,7 @@ Record ground_record(const RecordRequest& request);
 Record floor_record_of(const Record& ground, const RecordRequest& request);
 FloorMotion in_floor_axes(const Record& floor, const RecordRequest& request, double angle);
 
+/// The same as in_floor_axes(), with what is to be told of it.
+Motion as_motion(const Record& floor, const RecordRequest& request, double angle);
+
 }  // namespace gurney

@@ -6,8 +6,6 @@
 
 #include "engine/base/hash/sha256.h"
 #include "equipment/uncertainty.h"
-#include "studies/job/job.h"
-#include "studies/motion.h"
 
 namespace gurney {
 namespace {
@@ -25,11 +23,10 @@ AssumptionFacts facts_of(const Assumption& assumption) {
           assumption.reason, std::filesystem::path(assumption.file).filename().string()};
 }
 
-PreparedRun prepare_run(const std::string& job_path) {
-  const Job job = read_job(job_path);
+PreparedRun prepare_run(const Job& job, std::optional<Motion> motion) {
   PreparedRun run{.facts = {}, .excitation = job.excitation};
   RunFacts& facts = run.facts;
-  facts.job_name = std::filesystem::path(job_path).stem().string();
+  facts.job_name = std::filesystem::path(job.file).stem().string();
   facts.job_text = job.text;
   facts.job_sha256 = sha256(job.text);
   facts.title = job.title;
@@ -43,15 +40,19 @@ PreparedRun prepare_run(const std::string& job_path) {
       facts.drawn.push_back({each.key, each.value, unit_of_key(each.key), each.distribution,
                              std::filesystem::path(each.file).filename().string()});
   }
-  if (!job.record) return run;
+  if (!motion) return run;
 
-  Motion motion = motion_of(*job.record);
-  facts.floor = motion.floor;
-  run.excitation.floor = std::move(motion.floor);
-  facts.record = std::move(motion.facts);
-  facts.seed = motion.seed;
-  append(facts.warnings, motion.warnings);
+  facts.floor = motion->floor;
+  run.excitation.floor = std::move(motion->floor);
+  facts.record = std::move(motion->facts);
+  facts.seed = motion->seed;
+  append(facts.warnings, motion->warnings);
   return run;
+}
+
+PreparedRun prepare_run(const std::string& job_path) {
+  const Job job = read_job(job_path);
+  return prepare_run(job, job.record ? std::optional(motion_of(*job.record)) : std::nullopt);
 }
 
 }  // namespace gurney

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "engine/scene/scene.h"
 #include "equipment/assumption.h"
+#include "studies/job/job.h"
+#include "studies/motion.h"
 #include "studies/results/run_facts.h"
 
 namespace gurney {
@@ -16,6 +19,9 @@ struct PreparedRun {
   RunFacts facts;
   Excitation excitation;
 };
+
+/// @param motion  of the floor; none: it rests
+PreparedRun prepare_run(const Job& job, std::optional<Motion> motion);
 
 /// Reads a job file and the record it asks for.
 /// @throws Error with every mistake found in the job, its data files and its record.

@@ -5,6 +5,7 @@
 #include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
 #include "engine/simulate.h"
+#include "studies/limit_states/response_values.h"
 #include "studies/study/hunt.h"
 
 namespace gurney {
@@ -108,7 +109,10 @@ UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<b
       run.response = failed(bad);
     if (!wanted(study.keep.histories, run.response.outcome))
       for (ItemResponse& item : run.response.items) item.history.clear();
-    intensities.report(*value, run.response.outcome == Outcome::kOverturned);
+    const bool ended =
+        job && run.response.outcome != Outcome::kDiverged &&
+        exceeded(study.limit_states, study.intensity.until, values_of(job->scene, run.response));
+    intensities.report(*value, ended);
     if (run.response.outcome == Outcome::kDiverged) intensities.stop();
     result.runs.push_back(std::move(run));
   }

@@ -12,8 +12,10 @@
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
 #include "studies/build_info/build_info.h"
+#include "studies/cli/check_command.h"
 #include "studies/cli/equipment_command.h"
 #include "studies/cli/records_command.h"
+#include "studies/cli/replay_command.h"
 #include "studies/cli/run_command.h"
 #include "studies/cli/signals.h"
 
@@ -49,6 +51,23 @@ void add_run(CLI::App& app, std::function<int()>& act) {
                   "Threads for a study (default: all of the machine)")
       ->check(CLI::Range(1, 4096));
   run->callback([held, &act] { act = [held] { return run_command(*held); }; });
+}
+
+void add_replay(CLI::App& app, std::function<int()>& act) {
+  auto held = std::make_shared<ReplayOptions>();
+  ReplayOptions& options = *held;
+  CLI::App* const replay =
+      app.add_subcommand("replay", "Make one run of a study again, with full histories");
+  replay->add_option("FILE", options.file, "The results file of the study")->required();
+  replay->add_option("RUN", options.run, "Index of the run")->required();
+  replay->add_option("--job", options.job,
+                     "The job's file (default: where the study's log says it was)");
+  replay->add_option("-o,--output", options.output,
+                     "The results file (default: FILE_run_RUN.h5 beside FILE)");
+  replay->add_flag("--overwrite", options.overwrite, "Replace files that exist");
+  replay->add_flag("--json", options.json, "Print the summary as JSON");
+  replay->add_flag("--no-figure", options.no_figure, "Draw no figure");
+  replay->callback([held, &act] { act = [held] { return replay_command(*held); }; });
 }
 
 std::vector<std::string> command_names(const CLI::App& app) {
@@ -89,6 +108,8 @@ int run_command_line(int argc, char** argv) {
       "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 a run diverged, 130/143 interrupted.");
   std::function<int()> act;
   add_run(app, act);
+  add_check(app, act);
+  add_replay(app, act);
   add_records(app, act);
   add_equipment(app, act);
   app.add_subcommand("help", "Print this help, or that of a command: help records scale");

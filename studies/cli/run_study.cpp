@@ -100,10 +100,11 @@ void append_log(const Paths& paths, const RunOptions& options, int threads,
   std::FILE* const log = std::fopen(paths.log.c_str(), "a");
   require(log != nullptr, paths.log.string() + ": cannot be written");
   fmt::print(log,
-             "{:%Y-%m-%dT%H:%M:%SZ} {} on {}: {} runs in {:.1f} s with {} threads, job {}, folder "
-             "{}, gurney {} {}, CPU class {}\n",
-             fmt::gmtime(now), how, host, progress.runs, progress.seconds, threads, options.job,
-             fs::current_path().string(), build.program_version, build.git_commit, build.cpu_class);
+             "{:%Y-%m-%dT%H:%M:%SZ} {} on {}: {} runs in {:.1f} s with {} threads, gurney {} {}, "
+             "CPU class {}\njob {}\n",
+             fmt::gmtime(now), how, host, progress.runs, progress.seconds, threads,
+             build.program_version, build.git_commit, build.cpu_class,
+             fs::absolute(options.job).lexically_normal().string());
   std::fclose(log);
 }
 

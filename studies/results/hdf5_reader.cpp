@@ -20,6 +20,18 @@ std::vector<std::string> take_strings(hid_t type, hid_t space, std::vector<char*
   return result;
 }
 
+std::vector<std::string> fixed_strings(hid_t dataset, std::size_t width, std::size_t count) {
+  std::string flat(width * count, '\0');
+  checked(H5Dread(dataset, text_type(width), H5S_ALL, H5S_ALL, H5P_DEFAULT, flat.data()),
+          "read text");
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string padded = flat.substr(i * width, width);
+    result.push_back(padded.substr(0, padded.find('\0')));
+  }
+  return result;
+}
+
 std::string text_of(hid_t object, const std::string& name) {
   const std::string what = "read attribute '" + name + "'";
   if (checked(H5Aexists(object, name.c_str()), what) == 0) return {};
@@ -119,8 +131,12 @@ std::vector<double> Hdf5Reader::numbers(const std::string& path) const {
 std::vector<std::string> Hdf5Reader::strings(const std::string& path) const {
   const Handle dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), "open dataset " + path);
   const Handle space(H5Dget_space(dataset), "read the shape of " + path);
-  std::vector<char*> raw(
-      static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), "size " + path)));
+  const auto count =
+      static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), "size " + path));
+  const Handle stored(H5Dget_type(dataset), "read the type of " + path);
+  if (checked(H5Tis_variable_str(stored), "read the type of " + path) == 0)
+    return fixed_strings(dataset, H5Tget_size(stored), count);
+  std::vector<char*> raw(count);
   const Handle type = text_type();
   checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.data()), "read " + path);
   return take_strings(type, space, raw);

@@ -8,6 +8,8 @@
 #include "engine/base/config/document.h"
 #include "engine/base/random/sampling.h"
 #include "studies/job/job.h"
+#include "studies/limit_states/limit_state.h"
+#include "studies/statistics/hazard.h"
 
 namespace gurney {
 
@@ -43,7 +45,7 @@ struct IntensityPlan {
   int most_runs = 0;      ///< of one record, >= 3
   double resolution = 0;  ///< the bracket of the capacity is halved until it is narrower than this
                           ///< fraction of its lower end
-  std::string until;      ///< limit state that ends the hunt
+  std::size_t until = 0;  ///< limit state that ends the hunt: index in Study::limit_states
 };
 
 /// A measure of each scaled ground motion that the results keep.
@@ -64,9 +66,12 @@ struct Keep {
 /// What a job varies: its table [study] (docs/formats/study.md).
 struct Study {
   std::vector<Factor> factors;
-  std::vector<double> angles{0.0};  ///< record against floor axes [rad]
-  int synthetic_records = 0;        ///< > 0: seeds 1, 2, ... of the synthetic motion
+  std::vector<double> angles{0.0};       ///< record against floor axes [rad]
+  int synthetic_records = 0;             ///< > 0: seeds 1, 2, ... of the synthetic motion
+  std::vector<LimitState> limit_states;  ///< at least one
   IntensityPlan intensity;
+  std::optional<HazardCurve> hazard;     ///< of the study's measure [SI]
+  std::vector<std::size_t> performance;  ///< limit states, mildest first
   std::uint64_t seed = 1;
   int draws = 0;  ///< of each record; 0: every number has its value
   Sampling sampling = Sampling::kMonteCarlo;

@@ -1,5 +1,7 @@
 #include "studies/study/study_job.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <sstream>
@@ -8,6 +10,7 @@
 #include "engine/base/config/overlay.h"
 #include "engine/base/config/table.h"
 #include "engine/base/error.h"
+#include "studies/limit_states/response_values.h"
 #include "studies/study/study_reader.h"
 
 namespace gurney {
@@ -21,6 +24,7 @@ using config::Node;
 std::vector<Configuration> combined(const Node& job, const Study& study, Document& document) {
   std::vector<Configuration> all{{{}, job}};
   for (const Factor& factor : study.factors) {
+    if (factor.levels.empty()) continue;  // a mistake that is noted
     std::vector<Configuration> more;
     for (const Configuration& base : all)
       for (const FactorLevel& level : factor.levels) {
@@ -55,11 +59,9 @@ void refuse_contradictions(const Document& document, const Job& job, const Study
   refuse(study.synthetic_records > 0 &&
              (!record.synthetic || !record.synthetic->values.contains("seed")),
          "study.synthetic_records needs a synthetic motion that has a seed");
-  refuse(
-      study.synthetic_records > 0 && record.synthetic &&
-             record.synthetic->values.contains("seed") &&
-             record.synthetic->values.at("seed") != 1,
-      "study.synthetic_records gives the seeds 1, 2, ...; leave the seed out");
+  refuse(study.synthetic_records > 0 && record.synthetic &&
+             record.synthetic->values.contains("seed") && record.synthetic->values.at("seed") != 1,
+         "study.synthetic_records gives the seeds 1, 2, ...; leave the seed out");
   require(mistakes.empty(), mistakes);
 }
 
@@ -89,6 +91,19 @@ void collect(Mistakes& mistakes, Work work) {
 
 }  // namespace
 
+void StudyJob::check_limit_states(const Node& study, const Job& job) const {
+  const Node* const stated = study.find("limit_state");
+  if (stated == nullptr) return;
+  for (std::size_t i = 0; i < study_.limit_states.size(); ++i) {
+    try {
+      check_names(study_.limit_states[i], job.scene);
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: study.limit_state[{}]: {}",
+                              document_->where(stated->elements.at(i).place), i, error.what()));
+    }
+  }
+}
+
 StudyJob::StudyJob(const std::string& path) : StudyJob(std::make_unique<Document>(path)) {}
 
 StudyJob::StudyJob(const std::string& text, const std::string& path)
@@ -101,18 +116,25 @@ StudyJob::StudyJob(std::unique_ptr<Document> document) : document_(std::move(doc
   Node whole;
   whole.elements.push_back(*taken);
   Document reading(whole, *document_);
+  bool clean = false;
   collect(mistakes, [&] {
     config::Table root = reading.root();
     if (auto table = root.table("study"))
       study_ = read_study(*table, *reading.tree().find("study"));
-    if (document_->tree().find("uncertainty") != nullptr)
-      reading.note(document_->tree().find("uncertainty")->key_place,
+    if (const auto uncertainty = document_->take("uncertainty"))
+      reading.note(uncertainty->key_place,
                    "uncertainty: must not go with [study], which has draws and a seed of its own");
-    if (reading.clean()) configurations_ = combined(document_->tree(), study_, reading);
+    configurations_ = combined(document_->tree(), study_, reading);
+    clean = reading.clean();
     reading.finish();
   });
   for (std::size_t i = 0; i < configurations_.size(); ++i)
-    collect(mistakes, [&] { refuse_contradictions(*document_, job(i, {}), study_); });
+    collect(mistakes, [&] {
+      const Job each = job(i, {});
+      if (!clean) return;
+      refuse_contradictions(*document_, each, study_);
+      check_limit_states(*taken, each);
+    });
   mistakes.raise();
 }
 

@@ -40,6 +40,8 @@ class StudyJob {
  private:
   explicit StudyJob(std::unique_ptr<config::Document> document);
 
+  void check_limit_states(const config::Node& study, const Job& job) const;
+
   std::unique_ptr<config::Document> document_;
   Study study_;
   std::vector<Configuration> configurations_;

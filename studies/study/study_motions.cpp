@@ -12,7 +12,6 @@
 #include "groundmotions/assembly/plausibility.h"
 #include "groundmotions/suites/suite.h"
 #include "studies/job/scale_reader.h"
-#include "studies/motion.h"
 
 namespace gurney {
 namespace {
@@ -121,12 +120,20 @@ double MotionSet::scale_for(std::size_t record, double value) const {
   return std::pow(value / ground(record).intensity, 1 / scaling_power(intensity_.measure));
 }
 
+Record MotionSet::floor_record(std::size_t record, double scale) const {
+  const Record& ground = this->ground(record).record;
+  return floor_record_of(scale == 1 ? ground : scaled(ground, scale, intensity_.vertical),
+                         *request_);
+}
+
 FloorMotion MotionSet::floor(std::size_t record, double scale, double angle) const {
-  const GroundMotion& motion = ground(record);
   if (!request_) return {};
-  const Record ground =
-      scale == 1 ? motion.record : scaled(motion.record, scale, intensity_.vertical);
-  return in_floor_axes(floor_record_of(ground, *request_), *request_, request_->angle + angle);
+  return in_floor_axes(floor_record(record, scale), *request_, request_->angle + angle);
+}
+
+std::optional<Motion> MotionSet::motion(std::size_t record, double scale, double angle) const {
+  if (!request_) return {};
+  return as_motion(floor_record(record, scale), *request_, request_->angle + angle);
 }
 
 StudyMotions::StudyMotions(const StudyJob& job) {

@@ -8,6 +8,7 @@
 
 #include "engine/base/floor_motion.h"
 #include "groundmotions/suites/suite.h"
+#include "studies/motion.h"
 #include "studies/study/study_job.h"
 
 namespace gurney {
@@ -39,8 +40,12 @@ class MotionSet {
   /// What the floor does under the record times `scale`.
   FloorMotion floor(std::size_t record, double scale, double angle) const;
 
+  /// The same with what is to be told of it; none where the floor rests.
+  std::optional<Motion> motion(std::size_t record, double scale, double angle) const;
+
  private:
   GroundMotion read(std::size_t record) const;
+  Record floor_record(std::size_t record, double scale) const;
   bool scaled_by_measure() const { return intensity_.kind != IntensityPlan::Kind::kScales; }
 
   std::optional<RecordRequest> request_;

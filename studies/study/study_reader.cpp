@@ -10,6 +10,8 @@
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "studies/job/scale_reader.h"
+#include "studies/limit_states/limit_state_reader.h"
+#include "studies/study/hazard_reader.h"
 
 namespace gurney {
 namespace {
@@ -114,16 +116,18 @@ void read_factors(Table& in, const Node& node, Study& study) {
   }
 }
 
-void read_hunt(Table hunt, IntensityPlan& plan) {
+void read_hunt(Table hunt, const std::vector<LimitState>& states, IntensityPlan& plan) {
   plan.kind = IntensityPlan::Kind::kHunt;
   plan.first = hunt.number("first", Range::positive()) * plan.unit_in_si;
   plan.increment = hunt.number("increment", Range::positive()) * plan.unit_in_si;
   plan.most_runs = hunt.integer("most_runs", 3, 1000, 12);
   plan.resolution = hunt.number("resolution", Range::within(0, 10).open_below(), 0.1);
-  plan.until = hunt.text("until", "overturned");
+  std::vector<std::string> names;
+  for (const LimitState& state : states) names.push_back(state.name);
+  plan.until = hunt.choice("until", names);
 }
 
-IntensityPlan read_intensity(Table in) {
+IntensityPlan read_intensity(Table in, const std::vector<LimitState>& states) {
   IntensityPlan plan;
   if (!in.has("measure")) {
     plan.levels = in.numbers("scales", Range::positive(), {}, plan.levels);
@@ -142,7 +146,7 @@ IntensityPlan read_intensity(Table in) {
   if (in.has("levels") == in.has("hunt"))
     in.note("levels", ": must be given, or a table hunt, not both");
   if (auto hunt = in.table("hunt")) {
-    read_hunt(*hunt, plan);
+    read_hunt(*hunt, states, plan);
     return plan;
   }
   plan.kind = IntensityPlan::Kind::kStripes;
@@ -209,7 +213,17 @@ Study read_study(Table& in, const Node& node) {
   }
   if (in.has("synthetic_records"))
     study.synthetic_records = in.integer("synthetic_records", 1, 1000000);
-  if (auto table = in.table("intensity")) study.intensity = read_intensity(*table);
+  study.limit_states = read_limit_states(in);
+  if (auto table = in.table("intensity"))
+    study.intensity = read_intensity(*table, study.limit_states);
+  if (auto table = in.table("hazard")) study.hazard = read_hazard(*table, study.intensity);
+  for (const std::string& name : in.texts("performance")) {
+    try {
+      study.performance.push_back(index_of(study.limit_states, name));
+    } catch (const Error& error) {
+      in.note("performance", std::string(": ") + error.what());
+    }
+  }
   study.seed = static_cast<std::uint64_t>(in.integer("seed", 0, kMost, 1));
   if (in.has("draws")) study.draws = in.integer("draws", 1, kMost);
   static const std::vector<std::string> kSamplings = {"monte-carlo", "latin-hypercube"};

@@ -29,7 +29,7 @@ draws = 4
 [study.intensity]
 measure = "PGA"
 unit = "g"
-component = "larger"
+component = "h1"
 levels = [0.1, 0.3]
 [[study.factor]]
 name = "brakes"
@@ -42,7 +42,7 @@ study() { expect "$1" "$2" "$gurney" run "${@:3}"; }  # CODE TEXT ARGUMENTS...
 same() { cmp "$1" "$2" > stdout 2> stderr || complain "$1 and $2 differ"; }
 gone() { [ ! -e "$1" ] || complain "$1 is left"; }
 wait_for() {  # FILE: it is there
-  for _ in $(seq 400); do
+  for _ in $(seq 100); do
     [ -e "$1" ] && return
     sleep 0.05
   done
@@ -67,7 +67,7 @@ same one.h5 fresh.h5
 job long.toml 12
 study 0 "runs     48" long.toml -o whole.h5
 kills=0
-while [ "$kills" -lt 6 ]; do
+for _ in 1 2 3 4 5 6; do
   "$gurney" run long.toml -o killed.h5 --resume > stdout 2> stderr &
   process=$!
   sleep "0.$((RANDOM % 80 + 10))"
@@ -135,6 +135,26 @@ study 2 "--threads" small.toml -j 0
 study 1 "studies have a table [study]" "$2/studies/jobs/icu_ventilator_shake.toml" -j 2
 printf 'hello' > text.h5
 study 1 "text.h5" small.toml -o text.h5 --resume
+
+# What would run, and nothing is written.
+mkdir quiet
+cp small.toml quiet
+cd quiet || exit 1
+expect 0 "units          24" "$gurney" check small.toml -j 1
+grep -qE "^levels +2: 0.1, 0.3 g of PGA h1$" stdout || complain "no levels"
+grep -qE "^runs +48$" stdout || complain "no runs"
+grep -qE "^time +about .* with 1 threads \(two runs were made: " stdout || complain "no time"
+grep -qE "^disk +about .*bytes a run" stdout || complain "no disk"
+expect 0 '"runs": 48' "$gurney" check small.toml --json
+expect 0 "a single run without mistakes" "$gurney" check "$2/studies/jobs/icu_ventilator_shake.toml"
+sed 's/equipment = .*/equipment = "xu_troley"/; s/values = .*/values = [false, 2]/; s/draws = 4/draws = 0/' small.toml > bad.toml
+expect 1 "bad.toml:15:9: study.draws = 0" "$gurney" check bad.toml
+grep -q "^bad.toml:3:13: item.equipment = .xu_troley.: " stderr || complain "mistakes of the job are hidden"
+printf '{"schema": "gurney-job/1", "item": {"equipment": "xu_trolley", "yaw_deg": "x"}}' > bad.json
+expect 1 "bad.json:/item/yaw_deg: item.yaw_deg = \"x\"" "$gurney" check bad.json
+rm -f stdout stderr bad.toml bad.json
+[ "$(ls)" = small.toml ] || complain "check leaves $(ls)"
+cd ..
 
 [ "$failures" -eq 0 ] && echo "studies did as they should"
 exit $((failures > 0))

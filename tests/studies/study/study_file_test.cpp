@@ -17,10 +17,10 @@ using testing::ElementsAre;
 constexpr const char* kStudy = R"raw(angles_deg = [0, 90]
 draws = 2
 certificate = 1
-measures = ["PGA larger", "Sa(1.0)"]
+measures = ["PGA h1", "Sa(1.0)"]
 [study.intensity]
 measure = "PGA"
-component = "larger"
+component = "h1"
 unit = "g"
 levels = [0.1, 0.3]
 [study.keep]
@@ -90,7 +90,7 @@ TEST_F(StudyFile, TheLevelIsTheIntensityOfTheScaledMotion) {
   const SmallStudy study(small_job(kStudy));
   const Hdf5Reader file(write(study));
   EXPECT_THAT(file.numbers("/motions/scale").size(), 2u) << "a row for each scaled record";
-  EXPECT_NEAR(file.numbers("/motions/PGA larger")[0], 0.98066, 1e-4);
+  EXPECT_NEAR(file.numbers("/motions/PGA h1")[0], 0.98066, 1e-4);
   EXPECT_DOUBLE_EQ(file.numbers("/runs/intensity")[1], 0.3 * 9.80665);
   // The Ricker wavelet acts in one direction alone: the floor has its PGA whatever the angle.
   for (std::size_t run = 0; run < 16; ++run)
@@ -103,7 +103,7 @@ TEST_F(StudyFile, NamesConfigurationsRecordsDrawsAndItself) {
   EXPECT_EQ(file.text_attribute("filetype"), "gurney-study");
   EXPECT_EQ(file.text_attribute("job_text"), study.job.text());
   EXPECT_EQ(file.text_attribute("job_sha256"), sha256(study.job.text()));
-  EXPECT_EQ(file.text_attribute("intensity_measure"), "PGA larger");
+  EXPECT_EQ(file.text_attribute("intensity_measure"), "PGA h1");
   EXPECT_EQ(file.text_attribute("intensity_units"), "m/s2");
   EXPECT_THAT(file.strings("/configurations/brakes"), ElementsAre("false", "true"));
   EXPECT_THAT(file.strings("/records/name"), ElementsAre("ricker"));
@@ -152,6 +152,7 @@ name = "b"
 equipment = "xu_trolley"
 [item.position_m]
 value = [2, 0]
+source = "plan"
 distribution = { x = { kind = "uniform", low = 0, high = 2, assumption = "anywhere" } }
 [settings]
 duration_s = 0.02

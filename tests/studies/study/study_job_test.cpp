@@ -69,7 +69,16 @@ TEST(StudyJob, AWrongLevelIsToldWhereItStands) {
             "a.toml:13:14: item.yaw_deg = \"north\": must be a finite number");
   EXPECT_EQ(
       mistakes("[[study.factor]]\n[study.factor.level.a]\nitem.casters = \"R101\"\n").substr(0, 80),
-      "a.toml:13:16: item.casters = \"R101\": unknown caster; did you mean 'R100'? (the");
+      "a.toml:13:16: item.casters = \"R101\": unknown caster; did you mean 'R100'? (the c");
+}
+
+TEST(StudyJob, MistakesOfTheStudyDoNotHideThoseOfTheJob) {
+  EXPECT_EQ(
+      mistakes("draws = 0\n[[study.factor]]\nkey = \"item.brakes\"\nvalues = [2]\n[uncertainty]\n"),
+      "a.toml:11:9: study.draws = 0: must be a whole number in 1..2147483647\n"
+      "a.toml:15:2: uncertainty: must not go with [study], which has draws and a seed of its "
+      "own\n"
+      "a.toml:14:11: item.brakes = 2: must be true or false");
 }
 
 TEST(StudyJob, ALevelNamesOneOfSeveralItems) {

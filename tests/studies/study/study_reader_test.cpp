@@ -41,14 +41,14 @@ histories = "some"
 evnts = true
 )"),
             "a.toml:11:1: study.drawz: unknown key; did you mean 'draws'?\n"
-            "a.toml:12:9: study.draws = 0: must be a whole number from 1 to 2147483647\n"
-            "a.toml:13:8: study.seed = -1: must be a whole number from 0 to 2147483647\n"
+            "a.toml:12:9: study.draws = 0: must be a whole number in 1..2147483647\n"
+            "a.toml:13:8: study.seed = -1: must be a whole number in 0..2147483647\n"
             "a.toml:14:15: study.certificate = 1.5: must be a finite number >= 0 and <= 1\n"
             "a.toml:15:12: study.sampling = \"latin\": must be one of monte-carlo, "
             "latin-hypercube; did you mean 'latin-hypercube'?\n"
             "a.toml:17:1: study.intensity.levels_g: unknown key; known: measure, scales, vertical\n"
             "a.toml:19:13: study.keep.histories = \"some\": must be one of none, failed, "
-            "overturned, all\n"
+            "overturned, all; did you mean 'none'?\n"
             "a.toml:20:1: study.keep.evnts: unknown key; did you mean 'events'?");
 }
 
@@ -77,8 +77,8 @@ TEST(StudyReader, LevelsAndScalesMustGoUp) {
 
 TEST(StudyReader, KnowsTheMeasuresAndTheirUnits) {
   EXPECT_EQ(
-      mistakes("[study.intensity]\nmeasure = \"PGB\"\nunit = \"g\"\nlevels = [1]\n").substr(0, 46),
-      "a.toml:12:11: study.intensity.measure: unknown");
+      mistakes("[study.intensity]\nmeasure = \"PGB\"\nunit = \"g\"\nlevels = [1]\n").substr(0, 49),
+      "a.toml:12:11: study.intensity.measure: measure =");
   EXPECT_EQ(mistakes("[study.intensity]\nmeasure = \"PGV\"\nunit = \"g\"\nlevels = [1]\n"),
             "a.toml:13:8: study.intensity.unit = \"g\": must be one of m/s, cm/s");
   EXPECT_EQ(mistakes("[study.intensity]\nmeasure = \"D5-95\"\nlevels = [1]\n"),
@@ -93,21 +93,24 @@ TEST(StudyReader, KnowsTheMeasuresAndTheirUnits) {
 TEST(StudyReader, AHuntNeedsItsSteps) {
   const std::string hunt =
       "[study.intensity]\nmeasure = \"PGA\"\nunit = \"g\"\n[study.intensity.hunt]\n";
-  EXPECT_EQ(mistakes(hunt + "first = 0\nincrement = -1\nmost_runs = 2\nresolution = 0\nup = 1\n"),
-            "a.toml:15:9: study.intensity.hunt.first = 0: must be a finite number > 0\n"
-            "a.toml:16:13: study.intensity.hunt.increment = -1: must be a finite number > 0\n"
-            "a.toml:17:13: study.intensity.hunt.most_runs = 2: must be a whole number from 3 to "
-            "1000\n"
-            "a.toml:18:14: study.intensity.hunt.resolution = 0: must be a finite number > 0 and "
-            "<= 10\n"
-            "a.toml:19:1: study.intensity.hunt.up: unknown key; known: first, increment, "
-            "most_runs, resolution, until");
-  const StudyJob job(small_job(hunt + "first = 0.1\nincrement = 0.2\n"), "a.toml");
+  EXPECT_EQ(
+      mistakes(hunt +
+               "first = 0\nincrement = -1\nmost_runs = 2\nresolution = 0\nuntil = \"fallen\"\n"),
+      "a.toml:15:9: study.intensity.hunt.first = 0: must be a finite number > 0\n"
+      "a.toml:16:13: study.intensity.hunt.increment = -1: must be a finite number > 0\n"
+      "a.toml:17:13: study.intensity.hunt.most_runs = 2: must be a whole number in "
+      "3..1000\n"
+      "a.toml:18:14: study.intensity.hunt.resolution = 0: must be a finite number > 0 and "
+      "<= 10\n"
+      "a.toml:19:9: study.intensity.hunt.until = \"fallen\": must be one of moved, rolled, "
+      "hit, overturned");
+  const StudyJob job(small_job(hunt + "first = 0.1\nincrement = 0.2\nuntil = \"overturned\"\n"),
+                     "a.toml");
   const IntensityPlan& plan = job.study().intensity;
   EXPECT_EQ(plan.kind, IntensityPlan::Kind::kHunt);
   EXPECT_DOUBLE_EQ(plan.increment, 0.2 * 9.80665);
   EXPECT_EQ(plan.most_runs, 12);
-  EXPECT_EQ(plan.until, "overturned");
+  EXPECT_EQ(job.study().limit_states[plan.until].name, "overturned");
 }
 
 TEST(StudyReader, FactorsNeedLevelsWithNamesThatDiffer) {

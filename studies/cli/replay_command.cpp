@@ -1,0 +1,116 @@
+#include "studies/cli/replay_command.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "engine/base/error.h"
+#include "engine/base/hash/sha256.h"
+#include "studies/batch/run_unit.h"
+#include "studies/build_info/build_info.h"
+#include "studies/cli/run_output.h"
+#include "studies/results/columns.h"
+#include "studies/study_results/study_reader.h"
+
+namespace gurney {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The last job that the study's log names.
+std::string job_of_log(const fs::path& log) {
+  static const std::string kWord = "\njob ";
+  const std::string text = '\n' + text_of(log);
+  const auto place = text.rfind(kWord);
+  if (place == std::string::npos) return {};
+  const auto start = place + kWord.size();
+  return text.substr(start, text.find('\n', start) - start);
+}
+
+std::string job_of(const ReplayOptions& options, const StudyReader& file) {
+  const std::string job = options.job.empty()
+                              ? job_of_log(fs::path(options.file).replace_extension(".log"))
+                              : options.job;
+  require(!job.empty() && fs::exists(job),
+          fmt::format("{}: the job's file {}; name it with --job", options.file,
+                      job.empty() ? "is not known" : job + " is not there any more"));
+  const std::string theirs = file.text_attribute("job_sha256"), ours = sha256(text_of(job));
+  require(theirs == ours, fmt::format("{}: is not the job of {}: there job_sha256 {}, here {}", job,
+                                      options.file, theirs, ours));
+  return job;
+}
+
+std::size_t whole(const StudyReader& file, const std::string& column, std::size_t run) {
+  return static_cast<std::size_t>(file.numbers("runs/" + column)[run]);
+}
+
+/// A demand that is not the same as in the study; empty: all are.
+std::string difference(const StudyReader& file, std::size_t run, const Response& response) {
+  const auto [first, last] = file.rows_of_runs("items")[run];
+  if (last - first != (response.outcome == Outcome::kDiverged ? 0 : response.items.size()))
+    return "the outcome";
+  for (const Column<Demands>& column : demand_columns()) {
+    const std::vector<double> theirs = file.numbers(std::string("items/") + column.name);
+    for (std::size_t row = first; row < last; ++row) {
+      const double ours = column.value(response.items[row - first].demands);
+      const bool same = ours == theirs[row] || (std::isnan(ours) && std::isnan(theirs[row]));
+      if (!same) return fmt::format("{} is {:.17g}, there {:.17g}", column.name, ours, theirs[row]);
+    }
+  }
+  return {};
+}
+
+fs::path results_of(const ReplayOptions& options) {
+  if (!options.output.empty()) {
+    require(fs::path(options.output).extension() == ".h5",
+            options.output + ": the results file must end in .h5 (-o FILE.h5)");
+    return options.output;
+  }
+  const fs::path file = options.file;
+  return file.parent_path() / fmt::format("{}_run_{}.h5", file.stem().string(), options.run);
+}
+
+}  // namespace
+
+int replay_command(const ReplayOptions& options) {
+  const StudyReader file(options.file);
+  require(options.run < file.runs(),
+          fmt::format("{}: has no run {}; it has runs 0 to {}", options.file, options.run,
+                      static_cast<long>(file.runs()) - 1));
+  const RunOutput output{results_of(options), job_of(options, file), options.overwrite,
+                         options.json, options.no_figure};
+  check_output(output);
+
+  const StudyJob study(output.job);
+  const StudyMotions motions(study);
+  const Plan plan(study, motions);
+  const Unit unit = plan.unit(whole(file, "unit", options.run));
+  const Job job = study.job(unit.configuration, plan.draw(unit));
+  const double scale = file.numbers("runs/scale")[options.run];
+  const PreparedRun run =
+      prepare_run(job, motions.set_of(unit.configuration)
+                           .motion(unit.record, scale, study.study().angles[unit.angle]));
+  const Response response = run_and_write(run, output);
+  const std::string differs = difference(file, options.run, response);
+  if (!differs.empty()) {
+    fmt::print(stderr,
+               "{}: run {} has other numbers now: {}\nit was made by gurney {} {} on CPU class {}, "
+               "this is {} {} on {}; a record or an item may have changed, too\n",
+               options.file, options.run, differs, file.text_attribute("program_version"),
+               file.text_attribute("git_commit"), file.text_attribute("cpu_class"),
+               build_info().program_version, build_info().git_commit, build_info().cpu_class);
+    return 1;
+  }
+  if (!options.json) fmt::print("replay   the same numbers as in {}\n", options.file);
+  return response.outcome == Outcome::kDiverged ? 3 : 0;
+}
+
+}  // namespace gurney

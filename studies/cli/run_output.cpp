@@ -1,0 +1,77 @@
+#include "studies/cli/run_output.h"
+
+#include <fmt/chrono.h>
+#include <unistd.h>
+
+#include <chrono>
+
+#include "engine/simulate.h"
+#include "studies/build_info/build_info.h"
+#include "studies/cli/signals.h"
+#include "studies/report/figure.h"
+#include "studies/report/summary.h"
+#include "studies/results/output_files.h"
+#include "studies/results/results_file.h"
+
+namespace gurney {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// What differs between two equal runs stands here and not in the results file.
+std::string log_text(const std::string& job, const Response& response, double seconds) {
+  char host[256] = "unknown";
+  gethostname(host, sizeof host - 1);
+  const BuildInfo build = build_info();
+  const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return fmt::format(
+      "finished        {:%Y-%m-%dT%H:%M:%SZ}\nhost            {}\njob             {}\n"
+      "folder          {}\nprogram         gurney {}, commit {}\nCPU class       {}\n"
+      "wall time       {:.3f} s\nsimulated time  {:.3f} s\n",
+      fmt::gmtime(now), host, job, fs::current_path().string(), build.program_version,
+      build.git_commit, build.cpu_class, seconds, response.end_time);
+}
+
+void print(const RunOutput& output, const PreparedRun& run, const Response& response,
+           double seconds) {
+  if (output.json) {
+    fmt::print("{}", summary_json(run.facts, response));
+    return;
+  }
+  fmt::print("{}\n", summary(run.facts, response));
+  if (seconds > 0)
+    fmt::print("speed    {:.0f} simulated seconds per second\n", response.end_time / seconds);
+  fmt::print("results  {}\n", output.results.string());
+  if (!output.no_figure) fmt::print("figure   {}\n", output.figure().string());
+}
+
+}  // namespace
+
+fs::path RunOutput::figure() const { return fs::path(results).replace_extension(".svg"); }
+fs::path RunOutput::log() const { return fs::path(results).replace_extension(".log"); }
+
+void check_output(const RunOutput& output) {
+  const OutputFiles files(output.overwrite);
+  files.check(output.results.string());
+  if (!output.no_figure) files.check(output.figure().string());
+  files.check(output.log().string());
+}
+
+Response run_and_write(const PreparedRun& run, const RunOutput& output) {
+  const auto start = Clock::now();
+  Response response = simulate(run.facts.scene, run.excitation, run.facts.settings);
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  {
+    const SignalsHeld until_written;
+    OutputFiles files(output.overwrite);
+    files.stage(output.results.string(), results_image(run.facts, response));
+    if (!output.no_figure) files.stage(output.figure().string(), figure(run.facts, response));
+    files.stage(output.log().string(), log_text(output.job, response, seconds));
+    files.commit();
+  }
+  print(output, run, response, seconds);
+  return response;
+}
+
+}  // namespace gurney

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "engine/response.h"
+#include "studies/run_job.h"
+
+namespace gurney {
+
+/// Where the files of one run go, and what is printed.
+struct RunOutput {
+  std::filesystem::path results;  ///< ends in .h5; figure and log stand beside it
+  std::string job;                ///< path of the job's file, for the log
+  bool overwrite = false, json = false, no_figure = false;
+
+  std::filesystem::path figure() const;
+  std::filesystem::path log() const;
+};
+
+/// @throws Error unless all files of the run can be written
+void check_output(const RunOutput& output);
+
+/// Simulates, writes the results file, the figure and the log, and prints the summary.
+Response run_and_write(const PreparedRun& run, const RunOutput& output);
+
+}  // namespace gurney

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace gurney {
+
+/// A number, or several, that a run has: of its items, their marked points, its zones or tethers.
+struct Quantity {
+  enum class Of { kItem, kPoint, kZone, kTether };
+  Of of = Of::kItem;
+  std::string column;  ///< of the results' table: "peak_displacement"
+  std::string item;    ///< of kItem and kPoint; empty: of every item
+  std::string part;    ///< name of the point, zone or tether
+};
+
+/// The values of a quantity in one run, one for each item it is asked of; NaN: there is none.
+using Values = std::function<std::vector<double>(const Quantity&)>;
+
+/// What must not happen. A simple one is exceeded when any value of its quantity passes the limit;
+/// others combine those before them.
+struct LimitState {
+  enum class Kind { kAbove, kBelow, kAny, kAll };
+  std::string name;
+  Kind kind = Kind::kAbove;
+  Quantity quantity;               ///< of kAbove and kBelow
+  double limit = 0;                ///< in the SI unit of the quantity
+  std::string words;               ///< what it says, with its unit: "peak_displacement > 0.3 m"
+  std::string origin;              ///< of the limit, where it is a default
+  std::vector<std::size_t> parts;  ///< of kAny and kAll: indices of others, each before this
+};
+
+/// Whether a run exceeds a limit state.
+/// @param index  of the state in `states`
+bool exceeded(const std::vector<LimitState>& states, std::size_t index, const Values& values);
+
+/// The states of a study that names none: moved (residual displacement above 20 mm, the damage
+/// state of Costa et al.), rolled (displacement above 0.3 m: an assumption, 0.2 to 1 m, reach of
+/// tubes and cables), hit (approach speed above 0.4 m/s: an assumption, 0.2 to 0.8 m/s, the
+/// handling speed of IEC 60601-1) and overturned.
+std::vector<LimitState> default_limit_states();
+
+}  // namespace gurney

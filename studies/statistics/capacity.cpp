@@ -1,0 +1,93 @@
+#include "studies/statistics/capacity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "engine/base/error.h"
+#include "studies/statistics/censored_normal.h"
+#include "studies/statistics/quantiles.h"
+
+namespace gurney {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+FragilityStatus status_without_fit(double highest_low, double lowest_high) {
+  if (lowest_high == kInfinity) return FragilityStatus::kNoneExceeds;
+  if (highest_low == 0) return FragilityStatus::kAllExceed;
+  return highest_low < lowest_high ? FragilityStatus::kSeparated : FragilityStatus::kQuasiSeparated;
+}
+
+}  // namespace
+
+std::vector<Capacity> ida_capacities(const std::vector<Observation>& observations) {
+  std::map<std::size_t, std::vector<Observation>> of_group;
+  for (const Observation& seen : observations) {
+    require(seen.im > 0 && std::isfinite(seen.im), fmt::format("im = {:g} must be > 0", seen.im));
+    of_group[seen.group].push_back(seen);
+  }
+  std::vector<Capacity> capacities;
+  for (const auto& [group, runs] : of_group) {
+    Capacity capacity{group, 0, kInfinity, 0, static_cast<int>(runs.size())};
+    for (const Observation& run : runs)
+      if (run.exceeded) capacity.high = std::min(capacity.high, run.im);
+    for (const Observation& run : runs) {
+      if (run.exceeded) continue;
+      if (run.im < capacity.high)
+        capacity.low = std::max(capacity.low, run.im);
+      else
+        ++capacity.resurrections;
+    }
+    capacities.push_back(capacity);
+  }
+  return capacities;
+}
+
+CapacityFit fit_capacities(const std::vector<Capacity>& capacities) {
+  CapacityFit fit;
+  if (capacities.empty()) return fit;
+  std::vector<CensoredValue> values;
+  double highest_low = 0, lowest_high = kInfinity;
+  for (const Capacity& capacity : capacities) {
+    require(capacity.low >= 0 && capacity.low <= capacity.high && capacity.high > 0,
+            fmt::format("a capacity within {:g} to {:g} is none", capacity.low, capacity.high));
+    fit.censored += capacity.high == kInfinity ? 1 : 0;
+    fit.resurrections += capacity.resurrections;
+    highest_low = std::max(highest_low, capacity.low);
+    lowest_high = std::min(lowest_high, capacity.high);
+    if (capacity.low > 0 || capacity.high < kInfinity)
+      values.push_back({std::log(capacity.low), std::log(capacity.high)});
+  }
+  if (highest_low <= lowest_high) {
+    fit.status = status_without_fit(highest_low, lowest_high);
+    fit.low = highest_low;
+    fit.high = lowest_high;
+    return fit;
+  }
+  const auto n = static_cast<Eigen::Index>(values.size());
+  const CensoredNormalFit normal = fit_censored_normal(Eigen::MatrixXd::Ones(n, 1), values);
+  fit.status = normal.found ? FragilityStatus::kFitted : FragilityStatus::kNotIncreasing;
+  if (!normal.found) return fit;
+  fit.curve = LognormalCurve{std::exp(normal.coefficients[0]), normal.sigma};
+  fit.covariance = normal.covariance;
+  fit.log_likelihood = normal.log_likelihood;
+  return fit;
+}
+
+std::optional<LognormalCurve> curve_of_moments(const std::vector<double>& capacities) {
+  std::vector<double> logs;
+  for (const double capacity : capacities) {
+    require(capacity > 0 && std::isfinite(capacity),
+            fmt::format("capacity = {:g} must be > 0", capacity));
+    logs.push_back(std::log(capacity));
+  }
+  const Moments moments = moments_of(logs);
+  if (!(moments.variance > 0)) return {};
+  return LognormalCurve{std::exp(moments.mean), std::sqrt(moments.variance)};
+}
+
+}  // namespace gurney

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "studies/statistics/fragility.h"
+
+namespace gurney {
+
+/// What an incremental dynamic analysis tells of one record's capacity: low < capacity <= high.
+struct Capacity {
+  std::size_t group = 0;
+  double low = 0;         ///< highest im without exceedance below `high`; 0 if there is none
+  double high = 0;        ///< lowest im that exceeds: the capacity; infinity if none does
+  int resurrections = 0;  ///< runs at or above `high` that do not exceed
+  int runs = 0;
+};
+
+/// The capacity of each group by first exceedance (Vamvatsikos & Cornell 2002, EESD 31(3),
+/// 491-514), in increasing order of groups. The order of the runs changes nothing.
+/// @throws Error unless every im is > 0 and finite.
+std::vector<Capacity> ida_capacities(const std::vector<Observation>& observations);
+
+struct CapacityFit {
+  FragilityStatus status = FragilityStatus::kNoRuns;
+  std::optional<LognormalCurve> curve;  ///< kFitted only
+  double low = 0, high = 0;             ///< separated: all capacities can lie in this interval
+  Eigen::Matrix2d covariance{{0, 0}, {0, 0}};  ///< of (ln theta, ln beta)
+  double log_likelihood = 0;
+  int censored = 0;       ///< records that never exceed
+  int resurrections = 0;  ///< of all records
+};
+
+/// Lognormal capacities by maximum likelihood from brackets; records that never exceed count as
+/// above their highest im (Baker 2015, where the bracket has
+/// no width). A bracket with
+/// low == high is an exact capacity. Brackets that share a point are separated: one capacity
+/// would explain all, and beta is not determined.
+CapacityFit fit_capacities(const std::vector<Capacity>& capacities);
+
+/// Exact capacities by the method of moments: theta = exp(mean ln), beta = standard deviation of ln
+/// with n - 1 (Porter, Kennedy & Bachman 2007, Earthquake Spectra 23(2), 471-489, method A).
+/// None for fewer than two or without spread.
+/// @throws Error unless all are > 0 and finite.
+std::optional<LognormalCurve> curve_of_moments(const std::vector<double>& capacities);
+
+}  // namespace gurney

@@ -1,0 +1,211 @@
+#include "studies/statistics/fragility.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "studies/statistics/special.h"
+
+namespace gurney {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoRise = 1e-9;  // of the score within a standard deviation of ln im: rounding
+
+/// Where the outcomes lie: the extremes of im of each.
+struct Extremes {
+  double lowest_hit = kInfinity, highest_hit = 0;
+  double lowest_miss = kInfinity, highest_miss = 0;
+
+  explicit Extremes(const std::vector<Stripe>& stripes) {
+    for (const Stripe& stripe : stripes) {
+      if (stripe.exceeded > 0) {
+        lowest_hit = std::min(lowest_hit, stripe.im);
+        highest_hit = std::max(highest_hit, stripe.im);
+      }
+      if (stripe.exceeded < stripe.runs) {
+        lowest_miss = std::min(lowest_miss, stripe.im);
+        highest_miss = std::max(highest_miss, stripe.im);
+      }
+    }
+  }
+};
+
+/// Of k successes in n at the one im of a quasi-separated fit.
+double best_log_likelihood_at(double im, const std::vector<Stripe>& stripes) {
+  for (const Stripe& stripe : stripes) {
+    if (stripe.im != im || stripe.exceeded == 0 || stripe.exceeded == stripe.runs) continue;
+    return stripe.exceeded * std::log(stripe.fraction()) +
+           (stripe.runs - stripe.exceeded) * std::log1p(-stripe.fraction());
+  }
+  return 0;
+}
+
+ProbitFit without_line(FragilityStatus status, double low, double high, double log_likelihood = 0) {
+  ProbitFit fit;
+  fit.status = status;
+  fit.low = low;
+  fit.high = high;
+  fit.log_likelihood = log_likelihood;
+  return fit;
+}
+
+}  // namespace
+
+std::string text(FragilityStatus status) {
+  switch (status) {
+    case FragilityStatus::kFitted:
+      return "fitted";
+    case FragilityStatus::kNoRuns:
+      return "no runs";
+    case FragilityStatus::kAllExceed:
+      return "every run exceeds: the curve lies below the lowest intensity";
+    case FragilityStatus::kNoneExceeds:
+      return "no run exceeds: the curve lies above the highest intensity";
+    case FragilityStatus::kSeparated:
+      return "separated: every run above an interval of intensity exceeds and none below it, so "
+             "beta is not determined";
+    case FragilityStatus::kQuasiSeparated:
+      return "separated but for one intensity, the only one with both outcomes, so beta is not "
+             "determined";
+    case FragilityStatus::kNotIncreasing:
+      return "exceedance does not increase with intensity: no lognormal curve";
+  }
+  return {};
+}
+
+double ProbitFit::score(double im) const { return line[0] * std::log(im) + line[1]; }
+
+LognormalCurve ProbitFit::curve() const { return {std::exp(-line[1] / line[0]), 1 / line[0]}; }
+
+Quadratic<2> binomial_likelihood(const std::vector<Stripe>& stripes, const Eigen::Vector2d& line) {
+  double value = 0, g0 = 0, g1 = 0, c00 = 0, c01 = 0, c11 = 0;
+  for (const Stripe& stripe : stripes) {
+    const double hits = stripe.exceeded, misses = stripe.runs - hits;
+    const double x = std::log(stripe.im), z = line[0] * x + line[1];
+    double slope = 0, curvature = 0;
+    if (hits > 0) {
+      const double hazard = normal_hazard_below(z);
+      value += hits * log_normal_cdf(z);
+      slope += hits * hazard;
+      curvature += hits * hazard * (hazard + z);
+    }
+    if (misses > 0) {
+      const double hazard = normal_hazard_below(-z);
+      value += misses * log_normal_cdf(-z);
+      slope -= misses * hazard;
+      curvature += misses * hazard * (hazard - z);
+    }
+    g0 += slope * x;
+    g1 += slope;
+    c00 += curvature * x * x;
+    c01 += curvature * x;
+    c11 += curvature;
+  }
+  Quadratic<2> result{value, {g0, g1}, {}};
+  result.curvature << c00, c01, c01, c11;
+  return result;
+}
+
+ProbitFit fit_probit(const std::vector<Stripe>& stripes) {
+  return fit_line(stripes,
+                  [&](const Eigen::Vector2d& line) { return binomial_likelihood(stripes, line); });
+}
+
+ProbitFit fit_line(const std::vector<Stripe>& stripes,
+                   const std::function<Quadratic<2>(const Eigen::Vector2d&)>& likelihood) {
+  const Extremes at(stripes);
+  const bool hits = at.highest_hit > 0, misses = at.highest_miss > 0;
+  if (!hits && !misses) return {};
+  if (!misses) return without_line(FragilityStatus::kAllExceed, 0, at.lowest_hit);
+  if (!hits) return without_line(FragilityStatus::kNoneExceeds, at.highest_miss, kInfinity);
+  if (at.highest_miss < at.lowest_hit)
+    return without_line(FragilityStatus::kSeparated, at.highest_miss, at.lowest_hit);
+  if (at.highest_miss == at.lowest_hit)
+    return without_line(FragilityStatus::kQuasiSeparated, at.lowest_hit, at.lowest_hit,
+                        best_log_likelihood_at(at.lowest_hit, stripes));
+  if (at.highest_hit <= at.lowest_miss)
+    return without_line(FragilityStatus::kNotIncreasing, 0, kInfinity);
+
+  double runs = 0, sum = 0, squares = 0;
+  for (const Stripe& stripe : stripes) {
+    runs += stripe.runs;
+    sum += stripe.runs * std::log(stripe.im);
+  }
+  const double middle = sum / runs;
+  for (const Stripe& stripe : stripes)
+    squares += stripe.runs * std::pow(std::log(stripe.im) - middle, 2);
+  const double slope = 1 / std::sqrt(squares / runs);
+  const auto maximum = maximize<2>(likelihood, {slope, -slope * middle});
+  if (!maximum.found) return without_line(FragilityStatus::kNotIncreasing, 0, kInfinity);
+  ProbitFit fit;
+  const bool rises = maximum.point[0] > kNoRise * slope;
+  fit.status = rises ? FragilityStatus::kFitted : FragilityStatus::kNotIncreasing;
+  fit.line = maximum.point;
+  fit.information = maximum.at.curvature;
+  fit.log_likelihood = maximum.at.value;
+  return fit;
+}
+
+Eigen::Matrix2d cluster_covariance(const ProbitFit& fit, const StripeTable& table,
+                                   const std::vector<int>& times) {
+  std::vector<double> x, up, down;
+  for (const Stripe& stripe : table.stripes()) {
+    const double z = fit.score(stripe.im);
+    x.push_back(std::log(stripe.im));
+    up.push_back(normal_hazard_below(z));
+    down.push_back(normal_hazard_below(-z));
+  }
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  const double groups = static_cast<double>(table.groups());
+  for (std::size_t group = 0; group < table.groups(); ++group) {
+    const int count = times.empty() ? 1 : times[group];
+    if (count == 0) continue;
+    Eigen::Vector2d score = Eigen::Vector2d::Zero();
+    for (const StripeTable::Share& share : table.of_group(group)) {
+      const double slope =
+          share.exceeded * up[share.stripe] - (share.runs - share.exceeded) * down[share.stripe];
+      score += slope * Eigen::Vector2d(x[share.stripe], 1);
+    }
+    spread += count * score * score.transpose();
+  }
+  const Eigen::Matrix2d inverse = fit.information.inverse();
+  return groups / (groups - 1) * inverse * spread * inverse;
+}
+
+Eigen::Matrix2d covariance_of_curve(const Eigen::Vector2d& line,
+                                    const Eigen::Matrix2d& covariance) {
+  // ln theta = -intercept / slope, ln beta = -ln slope
+  Eigen::Matrix2d jacobian;
+  jacobian << line[1] / (line[0] * line[0]), -1 / line[0], -1 / line[0], 0;
+  return jacobian * covariance * jacobian.transpose();
+}
+
+FragilityFit fit_fragility(const std::vector<Observation>& observations) {
+  return fit_fragility(StripeTable(observations));
+}
+
+FragilityFit fit_fragility(const StripeTable& table) {
+  const ProbitFit probit = fit_probit(table.stripes());
+  FragilityFit fit;
+  fit.status = probit.status;
+  fit.low = probit.low;
+  fit.high = probit.high;
+  fit.log_likelihood = probit.log_likelihood;
+  fit.covariance.setZero();
+  fit.cluster_covariance.setZero();
+  fit.groups = table.groups();
+  for (const Stripe& stripe : table.stripes()) {
+    fit.runs += static_cast<std::size_t>(stripe.runs);
+    fit.exceeded += static_cast<std::size_t>(stripe.exceeded);
+  }
+  if (probit.status != FragilityStatus::kFitted) return fit;
+  fit.curve = probit.curve();
+  fit.covariance = covariance_of_curve(probit.line, probit.information.inverse());
+  if (table.groups() > 1)
+    fit.cluster_covariance = covariance_of_curve(probit.line, cluster_covariance(probit, table));
+  return fit;
+}
+
+}  // namespace gurney

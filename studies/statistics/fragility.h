@@ -1,0 +1,84 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/statistics/lognormal.h"
+#include "studies/statistics/newton.h"
+#include "studies/statistics/stripes.h"
+
+namespace gurney {
+
+/// Why there is a curve or none.
+enum class FragilityStatus {
+  kFitted,
+  kNoRuns,
+  kAllExceed,       ///< theta lies somewhere below the lowest im
+  kNoneExceeds,     ///< theta lies somewhere above the highest im
+  kSeparated,       ///< all above an interval of im exceed, none below: beta is not determined
+  kQuasiSeparated,  ///< the same with both outcomes at one im only: theta is it, beta is not
+  kNotIncreasing,   ///< no rise of the probability with im: no lognormal curve
+};
+
+/// `none of 40 runs exceeds` and the like, for a reader.
+std::string text(FragilityStatus status);
+
+/// The maximum of the binomial likelihood of Phi(slope ln im + intercept).
+struct ProbitFit {
+  FragilityStatus status = FragilityStatus::kNoRuns;
+  double low = 0, high = 0;    ///< separated: highest im without, lowest with exceedance
+  Eigen::Vector2d line{0, 0};  ///< slope, intercept; kFitted and kNotIncreasing if found
+  Eigen::Matrix2d information{{0, 0}, {0, 0}};  ///< observed Fisher information of the line
+  double log_likelihood = 0;  ///< without the binomial coefficients; its limit if separated
+
+  double score(double im) const;  ///< slope ln im + intercept
+  bool has_line() const { return information(0, 0) > 0; }
+  LognormalCurve curve() const;  ///< @pre kFitted
+};
+
+/// Multiple stripes by maximum likelihood (Baker 2015, Earthquake Spectra 31(1), 579-599),
+/// as a probit regression on ln im by Newton's method with step halving.
+///
+/// The maximum exists and is unique unless the outcomes are separated (Silvapulle 1981, J. R.
+/// Statist. Soc. B 43(3), 310-313), and that is found by comparing intensities, not from a
+/// diverging iteration.
+ProbitFit fit_probit(const std::vector<Stripe>& stripes);
+
+/// The ln likelihood of a line (slope, intercept) and its derivatives; concave.
+Quadratic<2> binomial_likelihood(const std::vector<Stripe>& stripes, const Eigen::Vector2d& line);
+
+/// The same for another likelihood of (slope, intercept) that is concave, such as the logistic one.
+ProbitFit fit_line(const std::vector<Stripe>& stripes,
+                   const std::function<Quadratic<2>(const Eigen::Vector2d&)>& likelihood);
+
+/// Covariance of the line that allows for dependence within groups: I^-1 (sum s_g s_g') I^-1
+/// G / (G - 1), s_g the score of group g (Liang & Zeger 1986, Biometrika 73(1), 13-22).
+/// @param times  how often each group is counted; the table's fit has each once
+/// @pre fit.has_line(); two or more groups
+Eigen::Matrix2d cluster_covariance(const ProbitFit& fit, const StripeTable& table,
+                                   const std::vector<int>& times = {});
+
+struct FragilityFit {
+  FragilityStatus status = FragilityStatus::kNoRuns;
+  std::optional<LognormalCurve> curve;  ///< kFitted only
+
+  /// Separated: theta lies in [low, high]. All exceed: low = 0. None exceeds: high = infinity.
+  double low = 0, high = 0;
+
+  Eigen::Matrix2d covariance;  ///< of (ln theta, ln beta), runs independent; zero unless fitted
+  Eigen::Matrix2d cluster_covariance;  ///< the same, groups independent; zero if there is one group
+  double log_likelihood = 0;           ///< without the binomial coefficients
+  std::size_t runs = 0, exceeded = 0, groups = 0;
+};
+
+/// @throws Error as StripeTable.
+FragilityFit fit_fragility(const std::vector<Observation>& observations);
+FragilityFit fit_fragility(const StripeTable& table);
+
+/// Covariance of (ln theta, ln beta) from that of (slope, intercept), by the delta method.
+Eigen::Matrix2d covariance_of_curve(const Eigen::Vector2d& line, const Eigen::Matrix2d& covariance);
+
+}  // namespace gurney

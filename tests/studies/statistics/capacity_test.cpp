@@ -1,0 +1,138 @@
+#include "studies/statistics/capacity.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tests/studies/statistics/synthetic.h"
+#include "tests/support/expect_error.h"
+
+namespace gurney {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(Capacity, IsTheFirstExceedanceInAnyOrder) {
+  std::vector<Observation> seen{{3, false, 1},   {1, false, 1}, {2, true, 1},  {4, true, 1},
+                                {1.5, false, 1}, {1, false, 0}, {5, false, 0}, {1, true, 9}};
+  for (int order = 0; order < 2; ++order) {
+    const auto capacities = ida_capacities(seen);
+    ASSERT_EQ(capacities.size(), 3u);
+    EXPECT_EQ(capacities[0].group, 0u);
+    EXPECT_EQ(capacities[0].low, 5);
+    EXPECT_EQ(capacities[0].high, kInfinity);
+    EXPECT_EQ(capacities[1].low, 1.5);
+    EXPECT_EQ(capacities[1].high, 2);
+    EXPECT_EQ(capacities[1].resurrections, 1);
+    EXPECT_EQ(capacities[1].runs, 5);
+    EXPECT_EQ(capacities[2].low, 0);
+    EXPECT_EQ(capacities[2].high, 1);
+    std::reverse(seen.begin(), seen.end());
+  }
+  EXPECT_ERROR(ida_capacities({{-1, true, 0}}), "im = -1 must be > 0");
+}
+
+std::vector<Capacity> brackets(const std::vector<std::pair<double, double>>& ends) {
+  std::vector<Capacity> all;
+  for (const auto& [low, high] : ends) all.push_back({all.size(), low, high});
+  return all;
+}
+
+// Exact capacities: the maximum is at the moments, with n instead of n - 1.
+TEST(CapacityFit, IsTheMethodOfMomentsForExactCapacities) {
+  const std::vector<double> exact{0.5, 0.8, 1.1, 1.3, 2.0};
+  std::vector<std::pair<double, double>> ends;
+  for (const double c : exact) ends.emplace_back(c, c);
+  const CapacityFit fit = fit_capacities(brackets(ends));
+  const auto moments = curve_of_moments(exact);
+  ASSERT_TRUE(fit.curve && moments);
+  EXPECT_NEAR(fit.curve->theta, moments->theta, 1e-9);
+  EXPECT_NEAR(fit.curve->beta, moments->beta * std::sqrt(4 / 5.0), 1e-9);
+  // beta^2 / n and 1 / (2 n)
+  EXPECT_NEAR(fit.covariance(0, 0), std::pow(fit.curve->beta, 2) / 5, 1e-9);
+  EXPECT_NEAR(fit.covariance(1, 1), 0.1, 1e-9);
+}
+
+// Brackets of any width go over into exact ones: 1e-6 is a density, 0.05 a series, 0.5 differences
+// of probabilities. The middle of a bracket is off by d^2 / 24 of the slope at most.
+TEST(CapacityFit, NarrowBracketsAreExactCapacities) {
+  const std::vector<double> exact{0.5, 0.8, 1.1, 1.3, 2.0};
+  const double theta = curve_of_moments(exact)->theta;
+  for (const double width : {1e-9, 1e-6, 1e-3, 4e-3, 6e-3, 0.05, 0.3}) {
+    std::vector<std::pair<double, double>> ends;
+    for (const double c : exact)
+      ends.emplace_back(c * std::exp(-width / 2), c * std::exp(width / 2));
+    const CapacityFit fit = fit_capacities(brackets(ends));
+    ASSERT_TRUE(fit.curve) << width;
+    EXPECT_NEAR(fit.curve->theta, theta, 1e-8 + 0.1 * width * width) << width;
+  }
+}
+
+// Sheppard: a bracket of width d adds d^2 / 12 to the variance of the middles, and the fit
+// takes it off again. Fourth order in d / beta = 0.75: 2e-3.
+TEST(CapacityFit, DoesNotCountTheWidthOfBracketsAsDispersion) {
+  std::vector<std::pair<double, double>> ends;
+  std::vector<double> middles;
+  const double d = 0.3;
+  for (int i = 0; i < 4000; ++i) {
+    const double cell = std::floor(0.4 * normal_quantile((i + 0.5) / 4000) / d);
+    ends.emplace_back(std::exp(cell * d), std::exp((cell + 1) * d));
+    middles.push_back(std::exp((cell + 0.5) * d));
+  }
+  const CapacityFit fit = fit_capacities(brackets(ends));
+  EXPECT_NEAR(fit.curve->beta, 0.4, 2e-3);
+  EXPECT_NEAR(fit.curve->theta, 1, 2e-3);
+  EXPECT_NEAR(std::pow(curve_of_moments(middles)->beta, 2), 0.16 + d * d / 12, 2e-3);
+}
+
+// Truncated at the median of 2000 quantiles: half the records never exceed. Their values must not
+// matter; sqrt of the mesh's error is far below 1e-3.
+TEST(CapacityFit, RecordsThatNeverExceedAreNotForgotten) {
+  std::vector<std::pair<double, double>> ends;
+  for (int i = 0; i < 2000; ++i) {
+    const double c = std::exp(0.4 * normal_quantile((i + 0.5) / 2000));
+    c < 1 ? ends.emplace_back(c, c) : ends.emplace_back(1, kInfinity);
+  }
+  const CapacityFit fit = fit_capacities(brackets(ends));
+  EXPECT_EQ(fit.censored, 1000);
+  EXPECT_NEAR(fit.curve->theta, 1, 1e-3);
+  EXPECT_NEAR(fit.curve->beta, 0.4, 1e-3);
+}
+
+// Brackets open on one side are a probit regression.
+TEST(CapacityFit, AgreesWithStripesForOneRunOfEachRecord) {
+  const std::vector<Stripe> stripes{{0.5, 20, 3}, {1, 20, 9}, {2, 20, 18}};
+  std::vector<std::pair<double, double>> ends;
+  for (const Stripe& stripe : stripes)
+    for (int i = 0; i < 20; ++i)
+      i < stripe.exceeded ? ends.emplace_back(0, stripe.im)
+                          : ends.emplace_back(stripe.im, kInfinity);
+  const CapacityFit fit = fit_capacities(brackets(ends));
+  const ProbitFit probit = fit_probit(stripes);
+  ASSERT_TRUE(fit.curve);
+  EXPECT_NEAR(fit.curve->theta, probit.curve().theta, 1e-8);
+  EXPECT_NEAR(fit.curve->beta, probit.curve().beta, 1e-8);
+  EXPECT_NEAR(fit.log_likelihood, probit.log_likelihood, 1e-9);
+}
+
+TEST(CapacityFit, SaysWhyThereIsNoCurve) {
+  using enum FragilityStatus;
+  EXPECT_EQ(fit_capacities({}).status, kNoRuns);
+  EXPECT_EQ(fit_capacities(brackets({{2, kInfinity}, {3, kInfinity}})).status, kNoneExceeds);
+  EXPECT_EQ(fit_capacities(brackets({{0, 1}, {0, 2}})).status, kAllExceed);
+  const CapacityFit separated = fit_capacities(brackets({{1, 3}, {2, 4}, {0.5, kInfinity}}));
+  EXPECT_EQ(separated.status, kSeparated);
+  EXPECT_EQ(separated.low, 2);
+  EXPECT_EQ(separated.high, 3);
+  EXPECT_EQ(fit_capacities(brackets({{1, 2}, {2, 4}})).status, kQuasiSeparated);
+  EXPECT_EQ(fit_capacities(brackets({{2, kInfinity}, {2, kInfinity}, {0, 1}, {0, 1}})).status,
+            kNotIncreasing);
+  EXPECT_FALSE(fit_capacities(brackets({{1, 2}, {2, 4}})).curve);
+  EXPECT_FALSE(curve_of_moments({1, 1}));
+  EXPECT_ERROR(curve_of_moments({0}), "capacity = 0 must be > 0");
+}
+
+}  // namespace
+}  // namespace gurney

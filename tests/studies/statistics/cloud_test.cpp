@@ -1,0 +1,140 @@
+#include "studies/statistics/cloud.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "tests/studies/statistics/synthetic.h"
+#include "tests/support/expect_error.h"
+
+namespace gurney {
+namespace {
+
+using Known = CloudPoint::Known;
+
+/// ln EDP = ln 0.1 + 1.5 ln IM + 0.4 z
+std::vector<CloudPoint> synthetic_cloud(std::size_t n, std::uint64_t seed) {
+  std::vector<CloudPoint> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double im = std::exp(0.6 * normal_draw(seed, 0, i));
+    points.push_back({im, 0.1 * std::pow(im, 1.5) * std::exp(0.4 * normal_draw(seed, 1, i)),
+                      Known::kExactly, i});
+  }
+  return points;
+}
+
+// By hand: x = ln im = -1, 0, 1; y = 0, 3, 3 gives b = 1.5, a = 2, residuals -0.5, 1, -0.5, so
+// sigma^2 = 1.5 / (3 - 2) and R2 = 1 - 1.5 / 6.
+TEST(Cloud, IsLeastSquaresForExactDemands) {
+  const double e = std::exp(1.0);
+  const CloudFit fit = fit_cloud({{1 / e, 1, Known::kExactly, 0},
+                                  {1, e * e * e, Known::kExactly, 1},
+                                  {e, e * e * e, Known::kExactly, 2}});
+  ASSERT_EQ(fit.status, CloudStatus::kFitted);
+  EXPECT_NEAR(fit.a, 2, 1e-9);
+  EXPECT_NEAR(fit.b, 1.5, 1e-9);
+  EXPECT_NEAR(fit.sigma, std::sqrt(1.5), 1e-9);
+  EXPECT_NEAR(fit.r_squared, 0.75, 1e-9);
+  // sigma^2 / n and sigma^2 / sum x^2
+  EXPECT_NEAR(fit.covariance(0, 0), 0.5, 1e-8);
+  EXPECT_NEAR(fit.covariance(1, 1), 0.75, 1e-8);
+}
+
+// Overturned above 0.2, at rest below 0.04: half of the runs. An estimate may miss by 4.5 of its
+// own standard errors.
+TEST(Cloud, RecoversTheLineFromCensoredDemands) {
+  std::vector<CloudPoint> points = synthetic_cloud(2000, 1), wrong;
+  for (CloudPoint& point : points) {
+    if (point.edp > 0.2) point = {point.im, 0.2, Known::kAtLeast, point.group};
+    if (point.edp < 0.04) point = {point.im, 0.04, Known::kAtMost, point.group};
+    wrong.push_back({point.im, point.edp, Known::kExactly, point.group});
+  }
+  const CloudFit fit = fit_cloud(points);
+  ASSERT_EQ(fit.status, CloudStatus::kFitted);
+  EXPECT_EQ(fit.exact + fit.at_least + fit.at_most, 2000);
+  EXPECT_GT(fit.at_least, 300);
+  EXPECT_GT(fit.at_most, 300);
+  EXPECT_NEAR(fit.a, std::log(0.1), 4.5 * std::sqrt(fit.covariance(0, 0)));
+  EXPECT_NEAR(fit.b, 1.5, 4.5 * std::sqrt(fit.covariance(1, 1)));
+  EXPECT_NEAR(std::log(fit.sigma / 0.4), 0, 4.5 * std::sqrt(fit.covariance(2, 2)));
+  EXPECT_LT(std::sqrt(fit.covariance(1, 1)), 0.05);
+  EXPECT_LT(fit_cloud(wrong).b, 1.2);  // the bounds taken for demands flatten the line
+  // With each run a group of its own both covariances estimate the same.
+  for (int i : {0, 1, 2}) EXPECT_NEAR(fit.cluster_covariance(i, i) / fit.covariance(i, i), 1, 0.2);
+}
+
+TEST(Cloud, GivesTheFragilityOfALimit) {
+  const CloudFit fit = fit_cloud(synthetic_cloud(2000, 2));
+  const auto fragility = cloud_fragility(fit, 0.3);
+  ASSERT_TRUE(fragility);
+  // 0.1 im^1.5 = 0.3 at 3^(2/3); beta = 0.4 / 1.5
+  EXPECT_NEAR(std::log(fragility->curve.theta), std::log(3.0) / 1.5,
+              4.5 * std::sqrt(fragility->covariance(0, 0)));
+  EXPECT_NEAR(std::log(fragility->curve.beta), std::log(0.4 / 1.5),
+              4.5 * std::sqrt(fragility->covariance(1, 1)));
+  EXPECT_LT(std::sqrt(fragility->covariance(0, 0)), 0.03);
+  EXPECT_ERROR(cloud_fragility(fit, 0), "limit = 0 must be > 0");
+}
+
+TEST(Cloud, SaysWhyThereIsNoLine) {
+  EXPECT_EQ(fit_cloud({}).status, CloudStatus::kTooFewExact);
+  std::vector<CloudPoint> points = synthetic_cloud(10, 3);
+  for (CloudPoint& point : points) point.known = Known::kAtLeast;
+  EXPECT_EQ(fit_cloud(points).status, CloudStatus::kTooFewExact);
+  points = synthetic_cloud(10, 3);
+  for (CloudPoint& point : points) point.im = 2;
+  EXPECT_EQ(fit_cloud(points).status, CloudStatus::kOneIntensity);
+  for (CloudPoint& point : points) {
+    point.im = 1.0 + static_cast<double>(point.group);
+    point.edp = 2 * point.im;
+  }
+  EXPECT_EQ(fit_cloud(points).status, CloudStatus::kNoSpread);
+  points[0].edp = 0;
+  EXPECT_ERROR(fit_cloud(points), "edp = 0 must be > 0");
+  EXPECT_NE(text(CloudStatus::kOneIntensity).find("no slope"), std::string::npos);
+  CloudFit falling = fit_cloud(synthetic_cloud(10, 3));
+  falling.b = -1;
+  EXPECT_FALSE(cloud_fragility(falling, 1));
+}
+
+// Fractions on a logistic curve give it back.
+TEST(Logistic, ReturnsTheCurveOfExactFractions) {
+  std::vector<Stripe> stripes;
+  for (const double im : {0.5, 1.0, 1.7, 3.0})
+    stripes.push_back({im, 10, 10 / (1 + std::exp(-(2.5 * std::log(im) - 0.7)))});
+  const ProbitFit fit = fit_logistic(stripes);
+  EXPECT_EQ(fit.status, FragilityStatus::kFitted);
+  EXPECT_NEAR(fit.line[0], 2.5, 1e-9);
+  EXPECT_NEAR(fit.line[1], -0.7, 1e-9);
+}
+
+TEST(TwoPartCloud, AddsCollapsesToDemands) {
+  std::vector<CloudPoint> points = synthetic_cloud(3000, 4);
+  std::vector<bool> collapsed;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    collapsed.push_back(uniform_draw(4, 2, i) < 1 / (1 + std::exp(3 - 2 * std::log(points[i].im))));
+  const TwoPartCloud cloud = fit_two_part_cloud(points, collapsed);
+  ASSERT_TRUE(cloud.fitted);
+  const double of_slope = std::sqrt(cloud.collapse.information.inverse()(0, 0));
+  EXPECT_NEAR(cloud.collapse.line[0], 2, 4.5 * of_slope);
+  // At im = 2: collapse 0.1661, without it Phi((ln 0.1 + 1.5 ln 2 - ln 0.3) / 0.4) = 0.4414; the
+  // standard error of both is about 0.02.
+  const double p = 1 / (1 + std::exp(3 - 2 * std::log(2.0)));
+  const double q = normal_cdf((std::log(0.1 / 0.3) + 1.5 * std::log(2.0)) / 0.4);
+  EXPECT_NEAR(cloud.probability(0.3, 2), p + (1 - p) * q, 0.06);
+  EXPECT_NEAR(cloud.probability(1e9, 2), cloud.collapse_probability(2), 1e-15);
+}
+
+TEST(TwoPartCloud, IsTheCloudWithoutCollapses) {
+  const std::vector<CloudPoint> points = synthetic_cloud(50, 5);
+  const TwoPartCloud cloud = fit_two_part_cloud(points, std::vector<bool>(50, false));
+  ASSERT_TRUE(cloud.fitted);
+  const LognormalCurve curve = cloud_fragility(fit_cloud(points), 0.2)->curve;
+  EXPECT_NEAR(cloud.probability(0.2, 1.3), curve.probability(1.3), 1e-12);
+  EXPECT_FALSE(fit_two_part_cloud(points, std::vector<bool>(50, true)).fitted);
+  EXPECT_ERROR(fit_two_part_cloud(points, {}), "50 points have 0 outcomes");
+}
+
+}  // namespace
+}  // namespace gurney

@@ -1,0 +1,86 @@
+#include "tests/support/housner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/units.h"
+
+namespace gurney {
+namespace {
+
+constexpr double kStep = 1e-3;         // [s]
+constexpr double kSlowestRate = 1e-4;  // stands below this [rad/s]
+
+/// The smallest part of a step of length h that `has` passed the event, to 1e-12 h.
+template <class Has>
+double located(double h, Has has) {
+  double before = 0, after = h;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (before + after);
+    (has(middle) ? after : before) = middle;
+  }
+  return after;
+}
+
+}  // namespace
+
+bool RockingReference::fallen() const { return std::abs(theta_) > 1; }
+
+void RockingReference::step(const std::function<double(double)>& acceleration, double h) {
+  const auto accelerate = [&](double t, double theta) {
+    const double angle = block_.alpha * sign_ - theta;
+    return -block_.p * block_.p *
+           (std::sin(angle) + acceleration(t) / kStandardGravity * std::cos(angle));
+  };
+  const double t = time_, k1 = accelerate(t, theta_), v1 = rate_;
+  const double k2 = accelerate(t + h / 2, theta_ + h / 2 * v1), v2 = rate_ + h / 2 * k1;
+  const double k3 = accelerate(t + h / 2, theta_ + h / 2 * v2), v3 = rate_ + h / 2 * k2;
+  const double k4 = accelerate(t + h, theta_ + h * v3), v4 = rate_ + h * k3;
+  theta_ += h / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
+  rate_ += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  time_ += h;
+}
+
+void RockingReference::advance(const std::function<double(double)>& acceleration, double duration) {
+  const double end = time_ + duration;
+  while (time_ < end && !fallen()) {
+    const double h = std::min(kStep, end - time_);
+    if (sign_ == 0) {
+      const auto lifts = [&](double t) {
+        return std::abs(acceleration(t)) > kStandardGravity * std::tan(block_.alpha);
+      };
+      if (!lifts(time_)) {
+        const bool soon = lifts(time_ + h);
+        time_ = soon ? located(h, [&](double part) { return lifts(time_ + part); }) + time_
+                     : std::min(time_ + h, end);
+        if (!soon) continue;
+      }
+      sign_ = acceleration(time_) > 0 ? -1 : 1;
+      continue;
+    }
+    const RockingReference start = *this;
+    step(acceleration, h);
+    if (h < kStep) time_ = end;
+    if (theta_ * sign_ >= 0) continue;
+    const double impact = located(h, [&](double part) {
+      *this = start;
+      step(acceleration, part);
+      return theta_ * sign_ < 0;
+    });
+    *this = start;
+    step(acceleration, impact);
+    theta_ = 0;
+    rate_ *= block_.eta;
+    sign_ = -sign_;
+    ++impacts_;
+    if (std::abs(rate_) < kSlowestRate) rate_ = sign_ = 0;
+  }
+}
+
+void RockingReference::jump(double change) {
+  if (sign_ == 0) sign_ = change > 0 ? -1 : 1;
+  rate_ -=
+      block_.p * block_.p / kStandardGravity * std::cos(block_.alpha * sign_ - theta_) * change;
+}
+
+}  // namespace gurney
