@@ -15,7 +15,7 @@ namespace gurney {
 /// What a fragility is asked of.
 struct FragilityRequest {
   std::size_t state = 0, configuration = 0;
-  std::string measure;       ///< of StudyData::measures(); empty: the study's own
+  std::string measure = {};  ///< of StudyData::measures(); empty: the study's own
   double confidence = 0.95;  ///< of intervals and bands
 };
 
