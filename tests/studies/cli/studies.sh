@@ -120,8 +120,19 @@ study 0 "full.h5" long.toml -o full.h5 --resume
 same whole.h5 full.h5
 
 # Runs that fail are rows; the rest of the study is made.
-job failing.toml 0.5 "max_newton_iterations = 4" "max_subdivisions = 0" "residual = 1e-300"
-study 3 "24 failed" failing.toml -o failing.h5
+cat > failing.toml <<'TOML'
+schema = "gurney-job/1"
+[[item]]
+equipment = "xu_trolley"
+[[item]]
+equipment = "xu_trolley"
+position_m = { value = [2, 0], source = "plan", distribution = { x = { kind = "uniform", low = 0, high = 2, source = "plan" } } }
+[settings]
+duration_s = 0.1
+[study]
+draws = 40
+TOML
+study 3 " failed" failing.toml -o failing.h5
 [ -e failing.h5 ] || complain "no results of a study with failed runs"
 
 # Files that cannot be.
