@@ -61,7 +61,7 @@ std::vector<const Node*> by_place(const Node& table) {
 void mark_read(const Node& node) {
   node.read = true;
   for (const Node& each : node.elements) {
-    node.asked.insert(each.key);
+    if (node.kind == Node::Kind::kTable) node.asked.insert(each.key);
     mark_read(each);
   }
 }
@@ -85,10 +85,11 @@ Factor read_factor(Table in, const Node& node, std::size_t index) {
     mark_read(*levels);
   } else {
     const std::string key = in.text("key");
+    if (in.has("key") && key.empty()) in.note("key", " = \"\": must name a key of the job");
     const Node* values = node.find("values");
     if (!in.is_array("values") || values->elements.empty())
       in.note("values", " = " + describe(*values) + ": must be an array of 1 or more values");
-    else
+    else if (!key.empty())
       for (const Node& value : values->elements)
         factor.levels.push_back({label_of(value), patch_of(key, value)});
     mark_read(*values);

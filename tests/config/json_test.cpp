@@ -37,6 +37,11 @@ TEST(Json, GivesTheTreeOfTheSameToml) {
   EXPECT_EQ(json.root().tables("wall")[1].number("x", Range::any()), -1000);
 }
 
+TEST(Json, IsKnownByItsBraceWithoutItsName) {
+  Document document(kJson, "study.h5 (its job)");
+  EXPECT_EQ(document.tree().find("name")->text, "bed");
+}
+
 TEST(Json, PlacesAreJsonPointers) {
   EXPECT_EQ(mistakes(kJson),
             "a.json:/brake: brake: unknown key; known: mass_kg, name, wall\n"

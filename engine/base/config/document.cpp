@@ -29,6 +29,12 @@ std::string read_file(const std::string& path) {
   return text.str();
 }
 
+/// No TOML begins with a brace; a job that results keep has lost the name of its file.
+bool is_json(const std::string& text, const std::string& path) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  return path.ends_with(".json") || (first != std::string::npos && text[first] == '{');
+}
+
 std::string joined(const std::string& path, const std::string& key) {
   return path.empty() ? key : path + '.' + key;
 }
@@ -45,7 +51,7 @@ void collect_keys(const Node& node, const std::string& path, std::set<std::strin
 Document::Document(const std::string& path) : Document(read_file(path), path) {}
 
 Document::Document(const std::string& text, const std::string& path) : path_(path), text_(text) {
-  if (path.ends_with(".json")) {
+  if (is_json(text, path)) {
     JsonTree json = read_json(text, path);
     tree_ = std::move(json.root);
     pointers_ = std::move(json.pointers);

@@ -71,14 +71,15 @@ TEST(StudyReader, LevelsAndScalesMustGoUp) {
   EXPECT_EQ(mistakes(levels + "levels = [1]\nscales = [1]\n"),
             "a.toml:15:10: study.intensity.scales: must go without a measure, which has levels or "
             "a hunt");
-  EXPECT_EQ(mistakes(levels + "levels = [1]\nhunt = { first = 0.1, increment = 0.1 }\n"),
-            "a.toml:14:10: study.intensity.levels: must be given, or a table hunt, not both");
+  EXPECT_EQ(
+      mistakes(levels + "levels = [1]\nhunt = { first = 0.1, increment = 0.1, until = \"hit\" }\n"),
+      "a.toml:14:10: study.intensity.levels: must be given, or a table hunt, not both");
 }
 
 TEST(StudyReader, KnowsTheMeasuresAndTheirUnits) {
   EXPECT_EQ(
-      mistakes("[study.intensity]\nmeasure = \"PGB\"\nunit = \"g\"\nlevels = [1]\n").substr(0, 49),
-      "a.toml:12:11: study.intensity.measure: measure =");
+      mistakes("[study.intensity]\nmeasure = \"PGB\"\nunit = \"g\"\nlevels = [1]\n").substr(0, 51),
+      "a.toml:12:11: study.intensity.measure: measure 'PGB");
   EXPECT_EQ(mistakes("[study.intensity]\nmeasure = \"PGV\"\nunit = \"g\"\nlevels = [1]\n"),
             "a.toml:13:8: study.intensity.unit = \"g\": must be one of m/s, cm/s");
   EXPECT_EQ(mistakes("[study.intensity]\nmeasure = \"D5-95\"\nlevels = [1]\n"),
@@ -123,6 +124,8 @@ TEST(StudyReader, FactorsNeedLevelsWithNamesThatDiffer) {
             "a.toml:13:10: study.factor[0].values: two levels are named 'true'");
   EXPECT_EQ(mistakes("[[study.factor]]\nvalues = [true]\n"),
             "a.toml:11:1: study.factor[0].key: missing; must be text in quotes");
+  EXPECT_EQ(mistakes("[[study.factor]]\nkey = \"\"\nvalues = [true]\n"),
+            "a.toml:12:7: study.factor[0].key = \"\": must name a key of the job");
   EXPECT_EQ(mistakes("[[study.factor]]\nlevel = { a = 3 }\n"),
             "a.toml:12:9: study.factor[0].level.a = 3: must be a table");
   EXPECT_EQ(mistakes("[[study.factor]]\nname = \"a\"\nkey = \"item.brakes\"\nvalues = [true]\n"
