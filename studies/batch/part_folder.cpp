@@ -1,8 +1,12 @@
 #include "studies/batch/part_folder.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -43,6 +47,19 @@ std::uint64_t number_at(const std::string& bytes, std::size_t offset) {
   return number;
 }
 
+/// Numbers of the part files, increasing.
+std::vector<std::uint32_t> parts_in(const fs::path& folder) {
+  std::vector<std::uint32_t> parts;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool part =
+        name.size() == 13 && name.ends_with(".part") && name.find_first_not_of("0123456789") == 8;
+    if (part) parts.push_back(static_cast<std::uint32_t>(std::stoul(name)));
+  }
+  std::ranges::sort(parts);
+  return parts;
+}
+
 /// The first line that differs, as `key: 'theirs', here 'ours'`.
 std::string difference(const std::string& theirs, const std::string& ours) {
   std::istringstream a(theirs), b(ours);
@@ -72,20 +89,28 @@ PartFolder::PartFolder(fs::path folder, const std::string& identity, bool resume
   } else {
     fs::create_directory(folder_, problem);
     require(!problem, folder_.string() + ": cannot be made: " + problem.message());
+    require(parts_in(folder_).empty(),
+            folder_.string() +
+                ": holds runs, but no file 'study' that says whose; remove this "
+                "folder to start again");
     write_whole(study, identity);
   }
-  std::vector<std::uint32_t> parts;
-  for (const auto& entry : fs::directory_iterator(folder_)) {
-    const std::string name = entry.path().filename().string();
-    const bool part =
-        name.size() == 13 && name.ends_with(".part") && name.find_first_not_of("0123456789") == 8;
-    if (part) parts.push_back(static_cast<std::uint32_t>(std::stoul(name)));
-  }
-  std::ranges::sort(parts);
-  for (const std::uint32_t part : parts) {
+  lock();
+  for (const std::uint32_t part : parts_in(folder_)) {
     next_ = part + 1;
     take_over(part);
   }
+}
+
+PartFolder::~PartFolder() {
+  if (lock_ >= 0) ::close(lock_);
+}
+
+void PartFolder::lock() {
+  lock_ = ::open((folder_ / "study").c_str(), O_RDONLY | O_CLOEXEC);
+  const bool taken = lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  if (taken) ::close(lock_);  // no object is left for the destructor
+  require(!taken, folder_.string() + ": another process works on this study");
 }
 
 fs::path PartFolder::path_of(std::uint32_t part) const {
@@ -147,7 +172,8 @@ std::string PartFolder::read(std::size_t unit) const {
 
 void PartFolder::remove() {
   std::error_code problem;
-  fs::remove_all(folder_, problem);
+  for (const std::uint32_t part : parts_in(folder_)) fs::remove(path_of(part), problem);
+  fs::remove_all(folder_, problem);  // `study` goes last: parts are never without it
   require(!problem, folder_.string() + ": cannot be removed: " + problem.message());
 }
 

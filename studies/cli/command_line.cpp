@@ -12,6 +12,7 @@
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
 #include "studies/build_info/build_info.h"
+#include "studies/cli/check_command.h"
 #include "studies/cli/equipment_command.h"
 #include "studies/cli/export_command.h"
 #include "studies/cli/fragility_command.h"
@@ -110,6 +111,7 @@ int run_command_line(int argc, char** argv) {
       "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 a run diverged, 130/143 interrupted.");
   std::function<int()> act;
   add_run(app, act);
+  add_check(app, act);
   add_replay(app, act);
   add_show(app, act);
   add_fragility(app, act);

@@ -138,6 +138,28 @@ void print_counts(const RunOptions& options, const Paths& paths, const StudyCoun
   fmt::print("results  {}\n", paths.results.string());
 }
 
+std::string how_to_go_on(const RunOptions& options, const Paths& paths, std::size_t done,
+                         std::size_t units) {
+  return fmt::format(
+      "{} of {} records' runs are kept in {}\ngo on with: gurney run {} -o {} --resume", done,
+      units, paths.parts.string(), options.job, paths.results.string());
+}
+
+/// Writes the results file from the parts.
+StudyCounts merge(const Batch& batch, const PartFolder& folder, const Paths& paths) {
+  const fs::path made = paths.results.string() + ".part";
+  try {
+    const StudyCounts counts = write_study_file(
+        made.string(), batch, [&](std::size_t unit) { return unit_from_bytes(folder.read(unit)); });
+    put_in_place(made.string(), paths.results.string());
+    return counts;
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(made, ignored);
+    throw;
+  }
+}
+
 }  // namespace
 
 int run_study(const RunOptions& options) {
@@ -160,28 +182,23 @@ int run_study(const RunOptions& options) {
 
   note_interruptions();
   ProgressLine line(options.json);
-  const BatchProgress progress = run_batch(
-      batch, folder, threads, [] { return interruption() == 0; },
-      [&](const BatchProgress& now) { line(now); });
-  if (interruption() != 0) {
-    append_log(paths, options, threads, progress, "interrupted");
-    fmt::print(stderr,
-               "\ngurney: interrupted; {} of {} records' runs are kept in {}\n"
-               "go on with: gurney run {} -o {} --resume\n",
-               progress.done, progress.units, paths.parts.string(), options.job,
-               paths.results.string());
-    return 128 + interruption();
-  }
-  const fs::path made = paths.results.string() + ".part";
+  BatchProgress progress;
   StudyCounts counts;
   try {
-    counts = write_study_file(made.string(), batch,
-                              [&](std::size_t unit) { return unit_from_bytes(folder.read(unit)); });
-  } catch (...) {
-    fs::remove(made);
-    throw;
+    progress = run_batch(
+        batch, folder, threads, [] { return interruption() == 0; },
+        [&](const BatchProgress& now) { line(now); });
+    if (progress.done == progress.units) counts = merge(batch, folder, paths);
+  } catch (const Error& error) {
+    throw Error(std::string(error.what()) + '\n' +
+                how_to_go_on(options, paths, folder.size(), plan.units()));
   }
-  fs::rename(made, paths.results);
+  if (progress.done < progress.units) {
+    append_log(paths, options, threads, progress, "interrupted");
+    fmt::print(stderr, "\ngurney: interrupted; {}\n",
+               how_to_go_on(options, paths, progress.done, progress.units));
+    return 128 + interruption();
+  }
   append_log(paths, options, threads, progress, "finished");
   folder.remove();
   print_counts(options, paths, counts, progress);

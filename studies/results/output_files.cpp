@@ -96,4 +96,11 @@ void OutputFiles::commit() {
   }
 }
 
+void put_in_place(const std::string& made, const std::string& path) {
+  const Descriptor file(::open(made.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0 || ::fsync(file.get()) != 0) fail(path, "cannot be written", errno);
+  if (std::rename(made.c_str(), path.c_str()) != 0) fail(path, "cannot be put in place", errno);
+  sync_folder(path);
+}
+
 }  // namespace gurney

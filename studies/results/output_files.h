@@ -34,4 +34,8 @@ class OutputFiles {
   std::vector<std::string> staged_;
 };
 
+/// Syncs a finished file and gives it its name, in one folder.
+/// @throws Error with the system's reason
+void put_in_place(const std::string& made, const std::string& path);
+
 }  // namespace gurney

@@ -24,6 +24,7 @@ using config::Node;
 std::vector<Configuration> combined(const Node& job, const Study& study, Document& document) {
   std::vector<Configuration> all{{{}, job}};
   for (const Factor& factor : study.factors) {
+    if (factor.levels.empty()) continue;  // a mistake that is noted
     std::vector<Configuration> more;
     for (const Configuration& base : all)
       for (const FactorLevel& level : factor.levels) {
@@ -38,7 +39,8 @@ std::vector<Configuration> combined(const Node& job, const Study& study, Documen
 }
 
 /// What a study varies by itself must not be stated for one run.
-void note_contradictions(Document& document, const Job& job, const Study& study) {
+/// @throws Error with each that is
+void refuse_contradictions(const Document& document, const Job& job, const Study& study) {
   if (!job.record) {
     if (study.intensity.kind != IntensityPlan::Kind::kScales || study.angles.size() > 1)
       throw Error(document.where(document.tree().place) +
@@ -46,8 +48,9 @@ void note_contradictions(Document& document, const Job& job, const Study& study)
     return;
   }
   const RecordRequest& record = *job.record;
+  std::string mistakes;
   const auto refuse = [&](bool wrong, const std::string& message) {
-    if (wrong) throw Error(record.where + ": " + message);
+    if (wrong) mistakes += (mistakes.empty() ? "" : "\n") + record.where + ": " + message;
   };
   refuse(record.scale_to && study.intensity.kind != IntensityPlan::Kind::kScales,
          "scale_to must not go with study.intensity, which scales the records");
@@ -56,9 +59,10 @@ void note_contradictions(Document& document, const Job& job, const Study& study)
   refuse(study.synthetic_records > 0 &&
              (!record.synthetic || !record.synthetic->values.contains("seed")),
          "study.synthetic_records needs a synthetic motion that has a seed");
-  refuse(
-      study.synthetic_records > 0 && record.synthetic && record.synthetic->values.at("seed") != 1,
-      "study.synthetic_records gives the seeds 1, 2, ...; leave the seed out");
+  refuse(study.synthetic_records > 0 && record.synthetic &&
+             record.synthetic->values.contains("seed") && record.synthetic->values.at("seed") != 1,
+         "study.synthetic_records gives the seeds 1, 2, ...; leave the seed out");
+  require(mistakes.empty(), mistakes);
 }
 
 /// One line each, in the order in which they came.
@@ -112,20 +116,23 @@ StudyJob::StudyJob(std::unique_ptr<Document> document) : document_(std::move(doc
   Node whole;
   whole.elements.push_back(*taken);
   Document reading(whole, *document_);
+  bool clean = false;
   collect(mistakes, [&] {
     config::Table root = reading.root();
     if (auto table = root.table("study"))
       study_ = read_study(*table, *reading.tree().find("study"));
-    if (document_->tree().find("uncertainty") != nullptr)
-      reading.note(document_->tree().find("uncertainty")->key_place,
+    if (const auto uncertainty = document_->take("uncertainty"))
+      reading.note(uncertainty->key_place,
                    "uncertainty: must not go with [study], which has draws and a seed of its own");
-    if (reading.clean()) configurations_ = combined(document_->tree(), study_, reading);
+    configurations_ = combined(document_->tree(), study_, reading);
+    clean = reading.clean();
     reading.finish();
   });
   for (std::size_t i = 0; i < configurations_.size(); ++i)
     collect(mistakes, [&] {
       const Job each = job(i, {});
-      note_contradictions(*document_, each, study_);
+      if (!clean) return;
+      refuse_contradictions(*document_, each, study_);
       check_limit_states(*taken, each);
     });
   mistakes.raise();

@@ -105,7 +105,11 @@ GroundMotion MotionSet::read(std::size_t record) const {
     motion.measures.push_back(
         or_none([&] { return value_of(kept.measure, kept.combination, motion.record); }));
   if (!scaled_by_measure()) return motion;
-  motion.intensity = value_of(intensity_.measure, intensity_.combination, motion.record);
+  try {
+    motion.intensity = value_of(intensity_.measure, intensity_.combination, motion.record);
+  } catch (const Error& error) {
+    throw Error(request.where + ": " + error.what());
+  }
   require(motion.intensity > 0,
           fmt::format("{}: record '{}' cannot be scaled: its {} is {:g}", request.where,
                       names_[record], name_of(intensity_.measure), motion.intensity));

@@ -61,7 +61,7 @@ std::vector<const Node*> by_place(const Node& table) {
 void mark_read(const Node& node) {
   node.read = true;
   for (const Node& each : node.elements) {
-    node.asked.insert(each.key);
+    if (node.kind == Node::Kind::kTable) node.asked.insert(each.key);
     mark_read(each);
   }
 }
@@ -85,10 +85,11 @@ Factor read_factor(Table in, const Node& node, std::size_t index) {
     mark_read(*levels);
   } else {
     const std::string key = in.text("key");
+    if (in.has("key") && key.empty()) in.note("key", " = \"\": must name a key of the job");
     const Node* values = node.find("values");
     if (!in.is_array("values") || values->elements.empty())
       in.note("values", " = " + describe(*values) + ": must be an array of 1 or more values");
-    else
+    else if (!key.empty())
       for (const Node& value : values->elements)
         factor.levels.push_back({label_of(value), patch_of(key, value)});
     mark_read(*values);
@@ -105,9 +106,14 @@ void read_factors(Table& in, const Node& node, Study& study) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < tables.size(); ++i) {
     study.factors.push_back(read_factor(tables[i], node.find("factor")->elements[i], i));
-    if (!names.insert(study.factors.back().name).second)
-      tables[i].note("name",
-                     " = \"" + study.factors.back().name + "\": two factors have this name");
+    const std::string& name = study.factors.back().name;
+    if (!names.insert(name).second)
+      tables[i].note("name", " = \"" + name + "\": two factors have this name");
+    static const std::set<std::string> kTaken = {"", ".", "name", "row"};
+    if (kTaken.contains(name) || name.find('/') != std::string::npos)
+      tables[i].note("name", " = \"" + name +
+                                 "\": names a column of the results: must not be empty, '.', "
+                                 "'name' or 'row', or have a '/'");
   }
 }
 
@@ -139,15 +145,14 @@ IntensityPlan read_intensity(Table in, const std::vector<LimitState>& states) {
   plan.vertical = read_vertical_scaling(in);
   if (in.has("scales"))
     in.note("scales", ": must go without a measure, which has levels or a hunt");
-  if (in.has("levels") == in.has("hunt")) {
+  if (in.has("levels") == in.has("hunt"))
     in.note("levels", ": must be given, or a table hunt, not both");
-    return plan;
-  }
   if (auto hunt = in.table("hunt")) {
     read_hunt(*hunt, states, plan);
     return plan;
   }
   plan.kind = IntensityPlan::Kind::kStripes;
+  if (!in.has("levels")) return plan;
   plan.levels = in.numbers("levels", Range::positive());
   note_disorder(in, "levels", plan.levels);
   for (double& level : plan.levels) level *= plan.unit_in_si;
@@ -171,12 +176,16 @@ std::optional<KeptMeasure> parse_kept(const std::string& text) {
 
 void read_measures(Table& in, Study& study) {
   const bool given = in.has("measures");
+  std::set<std::string> names;
   for (const std::string& text :
        given ? in.texts("measures")
              : std::vector<std::string>{"PGA", "PGV", "PGD", "Sa(0.5)", "Sa(1.0)", "Sa(2.0)",
                                         "FIV3(1.0)"}) {
     try {
-      study.measures.push_back(*parse_kept(text));
+      const KeptMeasure kept = *parse_kept(text);
+      const std::string name = name_of(kept.measure) + " " + name_of(kept.combination);
+      if (!names.insert(name).second) in.note("measures", ": " + name + " is there twice");
+      study.measures.push_back(kept);
     } catch (const Error& error) {
       in.note("measures", " = \"" + text + "\": " + error.what());
     }

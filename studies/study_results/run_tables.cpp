@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/error.h"
 #include "studies/results/names.h"
 
 namespace gurney {
@@ -47,21 +48,44 @@ void put(GrowingTable& table, const Vector3& v) { table.put(v.x()).put(v.y()).pu
 
 constexpr std::size_t kLongestOutcome = 12, kLongestCause = 512;
 
+/// Names of the numbers that are drawn, from the first draw that makes a job; none does: empty.
+std::vector<std::string> variables_of(const Batch& batch, std::size_t configuration) {
+  const Study& study = batch.job.study();
+  const std::size_t records = batch.motions.set_of(configuration).size();
+  for (std::size_t record = 0; record < records; ++record)
+    for (std::size_t draw = 0; draw < static_cast<std::size_t>(study.draws); ++draw) {
+      const Unit unit{.configuration = configuration, .record = record, .draw = draw};
+      try {
+        std::vector<std::string> names;
+        for (const Assumption& each :
+             batch.job.job(configuration, batch.plan.draw(unit)).assumptions)
+          if (!each.distribution.empty()) names.push_back(each.key);
+        return names;
+      } catch (const Error&) {
+        continue;
+      }
+    }
+  return {};
+}
+
 }  // namespace
 
 std::vector<ConfigurationNames> names_of(const Batch& batch) {
   std::vector<ConfigurationNames> all;
   for (std::size_t i = 0; i < batch.job.configurations().size(); ++i) {
     const Job job = batch.job.job(i, {});
-    ConfigurationNames names{
-        item_names(job.scene), names_in(job.scene.zones), names_in(job.scene.tethers), {}, {}, {}};
+    ConfigurationNames names{item_names(job.scene),
+                             names_in(job.scene.zones),
+                             names_in(job.scene.tethers),
+                             names_in(job.scene.room),
+                             {},
+                             {},
+                             {}};
     for (const PlacedItem& item : job.scene.items) {
       names.wheels.push_back(caster_names(item.model));
       names.points.push_back(point_names(item.model));
     }
-    if (const auto draw = batch.plan.draw({.configuration = i}))
-      for (const Assumption& each : batch.job.job(i, draw).assumptions)
-        if (!each.distribution.empty()) names.variables.push_back(each.key);
+    names.variables = variables_of(batch, i);
     all.push_back(std::move(names));
   }
   return all;

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/base/config/json_reader.h"
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/config/table.h"
 #include "engine/base/config/toml_reader.h"
@@ -28,6 +29,12 @@ std::string read_file(const std::string& path) {
   return text.str();
 }
 
+/// No TOML begins with a brace; a job that results keep has lost the name of its file.
+bool is_json(const std::string& text, const std::string& path) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  return path.ends_with(".json") || (first != std::string::npos && text[first] == '{');
+}
+
 std::string joined(const std::string& path, const std::string& key) {
   return path.empty() ? key : path + '.' + key;
 }
@@ -43,11 +50,22 @@ void collect_keys(const Node& node, const std::string& path, std::set<std::strin
 
 Document::Document(const std::string& path) : Document(read_file(path), path) {}
 
-Document::Document(const std::string& text, const std::string& path)
-    : path_(path), text_(text), tree_(read_toml(text, path)) {}
+Document::Document(const std::string& text, const std::string& path) : path_(path), text_(text) {
+  if (is_json(text, path)) {
+    JsonTree json = read_json(text, path);
+    tree_ = std::move(json.root);
+    pointers_ = std::move(json.pointers);
+  } else {
+    tree_ = read_toml(text, path);
+  }
+}
 
 Document::Document(Node tree, const Document& origin)
-    : path_(origin.path_), text_(origin.text_), tree_(std::move(tree)), draw_(origin.draw_) {}
+    : path_(origin.path_),
+      text_(origin.text_),
+      pointers_(origin.pointers_),
+      tree_(std::move(tree)),
+      draw_(origin.draw_) {}
 
 std::optional<Node> Document::take(const std::string& key) {
   const auto found = std::find_if(tree_.elements.begin(), tree_.elements.end(),
@@ -71,6 +89,10 @@ std::string Document::variable_name(const std::string& path) const {
 }
 
 std::string Document::where(Place place) const {
+  if (!pointers_.empty()) {
+    const std::string& pointer = pointers_.at(static_cast<std::size_t>(place.line) - 1);
+    return fmt::format("{}:{}", path_, pointer.empty() ? "/" : pointer);
+  }
   return fmt::format("{}:{}:{}", path_, place.line, place.column);
 }
 

@@ -19,11 +19,11 @@ class Table;
 ///     document.finish();  // throws one Error with every mistake, unread keys included
 ///
 /// A getter that meets a mistake notes it and gives a harmless value, so that one pass finds all;
-/// nothing read may be used before `finish`. TOML today; JSON would be another reader of the same
-/// tree.
+/// nothing read may be used before `finish`. A file whose name ends in .json is JSON, any other
+/// TOML.
 class Document {
  public:
-  /// @throws Error if the file is missing, is a folder, cannot be read or is not TOML.
+  /// @throws Error if the file is missing, is a folder, cannot be read, or is not TOML (JSON).
   explicit Document(const std::string& path);
 
   /// From text already in memory; `path` is for messages and relative names.
@@ -52,7 +52,7 @@ class Document {
   void set_draw_of(const std::string& element, const std::optional<Draw>& draw);
   std::string variable_name(const std::string& path) const;  ///< of the number at `path`
 
-  std::string where(Place place) const;  ///< `path:line:column`
+  std::string where(Place place) const;  ///< `path:line:column`; of JSON `path:/item/0/name`
 
   void note(Place place, const std::string& message);
   void note(const Error& error);  ///< mistakes of another file that this one names
@@ -74,6 +74,7 @@ class Document {
   void note_unread(const Node& table, const std::string& path);
 
   std::string path_, text_;
+  std::vector<std::string> pointers_;  ///< of JSON: see JsonTree
   Node tree_;
   std::optional<Draw> draw_;
   std::string drawn_element_;

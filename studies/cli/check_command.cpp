@@ -1,0 +1,176 @@
+#include "studies/cli/check_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "engine/base/units.h"
+#include "studies/batch/estimate.h"
+#include "studies/run_job.h"
+
+namespace gurney {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CheckOptions {
+  std::string job;
+  bool json = false;
+  int threads = 0;
+};
+
+/// A line of the answer and the same as JSON.
+struct Answer {
+  std::string text;
+  Json json;
+
+  /// @param key  of JSON, with its unit; the line begins without the unit
+  void add(const std::string& key, const Json& value, const std::string& words) {
+    json[key] = value;
+    text += fmt::format("{:<14} {}\n", key.substr(0, key.find('_')), words);
+  }
+};
+
+std::string list_of(const std::vector<std::string>& all) {
+  constexpr std::size_t kShown = 6;
+  const std::vector<std::string> shown(
+      all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(kShown, all.size())));
+  return fmt::format("{}: {}{}", all.size(), fmt::join(shown, "; "),
+                     all.size() > kShown ? "; ..." : "");
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 90) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+std::string size_text(double bytes) {
+  if (bytes < 1e6) return fmt::format("{:.0f} kB", std::max(1.0, bytes / 1e3));
+  return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6)
+                     : fmt::format("{:.1f} GB", bytes / 1e9);
+}
+
+void add_warnings(Answer& answer, const std::vector<std::string>& warnings) {
+  answer.json["warnings"] = warnings;
+  for (const std::string& warning : warnings) answer.text += "warning: " + warning + '\n';
+}
+
+void add_intensity(Answer& answer, const IntensityPlan& plan) {
+  std::vector<double> levels = plan.levels;
+  for (double& level : levels) level /= plan.unit_in_si;
+  if (plan.kind == IntensityPlan::Kind::kScales) {
+    answer.add("scales", levels, fmt::format("{}: {:g}", levels.size(), fmt::join(levels, ", ")));
+    return;
+  }
+  const std::string measure = name_of(plan.measure) + " " + name_of(plan.combination);
+  answer.json["measure"] = measure;
+  answer.json["unit"] = plan.unit;
+  if (plan.kind == IntensityPlan::Kind::kStripes)
+    answer.add("levels", levels,
+               fmt::format("{}: {:g} {} of {}", levels.size(), fmt::join(levels, ", "), plan.unit,
+                           measure));
+  else
+    answer.add("hunt", plan.most_runs,
+               fmt::format("at most {} runs a unit, from {:g} {} of {}", plan.most_runs,
+                           plan.first / plan.unit_in_si, plan.unit, measure));
+}
+
+void add_plan(Answer& answer, const Batch& batch) {
+  const Study& study = batch.job.study();
+  std::vector<std::string> names;
+  for (const Configuration& each : batch.job.configurations())
+    names.push_back(each.levels.empty() ? "the job"
+                                        : fmt::format("{}", fmt::join(each.levels, ", ")));
+  answer.add("configurations", names, list_of(names));
+  std::vector<std::string> records;
+  std::vector<std::string> warnings;
+  for (std::size_t set = 0; set < batch.motions.sets(); ++set)
+    for (std::size_t i = 0; i < batch.motions.set(set).size(); ++i) {
+      const std::string& name = batch.motions.set(set).name(i);
+      records.push_back(name.empty() ? "the floor rests" : name);
+      for (const std::string& warning : batch.motions.set(set).ground(i).warnings)
+        warnings.push_back(name + ": " + warning);
+    }
+  answer.add(
+      "records", records,
+      list_of(records) +
+          (batch.motions.sets() > 1 ? fmt::format(" (in {} sets)", batch.motions.sets()) : ""));
+  std::vector<double> angles = study.angles;
+  for (double& angle : angles) angle /= kRadiansPerDegree;
+  answer.add("angles_deg", angles,
+             fmt::format("{}: {:g} deg", angles.size(), fmt::join(angles, ", ")));
+  add_intensity(answer, study.intensity);
+  answer.add("draws", study.draws,
+             study.draws == 0 ? "none: every number has its value"
+                              : fmt::format("{} for each record", study.draws));
+  add_warnings(answer, warnings);
+}
+
+Answer check_study(const StudyJob& job, int threads) {
+  const StudyMotions motions(job);
+  motions.read_all(threads);
+  const Plan plan(job, motions);
+  const Batch batch{job, motions, plan};
+  Answer answer;
+  answer.add("job", job.file(), job.file() + ": a study without mistakes");
+  add_plan(answer, batch);
+  const Estimate needs = estimate(batch);
+  const bool hunt = job.study().intensity.kind == IntensityPlan::Kind::kHunt;
+  const char* const most = hunt ? "at most " : "";
+  answer.add("units", plan.units(), fmt::format("{}", plan.units()));
+  answer.add("runs", needs.runs, fmt::format("{}{}", most, needs.runs));
+  answer.add("time_s", needs.seconds(threads),
+             fmt::format("{}about {} with {} threads (two runs were made: {:.2g} s each)", most,
+                         duration_text(needs.seconds(threads)), threads, needs.seconds_per_run));
+  answer.add("memory_bytes", needs.memory_bytes,
+             "about " + size_text(static_cast<double>(needs.memory_bytes)));
+  answer.add("disk_bytes", needs.bytes(),
+             fmt::format("{}about {} while it runs ({:.0f} bytes a run), and as much or less for "
+                         "the results",
+                         most, size_text(needs.bytes()), needs.bytes_per_run));
+  return answer;
+}
+
+Answer check_run(const std::string& job) {
+  const PreparedRun run = prepare_run(job);
+  std::vector<std::string> items;
+  for (const PlacedItem& item : run.facts.scene.items)
+    items.push_back(item.name.empty() ? item.model.name : item.name);
+  Answer answer;
+  answer.add("job", job, job + ": a single run without mistakes");
+  answer.add("items", items, list_of(items));
+  answer.add("record", run.facts.record ? run.facts.record->name : "",
+             run.facts.record ? run.facts.record->name : "the floor rests");
+  answer.add("runs", 1, "1");
+  add_warnings(answer, run.facts.warnings);
+  return answer;
+}
+
+int check_command(const CheckOptions& options) {
+  const int threads = options.threads > 0
+                          ? options.threads
+                          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const Answer answer =
+      has_study(options.job) ? check_study(StudyJob(options.job), threads) : check_run(options.job);
+  fmt::print("{}", options.json ? answer.json.dump(2) + '\n' : answer.text);
+  return 0;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, std::function<int()>& act) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* const check =
+      app.add_subcommand("check", "Tell what a job would run, or all its mistakes; write nothing");
+  check->add_option("JOB", options->job, "The job file")->required();
+  check->add_flag("--json", options->json, "Print the answer as JSON");
+  check->add_option("-j,--threads", options->threads, "Threads that the study would have")
+      ->check(CLI::Range(1, 4096));
+  check->callback([options, &act] { act = [options] { return check_command(*options); }; });
+}
+
+}  // namespace gurney
