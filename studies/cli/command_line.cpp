@@ -12,6 +12,7 @@
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
 #include "studies/build_info/build_info.h"
+#include "studies/cli/compare_command.h"
 #include "studies/cli/equipment_command.h"
 #include "studies/cli/records_command.h"
 #include "studies/cli/replay_command.h"
@@ -69,6 +70,25 @@ void add_replay(CLI::App& app, std::function<int()>& act) {
   replay->callback([held, &act] { act = [held] { return replay_command(*held); }; });
 }
 
+void add_compare(CLI::App& app, std::function<int()>& act) {
+  auto held = std::make_shared<CompareOptions>();
+  CompareOptions& options = *held;
+  CLI::App* const compare = app.add_subcommand(
+      "compare", "Compare two studies, or two configurations of one, run by run");
+  compare->add_option("A", options.a, "The results file of a study")->required();
+  compare->add_option("B", options.b, "Another (default: A, two configurations of it)");
+  compare->add_option("--configurations,--configuration", options.configurations,
+                      "Which, by name: one for both files, or two apart by a comma");
+  compare->add_option("--demand", options.demands,
+                      "Compare this demand only; may be given several times (default: all sizes)");
+  compare->add_option("--measure", options.measure,
+                      "Intensity measure of the curves (default: the studies' own)");
+  compare->add_option("--figure", options.figure, "Draw the fragility curves in this .svg file");
+  compare->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
+  compare->add_flag("--json", options.json, "Print as JSON");
+  compare->callback([held, &act] { act = [held] { return compare_command(*held); }; });
+}
+
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
@@ -108,6 +128,7 @@ int run_command_line(int argc, char** argv) {
   std::function<int()> act;
   add_run(app, act);
   add_replay(app, act);
+  add_compare(app, act);
   add_records(app, act);
   add_equipment(app, act);
   app.add_subcommand("help", "Print this help, or that of a command: help records scale");
