@@ -12,7 +12,7 @@ namespace gurney {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kTie = 1e-9;  // likelihoods that are equal but for rounding
+constexpr double kTie = 1e-6;  // ln likelihoods that are equal but for rounding
 
 using Points = std::vector<CloudPoint>;
 
@@ -23,7 +23,8 @@ int rank_of(const IntensityRow& row) {
 
 bool is_better(const IntensityRow& a, const IntensityRow& b) {
   if (rank_of(a) != rank_of(b)) return rank_of(a) < rank_of(b);
-  if (rank_of(a) == 0) return a.log_likelihood > b.log_likelihood;
+  if (rank_of(a) == 0)
+    return std::round(a.log_likelihood / kTie) > std::round(b.log_likelihood / kTie);
   return rank_of(a) == 1 && a.efficiency < b.efficiency;
 }
 
@@ -134,8 +135,15 @@ MeasureChoice choose_measure(const StudySide& side, std::size_t state, int resam
     choice.units.push_back(known[i].units);
     if (rank_of(rows[i]) == 0) comparable.push_back(measures[i].values);
   }
-  const bool two = comparable.size() > 1;
-  choice.lead = two ? choice.rows[0].log_likelihood - choice.rows[1].log_likelihood : kNan;
+  const double best = choice.rows.empty() ? kNan : choice.rows.front().log_likelihood;
+  choice.lead = kNan;
+  for (std::size_t i = 1; i < comparable.size() && std::isnan(choice.lead); ++i) {
+    const double lead = best - choice.rows[i].log_likelihood;
+    if (lead > kTie)
+      choice.lead = lead;
+    else
+      ++choice.ties;
+  }
   choice.stays_best = share_that_stays(demands, comparable, resamples, seed);
   return choice;
 }

@@ -17,11 +17,14 @@ struct MeasureChoice {
   double floor = 0;                     ///< demands below are "at most" this [SI]
   std::size_t runs = 0, records = 0, overturned = 0, at_floor = 0;
 
-  /// ln likelihood of the first row less that of the second; NaN unless both rest on the same runs.
+  std::size_t ties = 0;  ///< rows after the first whose likelihood is the same: in one proportion
+
+  /// ln likelihood of the first row less that of the first row that is not as good; NaN unless both
+  /// rest on the same runs.
   double lead = 0;
 
-  /// Share of resamples of records in which the first row's likelihood is the largest; NaN with
-  /// fewer than two records or rows.
+  /// Share of resamples of records in which the first row's likelihood is the largest, or as
+  /// large; NaN with fewer than two records or rows.
   double stays_best = 0;
 };
 

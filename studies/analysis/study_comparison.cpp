@@ -200,7 +200,8 @@ void Comparer::compare_states() {
       common.insert(states_a[i].name);
       const RunValues of_a = by_run(runs_a_, a_.data->exceedances(i, runs_a_));
       const RunValues of_b = by_run(runs_b_, b_.data->exceedances(j, runs_b_));
-      add(ComparedQuantity::Kind::kShare, states_a[i].name, "1", of_a, of_b);
+      if (add(ComparedQuantity::Kind::kShare, states_a[i].name, "1", of_a, of_b))
+        result_.quantities.back().words = states_a[i].words;
       if (!im_a_.name.empty()) add_curves(i, of_a, of_b);
     }
   for (const auto* states : {&states_a, &states_b})

@@ -17,6 +17,9 @@
 namespace gurney {
 namespace {
 
+constexpr double kWeak = 0.3;        // a tenth of the variance in common
+constexpr double kBeyondChance = 4;  // standard deviations
+
 /// The output of each run, with its name.
 struct Output {
   std::string name, units;
@@ -80,9 +83,38 @@ std::vector<std::vector<double>> add_drawn(const Drawn& drawn,
       continue;
     }
     columns.push_back(column);
-    result.inputs.push_back({.names = {name}});
+    result.inputs.push_back({.names = {name}, .set = 0});
   }
   return columns;
+}
+
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  const Moments of_a = moments_of(a), of_b = moments_of(b);
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - of_a.mean) * (b[i] - of_b.mean);
+  return sum / (static_cast<double>(a.size() - 1) * std::sqrt(of_a.variance * of_b.variance));
+}
+
+/// Puts inputs whose ranks are correlated into one set. Without correlation the coefficient has a
+/// standard deviation of 1 / sqrt(n - 1) (Kendall 1948, Rank correlation methods).
+void find_sets(const std::vector<std::vector<double>>& columns, StudySensitivity& result) {
+  std::vector<std::vector<double>> ranks;
+  for (const auto& column : columns) ranks.push_back(ranks_of(column));
+  const double freedom = static_cast<double>(std::max<std::size_t>(result.draws, 2)) - 1;
+  const double limit = std::max(kWeak, kBeyondChance / std::sqrt(freedom));
+  for (std::size_t i = 0; i < ranks.size(); ++i) {
+    result.inputs[i].set = i;
+    for (std::size_t j = 0; j < i; ++j)
+      if (std::abs(correlation(ranks[i], ranks[j])) > limit) {
+        const std::size_t from = result.inputs[j].set, to = result.inputs[i].set;
+        for (std::size_t k = 0; k <= i; ++k)
+          if (result.inputs[k].set == from) result.inputs[k].set = to;
+      }
+  }
+  std::map<std::size_t, std::vector<std::string>> sets;
+  for (const SensitiveInput& input : result.inputs) sets[input.set].push_back(input.names.front());
+  for (const auto& [set, names] : sets)
+    if (names.size() > 1) result.correlated.push_back(names);
 }
 
 /// Adds what runs differ by besides their draws; the record only where it has several draws.
@@ -93,7 +125,7 @@ void add_classes(const char* name, const std::vector<double>& values, const std:
   for (const double value : values)
     classes.push_back(number.try_emplace(value, number.size()).first->second);
   if (number.size() < 2) return;
-  result.inputs.push_back({.names = {name}, .drawn = false});
+  result.inputs.push_back({.names = {name}, .set = result.inputs.size(), .drawn = false});
   result.inputs.back().index = first_order_index_of_classes(classes, y);
 }
 
@@ -165,13 +197,19 @@ StudySensitivity study_sensitivity(const StudySide& side, const SensitivityReque
   }
   for (const TornadoBar& bar : tornado(columns, y, request.share))
     result.inputs[bar.input].bar = bar;
+  find_sets(columns, result);
   std::vector<double> level;
   for (const std::size_t run : runs) level.push_back(static_cast<double>(levels.of_run(run)));
   add_classes("record", picked(file.numbers("runs/record"), runs), y, result);
   add_classes("angle", picked(file.numbers("runs/angle"), runs), y, result);
   add_classes("level", level, y, result);
-  for (const SensitiveInput& input : result.inputs)
-    if (input.index) result.sum += input.index->estimate;
+  std::map<std::size_t, double> largest;
+  for (const SensitiveInput& input : result.inputs) {
+    if (!input.index) continue;
+    const auto known = largest.try_emplace(input.set, input.index->estimate).first;
+    known->second = std::max(known->second, input.index->estimate);
+  }
+  for (const auto& [set, index] : largest) result.sum += index;
   std::ranges::stable_sort(result.inputs, [](const SensitiveInput& a, const SensitiveInput& b) {
     return (a.index ? a.index->estimate : -1) > (b.index ? b.index->estimate : -1);
   });

@@ -22,9 +22,19 @@ int sensitivity_command(const SensitivityCommandOptions& options) {
           fmt::format("--figure draws one configuration; name it with --configuration: {}",
                       fmt::join(data.configurations(), "; ")));
   std::vector<SensitivityReport> reports;
-  for (const std::size_t configuration : wanted)
-    reports.push_back(
-        {data.configurations()[configuration], study_sensitivity({&data, configuration}, request)});
+  std::size_t found = 0;
+  for (const std::size_t configuration : wanted) {
+    SensitivityReport report{data.configurations()[configuration], {}, ""};
+    try {
+      report.found = study_sensitivity({&data, configuration}, request);
+      ++found;
+    } catch (const Error& error) {
+      if (wanted.size() == 1) throw;
+      report.why_not = error.what();
+    }
+    reports.push_back(std::move(report));
+  }
+  if (found == 0) throw Error(reports.front().why_not);
   fmt::print("{}", options.json ? sensitivity_json(reports) : sensitivity_text(reports));
   if (!options.figure.empty())
     write_output(options.figure, sensitivity_figure(reports.front()), options.overwrite,

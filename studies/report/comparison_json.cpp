@@ -35,6 +35,7 @@ Json quantities(const StudyComparison& found, ComparedQuantity::Kind kind) {
   for (const ComparedQuantity& row : found.quantities)
     if (row.kind == kind)
       list.push_back({{"name", row.name},
+                      {"words", row.words},
                       {"units", row.units},
                       {"groups", row.groups},
                       {"a", number(row.a)},

@@ -84,6 +84,7 @@ std::string pairing_text(const StudyComparison& found) {
 }
 
 std::string label(const ComparedQuantity& row) {
+  if (!row.words.empty() && row.words != row.name) return row.name + ": " + row.words;
   return row.units == "1" ? row.name : row.name + " [" + row.units + "]";
 }
 

@@ -12,7 +12,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kSettled = 0.95, kOpen = 0.8;
-constexpr double kTie = 1e-6;  // ln likelihoods of measures that are in one proportion
 
 std::string cell(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3g}", value); }
 
@@ -76,11 +75,13 @@ std::string verdict(const MeasureChoice& choice) {
            (choice.rows.empty() ? "none is known" : text(choice.rows.front().status)) + ".\n";
   const IntensityRow& best = choice.rows.front();
   std::string words = fmt::format("{} predicts this demand best", best.name);
+  std::vector<std::string> ties;
+  for (std::size_t i = 1; i <= choice.ties; ++i) ties.push_back(choice.rows[i].name);
+  if (!ties.empty())
+    words +=
+        fmt::format(", as good as {}, to which it is in one proportion", fmt::join(ties, ", "));
   if (std::isnan(choice.lead)) return words + "; there is no other to hold against it.\n";
-  const IntensityRow& next = choice.rows[1];
-  if (choice.lead < kTie)
-    return words + fmt::format(", and {} is as good: on these runs they are in one proportion.\n",
-                               next.name);
+  const IntensityRow& next = choice.rows[choice.ties + 1];
   words += fmt::format(": scatter {:.3g} against {:.3g} of {}, ln likelihood {:.2f} higher",
                        best.efficiency, next.efficiency, next.name, choice.lead);
   if (std::isnan(choice.stays_best))
@@ -100,10 +101,15 @@ std::string measure_text(const std::vector<MeasureReport>& reports) {
         fmt::format("{}limit state {} ({}){}\n", text.empty() ? "" : "\n", report.state,
                     report.words, report.configuration.empty() ? "" : ", " + report.configuration);
     text += fmt::format(
-        "{} runs of {} records; {} overturned: demand at least the limit; {} moved less than "
-        "{:.3g}: at most that\n",
-        choice.runs, choice.records, choice.overturned, choice.at_floor, choice.floor);
-    text += table_text(choice) + verdict(choice) + sufficiency_text(choice);
+        "{} runs of {} record{}; {} overturned: demand at least the limit; {} below {:.3g} (SI): "
+        "at "
+        "most that\n",
+        choice.runs, choice.records, choice.records == 1 ? "" : "s", choice.overturned,
+        choice.at_floor, choice.floor);
+    if (!choice.rows.empty() && choice.rows.front().status == CloudStatus::kFitted)
+      text += table_text(choice) + verdict(choice) + sufficiency_text(choice);
+    else
+      text += verdict(choice);
   }
   return text;
 }

@@ -51,15 +51,21 @@ std::string remarks(const StudySensitivity& found) {
   if (lead == found.inputs.end())
     text += "No input stands out: every interval reaches 0.\n";
   else
-    text += fmt::format("{} rules most: alone it makes {:.0f} % of the variance.\n", name_of(*lead),
-                        100 * lead->index->estimate);
-  text += fmt::format("The indices sum to {:.2f}", found.sum);
-  if (1 - found.sum > kMuchLeft)
-    text += fmt::format(
-        "; the other {:.0f} % of the variance is of inputs acting together "
-        "(interactions), which no first-order index holds",
-        100 * (1 - found.sum));
-  text += ". A small index does not say that an input does nothing: interactions are not in it.\n";
+    text += fmt::format("{} rules most: by itself it goes with {:.0f} % of the variance.\n",
+                        name_of(*lead), 100 * lead->index->estimate);
+  text += fmt::format("The indices sum to {:.2f}{}.\n", found.sum,
+                      found.correlated.empty() ? "" : ", correlated inputs counted once");
+  text += fmt::format(
+      "{}An index is of an input alone: what inputs do only together (interactions) "
+      "is in none of them.\n",
+      1 - found.sum > kMuchLeft ? "What is missing to 1 is of inputs acting together, or chance. "
+                                : "");
+  for (const SensitiveInput& input : found.inputs)
+    if (input.names.size() > 1)
+      text += fmt::format("Equal in every run, so one input: {}.\n", fmt::join(input.names, ", "));
+  for (const auto& names : found.correlated)
+    text += fmt::format("Correlated, so the index of each holds what the others do: {}.\n",
+                        fmt::join(names, ", "));
   if (!found.constant.empty())
     text += fmt::format("Drawn, but the same in every run: {}.\n", fmt::join(found.constant, ", "));
   if (found.runs < kFew)
@@ -104,13 +110,18 @@ Json input_json(const SensitiveInput& input) {
 
 std::string name_of(const SensitiveInput& input) {
   if (input.names.size() == 1) return input.names.front();
-  return fmt::format("{} (one: equal in every run)", fmt::join(input.names, " = "));
+  return fmt::format("{} and {} equal to it", input.names.front(), input.names.size() - 1);
 }
 
 std::string sensitivity_text(const std::vector<SensitivityReport>& reports) {
   std::string text;
   for (const SensitivityReport& report : reports) {
     const StudySensitivity& found = report.found;
+    if (!report.why_not.empty()) {
+      text +=
+          fmt::format("{}{}: {}\n", text.empty() ? "" : "\n", report.configuration, report.why_not);
+      continue;
+    }
     text += fmt::format(
         "{}{}{}{}: mean {}, standard deviation {}, {} runs\n", text.empty() ? "" : "\n",
         found.output, report.configuration.empty() ? "" : ", " + report.configuration,
@@ -125,6 +136,10 @@ std::string sensitivity_json(const std::vector<SensitivityReport>& reports) {
   Json json = Json::array();
   for (const SensitivityReport& report : reports) {
     const StudySensitivity& found = report.found;
+    if (!report.why_not.empty()) {
+      json.push_back({{"configuration", report.configuration}, {"why_not", report.why_not}});
+      continue;
+    }
     Json inputs = Json::array();
     for (const SensitiveInput& input : found.inputs) inputs.push_back(input_json(input));
     json.push_back({{"configuration", report.configuration},
@@ -140,6 +155,7 @@ std::string sensitivity_json(const std::vector<SensitivityReport>& reports) {
                     {"sum_of_indices", number(found.sum)},
                     {"tornado_share", found.share},
                     {"inputs", inputs},
+                    {"correlated", found.correlated},
                     {"constant", found.constant}});
   }
   return json.dump(2) + "\n";

@@ -11,9 +11,10 @@ namespace gurney {
 struct SensitivityReport {
   std::string configuration;
   StudySensitivity found;
+  std::string why_not;  ///< nothing was found; empty: it was
 };
 
-/// "a, b (equal in every run)".
+/// "mass_kg", or "static_friction and 7 equal to it".
 std::string name_of(const SensitiveInput& input);
 
 std::string sensitivity_text(const std::vector<SensitivityReport>& reports);
