@@ -58,14 +58,15 @@ void draw_shares(Svg& svg, const Scaling& scaling, const std::vector<Observation
 }  // namespace
 
 std::string comparison_figure(const ComparisonReport& report) {
-  const std::vector<ComparedCurves>& curves = report.found.curves;
+  std::vector<ComparedCurves> curves = report.found.curves;
+  std::erase_if(curves, [](const auto& each) { return each.a.exceeded + each.b.exceeded == 0; });
   const std::size_t rows = (curves.size() + 1) / 2;
   Svg svg(2 * kColumn + 20, kTop + static_cast<double>(std::max<std::size_t>(1, rows)) * kRow - 20);
   svg.text(kLeft, 34, fmt::format("A: {}   against   B: {}", report.name_a, report.name_b),
            {.size = 16, .bold = true});
   svg.text(kLeft, 55,
            curves.empty()
-               ? std::string("no fragility curves in common")
+               ? std::string("no limit state is exceeded at several levels of a measure in common")
                : fmt::format("{:g} % bands, pointwise, dashed; dots: shares of runs at one level",
                              100 * report.confidence),
            {.size = 12, .color = "#555555"});

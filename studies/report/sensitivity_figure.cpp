@@ -51,14 +51,15 @@ void draw_index(Svg& svg, const Scaling& scaling, double y, const VarianceIndex&
     svg.line(scaling.x(end), y - 4, scaling.x(end), y + 4, {.width = 1.4});
 }
 
+/// Low above, high below, each from the mean: both are seen where they go the same way.
 void draw_bar(Svg& svg, const Scaling& scaling, double y, const TornadoBar& bar, double mean) {
-  const auto half = [&](double end, std::size_t color) {
+  const auto half = [&](double end, double top, std::size_t color) {
     const double x = std::min(scaling.x(end), scaling.x(mean));
-    svg.rectangle(x, y - kBar / 2, std::abs(scaling.x(end) - scaling.x(mean)), kBar,
-                  {.stroke = "", .fill = palette(color), .opacity = 0.8});
+    svg.rectangle(x, top, std::abs(scaling.x(end) - scaling.x(mean)), kBar / 2,
+                  {.stroke = "", .fill = palette(color)});
   };
-  half(bar.low, 0);
-  half(bar.high, 1);
+  half(bar.low, y - kBar / 2, 0);
+  half(bar.high, y, 1);
 }
 
 }  // namespace
@@ -69,7 +70,7 @@ std::string sensitivity_figure(const SensitivityReport& report) {
   if (inputs.size() > kMostRows) inputs.resize(kMostRows);
   const double height = kRow * static_cast<double>(std::max<std::size_t>(1, inputs.size()));
   Svg svg(kNames + 2 * kWidth + kGap + 40, kTop + height + 55);
-  svg.text(24, 34, "What rules " + found.output, {.size = 16, .bold = true});
+  svg.text(24, 34, "Sensitivity of " + found.output, {.size = 16, .bold = true});
   std::string about = report.configuration;
   if (!found.level.empty()) about += (about.empty() ? "" : ", ") + found.level;
   svg.text(24, 55,
