@@ -46,9 +46,12 @@ std::vector<std::size_t> named_configurations(const StudyData& data, const std::
   return found;
 }
 
-std::vector<std::size_t> wanted_configurations(const StudyData& data, const std::string& text) {
-  std::vector<std::size_t> wanted = named_configurations(data, text);
-  if (text.empty())
+std::vector<std::size_t> wanted_configurations(const StudyData& data,
+                                               const std::vector<std::string>& texts) {
+  std::vector<std::size_t> wanted;
+  for (const std::string& text : texts)
+    for (const std::size_t each : named_configurations(data, text)) wanted.push_back(each);
+  if (texts.empty())
     for (std::size_t i = 0; i < data.configurations().size(); ++i) wanted.push_back(i);
   return wanted;
 }

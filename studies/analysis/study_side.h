@@ -21,8 +21,9 @@ struct StudySide {
 /// @throws Error with the nearest name
 std::vector<std::size_t> named_configurations(const StudyData& data, const std::string& text);
 
-/// The same, but all of the file for an empty text.
-std::vector<std::size_t> wanted_configurations(const StudyData& data, const std::string& text);
+/// Those that several texts name; all of the file where there are none.
+std::vector<std::size_t> wanted_configurations(const StudyData& data,
+                                               const std::vector<std::string>& texts);
 
 /// The intensity measures that some run of the file has; a record of one component has no geometric
 /// mean, for example.

@@ -14,6 +14,7 @@
 #include "studies/build_info/build_info.h"
 #include "studies/cli/compare_command.h"
 #include "studies/cli/equipment_command.h"
+#include "studies/cli/fragility_command.h"
 #include "studies/cli/measures_command.h"
 #include "studies/cli/records_command.h"
 #include "studies/cli/replay_command.h"
@@ -72,62 +73,6 @@ void add_replay(CLI::App& app, std::function<int()>& act) {
   replay->callback([held, &act] { act = [held] { return replay_command(*held); }; });
 }
 
-void add_compare(CLI::App& app, std::function<int()>& act) {
-  auto held = std::make_shared<CompareOptions>();
-  CompareOptions& options = *held;
-  CLI::App* const compare = app.add_subcommand(
-      "compare", "Compare two studies, or two configurations of one, run by run");
-  compare->add_option("A", options.a, "The results file of a study")->required();
-  compare->add_option("B", options.b, "Another (default: A, two configurations of it)");
-  compare->add_option("--configurations,--configuration", options.configurations,
-                      "Which, by name: one for both files, or two apart by a comma");
-  compare->add_option("--demand", options.demands,
-                      "Compare this demand only; may be given several times (default: all sizes)");
-  compare->add_option("--measure", options.measure,
-                      "Intensity measure of the curves (default: the studies' own)");
-  compare->add_option("--figure", options.figure, "Draw the fragility curves in this .svg file");
-  compare->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
-  compare->add_flag("--json", options.json, "Print as JSON");
-  compare->callback([held, &act] { act = [held] { return compare_command(*held); }; });
-}
-
-void add_measures(CLI::App& app, std::function<int()>& act) {
-  auto held = std::make_shared<MeasuresOptions>();
-  MeasuresOptions& options = *held;
-  CLI::App* const measures = app.add_subcommand(
-      "measures", "Which intensity measure predicts the demands of a study best");
-  measures->add_option("FILE", options.file, "The results file of a study")->required();
-  measures->add_option("--limit", options.limit,
-                       "Limit state whose demand is predicted (default: all that have a size)");
-  measures->add_option("--configuration", options.configurations,
-                       "Which, by name; several apart by commas (default: all)");
-  measures->add_flag("--json", options.json, "Print as JSON");
-  measures->callback([held, &act] { act = [held] { return measures_command(*held); }; });
-}
-
-void add_sensitivity(CLI::App& app, std::function<int()>& act) {
-  auto held = std::make_shared<SensitivityCommandOptions>();
-  SensitivityCommandOptions& options = *held;
-  CLI::App* const sensitivity =
-      app.add_subcommand("sensitivity", "Which of the drawn numbers rule a demand");
-  sensitivity->add_option("FILE", options.file, "The results file of a study with draws")
-      ->required();
-  CLI::Option* const demand = sensitivity->add_option(
-      "--demand", options.demand, "The demand to explain (default: peak_displacement)");
-  sensitivity->add_option("--limit", options.limit, "Explain whether this limit state is exceeded")
-      ->excludes(demand);
-  sensitivity->add_option("--configuration", options.configurations,
-                          "Which, by name; several apart by commas (default: all)");
-  sensitivity
-      ->add_option("--level", options.level,
-                   "Only runs at the N-th level, counted from 1 (default: all)")
-      ->check(CLI::Range(1, 1000000));
-  sensitivity->add_option("--figure", options.figure, "Draw indices and tornado in this .svg file");
-  sensitivity->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
-  sensitivity->add_flag("--json", options.json, "Print as JSON");
-  sensitivity->callback([held, &act] { act = [held] { return sensitivity_command(*held); }; });
-}
-
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
@@ -167,6 +112,7 @@ int run_command_line(int argc, char** argv) {
   std::function<int()> act;
   add_run(app, act);
   add_replay(app, act);
+  add_fragility(app, act);
   add_compare(app, act);
   add_measures(app, act);
   add_sensitivity(app, act);

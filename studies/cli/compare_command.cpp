@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <optional>
 
 #include "engine/base/error.h"
@@ -10,6 +11,13 @@
 
 namespace gurney {
 namespace {
+
+struct CompareOptions {
+  std::string a, b;  ///< results files of studies; b empty: two configurations of a
+  std::vector<std::string> configurations, demands;
+  std::string measure, figure;
+  bool overwrite = false, json = false;
+};
 
 std::string listed(const StudyData& data) {
   return fmt::format("{}: {}", data.file().path(), fmt::join(data.configurations(), "; "));
@@ -62,17 +70,16 @@ void choose(const StudyData& a, const StudyData& b, const std::string& text,
   report.name_b = name(report.b);
 }
 
-}  // namespace
-
-int compare_command(const CompareOptions& options) {
+int compare(const CompareOptions& options) {
   const StudyData a(options.a);
   std::optional<StudyData> b;
   ComparisonReport report;
+  const std::string named = fmt::format("{}", fmt::join(options.configurations, ","));
   if (options.b.empty()) {
-    choose(a, options.configurations, report);
+    choose(a, named, report);
   } else {
     b.emplace(options.b);
-    choose(a, *b, options.configurations, report);
+    choose(a, *b, named, report);
   }
   report.inputs = input_differences(report.a, report.b);
   report.found = compare_studies(
@@ -82,6 +89,26 @@ int compare_command(const CompareOptions& options) {
   if (!options.figure.empty())
     write_output(options.figure, comparison_figure(report), options.overwrite, options.json);
   return 0;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, std::function<int()>& act) {
+  auto held = std::make_shared<CompareOptions>();
+  CompareOptions& options = *held;
+  CLI::App* const command = app.add_subcommand(
+      "compare", "Compare two studies, or two configurations of one, run by run");
+  command->add_option("A", options.a, "The results file of a study")->required();
+  command->add_option("B", options.b, "Another (default: A, two configurations of it)");
+  command->add_option("--configuration,--configurations", options.configurations,
+                      "Configurations: one for both files, or two, apart by a comma");
+  command->add_option("--demand", options.demands, "Demands (default: all that are sizes)");
+  command->add_option("--measure", options.measure,
+                      "Intensity measure of the curves (default: the studies' own)");
+  command->add_option("--figure", options.figure, "Draw the fragility curves into this .svg file");
+  command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
+  command->add_flag("--json", options.json, "Print JSON, in SI units");
+  command->callback([held, &act] { act = [held] { return compare(*held); }; });
 }
 
 }  // namespace gurney

@@ -1,18 +1,11 @@
 #pragma once
 
-#include <string>
+#include <CLI/CLI.hpp>
+#include <functional>
 
 namespace gurney {
 
-struct MeasuresOptions {
-  std::string file;            ///< results file of a study
-  std::string limit;           ///< limit state; empty: all whose demand has a size
-  std::string configurations;  ///< names, apart by commas; empty: all
-  bool json = false;
-};
-
 /// `gurney measures`: which intensity measure predicts the demands of a study best.
-/// @throws Error
-int measures_command(const MeasuresOptions& options);
+void add_measures(CLI::App& app, std::function<int()>& act);
 
 }  // namespace gurney

@@ -2,13 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "engine/base/error.h"
 #include "studies/cli/records_output.h"
 #include "studies/report/sensitivity_report.h"
 
 namespace gurney {
+namespace {
 
-int sensitivity_command(const SensitivityCommandOptions& options) {
+struct SensitivityCommand {
+  std::string file, demand, limit;
+  std::vector<std::string> configurations;
+  int level = 0;  ///< counted from 1; 0: all
+  std::string figure;
+  bool overwrite = false, json = false;
+};
+
+int sensitivity(const SensitivityCommand& options) {
   const StudyData data(options.file);
   SensitivityRequest request{.demand = options.demand, .limit = options.limit, .level = {}};
   if (options.demand.empty() && options.limit.empty()) request.demand = "peak_displacement";
@@ -40,6 +51,30 @@ int sensitivity_command(const SensitivityCommandOptions& options) {
     write_output(options.figure, sensitivity_figure(reports.front()), options.overwrite,
                  options.json);
   return 0;
+}
+
+}  // namespace
+
+void add_sensitivity(CLI::App& app, std::function<int()>& act) {
+  auto held = std::make_shared<SensitivityCommand>();
+  SensitivityCommand& options = *held;
+  CLI::App* const command =
+      app.add_subcommand("sensitivity", "Which of the drawn numbers rule a demand");
+  command->add_option("FILE", options.file, "The results file of a study with draws")->required();
+  CLI::Option* const demand = command->add_option(
+      "--demand", options.demand, "The demand to explain (default: peak_displacement)");
+  command->add_option("--limit", options.limit, "Explain whether this limit state is exceeded")
+      ->excludes(demand);
+  command->add_option("--configuration", options.configurations, "Configurations (default: all)");
+  command
+      ->add_option("--level", options.level,
+                   "Only runs at the N-th level, counted from 1 (default: all)")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--figure", options.figure,
+                      "Draw indices and tornado of one configuration into this .svg file");
+  command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
+  command->add_flag("--json", options.json, "Print JSON, in SI units");
+  command->callback([held, &act] { act = [held] { return sensitivity(*held); }; });
 }
 
 }  // namespace gurney
