@@ -100,9 +100,12 @@ void add_compare(CLI::App& app, std::function<int()>& act) {
       "compare", "Compare two studies, or two configurations of one, run by run");
   command->add_option("A", options.a, "The results file of a study")->required();
   command->add_option("B", options.b, "Another (default: A, two configurations of it)");
-  command->add_option("--configuration,--configurations", options.configurations,
-                      "Configurations: one for both files, or two, apart by a comma");
-  command->add_option("--demand", options.demands, "Demands (default: all that are sizes)");
+  command
+      ->add_option("--configuration,--configurations", options.configurations,
+                   "Configurations: one for both files, or two, apart by a comma")
+      ->allow_extra_args(false);
+  command->add_option("--demand", options.demands, "Demands (default: all that are sizes)")
+      ->allow_extra_args(false);
   command->add_option("--measure", options.measure,
                       "Intensity measure of the curves (default: the studies' own)");
   command->add_option("--figure", options.figure, "Draw the fragility curves into this .svg file");

@@ -46,9 +46,12 @@ void add_measures(CLI::App& app, std::function<int()>& act) {
   CLI::App* const command = app.add_subcommand(
       "measures", "Which intensity measure predicts the demands of a study best");
   command->add_option("FILE", options.file, "The results file of the study")->required();
-  command->add_option("--limit", options.states,
-                      "Limit states whose demand is predicted (default: all that have a size)");
-  command->add_option("--configuration", options.configurations, "Configurations (default: all)");
+  command
+      ->add_option("--limit", options.states,
+                   "Limit states whose demand is predicted (default: all that have a size)")
+      ->allow_extra_args(false);
+  command->add_option("--configuration", options.configurations, "Configurations (default: all)")
+      ->allow_extra_args(false);
   command->add_flag("--json", options.json, "Print JSON, in SI units");
   command->callback([held, &act] { act = [held] { return measures(*held); }; });
 }

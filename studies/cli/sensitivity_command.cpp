@@ -65,7 +65,8 @@ void add_sensitivity(CLI::App& app, std::function<int()>& act) {
       "--demand", options.demand, "The demand to explain (default: peak_displacement)");
   command->add_option("--limit", options.limit, "Explain whether this limit state is exceeded")
       ->excludes(demand);
-  command->add_option("--configuration", options.configurations, "Configurations (default: all)");
+  command->add_option("--configuration", options.configurations, "Configurations (default: all)")
+      ->allow_extra_args(false);
   command
       ->add_option("--level", options.level,
                    "Only runs at the N-th level, counted from 1 (default: all)")
