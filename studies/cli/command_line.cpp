@@ -13,12 +13,15 @@
 #include "engine/base/error.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/check_command.h"
+#include "studies/cli/compare_command.h"
 #include "studies/cli/equipment_command.h"
 #include "studies/cli/export_command.h"
 #include "studies/cli/fragility_command.h"
+#include "studies/cli/measures_command.h"
 #include "studies/cli/records_command.h"
 #include "studies/cli/replay_command.h"
 #include "studies/cli/run_command.h"
+#include "studies/cli/sensitivity_command.h"
 #include "studies/cli/show_command.h"
 #include "studies/cli/signals.h"
 
@@ -116,6 +119,9 @@ int run_command_line(int argc, char** argv) {
   add_show(app, act);
   add_fragility(app, act);
   add_export(app, act);
+  add_compare(app, act);
+  add_measures(app, act);
+  add_sensitivity(app, act);
   add_records(app, act);
   add_equipment(app, act);
   app.add_subcommand("help", "Print this help, or that of a command: help records scale");

@@ -1,0 +1,94 @@
+#include "studies/analysis/demands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/base/config/nearest_name.h"
+#include "engine/base/error.h"
+#include "studies/results/columns.h"
+
+namespace gurney {
+namespace {
+
+/// Item, or item and point, of the first run of a configuration.
+std::vector<std::pair<std::string, std::string>> places_in(const StudyData& data,
+                                                           std::size_t configuration,
+                                                           const std::string& table) {
+  const std::vector<std::size_t>& runs = data.runs_of(configuration);
+  if (runs.empty() || !data.file().has(table)) return {};
+  const auto [first, last] = data.file().rows_of_runs(table)[runs.front()];
+  const std::vector<std::string> items = data.file().strings(table + "/item");
+  std::vector<std::string> points(items.size());
+  if (table == "points") points = data.file().strings("points/point");
+  std::vector<std::pair<std::string, std::string>> places;
+  for (std::size_t row = first; row < last; ++row) places.emplace_back(items[row], points[row]);
+  return places;
+}
+
+std::vector<NamedDemand> all_demands(const StudyData& data, std::size_t configuration) {
+  std::vector<NamedDemand> all;
+  for (const auto& [item, none] : places_in(data, configuration, "items"))
+    for (const Column<Demands>& column : demand_columns())
+      all.push_back(
+          {item + ": " + column.name, column.units, {Quantity::Of::kItem, column.name, item, ""}});
+  for (const auto& [item, point] : places_in(data, configuration, "points"))
+    for (const Column<PointDemands>& column : point_demand_columns())
+      all.push_back({item + "/" + point + ": " + column.name,
+                     column.units,
+                     {Quantity::Of::kPoint, column.name, item, point}});
+  return all;
+}
+
+bool is_size(const NamedDemand& demand) {
+  const std::string& column = demand.quantity.column;
+  if (demand.quantity.of == Quantity::Of::kPoint)
+    return column.ends_with("_acceleration") && !column.starts_with("numerical");
+  return !column.ends_with("_x") && !column.ends_with("_y") && !column.starts_with("time_of") &&
+         !column.starts_with("direction_of");
+}
+
+}  // namespace
+
+std::vector<NamedDemand> demands_of(const StudyData& data, std::size_t configuration) {
+  std::vector<NamedDemand> all = all_demands(data, configuration);
+  std::erase_if(all, [](const NamedDemand& each) { return !is_size(each); });
+  return all;
+}
+
+std::vector<NamedDemand> demands_named(const StudyData& data, std::size_t configuration,
+                                       const std::vector<std::string>& names) {
+  const std::vector<NamedDemand> all = all_demands(data, configuration);
+  std::vector<NamedDemand> result;
+  for (const std::string& name : names) {
+    const std::size_t before = result.size();
+    for (const NamedDemand& each : all)
+      if (each.name == name ||
+          (each.quantity.of == Quantity::Of::kItem && each.quantity.column == name))
+        result.push_back(each);
+    if (result.size() > before) continue;
+    std::vector<std::string> known;
+    for (const Column<Demands>& column : demand_columns()) known.push_back(column.name);
+    for (const NamedDemand& each : all) known.push_back(each.name);
+    throw Error(fmt::format("{}: no demand '{}'{}", data.file().path(), name,
+                            config::suggestion(name, known)));
+  }
+  return result;
+}
+
+std::vector<double> values_of_runs(const StudyData& data, const Quantity& quantity,
+                                   const std::vector<std::size_t>& runs) {
+  FileValues values(data.file());
+  std::vector<double> result;
+  for (const std::size_t run : runs) {
+    double largest = std::numeric_limits<double>::quiet_NaN();
+    for (const double value : values(run, quantity))
+      if (!std::isnan(value) && !(value <= largest)) largest = value;
+    result.push_back(largest);
+  }
+  return result;
+}
+
+}  // namespace gurney

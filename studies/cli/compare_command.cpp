@@ -1,0 +1,117 @@
+#include "studies/cli/compare_command.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "engine/base/error.h"
+#include "studies/cli/records_output.h"
+#include "studies/report/comparison_report.h"
+
+namespace gurney {
+namespace {
+
+struct CompareOptions {
+  std::string a, b;  ///< results files of studies; b empty: two configurations of a
+  std::vector<std::string> configurations, demands;
+  std::string measure, figure;
+  bool overwrite = false, json = false;
+};
+
+std::string listed(const StudyData& data) {
+  return fmt::format("{}: {}", data.file().path(), fmt::join(data.configurations(), "; "));
+}
+
+/// Two configurations of one file.
+void choose(const StudyData& data, const std::string& text, ComparisonReport& report) {
+  std::vector<std::size_t> chosen = named_configurations(data, text);
+  if (text.empty() && data.configurations().size() == 2) chosen = {0, 1};
+  require(chosen.size() == 2,
+          fmt::format("two configurations must be named, --configurations A,B, or a second file "
+                      "given\n{}",
+                      listed(data)));
+  report.a = {&data, chosen[0]};
+  report.b = {&data, chosen[1]};
+  report.name_a = report.a.configuration_name();
+  report.name_b = report.b.configuration_name();
+}
+
+/// The configuration of a file that a text names by itself.
+std::optional<std::size_t> only(const StudyData& data, const std::string& text) {
+  if (text.empty() && data.configurations().size() == 1) return 0;
+  for (std::size_t i = 0; i < data.configurations().size(); ++i)
+    if (!text.empty() && data.configurations()[i] == text) return i;
+  return {};
+}
+
+/// One configuration of each file: one name for both, or two apart by a comma.
+void choose(const StudyData& a, const StudyData& b, const std::string& text,
+            ComparisonReport& report) {
+  auto first = only(a, text), second = only(b, text);
+  for (auto comma = text.find(','); !(first && second) && comma != std::string::npos;
+       comma = text.find(',', comma + 1)) {
+    const auto start = text.find_first_not_of(' ', comma + 1);
+    first = only(a, text.substr(0, comma));
+    second = start == std::string::npos ? std::nullopt : only(b, text.substr(start));
+  }
+  require(first && second,
+          fmt::format("{}a configuration of each file must be named, --configuration NAME, or "
+                      "NAME,NAME where they differ\n{}\n{}",
+                      text.empty() ? "" : fmt::format("--configuration '{}': ", text), listed(a),
+                      listed(b)));
+  report.a = {&a, *first};
+  report.b = {&b, *second};
+  const auto name = [](const StudySide& side) {
+    const std::string& of = side.configuration_name();
+    return side.data->file().path() + (of.empty() ? "" : " (" + of + ")");
+  };
+  report.name_a = name(report.a);
+  report.name_b = name(report.b);
+}
+
+int compare(const CompareOptions& options) {
+  const StudyData a(options.a);
+  std::optional<StudyData> b;
+  ComparisonReport report;
+  const std::string named = fmt::format("{}", fmt::join(options.configurations, ","));
+  if (options.b.empty()) {
+    choose(a, named, report);
+  } else {
+    b.emplace(options.b);
+    choose(a, *b, named, report);
+  }
+  report.inputs = input_differences(report.a, report.b);
+  report.found = compare_studies(
+      report.a, report.b,
+      {.demands = options.demands, .measure = options.measure, .confidence = report.confidence});
+  fmt::print("{}", options.json ? comparison_json(report) : comparison_text(report));
+  if (!options.figure.empty())
+    write_output(options.figure, comparison_figure(report), options.overwrite, options.json);
+  return 0;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, std::function<int()>& act) {
+  auto held = std::make_shared<CompareOptions>();
+  CompareOptions& options = *held;
+  CLI::App* const command = app.add_subcommand(
+      "compare", "Compare two studies, or two configurations of one, run by run");
+  command->add_option("A", options.a, "The results file of a study")->required();
+  command->add_option("B", options.b, "Another (default: A, two configurations of it)");
+  command
+      ->add_option("--configuration,--configurations", options.configurations,
+                   "Configurations: one for both files, or two, apart by a comma")
+      ->allow_extra_args(false);
+  command->add_option("--demand", options.demands, "Demands (default: all that are sizes)")
+      ->allow_extra_args(false);
+  command->add_option("--measure", options.measure,
+                      "Intensity measure of the curves (default: the studies' own)");
+  command->add_option("--figure", options.figure, "Draw the fragility curves into this .svg file");
+  command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
+  command->add_flag("--json", options.json, "Print JSON, in SI units");
+  command->callback([held, &act] { act = [held] { return compare(*held); }; });
+}
+
+}  // namespace gurney

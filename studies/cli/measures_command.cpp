@@ -1,0 +1,59 @@
+#include "studies/cli/measures_command.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "engine/base/error.h"
+#include "studies/limit_states/limit_state_reader.h"
+#include "studies/report/measure_report.h"
+
+namespace gurney {
+namespace {
+
+struct MeasuresOptions {
+  std::string file;
+  std::vector<std::string> states, configurations;
+  bool json = false;
+};
+
+int measures(const MeasuresOptions& options) {
+  const StudyData data(options.file);
+  std::vector<std::size_t> states;
+  for (const std::string& name : options.states)
+    states.push_back(index_of(data.limit_states(), name));
+  if (states.empty()) states = sized_states(data);
+  require(!states.empty(),
+          options.file +
+              ": no limit state has a demand above a limit, so there is no size to "
+              "predict");
+  std::vector<MeasureReport> reports;
+  for (const std::size_t configuration : wanted_configurations(data, options.configurations))
+    for (const std::size_t state : states) {
+      const LimitState& limit = data.limit_states()[state];
+      reports.push_back({data.configurations()[configuration], limit.name, limit.words,
+                         choose_measure({&data, configuration}, state)});
+    }
+  fmt::print("{}", options.json ? measure_json(reports) : measure_text(reports));
+  return 0;
+}
+
+}  // namespace
+
+void add_measures(CLI::App& app, std::function<int()>& act) {
+  auto held = std::make_shared<MeasuresOptions>();
+  MeasuresOptions& options = *held;
+  CLI::App* const command = app.add_subcommand(
+      "measures", "Which intensity measure predicts the demands of a study best");
+  command->add_option("FILE", options.file, "The results file of the study")->required();
+  command
+      ->add_option("--limit", options.states,
+                   "Limit states whose demand is predicted (default: all that have a size)")
+      ->allow_extra_args(false);
+  command->add_option("--configuration", options.configurations, "Configurations (default: all)")
+      ->allow_extra_args(false);
+  command->add_flag("--json", options.json, "Print JSON, in SI units");
+  command->callback([held, &act] { act = [held] { return measures(*held); }; });
+}
+
+}  // namespace gurney

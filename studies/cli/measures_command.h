@@ -1,0 +1,11 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace gurney {
+
+/// `gurney measures`: which intensity measure predicts the demands of a study best.
+void add_measures(CLI::App& app, std::function<int()>& act);
+
+}  // namespace gurney

@@ -1,0 +1,81 @@
+#include "studies/cli/sensitivity_command.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "engine/base/error.h"
+#include "studies/cli/records_output.h"
+#include "studies/report/sensitivity_report.h"
+
+namespace gurney {
+namespace {
+
+struct SensitivityCommand {
+  std::string file, demand, limit;
+  std::vector<std::string> configurations;
+  int level = 0;  ///< counted from 1; 0: all
+  std::string figure;
+  bool overwrite = false, json = false;
+};
+
+int sensitivity(const SensitivityCommand& options) {
+  const StudyData data(options.file);
+  SensitivityRequest request{.demand = options.demand, .limit = options.limit, .level = {}};
+  if (options.demand.empty() && options.limit.empty()) request.demand = "peak_displacement";
+  if (options.level > 0) {
+    require(data.study().intensity.kind != IntensityPlan::Kind::kHunt,
+            options.file + ": a hunt has no levels that records share; leave --level out");
+    request.level = static_cast<std::size_t>(options.level - 1);
+  }
+  const auto wanted = wanted_configurations(data, options.configurations);
+  require(options.figure.empty() || wanted.size() == 1,
+          fmt::format("--figure draws one configuration; name it with --configuration: {}",
+                      fmt::join(data.configurations(), "; ")));
+  std::vector<SensitivityReport> reports;
+  std::size_t found = 0;
+  for (const std::size_t configuration : wanted) {
+    SensitivityReport report{data.configurations()[configuration], {}, ""};
+    try {
+      report.found = study_sensitivity({&data, configuration}, request);
+      ++found;
+    } catch (const Error& error) {
+      if (wanted.size() == 1) throw;
+      report.why_not = error.what();
+    }
+    reports.push_back(std::move(report));
+  }
+  if (found == 0) throw Error(reports.front().why_not);
+  fmt::print("{}", options.json ? sensitivity_json(reports) : sensitivity_text(reports));
+  if (!options.figure.empty())
+    write_output(options.figure, sensitivity_figure(reports.front()), options.overwrite,
+                 options.json);
+  return 0;
+}
+
+}  // namespace
+
+void add_sensitivity(CLI::App& app, std::function<int()>& act) {
+  auto held = std::make_shared<SensitivityCommand>();
+  SensitivityCommand& options = *held;
+  CLI::App* const command =
+      app.add_subcommand("sensitivity", "Which of the drawn numbers rule a demand");
+  command->add_option("FILE", options.file, "The results file of a study with draws")->required();
+  CLI::Option* const demand = command->add_option(
+      "--demand", options.demand, "The demand to explain (default: peak_displacement)");
+  command->add_option("--limit", options.limit, "Explain whether this limit state is exceeded")
+      ->excludes(demand);
+  command->add_option("--configuration", options.configurations, "Configurations (default: all)")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--level", options.level,
+                   "Only runs at the N-th level, counted from 1 (default: all)")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--figure", options.figure,
+                      "Draw indices and tornado of one configuration into this .svg file");
+  command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
+  command->add_flag("--json", options.json, "Print JSON, in SI units");
+  command->callback([held, &act] { act = [held] { return sensitivity(*held); }; });
+}
+
+}  // namespace gurney

@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "studies/report/comparison_report.h"
+#include "studies/report/panel.h"
+
+namespace gurney {
+namespace {
+
+constexpr int kPoints = 60;
+constexpr double kPanelWidth = 380, kPanelHeight = 220, kColumn = 460, kRow = 310, kLeft = 70,
+                 kTop = 120;
+
+struct Extent {
+  double low, high;
+};
+
+Extent extent_of(const ComparedCurves& curves) {
+  Extent extent{curves.of_a.front().im, curves.of_a.front().im};
+  for (const auto* observations : {&curves.of_a, &curves.of_b})
+    for (const Observation& each : *observations)
+      extent = {std::min(extent.low, each.im), std::max(extent.high, each.im)};
+  return {extent.low / 1.2, extent.high * 1.2};
+}
+
+/// Adds the curve and the band's edges of one side to the panel.
+void add_side(Panel& panel, const std::string& label, const std::vector<Observation>& seen,
+              const FragilityFit& fit, const Extent& extent, double confidence,
+              const std::string& color) {
+  std::vector<double> im;
+  for (int i = 0; i < kPoints; ++i)
+    im.push_back(extent.low * std::pow(extent.high / extent.low, i / (kPoints - 1.0)));
+  const FragilityBand band =
+      fragility_band(StripeTable(seen), im, {.confidence = confidence, .resamples = 199});
+  Curve line{label, im, {}, {.stroke = color, .width = 2}};
+  Curve low{"", im, {}, {.stroke = color, .width = 0.9, .dash = "4 3"}}, high = low;
+  for (std::size_t i = 0; i < im.size(); ++i) {
+    line.y.push_back(fit.curve ? fit.curve->probability(im[i]) : std::nan(""));
+    low.y.push_back(band.of_curve[i].low);
+    high.y.push_back(band.of_curve[i].high);
+  }
+  panel.curves.insert(panel.curves.end(), {line, low, high});
+}
+
+/// A dot for the share that exceeded at each im with several runs, as large as they are many.
+void draw_shares(Svg& svg, const Scaling& scaling, const std::vector<Observation>& seen,
+                 const std::string& color) {
+  const StripeTable table(seen);
+  for (const Stripe& stripe : table.stripes())
+    if (stripe.runs > 1)
+      svg.circle(scaling.x(std::log10(stripe.im)), scaling.y(stripe.fraction()),
+                 std::min(6.0, 1.5 + 0.5 * std::sqrt(stripe.runs)),
+                 {.stroke = color, .width = 1, .fill = color, .opacity = 0.5});
+}
+
+}  // namespace
+
+std::string comparison_figure(const ComparisonReport& report) {
+  std::vector<ComparedCurves> curves = report.found.curves;
+  std::erase_if(curves, [](const auto& each) { return each.a.exceeded + each.b.exceeded == 0; });
+  const std::size_t rows = (curves.size() + 1) / 2;
+  Svg svg(2 * kColumn + 20, kTop + static_cast<double>(std::max<std::size_t>(1, rows)) * kRow - 20);
+  svg.text(kLeft, 34, fmt::format("A: {}   against   B: {}", report.name_a, report.name_b),
+           {.size = 16, .bold = true});
+  svg.text(kLeft, 55,
+           curves.empty()
+               ? std::string("no limit state is exceeded at several levels of a measure in common")
+               : fmt::format("{:g} % bands, pointwise, dashed; dots: shares of runs at one level",
+                             100 * report.confidence),
+           {.size = 12, .color = "#555555"});
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const ComparedCurves& each = curves[i];
+    Panel panel{.title = each.name,
+                .x_label = fmt::format("{} ({})", report.found.measure, report.found.units),
+                .y_label = "Probability of exceedance",
+                .curves = {},
+                .zero_line = false,
+                .log_x = true,
+                .legend_columns = 2,
+                .y_range = {0, 1}};
+    const Extent extent = extent_of(each);
+    panel.x_range = {std::log10(extent.low), std::log10(extent.high)};
+    add_side(panel, "A", each.of_a, each.a, extent, report.confidence, palette(0));
+    add_side(panel, "B", each.of_b, each.b, extent, report.confidence, palette(1));
+    const Frame frame{kLeft + static_cast<double>(i % 2) * kColumn,
+                      kTop + static_cast<double>(i / 2) * kRow, kPanelWidth, kPanelHeight};
+    const Scaling scaling = draw(svg, frame, panel);
+    draw_shares(svg, scaling, each.of_a, palette(0));
+    draw_shares(svg, scaling, each.of_b, palette(1));
+  }
+  return svg.str();
+}
+
+}  // namespace gurney

@@ -1,0 +1,108 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "studies/report/comparison_report.h"
+
+namespace gurney {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no NaN and no infinity.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json interval(const Interval& of) { return Json::array({number(of.low), number(of.high)}); }
+
+Json differences(const std::vector<InputDifference>& of) {
+  Json list = Json::array();
+  const auto value = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
+  for (const InputDifference& each : of)
+    list.push_back({{"key", each.key}, {"a", value(each.a)}, {"b", value(each.b)}});
+  return list;
+}
+
+Json side(const std::string& name, const StudySide& of, std::size_t paired, std::size_t left_out) {
+  return {{"name", name},
+          {"file", of.data->file().path()},
+          {"configuration", of.configuration_name()},
+          {"runs_paired", paired},
+          {"runs_without_partner", left_out},
+          {"runs_failed", of.data->failed(of.configuration)}};
+}
+
+Json quantities(const StudyComparison& found, ComparedQuantity::Kind kind) {
+  Json list = Json::array();
+  for (const ComparedQuantity& row : found.quantities)
+    if (row.kind == kind)
+      list.push_back({{"name", row.name},
+                      {"words", row.words},
+                      {"units", row.units},
+                      {"groups", row.groups},
+                      {"a", number(row.a)},
+                      {"b", number(row.b)},
+                      {"difference", number(row.difference)},
+                      {"interval", interval(row.interval)},
+                      {"p", number(row.p)},
+                      {"p_holm", number(row.p_holm)}});
+  return list;
+}
+
+Json curve(const FragilityFit& fit) {
+  Json json{{"status", text(fit.status)}, {"runs", fit.runs}, {"exceeded", fit.exceeded}};
+  json["theta"] = fit.curve ? number(fit.curve->theta) : Json();
+  json["beta"] = fit.curve ? number(fit.curve->beta) : Json();
+  return json;
+}
+
+const char* name_of(RunPairs::Group group) {
+  switch (group) {
+    case RunPairs::Group::kRecord:
+      return "record";
+    case RunPairs::Group::kDraw:
+      return "draw";
+    case RunPairs::Group::kNone:
+      break;
+  }
+  return "none";
+}
+
+}  // namespace
+
+std::string comparison_json(const ComparisonReport& report) {
+  const StudyComparison& found = report.found;
+  using Kind = ComparedQuantity::Kind;
+  Json json;
+  json["a"] = side(report.name_a, report.a, found.pairs.paired_a, found.pairs.left_out_a);
+  json["b"] = side(report.name_b, report.b, found.pairs.paired_b, found.pairs.left_out_b);
+  json["pairs"] = {{"count", found.pairs.pairs.size()},   {"level", found.pairs.level},
+                   {"by_angle", found.pairs.by_angle},    {"by_draw", found.pairs.by_draw},
+                   {"group", name_of(found.pairs.group)}, {"groups", found.pairs.groups},
+                   {"runs_overturned", found.overturned}};
+  json["inputs"] = {{"job", differences(report.inputs.job)},
+                    {"assumptions", differences(report.inputs.assumptions)},
+                    {"program", differences(report.inputs.program)},
+                    {"records_in_both", report.inputs.records_common},
+                    {"records_of_a_only", report.inputs.records_of_a},
+                    {"records_of_b_only", report.inputs.records_of_b},
+                    {"records_changed", report.inputs.records_changed}};
+  json["confidence"] = report.confidence;
+  json["tests"] = found.tests;
+  json["smallest_p_possible"] = number(found.smallest_p);
+  json["shares"] = quantities(found, Kind::kShare);
+  json["means"] = quantities(found, Kind::kMean);
+  json["medians"] = quantities(found, Kind::kMedian);
+  json["measure"] = found.measure;
+  json["measure_units"] = found.units;
+  json["curves"] = Json::array();
+  for (const ComparedCurves& row : found.curves)
+    json["curves"].push_back({{"name", row.name},
+                              {"a", curve(row.a)},
+                              {"b", curve(row.b)},
+                              {"likelihood_ratio", number(row.likelihood_ratio)},
+                              {"p", number(row.p)},
+                              {"p_holm", number(row.p_holm)}});
+  json["not_in_both"] = found.not_common;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace gurney

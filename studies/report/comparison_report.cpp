@@ -1,0 +1,199 @@
+#include "studies/report/comparison_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gurney {
+namespace {
+
+constexpr double kSignificant = 0.05;
+
+std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
+
+std::string probability(double p) {
+  if (std::isnan(p)) return "-";
+  return p < 0.0001 ? "<0.0001" : fmt::format("{:.4f}", p);
+}
+
+std::string interval(const Interval& of) {
+  return std::isfinite(of.low) ? fmt::format("{:.3g} to {:.3g}", of.low, of.high) : "unknown";
+}
+
+std::string shown(const std::string& value) { return value.empty() ? "(not there)" : value; }
+
+std::string differences_text(const char* title, const std::vector<InputDifference>& differences) {
+  if (differences.empty()) return fmt::format("{:<12} the same\n", title);
+  std::string text = fmt::format("{}\n", title);
+  for (const InputDifference& each : differences)
+    text += fmt::format("  {:<44} {}  |  {}\n", each.key, shown(each.a), shown(each.b));
+  return text;
+}
+
+std::string inputs_text(const InputDifferences& inputs) {
+  std::string text = differences_text("job", inputs.job) +
+                     differences_text("assumptions", inputs.assumptions) +
+                     differences_text("program", inputs.program);
+  text += fmt::format("{:<12} {} in both", "records", inputs.records_common);
+  const auto add = [&](const char* what, const std::vector<std::string>& names) {
+    if (!names.empty())
+      text += fmt::format("; {} {}: {}", names.size(), what, fmt::join(names, ", "));
+  };
+  add("of A only", inputs.records_of_a);
+  add("of B only", inputs.records_of_b);
+  add("with other files or processing", inputs.records_changed);
+  return text + "\n";
+}
+
+std::string side_text(char letter, const std::string& name, const StudySide& side,
+                      std::size_t paired, std::size_t left_out) {
+  std::string text = fmt::format("{:<12} {}: {} runs paired", letter, name, paired);
+  if (left_out > 0) text += fmt::format(", {} left out without a partner", left_out);
+  if (const std::size_t failed = side.data->failed(side.configuration); failed > 0)
+    text += fmt::format(", {} left out because they failed", failed);
+  return text + "\n";
+}
+
+std::string pairing_text(const StudyComparison& found) {
+  const RunPairs& pairs = found.pairs;
+  std::string by = "record and " + pairs.level;
+  if (pairs.by_angle) by += ", angle";
+  if (pairs.by_draw) by += ", draw";
+  std::string text = fmt::format("{:<12} {} pairs by {}", "paired", pairs.pairs.size(), by);
+  switch (pairs.group) {
+    case RunPairs::Group::kRecord:
+      text += fmt::format("; {} records, each counts once\n", pairs.groups);
+      break;
+    case RunPairs::Group::kDraw:
+      text +=
+          fmt::format("; {} draws, each counts once: one record, so nothing is known of others\n",
+                      pairs.groups);
+      break;
+    case RunPairs::Group::kNone:
+      return text + "; one record without draws: nothing is random, so there is no p\n";
+  }
+  const double smallest =
+      found.smallest_p * static_cast<double>(std::max<std::size_t>(1, found.tests));
+  if (smallest > kSignificant)
+    text += fmt::format(
+        "{:<12} so few groups give a p of {} or more, {} after Holm: whatever differs, this table "
+        "cannot\n{:<12} show it; add records or draws, or compare fewer demands (--demand)\n",
+        "caution", probability(found.smallest_p), probability(std::min(1.0, smallest)), "");
+  return text;
+}
+
+std::string label(const ComparedQuantity& row) {
+  if (!row.words.empty() && row.words != row.name) return row.name + ": " + row.words;
+  return row.units == "1" ? row.name : row.name + " [" + row.units + "]";
+}
+
+std::string quantities_text(const StudyComparison& found, ComparedQuantity::Kind kind,
+                            const std::string& title, double confidence) {
+  std::size_t width = title.size();
+  for (const ComparedQuantity& row : found.quantities) width = std::max(width, label(row).size());
+  const auto line = [&](const std::string& name, const auto& groups, const std::string& a,
+                        const std::string& b, const std::string& difference,
+                        const std::string& between, const std::string& p, const std::string& holm) {
+    return fmt::format("{:<{}} {:>6} {:>10} {:>10} {:>11}  {:<22} {:>8} {:>8}", name, width, groups,
+                       a, b, difference, between, p, holm);
+  };
+  std::string text, same;
+  for (const ComparedQuantity& row : found.quantities) {
+    if (row.kind != kind) continue;
+    if (row.a == row.b && row.difference == 0 && std::isnan(row.p))
+      same += fmt::format("{}{} ({})", same.empty() ? "" : ", ", row.name, number(row.a));
+    else
+      text += line(label(row), row.groups, number(row.a), number(row.b), number(row.difference),
+                   interval(row.interval), probability(row.p), probability(row.p_holm)) +
+              (row.p_holm < kSignificant ? " *\n" : "\n");
+  }
+  if (text.empty() && same.empty()) return {};
+  text = "\n" +
+         line(title, "groups", "A", "B", "B - A", fmt::format("{:g} % interval", 100 * confidence),
+              "p", "Holm") +
+         "\n" + text;
+  return same.empty() ? text : text + "the same in every pair: " + same + "\n";
+}
+
+std::string curve_text(const FragilityFit& fit) {
+  switch (fit.status) {
+    case FragilityStatus::kFitted:
+      return fmt::format("{:.4g}, {:.3g}", fit.curve->theta, fit.curve->beta);
+    case FragilityStatus::kNoRuns:
+      return "no runs";
+    case FragilityStatus::kAllExceed:
+      return "every run exceeds";
+    case FragilityStatus::kNoneExceeds:
+      return "no run exceeds";
+    case FragilityStatus::kSeparated:
+      return fmt::format("a step from {:.4g} to {:.4g}", fit.low, fit.high);
+    case FragilityStatus::kQuasiSeparated:
+      return fmt::format("a step at {:.4g}", fit.low);
+    case FragilityStatus::kNotIncreasing:
+      return "does not rise";
+  }
+  return {};
+}
+
+std::string curves_text(const StudyComparison& found) {
+  if (found.measure.empty())
+    return "\nno fragility curves: the studies have different intensity measures\n";
+  if (found.curves.empty())
+    return "\nno fragility curves: all runs have one " + found.measure + "; see the shares\n";
+  std::string text = fmt::format("\n{:<24} {:<28} {:<28} {:>9} {:>8} {:>8}\n", "fragility curve",
+                                 "A: theta, beta", "B: theta, beta", "LR", "p", "Holm");
+  for (const ComparedCurves& row : found.curves)
+    text += fmt::format("{:<24} {:<28} {:<28} {:>9} {:>8} {:>8}{}\n", row.name, curve_text(row.a),
+                        curve_text(row.b), number(row.likelihood_ratio), probability(row.p),
+                        probability(row.p_holm), row.p_holm < kSignificant ? " *" : "");
+  return text + fmt::format("theta in {} ({})\n", found.units, found.measure);
+}
+
+/// The findings in words.
+std::string conclusion_text(const ComparisonReport& report) {
+  std::string text;
+  std::vector<std::string> less, more;
+  for (const ComparedQuantity& row : report.found.quantities) {
+    if (!(row.p_holm < kSignificant)) continue;
+    if (row.kind == ComparedQuantity::Kind::kShare)
+      text += fmt::format("* '{}' is exceeded {} often in B: in {:.3g} % against {:.3g} %\n",
+                          row.name, row.difference > 0 ? "more" : "less", 100 * row.b, 100 * row.a);
+    std::vector<std::string>& list = row.difference > 0 ? more : less;
+    if (row.kind != ComparedQuantity::Kind::kShare &&
+        std::ranges::find(list, row.name) == list.end())
+      list.push_back(row.name);
+  }
+  for (const ComparedCurves& row : report.found.curves)
+    if (row.p_holm < kSignificant)
+      text += fmt::format("* '{}' has another fragility curve in B\n", row.name);
+  if (!less.empty()) text += fmt::format("* less in B: {}\n", fmt::join(less, ", "));
+  if (!more.empty()) text += fmt::format("* more in B: {}\n", fmt::join(more, ", "));
+  return text.empty() ? "no difference is significant after Holm's adjustment\n" : text;
+}
+
+}  // namespace
+
+std::string comparison_text(const ComparisonReport& report) {
+  const StudyComparison& found = report.found;
+  using Kind = ComparedQuantity::Kind;
+  std::string text =
+      side_text('A', report.name_a, report.a, found.pairs.paired_a, found.pairs.left_out_a) +
+      side_text('B', report.name_b, report.b, found.pairs.paired_b, found.pairs.left_out_b) +
+      pairing_text(found) + "\n" + inputs_text(report.inputs);
+  text += quantities_text(found, Kind::kShare, "share of runs that exceed", report.confidence) +
+          curves_text(found) + quantities_text(found, Kind::kMean, "mean", report.confidence) +
+          quantities_text(found, Kind::kMedian, "median", report.confidence);
+  if (found.overturned > 0)
+    text += fmt::format(
+        "\n{} of the paired runs overturned: their demands are those until the item fell\n",
+        found.overturned);
+  if (!found.not_common.empty())
+    text += fmt::format("\nnot in both: {}\n", fmt::join(found.not_common, ", "));
+  return text +
+         fmt::format("\n{} tests, Holm's adjustment over all; * below {:g}\n", found.tests,
+                     kSignificant) +
+         conclusion_text(report);
+}
+
+}  // namespace gurney

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "studies/analysis/input_differences.h"
+#include "studies/analysis/study_comparison.h"
+
+namespace gurney {
+
+/// What `gurney compare` tells of two configurations.
+struct ComparisonReport {
+  StudySide a, b;
+  std::string name_a, name_b;  ///< to tell them apart
+  InputDifferences inputs;
+  StudyComparison found;
+  double confidence = 0.95;
+};
+
+std::string comparison_text(const ComparisonReport& report);
+std::string comparison_json(const ComparisonReport& report);
+
+/// The curves of each limit state that has one, with their bands and the shares that were seen.
+std::string comparison_figure(const ComparisonReport& report);
+
+}  // namespace gurney

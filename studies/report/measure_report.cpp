@@ -1,0 +1,141 @@
+#include "studies/report/measure_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace gurney {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kSettled = 0.95, kOpen = 0.8;
+
+std::string cell(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3g}", value); }
+
+std::string row_text(const IntensityRow& row, std::size_t width) {
+  if (row.status != CloudStatus::kFitted)
+    return fmt::format("{:<{}}  {}\n", row.name, width, text(row.status));
+  return fmt::format("{:<{}} {:>10} {:>12} {:>11} {:>7} {:>9.2f} {:>11}{}\n", row.name, width,
+                     cell(row.efficiency), cell(row.practicality), cell(row.proficiency),
+                     fmt::format("{:.3f}", row.r_squared), row.log_likelihood,
+                     cell(row.sufficiency.front()),
+                     row.left_out > 0 ? fmt::format("  {} runs only", row.runs) : "");
+}
+
+std::string table_text(const MeasureChoice& choice) {
+  std::size_t width = 8;
+  for (const IntensityRow& row : choice.rows) width = std::max(width, row.name.size());
+  std::string text =
+      fmt::format("{:<{}} {:>10} {:>12} {:>11} {:>7} {:>9} {:>11}\n", "measure", width,
+                  "efficiency", "practicality", "proficiency", "R2", "ln L", "p of scale");
+  for (const IntensityRow& row : choice.rows) text += row_text(row, width);
+  if (!choice.unknown.empty())
+    text += fmt::format("not known for these records: {}\n", fmt::join(choice.unknown, ", "));
+  return text;
+}
+
+std::string sufficiency_text(const MeasureChoice& choice) {
+  const bool known = std::ranges::any_of(choice.rows, [](const IntensityRow& row) {
+    return row.status == CloudStatus::kFitted && !std::isnan(row.sufficiency.front());
+  });
+  return std::string(known ? "p of scale: of no dependence on the factor on the records once the "
+                             "measure is known; small: scaling biases"
+                           : "p of scale: unknown, the factor on the records follows from the "
+                             "measure or does not vary") +
+         "\nnot tested: magnitude and distance, which the file does not keep\n";
+}
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json row_json(const IntensityRow& row, const MeasureChoice& choice, std::size_t i) {
+  Json json{{"name", row.name},
+            {"units", choice.units[i]},
+            {"status", text(row.status)},
+            {"runs", row.runs},
+            {"left_out", row.left_out}};
+  if (row.status != CloudStatus::kFitted) return json;
+  json["efficiency"] = number(row.efficiency);
+  json["practicality"] = number(row.practicality);
+  json["proficiency"] = number(row.proficiency);
+  json["r_squared"] = number(row.r_squared);
+  json["log_likelihood"] = number(row.log_likelihood);
+  for (std::size_t k = 0; k < choice.properties.size(); ++k)
+    json["sufficiency"][choice.properties[k]] = number(row.sufficiency[k]);
+  return json;
+}
+
+}  // namespace
+
+std::string verdict(const MeasureChoice& choice) {
+  if (choice.rows.empty() || choice.rows.front().status != CloudStatus::kFitted)
+    return "No measure can be judged: " +
+           (choice.rows.empty() ? "none is known" : text(choice.rows.front().status)) + ".\n";
+  const IntensityRow& best = choice.rows.front();
+  std::string words = fmt::format("{} predicts this demand best", best.name);
+  std::vector<std::string> ties;
+  for (std::size_t i = 1; i <= choice.ties; ++i) ties.push_back(choice.rows[i].name);
+  if (!ties.empty())
+    words +=
+        fmt::format(", as good as {}, to which it is in one proportion", fmt::join(ties, ", "));
+  if (std::isnan(choice.lead)) return words + "; there is no other to hold against it.\n";
+  const IntensityRow& next = choice.rows[choice.ties + 1];
+  words += fmt::format(": scatter {:.3g} against {:.3g} of {}, ln likelihood {:.2f} higher",
+                       best.efficiency, next.efficiency, next.name, choice.lead);
+  if (std::isnan(choice.stays_best))
+    return words + ". One record cannot tell whether that lasts.\n";
+  words += fmt::format(".\nIt stays first in {:.0f} % of the resamples of the records: ",
+                       100 * choice.stays_best);
+  if (choice.stays_best >= kSettled) return words + "the difference matters.\n";
+  if (choice.stays_best > kOpen) return words + "the difference is likely, not certain.\n";
+  return words + "these records do not settle it.\n";
+}
+
+std::string measure_text(const std::vector<MeasureReport>& reports) {
+  std::string text;
+  for (const MeasureReport& report : reports) {
+    const MeasureChoice& choice = report.choice;
+    text +=
+        fmt::format("{}limit state {} ({}){}\n", text.empty() ? "" : "\n", report.state,
+                    report.words, report.configuration.empty() ? "" : ", " + report.configuration);
+    text += fmt::format(
+        "{} runs of {} record{}; {} overturned: demand at least the limit; {} below {:.3g} (SI): "
+        "at "
+        "most that\n",
+        choice.runs, choice.records, choice.records == 1 ? "" : "s", choice.overturned,
+        choice.at_floor, choice.floor);
+    if (!choice.rows.empty() && choice.rows.front().status == CloudStatus::kFitted)
+      text += table_text(choice) + verdict(choice) + sufficiency_text(choice);
+    else
+      text += verdict(choice);
+  }
+  return text;
+}
+
+std::string measure_json(const std::vector<MeasureReport>& reports) {
+  Json json = Json::array();
+  for (const MeasureReport& report : reports) {
+    const MeasureChoice& choice = report.choice;
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < choice.rows.size(); ++i)
+      rows.push_back(row_json(choice.rows[i], choice, i));
+    json.push_back({{"configuration", report.configuration},
+                    {"limit_state", report.state},
+                    {"words", report.words},
+                    {"runs", choice.runs},
+                    {"records", choice.records},
+                    {"overturned", choice.overturned},
+                    {"at_floor", choice.at_floor},
+                    {"floor", choice.floor},
+                    {"measures", rows},
+                    {"unknown", choice.unknown},
+                    {"lead_of_log_likelihood", number(choice.lead)},
+                    {"stays_best", number(choice.stays_best)},
+                    {"verdict", verdict(choice)}});
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace gurney

@@ -1,0 +1,164 @@
+#include "studies/report/sensitivity_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace gurney {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kFew = 100;
+constexpr double kMuchLeft = 0.2;
+
+std::string with_unit(double value, const std::string& unit) {
+  return fmt::format("{:.3g}{}", value, unit == "1" ? "" : " " + unit);
+}
+
+std::string row_text(const SensitiveInput& input, std::size_t width) {
+  std::string text = fmt::format("{:<{}} ", name_of(input), width);
+  text += input.index ? fmt::format("{:>6.2f}  {:<14}", input.index->estimate,
+                                    fmt::format("{:.2f} to {:.2f}", input.index->interval.low,
+                                                input.index->interval.high))
+                      : fmt::format("{:>6}  {:<14}", "-", "too few runs");
+  if (!input.drawn) return text + "\n";
+  return text + fmt::format(" {:>10.3g} {:>10.3g}  {:<20} {:<20} {:>10.3g}\n", input.low,
+                            input.high,
+                            fmt::format("{:.3g} (+-{:.2g})", input.bar.low, input.bar.low_error),
+                            fmt::format("{:.3g} (+-{:.2g})", input.bar.high, input.bar.high_error),
+                            input.bar.swing());
+}
+
+std::string table_text(const StudySensitivity& found) {
+  std::size_t width = 8;
+  for (const SensitiveInput& input : found.inputs) width = std::max(width, name_of(input).size());
+  const auto percent = [](double share) { return fmt::format("{:g} %", 100 * share); };
+  std::string text = fmt::format("{:<{}} {:>6}  {:<14} {:>10} {:>10}  {:<20} {:<20} {:>10}\n",
+                                 "input", width, "index", "95 % interval", percent(found.share),
+                                 percent(1 - found.share), "mean below", "mean above", "swing");
+  for (const SensitiveInput& input : found.inputs) text += row_text(input, width);
+  return text;
+}
+
+std::string remarks(const StudySensitivity& found) {
+  std::string text;
+  const auto lead = std::ranges::find_if(found.inputs, [](const SensitiveInput& input) {
+    return input.index && input.index->interval.low > 0;
+  });
+  if (lead == found.inputs.end())
+    text += "No input stands out: every interval reaches 0.\n";
+  else
+    text += fmt::format("{} rules most: by itself it goes with {:.0f} % of the variance.\n",
+                        name_of(*lead), 100 * lead->index->estimate);
+  text += fmt::format("The indices sum to {:.2f}{}.\n", found.sum,
+                      found.correlated.empty() ? "" : ", correlated inputs counted once");
+  text += fmt::format(
+      "{}An index is of an input alone: what inputs do only together (interactions) "
+      "is in none of them.\n",
+      1 - found.sum > kMuchLeft ? "What is missing to 1 is of inputs acting together, or chance. "
+                                : "");
+  for (const SensitiveInput& input : found.inputs)
+    if (input.names.size() > 1)
+      text += fmt::format("Equal in every run, so one input: {}.\n", fmt::join(input.names, ", "));
+  for (const auto& names : found.correlated)
+    text += fmt::format("Correlated, so the index of each holds what the others do: {}.\n",
+                        fmt::join(names, ", "));
+  if (!found.constant.empty())
+    text += fmt::format("Drawn, but the same in every run: {}.\n", fmt::join(found.constant, ", "));
+  if (found.runs < kFew)
+    text += fmt::format(
+        "Few runs: {} make wide intervals, and classes of {:.0f} runs smooth what "
+        "changes fast; 100 or more are better.\n",
+        found.runs, std::sqrt(static_cast<double>(found.runs)));
+  if (found.repeated_draws)
+    text += fmt::format(
+        "{} runs share {} draws: they are not independent and the intervals are "
+        "too narrow; look at one --level.\n",
+        found.runs, found.draws);
+  if (found.overturned > 0)
+    text += fmt::format("{} runs overturned: their demands are those until the item fell.\n",
+                        found.overturned);
+  if (found.left_out > 0)
+    text += fmt::format("{} runs have no such demand and are left out.\n", found.left_out);
+  return text;
+}
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json input_json(const SensitiveInput& input) {
+  Json json{{"names", input.names}, {"drawn", input.drawn}};
+  json["index"] = input.index ? number(input.index->estimate) : Json();
+  json["interval"] =
+      input.index
+          ? Json::array({number(input.index->interval.low), number(input.index->interval.high)})
+          : Json();
+  if (input.drawn) {
+    json["low"] = number(input.low);
+    json["high"] = number(input.high);
+    json["mean_below"] = number(input.bar.low);
+    json["mean_below_error"] = number(input.bar.low_error);
+    json["mean_above"] = number(input.bar.high);
+    json["mean_above_error"] = number(input.bar.high_error);
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string name_of(const SensitiveInput& input) {
+  if (input.names.size() == 1) return input.names.front();
+  return fmt::format("{} and {} equal to it", input.names.front(), input.names.size() - 1);
+}
+
+std::string sensitivity_text(const std::vector<SensitivityReport>& reports) {
+  std::string text;
+  for (const SensitivityReport& report : reports) {
+    const StudySensitivity& found = report.found;
+    if (!report.why_not.empty()) {
+      text +=
+          fmt::format("{}{}: {}\n", text.empty() ? "" : "\n", report.configuration, report.why_not);
+      continue;
+    }
+    text += fmt::format(
+        "{}{}{}{}: mean {}, standard deviation {}, {} runs\n", text.empty() ? "" : "\n",
+        found.output, report.configuration.empty() ? "" : ", " + report.configuration,
+        found.level.empty() ? "" : ", " + found.level, with_unit(found.mean, found.units),
+        with_unit(found.deviation, found.units), found.runs);
+    text += table_text(found) + remarks(found);
+  }
+  return text;
+}
+
+std::string sensitivity_json(const std::vector<SensitivityReport>& reports) {
+  Json json = Json::array();
+  for (const SensitivityReport& report : reports) {
+    const StudySensitivity& found = report.found;
+    if (!report.why_not.empty()) {
+      json.push_back({{"configuration", report.configuration}, {"why_not", report.why_not}});
+      continue;
+    }
+    Json inputs = Json::array();
+    for (const SensitiveInput& input : found.inputs) inputs.push_back(input_json(input));
+    json.push_back({{"configuration", report.configuration},
+                    {"output", found.output},
+                    {"units", found.units},
+                    {"level", found.level},
+                    {"runs", found.runs},
+                    {"left_out", found.left_out},
+                    {"draws", found.draws},
+                    {"overturned", found.overturned},
+                    {"mean", number(found.mean)},
+                    {"standard_deviation", number(found.deviation)},
+                    {"sum_of_indices", number(found.sum)},
+                    {"tornado_share", found.share},
+                    {"inputs", inputs},
+                    {"correlated", found.correlated},
+                    {"constant", found.constant}});
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace gurney
