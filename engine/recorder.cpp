@@ -52,7 +52,8 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
   current_.tilt = demands_.peak_tilt = tilt_of(rotation);
   current_.orientation = start.rotation;
   current_.cable_tension = mechanism.loads.cable_tension(start.loads);
-  current_.pull_force = mechanism.loads.pull_force(start.time);
+  current_.pull_force =
+      mechanism.loads.pull_force(start.time, start.pose(), start.velocity.chassis);
   demands_.peak_velocity = horizontal(current_.velocity);
   for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
     Leg::Geometry g;
@@ -145,7 +146,7 @@ void Recorder::observe_wheels(const Stepper::Step& step) {
   }
   observe_lift(step);
   current_.cable_tension = mechanism_.loads.cable_tension(to.loads);
-  current_.pull_force = mechanism_.loads.pull_force(to.time);
+  current_.pull_force = mechanism_.loads.pull_force(to.time, to.pose(), to.velocity.chassis);
 }
 
 void Recorder::observe_lift(const Stepper::Step& step) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <variant>
 #include <vector>
@@ -9,13 +10,16 @@
 /// Loads and test fixtures on the item, besides gravity and the floor's motion.
 namespace gurney {
 
-/// A force of constant direction at a point of the chassis, constant or tabulated.
+/// A force of constant direction at a point of the chassis, constant or tabulated. With a speed
+/// limit it is the most that somebody pushes with: while the point moves along the direction at u,
+/// the force is that of the table times (1 - u / limit) / 0.05, within 0 and 1.
 struct PointForce {
   std::string name;
   Vector3 point = Vector3::Zero();       ///< item axes [m]
   Vector3 direction = Vector3::UnitX();  ///< floor axes, made a unit vector
   std::vector<double> time;              ///< increasing [s]
   std::vector<double> force;             ///< at `time`, linear between, zero outside [N]
+  double speed_limit = std::numeric_limits<double>::infinity();  ///< > 0; then force >= 0 [m/s]
 };
 
 /// A force of constant magnitude at a point of the chassis: a string potentiometer.

@@ -47,6 +47,10 @@ void check_force(const PointForce& force, Problems& problems) {
     if (i < force.force.size())
       problems.check(std::isfinite(force.force[i]), "force.force", force.force[i], "finite");
   }
+  problems.check(force.speed_limit > 0, "force.speed_limit", force.speed_limit, "> 0");
+  for (const double value : force.force)
+    problems.check(value >= 0 || std::isinf(force.speed_limit), "force.force", value,
+                   ">= 0 with a speed limit");
 }
 
 void check_weight(const DropWeight& weight, Problems& problems) {

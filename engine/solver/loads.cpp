@@ -35,6 +35,22 @@ double table_value(const PointForce& table, double time) {
   return 0;
 }
 
+/// A force at its speed limit fades over this share of the limit.
+constexpr double kFading = 0.05;
+
+/// Of the force of a load's table, at the speed of its point along its direction.
+struct Share {
+  double value = 1;
+  double slope = 0;  ///< -d value / d speed >= 0 [s/m]
+};
+
+Share share_at(const PointForce& load, double speed) {
+  const double value = (1 - speed / load.speed_limit) / kFading;
+  if (value >= 1) return {};
+  if (value <= 0) return {0, 0};
+  return {value, 1 / (kFading * load.speed_limit)};
+}
+
 constexpr std::size_t kWeightState = 4;
 
 /// Steps end at releases; rounding of their times must not let blocks go a step early [s].
@@ -112,7 +128,10 @@ void Loads::evaluate(const Stage& stage, const Pose& pose, const Vector6& veloci
   for (const auto& f : forces_) {
     const StageMeans mean =
         stage_means(stage.from, stage.to, [&](double t) { return table_integral(f, t); });
-    rows.push_back({row_of(pose, f.point, f.direction), stage.first ? mean.first : mean.second, 0});
+    const double force = stage.first ? mean.first : mean.second;
+    const Vector6 row = row_of(pose, f.point, f.direction);
+    const Share share = share_at(f, row.dot(velocity));
+    rows.push_back({row, share.value * force, share.slope * force});
   }
   for (const auto& s : strings_) rows.push_back({row_of(pose, s.point, s.direction), s.tension, 0});
   const double* state = stage.start->data();
@@ -221,9 +240,11 @@ double Loads::weight_energy(const std::vector<double>& state) const {
   return energy;
 }
 
-double Loads::pull_force(double time) const {
+double Loads::pull_force(double time, const Pose& pose, const Vector6& velocity) const {
   double sum = 0;
-  for (const auto& f : forces_) sum += table_value(f, time);
+  for (const auto& f : forces_)
+    sum +=
+        share_at(f, row_of(pose, f.point, f.direction).dot(velocity)).value * table_value(f, time);
   return sum;
 }
 

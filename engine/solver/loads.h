@@ -54,7 +54,8 @@ class Loads {
 
   double stored_energy(const std::vector<double>& state) const;
   double weight_energy(const std::vector<double>& state) const;
-  double pull_force(double time) const;
+  /// Sum of the point forces (signed magnitudes) [N].
+  double pull_force(double time, const Pose& pose, const Vector6& velocity) const;
   double cable_tension(const std::vector<double>& state) const;
 
   /// How far the first unlanded weight is below its floor (> 0: it has hit); -1 when none falls.

@@ -13,6 +13,7 @@
 #include "engine/base/error.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/equipment_command.h"
+#include "studies/cli/fragility_command.h"
 #include "studies/cli/records_command.h"
 #include "studies/cli/replay_command.h"
 #include "studies/cli/run_command.h"
@@ -108,6 +109,7 @@ int run_command_line(int argc, char** argv) {
   std::function<int()> act;
   add_run(app, act);
   add_replay(app, act);
+  add_fragility(app, act);
   add_records(app, act);
   add_equipment(app, act);
   app.add_subcommand("help", "Print this help, or that of a command: help records scale");

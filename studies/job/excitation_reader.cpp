@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 #include "engine/base/units.h"
 #include "equipment/quantity.h"
@@ -28,9 +29,12 @@ PointForce read_force(Table table, std::size_t index, std::vector<Assumption>& a
   load.name = table.text("name", fmt::format("force {}", index + 1));
   load.point = read_point(in);
   load.direction = read_direction(in);
+  if (table.has("speed_limit_m_per_s"))
+    load.speed_limit = in.number("speed_limit_m_per_s", Range::positive());
   for (const char* key : {"time_s", "from_s", "until_s"}) table.has(key);
+  const Range allowed = std::isinf(load.speed_limit) ? Range::any() : Range::not_negative();
   if (!table.is_array("force_n")) {
-    const double force = in.number("force_n", Range::any());
+    const double force = in.number("force_n", allowed);
     const double from = in.number("from_s", Range::not_negative(), 0.0);
     load.time = {from, in.number("until_s", Range::more_than(from))};
     load.force = {force, force};
@@ -38,7 +42,7 @@ PointForce read_force(Table table, std::size_t index, std::vector<Assumption>& a
       table.note("time_s", ": must go with an array force_n; a constant force has until_s");
     return load;
   }
-  load.force = table.numbers("force_n", Range::any());
+  load.force = table.numbers("force_n", allowed);
   load.time = table.numbers("time_s", Range::any(), load.force.size());
   if (load.force.size() < 2) table.note("force_n", ": must have 2 or more values");
   for (std::size_t i = 1; i < load.time.size(); ++i)

@@ -60,15 +60,15 @@ double sufficiency(const std::vector<CloudPoint>& points, const std::vector<doub
 }  // namespace
 
 std::vector<IntensityRow> compare_intensities(const std::vector<CloudPoint>& demands,
-                                              const std::vector<RunColumn>& measures,
-                                              const std::vector<RunColumn>& properties) {
+                                              const std::vector<NamedValues>& measures,
+                                              const std::vector<NamedValues>& properties) {
   for (const auto* columns : {&measures, &properties})
-    for (const RunColumn& column : *columns)
+    for (const NamedValues& column : *columns)
       require(column.values.size() == demands.size(),
               fmt::format("{} has {} values for {} runs", column.name, column.values.size(),
                           demands.size()));
   std::vector<IntensityRow> rows;
-  for (const RunColumn& measure : measures) {
+  for (const NamedValues& measure : measures) {
     std::vector<CloudPoint> points;
     std::vector<std::vector<double>> known(properties.size());
     for (std::size_t i = 0; i < demands.size(); ++i) {

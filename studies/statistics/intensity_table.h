@@ -8,7 +8,7 @@
 namespace gurney {
 
 /// A number for each run: an intensity measure or a property of its record; NaN where unknown.
-struct RunColumn {
+struct NamedValues {
   std::string name;
   std::vector<double> values;
 };
@@ -37,7 +37,7 @@ struct IntensityRow {
 /// @param demands  their im is not read
 /// @throws Error unless every column has a value for each demand; as fit_cloud() for edp.
 std::vector<IntensityRow> compare_intensities(const std::vector<CloudPoint>& demands,
-                                              const std::vector<RunColumn>& measures,
-                                              const std::vector<RunColumn>& properties);
+                                              const std::vector<NamedValues>& measures,
+                                              const std::vector<NamedValues>& properties);
 
 }  // namespace gurney

@@ -9,6 +9,7 @@
 #include "engine/base/random/sampling.h"
 #include "studies/job/job.h"
 #include "studies/limit_states/limit_state.h"
+#include "studies/statistics/hazard.h"
 
 namespace gurney {
 
@@ -69,6 +70,8 @@ struct Study {
   int synthetic_records = 0;             ///< > 0: seeds 1, 2, ... of the synthetic motion
   std::vector<LimitState> limit_states;  ///< at least one
   IntensityPlan intensity;
+  std::optional<HazardCurve> hazard;     ///< of the study's measure [SI]
+  std::vector<std::size_t> performance;  ///< limit states, mildest first
   std::uint64_t seed = 1;
   int draws = 0;  ///< of each record; 0: every number has its value
   Sampling sampling = Sampling::kMonteCarlo;

@@ -11,6 +11,7 @@
 #include "engine/base/units.h"
 #include "studies/job/scale_reader.h"
 #include "studies/limit_states/limit_state_reader.h"
+#include "studies/study/hazard_reader.h"
 
 namespace gurney {
 namespace {
@@ -207,6 +208,14 @@ Study read_study(Table& in, const Node& node) {
   study.limit_states = read_limit_states(in);
   if (auto table = in.table("intensity"))
     study.intensity = read_intensity(*table, study.limit_states);
+  if (auto table = in.table("hazard")) study.hazard = read_hazard(*table, study.intensity);
+  for (const std::string& name : in.texts("performance")) {
+    try {
+      study.performance.push_back(index_of(study.limit_states, name));
+    } catch (const Error& error) {
+      in.note("performance", std::string(": ") + error.what());
+    }
+  }
   study.seed = static_cast<std::uint64_t>(in.integer("seed", 0, kMost, 1));
   if (in.has("draws")) study.draws = in.integer("draws", 1, kMost);
   static const std::vector<std::string> kSamplings = {"monte-carlo", "latin-hypercube"};

@@ -65,8 +65,8 @@ TEST(Loads, ATabulatedForceMeetsItsMeanOverTheStep) {
   const double gamma = 1 - std::sqrt(0.5);
   EXPECT_NEAR((1 - gamma) * first + gamma * second, (38 * 0.1 + 38.5 * 0.2) / 0.3, 1e-12);
   EXPECT_EQ(e.rows(e.stage(true, 3.1, 3.2))[0].force, 0) << "zero after the table";
-  EXPECT_DOUBLE_EQ(e.loads.pull_force(2), 25);
-  EXPECT_EQ(e.loads.pull_force(3.5), 0);
+  EXPECT_DOUBLE_EQ(e.loads.pull_force(2, e.pose, e.velocity), 25);
+  EXPECT_EQ(e.loads.pull_force(3.5, e.pose, e.velocity), 0);
 }
 
 TEST(Loads, SlopesAreThoseOfTheForces) {
@@ -88,6 +88,29 @@ TEST(Loads, SlopesAreThoseOfTheForces) {
       EXPECT_NEAR(rows[i].slope, slope, 1e-9 * std::max(1.0, rows[i].slope) + 1e-6) << "row " << i;
     }
   }
+}
+
+TEST(Loads, APushFadesAtItsSpeedLimit) {
+  // Of 40 N all up to 0.95 of the limit of 0.8 m/s, half in the middle, none beyond; the slope is
+  // that of the line between.
+  Excitation push;
+  push.forces = {{"push", kCenter, {1, 0, 0}, {0, 3}, {40, 40}, 0.8}};
+  const Loads loads(push, kCenter, kGravity);
+  const std::vector<double> state = loads.initial_state();
+  const auto at = [&](double speed) {
+    std::vector<Loads::Row> rows;
+    loads.evaluate({0.003, 1, 1.01, true, &state}, {}, speed * Vector6::Unit(0), rows);
+    EXPECT_NEAR(loads.pull_force(1, {}, speed * Vector6::Unit(0)), rows.at(0).force, 1e-9);
+    return rows.at(0);
+  };
+  for (const double below : {-5.0, 0.0, 0.759}) {
+    EXPECT_NEAR(at(below).force, 40, 1e-9) << below;
+    EXPECT_EQ(at(below).slope, 0) << below;
+  }
+  EXPECT_NEAR(at(0.78).force, 20, 1e-9);
+  EXPECT_NEAR(at(0.78).slope, 40 / (0.05 * 0.8), 1e-9);
+  EXPECT_EQ(at(0.801).force, 0);
+  EXPECT_EQ(at(0.801).slope, 0);
 }
 
 TEST(Loads, AHangingWeightStretchesItsCableWhileBlocksHold) {

@@ -59,5 +59,22 @@ for pair in INT:130 TERM:143; do
 done
 files icu_ventilator_shake.{h5,log,svg} second.{h5,log}
 
+# A real record that falls faster than gravity, where there are any: Kaikoura 2016 at Waiau.
+if [ -n "${GURNEY_RECORDS:-}" ]; then
+  cat > waiau.toml << TOML
+schema = "gurney-job/1"
+[item]
+equipment = "xu_trolley"
+[excitation.record]
+file = "$GURNEY_RECORDS/geonet_v1a_v2a/20161113_110259_WTMC_20.V1A"
+processing = [
+  { step = "baseline", kind = "mean" },
+  { step = "high_pass", corner_hz = 0.1 },
+  { step = "window", from_s = 95, to_s = 115, taper_s = 1 },
+]
+TOML
+  expect 0 "most wheels lifted                         4" "$gurney" run waiau.toml -o out/waiau.h5 --no-figure
+fi
+
 [ "$failures" -eq 0 ] && echo "all commands did as they should"
 exit $((failures > 0))

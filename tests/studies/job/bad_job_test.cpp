@@ -139,6 +139,12 @@ direction = [1, 0, 0]
 force_n = [0, 1, 2]
 time_s = [0, 2, 2]
 until_s = 3
+[[excitation.force]]
+point_m = [0, 0, 1]
+direction = [1, 0, 0]
+force_n = -5
+until_s = 3
+speed_limit_m_per_s = 0.8
 [[excitation.drop_weight]]
 point_m = [0, 0, 1]
 direction = [1, 0, 0]
@@ -155,16 +161,17 @@ yaw = { stiffness_n_per_m = 5 }
             "it, 2\n"
             "a.toml:14:11: excitation.force[1].until_s: must go with a constant force_n, not with "
             "a table\n"
-            "a.toml:18:11: excitation.drop_weight[0].mass_kg = -1: must be a finite number > 0\n"
-            "a.toml:19:17: excitation.drop_weight[0].drop_height_m = 0: must be a finite number > "
+            "a.toml:18:11: excitation.force[2].force_n = -5: must be a finite number >= 0\n"
+            "a.toml:24:11: excitation.drop_weight[0].mass_kg = -1: must be a finite number > 0\n"
+            "a.toml:25:17: excitation.drop_weight[0].drop_height_m = 0: must be a finite number > "
             "0\n"
-            "a.toml:21:5: fixture.x = \"fixed\": must be one of free, held\n"
-            "a.toml:22:5: fixture.y.velocity_m_per_s: must be given, or stiffness_n_per_m, not "
+            "a.toml:27:5: fixture.x = \"fixed\": must be one of free, held\n"
+            "a.toml:28:5: fixture.y.velocity_m_per_s: must be given, or stiffness_n_per_m, not "
             "both\n"
-            "a.toml:22:7: fixture.y.damping_n_s_per_m: unknown key; known: stiffness_n_per_m, "
+            "a.toml:28:7: fixture.y.damping_n_s_per_m: unknown key; known: stiffness_n_per_m, "
             "velocity_m_per_s\n"
-            "a.toml:23:7: fixture.yaw.velocity_deg_per_s: missing; must be a finite number\n"
-            "a.toml:23:9: fixture.yaw.stiffness_n_per_m: unknown key; known: velocity_deg_per_s");
+            "a.toml:29:7: fixture.yaw.velocity_deg_per_s: missing; must be a finite number\n"
+            "a.toml:29:9: fixture.yaw.stiffness_n_per_m: unknown key; known: velocity_deg_per_s");
 }
 
 }  // namespace

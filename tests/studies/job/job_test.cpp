@@ -77,6 +77,7 @@ direction = [0, 2, 0]
 force_n = 40
 from_s = 1
 until_s = 3
+speed_limit_m_per_s = 0.8
 [[excitation.force]]
 name = "push"
 point_m = [0, 0, 1]
@@ -208,7 +209,9 @@ TEST(Job, ReadsTheLoads) {
   EXPECT_EQ(loads.forces[0].direction, Vector3(0, 1, 0));
   EXPECT_EQ(loads.forces[0].time, (std::vector<double>{1, 3}));
   EXPECT_EQ(loads.forces[0].force, (std::vector<double>{40, 40}));
+  EXPECT_EQ(loads.forces[0].speed_limit, 0.8);
   EXPECT_EQ(loads.forces[1].name, "push");
+  EXPECT_EQ(loads.forces[1].speed_limit, std::numeric_limits<double>::infinity());
   EXPECT_EQ(loads.forces[1].time, (std::vector<double>{0, 1, 1.5}));
   EXPECT_EQ(loads.forces[1].force, (std::vector<double>{0, 10, 0}));
   ASSERT_EQ(loads.drop_weights.size(), 1u);

@@ -14,8 +14,8 @@ namespace {
 /// grows with magnitude. Demands of one record correlate by 0.5.
 struct World {
   std::vector<CloudPoint> demands;
-  RunColumn velocity{"PFV", {}}, acceleration{"PFA", {}};
-  RunColumn magnitude{"magnitude", {}}, luck{"luck", {}};
+  NamedValues velocity{"PFV", {}}, acceleration{"PFA", {}};
+  NamedValues magnitude{"magnitude", {}}, luck{"luck", {}};
 
   World(std::size_t runs, std::size_t runs_of_record, std::uint64_t seed, double censored_above) {
     for (std::size_t i = 0; i < runs; ++i) {

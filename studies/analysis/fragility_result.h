@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/analysis/study_data.h"
+#include "studies/statistics/bands.h"
+#include "studies/statistics/capacity.h"
+#include "studies/statistics/fit_check.h"
+#include "studies/statistics/hazard.h"
+
+namespace gurney {
+
+/// What a fragility is asked of.
+struct FragilityRequest {
+  std::size_t state = 0, configuration = 0;
+  std::string measure = {};  ///< of StudyData::measures(); empty: the study's own
+  double confidence = 0.95;  ///< of intervals and bands
+};
+
+/// How likely a limit state is, given an intensity. Intensities are SI.
+struct FragilityResult {
+  std::string configuration, state, words;  ///< words: what the state says
+  RunMeasure measure;                       ///< without its values
+  std::size_t runs = 0, exceeded = 0, records = 0, failed = 0;
+
+  FragilityFit fit;        ///< of the outcomes of runs, by maximum likelihood
+  FragilityBand band;      ///< at `im`
+  std::vector<double> im;  ///< grid over the intensities of the runs, logarithmic
+  std::vector<Stripe> stripes;
+  std::optional<ProfileIntervals> profile;
+  std::optional<FitCheck> check;
+  std::vector<double> isotonic;  ///< at the stripes
+
+  std::optional<CapacityFit> capacities;  ///< of a hunt: from the brackets of its records
+  std::optional<CloudFit> cloud;          ///< where the state is a demand above a limit
+  std::optional<LognormalCurve> cloud_curve;
+
+  std::optional<MeanRate> rate;  ///< with the study's hazard
+
+  /// The curve to be used: of capacities after a hunt, else of the fit; none: see their status.
+  std::optional<LognormalCurve> curve() const;
+};
+
+/// @throws Error for a measure that the file lacks
+FragilityResult fragility_of(const StudyData& data, const FragilityRequest& request);
+
+}  // namespace gurney

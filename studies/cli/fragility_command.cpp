@@ -1,0 +1,77 @@
+#include "studies/cli/fragility_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "engine/base/config/nearest_name.h"
+#include "engine/base/error.h"
+#include "studies/cli/records_output.h"
+#include "studies/limit_states/limit_state_reader.h"
+#include "studies/report/fragility_report.h"
+
+namespace gurney {
+namespace {
+
+struct FragilityOptions {
+  std::string file, measure, figure;
+  std::vector<std::string> states, configurations;
+  bool json = false, overwrite = false;
+};
+
+/// All where none is named.
+template <class Find>
+std::vector<std::size_t> chosen(const std::vector<std::string>& names, std::size_t all, Find find) {
+  std::vector<std::size_t> result;
+  for (const std::string& name : names) result.push_back(find(name));
+  for (std::size_t i = 0; names.empty() && i < all; ++i) result.push_back(i);
+  return result;
+}
+
+std::size_t configuration_index(const StudyData& data, const std::string& name) {
+  const std::vector<std::string>& names = data.configurations();
+  const auto found = std::ranges::find(names, name);
+  require(found != names.end(),
+          fmt::format("{}: no configuration '{}'{}; it has {}", data.file().path(), name,
+                      config::suggestion(name, names), fmt::join(names, "; ")));
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+int fragility(const FragilityOptions& options) {
+  const StudyData data(options.file);
+  const auto states =
+      chosen(options.states, data.limit_states().size(),
+             [&](const std::string& name) { return index_of(data.limit_states(), name); });
+  const auto configurations =
+      chosen(options.configurations, data.configurations().size(),
+             [&](const std::string& name) { return configuration_index(data, name); });
+  std::vector<FragilityResult> results;
+  for (const std::size_t state : states)
+    for (const std::size_t configuration : configurations)
+      results.push_back(fragility_of(
+          data, {.state = state, .configuration = configuration, .measure = options.measure}));
+  if (!options.figure.empty())
+    write_output(options.figure, fragility_figure(data, results), options.overwrite, true);
+  fmt::print("{}", options.json ? fragility_json(results) : fragility_report(data, results));
+  return 0;
+}
+
+}  // namespace
+
+void add_fragility(CLI::App& app, std::function<int()>& act) {
+  auto held = std::make_shared<FragilityOptions>();
+  FragilityOptions& options = *held;
+  CLI::App* const command =
+      app.add_subcommand("fragility", "Fit fragility curves to the runs of a study");
+  command->add_option("FILE", options.file, "The results file of the study")->required();
+  command->add_option("--limit", options.states, "Limit states (default: all)");
+  command->add_option("--configuration", options.configurations, "Configurations (default: all)");
+  command->add_option("--measure", options.measure, "Intensity measure (default: the study's own)");
+  command->add_option("--figure", options.figure, "Draw the curves into this .svg file");
+  command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
+  command->add_flag("--json", options.json, "Print JSON, in SI units");
+  command->callback([held, &act] { act = [held] { return fragility(*held); }; });
+}
+
+}  // namespace gurney

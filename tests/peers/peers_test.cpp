@@ -1,0 +1,148 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/simulate.h"
+#include "tests/benchmark/workload.h"
+#include "tests/peers/cross_check.h"
+
+// The shipped trolley under three-component motions on MuJoCo, ODE and ours: docs/theory/peers.md.
+namespace gurney::peers {
+namespace {
+
+constexpr double kStep = 5e-4;  // of the peers [s]
+constexpr double kOurStep = 2e-4;
+
+/// Treads that act as rigid: the path moves by another 0.4 mm up to 3e9 N/m.
+CrossCheck free_casters(unsigned record, bool resistance) {
+  CrossCheck check;
+  check.scene = benchmark::trolley({10, 100, 200, 300});
+  benchmark::make_rigid(check.scene, 3e8, 1e8);
+  for (Caster& caster : check.scene.items[0].model.casters) {
+    caster.tread.static_friction = caster.tread.kinetic_friction;
+    caster.axle = {};
+    if (!resistance) caster.tread.rolling_resistance = 0;
+  }
+  check.floor = benchmark::shaking(record, 0.4);
+  check.duration = 12;
+  check.sampling = 0.02;
+  return check;
+}
+
+/// A sliding block: forks and wheels locked, friction 0.2.
+CrossCheck locked_casters(unsigned record) {
+  CrossCheck check = free_casters(record, true);
+  for (Caster& caster : check.scene.items[0].model.casters) {
+    caster.swivels = false;
+    caster.brake_torque = std::numeric_limits<double>::infinity();
+    caster.tread.static_friction = caster.tread.kinetic_friction = 0.2;
+  }
+  check.floor = benchmark::shaking(record, 0.6);
+  return check;
+}
+
+struct Peer {
+  const char* name;
+  Path (*path_of)(const CrossCheck&, double);
+};
+constexpr Peer kPeers[] = {{"MuJoCo", mujoco_path}, {"ODE", ode_path}};
+
+Path our_path(const CrossCheck& check) {
+  Excitation excitation;
+  excitation.floor = check.floor;
+  SimulationSettings settings;
+  settings.duration = check.duration;
+  settings.history_step = check.sampling;
+  settings.time_step = kOurStep;
+  const Response response = simulate(check.scene, excitation, settings);
+  Path path;
+  for (const Sample& s : response.items[0].history)
+    path.push_back({s.displacement.x(), s.displacement.y(), s.yaw});
+  return path;
+}
+
+double peak(const Path& path) {
+  double largest = 0;
+  for (const Vector3& at : path) largest = std::max(largest, at.head<2>().norm());
+  return largest;
+}
+
+double distance(const Path& a, const Path& b) {
+  EXPECT_EQ(a.size(), b.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    largest = std::max(largest, (a[i] - b[i]).head<2>().norm());
+  return largest;
+}
+
+/// Prints a row of the table of docs/theory/peers.md.
+void row(const char* what, unsigned record, const char* engine, double step, const Path& ours,
+         const Path& theirs) {
+  fmt::print("| {} | {} | {} | {:g} | {:.2f} | {:.2f} | {:.2f} |\n", what, record, engine,
+             1e3 * step, 1e3 * peak(ours), 1e3 * peak(theirs), 1e3 * distance(ours, theirs));
+}
+
+// Without losses nothing is left to differ but time steps: 0.1 % of the peak. Both peers are of
+// first order, so a quarter of the step leaves a quarter of the distance.
+TEST(Peers, WithoutRollingResistanceAllTakeOnePath) {
+  constexpr unsigned kRecord = 2;
+  const CrossCheck check = free_casters(kRecord, false);
+  const Path ours = our_path(check);
+  for (const auto& [name, path_of] : kPeers) {
+    SCOPED_TRACE(fmt::format("{}, record {}", name, kRecord));
+    const Path coarse = path_of(check, 4 * kStep), fine = path_of(check, kStep);
+    row("no resistance", kRecord, name, 4 * kStep, ours, coarse);
+    row("no resistance", kRecord, name, kStep, ours, fine);
+    EXPECT_LT(distance(ours, fine), 0.001 * peak(ours));
+    EXPECT_LT(distance(ours, fine), 0.4 * distance(ours, coarse));
+  }
+}
+
+// Theirs is friction of the axle with the load of the step before, ours a couple between wheel and
+// floor with its own: 0.5 % of the peak.
+TEST(Peers, WithRollingResistanceAllTakeOnePath) {
+  for (const unsigned record : {1u, 2u}) {
+    const CrossCheck check = free_casters(record, true);
+    const Path ours = our_path(check);
+    for (const auto& [name, path_of] : kPeers) {
+      SCOPED_TRACE(fmt::format("{}, record {}", name, record));
+      const Path theirs = path_of(check, kStep);
+      row("resistance", record, name, kStep, ours, theirs);
+      EXPECT_LT(distance(ours, theirs), 0.005 * peak(ours));
+      EXPECT_NEAR(peak(theirs), peak(ours), 0.005 * peak(ours));
+    }
+  }
+}
+
+TEST(Peers, LockedWheelsSlideInACone) {
+  constexpr unsigned kRecord = 1;
+  const CrossCheck check = locked_casters(kRecord);
+  const Path ours = our_path(check), cone = mujoco_path(check, kStep),
+             pyramid = ode_path(check, kStep);
+  row("locked", kRecord, "MuJoCo", kStep, ours, cone);
+  row("locked", kRecord, "ODE", kStep, ours, pyramid);
+  EXPECT_NEAR(peak(cone), peak(ours), 0.05 * peak(ours));
+  EXPECT_LT(distance(ours, cone), 0.05 * peak(ours));
+  // The pyramid holds up to sqrt(2) times as much between its axes: it slides less.
+  EXPECT_LT(peak(pyramid), peak(cone));
+}
+
+// Along one of its axes the pyramid is a cone: all casters ahead, the motion along x and z.
+TEST(Peers, LockedWheelsSlideAlikeAlongTheAxesOfThePyramid) {
+  CrossCheck check = locked_casters(1);
+  for (Caster& caster : check.scene.items[0].model.casters) caster.heading = 0;
+  Eigen::Matrix3Xd acceleration = check.floor.acceleration();
+  acceleration.row(1).setZero();
+  check.floor = FloorMotion(check.floor.time_step(), acceleration);
+  const Path ours = our_path(check), cone = mujoco_path(check, kStep),
+             pyramid = ode_path(check, kStep);
+  row("locked, x", 1, "MuJoCo", kStep, ours, cone);
+  row("locked, x", 1, "ODE", kStep, ours, pyramid);
+  EXPECT_LT(distance(ours, pyramid), 0.03 * peak(ours));
+  EXPECT_LT(distance(ours, cone), 0.03 * peak(ours));
+}
+
+}  // namespace
+}  // namespace gurney::peers
