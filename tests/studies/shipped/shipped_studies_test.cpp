@@ -25,9 +25,9 @@ void PrintTo(const Shipped& study, std::ostream* stream) { *stream << study.name
 const std::vector<Shipped> kShipped = {
     {"neonatal_unit", 36, 180, 3},
     {"operating_theatre", 2, 40, 6},
-    {"ward_corridor", 4, 32, 3},
+    {"ward_corridor", 4, 24, 3},
     {"trolley_orientation", 48, 624, 3},
-    {"icu_ventilator_fragility", 2, 80, 8},
+    {"icu_ventilator_fragility", 2, 60, 8},
     {"icu_ventilator_ida", 2, 40, 10},
 };
 
