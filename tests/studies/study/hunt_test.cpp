@@ -48,6 +48,18 @@ TEST(Intensities, AHuntHalvesTheBracketUntilItIsNarrow) {
               ElementsAre(1, 1.5, 2.5, 4, 3.25, 3.625, 3.4375));
 }
 
+TEST(Intensities, AHuntFillsTheWidestGapsBelowTheCapacity) {
+  // As above, then: gaps of 1, 0.5, 1, 0.75 and 0.19 below 3.4375; the first of the widest, from 0
+  // to 1, gives 0.5; the next, from 1.5 to 2.5, gives 2.
+  IntensityPlan plan = hunt(50);
+  plan.fill = 2;
+  EXPECT_THAT(tried(plan, [](double x) { return x > 3.3; }),
+              ElementsAre(1, 1.5, 2.5, 4, 3.25, 3.625, 3.4375, 0.5, 2));
+  // A fill that exceeds lowers the capacity, below which the next one is.
+  EXPECT_THAT(tried(plan, [](double x) { return x > 3.3 || x == 0.5; }),
+              ElementsAre(1, 1.5, 2.5, 4, 3.25, 3.625, 3.4375, 0.5, 0.25));
+}
+
 TEST(Intensities, AHuntEndsWithTheRunsItMayMake) {
   EXPECT_THAT(tried(hunt(5), [](double x) { return x > 3.3; }), ElementsAre(1, 1.5, 2.5, 4, 3.25));
 }

@@ -5,7 +5,6 @@
 
 #include <set>
 
-#include "engine/base/random/sampling.h"
 #include "tests/studies/study/small_study.h"
 
 namespace gurney {
@@ -78,31 +77,14 @@ TEST(Plan, AHypercubeHasOneDrawInEachCellOfEachVariable) {
   }
 }
 
-TEST(Permuted, IsAPermutationForEverySize) {
-  for (const std::uint64_t size : {1u, 2u, 3u, 4u, 5u, 7u, 16u, 17u, 100u, 1000u}) {
-    std::set<std::uint64_t> places;
-    for (std::uint64_t i = 0; i < size; ++i) {
-      const std::uint64_t place = permuted(3, 4, i, size);
-      EXPECT_LT(place, size);
-      places.insert(place);
-    }
-    EXPECT_EQ(places.size(), size);
-  }
-}
-
-TEST(Permuted, DependsOnSeedAndStream) {
-  constexpr std::uint64_t kSize = 1000;
-  int as_seed = 0, as_stream = 0, in_place = 0;
-  for (std::uint64_t i = 0; i < kSize; ++i) {
-    as_seed += permuted(1, 2, i, kSize) == permuted(2, 2, i, kSize);
-    as_stream += permuted(1, 2, i, kSize) == permuted(1, 3, i, kSize);
-    in_place += permuted(1, 2, i, kSize) == i;
-  }
-  // Of two random permutations the number of equal places is Poisson with mean 1; more than 10 has
-  // a probability of 1e-8.
-  EXPECT_LE(as_seed, 10);
-  EXPECT_LE(as_stream, 10);
-  EXPECT_LE(in_place, 10);
+TEST(Plan, SobolDrawsAreOnePointOfEachVariable) {
+  // 3 records of 4 draws: of the first 8 points of a Sobol sequence one lies in each eighth.
+  const SmallStudy study(job_with("sampling = \"sobol\"\n"));
+  std::set<int> cells;
+  for (std::size_t i = 0; i < 8; ++i)
+    cells.insert(static_cast<int>(
+        8 * study.plan.draw({.record = i / 4, .draw = i % 4})->probability("item.yaw_deg")));
+  EXPECT_EQ(cells.size(), 8);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ evnts = true
             "a.toml:13:8: study.seed = -1: must be a whole number in 0..2147483647\n"
             "a.toml:14:15: study.certificate = 1.5: must be a finite number >= 0 and <= 1\n"
             "a.toml:15:12: study.sampling = \"latin\": must be one of monte-carlo, "
-            "latin-hypercube; did you mean 'latin-hypercube'?\n"
+            "latin-hypercube, sobol; did you mean 'latin-hypercube'?\n"
             "a.toml:17:1: study.intensity.levels_g: unknown key; known: measure, scales, vertical\n"
             "a.toml:19:13: study.keep.histories = \"some\": must be one of none, failed, "
             "overturned, all; did you mean 'none'?\n"
