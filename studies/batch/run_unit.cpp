@@ -99,7 +99,7 @@ UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<b
   }
   Intensities intensities(study.intensity);
   while (const std::optional<double> value = intensities.next()) {
-    if (!go_on()) return {.unit = index};
+    if (!go_on()) return {index, {}, {}};
     StudyRun run;
     run.scale = by_measure ? motions.scale_for(unit.record, *value) : *value;
     run.intensity = by_measure ? *value : 0;
@@ -113,7 +113,9 @@ UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<b
         job && run.response.outcome != Outcome::kDiverged &&
         exceeded(study.limit_states, study.intensity.until, values_of(job->scene, run.response));
     intensities.report(*value, ended);
-    if (run.response.outcome == Outcome::kDiverged) intensities.stop();
+    if (run.response.outcome == Outcome::kDiverged &&
+        study.intensity.kind == IntensityPlan::Kind::kHunt)
+      intensities.stop();
     result.runs.push_back(std::move(run));
   }
   return result;
