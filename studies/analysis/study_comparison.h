@@ -51,8 +51,8 @@ struct StudyComparison {
 };
 
 struct ComparisonOptions {
-  std::vector<std::string> demands;  ///< names; empty: demands_of()
-  std::string measure;               ///< of the curves; empty: the first that both have
+  std::vector<std::string> demands = {};  ///< names; empty: demands_of()
+  std::string measure = {};               ///< of the curves; empty: the first that both have
   double confidence = 0.95;
   int resamples = 999;  ///< for the curves
   std::uint64_t seed = 1;

@@ -17,8 +17,8 @@
 namespace gurney {
 namespace {
 
-constexpr double kWeak = 0.3;        // a tenth of the variance in common
-constexpr double kBeyondChance = 4;  // standard deviations
+constexpr double kWeak = 0.3;          // a tenth of the variance in common
+constexpr double kBeyondChance = 3.5;  // standard deviations: of 80 pairs one in 25 times
 
 /// The output of each run, with its name.
 struct Output {

@@ -27,12 +27,12 @@ values = [false, true]
 TOML
   "$gurney" run study.toml -o "$1" > stdout 2> stderr || complain "no study $1"
 }
-study a.h5 0.4 24
-study b.h5 0.5 24
+study a.h5 0.4 32
+study b.h5 0.5 32
 study few.h5 0.4 8
 
 expect 0 "item.brakes" "$gurney" compare a.h5
-expect 0 "24 draws, each counts once: one record" "$gurney" compare a.h5 --configurations false,true
+expect 0 "32 draws, each counts once: one record" "$gurney" compare a.h5 --configurations false,true
 expect 0 "less in B: icu_ventilator: peak_displacement" "$gurney" compare a.h5 --demand peak_displacement
 expect 0 "excitation.record.synthetic.period_s" "$gurney" compare a.h5 b.h5 --configuration false
 expect 0 "item.brakes" "$gurney" compare a.h5 b.h5 --configuration false,true
@@ -56,7 +56,7 @@ expect 1 "no limit state 'roled'; did you mean 'rolled'?" "$gurney" measures a.h
 
 expect 0 "Correlated, so the index of each" "$gurney" sensitivity a.h5 --configuration false --level 2
 expect 0 "scale = 1" "$gurney" sensitivity a.h5 --configuration false --level 2
-expect 0 "48 runs share 24 draws" "$gurney" sensitivity a.h5 --configuration false
+expect 0 "64 runs share 32 draws" "$gurney" sensitivity a.h5 --configuration false
 expect 0 "s.svg" "$gurney" sensitivity a.h5 --configuration false --level 2 --figure s.svg
 expect 0 '"correlated"' "$gurney" sensitivity a.h5 --json
 expect 1 "are too few: at least 20" "$gurney" sensitivity few.h5

@@ -109,7 +109,7 @@ TEST_F(RunPairsTest, ConfigurationsAreNamedEvenWithCommasInThem) {
   EXPECT_THAT(named_configurations(a, "locked, vinyl"), ElementsAre(1));
   EXPECT_THAT(named_configurations(a, "free, vinyl, locked, vinyl"), ElementsAre(0, 1));
   EXPECT_THAT(named_configurations(a, "free,locked, vinyl"), ElementsAre(2, 1));
-  EXPECT_ERROR(named_configurations(a, "fre"), "no configuration 'fre'; did you mean 'free'?");
+  EXPECT_ERROR(named_configurations(a, "fee"), "no configuration 'fee'; did you mean 'free'?");
 }
 
 }  // namespace
