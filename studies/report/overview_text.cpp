@@ -82,10 +82,12 @@ std::string tail(const FileOverview& file, const std::string& worst) {
                                        file.energy_closure, worst));
   for (const std::string& each : file.warnings) all += entry("warning", each);
   const std::size_t count = file.assumptions.size();
-  all += entry("assumed", count == 0 ? "no number without a source"
-                                     : fmt::format("{} numbers have no source but a reason and a "
-                                                   "range; --json lists them",
-                                                   count));
+  all += entry("assumed", count == 0   ? "no number without a source"
+                          : count == 1 ? "1 number without a source, with a reason and a range; "
+                                         "--json tells it"
+                                       : fmt::format("{} numbers without a source, with a reason "
+                                                     "and a range; --json lists them",
+                                                     count));
   return all;
 }
 
