@@ -133,8 +133,10 @@ void Recorder::observe_wheels(const Stepper::Step& step) {
     wheel.scrub_torque = leg.tread().spin_radius() * tread.force[3];
     wheel.rolling_resistance = tread.force[4] / leg.wheel_radius();
     wheel.mode = mode_of(leg, tread, step.end->items[item_].axle_slips[i]);
+    // A wheel in the air may spin on a free axle for ever; that is no motion of the item.
+    const double spin = wheel.mode == WheelMode::kLifted ? 0 : std::abs(rates[1]);
     speed_ = std::max({speed_, std::abs(rates[0]) * (trails_[i] + leg.wheel_radius()),
-                       std::abs(rates[1]) * leg.wheel_radius()});
+                       spin * leg.wheel_radius()});
 
     WheelDemands& d = demands_.wheels[i];
     d.peak_normal_force = std::max(d.peak_normal_force, wheel.normal_force);

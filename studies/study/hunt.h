@@ -38,7 +38,7 @@ class Intensities {
   int filled_ = 0;
   double safe_ = 0;                 ///< highest below the lowest that is not
   std::optional<double> exceeded_;  ///< lowest
-  bool narrow_ = false;  ///< the bracket is: what comes now fills
+  bool narrow_ = false;             ///< the bracket is: what comes now fills
   bool stopped_ = false;
 };
 

@@ -1,6 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <cstdio>
 #include <limits>
 #include <map>
 
@@ -12,6 +11,7 @@
 #include "studies/statistics/capacity.h"
 #include "tests/studies/exports/fabricated_study.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/temp_folder.h"
 
 namespace gurney {
 namespace {
@@ -21,17 +21,17 @@ using testing::HasSubstr;
 
 class Exports : public testing::Test {
  protected:
-  Exports() : path_(testing::TempDir() + "exports.h5") {
+  Exports() {
     FabricatedStudy::write(path_);
     data_.emplace(path_);
   }
-  ~Exports() override { std::remove(path_.c_str()); }
 
   TakeFile take() {
     return [this](const std::string& name, std::string_view bytes) { files_[name] = bytes; };
   }
 
-  std::string path_;
+  TempFolder folder_;
+  std::string path_ = folder_.file("exports.h5");
   std::optional<StudyData> data_;
   std::map<std::string, std::string> files_;
 };

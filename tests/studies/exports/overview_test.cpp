@@ -2,13 +2,13 @@
 
 #include <gmock/gmock.h>
 
-#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "studies/report/overview_report.h"
 #include "tests/studies/exports/fabricated_study.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/temp_folder.h"
 
 namespace gurney {
 namespace {
@@ -20,10 +20,10 @@ using testing::Not;
 
 class Overview : public testing::Test {
  protected:
-  Overview() : path_(testing::TempDir() + "overview.h5") { FabricatedStudy::write(path_); }
-  ~Overview() override { std::remove(path_.c_str()); }
+  Overview() { FabricatedStudy::write(path_); }
 
-  std::string path_;
+  TempFolder folder_;
+  std::string path_ = folder_.file("overview.h5");
 };
 
 TEST_F(Overview, CountsRunsOfEachConfigurationAtEachLevel) {
@@ -56,10 +56,9 @@ TEST_F(Overview, NamesFailedRunsAndWhatMakesThemAgain) {
 }
 
 TEST_F(Overview, QuotesNamesOfFilesForTheShell) {
-  const std::string path = testing::TempDir() + "it's a study.h5";
+  const std::string path = folder_.file("it's a study.h5");
   FabricatedStudy::write(path);
   EXPECT_THAT(study_overview(path).failures.at(0).command, HasSubstr("/it'\\''s a study.h5' 17"));
-  std::remove(path.c_str());
 }
 
 TEST_F(Overview, TellsRecordsAssumptionsAndTheWorstEnergyAccount) {
@@ -126,13 +125,12 @@ TEST_F(Overview, IsJson) {
 }
 
 TEST_F(Overview, RefusesOtherFiles) {
-  const std::string text = testing::TempDir() + "text.h5";
+  const std::string text = folder_.file("text.h5");
   std::ofstream(text) << "no HDF5";
   EXPECT_ERROR(is_study_file(text), "text.h5: is no results file of gurney");
   EXPECT_ERROR(is_study_file(text + "x"), "text.h5x: does not exist");
   EXPECT_ERROR(run_overview(path_), "overview.h5: is the results file of a study");
   EXPECT_TRUE(is_study_file(path_));
-  std::remove(text.c_str());
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ TEST(StudyReader, AnEmptyTableIsOneRunWithEveryNumberAtItsValue) {
   EXPECT_EQ(study.angles, std::vector<double>{0});
   EXPECT_EQ(study.intensity.levels, std::vector<double>{1});
   EXPECT_EQ(study.draws, 0);
-  EXPECT_EQ(study.measures.size(), 6u);
+  EXPECT_EQ(study.measures.size(), 7u);
   EXPECT_EQ(small.plan.units(), 1u);
   EXPECT_FALSE(small.plan.draw({}));
 }
