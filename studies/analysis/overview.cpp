@@ -102,6 +102,11 @@ void add_counts(const StudyData& data, StudyOverview& overview) {
     overview.overturned += overturned;
     overview.failed += failed;
   }
+  if (data.file().has("warnings")) {
+    const std::vector<double> warned = data.file().numbers("warnings/run");
+    overview.warned = std::set<double>(warned.begin(), warned.end()).size();
+    if (!warned.empty()) overview.first_warning = data.file().strings("warnings/warning").front();
+  }
   for (std::size_t i = 0; i < data.configurations().size(); ++i)
     for (std::size_t state = 0; state < states; ++state) {
       const std::vector<std::size_t>& runs = data.runs_of(i);

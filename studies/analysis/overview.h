@@ -55,6 +55,8 @@ struct StudyOverview {
   std::vector<LimitState> states;
   std::size_t runs = 0, overturned = 0, failed = 0;
   std::size_t energy_closure_run = 0;
+  std::size_t warned = 0;           ///< runs whose building warned
+  std::string first_warning;        ///< of them; empty: none
   std::vector<LevelCounts> counts;  ///< levels of a configuration follow each other
   std::vector<FailedRun> failures;
   std::optional<StepCertificate> certificate;

@@ -63,6 +63,7 @@ void simulate_case(const Batch& batch, const Unit& unit, const Job& job, bool ch
   try {
     RunCase of_run = case_of(batch, unit, job, run.scale);
     if (batch.job.study().keep.histories == Histories::kNone) of_run.settings.history_step = 0;
+    run.warnings = of_run.warnings;
     run.pfa = peak_of(of_run.excitation.floor, false);
     run.pfv = peak_of(of_run.excitation.floor, true);
     run.response = simulate(of_run.scene, of_run.excitation, of_run.settings);
@@ -75,9 +76,10 @@ void simulate_case(const Batch& batch, const Unit& unit, const Job& job, bool ch
 }  // namespace
 
 RunCase case_of(const Batch& batch, const Unit& unit, const Job& job, double scale) {
-  RunCase run{job.scene, job.excitation, job.settings};
-  run.excitation.floor = batch.motions.set_of(unit.configuration)
-                             .floor(unit.record, scale, batch.job.study().angles[unit.angle]);
+  RunCase run{job.scene, job.excitation, job.settings, {}};
+  run.excitation.floor =
+      batch.motions.set_of(unit.configuration)
+          .floor(unit.record, scale, batch.job.study().angles[unit.angle], run.warnings);
   return run;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "studies/batch/unit_result.h"
 #include "studies/study/plan.h"
@@ -19,6 +21,7 @@ struct RunCase {
   Scene scene;
   Excitation excitation;
   SimulationSettings settings;
+  std::vector<std::string> warnings;  ///< of the building under this motion
 };
 
 /// @param job    of the unit's configuration and draw

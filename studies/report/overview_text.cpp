@@ -165,6 +165,9 @@ std::string overview_text(const StudyOverview& overview) {
                                            : "none, every number has its value");
   all += entry("runs", fmt::format("{}, {} overturned, {} failed", overview.runs,
                                    overview.overturned, overview.failed));
+  if (overview.warned > 0)
+    all += entry("warnings", fmt::format("in {} runs the building warned (/warnings), such as: {}",
+                                         overview.warned, overview.first_warning));
   all += tail(overview.file, fmt::format(" (worst: run {})", overview.energy_closure_run));
   return all + motions(overview.file) + counts(overview) + failures(overview) +
          certificate(overview);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <functional>
@@ -126,9 +127,14 @@ Record MotionSet::floor_record(std::size_t record, double scale) const {
                          *request_);
 }
 
-FloorMotion MotionSet::floor(std::size_t record, double scale, double angle) const {
+FloorMotion MotionSet::floor(std::size_t record, double scale, double angle,
+                             std::vector<std::string>& warnings) const {
   if (!request_) return {};
-  return in_floor_axes(floor_record(record, scale), *request_, request_->angle + angle);
+  const Record floor = floor_record(record, scale);
+  const std::vector<std::string>& of_ground = ground(record).record.warnings;
+  for (const std::string& warning : floor.warnings)
+    if (std::ranges::find(of_ground, warning) == of_ground.end()) warnings.push_back(warning);
+  return in_floor_axes(floor, *request_, request_->angle + angle);
 }
 
 std::optional<Motion> MotionSet::motion(std::size_t record, double scale, double angle) const {

@@ -38,7 +38,9 @@ class MotionSet {
   double scale_for(std::size_t record, double value) const;
 
   /// What the floor does under the record times `scale`.
-  FloorMotion floor(std::size_t record, double scale, double angle) const;
+  /// @param warnings  gets those of the building, such as of isolators beyond their capacity
+  FloorMotion floor(std::size_t record, double scale, double angle,
+                    std::vector<std::string>& warnings) const;
 
   /// The same with what is to be told of it; none where the floor rests.
   std::optional<Motion> motion(std::size_t record, double scale, double angle) const;

@@ -183,6 +183,8 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
     drawn.add_number("value", "1", "its value, in the unit at the end of its name");
   }
   make("failures").add_text("cause", "why the run failed", kLongestCause);
+  make("warnings")
+      .add_text("warning", "what the building under this motion warned of", kLongestCause);
 }
 
 void RunTables::add(const UnitResult& result) {
@@ -221,6 +223,8 @@ void RunTables::add_run(const UnitResult& result, const Unit& unit, const StudyR
   runs.put(run.scale).put(run.intensity).put(run.pfa).put(run.pfv);
   runs.put(std::string(name_of(run.response.outcome))).put(run.response.end_time);
   runs.put(run.response.quality.energy_closure).end_row();
+  for (const std::string& warning : run.warnings)
+    table("warnings").put(double(runs_)).put(warning.substr(0, kLongestCause)).end_row();
   const ConfigurationNames& names = names_[unit.configuration];
   if (run.response.outcome == Outcome::kDiverged) {
     table("failures").put(double(runs_)).put(run.response.cause.substr(0, kLongestCause)).end_row();

@@ -153,6 +153,23 @@ TEST_F(StudyFile, ARunThatFailedIsARowWithItsCause) {
   EXPECT_EQ(file.numbers("/items/run").size(), counts_.runs - counts_.failed);
 }
 
+TEST_F(StudyFile, KeepsWhatTheBuildingWarnsOf) {
+  // Isolators with room for 1 mm under 0.4 mg, which moves them by less, and under 0.4 g.
+  std::string job = small_job("[study.intensity]\nscales = [0.001, 1]\n");
+  job.insert(job.find("[settings]"),
+             "[excitation.building]\nkind = \"generic\"\nname = \"b\"\nstoreys = 4\n"
+             "height_m = 16\nframe = \"concrete_moment_frame\"\ndamping_ratio = 0.03\n"
+             "shear_flexure_ratio = 8\nfloor = 0\n"
+             "[excitation.building.isolation]\nkind = \"lead_rubber\"\nperiod_s = 3\n"
+             "strength_ratio = 0.06\nyield_displacement_mm = 10\ndamping_ratio = 0.03\n"
+             "base_mass_ratio = 0.2\ndisplacement_capacity_mm = 1\n");
+  job.replace(job.find("period_s = 0.1"), 14, "period_s = 0.5");
+  const Hdf5Reader file(write(SmallStudy(job)));
+  EXPECT_THAT(file.numbers("/warnings/run"), testing::ElementsAre(1));
+  EXPECT_THAT(file.strings("/warnings/warning"),
+              testing::ElementsAre(testing::HasSubstr("exceeds the capacity of 0.001 m")));
+}
+
 TEST_F(StudyFile, DrawsThatMakeNoJobAreFailuresAndNoMore) {
   // Two trolleys 2 m apart, one of which may stand in the other in the first draw.
   const SmallStudy study(R"(schema = "gurney-job/1"
