@@ -64,7 +64,7 @@ study 0 "runs     48" small.toml -o fresh.h5 --resume
 same one.h5 fresh.h5
 
 # Killed at random moments, then gone on with.
-job long.toml 12
+job long.toml 80
 study 0 "runs     48" long.toml -o whole.h5
 kills=0
 for _ in 1 2 3 4 5 6; do
@@ -84,7 +84,7 @@ gone killed.h5.part
 # Interrupted.
 for pair in INT:130 TERM:143; do
   rm -f stopped.h5
-  "$gurney" run long.toml -o stopped.h5 > stdout 2> stderr &
+  "$gurney" run long.toml -o stopped.h5 -j 1 > stdout 2> stderr &
   process=$!
   wait_for stopped.h5.parts/00000001.part
   kill -s "${pair%:*}" "$process"
