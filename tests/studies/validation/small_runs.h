@@ -22,6 +22,11 @@ class SmallRuns {
         motions_(job_),
         plan_(job_, motions_) {}
 
+  /// The same of a changed text.
+  /// @param path  for messages and relative names
+  SmallRuns(const std::string& text, const std::string& path)
+      : job_(text, path), motions_(job_), plan_(job_, motions_) {}
+
   const StudyJob& job() const { return job_; }
 
   /// The runs of the first `records` records with these levels, angle by angle.
