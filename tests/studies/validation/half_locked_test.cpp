@@ -96,7 +96,7 @@ TEST(ValidationHalfLocked, CreepsTowardsTheFreeAxleAsARigidCartDoes) {
   }
 }
 
-/// Below the threshold, 0.166 g, the half-locked cart stays; above it goes on to one side. Free and
+/// Below the threshold, 0.167 g, the half-locked cart stays; above it goes on to one side. Free and
 /// locked carts go to and fro: in the same five cycles they get a tenth as far at most.
 TEST(ValidationHalfLocked, OnlyAHalfLockedCartGoesOn) {
   const SmallRuns study("validation_half_locked");

@@ -8,7 +8,9 @@ namespace gurney {
 namespace {
 
 struct Pairs {
-  int farther = 0, all = 0;  ///< pairs in which the locked machine moves farther; all pairs
+  int farther = 0;    ///< in which the locked machine moves farther
+  int backwards = 0;  ///< of these, in which it ends behind, not where it turned round
+  int all = 0;
 };
 
 Pairs pairs(const SmallRuns& study, const std::string& building, const std::string& locks,
@@ -18,21 +20,25 @@ Pairs pairs(const SmallRuns& study, const std::string& building, const std::stri
   };
   const auto free = made("free"), locked = made(locks);
   Pairs result;
-  for (std::size_t i = 0; i < free.size(); ++i, ++result.all)
-    result.farther +=
-        demands_of(locked[i]).peak_displacement > demands_of(free[i]).peak_displacement;
+  for (std::size_t i = 0; i < free.size(); ++i, ++result.all) {
+    const Demands& demands = demands_of(locked[i]);
+    if (demands.peak_displacement <= demands_of(free[i]).peak_displacement) continue;
+    ++result.farther;
+    result.backwards += demands.residual_displacement_x < -0.9 * demands.peak_displacement;
+  }
   return result;
 }
 
 /// Fixed base, fourth floor: in the whole study the machine moves farther with its two casters
 /// locked in 8 of 60 pairs. Of 30 pairs with other records none would do so with 0.014, and half of
-/// them with 1e-6.
+/// them with 1e-6. It creeps towards its rigid wheels, which are free: a half-locked cart.
 TEST(ValidationUltrasound, LockedCastersDoNotAlwaysKeepItNearerOnAFixedBase) {
   const SmallRuns study("validation_ultrasound");
   const Pairs fixed = pairs(study, "fixed", "casters", 5);
   EXPECT_EQ(fixed.all, 30);
   EXPECT_GE(fixed.farther, 1);
   EXPECT_LT(fixed.farther, 15);
+  EXPECT_EQ(fixed.backwards, fixed.farther);
 }
 
 /// Isolated: nearer in all of 240 pairs of the whole study; here in 12. Were locking without
