@@ -27,7 +27,7 @@ class SmallRuns {
   SmallRuns(const std::string& text, const std::string& path)
       : job_(text, path), motions_(job_), plan_(job_, motions_) {}
 
-  const StudyJob& job() const { return job_; }
+  std::size_t count() const { return plan_.units() * plan_.runs_of_unit(); }
 
   /// The runs of the first `records` records with these levels, angle by angle.
   std::vector<StudyRun> runs(const Levels& levels, std::size_t records = 1) const {
