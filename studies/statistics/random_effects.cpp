@@ -80,13 +80,6 @@ std::optional<RandomEffects> fit_random_effects(const Eigen::VectorXd& y,
   return fit;
 }
 
-double p_of_last(const RandomEffects& fit, Eigen::Index count) {
-  const Eigen::VectorXd b = fit.coefficients.tail(count);
-  const Eigen::MatrixXd c = fit.covariance.bottomRightCorner(count, count);
-  const double f = b.dot(c.ldlt().solve(b)) / static_cast<double>(count);
-  return fisher_survival(f, static_cast<double>(count), fit.degrees);
-}
-
 std::vector<double> outlier_p_values(const Eigen::VectorXd& y, const Eigen::VectorXd& error,
                                      const Eigen::MatrixXd& design) {
   const Eigen::Index n = y.size();

@@ -35,9 +35,6 @@ std::optional<RandomEffects> fit_random_effects(const Eigen::VectorXd& y,
                                                 const Eigen::VectorXd& error,
                                                 const Eigen::MatrixXd& design);
 
-/// Two-sided p that the last `count` coefficients are all zero, by Fisher's F of their covariance.
-double p_of_last(const RandomEffects& fit, Eigen::Index count);
-
 /// Two-sided p of each unit against what all others say (fit without it, prediction with the
 /// scatter; Student's t with n - p - 1 degrees), times n (Bonferroni), at most 1. 1 where the
 /// others cannot be fitted.

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "studies/trials/trial.h"
+
+/// Trials made with the engine: nothing here knows the formulas that the calibration uses.
+namespace gurney {
+
+/// What is pulled and what the instruments do.
+struct VirtualPull {
+  double resistance = 0.02;   ///< Cr / R of every wheel
+  int pavers = 0;             ///< on the trolley of Xu, Ma & Kurata (2022)
+  double drop_mass = 6;       ///< [kg]
+  double string_tension = 1;  ///< [N]
+  double drop_height = 1;     ///< [m]
+};
+
+/// A pull as the job studies/jobs/pulling_test.toml, sampled at 120 Hz, without noise.
+Trial virtual_pull(const VirtualPull& pull);
+
+/// The same with the noise of the instruments: +-0.1 mm is taken as the standard deviation.
+Trial with_noise(Trial trial, std::uint64_t seed, std::uint64_t stream);
+
+inline constexpr double kDisplacementNoise = 1e-4;  ///< [m]
+inline constexpr double kForceNoise = 0.5;          ///< [N]
+
+}  // namespace gurney
