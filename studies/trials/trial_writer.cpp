@@ -36,7 +36,9 @@ std::string setup_text(const TrialSetup& setup) {
          key("drop_mass_kg", setup.drop_mass.value_or(0)) +
          key("string_tension_n", setup.string_tension) +
          key("headings_deg", setup.headings, kRadiansPerDegree) + key("item", setup.item) +
-         key("payload_name", setup.payload_name) + key("payload_count", setup.payload_count) +
+         (setup.payload_count > 0
+              ? key("payload_name", setup.payload_name) + key("payload_count", setup.payload_count)
+              : "") +
          key("pull_point_mm", setup.pull_point, mm);
 }
 

@@ -90,18 +90,24 @@ TEST(RollingCalibration, IntervalsHoldTheTruthAsOftenAsStated) {
   std::map<std::string, int> rejected;
   int outliers = 0;
   for (int repeat = 0; repeat < kRepeats; ++repeat) {
-    const RollingCalibration found = calibrate_rolling(laboratory(repeat));
-    ASSERT_EQ(found.groups.size(), 1u);
-    const TrialConstant& ratio = found.groups[0].ratio;
+    std::vector<RollingTrial> trials;
+    std::vector<TrialValue> values;
+    for (const TrialAverages& each : laboratory(repeat)) {
+      trials.push_back({each, average_method(each)});
+      values.push_back(value_of(trials.back()));
+    }
+    const std::vector<Constant> constants = constants_of(values);
+    ASSERT_EQ(constants.size(), 1u);
+    const Constant& ratio = constants[0];
     covered += ratio.interval.contains(kTruth);
     EXPECT_NEAR(ratio.scatter, kScatter, 4 * kScatter / std::sqrt(2.0 * kPulls));
     predicted += ratio.prediction.contains(
         kTruth * std::exp(kScatter * normal_draw(static_cast<std::uint64_t>(repeat), 999, 0)));
-    for (const RollingTest& test : found.tests) {
+    for (const RollingTest& test : rolling_tests(trials)) {
       rejected[test.name] += test.p < 0.05;
       if (test.name == "load") covered_load += test.interval.contains(1);
     }
-    outliers += !found.outliers.empty();
+    outliers += !outliers_of(values).empty();
   }
   const Interval often = acceptance(0.95), seldom = acceptance(0.05);
   EXPECT_TRUE(often.contains(covered)) << covered;

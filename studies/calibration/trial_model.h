@@ -1,0 +1,45 @@
+#pragma once
+
+#include "engine/scene/scene.h"
+#include "engine/scene/settings.h"
+#include "studies/trials/phases.h"
+#include "studies/trials/trial.h"
+
+namespace gurney {
+
+/// A pull made again with the engine under the force that was measured.
+class TrialModel {
+ public:
+  /// What is not known of a trial.
+  struct Unknowns {
+    double resistance = 0;   ///< Cr / R
+    double patch_width = 0;  ///< [m]
+    double shift = 0;        ///< start of the motion after Phases::start [s]
+  };
+
+  /// Motion at the times of the trial's samples, since the start; constant after Phases::stop.
+  struct Motion {
+    std::vector<double> displacement, lateral, yaw;  ///< [m], [m], [rad]
+  };
+
+  /// @throws Error where the catalogue does not know the item, its payload or the caster, or the
+  /// item
+  ///         does not weigh what the trial says within 2 %.
+  TrialModel(const Trial& trial, const Phases& phases);
+
+  Unknowns usual() const;  ///< those of the caster's file
+  double wheel_width() const { return scene_.items[0].model.casters[0].wheel_width; }
+  double friction() const;        ///< mu_s of the first caster
+  double swivel_coulomb() const;  ///< of the first caster [N m]
+  double load_of_wheel() const;   ///< mean [N]
+
+  /// @pre the unknowns are within the engine's ranges
+  Motion run(const Unknowns& unknowns) const;
+
+ private:
+  const Trial& trial_;
+  Scene scene_;
+  double start_, end_;  ///< of the motion, on the trial's clock [s]
+};
+
+}  // namespace gurney
