@@ -15,9 +15,9 @@ struct Breakaway {
   double moved_at = 0;  ///< [s]
 };
 
-/// The peak is the largest mean of nine samples until it has moved 5 % of its path; treads that
-/// stretch before they slide are within. It moves from there to 95 % of its path, and there the
-/// displacement is a quadratic: moving = (F - F_s - (M + J) a) / N, J = 0 of locked wheels.
+/// The peak is the largest F - F_s - (M + J) a, J = 0 of locked wheels, with F and a from the mean
+/// and a quadratic over 0.2 s (0.4 s where wheels roll, as their force is small), until it has
+/// moved 5 % of its path. It moves from there to 95 % of its path, where the same is done once.
 /// @return nothing, and a fault in `fault`, where it does not move or no 0.2 s are left
 std::optional<Breakaway> breakaway_of(const Trial& trial, TrialFault& fault);
 

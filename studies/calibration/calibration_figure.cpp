@@ -81,8 +81,6 @@ void draw_phases(Svg& svg, const Frame& frame, const Scaling& scaling, const Pha
     if (to - from < 1) continue;
     svg.rectangle(from, frame.y, to - from, frame.height,
                   {.stroke = "", .fill = kPhaseColors[i], .opacity = 0.55});
-    svg.text((from + to) / 2, frame.y + 13, kPhaseNames[i],
-             {.size = 11, .anchor = Anchor::kMiddle, .bold = true});
   }
 }
 
@@ -93,6 +91,11 @@ void draw_signal(Svg& svg, const Frame& frame, Panel panel, const PhasedPull& pu
   const Scaling scaling = draw(svg, frame, panel);
   draw_phases(svg, frame, scaling, pull);
   draw(svg, frame, panel);
+  const std::array<double, 5> at = borders(pull);
+  for (std::size_t i = 0; i < kPhaseNames.size(); ++i)
+    if (scaling.x(at[i + 1]) - scaling.x(at[i]) > 15)
+      svg.text(scaling.x((at[i] + at[i + 1]) / 2), frame.y + 13, kPhaseNames[i],
+               {.size = 11, .anchor = Anchor::kMiddle, .bold = true});
 }
 
 void draw_pull(Svg& svg, const PhasedPull& pull) {
@@ -136,7 +139,8 @@ void draw_bars(Svg& svg, const Calibration& c) {
             .y_label = "",
             .x_range = {first, last},
             .y_range = {0, 1}});
-  svg.rectangle(frame.x - 44, frame.y - 6, 43, frame.height + 8, {.stroke = "", .fill = "#ffffff"});
+  svg.rectangle(frame.x - 44, frame.y - 6, 43, frame.height + 12,
+                {.stroke = "", .fill = "#ffffff"});
   for (std::size_t row = 0; row < rows; ++row) {
     const double y = frame.y + kRow * static_cast<double>(row);
     const std::array<double, 5> at = borders(c.pulls[row]);

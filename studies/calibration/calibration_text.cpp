@@ -25,6 +25,10 @@ std::string constants_text(const Calibration& c) {
     text += fmt::format("{:<{}} {:>10.4g}  {:<22} {:>7.1f}% {:>7}  {}\n", each.about(), width,
                         each.value, interval_text(each.interval), 100 * each.scatter,
                         each.trials.size(), unit_of(each.kind));
+  if (std::ranges::any_of(c.constants, [](const Constant& each) {
+        return each.kind == ConstantKind::kStaticFriction;
+      }))
+    text += "mu_s is a lower bound: wheels do not break away all at once.\n";
   return text;
 }
 

@@ -224,6 +224,7 @@ std::string why_not(const std::string& caster, const std::string& base, double r
 
 std::vector<CasterFile> caster_files(const Calibration& calibration, const std::string& base,
                                      std::vector<std::string>& without) {
+  if (!base.empty()) find_data(DataKind::kCaster, base, "");
   std::map<std::pair<std::string, std::string>, std::vector<const Constant*>> groups;
   for (const Constant& each : calibration.constants)
     if (each.kind != ConstantKind::kStartUp && each.kind != ConstantKind::kRestitution)

@@ -21,7 +21,7 @@ struct CasterFile {
 /// Rolling resistance and friction get their value, 95 % interval (`range`), a source that names
 /// the trials, and a lognormal distribution with the scatter between trials where there is some.
 /// The patch width is what the swivel torque leaves after the bearing's friction of the base.
-/// @throws Error where the base cannot be read.
+/// @throws Error where the base is not known or cannot be read.
 std::vector<CasterFile> caster_files(const Calibration& calibration, const std::string& base,
                                      std::vector<std::string>& without);
 

@@ -94,13 +94,29 @@ std::vector<Constant> constants_of(const std::vector<TrialValue>& values) {
 }
 
 std::vector<Outlier> outliers_of(const std::vector<TrialValue>& values) {
+  const Groups groups = groups_of(values);
   std::vector<Outlier> found;
-  for (const auto& [key, group] : groups_of(values)) {
-    const Logarithms logs = logarithms(group);
-    const std::vector<double> p = outlier_p_values(logs.y, logs.error, logs.design);
-    const std::string about = constant_of(key, group).about();
+  for (auto first = groups.begin(); first != groups.end();) {
+    auto last = first;  // all groups of one kind
+    std::vector<const TrialValue*> all;
+    std::vector<std::pair<std::string, Eigen::Index>> members;
+    Eigen::Index count = 0;
+    for (; last != groups.end() && std::get<0>(last->first) == std::get<0>(first->first); ++last) {
+      const std::string about = constant_of(last->first, last->second).about();
+      for (const TrialValue* each : last->second) {
+        all.push_back(each);
+        members.emplace_back(about, count);
+      }
+      ++count;
+    }
+    const Logarithms logs = logarithms(all);
+    Eigen::MatrixXd design = Eigen::MatrixXd::Zero(logs.y.size(), count);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      design(static_cast<Eigen::Index>(i), members[i].second) = 1;
+    const std::vector<double> p = outlier_p_values(logs.y, logs.error, design);
     for (std::size_t i = 0; i < p.size(); ++i)
-      if (p[i] < kOutlier) found.push_back({group[i]->trial, about, group[i]->value, p[i]});
+      if (p[i] < kOutlier) found.push_back({all[i]->trial, members[i].first, all[i]->value, p[i]});
+    first = last;
   }
   return found;
 }

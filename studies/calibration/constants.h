@@ -52,7 +52,7 @@ struct Constant {
 struct Outlier {
   std::string trial, constant;
   double value = 0;
-  double p = 1;  ///< two-sided, times the number of trials (Bonferroni), below 0.05
+  double p = 1;  ///< two-sided, times the number of trials of its kind (Bonferroni), below 0.05
 };
 
 /// A trial with `use` validation against the constant of the others.
@@ -67,6 +67,8 @@ struct Prediction {
 
 /// In the order of kind, caster and floor.
 std::vector<Constant> constants_of(const std::vector<TrialValue>& values);
+
+/// outlier_p_values() of all trials of a kind, each caster and floor with its own level.
 std::vector<Outlier> outliers_of(const std::vector<TrialValue>& values);
 
 /// @return validation trials; `unpredicted` are those whose constant no calibration trial gives

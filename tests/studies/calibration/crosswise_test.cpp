@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
-
 #include "engine/base/units.h"
 #include "tests/studies/calibration/virtual_pulls.h"
 
@@ -12,30 +10,41 @@ namespace {
 
 using testing::HasSubstr;
 
-Trial crosswise(double width, double resistance) {
+Trial crosswise(double width, double heading_deg) {
   VirtualPull pull;
   pull.patch_width = width;
-  pull.resistance = resistance;
-  pull.heading = 90 * kRadiansPerDegree;
+  pull.resistance = 0.018;
+  pull.heading = heading_deg * kRadiansPerDegree;
   pull.drop_mass = 8;
-  return virtual_pull(pull);
+  return with_noise(virtual_pull(pull), 1, 0);
 }
 
-// The trial has a weight on a cable and steps of its own; the fit has only the force that the load
-// cell tells. The intervals are those of the residuals.
+// The trial has a weight on a cable, blocks elsewhere and a start of its own; the fit has only the
+// force that the load cell tells. 5 % is what docs/calibration.md states for that, and 0.5 % for
+// Cr / R. The base's w is 8 mm, so finding 4 mm is no repetition of the start.
 TEST(Crosswise, FindsWhatTheTrialWasMadeWith) {
-  for (const double width : {0.004, 0.012}) {
-    SCOPED_TRACE(width);
-    TrialFault fault;
-    const auto fit = fit_crosswise(with_noise(crosswise(width, 0.018), 1, 0), fault);
-    ASSERT_TRUE(fit) << fault.text();
-    std::printf(
-        "w %.5f (%.5f) Cr/R %.5f +- %.5f, torque %.6f +- %.6f shift %.4f misfit %.6f corr %.2f\n",
-        fit->patch_width, width, fit->resistance, fit->resistance_error, fit->torque_length,
-        fit->torque_length_error, fit->shift, fit->misfit, fit->correlation);
-    EXPECT_NEAR(fit->patch_width, width, 0.05 * width);
-    EXPECT_NEAR(fit->resistance, 0.018, 0.01 * 0.018);
-  }
+  TrialFault fault;
+  const auto fit = fit_crosswise(crosswise(0.004, 90), fault);
+  ASSERT_TRUE(fit) << fault.text();
+  const double truth = 0.6 * 0.004 / 4 + 0.03 / fit->load;  // mu, w and T of R100
+  EXPECT_NEAR(fit->torque_length, truth, 0.05 * truth);
+  EXPECT_NEAR(fit->friction_times_width, 0.6 * 0.004, 0.05 * 0.6 * 0.004);
+  EXPECT_NEAR(fit->resistance, 0.018, 0.005 * 0.018);
+  EXPECT_LT(fit->misfit, 5e-4);
+  EXPECT_EQ(fit->trial, "virtual");
+}
+
+TEST(Crosswise, NamesTrialsThatItCannotMakeAgain) {
+  TrialFault fault;
+  Trial trial = crosswise(0.008, 90);
+  trial.setup.mass += 14;
+  EXPECT_FALSE(fit_crosswise(trial, fault));
+  EXPECT_THAT(fault.text(), HasSubstr("virtual.csv: xu_trolley weighs 98.5 kg with its payload, "
+                                      "but the trial 112.5 kg"));
+  trial.setup.mass -= 14;
+  trial.setup.caster = "R10";
+  EXPECT_FALSE(fit_crosswise(trial, fault));
+  EXPECT_THAT(fault.text(), HasSubstr("did you mean 'R100'?"));
 }
 
 }  // namespace

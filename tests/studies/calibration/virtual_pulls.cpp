@@ -76,7 +76,7 @@ Trial virtual_pull(const VirtualPull& pull) {
   return trial;
 }
 
-Trial virtual_winch(bool brakes, double static_friction, double kinetic_friction) {
+Trial virtual_winch(bool brakes, double ramp, double static_friction, double kinetic_friction) {
   ItemOptions options;
   options.brakes.assign(4, brakes);
   Scene scene;
@@ -87,13 +87,13 @@ Trial virtual_winch(bool brakes, double static_friction, double kinetic_friction
     caster.tread.kinetic_friction = kinetic_friction;
   }
   Excitation excitation;
-  PointForce winch{"winch", {0.55, 0, 0.14}, Vector3::UnitX(), {0, 0.5, 10.5}, {0, 0, 1500}};
+  PointForce winch{"winch", {0.55, 0, 0.14}, Vector3::UnitX(), {0, 0.5, 15.5}, {0, 0, 15 * ramp}};
   winch.speed_limit = 0.1;
   excitation.forces = {winch};
   SimulationSettings settings;
   settings.time_step = 1 / (2 * kRate);
   settings.history_step = 1 / kRate;
-  settings.duration = 10;
+  settings.duration = 15;
   Trial trial;
   trial.kind = brakes ? TrialKind::kLockedPull : TrialKind::kStartPull;
   describe(model, trial);

@@ -66,7 +66,8 @@ int main(int, char** argv) {
   }
   for (int i = 1; i <= 2; ++i) {
     const double share = std::exp((i - 1.5) * 0.05);
-    writer.write("locked_" + std::to_string(i), virtual_winch(true, 0.62 * share, 0.55 * share), 8);
+    writer.write("locked_" + std::to_string(i), virtual_winch(true, 80, 0.62 * share, 0.55 * share),
+                 13);
     writer.write("impact_" + std::to_string(i), virtual_impact(0.3 + 0.1 * i, 0.4 * share), 3);
   }
 }
