@@ -9,6 +9,7 @@
 #include "engine/base/config/document.h"
 #include "engine/base/config/node.h"
 #include "engine/base/config/table.h"
+#include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "equipment/caster_type.h"
 #include "equipment/catalogue.h"
@@ -204,6 +205,14 @@ double load_of_wheel(const Calibration& calibration, const std::string& caster) 
   return count > 0 ? sum / count : 1;
 }
 
+void require_caster(const std::string& name) {
+  try {
+    find_data(DataKind::kCaster, name, "");
+  } catch (const Error& error) {
+    throw Error("'" + name + "': " + error.what());
+  }
+}
+
 /// What speaks against making a file for these trials; empty: nothing.
 std::string why_not(const std::string& caster, const std::string& base, double radius) {
   const std::vector<std::string> known = catalogue_names(DataKind::kCaster);
@@ -224,7 +233,7 @@ std::string why_not(const std::string& caster, const std::string& base, double r
 
 std::vector<CasterFile> caster_files(const Calibration& calibration, const std::string& base,
                                      std::vector<std::string>& without) {
-  if (!base.empty()) find_data(DataKind::kCaster, base, "");
+  if (!base.empty()) require_caster(base);
   std::map<std::pair<std::string, std::string>, std::vector<const Constant*>> groups;
   for (const Constant& each : calibration.constants)
     if (each.kind != ConstantKind::kStartUp && each.kind != ConstantKind::kRestitution)

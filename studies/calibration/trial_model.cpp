@@ -17,9 +17,17 @@ constexpr double kTimeStep = 1.0 / 240;  // [s]
 constexpr double kMassAgrees = 0.02;
 constexpr double kHeld = 0.3;  // before the start, to come to rest [s]
 
+std::string found(DataKind kind, const std::string& name) {
+  try {
+    return find_data(kind, name, "");
+  } catch (const Error& error) {
+    throw Error("'" + name + "': " + error.what());
+  }
+}
+
 EquipmentModel model_of(const TrialSetup& setup) {
   ItemOptions options;
-  options.caster = load_caster_type(find_data(DataKind::kCaster, setup.caster, ""));
+  options.caster = load_caster_type(found(DataKind::kCaster, setup.caster));
   const std::vector<std::string> floors = catalogue_names(DataKind::kFloor);
   if (std::ranges::find(floors, setup.floor) != floors.end())
     options.floor = load_floor_covering(find_data(DataKind::kFloor, setup.floor, ""));
@@ -27,7 +35,7 @@ EquipmentModel model_of(const TrialSetup& setup) {
   options.headings = setup.headings;
   if (setup.headings.size() == 1)
     options.headings.assign(static_cast<std::size_t>(setup.wheels), setup.headings[0]);
-  EquipmentModel model = load_item(find_data(DataKind::kItem, setup.item, ""), options).model;
+  EquipmentModel model = load_item(found(DataKind::kItem, setup.item), options).model;
   const double mass = whole_item(model).mass;
   require(std::abs(mass / setup.mass - 1) < kMassAgrees,
           fmt::format("{} weighs {:.4g} kg with its payload, but the trial {:.4g} kg", setup.item,

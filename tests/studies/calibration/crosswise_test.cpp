@@ -44,7 +44,7 @@ TEST(Crosswise, NamesTrialsThatItCannotMakeAgain) {
   trial.setup.mass -= 14;
   trial.setup.caster = "R10";
   EXPECT_FALSE(fit_crosswise(trial, fault));
-  EXPECT_THAT(fault.text(), HasSubstr("did you mean 'R100'?"));
+  EXPECT_THAT(fault.text(), HasSubstr("'R10': unknown caster; did you mean 'R100'?"));
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ struct VirtualPull {
 /// A pull as the job studies/jobs/pulling_test.toml, sampled at 120 Hz, without noise.
 Trial virtual_pull(const VirtualPull& pull);
 
-/// A winch of 0.1 m/s pulls, its force growing by `ramp` [N/s] for 15 s. Wheels of a caster with brakes off roll;
-/// else they slide with `static_friction` and `kinetic_friction`.
+/// A winch of 0.1 m/s pulls, its force growing by `ramp` [N/s] for 15 s. Wheels of a caster with
+/// brakes off roll; else they slide with `static_friction` and `kinetic_friction`.
 Trial virtual_winch(bool brakes, double ramp, double static_friction, double kinetic_friction);
 
 /// Rolls against a wall with `speed` and leaves with `restitution` times it.

@@ -21,7 +21,7 @@ grep -q "</svg>" calibrated/calibration.svg || complain "no figure"
 expect 0 "has no mistakes" "$gurney" equipment check calibrated/R100_on_polyflor_mystique.toml
 calibrate 1 "calibration.txt: exists already" trials -o calibrated
 calibrate 0 "calibrated/calibration.json" trials -o calibrated --overwrite
-calibrate 1 "R200" trials --base R200 -o other
+calibrate 1 "'R200': unknown caster; did you mean" trials --base R200 -o other
 
 sed 's/^# caster = R100/# caster = mine/; s/force_n/force/' trials/pull_1.csv > trials/bad.csv
 calibrate 1 "force: unknown column; did you mean 'force_n'?" trials
