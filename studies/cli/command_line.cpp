@@ -15,6 +15,7 @@
 #include "studies/cli/calibrate_command.h"
 #include "studies/cli/check_command.h"
 #include "studies/cli/compare_command.h"
+#include "studies/cli/converge_command.h"
 #include "studies/cli/equipment_command.h"
 #include "studies/cli/export_command.h"
 #include "studies/cli/fragility_command.h"
@@ -123,6 +124,7 @@ int run_command_line(int argc, char** argv) {
   add_compare(app, act);
   add_measures(app, act);
   add_sensitivity(app, act);
+  add_converge(app, act);
   add_records(app, act);
   add_equipment(app, act);
   add_calibrate(app, act);
