@@ -12,13 +12,15 @@
 namespace gurney {
 namespace {
 
-constexpr int kUnknowns = 3, kMostIterations = 25;
+constexpr int kUnknowns = 4, kMostIterations = 25;
 constexpr double kSettled = 1e-2;     // of a step, in standard errors squared
 constexpr double kSaysNothing = 0.5;  // relative error
 constexpr double kLeastNoise = 1e-5;  // of any series [m, rad]
+constexpr double kFarthest = 0.03;    // of start and release from those of the phases [s]
 constexpr double kBeforeStop = 0.15;  // [s]
 
 using Vector = Eigen::Matrix<double, kUnknowns, 1>;
+using Square = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 
 /// Residuals of a trial in standard deviations of its noise.
 class Residuals {
@@ -33,7 +35,7 @@ class Residuals {
   }
 
   Eigen::VectorXd at(const Vector& x) const {
-    const TrialModel::Motion motion = model_.run({x[0], x[1], x[2]});
+    const TrialModel::Motion motion = model_.run({x[0], x[1], x[2], x[3]});
     const TrialSignals& s = trial_.signals;
     std::vector<double> all;
     append(s.displacement, motion.displacement, all);
@@ -66,11 +68,11 @@ class Residuals {
 struct Minimum {
   Vector x;
   Eigen::VectorXd residuals;
-  Eigen::Matrix3d covariance;
+  Square covariance;
 };
 
 std::optional<Minimum> minimise(const Residuals& of, Vector x, double widest) {
-  const Vector step(1e-4, 2e-4, 1e-3);  // of differences: Cr / R, m, s
+  const Vector step(1e-4, 2e-4, 1e-3, 1e-3);  // of differences: Cr / R, m, s, s
   Eigen::VectorXd r = of.at(x);
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     Eigen::MatrixXd slope(r.size(), kUnknowns);
@@ -79,8 +81,8 @@ std::optional<Minimum> minimise(const Residuals& of, Vector x, double widest) {
       moved[k] += step[k];
       slope.col(k) = (of.at(moved) - r) / step[k];
     }
-    const Eigen::Matrix3d normal = slope.transpose() * slope;
-    const Eigen::LDLT<Eigen::Matrix3d> factor(normal);
+    const Square normal = slope.transpose() * slope;
+    const Eigen::LDLT<Square> factor(normal);
     if (!factor.isPositive()) return {};
     const double variance =
         r.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(r.size() - kUnknowns, 1));
@@ -88,6 +90,8 @@ std::optional<Minimum> minimise(const Residuals& of, Vector x, double widest) {
     const auto allowed = [&](Vector y) {
       y[0] = std::clamp(y[0], 1e-4, 0.5);
       y[1] = std::clamp(y[1], 0.0, widest);
+      y[2] = std::clamp(y[2], -kFarthest, kFarthest);
+      y[3] = std::clamp(y[3], -kFarthest, kFarthest);
       return y;
     };
     double length = 1;
@@ -105,7 +109,7 @@ std::optional<Minimum> minimise(const Residuals& of, Vector x, double widest) {
       r = r_next;
     }
     if (!better || moved.dot(normal * moved) < kSettled * variance)
-      return Minimum{x, r, variance * factor.solve(Eigen::Matrix3d::Identity())};
+      return Minimum{x, r, variance * factor.solve(Square::Identity())};
   }
   return {};
 }
@@ -119,8 +123,9 @@ std::optional<CrosswiseFit> fit_crosswise(const Trial& trial, TrialFault& fault)
     const TrialModel model(trial, *phases);
     const Residuals residuals(trial, *phases, model);
     const TrialModel::Unknowns usual = model.usual();
-    const auto found = minimise(residuals, {usual.resistance, usual.patch_width, usual.shift},
-                                model.wheel_width());
+    const auto found =
+        minimise(residuals, {usual.resistance, usual.patch_width, usual.shift, usual.release},
+                 model.wheel_width());
     require(found.has_value(), "the engine's run does not come near the trial");
     CrosswiseFit fit;
     fit.trial = trial.name;

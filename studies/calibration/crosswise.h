@@ -25,9 +25,10 @@ struct CrosswiseFit {
   double misfit = 0;  ///< root mean square of the residuals of displacement [m]
 };
 
-/// Gauss-Newton (with halved steps) in Cr / R, w and the start over the displacement, with lateral
-/// displacement and yaw where they were measured, each weighted by its noise. The engine gets the
-/// measured force at the pull point; item, caster, floor and payload are those of the catalogue.
+/// Gauss-Newton (with halved steps) in Cr / R, w, start and release over the displacement, with
+/// lateral displacement and yaw where they were measured, each weighted by its noise. The engine
+/// gets the measured force at the pull point; item, caster, floor and payload are those of the
+/// catalogue.
 ///
 /// Scrub and the bearing's friction are apart only by the load of the wheel; one trial has one
 /// load, so that only their sum is found.

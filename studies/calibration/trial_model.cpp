@@ -15,7 +15,9 @@ namespace {
 
 constexpr double kTimeStep = 1.0 / 240;  // [s]
 constexpr double kMassAgrees = 0.02;
-constexpr double kHeld = 0.3;  // before the start, to come to rest [s]
+constexpr double kFalls = 1e-6;          // [s]
+constexpr std::size_t kNearRelease = 5;  // samples that may see it
+constexpr double kHeld = 0.3;            // before the start, to come to rest [s]
 
 std::string found(DataKind kind, const std::string& name) {
   try {
@@ -53,14 +55,13 @@ double between(double share, double step, double y0, double v0, double y1, doubl
 
 }  // namespace
 
-TrialModel::TrialModel(const Trial& trial, const Phases& phases)
-    : trial_(trial), start_(phases.start), end_(phases.stop) {
+TrialModel::TrialModel(const Trial& trial, const Phases& phases) : trial_(trial), phases_(phases) {
   scene_.items[0].model = model_of(trial.setup);
 }
 
 TrialModel::Unknowns TrialModel::usual() const {
   const Caster& caster = scene_.items[0].model.casters[0];
-  return {caster.tread.rolling_resistance / caster.wheel_radius, caster.tread.patch_width, 0};
+  return {caster.tread.rolling_resistance / caster.wheel_radius, caster.tread.patch_width, 0, 0};
 }
 
 double TrialModel::friction() const {
@@ -79,7 +80,7 @@ double TrialModel::load_of_wheel() const {
 TrialModel::Motion TrialModel::run(const Unknowns& unknowns) const {
   // The engine's clock is 0 at kHeld before the motion, so that blocks go at the end of a step.
   const double held = std::ceil(kHeld / kTimeStep) * kTimeStep;
-  const double zero = start_ + unknowns.shift - held;
+  const double zero = phases_.start + unknowns.shift - held;
   const TrialSignals& s = trial_.signals;
   Scene scene = scene_;
   for (Caster& caster : scene.items[0].model.casters) {
@@ -90,17 +91,22 @@ TrialModel::Motion TrialModel::run(const Unknowns& unknowns) const {
   const Vector3 point(at[0], at[1], at[2]);
   Excitation excitation;
   PointForce pull{"pull", point, Vector3::UnitX(), {}, {}};
-  for (std::size_t i = 0; i < s.time.size(); ++i) {
+  const double release = phases_.release + unknowns.release;
+  double last = 0;  // force at the release: mean of what it was before
+  for (std::size_t i = 0; i + kNearRelease < phases_.pulled.end; ++i) {
     pull.time.push_back(s.time[i] - zero);
     pull.force.push_back(s.force[i]);
+    if (i + 3 * kNearRelease >= phases_.pulled.end) last += s.force[i] / (2 * kNearRelease);
   }
+  pull.time.insert(pull.time.end(), {release - zero, release - zero + kFalls});
+  pull.force.insert(pull.force.end(), {last, 0});
   excitation.forces = {std::move(pull)};
   excitation.blocks = {Blocks{{point.x(), 0, point.z()}, 1e7, 1e4, held}};
   if (trial_.setup.string_tension > 0)
     excitation.string_potentiometers = {{point, -Vector3::UnitX(), trial_.setup.string_tension}};
   SimulationSettings settings;
   settings.time_step = settings.history_step = kTimeStep;
-  settings.duration = end_ - zero + 2 * kTimeStep;
+  settings.duration = phases_.stop - zero + 2 * kTimeStep;
   const Response response = simulate(scene, excitation, settings);
   const std::vector<Sample>& history = response.items[0].history;
 

@@ -15,6 +15,7 @@ class TrialModel {
     double resistance = 0;   ///< Cr / R
     double patch_width = 0;  ///< [m]
     double shift = 0;        ///< start of the motion after Phases::start [s]
+    double release = 0;      ///< end of the pull after Phases::release [s]
   };
 
   /// Motion at the times of the trial's samples, since the start; constant after Phases::stop.
@@ -33,13 +34,15 @@ class TrialModel {
   double swivel_coulomb() const;  ///< of the first caster [N m]
   double load_of_wheel() const;   ///< mean [N]
 
+  /// The measured force acts until the release, none after it: a sample too many is an impulse that
+  /// the coasting would tell as resistance.
   /// @pre the unknowns are within the engine's ranges
   Motion run(const Unknowns& unknowns) const;
 
  private:
   const Trial& trial_;
   Scene scene_;
-  double start_, end_;  ///< of the motion, on the trial's clock [s]
+  Phases phases_;
 };
 
 }  // namespace gurney
