@@ -12,7 +12,7 @@
 namespace gurney {
 namespace {
 
-constexpr int kUnknowns = 4, kMostIterations = 25;
+constexpr int kUnknowns = 5, kMostIterations = 25;
 constexpr double kSettled = 1e-2;     // of a step, in standard errors squared
 constexpr double kSaysNothing = 0.5;  // relative error
 constexpr double kLeastNoise = 1e-5;  // of any series [m, rad]
@@ -35,7 +35,7 @@ class Residuals {
   }
 
   Eigen::VectorXd at(const Vector& x) const {
-    const TrialModel::Motion motion = model_.run({x[0], x[1], x[2], x[3]});
+    const TrialModel::Motion motion = model_.run({x[0], x[1], x[2], x[3], x[4]});
     const TrialSignals& s = trial_.signals;
     std::vector<double> all;
     append(s.displacement, motion.displacement, all);
@@ -72,7 +72,7 @@ struct Minimum {
 };
 
 std::optional<Minimum> minimise(const Residuals& of, Vector x, double widest) {
-  const Vector step(1e-4, 2e-4, 1e-3, 1e-3);  // of differences: Cr / R, m, s, s
+  const Vector step{{1e-4, 2e-4, 1e-3, 1e-3, 0.05}};  // of differences: Cr / R, m, s, s, N
   Eigen::VectorXd r = of.at(x);
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     Eigen::MatrixXd slope(r.size(), kUnknowns);
@@ -123,9 +123,10 @@ std::optional<CrosswiseFit> fit_crosswise(const Trial& trial, TrialFault& fault)
     const TrialModel model(trial, *phases);
     const Residuals residuals(trial, *phases, model);
     const TrialModel::Unknowns usual = model.usual();
-    const auto found =
-        minimise(residuals, {usual.resistance, usual.patch_width, usual.shift, usual.release},
-                 model.wheel_width());
+    const auto found = minimise(
+        residuals,
+        Vector{{usual.resistance, usual.patch_width, usual.shift, usual.release, usual.force}},
+        model.wheel_width());
     require(found.has_value(), "the engine's run does not come near the trial");
     CrosswiseFit fit;
     fit.trial = trial.name;
@@ -135,6 +136,7 @@ std::optional<CrosswiseFit> fit_crosswise(const Trial& trial, TrialFault& fault)
     fit.resistance = found->x[0];
     fit.patch_width = found->x[1];
     fit.shift = found->x[2];
+    fit.force = found->x[4];
     fit.friction_times_width = model.friction() * fit.patch_width;
     fit.torque_length = fit.friction_times_width / 4 + model.swivel_coulomb() / fit.load;
     fit.resistance_error = std::sqrt(found->covariance(0, 0));

@@ -16,6 +16,7 @@ struct CrosswiseFit {
   double patch_width =
       0;             ///< w, with friction and swivel bearing as the caster's file has them [m]
   double shift = 0;  ///< of the start against the one found from the displacement [s]
+  double force = 0;  ///< of phase II above what the load cell says [N]
   double friction_times_width = 0;  ///< mu w [m]
   /// mu w / 4 + T / N: torque at the swivel over the wheel's load, scrub and bearing T together
   /// [m].
@@ -25,10 +26,10 @@ struct CrosswiseFit {
   double misfit = 0;  ///< root mean square of the residuals of displacement [m]
 };
 
-/// Gauss-Newton (with halved steps) in Cr / R, w, start and release over the displacement, with
-/// lateral displacement and yaw where they were measured, each weighted by its noise. The engine
-/// gets the measured force at the pull point; item, caster, floor and payload are those of the
-/// catalogue.
+/// Gauss-Newton (with halved steps) in Cr / R, w, start, release and level of the force over the
+/// displacement, with lateral displacement and yaw where they were measured, each weighted by its
+/// noise. The engine gets the measured force at the pull point; item, caster, floor and payload are
+/// those of the catalogue.
 ///
 /// Scrub and the bearing's friction are apart only by the load of the wheel; one trial has one
 /// load, so that only their sum is found.

@@ -9,15 +9,15 @@
 #include "engine/simulate.h"
 #include "equipment/catalogue.h"
 #include "equipment/load_item.h"
+#include "studies/trials/average_method.h"
 
 namespace gurney {
 namespace {
 
 constexpr double kTimeStep = 1.0 / 240;  // [s]
 constexpr double kMassAgrees = 0.02;
-constexpr double kFalls = 1e-6;          // [s]
-constexpr std::size_t kNearRelease = 5;  // samples that may see it
-constexpr double kHeld = 0.3;            // before the start, to come to rest [s]
+constexpr double kFalls = 1e-6;  // [s]
+constexpr double kHeld = 0.3;    // before the start, to come to rest [s]
 
 std::string found(DataKind kind, const std::string& name) {
   try {
@@ -55,13 +55,17 @@ double between(double share, double step, double y0, double v0, double y1, doubl
 
 }  // namespace
 
-TrialModel::TrialModel(const Trial& trial, const Phases& phases) : trial_(trial), phases_(phases) {
+TrialModel::TrialModel(const Trial& trial, const Phases& phases)
+    : trial_(trial),
+      phases_(phases),
+      force_(
+          fit_polynomial(trial.signals.time, trial.signals.force, used_of_pull(trial, phases), 1)) {
   scene_.items[0].model = model_of(trial.setup);
 }
 
 TrialModel::Unknowns TrialModel::usual() const {
   const Caster& caster = scene_.items[0].model.casters[0];
-  return {caster.tread.rolling_resistance / caster.wheel_radius, caster.tread.patch_width, 0, 0};
+  return {caster.tread.rolling_resistance / caster.wheel_radius, caster.tread.patch_width, 0, 0, 0};
 }
 
 double TrialModel::friction() const {
@@ -92,14 +96,15 @@ TrialModel::Motion TrialModel::run(const Unknowns& unknowns) const {
   Excitation excitation;
   PointForce pull{"pull", point, Vector3::UnitX(), {}, {}};
   const double release = phases_.release + unknowns.release;
-  double last = 0;  // force at the release: mean of what it was before
-  for (std::size_t i = 0; i + kNearRelease < phases_.pulled.end; ++i) {
-    pull.time.push_back(s.time[i] - zero);
-    pull.force.push_back(s.force[i]);
-    if (i + 3 * kNearRelease >= phases_.pulled.end) last += s.force[i] / (2 * kNearRelease);
-  }
-  pull.time.insert(pull.time.end(), {release - zero, release - zero + kFalls});
-  pull.force.insert(pull.force.end(), {last, 0});
+  const auto add = [&](double time, double force) {
+    pull.time.push_back(time - zero);
+    pull.force.push_back(force);
+  };
+  for (std::size_t i = 0; i < phases_.held.end && s.time[i] < phases_.start + unknowns.shift; ++i)
+    add(s.time[i], s.force[i]);
+  add(phases_.start + unknowns.shift, force_.value(phases_.start) + unknowns.force);
+  add(release, force_.value(release) + unknowns.force);
+  add(release + kFalls, 0);
   excitation.forces = {std::move(pull)};
   excitation.blocks = {Blocks{{point.x(), 0, point.z()}, 1e7, 1e4, held}};
   if (trial_.setup.string_tension > 0)

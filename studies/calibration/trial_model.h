@@ -16,6 +16,7 @@ class TrialModel {
     double patch_width = 0;  ///< [m]
     double shift = 0;        ///< start of the motion after Phases::start [s]
     double release = 0;      ///< end of the pull after Phases::release [s]
+    double force = 0;        ///< of phase II above what the load cell says [N]
   };
 
   /// Motion at the times of the trial's samples, since the start; constant after Phases::stop.
@@ -34,8 +35,9 @@ class TrialModel {
   double swivel_coulomb() const;  ///< of the first caster [N m]
   double load_of_wheel() const;   ///< mean [N]
 
-  /// The measured force acts until the release, none after it: a sample too many is an impulse that
-  /// the coasting would tell as resistance.
+  /// Phase II has the line nearest to the measured force, whose noise would add up in the speed,
+  /// and no force after the release: a sample too many is an impulse that the coasting would tell
+  /// as resistance.
   /// @pre the unknowns are within the engine's ranges
   Motion run(const Unknowns& unknowns) const;
 
@@ -43,6 +45,7 @@ class TrialModel {
   const Trial& trial_;
   Scene scene_;
   Phases phases_;
+  PolynomialFit force_;  ///< of phase II
 };
 
 }  // namespace gurney
