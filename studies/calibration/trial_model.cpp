@@ -100,9 +100,13 @@ TrialModel::Motion TrialModel::run(const Unknowns& unknowns) const {
     pull.time.push_back(time - zero);
     pull.force.push_back(force);
   };
-  for (std::size_t i = 0; i < phases_.held.end && s.time[i] < phases_.start + unknowns.shift; ++i)
-    add(s.time[i], s.force[i]);
-  add(phases_.start + unknowns.shift, force_.value(phases_.start) + unknowns.force);
+  const double start = phases_.start + unknowns.shift;
+  double held_force = 0;
+  for (std::size_t i = phases_.held.begin; i < phases_.held.end; ++i)
+    held_force += s.force[i] / static_cast<double>(phases_.held.size());
+  add(zero, held_force);
+  add(start - kFalls, held_force);
+  add(start, force_.value(start) + unknowns.force);
   add(release, force_.value(release) + unknowns.force);
   add(release + kFalls, 0);
   excitation.forces = {std::move(pull)};
