@@ -12,6 +12,7 @@
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
 #include "studies/build_info/build_info.h"
+#include "studies/cli/calibrate_command.h"
 #include "studies/cli/check_command.h"
 #include "studies/cli/compare_command.h"
 #include "studies/cli/converge_command.h"
@@ -126,6 +127,7 @@ int run_command_line(int argc, char** argv) {
   add_converge(app, act);
   add_records(app, act);
   add_equipment(app, act);
+  add_calibrate(app, act);
   app.add_subcommand("help", "Print this help, or that of a command: help records scale");
   try {
     std::vector<std::string> words(argv + 1, argv + argc);

@@ -1,0 +1,110 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "studies/calibration/calibration_report.h"
+
+namespace gurney {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json interval_json(const Interval& interval) {
+  return Json::array({number(interval.low), number(interval.high)});
+}
+
+Json constant_json(const Constant& c) {
+  return {{"name", name_of(c.kind)},
+          {"symbol", symbol_of(c.kind)},
+          {"unit", unit_of(c.kind)},
+          {"caster", c.caster},
+          {"floor", c.floor},
+          {"against", c.against},
+          {"value", number(c.value)},
+          {"interval_95", interval_json(c.interval)},
+          {"scatter_of_logarithm", number(c.scatter)},
+          {"degrees", c.degrees},
+          {"prediction_95", interval_json(c.prediction)},
+          {"trials", c.trials}};
+}
+
+Json test_json(const RollingTest& t) {
+  return {{"name", t.name},
+          {"quantity", t.quantity},
+          {"estimate", number(t.estimate)},
+          {"interval_95", interval_json(t.interval)},
+          {"supposed", t.supposed},
+          {"p", number(t.p)},
+          {"p_adjusted", number(t.p_adjusted)},
+          {"p_no_influence", t.p_without ? number(*t.p_without) : Json()},
+          {"trials", t.trials}};
+}
+
+Json rolling_json(const RollingTrial& t) {
+  const TrialAverages& a = t.averages;
+  return {{"trial", a.name},
+          {"caster", a.setup.caster},
+          {"floor", a.setup.floor},
+          {"normal_force_n", normal_force(a.setup)},
+          {"pull_force_n", a.pull_force},
+          {"pull_acceleration_mps2", a.pull_acceleration},
+          {"coast_deceleration_mps2", a.coast_deceleration},
+          {"resistance_pulled_n", t.resistance.pulled},
+          {"resistance_coasting_n", t.resistance.coasting},
+          {"resistance_n", t.resistance.mean},
+          {"resistance_error_n", t.resistance.mean_error}};
+}
+
+Json crosswise_json(const CrosswiseFit& f) {
+  return {{"trial", f.trial},
+          {"rolling_resistance", f.resistance},
+          {"friction_times_width_m", f.friction_times_width},
+          {"swivel_torque_over_load_m", f.torque_length},
+          {"swivel_torque_over_load_error_m", f.torque_length_error},
+          {"correlation_with_rolling_resistance", f.correlation},
+          {"misfit_m", f.misfit}};
+}
+
+template <typename Rows, typename Make>
+Json list(const Rows& rows, Make make) {
+  Json json = Json::array();
+  for (const auto& row : rows) json.push_back(make(row));
+  return json;
+}
+
+}  // namespace
+
+std::string calibration_json(const Calibration& c) {
+  const Json json{{"source", c.source},
+                  {"trials", c.read},
+                  {"simulated", c.simulated},
+                  {"constants", list(c.constants, constant_json)},
+                  {"tests", list(c.tests, test_json)},
+                  {"pulls", list(c.rolling, rolling_json)},
+                  {"crosswise", list(c.crosswise, crosswise_json)},
+                  {"outliers", list(c.outliers,
+                                    [](const Outlier& o) {
+                                      return Json{{"trial", o.trial},
+                                                  {"constant", o.constant},
+                                                  {"value", o.value},
+                                                  {"p_adjusted", o.p}};
+                                    })},
+                  {"validation", list(c.predictions,
+                                      [](const Prediction& p) {
+                                        return Json{{"trial", p.trial},
+                                                    {"constant", p.constant},
+                                                    {"measured", p.measured},
+                                                    {"predicted", p.predicted},
+                                                    {"prediction_95", interval_json(p.interval)},
+                                                    {"misfit", p.misfit()},
+                                                    {"inside", p.inside()}};
+                                      })},
+                  {"validation_without_constant", c.unpredicted},
+                  {"left_out", list(c.left_out, [](const TrialFault& f) {
+                     return Json{{"file", f.file}, {"line", f.line}, {"reason", f.reason}};
+                   })}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace gurney

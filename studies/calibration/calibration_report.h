@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "studies/calibration/calibration.h"
+
+namespace gurney {
+
+/// What `gurney calibrate` prints.
+std::string calibration_text(const Calibration& calibration);
+
+/// The same as one JSON object, in SI units.
+std::string calibration_json(const Calibration& calibration);
+
+/// Resistance against load with fitted lines and bands of 95 %, and the phases of one pull.
+std::string calibration_figure(const Calibration& calibration);
+
+}  // namespace gurney

@@ -1,0 +1,78 @@
+#include "studies/cli/calibrate_command.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "engine/base/error.h"
+#include "studies/calibration/calibration_report.h"
+#include "studies/calibration/caster_file.h"
+#include "studies/cli/signals.h"
+#include "studies/results/output_files.h"
+
+namespace gurney {
+namespace {
+
+struct CalibrateOptions {
+  std::string trials, folder, base;
+  bool json = false, overwrite = false;
+};
+
+/// All of them or none.
+void write_all(const CalibrateOptions& options, const Calibration& calibration,
+               const std::vector<CasterFile>& casters) {
+  std::error_code failed;
+  std::filesystem::create_directories(options.folder, failed);
+  require(!failed, options.folder + ": " + failed.message());
+  const std::filesystem::path folder = options.folder;
+  std::vector<std::pair<std::string, std::string>> all = {
+      {(folder / "calibration.txt").string(), calibration_text(calibration)},
+      {(folder / "calibration.json").string(), calibration_json(calibration)},
+      {(folder / "calibration.svg").string(), calibration_figure(calibration)}};
+  for (const CasterFile& caster : casters)
+    all.emplace_back((folder / caster.name).string(), caster.text);
+  OutputFiles files(options.overwrite);
+  for (const auto& [path, text] : all) files.check(path);
+  const SignalsHeld until_written;
+  for (const auto& [path, text] : all) files.stage(path, text);
+  files.commit();
+  if (options.json) return;
+  fmt::print("\n");
+  for (const auto& [path, text] : all) fmt::print("{}\n", path);
+}
+
+int run_calibrate(const CalibrateOptions& options) {
+  const Calibration calibration = calibrate(read_trials(options.trials), options.trials);
+  std::vector<std::string> without;
+  const std::vector<CasterFile> casters = caster_files(calibration, options.base, without);
+  fmt::print("{}", options.json ? calibration_json(calibration) : calibration_text(calibration));
+  if (!options.json && !without.empty()) fmt::print("\nNo caster file for\n");
+  for (const std::string& each : without)
+    fmt::print(options.json ? stderr : stdout, "  {}\n", each);
+  if (!options.folder.empty()) write_all(options, calibration, casters);
+  return 0;
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& app, std::function<int()>& act) {
+  auto held = std::make_shared<CalibrateOptions>();
+  CalibrateOptions& options = *held;
+  CLI::App* const command =
+      app.add_subcommand("calibrate", "Constants of casters from measured pulls and impacts");
+  command
+      ->add_option("TRIALS", options.trials,
+                   "A file of trials, or a folder of them (docs/formats/trial_file.md)")
+      ->required();
+  command->add_option("-o,--output", options.folder,
+                      "A folder for the report, its figure and a file for each caster and floor");
+  command->add_option("--base", options.base,
+                      "The caster whose numbers stay where no trial gives one (default: the "
+                      "catalogue's of the same name)");
+  command->add_flag("--overwrite", options.overwrite, "Replace files that exist");
+  command->add_flag("--json", options.json, "Print JSON, in SI units");
+  command->callback([held, &act] { act = [held] { return run_calibrate(*held); }; });
+}
+
+}  // namespace gurney

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace gurney {
+
+/// `gurney calibrate`.
+/// @param act  becomes what the command does
+void add_calibrate(CLI::App& app, std::function<int()>& act);
+
+}  // namespace gurney
