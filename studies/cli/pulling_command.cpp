@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "engine/base/error.h"
+#include "studies/analysis/overview.h"
 #include "studies/cli/new_folder.h"
 #include "studies/cli/signals.h"
 #include "studies/report/pulling_report.h"
@@ -36,6 +37,8 @@ std::size_t shown(const PullingOptions& options, const PullingReport& report) {
 }
 
 int pulling(const PullingOptions& options) {
+  require(is_study_file(options.file),
+          options.file + ": is the file of one run; gurney pulling needs that of a study");
   const StudyReader file(options.file);
   PullingReport report{options.file, file.text_attribute("title"), simulated_trials(file), {}, 0};
   require(!report.trials.empty(), options.file + ": every run failed");

@@ -109,12 +109,6 @@ TrialSetup setup_of(const config::Node& tree, const Job& job, const PullTheory& 
   return setup;
 }
 
-const char* name_of(Solver solver) {
-  static const char* const names[] = {"star", "bullet", "bullet-dantzig", "bullet-paper",
-                                      "bullet-paper-dantzig"};
-  return names[static_cast<std::size_t>(solver)];
-}
-
 void apply_method(SimulatedTrial& made) {
   TrialFault fault;
   made.phases = find_phases(made.trial, fault);
@@ -171,7 +165,8 @@ std::vector<SimulatedTrial> simulated_trials(const StudyReader& file) {
     SimulatedTrial made;
     made.run = run;
     made.configuration = names[configuration];
-    made.solver = name_of(job.settings.solver);
+    made.solver = text_at(study.configurations()[configuration].tree, "settings", "solver");
+    if (made.solver.empty()) made.solver = "star";
     made.time_step = job.settings.time_step;
     try {
       made.theory = theory_of(job.scene, job.excitation);
