@@ -59,9 +59,18 @@ struct HistoryColumns {
   }
 };
 
+/// Whether the last sample is as far from the one before as the first two are: a history has the
+/// end of its run, too.
+bool in_step(const std::vector<double>& time, std::size_t first, std::size_t last) {
+  if (last - first < 3) return true;
+  const double step = time[first + 1] - time[first];
+  return std::abs(time[last - 1] - time[last - 2] - step) < 1e-6 * step;
+}
+
 void add_signals(const HistoryColumns& all, std::size_t first, std::size_t last, double end,
                  SimulatedTrial& made) {
   TrialSignals& s = made.trial.signals;
+  if (!in_step(all.time, first, last)) --last;
   for (std::size_t row = first; row < last && all.time[row] < end; ++row) {
     s.time.push_back(all.time[row]);
     s.force.push_back(all.tension[row] + all.force[row]);
