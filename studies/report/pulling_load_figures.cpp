@@ -17,7 +17,7 @@ void heading(Svg& svg, const std::string& title, const PullingReport& report) {
       "f_r by the paper's method from simulated signals, aligned trials. Cr and the floor factors "
       "are "
       "inputs of ours";
-  if (!report.measured.empty()) about += "; squares: measured trials";
+  if (!report.measured.empty()) about += "; squares: trials that were given";
   svg.text(kLeft, 28, title, {.size = 15, .bold = true});
   svg.text(kLeft, 48, about, {.size = 11, .color = "#555555"});
 }

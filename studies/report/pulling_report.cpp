@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "studies/trials/setup_reader.h"
+
 namespace gurney {
 namespace {
 
@@ -64,7 +66,7 @@ std::string theory_text(const PullingReport& report) {
 
 std::string measured_text(const PullingReport& report) {
   if (report.measured.empty()) return "";
-  std::string text = "\nmeasured trial         f_r (N)   N (N)   f_r/N     like run\n";
+  std::string text = "\ngiven trial          origin       f_r (N)   N (N)   f_r/N     like run\n";
   std::string faults;
   for (const MeasuredTrial& each : report.measured) {
     if (!each.fault.empty()) {
@@ -76,8 +78,9 @@ std::string measured_text(const PullingReport& report) {
       if (like(trial, report.measured) == &each)
         runs += fmt::format("{}{}", runs.empty() ? "" : ", ", trial.run);
     const double f = mean_resistance(*each.averages), n = normal_force(each.trial.setup);
-    text += fmt::format("{:<20} {:>9.2f} {:>7.0f}   {:.5f}   {}\n", each.trial.name, f, n, f / n,
-                        runs.empty() ? "none" : runs);
+    text += fmt::format("{:<20} {:<10} {:>9.2f} {:>7.0f}   {:.5f}   {}\n", each.trial.name,
+                        names_of_origins()[static_cast<std::size_t>(each.trial.setup.origin)], f, n,
+                        f / n, runs.empty() ? "none" : runs);
   }
   return text + faults;
 }
@@ -152,6 +155,7 @@ std::string pulling_json(const PullingReport& report) {
   for (const MeasuredTrial& each : report.measured)
     json["measured"].push_back(
         {{"name", each.trial.name},
+         {"origin", names_of_origins()[static_cast<std::size_t>(each.trial.setup.origin)]},
          {"resistance_n", each.fault.empty() ? number(mean_resistance(*each.averages)) : Json()},
          {"normal_force_n", normal_force(each.trial.setup)},
          {"fault", each.fault.empty() ? Json() : Json(each.fault)}});

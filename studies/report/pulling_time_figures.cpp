@@ -78,6 +78,11 @@ std::vector<double> moved(const MeasuredTrial& measured, const SimulatedTrial& t
   return time;
 }
 
+/// A trial that an engine made must not be called measured.
+std::string origin_of(const MeasuredTrial& given) {
+  return given.trial.setup.origin == TrialOrigin::kSimulated ? "synthetic" : "measured";
+}
+
 /// Of a series, by differences over four samples to either side.
 std::vector<double> rate(const std::vector<double>& time, const std::vector<double>& series) {
   constexpr std::size_t kSide = 4;
@@ -130,11 +135,10 @@ std::string pulling_figure_11(const PullingReport& report) {
   const bool overlaid = measured != nullptr && !measured->trial.signals.displacement.empty();
   Svg svg(kWidth, kTop + 2 * kRow);
   heading(svg, "Pulling test against its reference (as Figure 11 of Xu, Ma & Kurata 2022)", trial,
-          overlaid
-              ? fmt::format("reference: closed-form mechanics of casters in line; measured: {}",
-                            measured->trial.name)
-              : "reference: closed-form mechanics of casters in line; no measured trial is "
-                "given");
+          overlaid ? fmt::format("reference: closed-form mechanics of casters in line; {}: {}",
+                                 origin_of(*measured), measured->trial.name)
+                   : "reference: closed-form mechanics of casters in line; no measured trial is "
+                     "given");
   const Pen ours{.stroke = palette(0), .width = 1.4};
   const Pen theirs{.stroke = palette(2), .width = 1.2, .dash = "2 2"};
   Panel displacement = panel("Displacement", "Displacement (m)", whole(trial));
@@ -149,8 +153,9 @@ std::string pulling_figure_11(const PullingReport& report) {
   if (overlaid) {
     const TrialSignals& m = measured->trial.signals;
     const std::vector<double> time = moved(*measured, trial);
-    displacement.curves.push_back(curve("measured", time, m.displacement, theirs));
-    velocity.curves.push_back(curve("measured", time, rate(time, m.displacement), theirs));
+    displacement.curves.push_back(curve(origin_of(*measured), time, m.displacement, theirs));
+    velocity.curves.push_back(
+        curve(origin_of(*measured), time, rate(time, m.displacement), theirs));
   }
   draw(svg, frame_at(0, 0), displacement);
   draw(svg, frame_at(1, 0), velocity);

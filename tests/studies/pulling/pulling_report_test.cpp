@@ -56,6 +56,10 @@ TEST(PullingReport, MeasuredTrialsAreOverlaidWhereTheyAreLike) {
   MeasuredTrial measured{report.trials[0].trial, report.trials[0].phases, report.trials[0].averages,
                          ""};
   measured.trial.name = "of the laboratory";
+  report.measured = {measured};
+  EXPECT_EQ(count(pulling_figure_11(report), ">synthetic<"), 2u) << "an engine made it";
+  EXPECT_THAT(pulling_text(report), HasSubstr("of the laboratory    simulated"));
+  measured.trial.setup.origin = TrialOrigin::kMeasured;
   measured.trial.setup.mass *= 1.01;  // within 2 %
   report.measured = {measured};
   EXPECT_EQ(count(pulling_figure_11(report), ">measured<"), 2u);

@@ -80,7 +80,7 @@ TEST(StudyJob, EachWrongCombinationIsToldWhereItStands) {
       mistakes(rows + kTwoFactors),
       "a.toml:11:18: study.combinations[0][0] = \"bib\": no level of factor 'casters'; did "
       "you mean 'big'?\n"
-      "a.toml:11:33: study.combinations[1] = [\"big\"]: must name a level of each of the 2 "
+      "a.toml:11:32: study.combinations[1] = [\"big\"]: must name a level of each of the 2 "
       "factors, in their order\n"
       "a.toml:12:3: study.combinations[3] = [\"small\", true]: is there twice\n"
       "a.toml:12:20: study.combinations[4] = 3: must name a level of each of the 2 factors, in "
