@@ -99,10 +99,8 @@ Response simulate(const Scene& scene, const Excitation& excitation,
   validate(scene);
   validate(excitation);
   validate(settings);
-  const bool stock =
-      settings.solver == Solver::kBullet || settings.solver == Solver::kBulletDantzig;
-  return stock ? simulate_on_stock_bullet(scene, excitation, settings)
-               : simulate_with_star(scene, excitation, settings);
+  return settings.solver == Solver::kStar ? simulate_with_star(scene, excitation, settings)
+                                          : simulate_on_stock_bullet(scene, excitation, settings);
 }
 
 }  // namespace gurney

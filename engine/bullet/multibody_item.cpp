@@ -5,26 +5,13 @@
 #include <BulletCollision/CollisionShapes/btCylinderShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 
-#include <Eigen/Eigenvalues>
-
 #include "engine/bullet/convert.h"
+#include "engine/bullet/principal_axes.h"
 
 namespace gurney {
 namespace {
 
 constexpr double kUnlimited = 1e30;
-
-struct PrincipalAxes {
-  Quaternion rotation;  // principal to body axes
-  Vector3 moments;
-};
-
-PrincipalAxes principal_axes(const Matrix3& inertia) {
-  const Eigen::SelfAdjointEigenSolver<Matrix3> solver(inertia);
-  Matrix3 axes = solver.eigenvectors();
-  if (axes.determinant() < 0) axes.col(0) *= -1;
-  return {Quaternion(axes).normalized(), solver.eigenvalues()};
-}
 
 int fork_link(std::size_t caster) { return static_cast<int>(2 * caster); }
 int wheel_link(std::size_t caster) { return static_cast<int>(2 * caster) + 1; }

@@ -9,6 +9,8 @@ enum class Solver {
   kStar,    ///< ours: casters eliminated analytically, one 6x6 system (docs/theory/solver.md)
   kBullet,  ///< stock Bullet: sequential impulse, 50 iterations; a baseline
   kBulletDantzig,  ///< stock Bullet, well configured: direct (Dantzig) contact solver; a baseline
+  kBulletPaper,    ///< the model of Xu, Ma & Kurata 2022 on stock Bullet; a baseline
+  kBulletPaperDantzig,  ///< the same with the direct solver; a baseline
 };
 
 /// How a run is integrated. Defaults are written here and nowhere else.

@@ -20,6 +20,7 @@
 #include "studies/cli/export_command.h"
 #include "studies/cli/fragility_command.h"
 #include "studies/cli/measures_command.h"
+#include "studies/cli/pulling_command.h"
 #include "studies/cli/records_command.h"
 #include "studies/cli/replay_command.h"
 #include "studies/cli/run_command.h"
@@ -122,6 +123,7 @@ int run_command_line(int argc, char** argv) {
   add_fragility(app, act);
   add_export(app, act);
   add_compare(app, act);
+  add_pulling(app, act);
   add_measures(app, act);
   add_sensitivity(app, act);
   add_converge(app, act);

@@ -8,10 +8,12 @@
 
 #include "engine/base/error.h"
 #include "studies/analysis/overview.h"
+#include "studies/cli/new_folder.h"
 #include "studies/exports/csv_tables.h"
 #include "studies/exports/nrml.h"
 #include "studies/exports/pelicun.h"
 #include "studies/exports/response_csv.h"
+#include "studies/exports/trials.h"
 #include "studies/exports/xdmf.h"
 #include "studies/results/output_files.h"
 
@@ -26,32 +28,6 @@ struct ExportOptions {
   bool overwrite = false;
 };
 
-/// A folder that is removed again unless what was put into it is kept.
-class NewFolder {
- public:
-  explicit NewFolder(const fs::path& path) : path_(path) {
-    std::error_code error;
-    const fs::path parent = path.has_parent_path() ? path.parent_path() : ".";
-    require(fs::is_directory(parent, error),
-            fmt::format("{}: cannot be written: the folder {} does not exist", path.string(),
-                        parent.string()));
-    require(!fs::exists(path, error) || fs::is_directory(path, error),
-            path.string() + ": is a file, the name of a folder is needed (-o FOLDER)");
-    made_ = fs::create_directory(path, error);
-    require(!error, path.string() + ": cannot be written: " + error.message());
-  }
-  ~NewFolder() {
-    std::error_code ignored;
-    if (made_) fs::remove(path_, ignored);  // only if it is empty
-  }
-  NewFolder(const NewFolder&) = delete;
-  NewFolder& operator=(const NewFolder&) = delete;
-
- private:
-  fs::path path_;
-  bool made_ = false;
-};
-
 void check_choice(const ExportOptions& options) {
   const bool fits = options.format == "pelicun" || options.format == "nrml";
   const auto refuse = [&](const char* option, const std::string& value, bool allowed) {
@@ -62,7 +38,7 @@ void check_choice(const ExportOptions& options) {
   refuse("--measure", options.choice.measure, fits);
   refuse("--limit", options.choice.limit, fits);
   refuse("--configuration", options.choice.configuration,
-         options.format != "csv" && options.format != "xdmf");
+         options.format != "csv" && options.format != "trials" && options.format != "xdmf");
 }
 
 std::vector<std::string> write(const ExportOptions& options, const TakeFile& take) {
@@ -78,6 +54,10 @@ std::vector<std::string> write(const ExportOptions& options, const TakeFile& tak
   require(is_study_file(options.file),
           fmt::format("{}: is the file of one run; --to {} needs that of a study", options.file,
                       options.format));
+  if (options.format == "trials") {
+    export_trials(options.file, take);
+    return {};
+  }
   const StudyData data(options.file);
   if (options.format == "pelicun") return export_pelicun(data, options.choice, take);
   if (options.format == "nrml") return export_nrml(data, options.choice, take);
@@ -120,10 +100,10 @@ void add_export(CLI::App& app, std::function<int()>& act) {
       ->add_option(
           "--to", options.format,
           "csv: every table; pelicun: fragility for the Damage and Loss Model Library; "
-          "nrml: fragility for OpenQuake; response-csv: demands run by run; xdmf: one run's "
-          "moving shapes for ParaView")
+          "nrml: fragility for OpenQuake; response-csv: demands run by run; trials: pulling "
+          "tests as files of trials, marked synthetic; xdmf: one run's moving shapes for ParaView")
       ->required()
-      ->check(CLI::IsMember({"csv", "pelicun", "nrml", "response-csv", "xdmf"}));
+      ->check(CLI::IsMember({"csv", "pelicun", "nrml", "response-csv", "trials", "xdmf"}));
   command->add_option("-o,--output", options.folder,
                       "Folder for the files (default: FILE_FORMAT beside FILE)");
   command->add_option("--configuration", options.choice.configuration,

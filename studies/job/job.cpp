@@ -38,7 +38,8 @@ void read_settings(Table& root, SimulationSettings& settings) {
   auto found = root.table("settings");
   if (!found) return;
   Table& in = *found;
-  static const std::vector<std::string> kSolvers = {"star", "bullet", "bullet-dantzig"};
+  static const std::vector<std::string> kSolvers = {"star", "bullet", "bullet-dantzig",
+                                                    "bullet-paper", "bullet-paper-dantzig"};
   settings.solver =
       static_cast<Solver>(in.choice("solver", kSolvers, static_cast<std::size_t>(settings.solver)));
   settings.time_step =

@@ -19,7 +19,8 @@ struct FactorLevel {
   config::Node patch;  ///< a table
 };
 
-/// What is varied on purpose; each level is combined with each level of every other factor.
+/// What is varied on purpose; each level is combined with each level of every other factor, unless
+/// the study lists its combinations.
 struct Factor {
   std::string name;
   std::vector<FactorLevel> levels;
@@ -67,6 +68,8 @@ struct Keep {
 /// What a job varies: its table [study] (docs/formats/study.md).
 struct Study {
   std::vector<Factor> factors;
+  /// Which combinations of levels are made: for each the level of each factor. Empty: all.
+  std::vector<std::vector<std::size_t>> combinations;
   std::vector<double> angles{0.0};       ///< record against floor axes [rad]
   int synthetic_records = 0;             ///< > 0: seeds 1, 2, ... of the synthetic motion
   std::vector<LimitState> limit_states;  ///< at least one

@@ -19,21 +19,35 @@ namespace {
 using config::Document;
 using config::Node;
 
-/// Every combination; the last factor changes fastest.
-/// @param document  takes the mistakes
-std::vector<Configuration> combined(const Node& job, const Study& study, Document& document) {
-  std::vector<Configuration> all{{{}, job}};
+/// Level of each factor, for every combination; the last factor changes fastest.
+std::vector<std::vector<std::size_t>> all_combinations(const Study& study) {
+  std::vector<std::vector<std::size_t>> all{{}};
   for (const Factor& factor : study.factors) {
-    if (factor.levels.empty()) continue;  // a mistake that is noted
-    std::vector<Configuration> more;
-    for (const Configuration& base : all)
-      for (const FactorLevel& level : factor.levels) {
-        Configuration next = base;
-        next.levels.push_back(level.name);
-        config::overlay(next.tree, level.patch, "study.factor." + factor.name, document);
-        more.push_back(std::move(next));
+    std::vector<std::vector<std::size_t>> more;
+    for (const std::vector<std::size_t>& base : all)
+      for (std::size_t level = 0; level < std::max<std::size_t>(1, factor.levels.size()); ++level) {
+        more.push_back(base);
+        more.back().push_back(level);
       }
     all = std::move(more);
+  }
+  return all;
+}
+
+/// @param document  takes the mistakes
+std::vector<Configuration> combined(const Node& job, const Study& study, Document& document) {
+  std::vector<Configuration> all;
+  for (const std::vector<std::size_t>& levels :
+       study.combinations.empty() ? all_combinations(study) : study.combinations) {
+    Configuration next{{}, job};
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      const Factor& factor = study.factors[i];
+      if (factor.levels.empty()) continue;  // a mistake that is noted
+      const FactorLevel& level = factor.levels[levels[i]];
+      next.levels.push_back(level.name);
+      config::overlay(next.tree, level.patch, "study.factor." + factor.name, document);
+    }
+    all.push_back(std::move(next));
   }
   return all;
 }

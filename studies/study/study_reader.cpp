@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "studies/job/scale_reader.h"
@@ -117,6 +118,55 @@ void read_factors(Table& in, const Node& node, Study& study) {
   }
 }
 
+/// One row: a level of each factor; empty with a mistake.
+std::vector<std::size_t> read_combination(Table& in, const Node& row, std::size_t index,
+                                          const std::vector<Factor>& factors) {
+  const std::string at = fmt::format("combinations[{}] = ", index);
+  if (row.kind != Node::Kind::kArray || row.elements.size() != factors.size()) {
+    in.document().note(row.place, fmt::format("study.{}{}: must name a level of each of the {} "
+                                              "factors, in their order",
+                                              at, describe(row), factors.size()));
+    return {};
+  }
+  std::vector<std::size_t> levels;
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    std::vector<std::string> names;
+    for (const FactorLevel& level : factors[i].levels) names.push_back(level.name);
+    const std::string label = label_of(row.elements[i]);
+    const auto found = std::ranges::find(names, label);
+    if (found == names.end())
+      in.document().note(row.elements[i].place,
+                         fmt::format("study.combinations[{}][{}] = {}: no level of factor '{}'{}",
+                                     index, i, describe(row.elements[i]), factors[i].name,
+                                     config::suggestion(label, names)));
+    else
+      levels.push_back(static_cast<std::size_t>(found - names.begin()));
+  }
+  return levels.size() == factors.size() ? levels : std::vector<std::size_t>();
+}
+
+void read_combinations(Table& in, const Node& node, Study& study) {
+  if (!in.has("combinations")) return;
+  const Node& rows = *node.find("combinations");
+  mark_read(rows);
+  if (!in.is_array("combinations") || rows.elements.empty() || study.factors.empty()) {
+    in.note("combinations", " = " + describe(rows) +
+                                ": must be an array of 1 or more rows of levels, and needs "
+                                "[[study.factor]]");
+    return;
+  }
+  std::set<std::vector<std::size_t>> seen;
+  for (std::size_t i = 0; i < rows.elements.size(); ++i) {
+    std::vector<std::size_t> levels = read_combination(in, rows.elements[i], i, study.factors);
+    if (levels.empty()) continue;
+    if (!seen.insert(levels).second)
+      in.document().note(rows.elements[i].place,
+                         fmt::format("study.combinations[{}] = {}: is there twice", i,
+                                     describe(rows.elements[i])));
+    study.combinations.push_back(std::move(levels));
+  }
+}
+
 void read_hunt(Table hunt, const std::vector<LimitState>& states, IntensityPlan& plan) {
   plan.kind = IntensityPlan::Kind::kHunt;
   plan.first = hunt.number("first", Range::positive()) * plan.unit_in_si;
@@ -209,6 +259,7 @@ Keep read_keep(Table in) {
 Study read_study(Table& in, const Node& node) {
   Study study;
   read_factors(in, node, study);
+  read_combinations(in, node, study);
   if (in.has("angles_deg")) {
     study.angles = in.numbers("angles_deg", Range::any());
     if (study.angles.empty()) in.note("angles_deg", " = []: must have 1 or more values");

@@ -171,7 +171,9 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
     histories.add_number("time", "s", "time");
     add_axes(histories, "displacement", "m", "displacement relative to the floor since the start");
     add_axes(histories, "velocity", "m/s", "velocity relative to the floor");
+    add_axes(histories, "acceleration", "m/s2", "acceleration relative to the floor");
     histories.add(sample_columns());
+    if (keep.energy) histories.add(energy_columns());
   }
   if (study.certificate > 0) item_table("half_step").add(demand_columns());
   if (study.draws > 0) {
@@ -298,7 +300,10 @@ void RunTables::add_histories(const StudyRun& run, const ConfigurationNames& nam
       histories.put(double(runs_)).put(names.items.at(i)).put(sample.time);
       put(histories, sample.displacement);
       put(histories, sample.velocity);
-      histories.put(sample_columns(), sample).end_row();
+      put(histories, sample.acceleration);
+      histories.put(sample_columns(), sample);
+      if (tables_.contains("energy")) histories.put(energy_columns(), sample.energy);
+      histories.end_row();
     }
 }
 

@@ -66,7 +66,7 @@ velocity_m_per_s = [1, nan, 0]
             "a.toml:6:22: item.payloads.paver: ICU ventilator on cart has no such payload\n"
             "a.toml:7:1: item.brake: unknown key; did you mean 'brakes'?\n"
             "a.toml:9:10: settings.solver = \"bulet\": must be one of star, bullet, "
-            "bullet-dantzig; did you mean 'bullet'?\n"
+            "bullet-dantzig, bullet-paper, bullet-paper-dantzig; did you mean 'bullet'?\n"
             "a.toml:10:15: settings.time_step_s = 0.5: must be a finite number > 0 and <= 0.02\n"
             "a.toml:11:1: settings.timestep: unknown key; did you mean 'time_step_s'?\n"
             "a.toml:13:24: initial.velocity_m_per_s[1] = nan: must be a finite number");

@@ -61,6 +61,36 @@ TEST(StudyJob, PutsThePatchesOverTheJob) {
   EXPECT_EQ(big_casters[2].brake_torque, 0);
 }
 
+TEST(StudyJob, MakesTheCombinationsThatAreListedInTheirOrder) {
+  const std::string rows = R"(combinations = [["big", true], ["small", "false"], ["big", false]]
+)";
+  const StudyJob job = job_of(rows + kTwoFactors);
+  EXPECT_THAT(names(job), ElementsAre("big|true", "small|false", "big|false"));
+  EXPECT_EQ(job.job(0, {}).scene.slope, 0.01);
+  EXPECT_EQ(job.job(1, {}).scene.slope, 0);
+  EXPECT_GT(job.job(0, {}).scene.items[0].model.casters[0].brake_torque, 0);
+  EXPECT_EQ(job.job(2, {}).scene.items[0].model.casters[0].brake_torque, 0);
+}
+
+TEST(StudyJob, EachWrongCombinationIsToldWhereItStands) {
+  const std::string rows = R"(combinations = [["bib", true], ["big"], ["small", true],
+  ["small", true], 3]
+)";
+  EXPECT_EQ(
+      mistakes(rows + kTwoFactors),
+      "a.toml:11:18: study.combinations[0][0] = \"bib\": no level of factor 'casters'; did "
+      "you mean 'big'?\n"
+      "a.toml:11:32: study.combinations[1] = [\"big\"]: must name a level of each of the 2 "
+      "factors, in their order\n"
+      "a.toml:12:3: study.combinations[3] = [\"small\", true]: is there twice\n"
+      "a.toml:12:20: study.combinations[4] = 3: must name a level of each of the 2 factors, in "
+      "their order");
+  EXPECT_EQ(
+      mistakes("combinations = [[1]]\n"),
+      "a.toml:11:16: study.combinations = [[1]]: must be an array of 1 or more rows of levels, "
+      "and needs [[study.factor]]");
+}
+
 TEST(StudyJob, AWrongLevelIsToldWhereItStands) {
   EXPECT_EQ(mistakes("[[study.factor]]\nkey = \"item.brake\"\nvalues = [false, true]\n"),
             "a.toml:13:11: item.brake: unknown key; did you mean 'brakes'?\n"

@@ -1,0 +1,87 @@
+#include "studies/cli/pulling_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "engine/base/error.h"
+#include "studies/analysis/overview.h"
+#include "studies/cli/new_folder.h"
+#include "studies/cli/signals.h"
+#include "studies/report/pulling_report.h"
+#include "studies/results/output_files.h"
+
+namespace gurney {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PullingOptions {
+  std::string file, folder, measured;
+  std::optional<std::size_t> run;
+  bool json = false, overwrite = false;
+};
+
+/// Of the run that is asked for; else the first that a measured trial is like; else the first.
+std::size_t shown(const PullingOptions& options, const PullingReport& report) {
+  const auto& trials = report.trials;
+  const auto found = std::ranges::find_if(trials, [&](const SimulatedTrial& trial) {
+    return options.run ? trial.run == *options.run : like(trial, report.measured) != nullptr;
+  });
+  require(!options.run || found != trials.end(),
+          fmt::format("{}: has no run {} that did not fail; its last is {}", options.file,
+                      options.run.value_or(0), trials.back().run));
+  return found == trials.end() ? 0 : static_cast<std::size_t>(found - trials.begin());
+}
+
+int pulling(const PullingOptions& options) {
+  require(is_study_file(options.file),
+          options.file + ": is the file of one run; gurney pulling needs that of a study");
+  const StudyReader file(options.file);
+  PullingReport report{options.file, file.text_attribute("title"), simulated_trials(file), {}, 0};
+  require(!report.trials.empty(), options.file + ": every run failed");
+  if (!options.measured.empty()) report.measured = measured_trials(options.measured);
+  report.shown = shown(options, report);
+  std::string written;
+  if (!options.folder.empty()) {
+    const fs::path folder = options.folder;
+    const NewFolder made(folder.has_filename() ? folder : folder.parent_path());
+    OutputFiles files(options.overwrite);
+    const std::pair<const char*, std::string> figures[] = {
+        {"figure_4.svg", pulling_figure_4(report)},
+        {"figure_6.svg", pulling_figure_6(report)},
+        {"figure_7.svg", pulling_figure_7(report)},
+        {"figure_11.svg", pulling_figure_11(report)}};
+    for (const auto& [name, text] : figures) files.check((folder / name).string());
+    const SignalsHeld until_written;
+    for (const auto& [name, text] : figures) {
+      files.stage((folder / name).string(), text);
+      written += "wrote    " + (folder / name).string() + "\n";
+    }
+    files.commit();
+  }
+  fmt::print("{}", options.json ? pulling_json(report) : pulling_text(report) + written);
+  return 0;
+}
+
+}  // namespace
+
+void add_pulling(CLI::App& app, std::function<int()>& act) {
+  auto held = std::make_shared<PullingOptions>();
+  PullingOptions& options = *held;
+  CLI::App* const command = app.add_subcommand(
+      "pulling", "Pulling tests of a study: the figures and the method of Xu, Ma & Kurata 2022");
+  command->add_option("FILE", options.file, "The results file of the study, with histories")
+      ->required();
+  command->add_option("-o,--output", options.folder, "Draw the figures into this folder");
+  command->add_option("--run", options.run, "The run of Figures 4 and 11 (default: the first)");
+  command->add_option("--measured", options.measured,
+                      "File or folder of measured trials, to be drawn beside the simulated ones");
+  command->add_flag("--overwrite", options.overwrite, "Replace figures that exist");
+  command->add_flag("--json", options.json, "Print JSON, in SI units");
+  command->callback([held, &act] { act = [held] { return pulling(*held); }; });
+}
+
+}  // namespace gurney

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace gurney {
+
+/// Adds `gurney pulling`.
+void add_pulling(CLI::App& app, std::function<int()>& act);
+
+}  // namespace gurney

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "studies/pulling/measured_trial.h"
+#include "studies/pulling/method_check.h"
+
+/// The pulling tests of a study as the figures of Xu, Ma & Kurata 2022 (docs/pulling_tests.md).
+namespace gurney {
+
+struct PullingReport {
+  std::string file, title;
+  std::vector<SimulatedTrial> trials;   ///< 1 or more
+  std::vector<MeasuredTrial> measured;  ///< none unless the user gives them
+  std::size_t shown = 0;                ///< the trial of Figures 4 and 11
+};
+
+/// Displacement, velocity, acceleration and cable force of the shown trial, with its phases.
+std::string pulling_figure_4(const PullingReport& report);
+
+/// f_r of the aligned trials by the paper's method against N, with a fitted line for each caster.
+std::string pulling_figure_6(const PullingReport& report);
+
+/// f_r of the aligned trials against wheel diameter and floor, and against speed.
+std::string pulling_figure_7(const PullingReport& report);
+
+/// Displacement and velocity of the shown trial against the closed form, and a measured trial like
+/// it; work of the pull, loss to rolling resistance, kinetic energy.
+std::string pulling_figure_11(const PullingReport& report);
+
+/// Bias of the method, fitted Cr / R, error against the closed form.
+std::string pulling_text(const PullingReport& report);
+std::string pulling_json(const PullingReport& report);  ///< SI units
+
+}  // namespace gurney
