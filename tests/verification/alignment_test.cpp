@@ -6,7 +6,7 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
-#include "tests/support/small_scenes.h"
+#include "studies/verification/scenes/small_scenes.h"
 
 // A caster whose pivot is led at constant speed v along x turns into line. Without slip the contact
 // point moves along the wheel only: trail psi' = -v sin psi, so

@@ -6,7 +6,7 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
-#include "tests/support/scenes.h"
+#include "studies/verification/scenes/scenes.h"
 
 // The pulling rig of Xu, Ma & Kurata 2022: blocks hold the trolley (phase I), a weight m_d on a
 // cable over a pulley pulls it (II) until it lands, and the trolley coasts (III). String

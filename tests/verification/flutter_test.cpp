@@ -8,7 +8,7 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
-#include "tests/support/small_scenes.h"
+#include "studies/verification/scenes/small_scenes.h"
 
 // Flutter of a caster led along x at speed v, near the line. With the swivel angle theta, the trail
 // L, I_p the inertia about the swivel axis, and the wheel rolling (R w = v):

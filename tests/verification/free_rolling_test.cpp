@@ -7,7 +7,7 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
-#include "tests/support/scenes.h"
+#include "studies/verification/scenes/scenes.h"
 
 // What must be kept: speed without resistance, momentum (impulse of all forces), energy.
 namespace gurney {

@@ -6,7 +6,7 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
-#include "tests/support/scenes.h"
+#include "studies/verification/scenes/scenes.h"
 
 // A cart with one axle locked and the other free, without rolling resistance, on a floor that
 // accelerates. The locked wheels carry N = M g l_f / w (1 +- a h / (g l_f)), the inertia M a is all

@@ -8,7 +8,7 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
-#include "tests/support/small_scenes.h"
+#include "studies/verification/scenes/small_scenes.h"
 
 // Small vibrations of an item on four rigid casters, symmetric about the x-z plane, all at heading
 // 0 or all at 90 degrees. Coordinates q: x and z of the whole's centre of mass G, pitch b about y,

@@ -4,7 +4,7 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
-#include "tests/support/scenes.h"
+#include "studies/verification/scenes/scenes.h"
 
 // Friction is a cone: a locked trolley that slides and is pushed on by F in any direction
 // accelerates along it at a = F / M - mu g, and does not move sideways. (A pyramid gives up to

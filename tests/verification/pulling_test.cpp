@@ -5,8 +5,8 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
-#include "tests/support/scenes.h"
-#include "tests/verification/wind_up.h"
+#include "studies/verification/scenes/scenes.h"
+#include "studies/verification/scenes/wind_up.h"
 
 // A trolley pulled by a constant force and left to coast: Xu, Ma & Kurata 2022, 5th SPONSE
 // workshop. With M the mass, J = sum I_w / R^2 and f_r = (Cr / R) M g (Newton's law for cart and

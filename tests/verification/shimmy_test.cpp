@@ -11,7 +11,7 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
-#include "tests/support/small_scenes.h"
+#include "studies/verification/scenes/small_scenes.h"
 
 // Shimmy of a caster whose pivot is led along x at v and held across by a spring k. Caster of mass
 // m, its centre of mass a behind the pivot, yaw inertia Ic about it, trail L; the pivot carries a

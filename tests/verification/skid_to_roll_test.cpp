@@ -4,7 +4,7 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
-#include "tests/support/scenes.h"
+#include "studies/verification/scenes/scenes.h"
 
 // A wheel set down at v0 without spin skids until it rolls (any textbook on rigid-body motion, e.g.
 // Landau & Lifshitz; a bowling ball). With the carried mass m, k = I / (m R^2):

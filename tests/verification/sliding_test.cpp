@@ -6,8 +6,8 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
-#include "tests/support/scenes.h"
-#include "tests/verification/wind_up.h"
+#include "studies/verification/scenes/scenes.h"
+#include "studies/verification/scenes/wind_up.h"
 
 // A trolley on locked, rigid casters is a block on a Coulomb contact; one that rolls straight is a
 // block with mu = Cr / R whose relative accelerations are all scaled by M / (M + J), J = sum I_w /

@@ -7,8 +7,8 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
+#include "studies/verification/scenes/small_scenes.h"
 #include "tests/support/error_text.h"
-#include "tests/support/small_scenes.h"
 
 // Normal forces of an item that stands: the treads are springs k_i under a rigid body, so heave z
 // and two tilts (a, b) follow from

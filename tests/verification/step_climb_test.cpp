@@ -4,8 +4,8 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
+#include "studies/verification/scenes/small_scenes.h"
 #include "tests/support/blocks.h"
-#include "tests/support/small_scenes.h"
 
 // A wheel that is pushed against a step.
 namespace gurney {

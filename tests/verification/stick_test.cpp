@@ -6,7 +6,7 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
-#include "tests/support/scenes.h"
+#include "studies/verification/scenes/scenes.h"
 
 // Rolling resistance holds like dry friction: at rest the trolley carries up to f_r = (Cr / R) N
 // without creep; beyond it, it rolls. On a slope tan(a) = s (x uphill), with J = sum I_w / R^2:

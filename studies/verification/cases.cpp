@@ -1,0 +1,10 @@
+#include "studies/verification/cases.h"
+
+namespace gurney::verification {
+
+std::vector<Family> all_families() {
+  return {constant_pull(),     wind_up(), drop_weight(),  drop_weight_grid(),
+          drop_weight_slack(), slope(),   skid_to_roll(), alignment()};
+}
+
+}  // namespace gurney::verification

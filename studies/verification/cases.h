@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "studies/verification/family.h"
+
+/// The list of all closed forms that the engine is held against: `gurney verify` and
+/// tests/verification run it. Each has its file in studies/verification/cases.
+namespace gurney::verification {
+
+std::vector<Family> all_families();
+
+// pulling
+Family constant_pull();
+Family wind_up();
+Family drop_weight();
+Family drop_weight_grid();
+Family drop_weight_slack();
+Family slope();
+
+// casters
+Family skid_to_roll();
+Family alignment();
+
+}  // namespace gurney::verification
