@@ -199,7 +199,7 @@ Family isotropy_free() {
       {"isotropy_free", "sliding", "The same, free to pitch, roll and yaw",
        "a = F / M - mu g along the push, none across, no yaw", "Coulomb's law: a friction cone"},
       {{{"ratio", "F/(mu M g)", 1.05, 2.5}, &Push::ratio},
-       {{"friction", "mu", 0.05, 0.2}, &Push::friction},
+       {{"friction", "mu", 0.1, 0.2}, &Push::friction},
        {{"mass", "kg", 40, 250}, &Push::mass}},
       {{"plain", {1.5, 0.15}}}, free_to_tilt, stands);
   family.on_stock = true;
