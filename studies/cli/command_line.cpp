@@ -27,6 +27,7 @@
 #include "studies/cli/sensitivity_command.h"
 #include "studies/cli/show_command.h"
 #include "studies/cli/signals.h"
+#include "studies/cli/verify_command.h"
 
 namespace gurney {
 namespace {
@@ -114,7 +115,8 @@ int run_command_line(int argc, char** argv) {
   CLI::App app("What will hospital equipment on casters do when the floor shakes?", "gurney");
   app.set_version_flag("--version", version());
   app.footer(
-      "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 a run diverged, 130/143 interrupted.");
+      "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 a run diverged or a check failed, "
+      "130/143 interrupted.");
   std::function<int()> act;
   add_run(app, act);
   add_check(app, act);
@@ -130,6 +132,7 @@ int run_command_line(int argc, char** argv) {
   add_records(app, act);
   add_equipment(app, act);
   add_calibrate(app, act);
+  add_verify(app, act);
   app.add_subcommand("help", "Print this help, or that of a command: help records scale");
   try {
     std::vector<std::string> words(argv + 1, argv + argc);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/simulate.h"
-#include "tests/support/small_scenes.h"
+#include "studies/verification/scenes/small_scenes.h"
 
 // The same scene gives the same bits: again, on another thread, and whether or not Bullet's
 // collision passes are skipped while nothing can be near.

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "engine/simulate.h"
+#include "studies/verification/scenes/small_scenes.h"
 #include "tests/support/error_text.h"
-#include "tests/support/small_scenes.h"
 
 namespace gurney {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
+#include "studies/verification/scenes/scenes.h"
 #include "tests/support/blocks.h"
-#include "tests/support/scenes.h"
 
 // Items without casters: a rigid block on the floor that stands, slides and rocks.
 namespace gurney {

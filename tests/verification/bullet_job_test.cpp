@@ -4,7 +4,7 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
-#include "tests/support/small_scenes.h"
+#include "studies/verification/scenes/small_scenes.h"
 
 // The same job by two programs that share no line of mechanics: ours in the rigid limit, and stock
 // Bullet with its direct (Dantzig) contact solver, which is first order in time and lags the limit

@@ -11,7 +11,7 @@
 #include "engine/bullet/convert.h"
 #include "engine/bullet/multibody_item.h"
 #include "engine/solver/mechanism.h"
-#include "tests/support/small_scenes.h"
+#include "studies/verification/scenes/small_scenes.h"
 
 // The mechanics of engine/caster/leg.h (mass matrix, bias, contact Jacobian) against Bullet's own
 // reduced-coordinate multibody (Featherstone's articulated-body algorithm), at random states.

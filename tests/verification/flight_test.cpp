@@ -4,8 +4,8 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
+#include "studies/verification/scenes/small_scenes.h"
 #include "tests/support/blocks.h"
-#include "tests/support/small_scenes.h"
 
 // The floor drops away faster than gravity, then comes back: the trolley flies and lands.
 namespace gurney {

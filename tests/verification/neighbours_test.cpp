@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "engine/simulate.h"
+#include "studies/verification/scenes/small_scenes.h"
 #include "tests/support/blocks.h"
-#include "tests/support/small_scenes.h"
 
 // Several items in one scene: what they do to each other, and that those apart know nothing of it.
 namespace gurney {

@@ -5,9 +5,9 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
+#include "studies/verification/scenes/scenes.h"
+#include "studies/verification/scenes/small_scenes.h"
 #include "tests/support/blocks.h"
-#include "tests/support/scenes.h"
-#include "tests/support/small_scenes.h"
 
 // Items on casters that trip, overturn and come to lie on the floor.
 namespace gurney {

@@ -7,9 +7,9 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
+#include "studies/verification/scenes/scenes.h"
 #include "tests/support/blocks.h"
 #include "tests/support/housner.h"
-#include "tests/support/scenes.h"
 
 // Steps of the floor's velocity under a block that does not slide. About the edge it turns on, a
 // step V gives the block of half width b and centre h the angular velocity w = M h V / I_O. It

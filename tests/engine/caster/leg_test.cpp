@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "tests/support/small_scenes.h"
+#include "studies/verification/scenes/small_scenes.h"
 
 // The mass matrix, bias and contact Jacobian of a leg against an independent sum over its parts:
 // the fork and the wheel as two rigid bodies, each moved by plain kinematics.

@@ -1,4 +1,4 @@
-#include "tests/support/small_scenes.h"
+#include "studies/verification/scenes/small_scenes.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>

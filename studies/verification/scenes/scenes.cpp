@@ -1,4 +1,4 @@
-#include "tests/support/scenes.h"
+#include "studies/verification/scenes/scenes.h"
 
 #include <cmath>
 #include <limits>

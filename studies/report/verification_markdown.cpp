@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "studies/report/verification_report.h"
+
+namespace gurney {
+namespace {
+
+using verification::CaseRun;
+using verification::Check;
+using verification::StockRun;
+
+/// `|` would end a cell.
+std::string cell(std::string text) {
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
+    text.insert(at, "\\");
+  return text;
+}
+
+/// Of all cases of a family the check of each quantity that used most of its tolerance.
+struct Row {
+  std::string quantity;
+  const CaseRun* run;
+  const Check* check;
+};
+
+std::vector<Row> rows_of(const std::vector<CaseRun>& runs, const verification::Family* family) {
+  std::vector<Row> rows;
+  for (const CaseRun& run : runs) {
+    if (run.family != family) continue;
+    for (const Check& check : run.findings.checks) {
+      const auto at = std::ranges::find(rows, check.quantity, &Row::quantity);
+      if (at == rows.end())
+        rows.push_back({check.quantity, &run, &check});
+      else if (check.used() > at->check->used())
+        *at = {check.quantity, &run, &check};
+    }
+  }
+  return rows;
+}
+
+std::vector<const verification::Family*> families_of(const std::vector<CaseRun>& runs) {
+  std::vector<const verification::Family*> families;
+  for (const CaseRun& run : runs)
+    if (families.empty() || families.back() != run.family) families.push_back(run.family);
+  return families;
+}
+
+/// The number of a quantity on a stock solver.
+std::string stock_error(const StockRun& stock, const std::string& quantity) {
+  const auto at = std::ranges::find(stock.findings.checks, quantity, &Check::quantity);
+  return at == stock.findings.checks.end() ? "" : fmt::format("{:.1e}", at->error());
+}
+
+}  // namespace
+
+std::string verification_markdown(const std::vector<CaseRun>& runs) {
+  std::string statements =
+      "| closed form | what happens | reference | source | cases |\n"
+      "| --- | --- | --- | --- | --- |\n";
+  std::string checks =
+      "| closed form | quantity | worst case | unit | computed | reference | error | tolerance | "
+      "how the tolerance follows |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  std::string stock =
+      "| case | quantity | unit | reference | error of gurney | of bullet | of bullet-dantzig |\n"
+      "| --- | --- | --- | --- | --- | --- | --- |\n";
+  for (const verification::Family* family : families_of(runs)) {
+    const verification::Statement& s = family->statement;
+    statements +=
+        fmt::format("| `{}` | {} | {} | {} | {} |\n", s.name, cell(s.title), cell(s.equation),
+                    cell(s.source), std::ranges::count(runs, family, &CaseRun::family));
+    for (const Row& row : rows_of(runs, family))
+      checks += fmt::format("| `{}` | {} | {} | {} | {:.5g} | {:.5g} | {:.1e} | {:.1e} | {} |\n",
+                            s.name, cell(row.quantity), row.run->set.name, row.check->unit,
+                            row.check->computed, row.check->reference, row.check->error(),
+                            row.check->tolerance, cell(row.check->derivation));
+  }
+  for (const CaseRun& run : runs) {
+    if (run.stock.size() != 2) continue;
+    for (const Check& c : run.findings.checks) {
+      const std::string bullet = stock_error(run.stock[0], c.quantity);
+      if (!bullet.empty())
+        stock += fmt::format("| `{}` | {} | {} | {:.5g} | {:.1e} | {} | {} |\n", run.name(),
+                             cell(c.quantity), c.unit, c.reference, c.error(), bullet,
+                             stock_error(run.stock[1], c.quantity));
+    }
+  }
+  return statements + '\n' + checks + '\n' + stock;
+}
+
+}  // namespace gurney

@@ -1,0 +1,29 @@
+#include "studies/verification/family.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/base/error.h"
+#include "engine/base/random/draw.h"
+
+namespace gurney::verification {
+
+Case draw_case(const Family& family, std::uint64_t seed) {
+  constexpr int kAttempts = 1000;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const Draw draw =
+        Draw(seed, static_cast<std::uint64_t>(attempt)).of_part(family.statement.name);
+    Case drawn{fmt::format("draw_{}", seed), {}};
+    for (const Parameter& p : family.parameters) {
+      const double u = draw.probability(p.name);
+      drawn.values.push_back(p.whole ? p.low + std::floor(u * (p.high - p.low + 1))
+                                     : p.low + u * (p.high - p.low));
+    }
+    if (family.possible(drawn.values)) return drawn;
+  }
+  throw Error(fmt::format("{}: {} sets drawn with seed {} and none is possible",
+                          family.statement.name, kAttempts, seed));
+}
+
+}  // namespace gurney::verification

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "engine/response.h"
+#include "engine/scene/scene.h"
+#include "engine/scene/settings.h"
+#include "studies/verification/check.h"
+
+namespace gurney::verification {
+
+/// Runs the scenes of a case with one solver.
+class Runner {
+ public:
+  explicit Runner(Solver solver = Solver::kStar) : solver_(solver) {}
+
+  /// simulate() with this solver. A run that diverges, or steps of our solver that do not converge,
+  /// are checks that fail.
+  Response operator()(Findings& findings, const Scene& scene, const Excitation& excitation,
+                      SimulationSettings settings) const;
+
+  /// Stock Bullet knows no fixtures (engine/bullet/stock_baseline.h): a case leaves them out.
+  bool stock() const { return solver_ != Solver::kStar; }
+
+ private:
+  Solver solver_;
+};
+
+}  // namespace gurney::verification

@@ -1,0 +1,86 @@
+#include "studies/verification/verify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+
+#include "engine/base/config/nearest_name.h"
+#include "engine/base/error.h"
+
+namespace gurney::verification {
+namespace {
+
+bool is_named(const CaseRun& each, const std::string& name) {
+  const Statement& statement = each.family->statement;
+  return name == statement.group || name == statement.name || name == each.name();
+}
+
+std::vector<std::string> known_names(const std::vector<CaseRun>& all) {
+  std::vector<std::string> known;
+  for (const CaseRun& each : all)
+    for (const std::string& name :
+         {each.family->statement.group, each.family->statement.name, each.name()})
+      if (std::ranges::find(known, name) == known.end()) known.push_back(name);
+  return known;
+}
+
+Findings findings_of(const CaseRun& chosen, Solver solver) {
+  try {
+    return chosen.family->run(chosen.set.values, Runner(solver));
+  } catch (const std::exception& error) {
+    return {{{"runs that could not be made", "", 1, 0, 0, error.what()}}, {}};
+  }
+}
+
+}  // namespace
+
+std::vector<CaseRun> choose(const std::vector<Family>& families, const Selection& selection) {
+  std::vector<CaseRun> all;
+  for (const Family& family : families) {
+    if (!selection.seed) {
+      for (const Case& each : family.cases) all.push_back({&family, each, {}, {}, 0});
+    } else if (family.drawn) {
+      for (int i = 0; i < selection.draws; ++i)
+        all.push_back(
+            {&family, draw_case(family, *selection.seed + static_cast<unsigned>(i)), {}, {}, 0});
+    }
+  }
+  for (const std::string& name : selection.names)
+    require(std::ranges::any_of(all, [&](const CaseRun& each) { return is_named(each, name); }),
+            fmt::format("no case, family or group is named '{}'{}", name,
+                        config::suggestion(name, known_names(all))));
+  if (!selection.names.empty())
+    std::erase_if(all, [&](const CaseRun& each) {
+      return std::ranges::none_of(selection.names,
+                                  [&](const std::string& name) { return is_named(each, name); });
+    });
+  return all;
+}
+
+void run(CaseRun& chosen, bool stock) {
+  const auto start = std::chrono::steady_clock::now();
+  chosen.findings = findings_of(chosen, Solver::kStar);
+  chosen.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!stock || !chosen.family->on_stock) return;
+  chosen.stock = {{"bullet", findings_of(chosen, Solver::kBullet)},
+                  {"bullet-dantzig", findings_of(chosen, Solver::kBulletDantzig)}};
+}
+
+void run_all(std::vector<CaseRun>& chosen, bool stock, int threads,
+             const std::function<void(const CaseRun&)>& done) {
+  std::vector<char> ready(chosen.size(), 0);
+  std::size_t told = 0;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    run(chosen[i], stock);
+#pragma omp critical(gurney_verify)
+    {
+      ready[i] = 1;
+      for (; told < chosen.size() && ready[told]; ++told) done(chosen[told]);
+    }
+  }
+}
+
+}  // namespace gurney::verification
