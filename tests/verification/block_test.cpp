@@ -6,7 +6,7 @@
 #include "engine/base/units.h"
 #include "engine/simulate.h"
 #include "studies/verification/scenes/scenes.h"
-#include "tests/support/blocks.h"
+#include "studies/verification/scenes/blocks.h"
 
 // Items without casters: a rigid block on the floor that stands, slides and rocks.
 namespace gurney {

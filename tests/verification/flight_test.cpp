@@ -5,7 +5,7 @@
 #include "engine/base/units.h"
 #include "engine/simulate.h"
 #include "studies/verification/scenes/small_scenes.h"
-#include "tests/support/blocks.h"
+#include "studies/verification/scenes/blocks.h"
 
 // The floor drops away faster than gravity, then comes back: the trolley flies and lands.
 namespace gurney {

@@ -5,7 +5,7 @@
 
 #include "engine/simulate.h"
 #include "studies/verification/scenes/small_scenes.h"
-#include "tests/support/blocks.h"
+#include "studies/verification/scenes/blocks.h"
 
 // Several items in one scene: what they do to each other, and that those apart know nothing of it.
 namespace gurney {

@@ -7,7 +7,7 @@
 #include "engine/simulate.h"
 #include "studies/verification/scenes/scenes.h"
 #include "studies/verification/scenes/small_scenes.h"
-#include "tests/support/blocks.h"
+#include "studies/verification/scenes/blocks.h"
 
 // Items on casters that trip, overturn and come to lie on the floor.
 namespace gurney {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/simulate.h"
-#include "tests/support/blocks.h"
+#include "studies/verification/scenes/blocks.h"
 
 // What an impact at the default step of 4 ms leaves of the motion: closed forms of rigid bodies.
 namespace gurney {

@@ -8,8 +8,8 @@
 #include "engine/base/units.h"
 #include "engine/simulate.h"
 #include "studies/verification/scenes/scenes.h"
-#include "tests/support/blocks.h"
-#include "tests/support/housner.h"
+#include "studies/verification/scenes/blocks.h"
+#include "studies/verification/scenes/housner.h"
 
 // The rocking block of Housner (1963) and its overturning by pulses (Zhang & Makris 2001).
 namespace gurney {

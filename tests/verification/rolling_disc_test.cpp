@@ -1,4 +1,4 @@
-#include "tests/support/rolling_disc.h"
+#include "studies/verification/scenes/rolling_disc.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "engine/base/units.h"
 
-// A disc that rolls on its edge without slip, in 3D: tests/support/rolling_disc.h has its
+// A disc that rolls on its edge without slip, in 3D: studies/verification/scenes/rolling_disc.h has its
 // equations, and how the engine carries it.
 namespace gurney {
 namespace {

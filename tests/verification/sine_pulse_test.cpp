@@ -9,8 +9,8 @@
 #include "engine/base/units.h"
 #include "engine/simulate.h"
 #include "studies/verification/scenes/scenes.h"
-#include "tests/support/blocks.h"
-#include "tests/support/housner.h"
+#include "studies/verification/scenes/blocks.h"
+#include "studies/verification/scenes/housner.h"
 
 // One cycle of a sine, a(t) = a_p sin(w_p t), under a rocking block (Zhang & Makris 2001). With
 // growing strength s = a_p / (alpha g) the block overturns after one impact from a on, is safe

@@ -5,7 +5,7 @@
 #include "engine/base/units.h"
 #include "engine/simulate.h"
 #include "studies/verification/scenes/small_scenes.h"
-#include "tests/support/blocks.h"
+#include "studies/verification/scenes/blocks.h"
 
 // A wheel that is pushed against a step.
 namespace gurney {

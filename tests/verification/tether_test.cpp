@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "engine/simulate.h"
-#include "tests/support/blocks.h"
+#include "studies/verification/scenes/blocks.h"
 
 // A block that slides without friction into the end of its cord.
 namespace gurney {

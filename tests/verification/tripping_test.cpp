@@ -6,7 +6,7 @@
 #include "engine/base/units.h"
 #include "engine/simulate.h"
 #include "studies/verification/scenes/small_scenes.h"
-#include "tests/support/blocks.h"
+#include "studies/verification/scenes/blocks.h"
 
 // What moves at V and is stopped at a point that it can turn about falls over it from
 //

@@ -8,8 +8,8 @@
 #include "engine/base/units.h"
 #include "engine/simulate.h"
 #include "studies/verification/scenes/scenes.h"
-#include "tests/support/blocks.h"
-#include "tests/support/housner.h"
+#include "studies/verification/scenes/blocks.h"
+#include "studies/verification/scenes/housner.h"
 
 // Steps of the floor's velocity under a block that does not slide. About the edge it turns on, a
 // step V gives the block of half width b and centre h the angular velocity w = M h V / I_O. It

@@ -5,7 +5,7 @@
 
 #include "engine/contact/impact_law.h"
 #include "engine/simulate.h"
-#include "tests/support/blocks.h"
+#include "studies/verification/scenes/blocks.h"
 
 // A block that slides without friction into a wall: momentum, restitution and contact time.
 namespace gurney {

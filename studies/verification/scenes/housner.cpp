@@ -1,4 +1,4 @@
-#include "tests/support/housner.h"
+#include "studies/verification/scenes/housner.h"
 
 #include <algorithm>
 #include <cmath>

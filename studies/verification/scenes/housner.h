@@ -2,7 +2,7 @@
 
 #include <functional>
 
-/// The rigid block that rocks on two edges (Housner 1963), integrated: a reference for tests.
+/// The rigid block that rocks on two edges (Housner 1963), integrated: a reference of verification.
 namespace gurney {
 
 struct RockingBlock {

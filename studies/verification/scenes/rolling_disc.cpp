@@ -1,4 +1,4 @@
-#include "tests/support/rolling_disc.h"
+#include "studies/verification/scenes/rolling_disc.h"
 
 #include <Eigen/LU>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "engine/response.h"
 #include "engine/scene/scene.h"
 
-/// A disc that rolls on its edge without slip, in 3D, for verification tests.
+/// A disc that rolls on its edge without slip, in 3D.
 namespace gurney {
 
 /// Mass m, radius r, inertia C about its axle and A about a diameter.
