@@ -48,7 +48,8 @@ struct Exact {
     stop = c.duration + v1 / a2;
     distance = v1 * stop / 2;
     const Tread& tread = item.casters[0].tread;
-    wind_up = wind_up_speed(c.force, resistance, 4 * tread.tangential_stiffness * 10 / 11, mass);
+    wind_up =
+        2 * wind_up_speed(c.force, resistance, 4 * tread.tangential_stiffness * 10 / 11, mass);
     // The resistance, f below the centre of mass at h, sets the trolley pitching by up to twice
     // f h / k_pitch; the wheels take part with J (h - R), their resistance with the heave of a base
     // that a trail moves back.
@@ -59,6 +60,8 @@ struct Exact {
         (inertia - mass) / inertia * (h - c.wheel_radius) + c.resistance * item.casters[0].trail;
     pitch = 2 * lever * resistance * h / stiffness;
     pitch_rate = pitch / 2 * std::sqrt(stiffness / whole.inertia(1, 1));
+    pitch_rate += pitching_speed(c.force, resistance, mass, h - c.wheel_radius, whole.inertia(1, 1),
+                                 stiffness);
     // At the stop the resistance and its moment are gone: the trolley swings back over wheels that
     // stick now.
     const double treads = 4 * tread.tangential_stiffness * 10 / 11;
@@ -95,8 +98,12 @@ void compare(const Pull& c, double normal_stiffness, double step, bool hold_pitc
   const double still = exact.a2 * step;  // it stops inside a step
   const std::string terms =
       std::string(
-          "wind-up of the treads, (sqrt(f (2 F - f)) - (F - f) acos(1 - f / F)) / sqrt(k M)") +
-      (hold_pitch ? "" : "; pitching, (J (h - R) / (M + J) + (Cr/R) trail) f h / sqrt(k_p I_p)") +
+          "twice the wind-up of the treads (steps of its period resolve it that well), (sqrt(f (2 "
+          "F - f)) - (F - f) acos(1 - f / F)) / sqrt(k M)") +
+      (hold_pitch
+           ? ""
+           : "; pitching about the axles before the wheels roll, h t' - (F - f) t1 / M, and then "
+             "(J (h - R) / (M + J) + (Cr/R) trail) f h / sqrt(k_p I_p)") +
       "; residual of the solve, 1e-9 g t";
   Track displacement("displacement, " + how, "m",
                      "the tolerance of the velocity times the time, and a2 dt^2: " + terms);

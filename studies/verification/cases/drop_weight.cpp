@@ -39,7 +39,7 @@ Bounds bounds(const Rig& c, const EquipmentModel& item, const Excitation& excita
   Bounds b{};
   const double k = 4 * item.casters[0].tread.tangential_stiffness * 10 / 11;
   const double train = whole.mass + m, drive = held - c.trolley_string;
-  b.speed = wind_up_speed(drive, e.resistance, k, train);
+  b.speed = 2 * wind_up_speed(drive, e.resistance, k, train);
   // Released, the cable is stretched for the weight at rest, m_d g, and swings about T.
   b.swing = held - e.tension;
   const double reduced = 1 / (1 / M + 1 / m);
@@ -60,7 +60,9 @@ Bounds bounds(const Rig& c, const EquipmentModel& item, const Excitation& excita
     const double lever = (M - whole.mass) / M * (h - item.casters[0].wheel_radius) +
                          c.resistance * item.casters[0].trail +
                          m / (M + m) * std::abs(kPullHeight - h);
-    b.speed += lever * angle * rate;
+    b.speed += lever * angle * rate + pitching_speed(drive, e.resistance, train,
+                                                     h - item.casters[0].wheel_radius,
+                                                     whole.inertia(1, 1), stiffness);
     b.offset += 2 * angle * (lever + std::abs(h - c.block_height));
     const double stopping = (e.resistance + c.trolley_string) * h;
     b.recoil = 2 * stopping * h / stiffness;
@@ -73,9 +75,12 @@ Bounds bounds(const Rig& c, const EquipmentModel& item, const Excitation& excita
 }
 
 const char* const kTerms =
-    "wind-up of the treads; swing of the cable after the release, (m_d g - T) / sqrt(k_c m_r) "
+    "twice the wind-up of the treads (constant_pull); swing of the cable after the release, (m_d g "
+    "- T) / sqrt(k_c m_r) "
     "m_d / (M + m_d), and what it gives back at the landing, T^2 / (2 k_c M v); residual 1e-9 g t";
-const char* const kPitching = "; pitching: moment / sqrt(k_p I_p) times levers of wheels and cable";
+const char* const kPitching =
+    "; pitching before the wheels roll (constant_pull), then moment / sqrt(k_p I_p) times levers "
+    "of wheels and cable";
 
 /// Runs a rig and holds every phase against the closed form.
 void compare(const Rig& c, double normal_stiffness, double step, bool hold_pitch,
@@ -103,7 +108,8 @@ void compare(const Rig& c, double normal_stiffness, double step, bool hold_pitch
   Track tension(
       "cable tension, " + how, "N",
       "(m_d g - F_w - T) |R(dt lambda)|^(t/dt - 1), the swing after the release as the method "
-      "damps it, lambda^2 m_r + lambda c_c + k_c = 0; 1e-6 m_d g for the solve" +
+      "damps it, lambda^2 m_r + lambda c_c + k_c = 0; 1e-6 m_d g for the solve and 1e-10 m of "
+      "cable for the start" +
           std::string(hold_pitch ? "" : "; pitching accelerates the cable"));
   const double damping = std::abs(stability(step * b.rate));  // of the swing, in a step
   for (const Sample& s : response.items[0].history) {
@@ -114,7 +120,7 @@ void compare(const Rig& c, double normal_stiffness, double step, bool hold_pitch
                      b.speed * t + b.offset + e.a2 * step * step + (stops ? b.recoil : 0));
     velocity.add(s.time, center.velocity.x(), e.speed(t),
                  b.speed + (stops ? e.a2 * step + b.recoil_rate : 0));
-    const double solve = 1e-6 * c.weight * kG;
+    const double solve = 1e-6 * c.weight * kG + 1e-10 * kCableStiffness;
     if (after < -1e-9) {
       tension.add(s.time, s.cable_tension, c.weight * kG - c.weight_string,
                   solve + (hold_pitch ? 0 : b.pitch_tension));

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "engine/base/units.h"
@@ -81,7 +82,7 @@ Findings skid(const Skid& c, const Runner& runner) {
   Track velocity("velocity", "m/s",
                  "wind-up, f^2 / (2 k_t m v0); ringing mu g sqrt(m k / ((1 + k) k_t)) once it "
                  "rolls; mu g dt in the step of the change; residual 1e-9 g t");
-  double first_roll = 0;
+  double first_roll = 0, slowest = 0;
   for (const Sample& s : response.items[0].history) {
     const double t = std::min(s.time, roll_time);
     displacement.add(s.time, s.displacement.x(),
@@ -90,6 +91,7 @@ Findings skid(const Skid& c, const Runner& runner) {
     const double changing = std::abs(s.time - roll_time) <= kStep ? mu * kG * kStep : 0;
     velocity.add(s.time, s.velocity.x(), v0 - mu * kG * t,
                  wound + residual * s.time + changing + (s.time > roll_time ? ring : 0));
+    slowest = std::min(slowest, radius * s.wheels[0].wheel_rate);
     if (s.time > 0 && first_roll == 0 && s.wheels[0].mode != WheelMode::kSkids) first_roll = s.time;
   }
   displacement.report(findings);
@@ -98,17 +100,22 @@ Findings skid(const Skid& c, const Runner& runner) {
   const double loss = mass * v0 * v0 * k / (2 * (1 + k)), slip = v0 * roll_time / 2;
   // The slip falls by mu g (1 + 1/k) dt in a step.
   const double last = mu * kG * (1 + 1 / k) * kStep * kStep;
+  // Deflection that rolls out of the patch takes its share of the slip from sliding.
+  const double relaxed = force / (kStiffness * Tread().relaxation_length) * v_end * roll_time / 2;
+  const double slipped = last + 2 * force / kStiffness + relaxed;
   findings.checks.push_back({"time at which it rolls", "s", first_roll, roll_time, 2 * kStep,
                              "one step to change, one to be told of it: 2 dt"});
+  findings.checks.push_back(
+      {"lowest rim speed", "m/s", slowest, 0, 1e-9 * kG, "it never turns back; residual 1e-9 g t"});
   findings.checks.push_back({"rim speed at the end", "m/s", radius * end.wheels[0].wheel_rate,
                              v_end, ring / k + wound + residual * duration,
                              "the ringing of the velocity, over k; wind-up; residual"});
-  findings.checks.push_back(
-      {"way that the patch slipped", "m", response.items[0].demands.wheels[0].skid_distance, slip,
-       last + 2 * force / kStiffness,
-       "mu g (1 + 1/k) dt^2 in the last step; wind-up of the tread, 2 f/k_t"});
+  findings.checks.push_back({"way that the patch slipped", "m",
+                             response.items[0].demands.wheels[0].skid_distance, slip, slipped,
+                             "mu g (1 + 1/k) dt^2 in the last step; wind-up of the tread, 2 f/k_t; "
+                             "what rolls out of the patch, f / (k_t sigma) v_end t / 2"});
   findings.checks.push_back({"energy lost in sliding", "J", response.items[0].energy.sliding_loss,
-                             loss, force * (last + 2 * force / kStiffness),
+                             loss, force * slipped,
                              "the tolerance of the slipped way times mu m g"});
   roll_on(c, runner, findings);
   return findings;
