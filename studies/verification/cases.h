@@ -22,4 +22,14 @@ Family slope();
 Family skid_to_roll();
 Family alignment();
 
+// impacts
+Family wall_rebound();
+Family wall_spring();
+Family wall_friction();
+Family edge_impact();
+Family obstacle_impact();
+Family column_side();
+Family partial_wall();
+Family cut_corner();
+
 }  // namespace gurney::verification

@@ -23,10 +23,11 @@ Response slide(Findings& findings, const Runner& runner, const Scene& scene, dou
   const double speed = scene.items[0].initial.velocity.norm();
   Response response =
       runner(findings, scene, excitation, blocks::run_for(travel / speed, kStep, kStep));
-  findings.checks.push_back({"closure of the energy account", "", response.quality.energy_closure,
-                             0, closure,
-                             "a few times (pi/32)^4: a method of second order with 32 steps in "
-                             "half a period of the contact's spring"});
+  findings.checks.push_back(
+      {"closure of the energy account", "", response.quality.energy_closure, 0, closure,
+       "a few times (pi/32)^4: a method of second order with 32 steps in "
+       "half a period of the contact's spring; of the work of friction half of "
+       "1/32, as it begins and ends inside a step"});
   findings.checks.push_back(
       {"impacts", "", static_cast<double>(response.impacts.size()), 1, 0, "it meets one thing"});
   return response;

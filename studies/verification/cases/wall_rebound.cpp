@@ -37,24 +37,23 @@ Findings meet(const Rebound& c, const Runner& runner) {
       "contact's spring, and as much for the touch and the end inside steps";
   const char* const residual = "1e-6 of the speed: what 1000 steps may leave, 1e-9 g dt each";
   auto& checks = findings.checks;
-  checks.push_back({"speed of the rebound", "m/s", -after.x(), c.restitution * v, kImpactError * v,
-                    phase});
+  checks.push_back(
+      {"speed of the rebound", "m/s", -after.x(), c.restitution * v, kImpactError * v, phase});
   checks.push_back({"speed along the wall", "m/s", after.y(), 0, 1e-6 * v, residual});
   checks.push_back({"yaw rate", "rad/s", yaw_rate_at_end(response), 0, 1e-6, residual});
   if (response.impacts.empty()) return findings;
   const Impact& impact = response.impacts[0];
   checks.push_back({"impulse", "N s", impact.impulse, c.mass * (1 + c.restitution) * v,
                     kImpactError * c.mass * v, std::string("the mass times ") + phase});
-  checks.push_back({"approach speed of the impact", "m/s", impact.approach_speed, v, 1e-6 * v,
-                    residual});
+  checks.push_back(
+      {"approach speed of the impact", "m/s", impact.approach_speed, v, 1e-6 * v, residual});
   const ContactConstants constants;
-  const double stiffness = 4 * constants.stiffness *
-                           (1 + ImpactLaw::damping_number(c.restitution));
+  const double stiffness = 4 * constants.stiffness * (1 + ImpactLaw::damping_number(c.restitution));
   checks.push_back({"time of the impact", "s", impact.time, kWayToImpact / v,
                     std::numbers::pi * std::sqrt(c.mass / stiffness) / kStepsInImpact,
                     "the step in which it touches, pi sqrt(m / (4 k (1 + x))) / 32"});
-  checks.push_back({"normal of the impact, along the wall's", "",
-                    turned(-yaw, impact.normal).x(), -1, 1e-9, "rounding"});
+  checks.push_back({"normal of the impact, along the wall's", "", turned(-yaw, impact.normal).x(),
+                    -1, 1e-9, "rounding"});
   // The block slides freely but for the wall: whatever accelerates it is numerical.
   const PointDemands& point = response.items[0].demands.points[0];
   checks.push_back({"acceleration that is none of the impact, over that of it", "",
@@ -64,9 +63,7 @@ Findings meet(const Rebound& c, const Runner& runner) {
 }
 
 /// Contacts slower than 0.01 m/s cut no step.
-bool parts(const Rebound& c) {
-  return c.restitution * c.speed >= 2 * ImpactLaw::kLeastApproach;
-}
+bool parts(const Rebound& c) { return c.restitution * c.speed >= 2 * ImpactLaw::kLeastApproach; }
 
 }  // namespace
 
