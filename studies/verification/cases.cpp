@@ -6,7 +6,9 @@ std::vector<Family> all_families() {
   return {constant_pull(),     wind_up(),     drop_weight(),   drop_weight_grid(),
           drop_weight_slack(), slope(),       skid_to_roll(),  alignment(),
           wall_rebound(),      wall_spring(), wall_friction(), edge_impact(),
-          obstacle_impact(),   column_side(), partial_wall(),  cut_corner()};
+          obstacle_impact(),   column_side(), partial_wall(),  cut_corner(),
+          collision(),         pressed_row(), cord(),          weak_cord(),
+          wheel_at_wall(),     flight()};
 }
 
 }  // namespace gurney::verification

@@ -31,5 +31,13 @@ Family obstacle_impact();
 Family column_side();
 Family partial_wall();
 Family cut_corner();
+Family collision();
+Family pressed_row();
+Family cord();
+Family weak_cord();
+Family wheel_at_wall();
+
+// vertical
+Family flight();
 
 }  // namespace gurney::verification

@@ -67,7 +67,7 @@ Tolerance tolerance_of(const Blow& blow, double curve) {
       worst.yaw_rate = std::max(worst.yaw_rate, std::abs(moved.yaw_rate - exact.yaw_rate));
     }
   worst.velocity += kImpactError * blow.speed;
-  worst.yaw_rate += kImpactError * std::abs(exact.yaw_rate);
+  worst.yaw_rate += kImpactError * std::abs(exact.yaw_rate) + 1e-9 * blow.speed;  // rounding
   return worst;
 }
 
