@@ -8,7 +8,8 @@ std::vector<Family> all_families() {
           wall_rebound(),      wall_spring(), wall_friction(), edge_impact(),
           obstacle_impact(),   column_side(), partial_wall(),  cut_corner(),
           collision(),         pressed_row(), cord(),          weak_cord(),
-          wheel_at_wall(),     flight()};
+          wheel_at_wall(),     flight(),      rocking(),       floor_step(),
+          floor_double_step(), sine_pulse(),  pulse_spectrum()};
 }
 
 }  // namespace gurney::verification

@@ -37,6 +37,13 @@ Family cord();
 Family weak_cord();
 Family wheel_at_wall();
 
+// blocks
+Family rocking();
+Family floor_step();
+Family floor_double_step();
+Family sine_pulse();
+Family pulse_spectrum();
+
 // vertical
 Family flight();
 
