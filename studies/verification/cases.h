@@ -38,11 +38,22 @@ Family weak_cord();
 Family wheel_at_wall();
 
 // blocks
+Family block_stands();
+Family block_slides();
+Family block_uplift();
+Family cart_at_kerb();
+Family slider_at_kerb();
 Family rocking();
 Family floor_step();
 Family floor_double_step();
 Family sine_pulse();
 Family pulse_spectrum();
+
+// rolling disc
+Family disc_straight();
+Family disc_weight();
+Family disc_turning();
+Family disc_precession();
 
 // vertical
 Family flight();
