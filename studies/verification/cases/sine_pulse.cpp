@@ -86,9 +86,12 @@ Findings find_regions(const Sine& c, const Runner& runner) {
   return findings;
 }
 
-/// The regions are wider than what they are uncertain by.
+/// The regions are wider than what they are uncertain by, and the edge stays on the floor, which
+/// the equation takes for granted: it is not thrown up where the floor pulls it back with a and
+/// its centre falls with a sin(alpha) / (I_O / M R^2) < g.
 bool asks(const Sine& c) {
   const SineRegions regions(c.body().block(), c.ratio);
+  if (regions.c * c.alpha * std::sin(c.alpha) / c.inertia > 0.9) return false;
   const double share = 2.2 * c.body().block().p * c.body().loading_time();
   if (regions.a == 0) return true;
   return regions.b - regions.a > 0.1 * regions.a && regions.c - regions.b > 3 * share * regions.c &&
