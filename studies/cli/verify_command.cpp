@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <thread>
 
+#include "studies/report/verification_figure.h"
 #include "studies/report/verification_report.h"
+#include "studies/results/output_files.h"
 #include "studies/verification/cases.h"
 #include "studies/verification/verify.h"
 
@@ -21,14 +24,34 @@ constexpr int kFailed = 3;
 struct VerifyOptions {
   verification::Selection selection;
   std::uint64_t seed = 0;
-  bool json = false, markdown = false;
+  bool json = false, markdown = false, overwrite = false;
+  std::string figures;
   int threads = 0;
 };
+
+std::string figure_path(const std::string& folder, const CaseRun& run) {
+  std::string name = run.name();
+  name[name.find('/')] = '_';
+  return fmt::format("{}/{}.svg", folder, name);
+}
+
+void write_figures(const std::string& folder, bool overwrite, const std::vector<CaseRun>& runs) {
+  OutputFiles files(overwrite);
+  for (const CaseRun& run : runs)
+    if (const std::string figure = verification_figure(run); !figure.empty())
+      files.stage(figure_path(folder, run), figure);
+  files.commit();
+}
 
 int verify(VerifyOptions options, bool drawn) {
   if (drawn) options.selection.seed = options.seed;
   const std::vector<verification::Family> families = verification::all_families();
   std::vector<CaseRun> runs = choose(families, options.selection);
+  if (!options.figures.empty()) {
+    std::filesystem::create_directories(options.figures);
+    const OutputFiles files(options.overwrite);
+    for (const CaseRun& each : runs) files.check(figure_path(options.figures, each));
+  }
   const int threads = options.threads > 0
                           ? options.threads
                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -38,6 +61,7 @@ int verify(VerifyOptions options, bool drawn) {
     fmt::print(text ? stdout : stderr, "{}", verification_text(each, in_full && text));
     std::fflush(text ? stdout : stderr);
   });
+  if (!options.figures.empty()) write_figures(options.figures, options.overwrite, runs);
   if (options.json) fmt::print("{}", verification_json(runs));
   if (options.markdown) fmt::print("{}", verification_markdown(runs));
   if (text) fmt::print("{}", verification_summary(runs));
@@ -57,6 +81,9 @@ void add_verify(CLI::App& app, std::function<int()>& act) {
                       "Groups, families or cases, told in full (default: all)");
   command->add_flag("--json", options.json, "Print JSON, with every check");
   command->add_flag("--markdown", options.markdown, "Print the tables of docs/verification.md");
+  command->add_option("--figures", options.figures,
+                      "Draw computed and reference of each case into this folder");
+  command->add_flag("--overwrite", options.overwrite, "Replace figures that exist");
   CLI::Option* const draw =
       command->add_option("--draw", options.seed,
                           "Run parameters drawn in the ranges of each closed form with this seed");

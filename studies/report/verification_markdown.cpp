@@ -9,6 +9,7 @@ namespace {
 
 using verification::CaseRun;
 using verification::Check;
+using verification::StockRun;
 
 /// `|` would end a cell.
 std::string cell(std::string text) {
@@ -17,28 +18,75 @@ std::string cell(std::string text) {
   return text;
 }
 
+/// Of all cases of a family the check of each quantity that used most of its tolerance.
+struct Row {
+  std::string quantity;
+  const CaseRun* run;
+  const Check* check;
+};
+
+std::vector<Row> rows_of(const std::vector<CaseRun>& runs, const verification::Family* family) {
+  std::vector<Row> rows;
+  for (const CaseRun& run : runs) {
+    if (run.family != family) continue;
+    for (const Check& check : run.findings.checks) {
+      const auto at = std::ranges::find(rows, check.quantity, &Row::quantity);
+      if (at == rows.end())
+        rows.push_back({check.quantity, &run, &check});
+      else if (check.used() > at->check->used())
+        *at = {check.quantity, &run, &check};
+    }
+  }
+  return rows;
+}
+
+std::vector<const verification::Family*> families_of(const std::vector<CaseRun>& runs) {
+  std::vector<const verification::Family*> families;
+  for (const CaseRun& run : runs)
+    if (families.empty() || families.back() != run.family) families.push_back(run.family);
+  return families;
+}
+
+/// The number of a quantity on a stock solver.
+std::string stock_error(const StockRun& stock, const std::string& quantity) {
+  const auto at = std::ranges::find(stock.findings.checks, quantity, &Check::quantity);
+  return at == stock.findings.checks.end() ? "" : fmt::format("{:.1e}", at->error());
+}
+
 }  // namespace
 
 std::string verification_markdown(const std::vector<CaseRun>& runs) {
-  std::string families =
-      "| closed form | reference | source | cases |\n| --- | --- | --- | --- |\n";
+  std::string statements =
+      "| closed form | what happens | reference | source | cases |\n"
+      "| --- | --- | --- | --- | --- |\n";
   std::string checks =
-      "| case | quantity | unit | computed | reference | error | tolerance |\n"
+      "| closed form | quantity | worst case | unit | computed | reference | error | tolerance | "
+      "how the tolerance follows |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  std::string stock =
+      "| case | quantity | unit | reference | error of gurney | of bullet | of bullet-dantzig |\n"
       "| --- | --- | --- | --- | --- | --- | --- |\n";
-  const verification::Family* last = nullptr;
-  for (const CaseRun& run : runs) {
-    const verification::Statement& statement = run.family->statement;
-    if (run.family != last)
-      families += fmt::format("| {}: {} | {} | {} | {} |\n", statement.name, cell(statement.title),
-                              cell(statement.equation), cell(statement.source),
-                              std::ranges::count(runs, run.family, &CaseRun::family));
-    last = run.family;
-    for (const Check& c : run.findings.checks)
-      checks +=
-          fmt::format("| {} | {} | {} | {:.5g} | {:.5g} | {:.1e} | {:.1e} |\n", run.name(),
-                      cell(c.quantity), c.unit, c.computed, c.reference, c.error(), c.tolerance);
+  for (const verification::Family* family : families_of(runs)) {
+    const verification::Statement& s = family->statement;
+    statements +=
+        fmt::format("| `{}` | {} | {} | {} | {} |\n", s.name, cell(s.title), cell(s.equation),
+                    cell(s.source), std::ranges::count(runs, family, &CaseRun::family));
+    for (const Row& row : rows_of(runs, family))
+      checks += fmt::format("| `{}` | {} | {} | {} | {:.5g} | {:.5g} | {:.1e} | {:.1e} | {} |\n",
+                            s.name, cell(row.quantity), row.run->set.name, row.check->unit,
+                            row.check->computed, row.check->reference, row.check->error(),
+                            row.check->tolerance, cell(row.check->derivation));
   }
-  return families + '\n' + checks;
+  for (const CaseRun& run : runs) {
+    if (run.stock.size() != 2) continue;
+    for (const Check& c : run.findings.checks) {
+      const std::string bullet = stock_error(run.stock[0], c.quantity);
+      if (!bullet.empty())
+        stock += fmt::format("| `{}` | {} | {} | {:.5g} | {:.1e} | {} | {} |\n", run.name(),
+                             cell(c.quantity), c.unit, c.reference, c.error(), bullet,
+                             stock_error(run.stock[1], c.quantity));
+    }
+  }
+  return statements + '\n' + checks + '\n' + stock;
 }
 
 }  // namespace gurney

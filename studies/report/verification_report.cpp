@@ -30,8 +30,10 @@ std::string check_text(const Check& c) {
   return fmt::format(
       "    {} {}\n         computed {}, reference {}, error {:.2g}, tolerance {:.2g} ({:.0f} % "
       "used)\n         tolerance: {}\n",
-      c.passed() ? "ok  " : "FAIL", c.quantity, with_unit(c.computed, c.unit),
-      with_unit(c.reference, c.unit), c.error(), c.tolerance, 100 * c.used(), c.derivation);
+      c.passed() ? "ok  " : "FAIL",
+      c.where.empty() ? c.quantity : c.quantity + ", worst at " + c.where,
+      with_unit(c.computed, c.unit), with_unit(c.reference, c.unit), c.error(), c.tolerance,
+      100 * c.used(), c.derivation);
 }
 
 /// The largest error of a stock solver over that of ours would be unfair where ours is tiny: the

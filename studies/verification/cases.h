@@ -18,9 +18,45 @@ Family drop_weight_grid();
 Family drop_weight_slack();
 Family slope();
 
+// sliding
+Family harmonic_slip();
+Family harmonic_slip_formula();
+Family rectangular_pulse();
+Family half_sine_pulse();
+Family half_sine_pulse_formula();
+Family half_locked();
+Family isotropy();
+Family isotropy_free();
+Family static_limit();
+
+// conservation
+Family free_rolling();
+Family coasting();
+Family relaxation();
+Family sliding_to_rest();
+Family braking();
+Family swivel_friction();
+
 // casters
 Family skid_to_roll();
 Family alignment();
+Family alignment_free();
+Family flutter();
+Family shimmy();
+Family shimmy_formula();
+Family step_climb();
+
+// standing
+Family heave_pitch();
+Family static_loads();
+Family hold();
+Family sway();
+
+// method
+Family order_towed();
+Family order_heave();
+Family order_turning();
+Family determinism();
 
 // impacts
 Family wall_rebound();

@@ -19,28 +19,30 @@ bool Findings::passed() const {
 
 const Check& Findings::worst() const { return *std::ranges::max_element(checks, {}, &Check::used); }
 
-Track::Track(std::string quantity, std::string unit, std::string derivation)
-    : worst_{quantity, unit, 0, 0, 0, std::move(derivation)}, series_{quantity, unit, {}, {}, {}} {}
+Track::Track(std::string quantity, std::string unit, std::string derivation, std::string axis)
+    : worst_{quantity, unit, 0, 0, 0, std::move(derivation), {}},
+      series_{quantity, unit, std::move(axis), {}, {}, {}} {}
 
-void Track::add(double time, double computed, double reference, double tolerance) {
+void Track::add(double at, double computed, double reference, double tolerance) {
   Check now = worst_;
   now.computed = computed;
   now.reference = reference;
   now.tolerance = tolerance;
-  if (series_.time.empty() || now.used() > worst_.used()) {
+  if (series_.at.empty() || now.used() > worst_.used()) {
     worst_ = now;
-    worst_time_ = time;
+    worst_at_ = at;
   }
-  series_.time.push_back(time);
+  series_.at.push_back(at);
   series_.computed.push_back(computed);
   series_.reference.push_back(reference);
 }
 
 void Track::report(Findings& findings) const {
   Check check = worst_;
-  check.quantity +=
-      series_.time.empty() ? ", never compared" : fmt::format(", worst at {:.4g} s", worst_time_);
-  if (series_.time.empty()) check.computed = std::numeric_limits<double>::quiet_NaN();
+  const std::size_t bracket = series_.axis.find('[');
+  const std::string unit = series_.axis.substr(bracket + 1, series_.axis.find(']') - bracket - 1);
+  check.where = fmt::format("{:.4g} {}", worst_at_, unit);
+  if (series_.at.empty()) check.computed = std::numeric_limits<double>::quiet_NaN();
   findings.checks.push_back(check);
   findings.series.push_back(series_);
 }

@@ -7,7 +7,8 @@
 /// What the engine computes, held against what is known otherwise (docs/verification.md).
 ///
 /// How to add a case:
-/// 1. Write `cases/<family>.cpp` with a struct of parameters (all double), a function that makes
+/// 1. Write `cases/<family>.cpp` (it includes family.h, not cases.h: a new family compiles alone)
+/// with a struct of parameters (all double), a function that makes
 ///    Findings of them, and `Family <family>()`, which names the equation, its source, the range of
 ///    every parameter and the cases (family.h). Declare it in cases.h and list it in cases.cpp.
 /// 2. Run scenes with the Runner that the function gets: it notes what diverged or did not
@@ -27,16 +28,18 @@ struct Check {
   double computed = 0, reference = 0;
   double tolerance = 0;    ///< of the difference, >= 0
   std::string derivation;  ///< how the tolerance follows from the parameters
+  std::string where = {};  ///< of a Track: the instant, `0.04 s`
 
   double error() const { return computed - reference; }
   bool passed() const { return std::abs(error()) <= tolerance; }  ///< false for NaN
   double used() const;  ///< |error| over tolerance; 0 where both are 0
 };
 
-/// A quantity through time, for the figure.
+/// A quantity through time, or over something else, for the figure.
 struct Series {
   std::string quantity, unit;
-  std::vector<double> time, computed, reference;
+  std::string axis;  ///< of `at`, with its unit
+  std::vector<double> at, computed, reference;
 };
 
 /// What running a case finds.
@@ -51,13 +54,14 @@ struct Findings {
 /// Compares a quantity all through a run. Its check is the instant that uses most of the tolerance.
 class Track {
  public:
-  Track(std::string quantity, std::string unit, std::string derivation);
-  void add(double time, double computed, double reference, double tolerance);
+  Track(std::string quantity, std::string unit, std::string derivation,
+        std::string axis = "time [s]");
+  void add(double at, double computed, double reference, double tolerance);
   void report(Findings& findings) const;  ///< adds the check and the series
 
  private:
   Check worst_;
-  double worst_time_ = 0;
+  double worst_at_ = 0;
   Series series_;
 };
 

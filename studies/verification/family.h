@@ -40,6 +40,7 @@ struct Family {
   std::function<Findings(const std::vector<double>& values, const Runner& runner)> run;
   std::function<bool(const std::vector<double>& values)> possible;  ///< what ranges cannot say
   bool on_stock = false;                                            ///< stock Bullet can run it
+  bool drawn = true;  ///< makes sense for parameters that nobody chose
 };
 
 /// Case `draw_<seed>`: every parameter uniform in its range (Philox, engine/base/random), drawn

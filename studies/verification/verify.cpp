@@ -41,7 +41,7 @@ std::vector<CaseRun> choose(const std::vector<Family>& families, const Selection
   for (const Family& family : families) {
     if (!selection.seed) {
       for (const Case& each : family.cases) all.push_back({&family, each, {}, {}, 0});
-    } else if (!family.parameters.empty()) {
+    } else if (family.drawn) {
       for (int i = 0; i < selection.draws; ++i)
         all.push_back(
             {&family, draw_case(family, *selection.seed + static_cast<unsigned>(i)), {}, {}, 0});

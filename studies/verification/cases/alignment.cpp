@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "studies/verification/cases.h"
+#include "studies/verification/family.h"
 #include "studies/verification/scenes/small_scenes.h"
 
 // A caster whose pivot is led at constant speed v along x turns into line. Without slip the contact

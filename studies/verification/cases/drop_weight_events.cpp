@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "engine/base/units.h"
-#include "studies/verification/cases.h"
 #include "studies/verification/cases/drop_weight_rig.h"
+#include "studies/verification/family.h"
 #include "studies/verification/scenes/wind_up.h"
 
 namespace gurney::verification {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "studies/verification/cases.h"
+#include "studies/verification/family.h"
 #include "studies/verification/scenes/scenes.h"
 
 // A wheel set down at v0 without spin skids until it rolls: a bowling ball.

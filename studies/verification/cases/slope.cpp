@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "engine/base/units.h"
-#include "studies/verification/cases.h"
+#include "studies/verification/family.h"
 #include "studies/verification/scenes/scenes.h"
 #include "studies/verification/scenes/wind_up.h"
 

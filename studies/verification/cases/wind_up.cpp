@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "studies/verification/cases.h"
+#include "studies/verification/family.h"
 #include "studies/verification/scenes/scenes.h"
 
 // A wheel does not resist in full at once: its tread and the stuck rolling resistance wind up. They

@@ -1,0 +1,215 @@
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "engine/base/units.h"
+#include "studies/verification/family.h"
+#include "studies/verification/scenes/scenes.h"
+
+// Friction is a cone: a locked trolley that slides and is pushed on by F in any direction
+// accelerates along it at a = F / M - mu g, and does not move sideways. (A pyramid gives up to
+// sqrt(2) mu g at 45 degrees, and pulls the motion to its axes.)
+namespace gurney::verification {
+namespace {
+
+using namespace scenes;
+
+constexpr double kG = kStandardGravity, kPi = std::numbers::pi;
+constexpr double kSpeed = 1;  // at the start [m/s]
+const char* const kAxis = "direction of the push [deg]";
+
+struct Push {
+  double ratio, friction;  // F / (mu M g), mu
+  double mass = 96.5;
+};
+
+EquipmentModel block(const Push& p, const std::vector<double>& headings) {
+  ItemOptions options;
+  options.total_mass = p.mass;
+  stiffen(options.caster.tread);
+  options.caster.tread.static_friction = options.caster.tread.kinetic_friction = p.friction;
+  options.headings = headings;
+  return locked_block(options);
+}
+
+Vector3 towards(double degrees) {
+  const double angle = degrees * kRadiansPerDegree;
+  return {std::cos(angle), std::sin(angle), 0};
+}
+
+Sample push(const EquipmentModel& item, const Push& p, const Vector3& direction, double duration,
+            const Fixture& fixture, const Runner& runner, Findings& findings) {
+  Scene scene;
+  scene.items[0].model = item;
+  scene.items[0].initial.velocity = kSpeed * direction;
+  scene.items[0].initial.wheels_roll = false;
+  Excitation excitation;
+  if (!runner.stock()) excitation.fixture = fixture;
+  excitation.forces = {constant_force(p.ratio * p.friction * total_mass(item) * kG, duration,
+                                      item.marked_points[0].position, direction)};
+  return runner(findings, scene, excitation, run_for(duration, 0.002, duration))
+      .items[0]
+      .history.back();
+}
+
+double exact_path(const Push& p, double duration) {
+  return kSpeed * duration + 0.5 * (p.ratio - 1) * p.friction * kG * duration * duration;
+}
+
+// The treads wind up first, which saves f^2 / (2 k) of sliding loss, f = mu M g, and so adds
+// f^2 / (2 k M v) to the speed; along a wheel the locked axle (10 k_t) is in series with the tread,
+// so a tenth of that differs with the direction.
+Findings same_everywhere(const Push& p, const Runner& runner) {
+  Findings findings;
+  constexpr double kDuration = 1;
+  const EquipmentModel item = block(p, {0.1, 0.9, 2.3, 4});
+  const double exact = exact_path(p, kDuration);
+  const double mass = total_mass(item), friction = p.friction * mass * kG;
+  const double wind_up = friction * friction / (2 * 4e9 * mass * kSpeed) * kDuration;
+  const double residual = 1e-9 * kG * kDuration * kDuration;
+  Track along("way along the push", "m",
+              "1.1 f^2 / (2 k M v) t, wind-up of treads and locked axles; residual 1e-9 g t^2",
+              kAxis);
+  Track across("way across the push", "m",
+               "0.1 f^2 / (2 k M v) t, wind-up of the locked axles; residual 1e-9 g t^2", kAxis);
+  for (int degrees = 0; degrees <= 90; degrees += 10) {
+    const Vector3 direction = towards(degrees);
+    const Vector3 moved = push(item, p, direction, kDuration, hold_rotations(), runner, findings)
+                              .points[0]
+                              .displacement;
+    along.add(degrees, moved.dot(direction), exact, 1.1 * wind_up + residual);
+    across.add(degrees, Vector3::UnitZ().cross(direction).dot(moved), 0, 0.1 * wind_up + residual);
+  }
+  along.report(findings);
+  across.report(findings);
+  return findings;
+}
+
+// Friction on the floor tilts the load towards the front wheels, N_i = N + alpha x_i + beta y_i,
+// with moments of friction that cancel about the vertical. While the tilt swings in, pitch and roll
+// are out of step: a moment up to mu^2 M g h / 2 turns the item.
+Findings free_to_tilt(const Push& p, const Runner& runner) {
+  Findings findings;
+  constexpr double kDuration = 0.5;
+  const EquipmentModel item = block(p, {});
+  const MassProperties whole = whole_item(item);
+  const Caster& caster = item.casters[0];
+  const double exact = exact_path(p, kDuration), h = whole.center_of_mass.z();
+  const double k_n = caster.tread.normal_stiffness, friction = p.friction * whole.mass * kG;
+  const double pitch = 4 * k_n * std::pow(caster.mount.x(), 2);
+  const double roll = 4 * k_n * std::pow(caster.mount.y(), 2);
+  const double periods =
+      std::sqrt(whole.inertia(1, 1) / pitch) + std::sqrt(whole.inertia(0, 0) / roll);
+  const double twist = 0.5 * p.friction * friction * h * kPi * periods / whole.inertia(2, 2);
+  // Heave of a base whose middle is a trail behind the centre of mass changes the friction.
+  const double heave = caster.trail * friction * h / std::sqrt(roll * whole.inertia(0, 0));
+  const double wind_up = friction * friction / (2 * 4e9 * whole.mass * kSpeed);
+  const double tilt = friction * h / roll * h;
+  const double way = (2 * p.friction * heave + 1.1 * wind_up + 1e-9 * kG) * kDuration + 2 * tilt +
+                     twist * kDuration * twist * kDuration;
+  const char* const terms =
+      "heave of a base behind the centre of mass, 2 mu trail f h / sqrt(k_r I_r); wind-up; tilt "
+      "2 f h^2 / k_r; residual; the square of the yaw";
+  Track along("way along the push", "m", terms, kAxis),
+      across("way across the push", "m", terms, kAxis);
+  Track yaw("yaw", "rad",
+            "mu^2 M g h / 2 for half a period of pitch and of roll, over I_z, times the time",
+            kAxis);
+  for (int degrees = 0; degrees <= 90; degrees += 15) {
+    const Vector3 direction = towards(degrees);
+    const Sample end = push(item, p, direction, kDuration, {}, runner, findings);
+    along.add(degrees, end.points[0].displacement.dot(direction), exact, way);
+    across.add(degrees, Vector3::UnitZ().cross(direction).dot(end.points[0].displacement), 0, way);
+    yaw.add(degrees, end.yaw, 0, twist * kDuration);
+  }
+  along.report(findings);
+  across.report(findings);
+  yaw.report(findings);
+  return findings;
+}
+
+/// mu h well below the half track: it does not tip.
+bool stands(const Push& p) { return p.friction < 0.2; }
+
+// Stick is as isotropic as sliding: it goes at mu_s M g, with mu_k = mu_s / 1.3 from then on.
+struct Limit {
+  double friction, mass;  // mu_k
+};
+
+/// A sudden force swings the treads to twice its static stretch: it rises over 0.5 s.
+double ramped(const EquipmentModel& item, double force, double degrees, const Runner& runner,
+              Findings& findings) {
+  Scene scene;
+  scene.items[0].model = item;
+  Excitation excitation;
+  excitation.fixture = hold_rotations();
+  excitation.forces = {
+      {"push", item.marked_points[0].position, towards(degrees), {0, 0.5, 1.5}, {0, force, force}}};
+  return runner(findings, scene, excitation, run_for(1.5, 0.002))
+      .items[0]
+      .demands.residual_displacement;
+}
+
+Findings same_limit(const Limit& c, const Runner& runner) {
+  constexpr double kRatio = 1.3, kWidth = 0.002;
+  Findings findings;
+  EquipmentModel item = block({1, c.friction, c.mass}, {});
+  for (Caster& caster : item.casters) caster.tread.static_friction = kRatio * c.friction;
+  const double hold = kRatio * c.friction * total_mass(item) * kG;
+  const double first = (kRatio - 1) * c.friction * kG;  // its acceleration when it goes
+  Track limit("push from which it goes, over mu_s M g", "", "half of the last bracket, 0.001",
+              kAxis);
+  Track way("way in 1 s at 1.01 of it", "m",
+            "one step's delay of the start, 2 a dt t, and what it goes while its speed is below "
+            "that of the treads, 1e-5 m",
+            kAxis);
+  for (int degrees = 0; degrees <= 90; degrees += 15) {
+    const double found = locate(0.98, 1.02, kWidth, [&](double ratio) {
+      return ramped(item, ratio * hold, degrees, runner, findings) > 1e-3;
+    });
+    limit.add(degrees, found, 1, kWidth / 2);
+    // It goes when the force has risen to 1 / 1.01, and the acceleration rises with it for a while.
+    const double a = (1.01 * kRatio - 1) * c.friction * kG, rises = 0.5 - 0.5 / 1.01;
+    const double speed = rises * (first + a) / 2, early = rises * rises * (2 * first + a) / 6;
+    way.add(degrees, ramped(item, 1.01 * hold, degrees, runner, findings), early + speed + a / 2,
+            2 * a * 0.002 + 1e-5);
+  }
+  limit.report(findings);
+  way.report(findings);
+  return findings;
+}
+
+}  // namespace
+
+Family isotropy() {
+  Family family = make_family<Push>(
+      {"isotropy", "sliding", "A sliding block that is pushed on in ten directions",
+       "a = F / M - mu g along the push, none across", "Coulomb's law: a friction cone"},
+      {{{"ratio", "F/(mu M g)", 1.05, 2.5}, &Push::ratio},
+       {{"friction", "mu", 0.05, 0.8}, &Push::friction},
+       {{"mass", "kg", 40, 250}, &Push::mass}},
+      {{"plain", {1.5, 0.3}}, {"slippery", {2, 0.1}}, {"rough", {1.2, 0.6}}}, same_everywhere);
+  family.on_stock = true;
+  return family;
+}
+
+Family isotropy_free() {
+  return make_family<Push>(
+      {"isotropy_free", "sliding", "The same, free to pitch, roll and yaw",
+       "a = F / M - mu g along the push, none across, no yaw", "Coulomb's law: a friction cone"},
+      {{{"ratio", "F/(mu M g)", 1.05, 2.5}, &Push::ratio},
+       {{"friction", "mu", 0.1, 0.2}, &Push::friction},
+       {{"mass", "kg", 40, 250}, &Push::mass}},
+      {{"plain", {1.5, 0.15}}}, free_to_tilt, stands);
+}
+
+Family static_limit() {
+  return make_family<Limit>(
+      {"static_limit", "sliding", "A standing block goes at the same push in seven directions",
+       "F = mu_s M g, then a = F / M - mu_k g", "Coulomb's law: a friction cone"},
+      {{{"friction", "mu_k", 0.05, 0.6}, &Limit::friction},
+       {{"mass", "kg", 40, 250}, &Limit::mass}},
+      {{"plain", {0.3, 96.5}}, {"slippery", {0.1, 96.5}}, {"rough", {0.6, 96.5}}}, same_limit);
+}
+
+}  // namespace gurney::verification

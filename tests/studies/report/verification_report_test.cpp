@@ -1,0 +1,149 @@
+#include "studies/report/verification_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "studies/report/verification_figure.h"
+#include "studies/verification/cases.h"
+
+namespace gurney {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using verification::CaseRun;
+using verification::Check;
+using verification::Family;
+using verification::Findings;
+
+Family falling() {
+  Family family;
+  family.statement = {"fall", "falling", "A stone falls", "x = g t^2 / 2", "Galilei 1638"};
+  family.parameters = {{"time", "s", 0, 2}};
+  family.cases = {{"one_second", {1}}};
+  return family;
+}
+
+CaseRun run_of(const Family& family, double computed) {
+  CaseRun run;
+  run.family = &family;
+  run.set = family.cases[0];
+  run.findings.checks = {{"way", "m", computed, 4.9, 0.1, "dt^2 |g|"}};
+  run.findings.series = {{"way", "m", "time [s]", {0, 1}, {0, computed}, {0, 4.9}}};
+  return run;
+}
+
+TEST(VerificationReport, TellsWhatPassedInALine) {
+  const Family family = falling();
+  const std::string text = verification_text(run_of(family, 4.95), false);
+  EXPECT_THAT(text, HasSubstr("ok   fall/one_second"));
+  EXPECT_THAT(text, HasSubstr(" 1 checks,  50.0 % of a tolerance used"));
+  EXPECT_THAT(text, Not(HasSubstr("dt^2")));
+  EXPECT_THAT(verification_summary({run_of(family, 4.95)}),
+              HasSubstr("1 cases with 1 checks: all passed"));
+}
+
+TEST(VerificationReport, TellsWhatFailedWithTheDerivationOfItsTolerance) {
+  const Family family = falling();
+  const std::string text = verification_text(run_of(family, 5.1), false);
+  EXPECT_THAT(text, HasSubstr("FAIL fall/one_second"));
+  EXPECT_THAT(text, HasSubstr("A stone falls"));
+  EXPECT_THAT(text, HasSubstr("time 1 s"));
+  EXPECT_THAT(text, HasSubstr("computed 5.1 m, reference 4.9 m, error 0.2, tolerance 0.1 (200 %"));
+  EXPECT_THAT(text, HasSubstr("tolerance: dt^2 |g|"));
+  EXPECT_EQ(verification_summary({run_of(family, 4.95), run_of(family, 5.1)}),
+            "1 of 2 cases failed: fall/one_second\n");
+}
+
+TEST(VerificationReport, NumbersThatAreNoneFail) {
+  const Family family = falling();
+  CaseRun run = run_of(family, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_THAT(verification_text(run, false), HasSubstr("FAIL"));
+  run.findings.checks.clear();
+  EXPECT_THAT(verification_text(run, false), HasSubstr("checks nothing"));
+  EXPECT_FALSE(run.findings.passed());
+}
+
+TEST(VerificationReport, JsonHasEveryCheck) {
+  const Family family = falling();
+  const auto json = nlohmann::json::parse(verification_json({run_of(family, 5.1)}));
+  EXPECT_EQ(json["passed"], false);
+  const auto& each = json["cases"][0];
+  EXPECT_EQ(each["name"], "fall/one_second");
+  EXPECT_EQ(each["parameters"]["time"]["highest"], 2);
+  EXPECT_EQ(each["checks"][0]["tolerance"], 0.1);
+  EXPECT_NEAR(each["checks"][0]["error"].get<double>(), 0.2, 1e-15);
+  EXPECT_EQ(each["checks"][0]["passed"], false);
+}
+
+TEST(VerificationReport, MarkdownKeepsTheWorstOfEachQuantityAndItsCells) {
+  const Family family = falling();
+  const std::string page = verification_markdown({run_of(family, 4.95), run_of(family, 4.81)});
+  EXPECT_THAT(page, HasSubstr("| `fall` | A stone falls | x = g t^2 / 2 | Galilei 1638 | 2 |"));
+  EXPECT_THAT(page, HasSubstr("| `fall` | way | one_second | m | 4.81 | 4.9 | -9.0e-02 | 1.0e-01 "
+                              "| dt^2 \\|g\\| |"));
+  EXPECT_THAT(page, Not(HasSubstr("4.95")));
+}
+
+TEST(VerificationFigure, ShowsComputedOnReference) {
+  const Family family = falling();
+  CaseRun run = run_of(family, 4.95);
+  EXPECT_THAT(verification_figure(run), HasSubstr("computed less reference"));
+  run.findings.series.clear();
+  EXPECT_EQ(verification_figure(run), "");
+}
+
+/// The lines of a table that begin with a name in backquotes, as cells.
+std::vector<std::vector<std::string>> rows_of(std::istream& in) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(in, line);) {
+    if (line.rfind("| `", 0) != 0) continue;
+    std::vector<std::string> cells(1);
+    for (std::size_t i = 2; i + 1 < line.size(); ++i)
+      if (line[i] == '|' && line[i - 1] != '\\')
+        cells.emplace_back();
+      else
+        cells.back() += line[i];
+    rows.push_back(cells);
+  }
+  return rows;
+}
+
+// The tables of docs/verification.md were written by `gurney verify --markdown`. Their words must
+// be those of the list; their numbers are those of another machine and must agree by themselves.
+TEST(VerificationPage, IsWhatTheProgramWrites) {
+  const std::vector<Family> families = verification::all_families();
+  std::vector<CaseRun> runs = verification::choose(families, {});
+  run_all(runs, false, 2, [](const CaseRun&) {});
+  std::istringstream written(verification_markdown(runs));
+  std::ifstream page(std::string(GURNEY_SOURCE_DIR) + "/docs/verification.md");
+  const auto words = [](const std::vector<std::vector<std::string>>& rows) {
+    std::set<std::string> all;
+    for (const auto& cells : rows)
+      if (cells.size() == 5)
+        all.insert(cells[0] + cells[1] + cells[2] + cells[3] + cells[4]);
+      else if (cells.size() == 9)
+        all.insert(cells[0] + cells[1] + cells[3] + cells[8]);
+    return all;
+  };
+  const auto on_page = rows_of(page);
+  EXPECT_EQ(words(on_page), words(rows_of(written)))
+      << "write the tables anew: gurney verify --markdown";
+  for (const auto& cells : on_page)
+    if (cells.size() == 9) {
+      const double computed = std::stod(cells[4]), reference = std::stod(cells[5]);
+      const double rounding = 1e-4 * std::abs(reference);
+      EXPECT_LE(std::abs(std::stod(cells[6])), 1.06 * std::stod(cells[7])) << cells[0] << cells[1];
+      EXPECT_NEAR(computed - reference, std::stod(cells[6]), rounding) << cells[0] << cells[1];
+    }
+}
+
+}  // namespace
+}  // namespace gurney
