@@ -58,4 +58,40 @@ Family order_heave();
 Family order_turning();
 Family determinism();
 
+// impacts
+Family wall_rebound();
+Family wall_spring();
+Family wall_friction();
+Family edge_impact();
+Family obstacle_impact();
+Family column_side();
+Family partial_wall();
+Family cut_corner();
+Family collision();
+Family pressed_row();
+Family cord();
+Family weak_cord();
+Family wheel_at_wall();
+
+// blocks
+Family block_stands();
+Family block_slides();
+Family block_uplift();
+Family cart_at_kerb();
+Family slider_at_kerb();
+Family rocking();
+Family floor_step();
+Family floor_double_step();
+Family sine_pulse();
+Family pulse_spectrum();
+
+// rolling disc
+Family disc_straight();
+Family disc_weight();
+Family disc_turning();
+Family disc_precession();
+
+// vertical
+Family flight();
+
 }  // namespace gurney::verification

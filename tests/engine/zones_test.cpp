@@ -5,7 +5,7 @@
 
 #include "engine/overlaps.h"
 #include "engine/simulate.h"
-#include "tests/support/blocks.h"
+#include "studies/verification/scenes/blocks.h"
 
 namespace gurney {
 namespace {

@@ -8,8 +8,8 @@
 #include "groundmotions/assembly/read_record.h"
 #include "groundmotions/processing/pipeline.h"
 #include "groundmotions/record_motion.h"
+#include "studies/verification/scenes/blocks.h"
 #include "tests/groundmotions/real_records.h"
-#include "tests/support/blocks.h"
 #include "tests/support/standing.h"
 
 // Real records whose floor falls faster than gravity: Kaikoura 2016 at Te Mara Farm, Waiau (WTMC)

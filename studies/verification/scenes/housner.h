@@ -2,7 +2,7 @@
 
 #include <functional>
 
-/// The rigid block that rocks on two edges (Housner 1963), integrated: a reference for tests.
+/// The rigid block that rocks on two edges (Housner 1963), integrated: a reference of verification.
 namespace gurney {
 
 struct RockingBlock {
@@ -41,6 +41,28 @@ class RockingReference {
   double time_ = 0, theta_ = 0, rate_ = 0;
   double sign_ = 0;  ///< of theta; 0: stands on both edges
   int impacts_ = 0;
+};
+
+/// Time from rest at theta0 to the floor, from the energy integral [s].
+double quarter_period(const RockingBlock& block, double theta0);
+
+/// How a block ends under one cycle of a sine, a(t) = a_p sin(w_p t) (Zhang & Makris 2001).
+enum class RockingEnd { kStands, kAfterImpact, kWithoutImpact };
+
+/// With growing strength a_p / (alpha g) the block overturns after one impact from a on, is safe
+/// again from b on, and overturns without impact from c on; it falls the other way then. Where w_p
+/// / p is large, only c is left and a = b = 0.
+struct SineRegions {
+  double a = 0, b = 0, c = 0;
+
+  /// @param ratio  w_p / p
+  SineRegions(const RockingBlock& block, double ratio);
+
+  static RockingEnd end(const RockingBlock& block, double ratio, double strength);
+
+  /// The strength between `without` and `with` from which on the block ends as `end`.
+  static double boundary(const RockingBlock& block, double ratio, RockingEnd end, double without,
+                         double with);
 };
 
 }  // namespace gurney

@@ -1,10 +1,9 @@
-#include "tests/support/rolling_disc.h"
+#include "studies/verification/scenes/rolling_disc.h"
 
 #include <Eigen/LU>
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "engine/simulate.h"
 #include "studies/verification/scenes/small_scenes.h"
 
 namespace gurney {
@@ -111,11 +110,10 @@ Scene rolling_disc(const Disc& d, double speed, double yaw_rate) {
   return scene;
 }
 
-Response roll(const Scene& scene, const Excitation& excitation, double step, double duration,
-              int stride) {
+SimulationSettings disc_settings(double step, double duration, int stride) {
   SimulationSettings settings = small::settings_for(step, duration, stride);
   settings.residual = 1e-12;
-  return simulate(scene, excitation, settings);
+  return settings;
 }
 
 }  // namespace gurney

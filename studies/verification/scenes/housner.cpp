@@ -1,7 +1,8 @@
-#include "tests/support/housner.h"
+#include "studies/verification/scenes/housner.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/base/units.h"
 
@@ -81,6 +82,48 @@ void RockingReference::jump(double change) {
   if (sign_ == 0) sign_ = change > 0 ? -1 : 1;
   rate_ -=
       block_.p * block_.p / kStandardGravity * std::cos(block_.alpha * sign_ - theta_) * change;
+}
+
+double quarter_period(const RockingBlock& block, double theta0) {
+  constexpr int kParts = 20000;
+  double sum = 0;  // theta = theta0 (1 - s^2) takes the root out of the integrand
+  for (int i = 0; i < kParts; ++i) {
+    const double s = (i + 0.5) / kParts, theta = theta0 * (1 - s * s);
+    sum +=
+        2 * theta0 * s / kParts /
+        (block.p * std::sqrt(2 * (std::cos(block.alpha - theta0) - std::cos(block.alpha - theta))));
+  }
+  return sum;
+}
+
+RockingEnd SineRegions::end(const RockingBlock& block, double ratio, double strength) {
+  const double omega = ratio * block.p;
+  RockingReference r(block);
+  r.advance(
+      [&](double t) { return strength * block.alpha * kStandardGravity * std::sin(omega * t); },
+      2 * std::numbers::pi / omega);
+  // The block leaves its unstable balance as exp(p t): 20 / p to see on which side.
+  r.advance([](double) { return 0.0; }, 20 / block.p);
+  if (!r.fallen()) return RockingEnd::kStands;
+  return r.impacts() == 0 ? RockingEnd::kWithoutImpact : RockingEnd::kAfterImpact;
+}
+
+double SineRegions::boundary(const RockingBlock& block, double ratio, RockingEnd wanted,
+                             double without, double with) {
+  for (int i = 0; i < 24; ++i) {
+    const double middle = 0.5 * (without + with);
+    (end(block, ratio, middle) == wanted ? with : without) = middle;
+  }
+  return 0.5 * (without + with);
+}
+
+SineRegions::SineRegions(const RockingBlock& block, double ratio) {
+  c = boundary(block, ratio, RockingEnd::kWithoutImpact, 1, 40);
+  for (double inside = 0.99 * c; inside > 1 && a == 0; inside *= 0.98) {
+    if (end(block, ratio, inside) != RockingEnd::kAfterImpact) continue;
+    a = boundary(block, ratio, RockingEnd::kAfterImpact, 1, inside);
+    b = boundary(block, ratio, RockingEnd::kAfterImpact, 0.9999 * c, inside);
+  }
 }
 
 }  // namespace gurney

@@ -5,8 +5,9 @@
 
 #include "engine/response.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/settings.h"
 
-/// A disc that rolls on its edge without slip, in 3D, for verification tests.
+/// A disc that rolls on its edge without slip, in 3D.
 namespace gurney {
 
 /// Mass m, radius r, inertia C about its axle and A about a diameter.
@@ -75,8 +76,7 @@ inline constexpr double kDiscTread = 1e7;
 /// Runs it for exactly `duration`; keeps every `stride`-th step. The chassis, which does not turn
 /// about the axle, pitches as the disc turns on a circle: what the engine says of its tilt and of
 /// overturning means nothing here.
-Response roll(const Scene& scene, const Excitation& excitation, double step, double duration,
-              int stride);
+SimulationSettings disc_settings(double step, double duration, int stride);
 
 /// The axle's direction; it starts along y.
 inline Vector3 disc_axle(const Sample& sample) { return sample.orientation * Vector3::UnitY(); }

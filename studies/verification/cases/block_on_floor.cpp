@@ -1,0 +1,203 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/units.h"
+#include "studies/verification/cases.h"
+#include "studies/verification/scenes/blocks.h"
+#include "studies/verification/scenes/scenes.h"
+
+// Items without casters: a rigid block on the floor that stands, slides and begins to rock. Its
+// corners are springs of k down and 0.8 k along (docs/theory/impact.md).
+namespace gurney::verification {
+namespace {
+
+constexpr double kG = kStandardGravity, kTangential = 0.8;
+
+ContactConstants floor_of(double friction, double stiffness) {
+  return {.stiffness = stiffness, .restitution = 0.05, .friction = friction};
+}
+
+Response shake(const Scene& scene, const FloorMotion& floor, double duration, double step,
+               const Runner& runner, Findings& findings) {
+  Excitation excitation;
+  excitation.floor = floor;
+  SimulationSettings settings = blocks::run_for(duration, step, 0.1);
+  settings.follow_overturning = false;
+  return runner(findings, scene, excitation, settings);
+}
+
+/// A slow rise holds no shock: half a cosine in `rise`, then held.
+FloorMotion rising_floor(double level, double rise, double duration) {
+  return scenes::floor_motion(0.01, duration, Vector3::UnitX(), [=](double t) {
+    return level * 0.5 * (1 - std::cos(std::numbers::pi * std::min(t / rise, 1.0)));
+  });
+}
+
+// --- below friction
+
+struct Standing {
+  double friction, share, mass = 120, width = 0.6, height = 0.8;  // a over mu g, [kg], [m], [m]
+};
+
+Findings stand(const Standing& c, const Runner& runner) {
+  Findings findings;
+  constexpr double kStiffness = 1e7, kPulse = 2;  // [N/m], [s]
+  const Scene scene =
+      blocks::block(c.mass, {c.width, 0.5, c.height}, floor_of(c.friction, kStiffness));
+  const double acceleration = c.share * c.friction * kG;
+  const Response response =
+      shake(scene, scenes::rectangular_pulse(acceleration, kPulse), 3, 0.004, runner, findings);
+  const Demands& demands = response.items[0].demands;
+  const auto at = [&](double t) {
+    return response.items[0]
+        .history[static_cast<std::size_t>(std::lround(t / 0.1))]
+        .displacement.x();
+  };
+  // Loaded at once, the corners swing to twice what they hold; those that carry little slip until
+  // the others hold all of it, twice again.
+  const double deflection = c.mass * acceleration / (4 * kTangential * kStiffness);
+  auto& checks = findings.checks;
+  checks.push_back({"displacement while the floor accelerates", "m", at(1.9), -deflection,
+                    deflection, "corners that carry little slip until two hold all: F / (2 k_t)"});
+  checks.push_back({"creep from 1.0 s to 1.9 s", "m", at(1.9) - at(1.0), 0, 0.01 * deflection,
+                    "1 % of the deflection F / (4 k_t): nothing creeps"});
+  checks.push_back({"displacement that stays", "m", demands.residual_displacement, 0,
+                    2 * deflection, "less than corners deflect when loaded at once, F / (2 k_t)"});
+  checks.push_back({"largest displacement", "m", demands.peak_displacement, 0, 4 * deflection,
+                    "corners that swing to twice what two of them hold, F / k_t"});
+  checks.push_back(
+      {"impacts told", "", static_cast<double>(demands.impacts), 0, 0, "resting contact is none"});
+  return findings;
+}
+
+/// It stays on all corners, also while it swings.
+bool stands(const Standing& c) { return 2 * c.share * c.friction * c.height < 0.9 * c.width; }
+
+// --- sliding
+
+struct Sliding {
+  double friction, acceleration;                              // [-], [g]
+  double pulse = 0.3, mass = 120, width = 0.9, height = 0.3;  // [s], [kg], [m], [m]
+};
+
+Findings slip(const Sliding& c, const Runner& runner) {
+  Findings findings;
+  constexpr double kStiffness = 1e8, kStep = 0.002;  // [N/m], [s]
+  const Scene scene =
+      blocks::block(c.mass, {c.width, 0.9, c.height}, floor_of(c.friction, kStiffness));
+  const double hold = c.friction * kG, a = c.acceleration * kG, T = c.pulse;
+  const double deflection = c.mass * hold / (4 * kTangential * kStiffness);
+  const auto slides = [&](double acceleration, double pulse) {
+    const double stop = pulse * acceleration / hold;
+    return shake(scene, scenes::rectangular_pulse(acceleration, pulse), std::max(pulse, stop) + 0.2,
+                 kStep, runner, findings)
+        .items[0]
+        .demands;
+  };
+  // Relative to the floor it gains (a - mu g) T, then stops at mu g.
+  const double s = (a - hold) * T * T / 2 * a / hold;
+  const Demands demands = slides(a, T);
+  auto& checks = findings.checks;
+  checks.push_back({"distance", "m", demands.residual_displacement, s,
+                    2 * deflection + a * kStep * kStep / 2 +
+                        (a - hold) * T * a / hold * std::sqrt(deflection / hold),
+                    "the corners give back their deflection d = mu m g / (4 k_t), twice; a dt^2 / "
+                    "2 of the step in which the pulse begins; friction is full sqrt(d / (mu g)) "
+                    "late, at the speed (a - mu g) T a / (mu g)"});
+  checks.push_back(
+      {"impacts told", "", static_cast<double>(demands.impacts), 0, 0, "sliding contact is none"});
+  // A slow rise does not push the block off: loaded at once it would swing and slide on from there.
+  constexpr double kMoved = 1e-4, kRise = 0.5, kHeld = 1, kBracket = 0.002;  // [m], [s], of mu g
+  const double threshold = locate(0.98 * hold, 1.02 * hold, kBracket * hold, [&](double level) {
+    const FloorMotion rise = rising_floor(level, kRise, kRise + kHeld);
+    return shake(scene, rise, kRise + kHeld, kStep, runner, findings)
+               .items[0]
+               .demands.peak_displacement > kMoved;
+  });
+  checks.push_back({"acceleration from which it slides", "g", threshold / kG, c.friction,
+                    kBracket / 2 * c.friction + 2 * kMoved / (kG * kHeld * kHeld),
+                    "half of the last bracket, 0.1 %, and what it takes to slide 0.1 mm in 1 s"});
+  return findings;
+}
+
+/// It slides, and stays on all corners when friction begins at once.
+bool slides_flat(const Sliding& c) {
+  return c.acceleration > 1.2 * c.friction && 2 * c.friction * c.height < 0.9 * c.width;
+}
+
+// --- uplift
+
+struct Uplift {
+  double width, height = 1.2, mass = 150;  // [m], [m], [kg]
+};
+
+Findings uplift(const Uplift& c, const Runner& runner) {
+  Findings findings;
+  constexpr double kStiffness = 1e8, kRise = 1, kTilt = 1e-3;  // [N/m], [s], [rad]
+  const Vector3 size(c.width, 0.6, c.height);
+  const Scene scene = blocks::block(c.mass, size, floor_of(3, kStiffness));
+  const double alpha = std::atan(c.width / c.height), R = 0.5 * std::hypot(c.width, c.height);
+  const double about_edge = solid_box_inertia(c.mass, size)(1, 1) + c.mass * R * R;
+  const double p = std::sqrt(c.mass * kG * R / about_edge), hold = 3 / p;
+  const double reference = c.width / c.height;
+  const auto rocks = [&](double level) {
+    const FloorMotion floor = rising_floor(level * kG, kRise, kRise + hold);
+    return shake(scene, floor, kRise + hold, 0.004, runner, findings).items[0].demands.peak_tilt >
+           kTilt;
+  };
+  constexpr double kBracket = 0.002;
+  const double found = locate(0.98 * reference, 1.02 * reference, kBracket * reference, rocks);
+  const double springs = 2 * c.mass * kG / (kStiffness * c.width);
+  findings.checks.push_back(
+      {"acceleration from which it rocks", "g", found, reference,
+       (kBracket / 2 + springs / alpha + kTilt / (alpha * (std::cosh(3) - 1))) * reference,
+       "of it: half of the last bracket, 0.1 %; the tilt of the corners' springs, 2 W / (k b), "
+       "over "
+       "alpha; what grows to 1 mrad in 3 / p, 1 mrad / (alpha (cosh 3 - 1))"});
+  return findings;
+}
+
+}  // namespace
+
+Family block_stands() {
+  return make_family<Standing>(
+      {"block_stands", "blocks", "The floor accelerates under a block by less than friction holds",
+       "x = -m a / (4 k_t), and back", "statics of springs; Coulomb"},
+      {{{"friction", "", 0.1, 0.8}, &Standing::friction},
+       {{"share", "a over mu g", 0.1, 0.8}, &Standing::share},
+       {{"mass", "kg", 20, 400}, &Standing::mass},
+       {{"width", "m", 0.3, 1}, &Standing::width},
+       {{"height", "m", 0.2, 1.5}, &Standing::height}},
+      {{"plain", {0.4, 0.75}}}, stand, stands);
+}
+
+Family block_slides() {
+  return make_family<Sliding>(
+      {"block_slides", "blocks", "The floor accelerates under a block by more than friction holds",
+       "s = (a - mu g) T^2 / 2 a / (mu g); it slides from a = mu g on", "Newton and Coulomb"},
+      {{{"friction", "", 0.1, 0.7}, &Sliding::friction},
+       {{"acceleration", "g", 0.3, 1}, &Sliding::acceleration},
+       {{"pulse", "s", 0.1, 0.6}, &Sliding::pulse},
+       {{"mass", "kg", 20, 400}, &Sliding::mass},
+       {{"width", "m", 0.3, 1.2}, &Sliding::width},
+       {{"height", "m", 0.1, 1}, &Sliding::height}},
+      {{"smooth", {0.2, 0.5}},
+       {"smooth_strong", {0.2, 0.8}},
+       {"rough", {0.35, 0.5}},
+       {"rough_strong", {0.35, 0.8}}},
+      slip, slides_flat);
+}
+
+Family block_uplift() {
+  return make_family<Uplift>(
+      {"block_uplift", "blocks", "The floor's acceleration rises slowly until a block rocks",
+       "a / g = width / height", "West's formula, Milne 1885, Trans. Seism. Soc. Japan 8"},
+      {{{"width", "m", 0.15, 0.6}, &Uplift::width},
+       {{"height", "m", 0.6, 2}, &Uplift::height},
+       {{"mass", "kg", 30, 300}, &Uplift::mass}},
+      {{"slender", {0.2}}, {"plain", {0.3}}}, uplift,
+      [](const Uplift& c) { return c.width < 0.6 * c.height; });
+}
+
+}  // namespace gurney::verification

@@ -1,0 +1,178 @@
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/units.h"
+#include "engine/contact/impact_law.h"
+#include "studies/verification/cases.h"
+#include "studies/verification/cases/sliding_block.h"
+#include "studies/verification/scenes/blocks.h"
+#include "studies/verification/scenes/face_contact.h"
+
+// A block that slides along x without friction into another one that stands.
+namespace gurney::verification {
+namespace {
+
+constexpr double kStep = 0.004, kGap = 0.1;  // [s], [m]
+const Vector3 kFirst(0.5, 0.4, 0.6), kSecond(0.3, 0.3, 0.6);
+
+/// The second block's middle is `aside` of the first one's path, its face 0.1 m before it.
+Scene two_blocks(double first, double second, double speed, double aside,
+                 const ContactConstants& constants) {
+  Scene scene = blocks::block(first, kFirst, {.friction = 0});
+  scene.items.push_back(blocks::block(second, kSecond, {.friction = 0}).items[0]);
+  scene.items[0].name = "first";
+  scene.items[1].name = "second";
+  scene.items[0].initial.velocity = {speed, 0, 0};
+  scene.items[1].initial.position = {0.5 * (kFirst.x() + kSecond.x()) + kGap, aside, 0};
+  scene.pairs.push_back({"steel", "steel", constants});
+  return scene;
+}
+
+double speed_at_end(const Response& response, std::size_t item) {
+  return response.items[item].history.back().points[0].velocity.x();
+}
+
+struct Collision {
+  double restitution, second, speed = 0.8, first = 80, aside = 0;  // [-], [kg], [m/s], [kg], [m]
+
+  /// The corners of the second block's face, which lies within the first one's.
+  FaceContact exact() const {
+    const double half = 0.5 * kSecond.y();
+    return {{1 / first, 1 / solid_box_inertia(first, kFirst)(2, 2), 0},
+            {1 / second, 1 / solid_box_inertia(second, kSecond)(2, 2), aside},
+            {aside - half, aside - half, aside + half, aside + half},
+            ContactConstants().stiffness,
+            FaceContact::damping_number(restitution)};
+  }
+};
+
+Findings collide(const Collision& c, const Runner& runner) {
+  Findings findings;
+  const double v = c.speed, M = c.first, m = c.second, e = c.restitution;
+  const FaceContact exact = c.exact();
+  const Response response =
+      runner(findings, two_blocks(M, m, v, c.aside, {.restitution = e, .friction = 0}), {},
+             blocks::run_for(1.2 * kGap / v + exact.contact, kStep, kStep));
+  const double a = speed_at_end(response, 0), b = speed_at_end(response, 1);
+  const double effective = 1 / (1 / M + 1 / m);
+  // While they touch, corners move by the yaw times half the lengths: off a lever of half a width.
+  const double turn = (std::abs(exact.yaw_rate[0]) + std::abs(exact.yaw_rate[1])) * v *
+                      exact.contact * (kFirst.x() + kSecond.x()) / kSecond.y();
+  const double share = kImpactError + turn;
+  const char* const terms =
+      "2 (pi/32)^2 / 12 of the speed: 32 steps of a second-order method in half a period; the yaws "
+      "in contact times the lengths over the width, by which levers change";
+  auto& checks = findings.checks;
+  checks.push_back({"momentum of the second block", "N s", m * b, m * exact.speed[1] * v,
+                    share * v * effective, std::string("the reduced mass times ") + terms});
+  checks.push_back({"momentum of both", "N s", M * a + m * b, M * v,
+                    1e-9 * (M + m) * kStandardGravity * (1.2 * kGap / v + exact.contact),
+                    "residual of the solve, 1e-9 (M + m) g t"});
+  checks.push_back(
+      {"speed of parting", "m/s", b - a, (exact.speed[1] - exact.speed[0]) * v, share * v, terms});
+  for (const std::size_t i : {0, 1})
+    checks.push_back({i == 0 ? "yaw rate of the first block times half the width"
+                             : "yaw rate of the second block times half the width",
+                      "m/s", yaw_rate_at_end(response, i) * 0.5 * kSecond.y(),
+                      exact.yaw_rate[i] * v * 0.5 * kSecond.y(), share * v, terms});
+  checks.push_back({"closure of the energy account", "", response.quality.energy_closure, 0,
+                    kImpactClosure, "a few times (pi/32)^4"});
+  if (c.aside == 0)
+    checks.push_back({"impulse", "N s", m * b, (1 + e) * v * effective, share * v * effective,
+                      std::string("the reduced mass times ") + terms});
+  if (response.impacts.empty()) {
+    checks.push_back({"impacts", "", 0, 1, 0, "they meet"});
+    return findings;
+  }
+  const Impact& impact = response.impacts[0];
+  checks.push_back({"impulse told of the impact", "N s", impact.impulse, m * b,
+                    (1e-6 + turn) * m * b,
+                    "1e-6 of it, the second block has no other; the yaws in contact turn it"});
+  checks.push_back({"approach speed of the impact", "m/s", impact.approach_speed, v, 1e-6 * v,
+                    "what 1000 steps may leave, 1e-9 g dt each"});
+  checks.push_back(
+      {"normal of the impact", "", impact.normal.x(), -1, 1e-9, "they meet unturned: rounding"});
+  return findings;
+}
+
+bool parts(const Collision& c) {
+  const FaceContact exact = c.exact();
+  return c.restitution * c.speed > 2 * ImpactLaw::kLeastApproach && exact.parts &&
+         exact.touches == 1;
+}
+
+// --- a push on the first of two blocks before a wall goes through both
+
+struct Row {
+  double push, stiffness, first = 80, second = 20;  // [N], [N/m], [kg], [kg]
+};
+
+/// At rest each pair of faces, four corners of stiffness k, is pressed together by F / (4 k).
+Findings press(const Row& c, const Runner& runner) {
+  Findings findings;
+  constexpr double kSlit = 1e-3, kTime = 3;
+  Scene scene = two_blocks(c.first, c.second, 0, 0,
+                           {.stiffness = c.stiffness, .restitution = 0.3, .friction = 0});
+  scene.items[1].initial.position.x() = 0.5 * kFirst.x() + kSlit + 0.5 * kSecond.x();
+  blocks::add_wall(scene, 0.5 * kFirst.x() + kSlit + kSecond.x() + kSlit,
+                   {.stiffness = c.stiffness, .friction = 0});
+  Excitation excitation;
+  excitation.forces = {{"push", {0, 0, 0.5 * kFirst.z()}, {1, 0, 0}, {0, 10}, {c.push, c.push}}};
+  const Response response = runner(findings, scene, excitation, blocks::run_for(kTime, kStep, 0.1));
+  const double pressed = c.push / (4 * c.stiffness);
+  const Sample &first = response.items[0].history.back(),
+               &second = response.items[1].history.back();
+  const char* const residual = "what an oscillation below the resolved 0.01 m/s leaves: 0.2 %";
+  auto& checks = findings.checks;
+  checks.push_back({"way of the second block", "m", second.displacement.x(), kSlit + pressed,
+                    0.002 * pressed, residual});
+  checks.push_back({"way of the first block", "m", first.displacement.x(), 2 * kSlit + 2 * pressed,
+                    0.004 * pressed, residual});
+  checks.push_back({"speed at the end", "m/s", first.velocity.norm(), 0, 1e-6, "at rest"});
+  checks.push_back({"steps that were divided", "",
+                    static_cast<double>(response.quality.subdivided_steps), 0, 0,
+                    "Newton's method knows how the items push each other"});
+  checks.push_back({"iterations in a step", "",
+                    static_cast<double>(response.quality.newton_iterations) /
+                        static_cast<double>(response.quality.steps),
+                    2, 3, "two stages, each of one iteration or a few"});
+  return findings;
+}
+
+}  // namespace
+
+Family collision() {
+  return make_family<Collision>(
+      {"collision", "impacts", "A block slides into another one, in the middle or aside of it",
+       "J = (1 + e) v / (1/M + 1/m) in the middle; aside, f = k d (1 + X d'/v) at the corners",
+       "Newton's laws, of motion and of restitution; Hunt & Crossley 1975"},
+      {{{"restitution", "", 0.1, 1}, &Collision::restitution},
+       {{"second", "kg", 10, 300}, &Collision::second},
+       {{"speed", "m/s", 0.2, 2}, &Collision::speed},
+       {{"first", "kg", 20, 300}, &Collision::first},
+       {{"aside", "m", -0.045, 0.045}, &Collision::aside}},
+      {{"light_soft", {0.2, 20}},
+       {"light", {0.7, 20}},
+       {"light_elastic", {1, 20}},
+       {"equal_soft", {0.2, 80}},
+       {"equal", {0.7, 80}},
+       {"equal_elastic", {1, 80}},
+       {"heavy_soft", {0.2, 200}},
+       {"heavy", {0.7, 200}},
+       {"heavy_elastic", {1, 200}},
+       {"aside", {0.5, 20, 0.8, 80, 0.04}}},
+      collide, parts);
+}
+
+Family pressed_row() {
+  return make_family<Row>(
+      {"pressed_row", "impacts", "A push presses two blocks in a row against a wall",
+       "each pair of faces gives way by F / (4 k)", "statics of springs"},
+      {{{"push", "N", 50, 500}, &Row::push},
+       {{"stiffness", "N/m", 2e5, 5e6}, &Row::stiffness},
+       {{"first", "kg", 20, 200}, &Row::first},
+       {{"second", "kg", 20, 200}, &Row::second}},
+      {{"plain", {200, 1e6}}}, press);
+}
+
+}  // namespace gurney::verification

@@ -1,0 +1,96 @@
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/units.h"
+#include "engine/contact/impact_law.h"
+#include "studies/verification/cases.h"
+#include "studies/verification/cases/sliding_block.h"
+#include "studies/verification/scenes/blocks.h"
+
+// The face of a block meets a wall: all four corners at once, so it does not turn.
+namespace gurney::verification {
+namespace {
+
+struct Rebound {
+  double restitution, speed, yaw;  // [-], [m/s], of wall and block [deg]
+  double mass = 80, length = 0.5, width = 0.4;
+};
+
+Vector3 turned(double yaw, const Vector3& v) {
+  return Eigen::AngleAxisd(yaw, Vector3::UnitZ()) * v;
+}
+
+Findings meet(const Rebound& c, const Runner& runner) {
+  Findings findings;
+  const SlidingBlock block{c.mass, {c.length, c.width, 0.6}};
+  const double yaw = c.yaw * kRadiansPerDegree, v = c.speed;
+  Scene scene = block.scene(turned(yaw, {v, 0, 0}));
+  scene.items[0].initial.yaw = yaw;
+  blocks::add_wall(scene, 0.5 * c.length + kWayToImpact,
+                   {.restitution = c.restitution, .friction = 0});
+  scene.room.back().rotation = Quaternion(Eigen::AngleAxisd(yaw, Vector3::UnitZ()));
+  scene.room.back().position = turned(yaw, scene.room.back().position);
+  const Response response = slide(findings, runner, scene, 2 * kWayToImpact);
+  const Vector3 after = turned(-yaw, response.items[0].history.back().velocity);
+  const char* const phase =
+      "2 (pi/32)^2 / 12 of the speed: 32 steps of a second-order method in half a period of the "
+      "contact's spring, and as much for the touch and the end inside steps";
+  const char* const residual = "1e-6 of the speed: what 1000 steps may leave, 1e-9 g dt each";
+  auto& checks = findings.checks;
+  checks.push_back(
+      {"speed of the rebound", "m/s", -after.x(), c.restitution * v, kImpactError * v, phase});
+  checks.push_back({"speed along the wall", "m/s", after.y(), 0, 1e-6 * v, residual});
+  checks.push_back({"yaw rate", "rad/s", yaw_rate_at_end(response), 0, 1e-6, residual});
+  if (response.impacts.empty()) return findings;
+  const Impact& impact = response.impacts[0];
+  checks.push_back({"impulse", "N s", impact.impulse, c.mass * (1 + c.restitution) * v,
+                    kImpactError * c.mass * v, std::string("the mass times ") + phase});
+  checks.push_back(
+      {"approach speed of the impact", "m/s", impact.approach_speed, v, 1e-6 * v, residual});
+  const ContactConstants constants;
+  const double stiffness = 4 * constants.stiffness * (1 + ImpactLaw::damping_number(c.restitution));
+  checks.push_back({"time of the impact", "s", impact.time, kWayToImpact / v,
+                    std::numbers::pi * std::sqrt(c.mass / stiffness) / kStepsInImpact,
+                    "the step in which it touches, pi sqrt(m / (4 k (1 + x))) / 32"});
+  checks.push_back({"normal of the impact, along the wall's", "", turned(-yaw, impact.normal).x(),
+                    -1, 1e-9, "rounding"});
+  // The block slides freely but for the wall: whatever accelerates it is numerical.
+  const PointDemands& point = response.items[0].demands.points[0];
+  checks.push_back({"acceleration that is none of the impact, over that of it", "",
+                    point.peak_absolute_acceleration / point.numerical_acceleration, 0, 1e-3,
+                    "one thousandth: all but the residual is the impact's"});
+  return findings;
+}
+
+/// Contacts slower than 0.01 m/s cut no step.
+bool parts(const Rebound& c) { return c.restitution * c.speed >= 2 * ImpactLaw::kLeastApproach; }
+
+}  // namespace
+
+Family wall_rebound() {
+  return make_family<Rebound>(
+      {"wall_rebound", "impacts", "A block meets a wall with its face",
+       "v' = -e v, J = (1 + e) m v, after the way over the speed",
+       "Newton's law of restitution; Hunt & Crossley 1975, J. Applied Mechanics 42"},
+      {{{"restitution", "", 0.05, 1}, &Rebound::restitution},
+       {{"speed", "m/s", 0.1, 3}, &Rebound::speed},
+       {{"yaw", "deg", -180, 180}, &Rebound::yaw},
+       {{"mass", "kg", 20, 300}, &Rebound::mass},
+       {{"length", "m", 0.2, 1}, &Rebound::length},
+       {{"width", "m", 0.2, 1}, &Rebound::width}},
+      {{"soft_slow", {0.2, 0.2, 0}},
+       {"soft", {0.2, 0.8, 30}},
+       {"soft_fast", {0.2, 2.5, -115}},
+       {"dead", {0.05, 2.5, 0}},
+       {"half_slow", {0.5, 0.2, -115}},
+       {"half", {0.5, 0.8, 0}},
+       {"half_fast", {0.5, 2, 30}},
+       {"lively", {0.7, 1, 0}},
+       {"lively_turned", {0.9, 0.8, -115}},
+       {"lively_fast", {0.9, 2, 30}},
+       {"elastic_slow", {1, 0.2, 30}},
+       {"elastic", {1, 2.5, 0}}},
+      meet, parts);
+}
+
+}  // namespace gurney::verification

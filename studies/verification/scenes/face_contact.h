@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace gurney {
+
+/// Two bodies that move along x and turn about z meet with faces across x: springs at points y of
+/// the common face, integrated by Runge-Kutta from the touch on. The first comes with 1 m/s.
+///
+///     d = x1 - x2 - (y - y1) yaw1 + (y - y2) yaw2,  f = k d max(0, 1 + X d') for d > 0
+///     m1 x1'' = -sum f,  I1 yaw1'' = sum (y - y1) f,  and the opposite for the second
+struct FaceContact {
+  /// All 0: a wall.
+  struct Body {
+    double inverse_mass = 0, inverse_inertia = 0;  ///< [1/kg], [1/(kg m2)]
+    double y = 0;                                  ///< of its centre [m]
+  };
+  std::array<double, 2> speed{}, yaw_rate{};  ///< after it [m/s], [rad/s]
+  double peak_force = 0;                      ///< [N]
+  double contact = 0;                         ///< from the first touch to the last [s]
+  int touches = 0;                            ///< times that force began
+  bool parts = false;                         ///< all points move apart at the end
+
+  FaceContact(const Body& first, const Body& second, const std::vector<double>& points,
+              double stiffness, double damping_number);
+
+  /// X of a restitution e in (0, 1]: (1 + e) X = ln((1 + X) / (1 - e X)), between 0 and 1 / e.
+  static double damping_number(double restitution);
+};
+
+}  // namespace gurney
