@@ -4,8 +4,8 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
+#include "studies/verification/scenes/scenes.h"
 #include "tests/support/error_text.h"
-#include "tests/support/scenes.h"
 
 // The baseline that is the model of Xu, Ma & Kurata 2022 (engine/bullet/paper_model.h) on a pull
 // with a constant force, against Newton's law (pulling_test.cpp). Its errors are numbers that

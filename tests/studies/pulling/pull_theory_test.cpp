@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "studies/verification/scenes/scenes.h"
 #include "tests/support/error_text.h"
-#include "tests/support/scenes.h"
 
 namespace gurney {
 namespace {

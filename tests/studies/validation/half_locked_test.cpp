@@ -6,8 +6,8 @@
 
 #include "engine/base/units.h"
 #include "engine/simulate.h"
+#include "studies/verification/scenes/scenes.h"
 #include "tests/studies/validation/small_runs.h"
-#include "tests/support/scenes.h"
 
 // studies/jobs/validation_half_locked.toml against a rigid cart (docs/validation.md).
 namespace gurney {
