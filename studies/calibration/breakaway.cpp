@@ -82,6 +82,11 @@ std::optional<Breakaway> breakaway_of(const Trial& trial, TrialFault& fault) {
       std::hypot(in.rate_error(in.middle), out.rate_error(out.middle)) / length;
   const PolynomialFit force =
       fit_polynomial(s.time, s.force, {index(in.middle), index(out.middle)}, 0);
+  const double at_end = mean(s.force, last.begin, last.end);
+  if (!(at_end > force.c[0] / 2))
+    return fail(last.begin, fmt::format("the force falls to {:.3g} N while it moves: is it kind = "
+                                        "pull?",
+                                        at_end));
   Breakaway result;
   result.peak = (peak.force - setup.string_tension) / normal;
   result.peak_error = peak.error / normal;

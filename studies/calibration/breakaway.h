@@ -18,7 +18,8 @@ struct Breakaway {
 /// The peak is the largest F - F_s - (M + J) a, J = 0 of locked wheels, with F and a from the mean
 /// and a quadratic over 0.2 s (0.4 s where wheels roll, as their force is small), until it has
 /// moved 5 % of its path. It moves from there to 95 % of its path, where the same is done once.
-/// @return nothing, and a fault in `fault`, where it does not move or no 0.2 s are left
+/// @return nothing, and a fault in `fault`, where it does not move, no 0.4 s are left, or the
+///         force falls below half of its mean while it moves
 std::optional<Breakaway> breakaway_of(const Trial& trial, TrialFault& fault);
 
 }  // namespace gurney

@@ -47,6 +47,14 @@ TEST(Breakaway, NamesTrialsThatNeverMove) {
   EXPECT_EQ(fault.text(), "virtual.csv:7: it never breaks away");
 }
 
+TEST(Breakaway, NamesPullsThatSomebodyCalledLocked) {
+  Trial trial = virtual_pull({});
+  trial.kind = TrialKind::kLockedPull;
+  TrialFault fault;
+  EXPECT_FALSE(breakaway_of(trial, fault));
+  EXPECT_THAT(fault.reason, HasSubstr("the force falls to 0 N while it moves: is it kind = pull?"));
+}
+
 // Noise makes an error of about 2 mm/s in each speed, 1 % of e at 0.4 m/s; the engine's own rebound
 // and the coasting during the contact make another 2 %.
 TEST(Rebound, FindsTheRestitution) {
