@@ -7,7 +7,7 @@
 #include "engine/base/units.h"
 #include "engine/simulate.h"
 #include "tests/studies/validation/small_runs.h"
-#include "tests/support/scenes.h"
+#include "studies/verification/scenes/scenes.h"
 
 // studies/jobs/validation_half_locked.toml against a rigid cart (docs/validation.md).
 namespace gurney {
