@@ -24,7 +24,7 @@ constexpr double kFloorOfLimit = 1e-3;
 void add_cloud(const StudyData& data, const FragilityRequest& request, const RunMeasure& measure,
                FragilityResult& result) {
   const LimitState& state = data.limit_states().at(request.state);
-  if (state.kind != LimitState::Kind::kAbove || !(state.limit > 0)) return;
+  if (state.kind != LimitState::Kind::kAbove || state.at_least > 1 || !(state.limit > 0)) return;
   result.cloud = fit_cloud(
       data.cloud(request.state, request.configuration, measure, kFloorOfLimit * state.limit));
   if (const auto fragility = cloud_fragility(*result.cloud, state.limit))

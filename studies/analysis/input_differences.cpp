@@ -67,6 +67,14 @@ Entries assumptions_of(const StudySide& side) {
   return entries;
 }
 
+Entries data_files_of(const StudySide& side) {
+  const StudyReader& file = side.data->file();
+  const auto names = file.strings("data_files/name"), hashes = file.strings("data_files/sha256");
+  Entries entries;
+  for (std::size_t row = 0; row < names.size(); ++row) entries[names[row]] = hashes[row];
+  return entries;
+}
+
 Entries program_of(const StudySide& side) {
   Entries entries;
   for (const char* name :
@@ -103,14 +111,15 @@ std::vector<InputDifference> differences(const Entries& a, const Entries& b) {
 }  // namespace
 
 bool InputDifferences::none() const {
-  return job.empty() && assumptions.empty() && program.empty() && records_of_a.empty() &&
-         records_of_b.empty() && records_changed.empty();
+  return job.empty() && assumptions.empty() && data_files.empty() && program.empty() &&
+         records_of_a.empty() && records_of_b.empty() && records_changed.empty();
 }
 
 InputDifferences input_differences(const StudySide& a, const StudySide& b) {
   InputDifferences result;
   result.job = differences(job_of(a), job_of(b));
   result.assumptions = differences(assumptions_of(a), assumptions_of(b));
+  result.data_files = differences(data_files_of(a), data_files_of(b));
   result.program = differences(program_of(a), program_of(b));
   const Entries of_a = records_of(a), of_b = records_of(b);
   for (const auto& [name, source] : of_a) {

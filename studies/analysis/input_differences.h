@@ -17,6 +17,7 @@ struct InputDifference {
 struct InputDifferences {
   std::vector<InputDifference> job;          ///< with the levels of their factors put in
   std::vector<InputDifference> assumptions;  ///< numbers without a source, from data files
+  std::vector<InputDifference> data_files;   ///< items, casters, rooms, ...: SHA-256
   std::vector<InputDifference> program;
   std::vector<std::string> records_of_a, records_of_b;  ///< of one only
   std::vector<std::string> records_changed;             ///< same name, other files or processing

@@ -92,7 +92,8 @@ std::vector<std::size_t> sized_states(const StudyData& data) {
   std::vector<std::size_t> states;
   for (std::size_t i = 0; i < data.limit_states().size(); ++i) {
     const LimitState& state = data.limit_states()[i];
-    if (state.kind == LimitState::Kind::kAbove && state.limit > 0) states.push_back(i);
+    if (state.kind == LimitState::Kind::kAbove && state.at_least == 1 && state.limit > 0)
+      states.push_back(i);
   }
   return states;
 }

@@ -60,8 +60,9 @@ std::vector<std::uint32_t> parts_in(const fs::path& folder) {
   return parts;
 }
 
-/// The first line that differs, as `key: 'theirs', here 'ours'`.
-std::string difference(const std::string& theirs, const std::string& ours) {
+}  // namespace
+
+std::string first_difference(const std::string& theirs, const std::string& ours) {
   std::istringstream a(theirs), b(ours);
   std::string line_a, line_b;
   while (true) {
@@ -73,8 +74,6 @@ std::string difference(const std::string& theirs, const std::string& ours) {
   }
 }
 
-}  // namespace
-
 PartFolder::PartFolder(fs::path folder, const std::string& identity, bool resume)
     : folder_(std::move(folder)) {
   const fs::path study = folder_ / "study";
@@ -84,8 +83,8 @@ PartFolder::PartFolder(fs::path folder, const std::string& identity, bool resume
                         ": holds runs of a study that was interrupted; go on with --resume, or "
                         "remove this folder to start again");
     const std::string theirs = bytes_of(study);
-    require(theirs == identity,
-            folder_.string() + ": holds runs of another study: " + difference(theirs, identity));
+    require(theirs == identity, folder_.string() + ": holds runs of another study: " +
+                                    first_difference(theirs, identity));
   } else {
     fs::create_directory(folder_, problem);
     require(!problem, folder_.string() + ": cannot be made: " + problem.message());

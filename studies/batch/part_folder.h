@@ -8,6 +8,9 @@
 
 namespace gurney {
 
+/// The first line in which two texts differ: `there 'theirs', here 'ours'`.
+std::string first_difference(const std::string& theirs, const std::string& ours);
+
 /// The finished units of a study that is not complete: a folder beside its results file.
 ///
 /// A part file holds whole units and ends with the SHA-256 of all before. It is written under
@@ -27,6 +30,7 @@ class PartFolder {
   PartFolder(const PartFolder&) = delete;
   PartFolder& operator=(const PartFolder&) = delete;
 
+  const std::filesystem::path& path() const { return folder_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
   bool has(std::size_t unit) const { return unit < places_.size() && places_[unit].part > 0; }
   std::size_t size() const { return size_; }

@@ -6,24 +6,28 @@
 #include <exception>
 #include <map>
 #include <mutex>
+#include <utility>
 
 namespace gurney {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Collects finished units and writes them as parts: soon at first, later after 2 % of the time the
-/// batch has run, so that parts stay few and little is lost.
+using Part = std::map<std::size_t, std::string>;  ///< bytes of units
+
+/// Collects finished units into parts: soon at first, later after 2 % of the time the batch has
+/// run, so that parts stay few and little is lost.
 class Collector {
  public:
-  Collector(PartFolder& folder, const std::function<void(const BatchProgress&)>& report,
-            std::size_t units)
-      : folder_(folder), report_(report) {
+  Collector(const std::function<void(const BatchProgress&)>& report, std::size_t units,
+            std::size_t done)
+      : report_(report) {
     progress_.units = units;
-    progress_.done = folder.size();
+    progress_.done = done;
   }
 
-  void add(UnitResult result) {
+  /// @return a part that is due to be written; else empty
+  Part add(UnitResult result) {
     for (const StudyRun& run : result.runs) {
       progress_.failed += run.response.outcome == Outcome::kDiverged;
       progress_.overturned += run.response.outcome == Outcome::kOverturned;
@@ -34,15 +38,21 @@ class Collector {
     const std::size_t unit = result.unit;
     bytes_ += (waiting_[unit] = to_bytes(result)).size();
     progress_.seconds = since(start_);
-    if (since(written_) > std::max(1.0, 0.02 * progress_.seconds) || bytes_ > kMostBytes) write();
     if (since(reported_) > 0.5) {
       report_(progress_);
       reported_ = Clock::now();
     }
+    const bool due = since(taken_) > std::max(1.0, 0.02 * progress_.seconds) || bytes_ > kMostBytes;
+    return due ? take() : Part();
+  }
+
+  Part take() {
+    bytes_ = 0;
+    taken_ = Clock::now();
+    return std::exchange(waiting_, {});
   }
 
   BatchProgress finish() {
-    write();
     progress_.seconds = since(start_);
     report_(progress_);
     return progress_;
@@ -55,19 +65,11 @@ class Collector {
     return std::chrono::duration<double>(Clock::now() - time).count();
   }
 
-  void write() {
-    folder_.add(waiting_);
-    waiting_.clear();
-    bytes_ = 0;
-    written_ = Clock::now();
-  }
-
-  PartFolder& folder_;
   const std::function<void(const BatchProgress&)>& report_;
   BatchProgress progress_;
-  std::map<std::size_t, std::string> waiting_;
+  Part waiting_;
   std::size_t bytes_ = 0;
-  Clock::time_point start_ = Clock::now(), written_ = start_, reported_ = start_;
+  Clock::time_point start_ = Clock::now(), taken_ = start_, reported_ = start_;
 };
 
 }  // namespace
@@ -78,24 +80,31 @@ BatchProgress run_batch(const Batch& batch, PartFolder& folder, int threads,
   std::vector<std::size_t> missing;
   for (std::size_t unit = 0; unit < batch.plan.units(); ++unit)
     if (!folder.has(unit)) missing.push_back(unit);
-  Collector collector(folder, progress, batch.plan.units());
-  std::mutex mutex;
+  Collector collector(progress, batch.plan.units(), folder.size());
+  const CrashLog crashes(folder.path() / "crashes");
+  std::mutex collecting, writing;  // a thread that waits for the disk holds up no other
   std::exception_ptr problem;
   std::atomic<bool> broken = false;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
   for (std::size_t i = 0; i < missing.size(); ++i) {
     if (broken || !go_on()) continue;
     try {
-      UnitResult result = run_unit(batch, missing[i], go_on);
-      const std::lock_guard lock(mutex);
-      if (!result.runs.empty()) collector.add(std::move(result));
+      UnitResult result = run_unit(batch, missing[i], go_on, crashes.given_up());
+      Part part;
+      {
+        const std::lock_guard lock(collecting);
+        if (!result.runs.empty()) part = collector.add(std::move(result));
+      }
+      const std::lock_guard lock(writing);
+      folder.add(part);
     } catch (...) {
-      const std::lock_guard lock(mutex);
+      const std::lock_guard lock(collecting);
       if (!problem) problem = std::current_exception();
       broken = true;
     }
   }
   if (problem) std::rethrow_exception(problem);
+  folder.add(collector.take());
   return collector.finish();
 }
 

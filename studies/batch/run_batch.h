@@ -16,7 +16,8 @@ struct BatchProgress {
   double seconds = 0;                                ///< of this attempt
 };
 
-/// Runs every unit that the folder lacks, and puts it there.
+/// Runs every unit that the folder lacks, and puts it there. A run that crashed the program twice
+/// (crash_log.h) fails without being tried again.
 /// @param threads   >= 1
 /// @param go_on     false: runs in flight are dropped, what is finished goes to the folder
 /// @param progress  called about twice a second, from one thread at a time

@@ -49,13 +49,16 @@ bool is_checked(const Study& study, std::size_t unit, std::size_t run) {
   return uniform_draw(study.seed, kStream + run, unit) < study.certificate;
 }
 
-std::vector<Demands> demands_at_half_step(RunCase run) {
+/// Demands at half the step go to `result`, or, where that run fails, a warning.
+void repeat_at_half_step(RunCase run, StudyRun& result) {
   run.settings.time_step *= 0.5;
   run.settings.history_step = 0;
-  std::vector<Demands> demands;
-  for (const ItemResponse& item : simulate(run.scene, run.excitation, run.settings).items)
-    demands.push_back(item.demands);
-  return demands;
+  const Response response = simulate(run.scene, run.excitation, run.settings);
+  if (response.outcome == Outcome::kDiverged) {
+    result.warnings.push_back("the repeat with half the time step failed: " + response.cause);
+    return;
+  }
+  for (const ItemResponse& item : response.items) result.at_half_step.push_back(item.demands);
 }
 
 void simulate_case(const Batch& batch, const Unit& unit, const Job& job, bool checked,
@@ -67,7 +70,7 @@ void simulate_case(const Batch& batch, const Unit& unit, const Job& job, bool ch
     run.pfa = peak_of(of_run.excitation.floor, false);
     run.pfv = peak_of(of_run.excitation.floor, true);
     run.response = simulate(of_run.scene, of_run.excitation, of_run.settings);
-    if (checked) run.at_half_step = demands_at_half_step(std::move(of_run));
+    if (checked) repeat_at_half_step(std::move(of_run), run);
   } catch (const Error& error) {
     run.response = failed(error.what());
   }
@@ -83,7 +86,8 @@ RunCase case_of(const Batch& batch, const Unit& unit, const Job& job, double sca
   return run;
 }
 
-UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<bool()>& go_on) {
+UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<bool()>& go_on,
+                    const CrashedRuns& crashed) {
   const Study& study = batch.job.study();
   const Unit unit = batch.plan.unit(index);
   const MotionSet& motions = batch.motions.set_of(unit.configuration);
@@ -105,10 +109,15 @@ UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<b
     StudyRun run;
     run.scale = by_measure ? motions.scale_for(unit.record, *value) : *value;
     run.intensity = by_measure ? *value : 0;
-    if (job)
-      simulate_case(batch, unit, *job, is_checked(study, index, result.runs.size()), run);
-    else
+    const std::size_t number = result.runs.size();
+    if (const auto known = crashed.find({index, number}); known != crashed.end()) {
+      run.response = failed(known->second);
+    } else if (job) {
+      const RunMark mark(index, number);
+      simulate_case(batch, unit, *job, is_checked(study, index, number), run);
+    } else {
       run.response = failed(bad);
+    }
     if (!wanted(study.keep.histories, run.response.outcome))
       for (ItemResponse& item : run.response.items) item.history.clear();
     const bool ended =

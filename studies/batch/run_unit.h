@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/batch/crash_log.h"
 #include "studies/batch/unit_result.h"
 #include "studies/study/plan.h"
 
@@ -30,7 +31,9 @@ RunCase case_of(const Batch& batch, const Unit& unit, const Job& job, double sca
 
 /// Makes the runs of one unit: the same numbers in any thread, process and order.
 /// @param go_on  asked before each run; false: the unit is dropped
+/// @param crashed  runs that fail without being tried
 /// @return no runs when it was dropped
-UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<bool()>& go_on);
+UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<bool()>& go_on,
+                    const CrashedRuns& crashed = {});
 
 }  // namespace gurney

@@ -14,6 +14,7 @@
 #include "studies/build_info/build_info.h"
 #include "studies/cli/check_command.h"
 #include "studies/cli/compare_command.h"
+#include "studies/cli/converge_command.h"
 #include "studies/cli/equipment_command.h"
 #include "studies/cli/export_command.h"
 #include "studies/cli/fragility_command.h"
@@ -124,6 +125,7 @@ int run_command_line(int argc, char** argv) {
   add_compare(app, act);
   add_measures(app, act);
   add_sensitivity(app, act);
+  add_converge(app, act);
   add_records(app, act);
   add_equipment(app, act);
   add_verify(app, act);

@@ -12,6 +12,7 @@
 #include "studies/exports/nrml.h"
 #include "studies/exports/pelicun.h"
 #include "studies/exports/response_csv.h"
+#include "studies/exports/xdmf.h"
 #include "studies/results/output_files.h"
 
 namespace gurney {
@@ -60,12 +61,18 @@ void check_choice(const ExportOptions& options) {
   };
   refuse("--measure", options.choice.measure, fits);
   refuse("--limit", options.choice.limit, fits);
-  refuse("--configuration", options.choice.configuration, options.format != "csv");
+  refuse("--configuration", options.choice.configuration,
+         options.format != "csv" && options.format != "xdmf");
 }
 
 std::vector<std::string> write(const ExportOptions& options, const TakeFile& take) {
   if (options.format == "csv") {
     export_tables(options.file, take);
+    return {};
+  }
+  if (options.format == "xdmf") {
+    export_xdmf(options.file, plain_identifier(fs::path(options.file).stem().string(), "run"),
+                take);
     return {};
   }
   require(is_study_file(options.file),
@@ -110,11 +117,13 @@ void add_export(CLI::App& app, std::function<int()>& act) {
       app.add_subcommand("export", "Write results in the formats of other tools");
   command->add_option("FILE", options.file, "The results file")->required();
   command
-      ->add_option("--to", options.format,
-                   "csv: every table; pelicun: fragility for the Damage and Loss Model Library; "
-                   "nrml: fragility for OpenQuake; response-csv: demands run by run")
+      ->add_option(
+          "--to", options.format,
+          "csv: every table; pelicun: fragility for the Damage and Loss Model Library; "
+          "nrml: fragility for OpenQuake; response-csv: demands run by run; xdmf: one run's "
+          "moving shapes for ParaView")
       ->required()
-      ->check(CLI::IsMember({"csv", "pelicun", "nrml", "response-csv"}));
+      ->check(CLI::IsMember({"csv", "pelicun", "nrml", "response-csv", "xdmf"}));
   command->add_option("-o,--output", options.folder,
                       "Folder for the files (default: FILE_FORMAT beside FILE)");
   command->add_option("--configuration", options.choice.configuration,

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
@@ -13,6 +14,7 @@
 #include "studies/build_info/build_info.h"
 #include "studies/cli/run_output.h"
 #include "studies/results/columns.h"
+#include "studies/study/data_files.h"
 #include "studies/study_results/study_reader.h"
 
 namespace gurney {
@@ -68,6 +70,16 @@ std::string difference(const StudyReader& file, std::size_t run, const Response&
   return {};
 }
 
+/// Names of data files that are not what the study was made from.
+std::string changed_files(const StudyReader& file, const StudyJob& job) {
+  std::map<std::string, std::string> now = data_files(job);
+  const auto names = file.strings("data_files/name"), hashes = file.strings("data_files/sha256");
+  std::string changed;
+  for (std::size_t row = 0; row < names.size(); ++row)
+    if (now[names[row]] != hashes[row]) changed += (changed.empty() ? "" : ", ") + names[row];
+  return changed;
+}
+
 fs::path results_of(const ReplayOptions& options) {
   if (!options.output.empty()) {
     require(fs::path(options.output).extension() == ".h5",
@@ -101,12 +113,14 @@ int replay_command(const ReplayOptions& options) {
   const Response response = run_and_write(run, output);
   const std::string differs = difference(file, options.run, response);
   if (!differs.empty()) {
+    const std::string changed = changed_files(file, study);
     fmt::print(stderr,
                "{}: run {} has other numbers now: {}\nit was made by gurney {} {} on CPU class {}, "
-               "this is {} {} on {}; a record or an item may have changed, too\n",
+               "this is {} {} on {}; {}\n",
                options.file, options.run, differs, file.text_attribute("program_version"),
                file.text_attribute("git_commit"), file.text_attribute("cpu_class"),
-               build_info().program_version, build_info().git_commit, build_info().cpu_class);
+               build_info().program_version, build_info().git_commit, build_info().cpu_class,
+               changed.empty() ? "a record may have changed, too" : "changed since: " + changed);
     return 1;
   }
   if (!options.json) fmt::print("replay   the same numbers as in {}\n", options.file);

@@ -17,6 +17,7 @@
 #include "studies/cli/signals.h"
 #include "studies/results/hdf5_reader.h"
 #include "studies/results/output_files.h"
+#include "studies/study/data_files.h"
 #include "studies/study_results/study_file.h"
 
 namespace gurney {
@@ -50,12 +51,15 @@ std::string records_hash(const StudyMotions& motions) {
   return sha256(text);
 }
 
-/// What must be equal for runs to belong together.
+/// What must be equal for runs to belong together: lines `key value`.
 std::string identity(const Batch& batch) {
   const BuildInfo build = build_info();
-  return fmt::format("job_sha256 {}\nrecords_sha256 {}\nunits {}\nprogram {} {}\ncpu_class {}\n",
-                     sha256(batch.job.text()), records_hash(batch.motions), batch.plan.units(),
-                     build.program_version, build.git_commit, build.cpu_class);
+  std::string text =
+      fmt::format("job_sha256 {}\nrecords_sha256 {}\nunits {}\nprogram {} {}\ncpu_class {}\n",
+                  sha256(batch.job.text()), records_hash(batch.motions), batch.plan.units(),
+                  build.program_version, build.git_commit, build.cpu_class);
+  for (const auto& [name, hash] : data_files(batch.job)) text += fmt::format("{} {}\n", name, hash);
+  return text;
 }
 
 std::string duration_text(double seconds) {
@@ -177,7 +181,8 @@ int run_study(const RunOptions& options) {
   if (options.output.empty()) fs::create_directory("out");
   OutputFiles(options.overwrite || options.resume).check(paths.results.string());
   if (options.overwrite && !options.resume) fs::remove_all(paths.parts);
-  PartFolder folder(paths.parts, identity(batch), options.resume);
+  const std::string inputs = identity(batch);
+  PartFolder folder(paths.parts, inputs, options.resume);
   for (const std::string& warning : folder.warnings()) fmt::print(stderr, "{}\n", warning);
 
   note_interruptions();
@@ -188,7 +193,12 @@ int run_study(const RunOptions& options) {
     progress = run_batch(
         batch, folder, threads, [] { return interruption() == 0; },
         [&](const BatchProgress& now) { line(now); });
-    if (progress.done == progress.units) counts = merge(batch, folder, paths);
+    if (progress.done == progress.units) {
+      require(identity(batch) == inputs, paths.parts.string() +
+                                             ": a data file was edited while the study ran: " +
+                                             first_difference(inputs, identity(batch)));
+      counts = merge(batch, folder, paths);
+    }
   } catch (const Error& error) {
     throw Error(std::string(error.what()) + '\n' +
                 how_to_go_on(options, paths, folder.size(), plan.units()));

@@ -7,17 +7,18 @@ namespace gurney {
 bool exceeded(const std::vector<LimitState>& states, std::size_t index, const Values& values) {
   const LimitState& state = states[index];
   const auto part = [&](std::size_t i) { return exceeded(states, i, values); };
+  const auto enough = [&](const auto& list, auto passes) {
+    return std::ranges::count_if(list, passes) >= state.at_least;
+  };
   switch (state.kind) {
     case LimitState::Kind::kAny:
-      return std::ranges::any_of(state.parts, part);
+      return enough(state.parts, part);
     case LimitState::Kind::kAll:
       return std::ranges::all_of(state.parts, part);
     case LimitState::Kind::kAbove:
-      return std::ranges::any_of(values(state.quantity),
-                                 [&](double value) { return value > state.limit; });
+      return enough(values(state.quantity), [&](double value) { return value > state.limit; });
     case LimitState::Kind::kBelow:
-      return std::ranges::any_of(values(state.quantity),
-                                 [&](double value) { return value < state.limit; });
+      return enough(values(state.quantity), [&](double value) { return value < state.limit; });
   }
   return false;
 }

@@ -18,8 +18,8 @@ struct Quantity {
 /// The values of a quantity in one run, one for each item it is asked of; NaN: there is none.
 using Values = std::function<std::vector<double>(const Quantity&)>;
 
-/// What must not happen. A simple one is exceeded when any value of its quantity passes the limit;
-/// others combine those before them.
+/// What must not happen. A simple one is exceeded when any value of its quantity, or `at_least` of
+/// them, pass the limit; others combine those before them.
 struct LimitState {
   enum class Kind { kAbove, kBelow, kAny, kAll };
   std::string name;
@@ -29,6 +29,7 @@ struct LimitState {
   std::string words;               ///< what it says, with its unit: "peak_displacement > 0.3 m"
   std::string origin;              ///< of the limit, where it is a default
   std::vector<std::size_t> parts;  ///< of kAny and kAll: indices of others, each before this
+  int at_least = 1;  ///< of all but kAll: how many values (items) or parts it takes, >= 1
 };
 
 /// Whether a run exceeds a limit state.

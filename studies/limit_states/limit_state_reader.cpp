@@ -170,6 +170,14 @@ void add_place(LimitState& state) {
   if (!place.empty()) state.words = place + ": " + state.words;
 }
 
+/// How many it takes, of `most` where that is known.
+void read_at_least(Table& in, LimitState& state, const std::string& of, std::size_t most) {
+  if (!in.has("at_least")) return;
+  state.at_least = in.integer("at_least", 1, static_cast<int>(most), 1);
+  if (state.at_least > 1)
+    state.words = fmt::format("at least {} {}: {}", state.at_least, of, state.words);
+}
+
 LimitState read_state(Table& in, const std::vector<LimitState>& before) {
   LimitState state;
   state.name = in.text("name");
@@ -183,12 +191,16 @@ LimitState read_state(Table& in, const std::vector<LimitState>& before) {
                         : kind == LimitState::Kind::kAny ? " or "
                                                          : " and ") +
                        before[part].name;
+      if (kind == LimitState::Kind::kAny)
+        read_at_least(in, state, "of", std::max<std::size_t>(1, state.parts.size()));
+      else if (in.has("at_least"))
+        in.note("at_least", ": must go with any_of, not with all_of");
       return state;
     }
   state.quantity = read_place(in);
   if (in.has("event") == in.has("demand")) {
     in.note("demand", ": must be given, or event, or any_of, or all_of; one of them");
-    for (const char* key : {"event", "demand", "above", "below", "unit"}) in.has(key);
+    for (const char* key : {"event", "demand", "above", "below", "unit", "at_least"}) in.has(key);
     return state;
   }
   if (in.has("event"))
@@ -196,6 +208,11 @@ LimitState read_state(Table& in, const std::vector<LimitState>& before) {
   else
     read_demand(in, state);
   add_place(state);
+  const bool one = !state.quantity.item.empty() || !state.quantity.part.empty();
+  if (one && in.has("at_least"))
+    in.note("at_least", ": must not go with a place; it counts the items of the scene");
+  else
+    read_at_least(in, state, "items", 1000);
   return state;
 }
 

@@ -80,6 +80,7 @@ std::string comparison_json(const ComparisonReport& report) {
                    {"runs_overturned", found.overturned}};
   json["inputs"] = {{"job", differences(report.inputs.job)},
                     {"assumptions", differences(report.inputs.assumptions)},
+                    {"data_files", differences(report.inputs.data_files)},
                     {"program", differences(report.inputs.program)},
                     {"records_in_both", report.inputs.records_common},
                     {"records_of_a_only", report.inputs.records_of_a},

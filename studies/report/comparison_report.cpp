@@ -34,6 +34,7 @@ std::string differences_text(const char* title, const std::vector<InputDifferenc
 std::string inputs_text(const InputDifferences& inputs) {
   std::string text = differences_text("job", inputs.job) +
                      differences_text("assumptions", inputs.assumptions) +
+                     differences_text("data files", inputs.data_files) +
                      differences_text("program", inputs.program);
   text += fmt::format("{:<12} {} in both", "records", inputs.records_common);
   const auto add = [&](const char* what, const std::vector<std::string>& names) {

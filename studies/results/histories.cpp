@@ -127,6 +127,14 @@ void add_histories(Hdf5Writer& file, const Scene& scene, const Response& respons
             part_names(scene, point_names));
   add_names("axis", "floor axis", {"x", "y", "z"});
   add_names("component", "component of a quaternion", {"w", "x", "y", "z"});
+  std::vector<double> starts;
+  for (const PlacedItem& item : scene.items)
+    append(starts, Vector3(item.initial.position.x(), item.initial.position.y(), 0));
+  file.add({"/histories/start",
+            "m",
+            "where the item's origin stands on the floor at the start",
+            {"/histories/item", "/histories/axis"}},
+           starts);
   file.add({"/histories/offset", "1", "first sample of the run", {"/histories/run"}},
            std::vector<std::int64_t>{0});
   file.add({"/histories/count", "1", "number of samples of the run", {"/histories/run"}},

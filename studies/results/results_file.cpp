@@ -6,6 +6,7 @@
 #include "studies/build_info/build_info.h"
 #include "studies/results/column_writer.h"
 #include "studies/results/histories.h"
+#include "studies/results/shapes.h"
 #include "studies/results/tables.h"
 
 namespace gurney {
@@ -139,6 +140,7 @@ std::string results_image(const RunFacts& facts, const Response& response) {
   add_root(file, facts);
   add_runs(file, facts, response);
   add_tables(file, facts.scene, response);
+  add_shapes(file, facts.scene);
   add_histories(file, facts.scene, response);
   add_assumptions(file, facts.assumptions);
   if (facts.draw) add_drawn(file, facts.drawn);

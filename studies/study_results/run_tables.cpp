@@ -184,7 +184,9 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
   }
   make("failures").add_text("cause", "why the run failed", kLongestCause);
   make("warnings")
-      .add_text("warning", "what the building under this motion warned of", kLongestCause);
+      .add_text("warning",
+                "what the building under this motion, or the repeat with half the step, warned of",
+                kLongestCause);
 }
 
 void RunTables::add(const UnitResult& result) {

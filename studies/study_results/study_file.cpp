@@ -8,6 +8,7 @@
 #include "engine/base/hash/sha256.h"
 #include "studies/results/results_file.h"
 #include "studies/run_job.h"
+#include "studies/study/data_files.h"
 #include "studies/study_results/run_tables.h"
 
 namespace gurney {
@@ -98,6 +99,18 @@ void add_records(Hdf5Writer& file, const Batch& batch) {
       .write(table);
 }
 
+void add_data_files(Hdf5Writer& file, const Batch& batch) {
+  std::vector<std::string> names, hashes;
+  for (const auto& [name, hash] : data_files(batch.job)) {
+    names.push_back(name);
+    hashes.push_back(hash);
+  }
+  GrowingTable table(file, "data_files");
+  TextTable{{{"name", "of the catalogue, or relative to the job's folder", names},
+             {"sha256", "SHA-256 of the file", hashes}}}
+      .write(table);
+}
+
 void add_assumptions(Hdf5Writer& file, const Batch& batch) {
   std::vector<std::string> configurations, keys, values, ranges, reasons, files;
   for (std::size_t i = 0; i < batch.job.configurations().size(); ++i)
@@ -129,6 +142,7 @@ StudyCounts write_study_file(const std::string& path, const Batch& batch,
   add_root(file, batch);
   add_configurations(file, batch);
   add_records(file, batch);
+  add_data_files(file, batch);
   add_assumptions(file, batch);
   StudyCounts counts;
   RunTables tables(file, batch);

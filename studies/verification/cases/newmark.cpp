@@ -30,12 +30,14 @@ Findings rectangular(const Pulse& p, const Runner& runner) {
   const double a = p.amplitude * kG, yield = p.friction * kG, speed = a * p.duration;
   const double exact = slider.scale * speed * speed / (2 * yield) * (1 - yield / a);
   const double mass = scenes::total_mass(slider.item);
-  const double tolerance =
-      wind_up_speed(mass * a, mass * yield, slider.stiffness, mass) * speed / yield + 1e-6 * exact;
+  const double wound =
+      2 * wind_up_speed(mass * a, mass * yield, slider.stiffness, mass) * speed / yield;
   const char* const terms =
-      "the speed that winding up adds (wind_up) lasts for the whole slide, V / (mu g); 1e-6 of it "
-      "for the steps at start and stop";
+      "twice the speed that winding up adds (constant_pull) lasts for the whole slide, V / (mu g); "
+      "the stop "
+      "inside a step, mu g dt^2; 1e-6 of it for the solve";
   for (const double step : {0.004, 0.0005}) {
+    const double tolerance = wound + yield * step * step + 1e-6 * exact;
     const Response response = shake(slider, scenes::rectangular_pulse(a, p.duration),
                                     scenes::run_for(speed / yield + 1, step), 0, runner, findings);
     const std::string how = step == 0.004 ? ", 4 ms" : ", 0.5 ms";

@@ -25,6 +25,9 @@ struct Standing {
   double payload, x, y, z;  // [kg], [m]
 };
 
+/// Smallest distance of the swivel axes from the middle, along an axis of the base.
+double item_base(const Standing& c) { return c.casters == 4 ? 0.2 : c.radius; }
+
 EquipmentModel item_of(const Standing& c) {
   std::vector<Vector2> mounts = {{0.4, 0.2}, {0.4, -0.2}, {-0.4, 0.2}, {-0.4, -0.2}};
   const int casters = static_cast<int>(c.casters);
@@ -104,16 +107,22 @@ Findings stand(const Standing& c, const Runner& runner) {
   scene.items[0].model = item_of(c);
   const Response response = runner(findings, scene, {}, small::settings_for(0.004, 0.004));
   const Eigen::VectorXd expected = solve(scene.items[0].model);
-  Track track(
-      "load of a wheel", "N",
-      "2e-6 N: locked swivels of 10 k_t R^2 wind up by 1e-8 rad under the tilt, which moves "
-      "a wheel by 1e-9 of the base; 1e-12 m of a tread is 1e-6 N",
-      "wheel [number]");
+  // A locked swivel of 10 k_t R^2 winds up under the tilt N / (k_n b) and takes its wheel along.
+  const Caster& caster = scene.items[0].model.casters[0];
+  const double base = item_base(c), load = expected.maxCoeff();
+  const double tilt = load / (caster.tread.normal_stiffness * base);
+  const double turn = load * caster.trail * tilt /
+                      (10 * caster.tread.tangential_stiffness * std::pow(caster.wheel_radius, 2));
+  const double tolerance = 1e-6 + load * caster.trail * turn / base;
+  Track track("load of a wheel", "N",
+              "1e-12 m of a tread is 1e-6 N; a locked swivel winds up by N L tilt / (10 k_t R^2), "
+              "tilt N / (k_n b), and its trail L takes that share of the base b",
+              "wheel [number]");
   double total = 0;
   for (Eigen::Index i = 0; i < expected.size(); ++i) {
     const double force =
         response.items[0].history.front().wheels[static_cast<std::size_t>(i)].normal_force;
-    track.add(static_cast<double>(i), force, expected[i], 2e-6);
+    track.add(static_cast<double>(i), force, expected[i], tolerance);
     total += force;
   }
   track.report(findings);

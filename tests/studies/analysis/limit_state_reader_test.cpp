@@ -65,6 +65,28 @@ TEST(LimitStates, CombineThoseBeforeThem) {
     }
 }
 
+TEST(LimitStates, CountItemsAndParts) {
+  const auto states = read(
+      "[[limit_state]]\nname = \"a\"\ndemand = \"peak_displacement\"\nabove = 1\nunit = \"m\"\n"
+      "at_least = 2\n"
+      "[[limit_state]]\nname = \"b\"\nevent = \"overturned\"\n"
+      "[[limit_state]]\nname = \"c\"\nevent = \"impact\"\n"
+      "[[limit_state]]\nname = \"d\"\nany_of = [\"a\", \"b\", \"c\"]\nat_least = 2\n");
+  EXPECT_EQ(states[0].words, "at least 2 items: peak_displacement > 1 m");
+  EXPECT_EQ(states[3].words, "at least 2 of: a or b or c");
+  const auto holds = [&](std::vector<double> displacements, double fell, double impacts) {
+    const Values values = [=](const Quantity& quantity) -> std::vector<double> {
+      if (quantity.column == "peak_displacement") return displacements;
+      return {quantity.column == "impacts" ? impacts : fell};
+    };
+    return std::pair(exceeded(states, 0, values), exceeded(states, 3, values));
+  };
+  EXPECT_EQ(holds({2, 0.5, 0.5}, -1, 0), std::pair(false, false));
+  EXPECT_EQ(holds({2, 0.5, 3}, -1, 0), std::pair(true, false));
+  EXPECT_EQ(holds({2, 0.5, 3}, -1, 1), std::pair(true, true));
+  EXPECT_EQ(holds({2, 0.5, 0.5}, 0, 1), std::pair(false, true));
+}
+
 TEST(LimitStates, DefaultsSayWhereTheyComeFrom) {
   const auto states = read("");
   ASSERT_EQ(states.size(), 4);
@@ -84,6 +106,17 @@ TEST(LimitStates, MistakesAreNamed) {
             "a.toml:3:10: limit_state[0].any_of: no limit state 'c'");
   EXPECT_EQ(mistakes("[[limit_state]]\nname = \"a\"\ndemand = \"impacts\"\nabove = 1\nbelow = 2\n"),
             "a.toml:4:9: limit_state[0].above: must be given, or below, not both");
+  EXPECT_EQ(mistakes("[[limit_state]]\nname = \"a\"\nevent = \"impact\"\nitem = \"bed\"\n"
+                     "at_least = 2\n"),
+            "a.toml:5:12: limit_state[0].at_least: must not go with a place; it counts the items "
+            "of the scene");
+  const std::string two =
+      "[[limit_state]]\nname = \"a\"\nevent = \"impact\"\n"
+      "[[limit_state]]\nname = \"b\"\nevent = \"lifted\"\n[[limit_state]]\nname = \"c\"\n";
+  EXPECT_EQ(mistakes(two + "all_of = [\"a\", \"b\"]\nat_least = 1\n"),
+            "a.toml:10:12: limit_state[2].at_least: must go with any_of, not with all_of");
+  EXPECT_EQ(mistakes(two + "any_of = [\"a\", \"b\"]\nat_least = 3\n"),
+            "a.toml:10:12: limit_state[2].at_least = 3: must be a whole number in 1..2");
 }
 
 }  // namespace

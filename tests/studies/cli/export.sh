@@ -58,6 +58,12 @@ sed "s|file = \"../../|file = \"$2/|" "$2/studies/jobs/icu_ventilator_shake.toml
 "$gurney" run one.toml -o one.h5 --no-figure > stdout 2> stderr || complain "the run does not run"
 expect 0 "one run" "$gurney" show one.h5
 expect 0 "wrote    one_csv/histories_time.csv" "$gurney" export one.h5 --to csv
+expect 0 "wrote    one_xdmf/one.xdmf" "$gurney" export one.h5 --to xdmf
+folder_holds one_xdmf one.xdmf one_shapes.h5
+expect 1 "study.h5: holds many runs; make the one to be seen with gurney replay" "$gurney" export \
+  study.h5 --to xdmf -o new
+expect 1 "--configuration does not go with --to xdmf" "$gurney" export one.h5 --to xdmf \
+  --configuration a -o new
 head -n 1 one_csv/histories_time.csv > stdout
 grep -q 'displacement.*\.x,' stdout || complain "histories have no column for x"
 expect 1 "one.h5: is the file of one run" "$gurney" export one.h5 --to pelicun -o new

@@ -13,7 +13,7 @@ job() {
   cat > "$file" <<TOML
 schema = "gurney-job/1"
 [item]
-equipment = "xu_trolley"
+equipment = "item.toml"
 [item.yaw_deg]
 value = 0
 distribution = { kind = "uniform", low = 0, high = 360, assumption = "any" }
@@ -48,6 +48,10 @@ wait_for() {  # FILE: it is there
   done
   complain "$1 does not come"
 }
+
+item=$2/equipment/items/xu_trolley.toml
+cp "$item" item.toml
+unedited=$(sha256sum item.toml | cut -d' ' -f1)
 
 # Threads.
 job small.toml 0.5
@@ -99,6 +103,9 @@ for pair in INT:130 TERM:143; do
   sed 's/levels = .*/levels = [0.1, 0.2]/' long.toml > other.toml
   study 1 "there 'job_sha256 $(sha256sum long.toml | cut -d' ' -f1)', here 'job_sha256 $(sha256sum other.toml | cut -d' ' -f1)'" \
     other.toml -o stopped.h5 --resume
+  echo '# edited' >> item.toml
+  study 1 "there 'item.toml $unedited', here 'item.toml $(sha256sum item.toml | cut -d' ' -f1)'" long.toml -o stopped.h5 --resume
+  cp "$item" item.toml
   truncate -s -10 stopped.h5.parts/00000001.part
   study 0 "stopped.h5.parts/00000001.part: is damaged" long.toml -o stopped.h5 --resume
   same whole.h5 stopped.h5
@@ -107,6 +114,19 @@ done
 grep -q " interrupted on " stopped.log && grep -q " finished on " stopped.log || complain "the log does not tell both attempts"
 sed 's/levels = .*/levels = [0.1, 0.2]/' small.toml > other.toml
 study 1 "one.h5: holds the results of another job" other.toml -o one.h5 --resume
+
+# A run that crashed the program twice is a failed row; a crash is told and leaves a line.
+"$gurney" run long.toml -o crashed.h5 -j 1 > stdout 2> stderr &
+process=$!
+wait_for crashed.h5.parts/00000001.part
+kill -s SEGV "$process"
+wait "$process" 2> /dev/null
+[ $? -eq 139 ] || complain "is not ended by SIGSEGV"
+grep -q 'gurney: crashed (signal 11) in run [01] of unit [0-9]*; finished runs are kept' stderr || complain "does not tell of the crash"
+cat crashed.h5.parts/crashes >> crashed.h5.parts/crashes.twice
+cat crashed.h5.parts/crashes.twice >> crashed.h5.parts/crashes
+study 3 "runs     48, 0 overturned, 1 failed" long.toml -o crashed.h5 --resume
+gone crashed.h5.parts
 
 # A full disk: what is there stays, and the study goes on from it.
 # shellcheck disable=SC2317
@@ -149,7 +169,7 @@ study 1 "text.h5" small.toml -o text.h5 --resume
 
 # What would run, and nothing is written.
 mkdir quiet
-cp small.toml quiet
+cp small.toml item.toml quiet
 cd quiet || exit 1
 expect 0 "units          24" "$gurney" check small.toml -j 1
 grep -qE "^levels +2: 0.1, 0.3 g of PGA h1$" stdout || complain "no levels"
@@ -163,7 +183,7 @@ expect 1 "bad.toml:15:9: study.draws = 0" "$gurney" check bad.toml
 grep -q "^bad.toml:3:13: item.equipment = .xu_troley.: " stderr || complain "mistakes of the job are hidden"
 printf '{"schema": "gurney-job/1", "item": {"equipment": "xu_trolley", "yaw_deg": "x"}}' > bad.json
 expect 1 "bad.json:/item/yaw_deg: item.yaw_deg = \"x\"" "$gurney" check bad.json
-rm -f stdout stderr bad.toml bad.json
+rm -f stdout stderr bad.toml bad.json item.toml
 [ "$(ls)" = small.toml ] || complain "check leaves $(ls)"
 cd ..
 

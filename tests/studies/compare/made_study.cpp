@@ -54,6 +54,7 @@ void MadeStudy::write(const std::string& path) const {
              {"name", records},
              {"files", files.empty() ? records : files},
              {"processing", std::vector<std::string>(records.size())}});
+  add_texts(file, "data_files", {{"name", {"casters/a.toml"}}, {"sha256", {caster_sha256}}});
   std::vector<std::string> numbers, keys, values;
   for (std::size_t i = 0; i < configurations.size(); ++i) {
     numbers.push_back(std::to_string(i));

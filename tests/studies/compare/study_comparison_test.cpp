@@ -157,6 +157,7 @@ TEST_F(StudyComparisonTest, InputsAreToldByTheirKeys) {
   made.records = {"r0", "other"};
   made.files = {"changed", "other"};
   made.commit = "def";
+  made.caster_sha256 = "c2";
   made.job.replace(made.job.find("levels = [1, 2]"), 15, "levels = [1, 3]");
   const StudyData b = data(made, "b.h5");
   const InputDifferences inputs = input_differences({&a, 0}, {&b, 1});
@@ -168,6 +169,9 @@ TEST_F(StudyComparisonTest, InputsAreToldByTheirKeys) {
   EXPECT_EQ(inputs.job[1].b, "[1, 3]");
   ASSERT_EQ(inputs.assumptions.size(), 1);
   EXPECT_THAT(inputs.assumptions[0].b, HasSubstr("10 N m"));
+  ASSERT_EQ(inputs.data_files.size(), 1);
+  EXPECT_EQ(inputs.data_files[0].key, "casters/a.toml");
+  EXPECT_EQ(inputs.data_files[0].b, "c2");
   ASSERT_EQ(inputs.program.size(), 1);
   EXPECT_EQ(inputs.program[0].key, "git_commit");
   EXPECT_THAT(inputs.records_of_a, testing::ElementsAre("r1"));

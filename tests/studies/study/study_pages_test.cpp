@@ -43,6 +43,7 @@ unit = "N"
 [[study.limit_state]]
 name = "d"
 any_of = ["a", "b"]
+at_least = 2
 [[study.limit_state]]
 name = "e"
 all_of = ["a", "b"]

@@ -1,0 +1,60 @@
+#include "studies/cli/converge_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "studies/cli/records_output.h"
+#include "studies/report/convergence_report.h"
+
+namespace gurney {
+namespace {
+
+struct ConvergeOptions {
+  std::string job, figure;
+  std::size_t runs = 20;
+  double tolerance_percent = 2;
+  int threads = 0;
+  bool overwrite = false, json = false;
+};
+
+int converge_command(const ConvergeOptions& options) {
+  const int threads = options.threads > 0
+                          ? options.threads
+                          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const Convergence found = converge(convergence_cases(options.job, options.runs, threads),
+                                     0.01 * options.tolerance_percent, threads);
+  fmt::print("{}", options.json ? convergence_json(found) : convergence_text(found));
+  if (!options.figure.empty())
+    write_output(options.figure, convergence_figure(found), options.overwrite, options.json);
+  return found.failed.empty() ? 0 : 3;
+}
+
+}  // namespace
+
+void add_converge(CLI::App& app, std::function<int()>& act) {
+  auto held = std::make_shared<ConvergeOptions>();
+  ConvergeOptions& options = *held;
+  CLI::App* const command = app.add_subcommand(
+      "converge", "Whether a job's numbers depend on time step, solver and tread stiffness");
+  command->add_option("JOB", options.job, "The job file, of one run or of a study")->required();
+  command
+      ->add_option("--runs", options.runs,
+                   "Of a study: how many of its runs are tried (default: 20)")
+      ->check(CLI::Range(1, 1000000));
+  command
+      ->add_option("--tolerance-percent", options.tolerance_percent,
+                   "Change that counts as none (default: 2)")
+      ->check(CLI::Range(1e-6, 100.0));
+  command->add_option("-j,--threads", options.threads, "Threads (default: all)")
+      ->check(CLI::Range(1, 4096));
+  command->add_option("--figure", options.figure,
+                      "Draw the changes with the time step into this .svg file");
+  command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
+  command->add_flag("--json", options.json, "Print JSON, in SI units");
+  command->callback([held, &act] { act = [held] { return converge_command(*held); }; });
+}
+
+}  // namespace gurney

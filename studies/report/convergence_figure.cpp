@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "studies/convergence/judge.h"
+#include "studies/report/convergence_report.h"
+#include "studies/report/panel.h"
+
+namespace gurney {
+namespace {
+
+constexpr double kWidth = 760, kHeight = 400;
+constexpr std::size_t kMostCurves = 7;
+constexpr double kLeast = 1e-5;  ///< smaller changes are drawn here
+
+/// Change of a number against the smallest step, over the steps above it.
+Curve curve_of(const ConvergedNumber& number, const Convergence& found) {
+  Curve curve;
+  curve.label = fmt::format("{}{}{}", number.item, number.item.empty() ? "" : ", ", number.name);
+  std::vector<std::pair<double, double>> steps;
+  for (std::size_t i = 0; i < found.variants.size(); ++i)
+    if (found.variants[i].varied == Varied::kTimeStep)
+      steps.emplace_back(found.variants[i].factor * found.settings.time_step, number.values[i]);
+  std::ranges::sort(steps);
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    const double change = relative_change(steps[i].second, steps.front().second, 0);
+    curve.x.push_back(1e3 * steps[i].first);
+    curve.y.push_back(std::log10(100 * std::max(kLeast, change)));
+  }
+  return curve;
+}
+
+}  // namespace
+
+std::string convergence_figure(const Convergence& found) {
+  // Peaks and path first: residuals and times scatter by their nature.
+  std::vector<const ConvergedNumber*> shown;
+  for (const ConvergedNumber& number : found.numbers)
+    if ((number.name.starts_with("peak_") || number.name == "path_length") &&
+        number.values.front() != 0 && shown.size() < kMostCurves)
+      shown.push_back(&number);
+  Panel panel{.title = "Change against the smallest step",
+              .x_label = "Time step (ms)",
+              .y_label = "log10 of the change (%)",
+              .zero_line = false,
+              .log_x = true,
+              .legend_columns = 2,
+              .y_range = {std::log10(100 * kLeast), 2}};
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    panel.curves.push_back(curve_of(*shown[i], found));
+    panel.curves.back().pen = {.stroke = palette(i), .width = 1.6};
+  }
+  if (!shown.empty()) {
+    const std::vector<double>& x = panel.curves.front().x;
+    const double level = std::log10(100 * found.tolerance);
+    panel.curves.push_back({"tolerance",
+                            {x.front(), x.back()},
+                            {level, level},
+                            {.stroke = "#777777", .width = 1, .dash = "5 4"}});
+  }
+  const double legend = 16 * std::ceil(0.5 * double(panel.curves.size()));
+  Svg svg(kWidth, kHeight + legend);
+  draw(svg, {80, 30 + legend, kWidth - 120, kHeight - 90}, panel);
+  return svg.str();
+}
+
+}  // namespace gurney

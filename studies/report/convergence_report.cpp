@@ -1,0 +1,93 @@
+#include "studies/report/convergence_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace gurney {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string percent(double share) {
+  return share == 0 ? "0" : fmt::format("{:.2g} %", 100 * share);
+}
+
+const char* key_of(Varied varied) {
+  switch (varied) {
+    case Varied::kTimeStep:
+      return "time_step";
+    case Varied::kSolverTolerance:
+      return "solver_tolerance";
+    case Varied::kTreadStiffness:
+      break;
+  }
+  return "tread_stiffness";
+}
+
+std::string row(const ConvergedNumber& number, double tolerance) {
+  std::string verdict = name_of(number.step);
+  if (number.step == StepVerdict::kConverging)
+    verdict = fmt::format("{} ({:.2g} s)", verdict, number.step_needed);
+  if (number.solver_change > tolerance) verdict += "; solver tolerance too loose";
+  const std::string units = number.units == "1" ? "" : " " + number.units;
+  return fmt::format(
+      "{:<28} {:>4} {:>16} {:>9} {:>6} {:>9} {:>9}  {}\n", number.name, number.runs,
+      fmt::format("{:.5g}{}", number.values.front(), units), percent(number.change),
+      number.change > 0 && std::isfinite(number.order) ? fmt::format("{:.1f}", number.order) : "-",
+      percent(number.solver_change), percent(number.stiffness_change), verdict);
+}
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+}  // namespace
+
+std::string convergence_text(const Convergence& found) {
+  std::string text = fmt::format(
+      "runs        {} of {}\ntime step   {:g} s, held against {:g} s\nsolver      residual {:g}\n"
+      "tolerance   {:g} %\n",
+      found.runs, found.of_runs, found.settings.time_step, 0.125 * found.settings.time_step,
+      found.settings.residual, 100 * found.tolerance);
+  for (const std::string& each : found.failed) text += "failed      " + each + '\n';
+  const std::string* item = nullptr;
+  for (const ConvergedNumber& number : found.numbers) {
+    if (item == nullptr || *item != number.item)
+      text += fmt::format("\n{:<28} {:>4} {:>16} {:>9} {:>6} {:>9} {:>9}  {}\n",
+                          number.item.empty() ? "Share of runs" : number.item, "runs",
+                          found.runs == 1 || number.item.empty() ? "value" : "median", "step",
+                          "order", "solver", "tread", "verdict on the time step");
+    item = &number.item;
+    text += row(number, found.tolerance);
+  }
+  return text;
+}
+
+std::string convergence_json(const Convergence& found) {
+  Json json{{"runs", found.runs},
+            {"of_runs", found.of_runs},
+            {"time_step_s", found.settings.time_step},
+            {"residual", found.settings.residual},
+            {"tolerance", found.tolerance},
+            {"failed", found.failed}};
+  json["variants"] = Json::array();
+  for (const Variant& each : found.variants)
+    json["variants"].push_back({{"varied", key_of(each.varied)}, {"factor", each.factor}});
+  json["numbers"] = Json::array();
+  for (const ConvergedNumber& each : found.numbers)
+    json["numbers"].push_back({{"item", each.item},
+                               {"name", each.name},
+                               {"units", each.units},
+                               {"runs", each.runs},
+                               {"values", each.values},
+                               {"scatter", each.scatter},
+                               {"change", each.change},
+                               {"order", number_or_null(each.order)},
+                               {"verdict", name_of(each.step)},
+                               {"time_step_needed_s", each.step_needed},
+                               {"solver_change", each.solver_change},
+                               {"tread_stiffness_change", each.stiffness_change}});
+  return json.dump(2) + '\n';
+}
+
+}  // namespace gurney
