@@ -82,7 +82,8 @@ Findings precess(const Precession& c, const Runner& runner) {
       "moment that is left", "N m",
       "a nutation changes the yaw rate by C w3 / A = 2 w3 times its size: that share of m g "
       "r cos(theta)");
-  Track middle("way of the circle's middle", "m", "that share of its radius");
+  Track middle("way of the circle's middle", "m",
+               "that share of its radius, at both ends of the way");
   const auto& history = response.items[0].history;
   Vector2 first = Vector2::Zero();
   bool begun = false;
@@ -104,7 +105,7 @@ Findings precess(const Precession& c, const Runner& runner) {
     begun = true;
     height.add(t, cosine, steady, nutation);
     moment.add(t, left, 0, yaw * mgr * std::abs(cosine));
-    middle.add(t, (now - first).norm(), 0, yaw * std::abs(radius));
+    middle.add(t, (now - first).norm(), 0, 2 * yaw * std::abs(radius));
   }
   for (const Track* track : {&height, &moment, &middle}) track->report(findings);
   return findings;

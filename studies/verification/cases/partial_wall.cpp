@@ -100,7 +100,7 @@ struct Corner {
   }
   FaceContact springs() const { return exact(stiffness, 0); }
   FaceContact restituted() const {
-    return exact(ContactConstants().stiffness, FaceContact::damping_number(restitution));
+    return exact(stiffness, FaceContact::damping_number(restitution));
   }
 };
 
@@ -114,7 +114,7 @@ Findings meet_corner(const Corner& c, const Runner& runner) {
   };
   compare("springs", c.springs(), c.speed, met(spring(c.stiffness)), findings);
   compare("restitution", c.restituted(), c.speed,
-          met({.restitution = c.restitution, .friction = 0}), findings);
+          met({.stiffness = c.stiffness, .restitution = c.restitution, .friction = 0}), findings);
   return findings;
 }
 
@@ -146,7 +146,7 @@ Family cut_corner() {
       {"cut_corner", "impacts", "A wall leaves out one corner of the block's front",
        "as partial_wall, at five corners; with restitution f = k d (1 + X d'/v)", kSource},
       {{{"cut", "m", 0.03, 0.35}, &Corner::cut},
-       {{"stiffness", "N/m", 1e6, 1e8}, &Corner::stiffness},
+       {{"stiffness", "N/m", 5e6, 1e8}, &Corner::stiffness},
        {{"speed", "m/s", 0.2, 2}, &Corner::speed},
        {{"restitution", "", 0.1, 0.9}, &Corner::restitution},
        {{"mass", "kg", 20, 300}, &Corner::mass}},

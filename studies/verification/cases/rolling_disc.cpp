@@ -137,23 +137,23 @@ Findings turn(const Turning& c, const Runner& runner) {
   const Miss coarse = miss(c, 2 * kStep, runner, findings), fine = miss(c, kStep, runner, findings);
   const Disc disc = c.disc();
   const double sink = 10 * disc.m() * kG / (kDiscTread * disc.radius);
-  const double largest = std::max(std::pow(kStep * fine.rate, 2) * fine.rate, sink);
+  const double largest = std::pow(kStep * fine.rate, 2) * fine.rate + sink;
   auto& checks = findings.checks;
   const char* const method =
-      "(h w)^2 of the angle w t that it turns in 1 s, or ten times what the tread sinks in, m g / "
+      "(h w)^2 of the angle w t that it turns in 1 s, and ten times what the tread sinks in, m g / "
       "k, over r";
   const char* const order =
-      "a third of that with the double step, for a method of second order; or ten sinks over r";
+      "a third of that with the double step, for a method of second order; and ten sinks over r";
   checks.push_back({"axle's direction", "rad", fine.axle, 0, largest, method});
   checks.push_back({"way of the centre, over r", "", fine.path, 0, largest, method});
-  checks.push_back({"axle's direction, half the step", "rad", fine.axle, 0,
-                    std::max(coarse.axle / 3, sink), order});
-  checks.push_back({"way of the centre over r, half the step", "", fine.path, 0,
-                    std::max(coarse.path / 3, sink), order});
+  checks.push_back(
+      {"axle's direction, half the step", "rad", fine.axle, 0, coarse.axle / 3 + sink, order});
+  checks.push_back(
+      {"way of the centre over r, half the step", "", fine.path, 0, coarse.path / 3 + sink, order});
   return findings;
 }
 
-/// It leans by 9 to 50 degrees, and turns by at most 1/20 in a step of 1 ms.
+/// It leans by 9 to 40 degrees, and turns by at most 1/20 in a step of 1 ms.
 bool leans(const Turning& c) {
   DiscReference reference = c.reference();
   double lean = 0, rate = 0;
@@ -161,7 +161,7 @@ bool leans(const Turning& c) {
     reference.advance(0.01);
     lean = std::max(lean, std::abs(std::asin(reference.axle().z())));
     rate = std::max(rate, reference.angular_velocity().norm());
-    if (!(lean < 50 * kRadiansPerDegree)) return false;
+    if (!(lean < 40 * kRadiansPerDegree)) return false;
   }
   return lean > 9 * kRadiansPerDegree && rate < 50;
 }
