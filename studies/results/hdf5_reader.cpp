@@ -125,6 +125,14 @@ std::string Hdf5Reader::text_attribute(const std::string& name) const {
   return text_of(file_, name);
 }
 
+std::int64_t Hdf5Reader::whole_attribute(const std::string& name) const {
+  if (checked(H5Aexists(file_, name.c_str()), "look for attribute " + name) == 0) return 0;
+  const Handle attribute(H5Aopen(file_, name.c_str(), H5P_DEFAULT), "open attribute " + name);
+  std::int64_t value = 0;
+  checked(H5Aread(attribute, H5T_NATIVE_INT64, &value), "read attribute " + name);
+  return value;
+}
+
 std::vector<std::string> Hdf5Reader::text_attributes(const std::string& name) const {
   return texts_of(file_, name);
 }

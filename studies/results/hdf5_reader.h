@@ -23,9 +23,10 @@ class Hdf5Reader {
   Hdf5Reader(const Hdf5Reader&) = delete;
   Hdf5Reader& operator=(const Hdf5Reader&) = delete;
 
-  std::vector<Hdf5Dataset> datasets() const;                  ///< in order of their paths
-  std::vector<std::string> attributes() const;                ///< names, of the file itself
-  std::string text_attribute(const std::string& name) const;  ///< of the file itself
+  std::vector<Hdf5Dataset> datasets() const;                    ///< in order of their paths
+  std::vector<std::string> attributes() const;                  ///< names, of the file itself
+  std::string text_attribute(const std::string& name) const;    ///< of the file itself
+  std::int64_t whole_attribute(const std::string& name) const;  ///< of the file; 0: it has none
   std::vector<std::string> text_attributes(const std::string& name) const;  ///< a list of texts
   std::vector<double> numbers(const std::string& path) const;
   std::vector<std::string> strings(const std::string& path) const;

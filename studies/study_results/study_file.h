@@ -8,7 +8,7 @@
 namespace gurney {
 
 /// Version of the layout of study files (docs/formats/study_file.md).
-inline constexpr int kStudyFormatVersion = 1;
+inline constexpr int kStudyFormatVersion = 2;
 
 /// What the merge counted.
 struct StudyCounts {

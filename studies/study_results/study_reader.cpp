@@ -1,5 +1,7 @@
 #include "studies/study_results/study_reader.h"
 
+#include <fmt/format.h>
+
 #include "engine/base/error.h"
 #include "studies/study_results/study_file.h"
 
@@ -10,6 +12,12 @@ StudyReader::StudyReader(const std::string& path) : path_(path), file_(path) {
   require(type == "gurney-study",
           path + ": is no results file of a study" +
               (type.empty() ? "" : " but '" + type + "', which one run leaves"));
+  const std::int64_t version = file_.whole_attribute("format_version");
+  require(version == kStudyFormatVersion,
+          fmt::format("{}: is a study file of format_version {}, made by gurney {} ({}); this "
+                      "program reads version {}: run the study again, or use that program",
+                      path, version, text_attribute("program_version"),
+                      text_attribute("git_commit"), kStudyFormatVersion));
   for (const Hdf5Dataset& each : file_.datasets()) columns_[each.path] = true;
   runs_ = numbers("runs/run").size();
 }

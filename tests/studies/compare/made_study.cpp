@@ -48,6 +48,7 @@ void MadeStudy::write(const std::string& path) const {
                                           {"intensity_measure", measure},
                                           {"intensity_units", measure.empty() ? "1" : "m/s2"}})
     file.set_attribute("/", name, text);
+  file.set_attribute("/", "format_version", std::int64_t{format_version});
   add_texts(file, "configurations", {{"name", configurations}, {"brakes", configurations}});
   add_texts(file, "records",
             {{"set", std::vector<std::string>(records.size(), "0")},

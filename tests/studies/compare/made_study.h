@@ -26,6 +26,7 @@ struct MadeStudy {
   std::vector<MadeRun> runs;
   std::string measure = "PGA h1";
   std::string commit = "abc";
+  int format_version = 2;
   std::string caster_sha256 = "c1";
 
   void write(const std::string& path) const;

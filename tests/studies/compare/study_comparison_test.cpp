@@ -8,6 +8,7 @@
 #include "studies/analysis/input_differences.h"
 #include "studies/report/comparison_report.h"
 #include "tests/studies/compare/made_study.h"
+#include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney {
@@ -178,6 +179,13 @@ TEST_F(StudyComparisonTest, InputsAreToldByTheirKeys) {
   EXPECT_THAT(inputs.records_of_b, testing::ElementsAre("other"));
   EXPECT_THAT(inputs.records_changed, testing::ElementsAre("r0"));
   EXPECT_EQ(inputs.records_common, 1);
+}
+
+TEST_F(StudyComparisonTest, FilesOfAnotherVersionAreRefused) {
+  MadeStudy made = brakes(2, 0);
+  made.format_version = 1;
+  EXPECT_THAT(error_text([&] { data(made); }),
+              HasSubstr("is a study file of format_version 1, made by gurney "));
 }
 
 TEST_F(StudyComparisonTest, TheReportSaysWhatWasLeftOutAndWhatItMeans) {

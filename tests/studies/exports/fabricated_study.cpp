@@ -6,6 +6,7 @@
 #include "studies/results/columns.h"
 #include "studies/results/growing_table.h"
 #include "studies/results/results_file.h"
+#include "studies/study_results/study_file.h"
 
 namespace gurney {
 
@@ -56,7 +57,7 @@ void write_texts(Hdf5Writer& file, const std::string& name,
 }
 
 void write_heads(Hdf5Writer& file, bool hunt) {
-  add_program(file, "gurney-study", 1);
+  add_program(file, "gurney-study", kStudyFormatVersion);
   for (const auto& [name, value] :
        std::vector<std::pair<std::string, std::string>>{{"job_name", "fabricated"},
                                                         {"job_text", job_text(hunt)},
