@@ -5,6 +5,7 @@
 
 #include "studies/results/columns.h"
 #include "studies/results/growing_table.h"
+#include "studies/study_results/study_file.h"
 
 /// A study file with known outcomes, without a simulation.
 namespace gurney {
@@ -49,6 +50,7 @@ inline void write_small_study(const std::string& path, const std::vector<SmallRu
                               const std::string& job = kSmallStudy) {
   Hdf5Writer file(path);
   file.set_attribute("/", "filetype", std::string("gurney-study"));
+  file.set_attribute("/", "format_version", std::int64_t{kStudyFormatVersion});
   file.set_attribute("/", "job_text", job);
   file.set_attribute("/", "title", std::string("small"));
   file.set_attribute("/", "intensity_measure", std::string("PGA h1"));

@@ -1,6 +1,7 @@
 #include "studies/pulling/simulated_trial.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,8 @@ namespace {
 class PullingTests : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    path() = testing::TempDir() + "gurney_pulling_tests.h5";
+    // Each test may be a process of its own, beside others.
+    path() = testing::TempDir() + "gurney_pulling_tests_" + std::to_string(getpid()) + ".h5";
     run_pulling_tests(shipped_pulling_tests(), path());
     trials() = simulated_trials(StudyReader(path()));
   }
