@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "engine/base/error.h"
-#include "studies/calibration/calibration_report.h"
 #include "studies/calibration/caster_file.h"
 #include "studies/cli/signals.h"
+#include "studies/report/calibration_report.h"
 #include "studies/results/output_files.h"
 
 namespace gurney {

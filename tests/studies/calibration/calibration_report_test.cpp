@@ -1,4 +1,4 @@
-#include "studies/calibration/calibration_report.h"
+#include "studies/report/calibration_report.h"
 
 #include <gmock/gmock.h>
 

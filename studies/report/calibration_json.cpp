@@ -1,7 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "studies/calibration/calibration_report.h"
+#include "studies/report/calibration_report.h"
 
 namespace gurney {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "studies/calibration/calibration_report.h"
+#include "studies/report/calibration_report.h"
 
 namespace gurney {
 namespace {
