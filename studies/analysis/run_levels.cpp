@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace gurney {
 namespace {
@@ -27,11 +28,14 @@ RunLevels run_levels(const StudyData& data) {
     return levels;
   }
   const bool factors = plan.kind == IntensityPlan::Kind::kScales;
-  for (const double level : plan.levels)
+  const auto of_runs = data.file().numbers(factors ? "runs/scale" : "runs/intensity");
+  std::set<double> stated(plan.levels.begin(), plan.levels.end());
+  if (plan.more_stages > 0) stated.insert(of_runs.begin(), of_runs.end());
+  const std::vector<double> values(stated.begin(), stated.end());
+  for (const double level : values)
     levels.texts.push_back(factors ? fmt::format("x {:g}", level)
                                    : fmt::format("{:g} {}", level / plan.unit_in_si, plan.unit));
-  for (const double value : data.file().numbers(factors ? "runs/scale" : "runs/intensity"))
-    levels.of_run.push_back(nearest(plan.levels, value));
+  for (const double value : of_runs) levels.of_run.push_back(nearest(values, value));
   return levels;
 }
 

@@ -42,12 +42,12 @@ Estimate estimate(const Batch& batch) {
   const double low = hunt ? plan.first : plan.levels.front();
   const double high = hunt ? plan.first + 3 * plan.increment : plan.levels.back();
   const Trial first = make_run(batch, 0, low);
-  const Trial last = make_run(batch, batch.plan.units() - 1, high);
+  const Trial last = make_run(batch, batch.plan.units_of_stage() - 1, high);
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   // A run that is made again with half the step costs three.
   const double again = 1 + 2 * batch.job.study().certificate;
-  return {.runs = batch.plan.units() * batch.plan.runs_of_unit(),
+  return {.runs = batch.plan.runs(),
           .seconds_per_run = again * 0.5 * (first.seconds + last.seconds),
           .bytes_per_run = 0.5 * static_cast<double>(first.bytes + last.bytes),
           .memory_bytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024};

@@ -8,6 +8,8 @@
 #include <mutex>
 #include <utility>
 
+#include "studies/batch/stage_levels.h"
+
 namespace gurney {
 namespace {
 
@@ -72,31 +74,44 @@ class Collector {
   Clock::time_point start_ = Clock::now(), taken_ = start_, reported_ = start_;
 };
 
-}  // namespace
-
-BatchProgress run_batch(const Batch& batch, PartFolder& folder, int threads,
-                        const std::function<bool()>& go_on,
-                        const std::function<void(const BatchProgress&)>& progress) {
+/// Units of the stage that the folder lacks.
+std::vector<std::size_t> missing_units(const Batch& batch, std::size_t stage,
+                                       const PartFolder& folder) {
+  const std::size_t units = batch.plan.units_of_stage();
   std::vector<std::size_t> missing;
-  for (std::size_t unit = 0; unit < batch.plan.units(); ++unit)
+  for (std::size_t unit = stage * units; unit < (stage + 1) * units; ++unit)
     if (!folder.has(unit)) missing.push_back(unit);
-  Collector collector(progress, batch.plan.units(), folder.size());
-  const CrashLog crashes(folder.path() / "crashes");
+  return missing;
+}
+
+/// What the threads of a batch share.
+struct Work {
+  const Batch& batch;
+  PartFolder& folder;
+  const CrashLog& crashes;
+  Collector& collector;
+  const std::function<bool()>& go_on;
+};
+
+void run_units(const Work& work, const std::vector<std::size_t>& units, const StageLevels& levels,
+               int threads) {
   std::mutex collecting, writing;  // a thread that waits for the disk holds up no other
   std::exception_ptr problem;
   std::atomic<bool> broken = false;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-  for (std::size_t i = 0; i < missing.size(); ++i) {
-    if (broken || !go_on()) continue;
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    if (broken || !work.go_on()) continue;
     try {
-      UnitResult result = run_unit(batch, missing[i], go_on, crashes.given_up());
+      const Unit unit = work.batch.plan.unit(units[i]);
+      UnitResult result = run_unit(work.batch, units[i], work.go_on, work.crashes.given_up(),
+                                   &levels.of(unit.configuration));
       Part part;
       {
         const std::lock_guard lock(collecting);
-        if (!result.runs.empty()) part = collector.add(std::move(result));
+        if (!result.runs.empty()) part = work.collector.add(std::move(result));
       }
       const std::lock_guard lock(writing);
-      folder.add(part);
+      work.folder.add(part);
     } catch (...) {
       const std::lock_guard lock(collecting);
       if (!problem) problem = std::current_exception();
@@ -104,7 +119,24 @@ BatchProgress run_batch(const Batch& batch, PartFolder& folder, int threads,
     }
   }
   if (problem) std::rethrow_exception(problem);
-  folder.add(collector.take());
+  work.folder.add(work.collector.take());
+}
+
+}  // namespace
+
+BatchProgress run_batch(const Batch& batch, PartFolder& folder, int threads,
+                        const std::function<bool()>& go_on,
+                        const std::function<void(const BatchProgress&)>& progress) {
+  Collector collector(progress, batch.plan.units(), folder.size());
+  const CrashLog crashes(folder.path() / "crashes");
+  const Work work{batch, folder, crashes, collector, go_on};
+  StageLevels levels(batch);
+  run_units(work, missing_units(batch, 0, folder), levels, threads);
+  while (levels.stage() + 1 < batch.plan.stages() && go_on()) {
+    if (!missing_units(batch, levels.stage(), folder).empty()) break;
+    levels.advance([&](std::size_t unit) { return unit_from_bytes(folder.read(unit)); });
+    run_units(work, missing_units(batch, levels.stage(), folder), levels, threads);
+  }
   return collector.finish();
 }
 

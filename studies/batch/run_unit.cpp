@@ -87,7 +87,7 @@ RunCase case_of(const Batch& batch, const Unit& unit, const Job& job, double sca
 }
 
 UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<bool()>& go_on,
-                    const CrashedRuns& crashed) {
+                    const CrashedRuns& crashed, const std::vector<double>* levels) {
   const Study& study = batch.job.study();
   const Unit unit = batch.plan.unit(index);
   const MotionSet& motions = batch.motions.set_of(unit.configuration);
@@ -103,7 +103,9 @@ UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<b
   } catch (const Error& error) {
     bad = error.what();
   }
-  Intensities intensities(study.intensity);
+  IntensityPlan plan = study.intensity;
+  if (levels != nullptr) plan.levels = *levels;
+  Intensities intensities(plan);
   while (const std::optional<double> value = intensities.next()) {
     if (!go_on()) return {index, {}, {}};
     StudyRun run;
@@ -120,10 +122,10 @@ UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<b
     }
     if (!wanted(study.keep.histories, run.response.outcome))
       for (ItemResponse& item : run.response.items) item.history.clear();
-    const bool ended =
+    run.until =
         job && run.response.outcome != Outcome::kDiverged &&
         exceeded(study.limit_states, study.intensity.until, values_of(job->scene, run.response));
-    intensities.report(*value, ended);
+    intensities.report(*value, run.until);
     if (run.response.outcome == Outcome::kDiverged &&
         study.intensity.kind == IntensityPlan::Kind::kHunt)
       intensities.stop();

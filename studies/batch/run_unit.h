@@ -32,8 +32,9 @@ RunCase case_of(const Batch& batch, const Unit& unit, const Job& job, double sca
 /// Makes the runs of one unit: the same numbers in any thread, process and order.
 /// @param go_on  asked before each run; false: the unit is dropped
 /// @param crashed  runs that fail without being tried
+/// @param levels   of its configuration in its stage; null: the first
 /// @return no runs when it was dropped
 UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<bool()>& go_on,
-                    const CrashedRuns& crashed = {});
+                    const CrashedRuns& crashed = {}, const std::vector<double>* levels = nullptr);
 
 }  // namespace gurney

@@ -86,7 +86,8 @@ void visit(A& a, Response& r) {
 
 template <class A>
 void visit(A& a, StudyRun& run) {
-  a(run.scale, run.intensity, run.pfa, run.pfv, run.warnings, run.response, run.at_half_step);
+  a(run.scale, run.intensity, run.pfa, run.pfv, run.until, run.warnings, run.response,
+    run.at_half_step);
 }
 
 std::string to_bytes(UnitResult& result) {

@@ -15,6 +15,7 @@ struct StudyRun {
   double intensity = 0;  ///< the study's measure of it [SI]; of scales: 0
   double pfa = 0;        ///< peak horizontal resultant of the floor's acceleration [m/s2]
   double pfv = 0;        ///< and velocity [m/s]
+  bool until = false;    ///< it exceeds IntensityPlan::until
   std::vector<std::string> warnings;  ///< of the building, and of a repeat that failed
   Response response;                  ///< histories only where the study keeps them
   /// Of a run repeated at half the step; else empty: the demands of its items.

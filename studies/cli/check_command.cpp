@@ -10,6 +10,7 @@
 #include "engine/base/units.h"
 #include "studies/batch/estimate.h"
 #include "studies/run_job.h"
+#include "studies/study/stages.h"
 
 namespace gurney {
 namespace {
@@ -77,6 +78,10 @@ void add_intensity(Answer& answer, const IntensityPlan& plan) {
     answer.add("hunt", plan.most_runs,
                fmt::format("at most {} runs a unit, from {:g} {} of {}", plan.most_runs,
                            plan.first / plan.unit_in_si, plan.unit, measure));
+  if (plan.more_stages > 0)
+    answer.add("stages", 1 + plan.more_stages,
+               fmt::format("{}: those levels, then {} for each configuration by the runs before",
+                           1 + plan.more_stages, kLevelsOfAStage));
 }
 
 void add_plan(Answer& answer, const Batch& batch) {

@@ -37,13 +37,13 @@ ConvergenceCases cases_of_study(const StudyJob& job, std::size_t most, int threa
   const Study& study = job.study();
   const std::vector<double> values = values_of(study.intensity);
   ConvergenceCases cases;
-  cases.of_runs = plan.units() * plan.runs_of_unit();
+  cases.of_runs = plan.runs();
   cases.limit_states = study.limit_states;
-  const std::size_t all = plan.units() * values.size(), count = std::min(most, all);
+  const std::size_t all = plan.units_of_stage() * values.size(), count = std::min(most, all);
   std::string last_problem;
   for (std::size_t i = 0; i < count; ++i) {
     // Units in equal distances; where there are fewer than runs, each has several levels.
-    const std::size_t unit_index = i * plan.units() / count;
+    const std::size_t unit_index = i * plan.units_of_stage() / count;
     const Unit unit = plan.unit(unit_index);
     const double value = values[i % values.size()];
     const MotionSet& set = motions.set_of(unit.configuration);

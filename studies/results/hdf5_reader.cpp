@@ -2,6 +2,9 @@
 
 #include <hdf5_hl.h>
 
+#include <filesystem>
+
+#include "engine/base/error.h"
 #include "studies/results/hdf5_handle.h"
 
 namespace gurney {
@@ -96,6 +99,11 @@ Hdf5Dataset describe(hid_t file, const std::string& path) {
 
 Hdf5Reader::Hdf5Reader(const std::string& path) {
   silence_printing();
+  std::error_code ignored;
+  require(std::filesystem::exists(path, ignored), path + ": no such file");
+  require(!std::filesystem::is_directory(path, ignored),
+          path + ": is a folder, no results file of gurney");
+  require(H5Fis_hdf5(path.c_str()) != 0, path + ": is no results file of gurney (no HDF5 file)");
   file_ = checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open " + path);
 }
 

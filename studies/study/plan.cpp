@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "engine/base/error.h"
+#include "studies/study/stages.h"
 
 namespace gurney {
 namespace {
@@ -16,6 +17,7 @@ constexpr const char* kRecord = "record";
 
 Plan::Plan(const StudyJob& job, const StudyMotions& motions) {
   const Study& study = job.study();
+  stages_ = 1 + static_cast<std::size_t>(study.intensity.more_stages);
   angles_ = study.angles.size();
   draws_ = static_cast<std::size_t>(std::max(1, study.draws));
   runs_of_unit_ = study.intensity.kind == IntensityPlan::Kind::kHunt
@@ -47,9 +49,16 @@ Plan::Plan(const StudyJob& job, const StudyMotions& motions) {
     first_.push_back(first_.back() + motions.set_of(i).size() * angles_ * draws_);
 }
 
+std::size_t Plan::runs() const {
+  return units_of_stage() * (runs_of_unit_ + (stages_ - 1) * kLevelsOfAStage);
+}
+
 Unit Plan::unit(std::size_t index) const {
+  const std::size_t stage = index / units_of_stage();
+  index %= units_of_stage();
   const auto next = std::ranges::upper_bound(first_, index);
   Unit unit;
+  unit.stage = stage;
   unit.configuration = static_cast<std::size_t>(next - first_.begin()) - 1;
   std::size_t rest = index - first_[unit.configuration];
   unit.draw = rest % draws_;

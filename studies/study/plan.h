@@ -12,15 +12,16 @@
 
 namespace gurney {
 
-/// One record on one configuration from one angle with one draw, at all its intensities: the runs
-/// of a unit follow each other in one thread.
+/// One record on one configuration from one angle with one draw, at all its intensities of a stage:
+/// the runs of a unit follow each other in one thread.
 struct Unit {
   std::size_t configuration = 0, record = 0, angle = 0;
-  std::size_t draw = 0;  ///< its number among the draws of all records
+  std::size_t draw = 0;   ///< its number among the draws of all records
+  std::size_t stage = 0;  ///< of adaptive stripes
 };
 
-/// The units of a study in their order: configurations, in them records, in them angles, in them
-/// draws. A unit's index is its identity: nothing else decides its numbers.
+/// The units of a study in their order: stages, in them configurations, in them records, in them
+/// angles, in them draws. A unit's index is its identity: nothing else decides its numbers.
 ///
 /// In a Saltelli design each draw is a row of it, and each point has a row in each matrix. The
 /// record is an input as the drawn numbers are, if there are several: matrix A has each record for
@@ -31,10 +32,15 @@ class Plan {
   /// @throws Error for a Saltelli design without numbers that are drawn, or with too many
   Plan(const StudyJob& job, const StudyMotions& motions);
 
-  std::size_t units() const { return first_.back(); }
+  std::size_t units() const { return stages_ * units_of_stage(); }
+  std::size_t stages() const { return stages_; }  ///< 1 but for adaptive stripes
+  std::size_t units_of_stage() const { return first_.back(); }
   Unit unit(std::size_t index) const;
 
-  /// Runs of one unit: their number, or for a hunt the most that there can be.
+  /// Of all units: their number, or for a hunt the most that there can be.
+  std::size_t runs() const;
+
+  /// Runs of one unit of the first stage, as runs().
   std::size_t runs_of_unit() const { return runs_of_unit_; }
 
   std::size_t draws(std::size_t configuration) const;
@@ -51,7 +57,7 @@ class Plan {
   std::optional<SaltelliRow> row_of(std::size_t draw) const;
   std::size_t record_in_b(std::size_t configuration, std::uint64_t point) const;
 
-  std::size_t angles_, draws_, runs_of_unit_;  ///< draws of each record
+  std::size_t stages_, angles_, draws_, runs_of_unit_;  ///< draws of each record
   std::uint64_t seed_, most_records_ = 0;
   int stated_draws_;
   Sampling sampling_;

@@ -39,6 +39,8 @@ struct IntensityPlan {
   std::string unit = "1";           ///< as the job states levels, for display
   double unit_in_si = 1;            ///< one `unit` in SI
   std::vector<double> levels{1.0};  ///< of kScales: factors; of kStripes: values in SI; increasing
+  int more_stages =
+      0;  ///< of kStripes: after the levels, each planned from those before (stages.h)
   VerticalScaling vertical;
 
   double first = 0;       ///< of kHunt: first value [SI]
@@ -47,7 +49,9 @@ struct IntensityPlan {
   double resolution = 0;  ///< the bracket of the capacity is halved until it is narrower than this
                           ///< fraction of its lower end
   int fill = 0;           ///< runs below the capacity once the bracket is narrow
-  std::size_t until = 0;  ///< limit state that ends the hunt: index in Study::limit_states
+
+  /// Limit state that ends the hunt, or that more stages look for: index in Study::limit_states.
+  std::size_t until = 0;
 };
 
 /// A measure of each scaled ground motion that the results keep.

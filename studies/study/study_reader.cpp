@@ -167,6 +167,12 @@ void read_combinations(Table& in, const Node& node, Study& study) {
   }
 }
 
+std::vector<std::string> names_of(const std::vector<LimitState>& states) {
+  std::vector<std::string> names;
+  for (const LimitState& state : states) names.push_back(state.name);
+  return names;
+}
+
 void read_hunt(Table hunt, const std::vector<LimitState>& states, IntensityPlan& plan) {
   plan.kind = IntensityPlan::Kind::kHunt;
   plan.first = hunt.number("first", Range::positive()) * plan.unit_in_si;
@@ -174,9 +180,12 @@ void read_hunt(Table hunt, const std::vector<LimitState>& states, IntensityPlan&
   plan.most_runs = hunt.integer("most_runs", 3, 1000, 12);
   plan.resolution = hunt.number("resolution", Range::within(0, 10).open_below(), 0.1);
   plan.fill = hunt.integer("fill", 0, 1000, 0);
-  std::vector<std::string> names;
-  for (const LimitState& state : states) names.push_back(state.name);
-  plan.until = hunt.choice("until", names);
+  plan.until = hunt.choice("until", names_of(states));
+}
+
+void read_adaptive(Table adaptive, const std::vector<LimitState>& states, IntensityPlan& plan) {
+  plan.more_stages = adaptive.integer("stages", 1, 100);
+  plan.until = adaptive.choice("limit_state", names_of(states));
 }
 
 IntensityPlan read_intensity(Table in, const std::vector<LimitState>& states) {
@@ -197,6 +206,9 @@ IntensityPlan read_intensity(Table in, const std::vector<LimitState>& states) {
     in.note("scales", ": must go without a measure, which has levels or a hunt");
   if (in.has("levels") == in.has("hunt"))
     in.note("levels", ": must be given, or a table hunt, not both");
+  if (in.has("adaptive") && in.has("hunt"))
+    in.note("adaptive", ": must not go with a hunt, which finds its levels by itself");
+  if (auto adaptive = in.table("adaptive")) read_adaptive(*adaptive, states, plan);
   if (auto hunt = in.table("hunt")) {
     read_hunt(*hunt, states, plan);
     return plan;

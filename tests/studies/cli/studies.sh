@@ -41,6 +41,21 @@ TOML
 study() { expect "$1" "$2" "$gurney" run "${@:3}"; }  # CODE TEXT ARGUMENTS...
 same() { cmp "$1" "$2" > stdout 2> stderr || complain "$1 and $2 differ"; }
 gone() { [ ! -e "$1" ] || complain "$1 is left"; }
+killed() {  # JOB FILE: killed at random moments, then gone on with
+  local kills=0
+  for _ in 1 2 3 4 5 6; do
+    "$gurney" run "$1" -o "$2" --resume > stdout 2> stderr &
+    process=$!
+    sleep "0.$((RANDOM % 80 + 10))"
+    kill -9 "$process" 2> /dev/null && kills=$((kills + 1))
+    wait "$process" 2> /dev/null
+    [ -e "$2" ] && break
+  done
+  [ "$kills" -gt 1 ] || complain "only $kills kills: the study is too short"
+  study 0 "$2" "$1" -o "$2" --resume
+  gone "$2.parts"
+  gone "$2.part"
+}
 wait_for() {  # FILE: it is there
   for _ in $(seq 100); do
     [ -e "$1" ] && return
@@ -70,20 +85,18 @@ same one.h5 fresh.h5
 # Killed at random moments, then gone on with.
 job long.toml 80
 study 0 "runs     48" long.toml -o whole.h5
-kills=0
-for _ in 1 2 3 4 5 6; do
-  "$gurney" run long.toml -o killed.h5 --resume > stdout 2> stderr &
-  process=$!
-  sleep "0.$((RANDOM % 80 + 10))"
-  kill -9 "$process" 2> /dev/null && kills=$((kills + 1))
-  wait "$process" 2> /dev/null
-  [ -e killed.h5 ] && break
-done
-[ "$kills" -gt 1 ] || complain "only $kills kills: the study is too short"
-study 0 "killed.h5" long.toml -o killed.h5 --resume
+killed long.toml killed.h5
 same whole.h5 killed.h5
-gone killed.h5.parts
-gone killed.h5.part
+
+# Stages, each planned from those before.
+job staged.toml 40
+sed -i 's/^levels = .*/levels = [0.1, 1]\nadaptive = { stages = 2, limit_state = "moved" }/' staged.toml
+study 0 "runs     144, 0 overturned, 0 failed" staged.toml -o staged.h5 -j 1
+study 0 "runs     144" staged.toml -o staged7.h5 -j 7
+same staged.h5 staged7.h5
+killed staged.toml staged_killed.h5
+same staged.h5 staged_killed.h5
+expect 0 "the same numbers as in staged.h5" "$gurney" replay staged.h5 143
 
 # Interrupted.
 for pair in INT:130 TERM:143; do

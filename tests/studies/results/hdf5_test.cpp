@@ -58,6 +58,15 @@ TEST(Hdf5File, TakesEmptyDimensions) {
   EXPECT_TRUE(Hdf5Reader(saved(file, folder)).numbers("/g/a").empty());
 }
 
+TEST(Hdf5File, WhatIsNoneIsToldInWords) {
+  const TempFolder folder;
+  EXPECT_ERROR(Hdf5Reader(folder.file("a.h5")), "a.h5: no such file");
+  EXPECT_ERROR(Hdf5Reader(folder.path()), ": is a folder, no results file of gurney");
+  std::ofstream(folder.file("text.h5")) << "text";
+  EXPECT_ERROR(Hdf5Reader(folder.file("text.h5")),
+               "text.h5: is no results file of gurney (no HDF5 file)");
+}
+
 TEST(Hdf5File, ErrorsSayWhatHdf5Says) {
   Hdf5Writer file;
   EXPECT_ERROR(file.add_group("/missing/group"), "HDF5 cannot make group /missing/group: ");
@@ -68,12 +77,6 @@ TEST(Hdf5File, ErrorsSayWhatHdf5Says) {
                "write dataset /g/a: its scales ask for 2 values, got 1");
   EXPECT_ERROR(file.add({"/g/a", "m", "a", {"/g/none"}}, std::vector<double>{1}),
                "no dimension scale /g/none for /g/a");
-}
-
-TEST(Hdf5File, RefusesAFileThatIsNotHdf5) {
-  const TempFolder folder;
-  std::ofstream(folder.file("a.h5")) << "text";
-  EXPECT_ERROR(Hdf5Reader(folder.file("a.h5")), "a.h5: H5F__super_read: file signature not found");
 }
 
 }  // namespace

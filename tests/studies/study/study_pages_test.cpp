@@ -51,6 +51,7 @@ all_of = ["a", "b"]
 measure = "PGA"
 unit = "g"
 levels = [1]
+adaptive = { stages = 1, limit_state = "a" }
 [study.keep]
 )";
 constexpr const char* kHunt = R"([study]

@@ -52,6 +52,24 @@ evnts = true
             "a.toml:20:1: study.keep.evnts: unknown key; did you mean 'events'?");
 }
 
+TEST(StudyReader, MoreStagesNeedLevelsAndALimitState) {
+  const std::string stripes =
+      "[study.intensity]\nmeasure = \"PGA\"\nunit = \"g\"\nlevels = [1]\nadaptive = ";
+  EXPECT_EQ(mistakes(stripes + "{ stages = 0, limit_state = \"movd\" }\n"),
+            "a.toml:15:23: study.intensity.adaptive.stages = 0: must be a whole number in 1..100\n"
+            "a.toml:15:40: study.intensity.adaptive.limit_state = \"movd\": must be one of moved, "
+            "rolled, hit, overturned; did you mean 'moved'?");
+  EXPECT_EQ(
+      mistakes("[study.intensity]\nmeasure = \"PGA\"\nunit = \"g\"\nadaptive = { stages = 1, "
+               "limit_state = \"hit\" }\nhunt = { first = 0.1, increment = 0.1, until = "
+               "\"hit\" }\n"),
+      "a.toml:14:12: study.intensity.adaptive: must not go with a hunt, which finds its levels "
+      "by itself");
+  EXPECT_EQ(mistakes("[study.intensity]\nscales = [1]\nadaptive = { stages = 1, limit_state = "
+                     "\"hit\" }\n"),
+            "a.toml:13:1: study.intensity.adaptive: unknown key; known: measure, scales, vertical");
+}
+
 TEST(StudyReader, LevelsAndScalesMustGoUp) {
   EXPECT_EQ(
       mistakes("[study.intensity]\nscales = [1, 2, 2]\n"),

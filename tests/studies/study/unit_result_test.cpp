@@ -63,8 +63,8 @@ auto members(Response& s) {
   return std::tie(a, b, c, d, e, f, g, h);
 }
 auto members(StudyRun& s) {
-  auto& [a, b, c, d, e, f, g] = s;
-  return std::tie(a, b, c, d, e, f, g);
+  auto& [a, b, c, d, e, f, g, h] = s;
+  return std::tie(a, b, c, d, e, f, g, h);
 }
 auto members(UnitResult& s) {
   auto& [a, b, c] = s;
