@@ -9,7 +9,7 @@
 namespace gurney {
 namespace {
 
-constexpr double kHullMargin = 5e-4;  // [m]
+constexpr double kHullMargin = 0;  // [m]
 
 std::unique_ptr<btConvexShape> hull(const std::vector<Vector3>& points) {
   auto shape = std::make_unique<btConvexHullShape>();
