@@ -8,13 +8,16 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 #include "engine/bullet/convert.h"
 #include "engine/bullet/multibody_item.h"
 #include "engine/bullet/room_objects.h"
+#include "engine/contact/wheel_obstacle.h"
 #include "engine/solver/chassis_points.h"
 #include "engine/solver/floor_points.h"
+#include "engine/solver/placed_shape.h"
 
 namespace gurney {
 namespace {
@@ -57,6 +60,11 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
       floor_points_.emplace_back(model, assembly.items[i], i);
       items_.push_back(std::make_unique<MultibodyItem>(
           model, assembly.items[i], static_cast<int>(i), MultibodyItem::Wheels::kCylinders, *this));
+    }
+    for (const RoomShape& shape : scene.room) {
+      const auto placed = placed_shape(shape);
+      const auto* polyhedron = std::get_if<ConvexShape>(&placed);
+      obstacles_.push_back(polyhedron ? std::optional<WheelObstacle>(*polyhedron) : std::nullopt);
     }
     // Points are reported from the same distance for shapes of every size.
     dispatcher.setDispatcherFlags(
@@ -168,6 +176,22 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
             wheel.tread_point(direction, wheel.on_fork(pose, angle, point - state.position))};
   }
 
+  /// Bullet's normal of a tread before a polyhedron is a guess.
+  void sharpen(const btMultiBodyLinkCollider& body, BodyContact& contact) const {
+    const auto& obstacle = obstacles_[static_cast<std::size_t>(contact.other) - 1];
+    if (!obstacle || body.m_link < 0) return;
+    const Mechanism& mechanism = assembly_.items[contact.side.item];
+    const State& state = state_->items[contact.side.item];
+    const Vector3 found = state.position + mechanism.point(contact.side, state);
+    const WheelObstacle::Plane plane =
+        obstacle->between(contact.normal, [&](const Vector3& normal) -> Vector3 {
+          return state.position + mechanism.point(side_at(body, found, -normal), state);
+        });
+    contact.side = side_at(body, found, -plane.normal);
+    contact.normal = plane.normal;
+    contact.offset = plane.offset;
+  }
+
   /// Of wheels against the room and other items.
   void collect_contacts() {
     for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
@@ -192,6 +216,7 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
         } else {
           contact.other = other->getUserIndex();
           contact.offset = contact.normal.dot(first ? on_b : on_a);
+          sharpen(*body, contact);
         }
         contacts_.push_back(contact);
       }
@@ -201,6 +226,7 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
   const Assembly& assembly_;
   ChassisPoints chassis_points_;
   std::vector<FloorPoints> floor_points_;
+  std::vector<std::optional<WheelObstacle>> obstacles_;  // as Scene::room; none of columns
   std::vector<std::unique_ptr<MultibodyItem>> items_;
   RoomObjects room_;
   bool skip_clear_passes_;

@@ -9,13 +9,11 @@
 namespace gurney {
 namespace {
 
-constexpr double kHullMargin = 5e-4;  // [m]
-
 std::unique_ptr<btConvexShape> hull(const std::vector<Vector3>& points) {
   auto shape = std::make_unique<btConvexHullShape>();
   for (const Vector3& point : points) shape->addPoint(to_bullet(point), false);
   shape->recalcLocalAabb();
-  shape->setMargin(kHullMargin);
+  shape->setMargin(0);  // it would be added around the points
   shape->initializePolyhedralFeatures();
   return shape;
 }

@@ -21,8 +21,8 @@ struct RoomColumn {
   double height = 0;  ///< > 0 [m]
 };
 
-/// The convex hull of points, 4 or more that span a volume. For wheels its edges are rounded by
-/// 0.5 mm.
+/// The convex hull of points, 4 or more that span a volume. Its edges are sharp, for bodies and
+/// wheels.
 struct RoomHull {
   std::vector<Vector3> points;  ///< shape axes [m]
 };

@@ -114,11 +114,11 @@ void Stepper::set_contacts(const std::vector<BodyContact>& contacts, SceneState&
       nearest = distance;
       memories[i] = memory;
     }
-    const bool is_new = nearest == kSameContactDistance;
     memories[i].contact = sorted[i];
     memories[i].deflection -= sorted[i].normal * sorted[i].normal.dot(memories[i].deflection);
+    // One that has parted may overlap again as its points move: that is no new blow.
+    if (memories[i].compression <= 0) memories[i].approach_speed = approach_speed(sorted[i], state);
     memories[i].compression = -assembly_.gap(sorted[i], state);
-    if (is_new) memories[i].approach_speed = approach_speed(sorted[i], state);
   }
   state.contacts = std::move(memories);
   for (std::size_t i = 0; i < count; ++i)

@@ -43,7 +43,7 @@ FaceContact::FaceContact(const Body& first, const Body& second, const std::vecto
   speed = {s[4], s[6]};
   yaw_rate = {s[5], s[7]};
   parts = std::ranges::all_of(points, [&](double y) {
-    return s[4] - s[6] - (y - first.y) * s[5] + (y - second.y) * s[7] < -0.1;
+    return s[4] - s[6] - (y - first.y) * s[5] + (y - second.y) * s[7] < -0.01;
   });
 }
 

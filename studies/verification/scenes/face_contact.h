@@ -20,7 +20,7 @@ struct FaceContact {
   double peak_force = 0;                      ///< [N]
   double contact = 0;                         ///< from the first touch to the last [s]
   int touches = 0;                            ///< times that force began
-  bool parts = false;  ///< all points move apart at the end, by 0.1 m/s or more
+  bool parts = false;  ///< all points move apart at the end, by 0.01 m/s or more
 
   FaceContact(const Body& first, const Body& second, const std::vector<double>& points,
               double stiffness, double damping_number);
