@@ -68,7 +68,7 @@ void close(const EquipmentModel& item, const Response& response, const Drop& dro
       booked += std::copysign(4 * kStiff / 2, after - before) *
                 std::pow(misbooked(before, -from.velocity.z(), free, omega), 2);
     closure.add(to.time, to.energy.closure(response.items[0].stored_energy_at_start), booked,
-                1e-9 * mass * kG * to.time * speed);
+                1e-9 * mass * kG * history.back().time * speed);
   }
   closure.report(findings);
 }

@@ -69,7 +69,7 @@ Findings hold(const Slope& c, const Runner& runner) {
                              "no step's residual adds to the last"});
   if (c.odd != 0) {
     findings.checks.push_back(
-        {"peak displacement in 60 s", "m", item.demands.peak_displacement, 0,
+        {"way that odd casters let it go", "m", item.demands.peak_displacement, 0,
          farthest(options, c.slope, item.demands.peak_yaw),
          "10 L (1 + |mean(u0)| + |yaw|) (1 + L/a + L/b + h s/a), u0 from mounts to wheels: what "
          "trails swing is not rolled, and rolling takes 1 / 0.9 of the slope's work"});
