@@ -17,6 +17,12 @@ bool is_named(const CaseRun& each, const std::string& name) {
   return name == statement.group || name == statement.name || name == each.name();
 }
 
+bool may_hold(const Family& family, const std::string& name) {
+  const Statement& statement = family.statement;
+  return name == statement.group || name == statement.name ||
+         name.starts_with(statement.name + "/");
+}
+
 std::vector<std::string> known_names(const std::vector<CaseRun>& all) {
   std::vector<std::string> known;
   for (const CaseRun& each : all)
@@ -39,6 +45,10 @@ Findings findings_of(const CaseRun& chosen, Solver solver) {
 std::vector<CaseRun> choose(const std::vector<Family>& families, const Selection& selection) {
   std::vector<CaseRun> all;
   for (const Family& family : families) {
+    if (!selection.names.empty() && std::ranges::none_of(selection.names, [&](const auto& name) {
+          return may_hold(family, name);
+        }))
+      continue;  // some take long to draw
     if (!selection.seed) {
       for (const Case& each : family.cases) all.push_back({&family, each, {}, {}, 0});
     } else if (family.drawn) {
@@ -47,10 +57,14 @@ std::vector<CaseRun> choose(const std::vector<Family>& families, const Selection
             {&family, draw_case(family, *selection.seed + static_cast<unsigned>(i)), {}, {}, 0});
     }
   }
-  for (const std::string& name : selection.names)
-    require(std::ranges::any_of(all, [&](const CaseRun& each) { return is_named(each, name); }),
-            fmt::format("no case, family or group is named '{}'{}", name,
-                        config::suggestion(name, known_names(all))));
+  for (const std::string& name : selection.names) {
+    if (std::ranges::any_of(all, [&](const CaseRun& each) { return is_named(each, name); }))
+      continue;
+    Selection everything = selection;
+    everything.names.clear();
+    throw Error(fmt::format("no case, family or group is named '{}'{}", name,
+                            config::suggestion(name, known_names(choose(families, everything)))));
+  }
   if (!selection.names.empty())
     std::erase_if(all, [&](const CaseRun& each) {
       return std::ranges::none_of(selection.names,

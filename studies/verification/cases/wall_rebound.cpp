@@ -1,5 +1,8 @@
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/base/units.h"
 #include "engine/contact/impact_law.h"
@@ -65,6 +68,17 @@ Findings meet(const Rebound& c, const Runner& runner) {
 /// Contacts slower than 0.01 m/s cut no step.
 bool parts(const Rebound& c) { return c.restitution * c.speed >= 2 * ImpactLaw::kLeastApproach; }
 
+std::vector<std::pair<std::string, Rebound>> sets() {
+  std::vector<std::pair<std::string, Rebound>> all{
+      {"dead", {0.05, 2.5, 0}}, {"elastic_slow", {1, 0.2, 30}}, {"elastic", {1, 2.5, 0}}};
+  for (const auto& [kind, e] :
+       {std::pair("soft", 0.2), {"half", 0.5}, {"lively", 0.7}, {"hard", 0.9}})
+    for (const auto& [pace, speed] : {std::pair("_slow", 0.2), {"", 0.8}, {"_fast", 2.0}})
+      for (const auto& [way, yaw] : {std::pair("", 0.0), {"_turned", 30.0}, {"_back", -115.0}})
+        all.push_back({std::string(kind) + pace + way, {e, speed, yaw}});
+  return all;
+}
+
 }  // namespace
 
 Family wall_rebound() {
@@ -78,19 +92,7 @@ Family wall_rebound() {
        {{"mass", "kg", 20, 300}, &Rebound::mass},
        {{"length", "m", 0.2, 1}, &Rebound::length},
        {{"width", "m", 0.2, 1}, &Rebound::width}},
-      {{"soft_slow", {0.2, 0.2, 0}},
-       {"soft", {0.2, 0.8, 30}},
-       {"soft_fast", {0.2, 2.5, -115}},
-       {"dead", {0.05, 2.5, 0}},
-       {"half_slow", {0.5, 0.2, -115}},
-       {"half", {0.5, 0.8, 0}},
-       {"half_fast", {0.5, 2, 30}},
-       {"lively", {0.7, 1, 0}},
-       {"lively_turned", {0.9, 0.8, -115}},
-       {"lively_fast", {0.9, 2, 30}},
-       {"elastic_slow", {1, 0.2, 30}},
-       {"elastic", {1, 2.5, 0}}},
-      meet, parts);
+      sets(), meet, parts);
 }
 
 }  // namespace gurney::verification

@@ -12,6 +12,8 @@ expect 0 "12 cases" "$gurney" verify alignment -j 2
 expect 0 "skid_to_roll/draw_8 " "$gurney" verify skid_to_roll --draw 7 --count 2
 expect 1 "no case, family or group is named 'alignmnt'; did you mean 'alignment'?" "$gurney" verify alignmnt
 expect 2 "--draw" "$gurney" verify --count 3
+# pulling is a group of closed forms and a command.
+expect 0 "checks: all passed" "$gurney" verify pulling
 expect 2 "--count" "$gurney" verify --draw 1 --count 0
 
 expect 0 '"passed": true' "$gurney" verify alignment/crosswise --json --figures figures
