@@ -83,8 +83,9 @@ std::optional<TrialFault> check_force(const Trial& trial) {
   return {};
 }
 
-/// What may have made (M + J)(a_2 + a_3) / F `ratio` instead of 1.
-std::string cause_of(double ratio) {
+}  // namespace
+
+std::string cause_of_ratio(double ratio) {
   struct Cause {
     double ratio;
     const char* text;
@@ -107,8 +108,6 @@ std::string cause_of(double ratio) {
   return "mass, force or clock are wrong, or the phases were not free of other forces";
 }
 
-}  // namespace
-
 std::optional<TrialFault> check_samples(const Trial& trial) {
   if (auto fault = check_filled(trial)) return fault;
   if (auto fault = check_clock(trial)) return fault;
@@ -122,8 +121,9 @@ std::optional<TrialFault> check_averages(const TrialAverages& a) {
   const double inertia = a.setup.mass + a.setup.added_mass;
   const double ratio = inertia * (a.pull_acceleration + a.coast_deceleration) / a.pull_force;
   if (!(ratio > 0) || !(std::abs(std::log(ratio)) < kBalance))
-    return fault(fmt::format("(M + J)(a_2 + a_3) is {:.4g} of the force, must be 1: {}", ratio,
-                             ratio > 0 ? cause_of(ratio) : "it does not slow down in phase III"));
+    return fault(
+        fmt::format("(M + J)(a_2 + a_3) is {:.4g} of the force, must be 1: {}", ratio,
+                    ratio > 0 ? cause_of_ratio(ratio) : "it does not slow down in phase III"));
   const Resistance r = average_method(a);
   if (!(r.pulled > 0) || !(r.coasting > 0))
     return fault(

@@ -18,6 +18,10 @@ std::optional<TrialFault> check_samples(const Trial& trial);
 /// than 15 % off is a wrong mass, force or clock. Then that f_r > 0 in both phases.
 std::optional<TrialFault> check_averages(const TrialAverages& averages);
 
+/// What may have made the measured motion `ratio` of that which force and mass make: a wrong unit,
+/// or a wrong mass, force or clock.
+std::string cause_of_ratio(double ratio);
+
 /// Clocks of load cell and motion: the speeds of phases II and III meet where the force falls,
 /// within 0.05 s. With a drop weight: the force that holds it in phase I is its weight within 15 %.
 /// Only where displacement was measured.
