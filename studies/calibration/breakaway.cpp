@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studies/calibration/motion_law.h"
 #include "studies/calibration/slip_onset.h"
 #include "studies/trials/average_method.h"
 #include "studies/trials/trial_check.h"
@@ -12,8 +13,10 @@
 namespace gurney {
 namespace {
 
+constexpr double kGathered = 0.5;                               // of the path
 constexpr double kMoves = 0.05, kRolls = 0.15, kSteady = 0.25;  // of the path
 constexpr std::size_t kRest = 9, kFewest = 24;
+constexpr double kStands = 5e-3;          // [m/s]
 constexpr double kShortest = 0.2;         // [s]
 constexpr double kBefore = 0.3;           // of the onset, at least [s]
 constexpr double kNewton = 3, kSure = 4;  // a factor; standard errors
@@ -69,6 +72,35 @@ Span onset_window(const TrialSignals& s, double rest, double mark) {
           moved};
 }
 
+/// Where it has 15 % of the speed that it has at `moved`, by differences over eight steps.
+std::size_t gathers_from(const TrialSignals& s, std::size_t moved) {
+  constexpr double kSlow = 0.15;
+  constexpr std::size_t kHalf = 4;
+  const auto step = [&](std::size_t i) {
+    return s.displacement[i + kHalf] - s.displacement[i - kHalf];
+  };
+  std::size_t i = std::clamp(moved, kHalf, s.time.size() - 1 - kHalf);
+  const double fast = step(i);
+  while (i > kHalf && step(i) > kSlow * fast) --i;
+  return i;
+}
+
+/// What force and motion say against each other while it gathers speed; empty: nothing.
+std::string wrong_motion(const TrialSignals& s, const Span& span, double inertia) {
+  const auto law = motion_law(s, span, inertia);
+  if (!law) return "";
+  if (law->lag != 0)
+    return fmt::format(
+        "clock: the force is {:.2f} s {} the motion; force and motion must have one "
+        "clock",
+        std::abs(law->lag), law->lag > 0 ? "behind" : "ahead of");
+  if (std::abs(law->scale - 1) > kSure * law->scale_error &&
+      !(std::abs(std::log(law->scale)) < std::log(kNewton)))
+    return fmt::format("it gathers speed {:.3g} times as fast as force and mass say, must be 1: {}",
+                       law->scale, cause_of_ratio(law->scale, kNewton));
+  return "";
+}
+
 struct Ratio {
   double value, error;
 };
@@ -112,12 +144,17 @@ std::optional<Breakaway> breakaway_of(const Trial& trial, TrialFault& fault) {
   const std::size_t steady = axle ? beyond(s.displacement, rest + kSteady * path) : moved;
   std::size_t end = 0;
   while (end < n && s.displacement[end] < rest + (1 - kMoves) * path) ++end;
-  if (moved < kRest) return fail(0, "it does not stand still before it is pulled");
+  const PolynomialFit begin = fit_polynomial(s.time, s.displacement, {0, kFewest}, 1);
+  if (moved < kRest || std::abs(begin.c[1]) > kStands + 6 * begin.rate_error(begin.middle))
+    return fail(0, "it does not stand still before it is pulled");
   const Span moving{steady, end};
   if (moving.size() < kFewest || s.time[end - 1] - s.time[steady] < 2 * kShortest)
     return fail(steady, fmt::format("it moves for less than {} s", 2 * kShortest));
 
   const double normal = normal_force(setup), inertia = setup.mass + turning_mass(trial);
+  const Span gathering{gathers_from(s, moved), beyond(s.displacement, rest + kGathered * path)};
+  if (const std::string wrong = wrong_motion(s, gathering, inertia); !wrong.empty())
+    return fail(moved, wrong);
   const Moving motion = moving_force(s, moving, inertia);
   if (!(motion.at_end > motion.force / 2))
     return fail(end - 1, fmt::format("the force falls to {:.3g} N while it moves: is it kind = "
@@ -127,11 +164,6 @@ std::optional<Breakaway> breakaway_of(const Trial& trial, TrialFault& fault) {
   const auto onset =
       find_onset(s, onset_window(s, rest, mark), inertia, motion.force, motion.error, axle);
   if (!onset) return fail(0, "it does not stand still before it is pulled");
-  if (!(std::abs(std::log(onset->newton)) < std::log(kNewton)) &&
-      std::abs(onset->newton - 1) > kSure * onset->newton_error)
-    return fail(moved, fmt::format("it gathers speed {:.3g} times as fast as force and mass say, "
-                                   "must be 1: {}",
-                                   onset->newton, cause_of_ratio(onset->newton)));
   const double string = setup.string_tension;
   const Ratio peak =
       friction_of({(onset->force - string) / normal, onset->force_error / normal}, setup);

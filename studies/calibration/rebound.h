@@ -19,7 +19,8 @@ struct Rebound {
 /// away from it, give the speeds at that time. e is leaving / approach, or that of
 /// contact_restitution() where the trial names its item.
 /// @return nothing, and a fault in `fault`, where the record is too short on one side, the approach
-///         is not within 0.02 to 5 m/s, it slows down by more than 5 m/s2, e is not within (0, 1],
+///         is not within 0.02 to 5 m/s, it slows down by more than 1 m/s2 (a Cr / R
+///         of 0.1), e is not within (0, 1],
 ///         or the item is not known
 std::optional<Rebound> rebound_of(const Trial& trial, TrialFault& fault);
 

@@ -179,9 +179,6 @@ std::optional<SlipOnset> find_onset(const TrialSignals& s, const Span& window, d
   const double of_line = std::sqrt(line.covariance(0, 0) + lever * lever * line.covariance(1, 1));
   result.force_error = std::hypot(of_line, line.c[1] * (best.high - best.low + kGrid) / 2,
                                   line.c[1] * (shifted - best.time));
-  const Fit scaled = free ? best.fit : onset.best(from, to, with(resisting), true).fit;
-  result.newton = scaled.scale;
-  result.newton_error = scaled.scale_error;
   return result;
 }
 

@@ -11,8 +11,6 @@ namespace gurney {
 struct SlipOnset {
   double time = 0;                    ///< [s]
   double force = 0, force_error = 0;  ///< of the cable at that time, and its standard error [N]
-  double newton = 1;                  ///< motion over what Newton's law says; 1 in right units
-  double newton_error = 0;            ///< its standard error at this onset
 };
 
 /// Newton's law from the onset t_b on, with the measured force F and the resistance R in motion:
@@ -23,7 +21,7 @@ struct SlipOnset {
 /// linearly. F at t_b is a line through the 0.3 s before. Its error holds that of the line, the
 /// line's slope times half of the range of t_b where the sum of squares is within one variance of
 /// the least (a profile likelihood: Venzon & Moolgavkar 1988, Applied Statistics 37(1), 87-94), and
-/// what `resisting_error` shifts. `newton` is s where it is free.
+/// what `resisting_error` shifts.
 ///
 /// A peak is no estimate of this force: the largest of noisy means is high, a mean over a rising
 /// force low, and a winch pulls harder yet while the item gathers speed.

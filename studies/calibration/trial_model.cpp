@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/error.h"
 #include "engine/simulate.h"
 #include "studies/calibration/trial_item.h"
 #include "studies/trials/average_method.h"
@@ -11,8 +12,10 @@ namespace gurney {
 namespace {
 
 constexpr double kTimeStep = 1.0 / 240;  // [s]
-constexpr double kFalls = 1e-6;          // [s]
-constexpr double kHeld = 0.3;            // before the start, to come to rest [s]
+constexpr std::size_t kFewest = 12;
+constexpr double kFalls = 1e-6;  // [s]
+constexpr double kEarly = 0.5;   // the cable swings, the casters swivel [s]
+constexpr double kHeld = 0.3;    // before the start, to come to rest [s]
 
 /// Between two samples by the cubic of places and speeds.
 double between(double share, double step, double y0, double v0, double y1, double v1) {
@@ -26,8 +29,12 @@ double between(double share, double step, double y0, double v0, double y1, doubl
 TrialModel::TrialModel(const Trial& trial, const Phases& phases)
     : trial_(trial),
       phases_(phases),
-      force_(
-          fit_polynomial(trial.signals.time, trial.signals.force, used_of_pull(trial, phases), 1)) {
+      settled_(phases.start + std::min(kEarly, (phases.release - phases.start) / 2)) {
+  Span steady = used_of_pull(trial, phases);
+  const std::vector<double>& t = trial.signals.time;
+  steady.begin = static_cast<std::size_t>(std::ranges::lower_bound(t, settled_) - t.begin());
+  require(steady.size() >= kFewest, "phase II is too short");
+  force_ = fit_polynomial(trial.signals.time, trial.signals.force, steady, 1);
   scene_.items[0].model = item_of(trial.setup);
 }
 
@@ -74,7 +81,12 @@ TrialModel::Motion TrialModel::run(const Unknowns& unknowns) const {
     held_force += s.force[i] / static_cast<double>(phases_.held.size());
   add(zero, held_force);
   add(start - kFalls, held_force);
-  add(start, force_.value(start) + unknowns.force);
+  const auto first =
+      static_cast<std::size_t>(std::ranges::upper_bound(s.time, start) - s.time.begin());
+  add(start, s.force[first] + unknowns.force);
+  for (std::size_t i = first; i < s.time.size() && s.time[i] < settled_; ++i)
+    add(s.time[i], s.force[i] + unknowns.force);
+  add(settled_, force_.value(settled_) + unknowns.force);
   add(release, force_.value(release) + unknowns.force);
   add(release + kFalls, 0);
   excitation.forces = {std::move(pull)};

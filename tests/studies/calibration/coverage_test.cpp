@@ -4,7 +4,9 @@
 
 #include <cstdio>
 
+#include "engine/base/units.h"
 #include "studies/calibration/breakaway.h"
+#include "studies/calibration/crosswise.h"
 #include "studies/calibration/rebound.h"
 
 namespace gurney {
@@ -89,6 +91,38 @@ void count_restitution(int draws) {
   expect_coverage("e", coverage(read_all(trials, draws, rebound), 0.4, kTrials));
 }
 
+/// One load, so that one sum of scrub and bearing is true. mu = 0.6 and T = 0.03 N m of R100.
+void count_crosswise(int draws) {
+  constexpr int kSmallPool = 40, kFewer = 4;
+  constexpr double kFriction = 0.6, kWidth = 0.008, kBearing = 0.03;
+  const std::vector<double> widths = scattered(kWidth, 0.05, kSmallPool, 0),
+                            resistances = scattered(0.02, 0.03, kSmallPool, 1);
+  std::vector<Trial> trials;
+  for (std::size_t i = 0; i < kSmallPool; ++i) {
+    VirtualPull pull;
+    pull.heading = 90 * kRadiansPerDegree;
+    pull.drop_mass = i % 2 == 0 ? 7.5 : 8.5;
+    pull.patch_width = widths[i];
+    pull.resistance = resistances[i];
+    trials.push_back(virtual_pull(pull));
+    trials.back().kind = TrialKind::kCrosswisePull;
+  }
+  const double bearing = kBearing / (trials[0].setup.mass * kStandardGravity / 4);
+  const auto torque = [](const Trial& trial, TrialFault& fault) -> std::optional<TrialValue> {
+    const auto fit = fit_crosswise(trial, fault);
+    if (!fit) return {};
+    return TrialValue{ConstantKind::kSwivelTorque, trial.name, trial.setup, fit->torque_length,
+                      fit->torque_length_error};
+  };
+  std::vector<TrialValue> values = read_all(trials, draws, torque);
+  expect_coverage("mu w / 4 + T / N", coverage(values, kFriction * kWidth / 4 + bearing, kFewer));
+  for (TrialValue& each : values) {
+    each.value = 4 * (each.value - bearing);
+    each.error *= 4;
+  }
+  expect_coverage("mu w", coverage(values, kFriction * kWidth, kFewer));
+}
+
 TEST(Coverage, OfFrictionWithOneAxleLocked) { count_friction(kDraws); }
 TEST(Coverage, OfStartUpResistance) { count_start_up(kDraws); }
 TEST(Coverage, OfRestitution) { count_restitution(kDraws); }
@@ -96,6 +130,7 @@ TEST(Coverage, OfRestitution) { count_restitution(kDraws); }
 // docs/calibration.md has the numbers and the command.
 TEST(FullCoverage, DISABLED_OfFrictionWithOneAxleLocked) { count_friction(kManyDraws); }
 TEST(FullCoverage, DISABLED_OfStartUpResistance) { count_start_up(kManyDraws); }
+TEST(FullCoverage, DISABLED_OfCrosswisePulls) { count_crosswise(20); }  // a quarter of an hour
 TEST(FullCoverage, DISABLED_OfRestitution) { count_restitution(kManyDraws); }
 
 }  // namespace

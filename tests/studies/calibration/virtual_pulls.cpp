@@ -1,5 +1,6 @@
 #include "tests/studies/calibration/virtual_pulls.h"
 
+#include <cmath>
 #include <limits>
 
 #include "engine/base/random/normal_draw.h"
@@ -107,7 +108,7 @@ Trial virtual_winch(const VirtualWinch& v) {
   }
   const double most = v.locked ? v.static_friction * (*v.locked == LockedWheels::kAll ? 1 : 0.7)
                                : 1.2 * v.resistance;
-  const double pulled = 1.1 * most * normal_force(trial.setup) / v.ramp + kMoves;
+  const double pulled = std::ceil(1.1 * most * normal_force(trial.setup) / v.ramp + kMoves);
   Excitation excitation;
   PointForce winch{"winch",
                    {0.55, 0, kHeight},
