@@ -28,7 +28,7 @@ struct Breakaway {
 /// With one axle locked both its wheels carry the same. Equilibrium of moments about the other
 /// axle's line of contact gives its share s of N under the force x N at the height h,
 ///
-///     s = s_0 -+ x h / L  (rear, front),      mu = (x - (1 - s) Cr / R) / s
+///     s = s_0 + x h / L  (rear: -),      mu = (x - (1 - s) Cr / R) / s
 ///
 /// with s_0 at rest, L the wheelbase and Cr / R of the wheels that roll.
 /// @return nothing, and a fault in `fault`, where it does not move, no 0.4 s are left, the force
