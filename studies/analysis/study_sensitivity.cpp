@@ -8,10 +8,8 @@
 #include <set>
 
 #include "engine/base/error.h"
-#include "engine/base/units.h"
-#include "engine/response.h"
-#include "studies/analysis/demands.h"
-#include "studies/limit_states/limit_state_reader.h"
+#include "studies/analysis/designed_sensitivity.h"
+#include "studies/analysis/sensitivity_output.h"
 #include "studies/statistics/quantiles.h"
 
 namespace gurney {
@@ -20,59 +18,13 @@ namespace {
 constexpr double kWeak = 0.3;          // a tenth of the variance in common
 constexpr double kBeyondChance = 3.5;  // standard deviations: of 80 pairs one in 25 times
 
-/// The output of each run, with its name.
-struct Output {
-  std::string name, units;
-  std::vector<double> values;
-};
-
-Output output_of(const StudySide& side, const SensitivityRequest& request,
-                 const std::vector<std::size_t>& runs) {
-  const StudyData& data = *side.data;
-  if (!request.limit.empty()) {
-    const std::size_t state = index_of(data.limit_states(), request.limit);
-    Output output{"exceedance of " + request.limit, "1", {}};
-    for (const bool exceeds : data.exceedances(state, runs)) output.values.push_back(exceeds);
-    return output;
-  }
-  const auto demands = demands_named(data, side.configuration, {request.demand});
-  std::vector<std::string> names;
-  for (const NamedDemand& each : demands) names.push_back("'" + each.name + "'");
-  require(demands.size() == 1,
-          fmt::format("{}: several items have a demand '{}'; name one: {}", data.file().path(),
-                      request.demand, fmt::join(names, ", ")));
-  return {demands[0].name, demands[0].units, values_of_runs(data, demands[0].quantity, runs)};
-}
-
-/// The numbers of each draw of a configuration, by their names in the order of the file.
-struct Drawn {
-  std::vector<std::string> names;
-  std::map<std::string, std::map<std::size_t, double>> values;
-};
-
-Drawn drawn_of(const StudySide& side) {
-  const StudyReader& file = side.data->file();
-  const auto configuration = file.numbers("drawn/configuration"), draw = file.numbers("drawn/draw"),
-             value = file.numbers("drawn/value");
-  const auto variable = file.strings("drawn/variable");
-  Drawn drawn;
-  for (std::size_t row = 0; row < value.size(); ++row) {
-    if (static_cast<std::size_t>(configuration[row]) != side.configuration) continue;
-    auto& values = drawn.values[variable[row]];
-    if (values.empty()) drawn.names.push_back(variable[row]);
-    values[static_cast<std::size_t>(draw[row])] = value[row];
-  }
-  return drawn;
-}
-
 /// Adds the drawn numbers: constant ones apart, those with equal values together.
-std::vector<std::vector<double>> add_drawn(const Drawn& drawn,
+std::vector<std::vector<double>> add_drawn(const DrawnNumbers& drawn,
                                            const std::vector<std::size_t>& draws,
                                            StudySensitivity& result) {
   std::vector<std::vector<double>> columns;
   for (const std::string& name : drawn.names) {
-    std::vector<double> column;
-    for (const std::size_t draw : draws) column.push_back(drawn.values.at(name).at(draw));
+    const std::vector<double> column = drawn.column(name, draws);
     if (std::ranges::all_of(column, [&](double value) { return value == column.front(); })) {
       result.constant.push_back(name);
       continue;
@@ -129,15 +81,6 @@ void add_classes(const char* name, const std::vector<double>& values, const std:
   result.inputs.back().index = first_order_index_of_classes(classes, y);
 }
 
-std::vector<std::size_t> runs_at(const StudySide& side, const Levels& levels,
-                                 const SensitivityRequest& request) {
-  if (!request.level) return side.runs();
-  std::vector<std::size_t> runs;
-  for (const std::size_t run : side.runs())
-    if (levels.of_run(run) == *request.level) runs.push_back(run);
-  return runs;
-}
-
 std::vector<double> picked(const std::vector<double>& all, const std::vector<std::size_t>& runs) {
   std::vector<double> result;
   for (const std::size_t run : runs) result.push_back(all[run]);
@@ -152,44 +95,25 @@ StudySensitivity study_sensitivity(const StudySide& side, const SensitivityReque
   require(file.has("drawn"), file.path() +
                                  ": the study drew no numbers (study.draws), so there is "
                                  "nothing whose influence could be told");
-  const Levels levels(data);
-  require(!request.level || *request.level < levels.values().size(),
-          fmt::format("{}: has no level {}; it has 1 to {}", file.path(),
-                      request.level.value_or(0) + 1, levels.values().size()));
+  if (!design_inputs(data).empty()) return designed_sensitivity(side, request);
+  const SensitivityOutput output = sensitivity_output(side, request);
+  require_variation(output, file.path());
+  const std::vector<std::size_t>& runs = output.runs;
+  const std::vector<double>& y = output.values;
+  const Moments moments = moments_of(y);
   StudySensitivity result;
   result.share = request.share;
-  if (request.level) result.level = levels.name_of(*request.level);
-  std::vector<std::size_t> runs = runs_at(side, levels, request);
-  Output output = output_of(side, request, runs);
   result.output = output.name;
   result.units = output.units;
-  for (std::size_t i = runs.size(); i-- > 0;)
-    if (std::isnan(output.values[i])) {
-      runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(i));
-      output.values.erase(output.values.begin() + static_cast<std::ptrdiff_t>(i));
-      ++result.left_out;
-    }
-  const std::vector<double>& y = output.values;
+  result.level = output.level;
   result.runs = runs.size();
-  require(result.runs >= kFewestRuns,
-          fmt::format("{}: {} runs of {} are too few: at least {} are needed, and 100 or more give "
-                      "intervals that say something",
-                      file.path(), result.runs, result.output, kFewestRuns));
-  const Moments moments = moments_of(y);
+  result.left_out = output.left_out;
+  result.overturned = output.overturned;
   result.mean = moments.mean;
   result.deviation = std::sqrt(moments.variance);
-  require(moments.variance > 0, fmt::format("{}: {} is {:g} in every run: nothing rules it",
-                                            file.path(), result.output, result.mean));
-  const std::vector<std::string> outcomes = file.strings("runs/outcome");
-  for (const std::size_t run : runs)
-    result.overturned += outcomes[run] == name_of(Outcome::kOverturned);
-
-  std::vector<std::size_t> draws;
-  for (const double draw : picked(file.numbers("runs/draw"), runs))
-    draws.push_back(static_cast<std::size_t>(draw));
-  result.draws = std::set<std::size_t>(draws.begin(), draws.end()).size();
+  result.draws = std::set<std::size_t>(output.draw.begin(), output.draw.end()).size();
   result.repeated_draws = result.draws < result.runs;
-  const auto columns = add_drawn(drawn_of(side), draws, result);
+  const auto columns = add_drawn(drawn_numbers(side), output.draw, result);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     result.inputs[i].index = first_order_index(columns[i], y);
     result.inputs[i].low = quantile_of(columns[i], request.share);
@@ -198,6 +122,7 @@ StudySensitivity study_sensitivity(const StudySide& side, const SensitivityReque
   for (const TornadoBar& bar : tornado(columns, y, request.share))
     result.inputs[bar.input].bar = bar;
   find_sets(columns, result);
+  const Levels levels(data);
   std::vector<double> level;
   for (const std::size_t run : runs) level.push_back(static_cast<double>(levels.of_run(run)));
   add_classes("record", picked(file.numbers("runs/record"), runs), y, result);

@@ -15,13 +15,15 @@ struct SensitiveInput {
   std::vector<std::string> names;  ///< more than one: their values are equal in every run
   std::size_t set = 0;             ///< of inputs that go together: see StudySensitivity::correlated
   bool drawn = true;               ///< else record, angle or level, which have no order
-  std::optional<VarianceIndex> index = {};  ///< none: not to be had from these runs
+  std::optional<VarianceIndex> index = {};  ///< first order; none: not to be had from these runs
+  std::optional<VarianceIndex> total = {};  ///< with all interactions; of a Saltelli design only
   double low = 0, high = 0;  ///< of a drawn number: its quantiles at the tornado's share and above
   TornadoBar bar = {};       ///< of a drawn number: means of the output there
 };
 
 /// Which inputs rule an output of one configuration.
 struct StudySensitivity {
+  bool designed = false;  ///< from a Saltelli design
   std::string output, units;
   std::string level;  ///< empty: all levels together
   std::size_t runs = 0, left_out = 0, draws = 0, overturned = 0;
@@ -29,7 +31,7 @@ struct StudySensitivity {
   double mean = 0, deviation = 0;
   /// Of the indices; inputs that are correlated count once, by the largest.
   double sum = 0;
-  std::vector<SensitiveInput> inputs;  ///< largest index first
+  std::vector<SensitiveInput> inputs;  ///< largest index, or total index, first
   std::vector<std::string> constant;   ///< drawn, but the same in every run
   /// Drawn numbers whose ranks are correlated, beyond chance and more than weakly: the index of
   /// each holds what the others do, too.
@@ -47,7 +49,8 @@ struct SensitivityRequest {
 /// Fewest runs that a tornado of the lowest and the highest tenth can be made of.
 inline constexpr std::size_t kFewestRuns = 20;
 
-/// First-order indices and a tornado from /drawn and the runs.
+/// First-order indices and a tornado from /drawn and the runs; of a Saltelli design total indices
+/// too.
 /// @throws Error where the study has no draws, too few runs, no such level, or an output that does
 ///   not vary
 StudySensitivity study_sensitivity(const StudySide& side, const SensitivityRequest& request);

@@ -104,9 +104,14 @@ void add_plan(Answer& answer, const Batch& batch) {
   answer.add("angles_deg", angles,
              fmt::format("{}: {:g} deg", angles.size(), fmt::join(angles, ", ")));
   add_intensity(answer, study.intensity);
+  const std::vector<std::string> inputs = batch.plan.inputs();
   answer.add("draws", study.draws,
              study.draws == 0 ? "none: every number has its value"
-                              : fmt::format("{} for each record", study.draws));
+             : inputs.empty()
+                 ? fmt::format("{} for each record", study.draws)
+                 : fmt::format("{} points for each record, each with {} rows of a Saltelli design",
+                               study.draws, inputs.size() + kSaltelliMatrices));
+  if (!inputs.empty()) answer.add("inputs", inputs, list_of(inputs));
   add_warnings(answer, warnings);
 }
 

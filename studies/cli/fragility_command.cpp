@@ -10,12 +10,13 @@
 #include "studies/cli/records_output.h"
 #include "studies/limit_states/limit_state_reader.h"
 #include "studies/report/fragility_report.h"
+#include "studies/report/vector_report.h"
 
 namespace gurney {
 namespace {
 
 struct FragilityOptions {
-  std::string file, measure, figure;
+  std::string file, measure, second, figure;
   std::vector<std::string> states, configurations;
   bool json = false, overwrite = false;
 };
@@ -38,6 +39,33 @@ std::size_t configuration_index(const StudyData& data, const std::string& name) 
   return static_cast<std::size_t>(found - names.begin());
 }
 
+/// Curves over one measure.
+std::string curves(const FragilityOptions& options, const StudyData& data,
+                   const std::vector<std::size_t>& states,
+                   const std::vector<std::size_t>& configurations) {
+  std::vector<FragilityResult> results;
+  for (const std::size_t state : states)
+    for (const std::size_t configuration : configurations)
+      results.push_back(fragility_of(
+          data, {.state = state, .configuration = configuration, .measure = options.measure}));
+  if (!options.figure.empty())
+    write_output(options.figure, fragility_figure(data, results), options.overwrite, true);
+  return options.json ? fragility_json(results) : fragility_report(data, results);
+}
+
+/// Surfaces over two.
+std::string surfaces(const FragilityOptions& options, const StudyData& data,
+                     const std::vector<std::size_t>& states,
+                     const std::vector<std::size_t>& configurations) {
+  std::vector<VectorResult> results;
+  for (const std::size_t state : states)
+    for (const std::size_t configuration : configurations)
+      results.push_back(vector_of(data, state, configuration, {options.measure, options.second}));
+  if (!options.figure.empty())
+    write_output(options.figure, vector_figure(data, results), options.overwrite, true);
+  return options.json ? vector_json(results) : vector_report(data, results);
+}
+
 int fragility(const FragilityOptions& options) {
   const StudyData data(options.file);
   const auto states =
@@ -46,14 +74,8 @@ int fragility(const FragilityOptions& options) {
   const auto configurations =
       chosen(options.configurations, data.configurations().size(),
              [&](const std::string& name) { return configuration_index(data, name); });
-  std::vector<FragilityResult> results;
-  for (const std::size_t state : states)
-    for (const std::size_t configuration : configurations)
-      results.push_back(fragility_of(
-          data, {.state = state, .configuration = configuration, .measure = options.measure}));
-  if (!options.figure.empty())
-    write_output(options.figure, fragility_figure(data, results), options.overwrite, true);
-  fmt::print("{}", options.json ? fragility_json(results) : fragility_report(data, results));
+  const auto make = options.second.empty() ? curves : surfaces;
+  fmt::print("{}", make(options, data, states, configurations));
   return 0;
 }
 
@@ -68,6 +90,8 @@ void add_fragility(CLI::App& app, std::function<int()>& act) {
   command->add_option("--limit", options.states, "Limit states (default: all)");
   command->add_option("--configuration", options.configurations, "Configurations (default: all)");
   command->add_option("--measure", options.measure, "Intensity measure (default: the study's own)");
+  command->add_option("--and", options.second,
+                      "A second measure: P given both, and whether it adds to the first");
   command->add_option("--figure", options.figure, "Draw the curves into this .svg file");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
   command->add_flag("--json", options.json, "Print JSON, in SI units");

@@ -10,6 +10,7 @@ namespace gurney {
 namespace {
 
 constexpr std::size_t kMostRows = 20, kLongestName = 46;
+constexpr std::size_t kFirst = 5, kTotal = 4;  // of the palette
 constexpr double kNames = 320, kWidth = 330, kGap = 60, kRow = 24, kTop = 110, kBar = 13;
 
 std::string shortened(const std::string& name) {
@@ -43,12 +44,21 @@ Range range_of_bars(const StudySensitivity& found, const std::vector<SensitiveIn
   return {range.low - air, range.high + air};
 }
 
-void draw_index(Svg& svg, const Scaling& scaling, double y, const VarianceIndex& index) {
+void draw_index(Svg& svg, const Scaling& scaling, double y, double bar, std::size_t color,
+                const VarianceIndex& index) {
   const double from = scaling.x(0), to = scaling.x(std::clamp(index.estimate, 0.0, 1.0));
-  svg.rectangle(from, y - kBar / 2, to - from, kBar, {.stroke = "", .fill = palette(5)});
+  svg.rectangle(from, y - bar / 2, to - from, bar, {.stroke = "", .fill = palette(color)});
   svg.line(scaling.x(index.interval.low), y, scaling.x(index.interval.high), y, {.width = 1.4});
   for (const double end : {index.interval.low, index.interval.high})
-    svg.line(scaling.x(end), y - 4, scaling.x(end), y + 4, {.width = 1.4});
+    svg.line(scaling.x(end), y - bar / 3, scaling.x(end), y + bar / 3, {.width = 1.4});
+}
+
+void draw_indices(Svg& svg, const Scaling& scaling, double y, const SensitiveInput& input) {
+  if (!input.index) return;
+  if (!input.total) return draw_index(svg, scaling, y, kBar, kFirst, *input.index);
+  const double bar = 0.7 * kBar;
+  draw_index(svg, scaling, y - bar / 2, bar, kFirst, *input.index);
+  draw_index(svg, scaling, y + bar / 2, bar, kTotal, *input.total);
 }
 
 /// Low above, high below, each from the mean: both are seen where they go the same way.
@@ -80,7 +90,13 @@ std::string sensitivity_figure(const SensitivityReport& report) {
   const Frame left{kNames, kTop, kWidth, height};
   const Frame right{kNames + kWidth + kGap, kTop, kWidth, height};
   const Range range = range_of_bars(found, inputs);
-  draw_axis(svg, left, {0, 1}, "First-order index, 95 % interval", "Share of the variance");
+  draw_axis(svg, left, {0, 1}, found.designed ? "" : "First-order index, 95 % interval",
+            "Share of the variance");
+  if (found.designed) {
+    svg.text(left.x, left.y - 9, "First-order index", {.bold = true, .color = palette(kFirst)});
+    svg.text(left.x + 130, left.y - 9, "total index", {.bold = true, .color = palette(kTotal)});
+    svg.text(left.x + left.width, left.y - 9, "95 % intervals", {.anchor = Anchor::kEnd});
+  }
   draw_axis(svg, right, range, "",
             fmt::format("Mean{}", found.units == "1" ? "" : " (" + found.units + ")"));
   svg.text(right.x, right.y - 9,
@@ -92,7 +108,7 @@ std::string sensitivity_figure(const SensitivityReport& report) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const double y = kTop + kRow * (static_cast<double>(i) + 0.5);
     svg.text(kNames - 8, y + 4, shortened(name_of(inputs[i])), {.anchor = Anchor::kEnd});
-    if (inputs[i].index) draw_index(svg, of_index, y, *inputs[i].index);
+    draw_indices(svg, of_index, y, inputs[i]);
     if (inputs[i].drawn) draw_bar(svg, of_mean, y, inputs[i].bar, found.mean);
   }
   svg.line(of_mean.x(found.mean), kTop, of_mean.x(found.mean), kTop + height,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace gurney {
 namespace {
@@ -18,12 +19,15 @@ std::string with_unit(double value, const std::string& unit) {
   return fmt::format("{:.3g}{}", value, unit == "1" ? "" : " " + unit);
 }
 
+std::string index_text(const std::optional<VarianceIndex>& index) {
+  if (!index) return fmt::format("{:>6}  {:<14}", "-", "too few runs");
+  return fmt::format("{:>6.2f}  {:<14}", index->estimate,
+                     fmt::format("{:.2f} to {:.2f}", index->interval.low, index->interval.high));
+}
+
 std::string row_text(const SensitiveInput& input, std::size_t width) {
-  std::string text = fmt::format("{:<{}} ", name_of(input), width);
-  text += input.index ? fmt::format("{:>6.2f}  {:<14}", input.index->estimate,
-                                    fmt::format("{:.2f} to {:.2f}", input.index->interval.low,
-                                                input.index->interval.high))
-                      : fmt::format("{:>6}  {:<14}", "-", "too few runs");
+  std::string text = fmt::format("{:<{}} ", name_of(input), width) + index_text(input.index);
+  if (input.total) text += " " + index_text(input.total);
   if (!input.drawn) return text + "\n";
   return text + fmt::format(" {:>10.3g} {:>10.3g}  {:<20} {:<20} {:>10.3g}\n", input.low,
                             input.high,
@@ -36,9 +40,11 @@ std::string table_text(const StudySensitivity& found) {
   std::size_t width = 8;
   for (const SensitiveInput& input : found.inputs) width = std::max(width, name_of(input).size());
   const auto percent = [](double share) { return fmt::format("{:g} %", 100 * share); };
-  std::string text = fmt::format("{:<{}} {:>6}  {:<14} {:>10} {:>10}  {:<20} {:<20} {:>10}\n",
-                                 "input", width, "index", "95 % interval", percent(found.share),
-                                 percent(1 - found.share), "mean below", "mean above", "swing");
+  std::string text = fmt::format("{:<{}} {:>6}  {:<14}", "input", width,
+                                 found.designed ? "first" : "index", "95 % interval");
+  if (found.designed) text += fmt::format(" {:>6}  {:<14}", "total", "95 % interval");
+  text += fmt::format(" {:>10} {:>10}  {:<20} {:<20} {:>10}\n", percent(found.share),
+                      percent(1 - found.share), "mean below", "mean above", "swing");
   for (const SensitiveInput& input : found.inputs) text += row_text(input, width);
   return text;
 }
@@ -46,20 +52,31 @@ std::string table_text(const StudySensitivity& found) {
 std::string remarks(const StudySensitivity& found) {
   std::string text;
   const auto lead = std::ranges::find_if(found.inputs, [](const SensitiveInput& input) {
-    return input.index && input.index->interval.low > 0;
+    const auto& index = input.total ? input.total : input.index;
+    return index && index->interval.low > 0;
   });
   if (lead == found.inputs.end())
     text += "No input stands out: every interval reaches 0.\n";
   else
-    text += fmt::format("{} rules most: by itself it goes with {:.0f} % of the variance.\n",
-                        name_of(*lead), 100 * lead->index->estimate);
+    text += fmt::format(
+        "{} rules most: by itself it goes with {:.0f} % of the variance{}.\n", name_of(*lead),
+        100 * lead->index->estimate,
+        lead->total ? fmt::format(", with others with {:.0f} %", 100 * lead->total->estimate) : "");
   text += fmt::format("The indices sum to {:.2f}{}.\n", found.sum,
                       found.correlated.empty() ? "" : ", correlated inputs counted once");
-  text += fmt::format(
-      "{}An index is of an input alone: what inputs do only together (interactions) "
-      "is in none of them.\n",
-      1 - found.sum > kMuchLeft ? "What is missing to 1 is of inputs acting together, or chance. "
-                                : "");
+  const char* const rest = 1 - found.sum > kMuchLeft
+                               ? "What is missing to 1 is of inputs acting together, or chance. "
+                               : "";
+  if (found.designed)
+    text += fmt::format(
+        "{}The first index is of an input alone, the total of all in which it has a part: an input "
+        "whose total is 0 does not matter.\n",
+        rest);
+  else
+    text += fmt::format(
+        "{}An index is of an input alone: what inputs do only together (interactions) "
+        "is in none of them.\n",
+        rest);
   for (const SensitiveInput& input : found.inputs)
     if (input.names.size() > 1)
       text += fmt::format("Equal in every run, so one input: {}.\n", fmt::join(input.names, ", "));
@@ -68,12 +85,17 @@ std::string remarks(const StudySensitivity& found) {
                         fmt::join(names, ", "));
   if (!found.constant.empty())
     text += fmt::format("Drawn, but the same in every run: {}.\n", fmt::join(found.constant, ", "));
-  if (found.runs < kFew)
+  if (found.runs < kFew && !found.designed)
     text += fmt::format(
         "Few runs: {} make wide intervals, and classes of {:.0f} runs smooth what "
         "changes fast; 100 or more are better.\n",
         found.runs, std::sqrt(static_cast<double>(found.runs)));
-  if (found.repeated_draws)
+  if (found.repeated_draws && found.designed)
+    text += fmt::format(
+        "Several angles or levels share {} points: the indices are of the variance within them, "
+        "and the intervals are too narrow; look at one --level.\n",
+        found.draws);
+  else if (found.repeated_draws)
     text += fmt::format(
         "{} runs share {} draws: they are not independent and the intervals are "
         "too narrow; look at one --level.\n",
@@ -82,19 +104,25 @@ std::string remarks(const StudySensitivity& found) {
     text += fmt::format("{} runs overturned: their demands are those until the item fell.\n",
                         found.overturned);
   if (found.left_out > 0)
-    text += fmt::format("{} runs have no such demand and are left out.\n", found.left_out);
+    text += fmt::format("{} runs {}\n", found.left_out,
+                        found.designed ? "are left out: they have no such demand, or another run "
+                                         "of their point has none or failed."
+                                       : "have no such demand and are left out.");
   return text;
 }
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+void add_index(Json& json, const std::string& before, const std::optional<VarianceIndex>& index) {
+  json[before + "index"] = index ? number(index->estimate) : Json();
+  json[before + "interval"] =
+      index ? Json::array({number(index->interval.low), number(index->interval.high)}) : Json();
+}
+
 Json input_json(const SensitiveInput& input) {
   Json json{{"names", input.names}, {"drawn", input.drawn}};
-  json["index"] = input.index ? number(input.index->estimate) : Json();
-  json["interval"] =
-      input.index
-          ? Json::array({number(input.index->interval.low), number(input.index->interval.high)})
-          : Json();
+  add_index(json, "", input.index);
+  if (input.total) add_index(json, "total_", input.total);
   if (input.drawn) {
     json["low"] = number(input.low);
     json["high"] = number(input.high);
@@ -146,6 +174,7 @@ std::string sensitivity_json(const std::vector<SensitivityReport>& reports) {
                     {"output", found.output},
                     {"units", found.units},
                     {"level", found.level},
+                    {"designed", found.designed},
                     {"runs", found.runs},
                     {"left_out", found.left_out},
                     {"draws", found.draws},

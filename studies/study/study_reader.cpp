@@ -280,10 +280,15 @@ Study read_study(Table& in, const Node& node) {
   }
   study.seed = static_cast<std::uint64_t>(in.integer("seed", 0, kMost, 1));
   if (in.has("draws")) study.draws = in.integer("draws", 1, kMost);
-  static const std::vector<std::string> kSamplings = {"monte-carlo", "latin-hypercube", "sobol"};
+  static const std::vector<std::string> kSamplings = {"monte-carlo", "latin-hypercube", "sobol",
+                                                      "saltelli"};
   if (in.has("sampling")) {
     study.sampling = static_cast<Sampling>(in.choice("sampling", kSamplings));
     if (!in.has("draws")) in.note("sampling", ": must go with draws");
+    if (study.sampling == Sampling::kSaltelli && study.intensity.kind == IntensityPlan::Kind::kHunt)
+      in.note("sampling",
+              " = \"saltelli\": must not go with intensity.hunt, whose intensities "
+              "differ from draw to draw; state levels");
   }
   read_measures(in, study);
   if (auto table = in.table("keep")) study.keep = read_keep(*table);

@@ -50,21 +50,18 @@ constexpr std::size_t kLongestOutcome = 12, kLongestCause = 512;
 
 /// Names of the numbers that are drawn, from the first draw that makes a job; none does: empty.
 std::vector<std::string> variables_of(const Batch& batch, std::size_t configuration) {
-  const Study& study = batch.job.study();
-  const std::size_t records = batch.motions.set_of(configuration).size();
-  for (std::size_t record = 0; record < records; ++record)
-    for (std::size_t draw = 0; draw < static_cast<std::size_t>(study.draws); ++draw) {
-      const Unit unit{.configuration = configuration, .record = record, .draw = draw};
-      try {
-        std::vector<std::string> names;
-        for (const Assumption& each :
-             batch.job.job(configuration, batch.plan.draw(unit)).assumptions)
-          if (!each.distribution.empty()) names.push_back(each.key);
-        return names;
-      } catch (const Error&) {
-        continue;
-      }
+  if (batch.job.study().draws == 0) return {};
+  for (std::size_t draw = 0; draw < batch.plan.draws(configuration); ++draw) {
+    const Unit unit{.configuration = configuration, .draw = draw};
+    try {
+      std::vector<std::string> names;
+      for (const Assumption& each : batch.job.job(configuration, batch.plan.draw(unit)).assumptions)
+        if (!each.distribution.empty()) names.push_back(each.key);
+      return names;
+    } catch (const Error&) {
+      continue;
     }
+  }
   return {};
 }
 

@@ -111,6 +111,14 @@ void add_data_files(Hdf5Writer& file, const Batch& batch) {
       .write(table);
 }
 
+/// Nothing unless the draws are those of a Saltelli design.
+void add_design(Hdf5Writer& file, const Batch& batch) {
+  const std::vector<std::string> inputs = batch.plan.inputs();
+  if (inputs.empty()) return;
+  GrowingTable table(file, "design");
+  TextTable{{{"input", "input of the design, in the order of its matrices", inputs}}}.write(table);
+}
+
 void add_assumptions(Hdf5Writer& file, const Batch& batch) {
   std::vector<std::string> configurations, keys, values, ranges, reasons, files;
   for (std::size_t i = 0; i < batch.job.configurations().size(); ++i)
@@ -144,6 +152,7 @@ StudyCounts write_study_file(const std::string& path, const Batch& batch,
   add_records(file, batch);
   add_data_files(file, batch);
   add_assumptions(file, batch);
+  add_design(file, batch);
   StudyCounts counts;
   RunTables tables(file, batch);
   for (std::size_t unit = 0; unit < batch.plan.units(); ++unit) {

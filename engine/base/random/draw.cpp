@@ -45,6 +45,13 @@ Draw Draw::of_sobol(std::uint64_t seed, std::uint64_t run, std::shared_ptr<const
   return draw;
 }
 
+Draw Draw::of_saltelli(std::uint64_t seed, std::uint64_t run, const SaltelliRow& row,
+                       std::shared_ptr<const Streams> inputs) {
+  Draw draw = of_sobol(seed, run, std::move(inputs));
+  draw.row_ = row;
+  return draw;
+}
+
 Draw Draw::noting(std::uint64_t seed, std::uint64_t run, std::shared_ptr<Streams> streams) {
   Draw draw(seed, run);
   draw.noted_ = std::move(streams);
@@ -55,21 +62,24 @@ double Draw::uniform(const std::string& stream) const {
   if (noted_) noted_->insert(stream);
   if (streams_) {
     const auto found = streams_->find(stream);
-    if (found != streams_->end())
-      return sobol_draw(seed_, static_cast<std::uint64_t>(std::distance(streams_->begin(), found)),
-                        run_);
+    if (found != streams_->end()) {
+      const auto ordinal = static_cast<std::uint64_t>(std::distance(streams_->begin(), found));
+      return row_ ? saltelli_draw(seed_, streams_->size(), ordinal, *row_)
+                  : sobol_draw(seed_, ordinal, run_);
+    }
   }
+  if (row_) return uniform_draw(seed_, hash_of(stream), 2 * row_->point + (row_->matrix == 1));
   const std::uint64_t key = hash_of(stream);
   if (cells_ > 0) return latin_hypercube_draw(seed_, key, run_, cells_);
   return uniform_draw(seed_, key, run_);
 }
 
 double Draw::probability(const std::string& variable, const Group& group) const {
+  const double r = group.name.empty() ? 0 : group.correlation;
+  if (r == 1) return uniform("group " + group.name);
   const double own = uniform("variable " + full_name(variable));
-  if (group.name.empty() || group.correlation == 0) return own;
+  if (r == 0) return own;
   const double shared = uniform("group " + group.name);
-  const double r = group.correlation;
-  if (r == 1) return shared;
   const double score =
       r * normal_quantile(shared) + std::sqrt(std::max(0.0, 1 - r * r)) * normal_quantile(own);
   return std::clamp(normal_cdf(score), 0x1p-54, 1 - 0x1p-53);

@@ -2,8 +2,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
+
+#include "engine/base/random/sampling.h"
 
 namespace gurney {
 
@@ -25,13 +28,18 @@ class Draw {
   /// @param run  below `size`
   static Draw of_hypercube(std::uint64_t seed, std::uint64_t run, std::uint64_t size);
 
-  /// The streams that draws ask for: every variable, and every group.
+  /// The streams that draws ask for: `variable mass_kg` and `group treads`.
   using Streams = std::set<std::string>;
 
   /// Point `run` of a Sobol sequence, whose dimensions are the streams in their order. A stream
   /// that is not among them is drawn by itself.
   static Draw of_sobol(std::uint64_t seed, std::uint64_t run,
                        std::shared_ptr<const Streams> streams);
+
+  /// Draw `run`, a row of a Saltelli design whose inputs are the streams in their order. A stream
+  /// that is not among them is one of A's in all rows but those of B.
+  static Draw of_saltelli(std::uint64_t seed, std::uint64_t run, const SaltelliRow& row,
+                          std::shared_ptr<const Streams> inputs);
 
   /// A draw that notes its streams, to know them before a Sobol sequence. Not for several threads.
   static Draw noting(std::uint64_t seed, std::uint64_t run, std::shared_ptr<Streams> streams);
@@ -45,7 +53,8 @@ class Draw {
   ///
   /// With u uniform, of a Latin hypercube, or of a Sobol sequence, it is
   /// u itself where the variable is independent; else Phi(r z_group + sqrt(1 - r^2) z) with
-  /// z = Phi^-1(u), r the correlation: a Gaussian copula (docs/theory/uncertainty.md).
+  /// z = Phi^-1(u), z_group alone where r is 1, r the correlation: a Gaussian copula
+  /// (docs/theory/uncertainty.md).
   double probability(const std::string& variable, const Group& group = {}) const;
 
   std::uint64_t seed() const { return seed_; }
@@ -57,7 +66,8 @@ class Draw {
 
   std::uint64_t seed_, run_;
   std::uint64_t cells_ = 0;                 ///< of a Latin hypercube; 0: none
-  std::shared_ptr<const Streams> streams_;  ///< of a Sobol sequence
+  std::shared_ptr<const Streams> streams_;  ///< of a Sobol sequence or a Saltelli design
+  std::optional<SaltelliRow> row_;
   std::shared_ptr<Streams> noted_;
   std::string parts_;
 };

@@ -90,4 +90,13 @@ double sobol_draw(std::uint64_t seed, std::uint64_t dimension, std::uint64_t i) 
   return std::ldexp(static_cast<double>(x) + 0.5, -kBits);
 }
 
+double saltelli_draw(std::uint64_t seed, std::uint64_t inputs, std::uint64_t input,
+                     const SaltelliRow& row) {
+  require(2 * inputs <= kSobolDimensions,
+          fmt::format("{} inputs are too many for a Saltelli design: at most {}", inputs,
+                      kSobolDimensions / 2));
+  require(input < inputs, fmt::format("input {} must be below {}", input, inputs));
+  return sobol_draw(seed, row.from_b(input) ? inputs + input : input, row.point);
+}
+
 }  // namespace gurney

@@ -8,7 +8,8 @@ namespace gurney {
 enum class Sampling {
   kMonteCarlo,      ///< each by itself
   kLatinHypercube,  ///< each variable evenly over all draws
-  kSobol            ///< all variables together evenly
+  kSobol,           ///< all variables together evenly
+  kSaltelli         ///< twice as by kSobol, and mixed one input at a time: for variance indices
 };
 
 /// Draw `i` of `n` of a Latin hypercube (McKay, Beckman & Conover 1979, Technometrics 21(2),
@@ -34,5 +35,22 @@ double latin_hypercube_draw(std::uint64_t seed, std::uint64_t variable, std::uin
 double sobol_draw(std::uint64_t seed, std::uint64_t dimension, std::uint64_t i);
 
 inline constexpr std::uint64_t kSobolDimensions = 3667;
+
+/// A row of a Saltelli design (Saltelli et al. 2010, Computer Physics Communications 181(2),
+/// 259-270) of k inputs: each point gives one row in each of the matrices A, B and AB_1 to AB_k.
+struct SaltelliRow {
+  std::uint64_t point = 0;
+  std::uint64_t matrix = 0;  ///< 0: A; 1: B; 2 + i: A with input i from B
+
+  bool from_b(std::uint64_t input) const { return matrix == 1 || matrix == 2 + input; }
+};
+
+inline constexpr std::uint64_t kSaltelliMatrices = 2;  ///< besides one for each input
+
+/// Input `input` of `inputs` in a row: A and B are the halves of a Sobol sequence of twice as many
+/// dimensions.
+/// @throws Error unless 2 inputs <= kSobolDimensions, input < inputs and the point is below 2^52.
+double saltelli_draw(std::uint64_t seed, std::uint64_t inputs, std::uint64_t input,
+                     const SaltelliRow& row);
 
 }  // namespace gurney

@@ -65,6 +65,7 @@ void MadeStudy::write(const std::string& path) const {
   add_texts(file, "assumptions",
             {{"configuration", numbers}, {"key", keys}, {"value", values}, {"range", keys}});
 
+  if (!design.empty()) add_texts(file, "design", {{"input", design}});
   GrowingTable motions(file, "motions"), table(file, "runs"), items(file, "items");
   motions.add_whole("set", "set");
   motions.put(0.0).end_row();

@@ -24,6 +24,7 @@ struct MadeStudy {
   std::vector<std::string> configurations{""}, records;
   std::vector<std::string> files;  ///< of the records; empty: their names
   std::vector<MadeRun> runs;
+  std::vector<std::string> design = {};  ///< inputs of a Saltelli design
   std::string measure = "PGA h1";
   std::string commit = "abc";
   int format_version = 2;

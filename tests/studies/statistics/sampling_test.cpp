@@ -117,5 +117,19 @@ TEST(Sampling, RefusesWhatItDoesNotHave) {
   EXPECT_ERROR(sobol_draw(1, 3667, 0), "variable 3668 is too many for Sobol points: at most 3667");
 }
 
+TEST(SaltelliDraw, HalvesOfOneSobolSequence) {
+  for (const std::uint64_t input : {0, 1, 2}) {
+    EXPECT_EQ(saltelli_draw(4, 3, input, {9, 0}), sobol_draw(4, input, 9));
+    EXPECT_EQ(saltelli_draw(4, 3, input, {9, 1}), sobol_draw(4, 3 + input, 9));
+    for (const std::uint64_t mixed : {0, 1, 2})
+      EXPECT_EQ(saltelli_draw(4, 3, input, {9, 2 + mixed}),
+                sobol_draw(4, input + (input == mixed ? 3 : 0), 9));
+  }
+  EXPECT_ERROR(saltelli_draw(4, 1834, 0, {}),
+               "1834 inputs are too many for a Saltelli design: at "
+               "most 1833");
+  EXPECT_ERROR(saltelli_draw(4, 3, 3, {}), "input 3 must be below 3");
+}
+
 }  // namespace
 }  // namespace gurney

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "tests/studies/study/small_study.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/temp_folder.h"
 
 namespace gurney {
 namespace {
@@ -39,7 +41,7 @@ TEST(Plan, CountsDrawsInAnglesInRecordsInConfigurations) {
           EXPECT_EQ(unit.configuration, configuration) << index;
           EXPECT_EQ(unit.record, record) << index;
           EXPECT_EQ(unit.angle, angle) << index;
-          EXPECT_EQ(unit.draw, draw) << index;
+          EXPECT_EQ(unit.draw, record * 4 + draw) << index;
         }
   EXPECT_EQ(study.plan.runs_of_unit(), 1u);
 }
@@ -51,15 +53,17 @@ TEST(Plan, ConfigurationsAndAnglesHaveTheSameDrawsAndRecordsOthers) {
     const Unit unit = study.plan.unit(i);
     const Draw draw = *study.plan.draw(unit);
     EXPECT_EQ(draw.seed(), 5u);
-    EXPECT_EQ(draw.run(), unit.record * 4 + unit.draw);
+    EXPECT_EQ(draw.run(), unit.draw);
+    EXPECT_EQ(unit.draw / 4, unit.record);
     numbers.insert(draw.run());
   }
   EXPECT_EQ(numbers.size(), 12u);
   const auto yaw = [&](Unit unit) {
     return study.job.job(unit.configuration, study.plan.draw(unit)).scene.items[0].initial.yaw;
   };
-  EXPECT_EQ(yaw({0, 1, 0, 2}), yaw({1, 1, 1, 2})) << "paired";
-  EXPECT_NE(yaw({0, 1, 0, 2}), yaw({0, 2, 0, 2}));
+  EXPECT_EQ(yaw({0, 1, 0, 6}), yaw({1, 1, 1, 6})) << "paired";
+  EXPECT_NE(yaw({0, 1, 0, 6}), yaw({0, 2, 0, 10}));
+  EXPECT_EQ(study.plan.draws(1), 12u);
 }
 
 TEST(Plan, AHypercubeHasOneDrawInEachCellOfEachVariable) {
@@ -67,10 +71,8 @@ TEST(Plan, AHypercubeHasOneDrawInEachCellOfEachVariable) {
   constexpr std::size_t kDraws = 12;
   for (const std::string variable : {"item.yaw_deg", "another"}) {
     std::set<int> cells;
-    for (std::size_t record = 0; record < 3; ++record)
-      for (std::size_t i = 0; i < 4; ++i)
-        cells.insert(static_cast<int>(
-            kDraws * study.plan.draw({.record = record, .draw = i})->probability(variable)));
+    for (std::size_t i = 0; i < kDraws; ++i)
+      cells.insert(static_cast<int>(kDraws * study.plan.draw({.draw = i})->probability(variable)));
     EXPECT_EQ(cells.size(), kDraws) << variable;
     EXPECT_EQ(*cells.begin(), 0);
     EXPECT_EQ(*cells.rbegin(), 11);
@@ -82,9 +84,74 @@ TEST(Plan, SobolDrawsAreOnePointOfEachVariable) {
   const SmallStudy study(job_with("sampling = \"sobol\"\n"));
   std::set<int> cells;
   for (std::size_t i = 0; i < 8; ++i)
-    cells.insert(static_cast<int>(
-        8 * study.plan.draw({.record = i / 4, .draw = i % 4})->probability("item.yaw_deg")));
+    cells.insert(static_cast<int>(8 * study.plan.draw({.draw = i})->probability("item.yaw_deg")));
   EXPECT_EQ(cells.size(), 8);
+}
+
+TEST(Plan, ASaltelliDesignMixesRecordAndNumbersOneAtATime) {
+  const SmallStudy study(job_with("sampling = \"saltelli\"\n"));
+  const std::vector<std::string> inputs = study.plan.inputs();
+  EXPECT_THAT(inputs, testing::Contains("record"));
+  EXPECT_THAT(inputs, testing::Contains("variable item.yaw_deg"));
+  EXPECT_THAT(inputs, testing::Contains("group friction"));
+  const std::size_t matrices = inputs.size() + 2, of_record = 4 * matrices;
+  ASSERT_EQ(study.plan.draws(0), 3 * of_record);
+  ASSERT_EQ(study.plan.units(), 2 * 2 * 3 * of_record);
+  const auto unit_of = [&](std::size_t draw, std::size_t angle) {
+    return study.plan.unit((draw / of_record * 2 + angle) * of_record + draw % of_record);
+  };
+  const auto yaw = [&](const Unit& unit) {
+    return study.plan.draw(unit)->probability("item.yaw_deg");
+  };
+  std::set<std::size_t> records_of_b;
+  std::set<double> yaws;
+  for (std::size_t point = 0; point < 12; ++point) {
+    std::vector<Unit> rows;
+    for (std::size_t matrix = 0; matrix < matrices; ++matrix) {
+      rows.push_back(unit_of(matrices * point + matrix, 1));
+      EXPECT_EQ(rows[matrix].draw, matrices * point + matrix);
+      EXPECT_EQ(rows[matrix].angle, 1u);
+      EXPECT_EQ(rows[matrix].record, unit_of(rows[matrix].draw, 0).record) << "paired";
+    }
+    EXPECT_EQ(rows[0].record, point / 4);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      EXPECT_EQ(rows[2 + i].record, rows[inputs[i] == "record"].record) << inputs[i];
+      EXPECT_EQ(yaw(rows[2 + i]), yaw(rows[inputs[i] == "variable item.yaw_deg"])) << inputs[i];
+    }
+    records_of_b.insert(rows[1].record);
+    yaws.insert({yaw(rows[0]), yaw(rows[1])});
+  }
+  EXPECT_EQ(records_of_b.size(), 3u);
+  EXPECT_EQ(yaws.size(), 24u);
+}
+
+TEST(Plan, OneRecordIsNoInputOfASaltelliDesign) {
+  const SmallStudy study(small_job("draws = 2\nsampling = \"saltelli\"\n"));
+  EXPECT_THAT(study.plan.inputs(), testing::Not(testing::Contains("record")));
+}
+
+TEST(Plan, ASaltelliDesignNeedsANumberThatIsDrawn) {
+  const TempFolder folder;
+  folder.write("cabinet.toml", R"(schema = "gurney-item/1"
+name = "cabinet"
+[chassis]
+mass_kg = 50
+center_of_mass_mm = [0, 0, 400]
+inertia_box_mm = [400, 500, 800]
+[[shape]]
+center_mm = [0, 0, 400]
+size_mm = [400, 500, 800]
+[contact]
+material = "steel"
+friction = 0.35
+restitution = 0.2
+stiffness_n_per_m = 2e6
+)");
+  std::string job = small_job("draws = 2\nsampling = \"saltelli\"\n");
+  job.replace(job.find("xu_trolley"), 10, folder.file("cabinet.toml"));
+  EXPECT_ERROR(SmallStudy{job},
+               "a.toml: study.sampling = \"saltelli\" needs a number that is drawn; none has a "
+               "distribution");
 }
 
 }  // namespace

@@ -54,6 +54,18 @@ class StudyFile : public testing::Test {
   StudyCounts counts_;
 };
 
+TEST_F(StudyFile, NamesTheInputsOfASaltelliDesign) {
+  const SmallStudy study(small_job(
+      "draws = 1\nsampling = \"saltelli\"\n"
+      "[item.yaw_deg]\nvalue = 0\ndistribution = { kind = \"uniform\", low = 0, high = 9, "
+      "assumption = \"any\" }\n"));
+  const Hdf5Reader file(write(study));
+  EXPECT_EQ(file.strings("/design/input"), study.plan.inputs());
+  const std::vector<double> draws = file.numbers("/runs/draw");
+  ASSERT_EQ(draws.size(), study.plan.inputs().size() + 2);
+  for (std::size_t i = 0; i < draws.size(); ++i) EXPECT_EQ(draws[i], double(i));
+}
+
 TEST_F(StudyFile, HasARowForEachRun) {
   const SmallStudy study(small_job(kStudy));
   const Hdf5Reader file(write(study));

@@ -89,6 +89,7 @@ TEST(StudyPage, HasEveryKeyTheReaderKnowsAndNoOther) {
 
 TEST(StudyFilePage, IsWhatAFileHolds) {
   const SmallStudy study(small_job(R"(draws = 1
+sampling = "saltelli"
 certificate = 1
 measures = ["PGA h1", "Sa(1.0) h1"]
 [study.keep]

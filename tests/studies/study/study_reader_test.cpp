@@ -45,7 +45,7 @@ evnts = true
             "a.toml:13:8: study.seed = -1: must be a whole number in 0..2147483647\n"
             "a.toml:14:15: study.certificate = 1.5: must be a finite number >= 0 and <= 1\n"
             "a.toml:15:12: study.sampling = \"latin\": must be one of monte-carlo, "
-            "latin-hypercube, sobol; did you mean 'latin-hypercube'?\n"
+            "latin-hypercube, sobol, saltelli; did you mean 'latin-hypercube'?\n"
             "a.toml:17:1: study.intensity.levels_g: unknown key; known: measure, scales, vertical\n"
             "a.toml:19:13: study.keep.histories = \"some\": must be one of none, failed, "
             "overturned, all; did you mean 'none'?\n"
@@ -158,6 +158,11 @@ TEST(StudyReader, RefusesWhatContradictsTheRestOfTheJob) {
             "a.toml:11:14: study.angles_deg = []: must have 1 or more values");
   EXPECT_EQ(mistakes("sampling = \"latin-hypercube\"\n"),
             "a.toml:11:12: study.sampling: must go with draws");
+  EXPECT_EQ(
+      mistakes("draws = 3\nsampling = \"saltelli\"\n[study.intensity]\nmeasure = \"PGA\"\nunit "
+               "= \"g\"\nhunt = { first = 0.1, increment = 0.1, until = \"hit\" }\n"),
+      "a.toml:12:12: study.sampling = \"saltelli\": must not go with intensity.hunt, whose "
+      "intensities differ from draw to draw; state levels");
   EXPECT_EQ(mistakes("draws = 3\n[uncertainty]\ndraw = 1\n"),
             "a.toml:12:2: uncertainty: must not go with [study], which has draws and a seed of its "
             "own");

@@ -135,5 +135,36 @@ TEST(Draw, PlansPutOneDrawOfEachVariableInEachCell) {
   EXPECT_EQ(Draw::of_sobol(3, 5, streams).probability("new"), Draw(3, 5).probability("new"));
 }
 
+TEST(Draw, AVariableThatIsItsGroupsAsksForNoNumberOfItsOwn) {
+  const auto streams = std::make_shared<Draw::Streams>();
+  Draw::noting(3, 0, streams).probability("left", {"treads", 1});
+  EXPECT_EQ(*streams, (Draw::Streams{"group treads"}));
+}
+
+TEST(Draw, RowsOfASaltelliDesignTakeOneInputFromB) {
+  const auto inputs = std::make_shared<Draw::Streams>(
+      Draw::Streams{"group treads", "variable left", "variable mass"});
+  const Group half{"treads", 0.5}, whole{"treads", 1};
+  const auto row = [&](std::uint64_t matrix) {
+    return Draw::of_saltelli(3, 0, {7, matrix}, inputs);
+  };
+  const auto left = [&](std::uint64_t matrix) { return row(matrix).probability("left", half); };
+  const auto right = [&](std::uint64_t matrix) { return row(matrix).probability("right", whole); };
+  const auto mass = [&](std::uint64_t matrix) { return row(matrix).probability("mass"); };
+  const auto other = [&](std::uint64_t matrix) { return row(matrix).probability("other"); };
+  for (const auto& value : {std::function<double(std::uint64_t)>(left), {right}, {mass}, {other}})
+    EXPECT_NE(value(0), value(1));
+  // 2: the group from B. 3: what is left's alone. 4: the mass.
+  EXPECT_EQ(right(2), right(1));
+  EXPECT_EQ(right(3), right(0));
+  EXPECT_EQ(mass(4), mass(1));
+  EXPECT_EQ(mass(2), mass(0));
+  std::set<double> lefts;
+  for (std::uint64_t matrix = 0; matrix < 4; ++matrix) lefts.insert(left(matrix));
+  EXPECT_EQ(lefts.size(), 4u) << "the score is of both inputs";
+  EXPECT_EQ(left(4), left(0));
+  for (std::uint64_t matrix = 2; matrix < 5; ++matrix) EXPECT_EQ(other(matrix), other(0));
+}
+
 }  // namespace
 }  // namespace gurney
