@@ -56,7 +56,8 @@ class Collector {
     TrialFault fault;
     const auto found = breakaway_of(trial, fault);
     if (!found) return leave_out(fault);
-    values.push_back({peak, trial.name, trial.setup, found->peak, found->peak_error});
+    values.push_back(
+        {peak, trial.name, trial.setup, found->peak, found->peak_error, found->peak_bounds});
     if (moving == ConstantKind::kKineticFriction)
       values.push_back({moving, trial.name, trial.setup, found->moving, found->moving_error});
   }

@@ -78,10 +78,12 @@ std::string table_text(const Node& table, const std::string& path,
 std::string source_of(const Constant& c, bool simulated) {
   std::string names;
   for (const std::string& each : c.trials) names += (names.empty() ? "" : ", ") + each;
-  return fmt::format(
-      "{}gurney calibrate, {} from {} trials: {}{}", simulated ? "SIMULATED, not measured: " : "",
-      c.about(), c.trials.size(), names,
-      std::isfinite(c.interval.high) ? "; range is the 95 % interval" : "; one trial, no interval");
+  return fmt::format("{}gurney calibrate, {} from {} trials: {}{}",
+                     simulated ? "SIMULATED, not measured: " : "", c.about(), c.trials.size(),
+                     names,
+                     c.at_least                       ? "; a lower bound"
+                     : std::isfinite(c.interval.high) ? "; range is the 95 % interval"
+                                                      : "; one trial, no interval");
 }
 
 /// The lines of a quantity; `scale` makes the key's unit.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -29,6 +30,9 @@ Groups groups_of(const std::vector<TrialValue>& values) {
   Groups groups;
   for (const TrialValue& each : values)
     if (each.setup.use == TrialUse::kCalibration) groups[key_of(each)].push_back(&each);
+  const auto bounds = [](const TrialValue* each) { return each->at_least; };
+  for (auto& [key, group] : groups)
+    if (!std::ranges::all_of(group, bounds)) std::erase_if(group, bounds);
   return groups;
 }
 
@@ -52,6 +56,7 @@ Constant constant_of(const Key& key, const std::vector<const TrialValue*>& group
   Constant constant;
   std::tie(constant.kind, constant.caster, constant.floor, constant.against) = key;
   constant.wheel_radius = group[0]->setup.wheel_radius;
+  constant.at_least = group[0]->at_least;
   for (const TrialValue* each : group) constant.trials.push_back(each->trial);
   const Logarithms logs = logarithms(group);
   constant.value = std::exp(logs.y.mean());
@@ -68,6 +73,8 @@ Constant constant_of(const Key& key, const std::vector<const TrialValue*>& group
                                   logs.error.squaredNorm() / static_cast<double>(logs.y.size()));
   const double half = student_quantile(0.975, fit->degrees) * spread;
   constant.prediction = {std::exp(middle - half), std::exp(middle + half)};
+  if (constant.at_least)
+    constant.interval.high = constant.prediction.high = std::numeric_limits<double>::infinity();
   return constant;
 }
 
@@ -131,7 +138,10 @@ std::vector<Prediction> predictions_of(const std::vector<TrialValue>& values,
   for (const TrialValue& each : values) {
     if (each.setup.use != TrialUse::kValidation) continue;
     const auto found = known.find(key_of(each));
-    if (found == known.end())
+    if (found != known.end() && (each.at_least || found->second->at_least))
+      unpredicted.push_back(
+          fmt::format("{}: only a bound of {}", each.trial, symbol_of(each.kind)));
+    else if (found == known.end())
       unpredicted.push_back(
           fmt::format("{}: no calibration trial gives its {}", each.trial, symbol_of(each.kind)));
     else

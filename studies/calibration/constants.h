@@ -26,8 +26,9 @@ struct TrialValue {
   ConstantKind kind = ConstantKind::kRolling;
   std::string trial;
   TrialSetup setup;
-  double value = 0;  ///< > 0
-  double error = 0;  ///< standard error of its measurement
+  double value = 0;       ///< > 0
+  double error = 0;       ///< standard error of its measurement
+  bool at_least = false;  ///< the constant is `value` or more: mu_s with all wheels locked
 };
 
 /// One constant of one caster and floor, or of what was hit, from all trials with `use`
@@ -38,10 +39,11 @@ struct Constant {
   std::string caster, floor, against;
   double wheel_radius = 0;  ///< 0 where it is not known [m]
   double value = 0;
-  Interval interval;    ///< 95 % of the value; {0, infinity} for a single trial
-  double scatter = 0;   ///< standard deviation of the logarithm between trials
-  int degrees = 0;      ///< of Student's t
-  Interval prediction;  ///< 95 % of one more trial, with the errors of an average one
+  bool at_least = false;  ///< it is `value` or more, and the interval has no upper end
+  Interval interval;      ///< 95 % of the value; {0, infinity} for a single trial
+  double scatter = 0;     ///< standard deviation of the logarithm between trials
+  int degrees = 0;        ///< of Student's t
+  Interval prediction;    ///< 95 % of one more trial, with the errors of an average one
   std::vector<std::string> trials;
 
   std::string about() const;  ///< "Cr/R of R100 on polyflor_mystique"
@@ -65,13 +67,16 @@ struct Prediction {
   bool inside() const { return interval.contains(measured); }
 };
 
-/// In the order of kind, caster and floor.
+/// In the order of kind, caster and floor. Trials that are `at_least` count only where there are no
+/// others.
 std::vector<Constant> constants_of(const std::vector<TrialValue>& values);
 
 /// outlier_p_values() of all trials of a kind, each caster and floor with its own level.
 std::vector<Outlier> outliers_of(const std::vector<TrialValue>& values);
 
-/// @return validation trials; `unpredicted` are those whose constant no calibration trial gives
+/// @return validation trials; `unpredicted` are those whose constant no calibration trial gives,
+/// and
+///         bounds
 std::vector<Prediction> predictions_of(const std::vector<TrialValue>& values,
                                        const std::vector<Constant>& constants,
                                        std::vector<std::string>& unpredicted);

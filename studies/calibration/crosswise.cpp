@@ -8,6 +8,7 @@
 
 #include "engine/base/error.h"
 #include "studies/calibration/trial_model.h"
+#include "studies/trials/trial_check.h"
 
 namespace gurney {
 namespace {
@@ -119,6 +120,13 @@ std::optional<Minimum> minimise(const Residuals& of, Vector x, double widest) {
 std::optional<CrosswiseFit> fit_crosswise(const Trial& trial, TrialFault& fault) {
   const auto phases = find_phases(trial, fault);
   if (!phases) return {};
+  const auto averages = averages_of(trial, *phases, fault);
+  if (!averages) return {};
+  for (const auto& wrong : {check_averages(*averages), check_phases(trial, *phases)})
+    if (wrong) {
+      fault = *wrong;
+      return {};
+    }
   try {
     const TrialModel model(trial, *phases);
     const Residuals residuals(trial, *phases, model);

@@ -5,13 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/error.h"
+#include "studies/calibration/impact_model.h"
 #include "studies/trials/polynomial_fit.h"
 
 namespace gurney {
 namespace {
 
-constexpr double kWindow = 0.25, kAway = 0.03;  // [s]
-constexpr double kSlowest = 0.02;               // [m/s]
+constexpr double kWindow = 0.25, kAway = 0.03;   // [s]
+constexpr double kSlowest = 0.02, kFastest = 5;  // [m/s]
+constexpr double kMostSlowing = 1;               // [m/s2]
 constexpr std::size_t kFewest = 12;
 
 }  // namespace
@@ -34,17 +37,32 @@ std::optional<Rebound> rebound_of(const Trial& trial, TrialFault& fault) {
   Rebound result;
   result.time = t[top];
   result.approach = in.rate(t[top]);
+  result.slowing = -in.acceleration();
   result.leaving = -out.rate(t[top]);
   result.restitution = result.leaving / result.approach;
   result.error = result.restitution * std::hypot(in.rate_error(t[top]) / result.approach,
                                                  out.rate_error(t[top]) / result.leaving);
-  if (!(result.approach > kSlowest))
-    return fail(top, fmt::format("it meets the wall with {:.3g} m/s: must be > {} m/s",
-                                 result.approach, kSlowest));
+  if (!(result.approach > kSlowest && result.approach < kFastest))
+    return fail(top,
+                fmt::format("it meets the wall with {:.3g} m/s: must be > {} and < {} m/s; are "
+                            "the units right?",
+                            result.approach, kSlowest, kFastest));
+  if (!(result.slowing < kMostSlowing + 4 * in.acceleration_error()))
+    return fail(top, fmt::format("it slows down by {:.3g} m/s2 before it meets the wall: must be < "
+                                 "{} m/s2; are the units right?",
+                                 result.slowing, kMostSlowing));
   if (!(result.restitution > 0 && result.restitution <= 1))
     return fail(top, fmt::format("it leaves with {:.3g} m/s after {:.3g} m/s: restitution must be "
                                  "in (0, 1]",
                                  result.leaving, result.approach));
+  if (trial.setup.item.empty()) return result;
+  try {
+    const ContactRestitution contact = contact_restitution(trial, result);
+    result.restitution = contact.value;
+    result.error *= contact.slope;
+  } catch (const Error& error) {
+    return fail(top, error.what());
+  }
   return result;
 }
 

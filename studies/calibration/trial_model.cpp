@@ -1,50 +1,21 @@
 #include "studies/calibration/trial_model.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "engine/base/error.h"
 #include "engine/simulate.h"
-#include "equipment/catalogue.h"
-#include "equipment/load_item.h"
+#include "studies/calibration/trial_item.h"
 #include "studies/trials/average_method.h"
 
 namespace gurney {
 namespace {
 
 constexpr double kTimeStep = 1.0 / 240;  // [s]
-constexpr double kMassAgrees = 0.02;
+constexpr std::size_t kFewest = 12;
 constexpr double kFalls = 1e-6;  // [s]
+constexpr double kEarly = 0.5;   // the cable swings, the casters swivel [s]
 constexpr double kHeld = 0.3;    // before the start, to come to rest [s]
-
-std::string found(DataKind kind, const std::string& name) {
-  try {
-    return find_data(kind, name, "");
-  } catch (const Error& error) {
-    throw Error("'" + name + "': " + error.what());
-  }
-}
-
-EquipmentModel model_of(const TrialSetup& setup) {
-  ItemOptions options;
-  options.caster = load_caster_type(found(DataKind::kCaster, setup.caster));
-  const std::vector<std::string> floors = catalogue_names(DataKind::kFloor);
-  if (std::ranges::find(floors, setup.floor) != floors.end())
-    options.floor = load_floor_covering(find_data(DataKind::kFloor, setup.floor, ""));
-  if (!setup.payload_name.empty()) options.payloads = {{setup.payload_name, setup.payload_count}};
-  options.headings = setup.headings;
-  if (setup.headings.size() == 1)
-    options.headings.assign(static_cast<std::size_t>(setup.wheels), setup.headings[0]);
-  EquipmentModel model = load_item(found(DataKind::kItem, setup.item), options).model;
-  const double mass = whole_item(model).mass;
-  require(std::abs(mass / setup.mass - 1) < kMassAgrees,
-          fmt::format("{} weighs {:.4g} kg with its payload, but the trial {:.4g} kg", setup.item,
-                      mass, setup.mass));
-  require(!model.casters.empty(), setup.item + " has no casters");
-  return model;
-}
 
 /// Between two samples by the cubic of places and speeds.
 double between(double share, double step, double y0, double v0, double y1, double v1) {
@@ -58,9 +29,13 @@ double between(double share, double step, double y0, double v0, double y1, doubl
 TrialModel::TrialModel(const Trial& trial, const Phases& phases)
     : trial_(trial),
       phases_(phases),
-      force_(
-          fit_polynomial(trial.signals.time, trial.signals.force, used_of_pull(trial, phases), 1)) {
-  scene_.items[0].model = model_of(trial.setup);
+      settled_(phases.start + std::min(kEarly, (phases.release - phases.start) / 2)) {
+  Span steady = used_of_pull(trial, phases);
+  const std::vector<double>& t = trial.signals.time;
+  steady.begin = static_cast<std::size_t>(std::ranges::lower_bound(t, settled_) - t.begin());
+  require(steady.size() >= kFewest, "phase II is too short");
+  force_ = fit_polynomial(trial.signals.time, trial.signals.force, steady, 1);
+  scene_.items[0].model = item_of(trial.setup);
 }
 
 TrialModel::Unknowns TrialModel::usual() const {
@@ -106,7 +81,12 @@ TrialModel::Motion TrialModel::run(const Unknowns& unknowns) const {
     held_force += s.force[i] / static_cast<double>(phases_.held.size());
   add(zero, held_force);
   add(start - kFalls, held_force);
-  add(start, force_.value(start) + unknowns.force);
+  const auto first =
+      static_cast<std::size_t>(std::ranges::upper_bound(s.time, start) - s.time.begin());
+  add(start, s.force[first] + unknowns.force);
+  for (std::size_t i = first; i < s.time.size() && s.time[i] < settled_; ++i)
+    add(s.time[i], s.force[i] + unknowns.force);
+  add(settled_, force_.value(settled_) + unknowns.force);
   add(release, force_.value(release) + unknowns.force);
   add(release + kFalls, 0);
   excitation.forces = {std::move(pull)};

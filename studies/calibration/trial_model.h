@@ -35,9 +35,11 @@ class TrialModel {
   double swivel_coulomb() const;  ///< of the first caster [N m]
   double load_of_wheel() const;   ///< mean [N]
 
-  /// Phase II has the line nearest to the measured force, whose noise would add up in the speed,
-  /// and no force after the release: a sample too many is an impulse that the coasting would tell
-  /// as resistance.
+  /// Phase II has the measured force for its first half second (or half), while the cable swings
+  /// and the casters swivel: a line through it would be wrong by some 0.1 N s, 6 % of the torque of
+  /// a narrow patch. From then on it has the line nearest to the force, whose noise would add up in
+  /// the speed, and none after the release: a sample too many is an impulse that the coasting would
+  /// tell as resistance. What the noise adds to the impulse at first is taken up by `shift`.
   /// @pre the unknowns are within the engine's ranges
   Motion run(const Unknowns& unknowns) const;
 
@@ -45,6 +47,7 @@ class TrialModel {
   const Trial& trial_;
   Scene scene_;
   Phases phases_;
+  double settled_;       ///< when the measured force goes over into force_ [s]
   PolynomialFit force_;  ///< of phase II
 };
 

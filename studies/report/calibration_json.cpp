@@ -22,6 +22,7 @@ Json constant_json(const Constant& c) {
           {"floor", c.floor},
           {"against", c.against},
           {"value", number(c.value)},
+          {"lower_bound", c.at_least},
           {"interval_95", interval_json(c.interval)},
           {"scatter_of_logarithm", number(c.scatter)},
           {"degrees", c.degrees},

@@ -12,8 +12,9 @@ namespace {
 constexpr double kClear = 0.05;
 
 std::string interval_text(const Interval& interval) {
-  return std::isfinite(interval.high) ? fmt::format("{:.4g} to {:.4g}", interval.low, interval.high)
-                                      : "one trial: none";
+  if (std::isfinite(interval.high))
+    return fmt::format("{:.4g} to {:.4g}", interval.low, interval.high);
+  return interval.low > 0 ? fmt::format("{:.4g} or more", interval.low) : "one trial: none";
 }
 
 std::string constants_text(const Calibration& c) {
@@ -25,10 +26,10 @@ std::string constants_text(const Calibration& c) {
     text += fmt::format("{:<{}} {:>10.4g}  {:<22} {:>7.1f}% {:>7}  {}\n", each.about(), width,
                         each.value, interval_text(each.interval), 100 * each.scatter,
                         each.trials.size(), unit_of(each.kind));
-  if (std::ranges::any_of(c.constants, [](const Constant& each) {
-        return each.kind == ConstantKind::kStaticFriction;
-      }))
-    text += "mu_s is a lower bound: wheels do not break away all at once.\n";
+  if (std::ranges::any_of(c.constants, [](const Constant& each) { return each.at_least; }))
+    text +=
+        "mu_s is a lower bound: with all wheels locked they do not break away at once. Lock one "
+        "axle.\n";
   return text;
 }
 

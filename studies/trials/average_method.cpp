@@ -99,7 +99,10 @@ Resistance average_method(const TrialAverages& a) {
 }
 
 Span used_of_pull(const Trial& trial, const Phases& phases) {
-  return between(trial, phases.start + kAfterStart, phases.release - kAroundRelease);
+  const double half = (phases.release - phases.start) / 2;
+  const bool swivels = trial.kind == TrialKind::kCrosswisePull;
+  return between(trial, phases.start + (swivels ? std::max(half, kAfterStart) : kAfterStart),
+                 phases.release - kAroundRelease);
 }
 
 Span used_of_coast(const Trial& trial, const Phases& phases) {

@@ -49,7 +49,26 @@ void read_headings(Facts& facts, TrialSetup& setup) {
                                       count, setup.wheels));
 }
 
+/// One locked axle carries what the cable's moment leaves it.
+void read_locked(Facts& facts, TrialSetup& setup) {
+  if (facts.has("locked"))
+    setup.locked = static_cast<LockedWheels>(facts.choice("locked", names_of_locked()));
+  facts.text("locked", "");
+  const bool axle = setup.locked != LockedWheels::kAll;
+  const auto needed = axle ? std::optional<double>() : std::optional(0.0);
+  setup.pull_height =
+      facts.number("pull_height_mm", Range::not_negative(), needed) / kMillimetersPerMeter;
+  setup.wheelbase = facts.number("wheelbase_mm", Range::positive(), needed) / kMillimetersPerMeter;
+  setup.front_share = facts.number("front_share", Range::within(0.05, 0.95), 0.5);
+  setup.rolling_ratio = facts.number("rolling_ratio", Range::not_negative(), needed);
+}
+
 }  // namespace
+
+const std::vector<std::string>& names_of_locked() {
+  static const std::vector<std::string> names = {"all", "front", "rear"};
+  return names;
+}
 
 const std::vector<std::string>& names_of_kinds() {
   static const std::vector<std::string> names = {"pull", "start_pull", "locked_pull",
@@ -99,6 +118,7 @@ TrialSetup read_setup(Facts& facts, TrialKind kind) {
   setup.string_tension = facts.number("string_tension_n", Range::not_negative(), 0.0);
   read_headings(facts, setup);
   read_item(facts, setup, kind == TrialKind::kCrosswisePull);
+  if (kind == TrialKind::kLockedPull) read_locked(facts, setup);
   return setup;
 }
 

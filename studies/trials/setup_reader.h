@@ -7,6 +7,7 @@ namespace gurney {
 
 /// Names of files, in the order of their enumerators.
 const std::vector<std::string>& names_of_kinds();
+const std::vector<std::string>& names_of_locked();
 const std::vector<std::string>& names_of_uses();
 const std::vector<std::string>& names_of_origins();
 

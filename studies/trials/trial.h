@@ -14,6 +14,8 @@ enum class TrialKind {
   kCrosswisePull,  ///< a pull with casters not in line: scrub and swivel friction
   kImpact,         ///< coasts against a wall: restitution
 };
+/// Wheels that cannot turn in a locked pull.
+enum class LockedWheels { kAll, kFront, kRear };
 enum class TrialUse { kCalibration, kValidation };
 enum class TrialOrigin { kMeasured, kSimulated };
 
@@ -37,6 +39,12 @@ struct TrialSetup {
   std::string payload_name;      ///< payload of the item; empty: none
   int payload_count = 0;
   std::vector<double> pull_point;  ///< x, y, z in item axes; empty: not stated [m]
+  LockedWheels locked = LockedWheels::kAll;
+  // Of pulls with one axle locked:
+  double pull_height = 0;    ///< h of the cable above the floor, >= 0 [m]
+  double wheelbase = 0;      ///< L between the axles, > 0 [m]
+  double front_share = 0.5;  ///< of the weight, on the front axle at rest, (0, 1)
+  double rolling_ratio = 0;  ///< Cr / R of the wheels that roll, >= 0
 };
 
 /// Samples; a series that was not measured is empty. A cell left empty is NaN.

@@ -12,9 +12,10 @@ namespace gurney {
 namespace {
 
 constexpr double kGap = 1.5, kIrregular = 0.1, kDrift = 0.005;  // of a step
+constexpr double kLongestStep = 0.2, kShortestStep = 1e-5;      // [s]
 constexpr double kBalance = 0.15;
 constexpr double kClocks = 0.05;  // [s]
-constexpr double kFarOff = 0.05;  // of a factor of units
+constexpr double kFarOff = 1.2;   // a factor, from that of a unit
 
 TrialFault fault_at(const Trial& trial, std::size_t index, std::string reason) {
   return {trial.file, line_of(trial, index), std::move(reason)};
@@ -48,6 +49,11 @@ std::optional<TrialFault> check_clock(const Trial& trial) {
   std::vector<double> sorted = steps;
   std::ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2));
   const double step = sorted[sorted.size() / 2];
+  if (step > kLongestStep || step < kShortestStep)
+    return fault_at(trial, 0,
+                    fmt::format("units: a step of time is {:.4g} s: is the time in ms in a column "
+                                "of s, or the reverse?",
+                                step));
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (steps[i] > kGap * step)
       return fault_at(
@@ -83,8 +89,9 @@ std::optional<TrialFault> check_force(const Trial& trial) {
   return {};
 }
 
-/// What may have made (M + J)(a_2 + a_3) / F `ratio` instead of 1.
-std::string cause_of(double ratio) {
+}  // namespace
+
+std::string cause_of_ratio(double ratio, double within) {
   struct Cause {
     double ratio;
     const char* text;
@@ -102,12 +109,10 @@ std::string cause_of(double ratio) {
       Cause{1 / kStandardGravity,
             "is an acceleration in g in a column of m/s2, or a force of kg?"}};
   for (const Cause& cause : kCauses)
-    if (std::abs(std::log(ratio / cause.ratio)) < std::log(1 + kBalance) + kFarOff)
+    if (std::abs(std::log(ratio / cause.ratio)) < std::log(within))
       return std::string("units: ") + cause.text;
   return "mass, force or clock are wrong, or the phases were not free of other forces";
 }
-
-}  // namespace
 
 std::optional<TrialFault> check_samples(const Trial& trial) {
   if (auto fault = check_filled(trial)) return fault;
@@ -122,8 +127,9 @@ std::optional<TrialFault> check_averages(const TrialAverages& a) {
   const double inertia = a.setup.mass + a.setup.added_mass;
   const double ratio = inertia * (a.pull_acceleration + a.coast_deceleration) / a.pull_force;
   if (!(ratio > 0) || !(std::abs(std::log(ratio)) < kBalance))
-    return fault(fmt::format("(M + J)(a_2 + a_3) is {:.4g} of the force, must be 1: {}", ratio,
-                             ratio > 0 ? cause_of(ratio) : "it does not slow down in phase III"));
+    return fault(fmt::format(
+        "(M + J)(a_2 + a_3) is {:.4g} of the force, must be 1: {}", ratio,
+        ratio > 0 ? cause_of_ratio(ratio, kFarOff) : "it does not slow down in phase III"));
   const Resistance r = average_method(a);
   if (!(r.pulled > 0) || !(r.coasting > 0))
     return fault(

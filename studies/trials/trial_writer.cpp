@@ -39,7 +39,14 @@ std::string setup_text(const TrialSetup& setup) {
          (setup.payload_count > 0
               ? key("payload_name", setup.payload_name) + key("payload_count", setup.payload_count)
               : "") +
-         key("pull_point_mm", setup.pull_point, mm);
+         key("pull_point_mm", setup.pull_point, mm) +
+         (setup.locked == LockedWheels::kAll
+              ? ""
+              : key("locked", names_of_locked()[static_cast<std::size_t>(setup.locked)]) +
+                    fmt::format("# pull_height_mm = {:.10g}\n", setup.pull_height / mm) +
+                    key("wheelbase_mm", setup.wheelbase / mm) +
+                    key("front_share", setup.front_share) +
+                    fmt::format("# rolling_ratio = {:.10g}\n", setup.rolling_ratio));
 }
 
 struct WrittenColumn {

@@ -8,7 +8,7 @@
 #include "engine/base/random/normal_draw.h"
 #include "studies/statistics/special.h"
 #include "studies/trials/trial_check.h"
-#include "tests/studies/calibration/virtual_pulls.h"
+#include "tests/studies/calibration/coverage.h"
 
 namespace gurney {
 namespace {
@@ -16,8 +16,7 @@ namespace {
 constexpr double kTruth = 0.02;    // Cr / R
 constexpr double kScatter = 0.01;  // of ln Cr between trials
 constexpr int kPool = 50;          // trials of each load
-constexpr int kRepeats = 200;
-constexpr int kPulls = 12;  // in one calibration
+constexpr int kPulls = 12;         // in one calibration
 
 std::optional<TrialAverages> averages(const Trial& trial) {
   TrialFault fault;
@@ -59,14 +58,6 @@ std::vector<TrialAverages> laboratory(int repeat) {
     if (found) measured.push_back(*found);
   }
   return measured;
-}
-
-/// Both ends of what a count of successes may be, in 99.9 % of the cases.
-Interval acceptance(double probability) {
-  int low = 0, high = kRepeats;
-  while (binomial_cdf(low, kRepeats, probability) < 0.0005) ++low;
-  while (1 - binomial_cdf(high - 1, kRepeats, probability) < 0.0005) --high;
-  return {static_cast<double>(low), static_cast<double>(high)};
 }
 
 // Noise-free trials: what is left is the engine's pitching, wind-up and cable against the rigid

@@ -1,9 +1,13 @@
 #include "tests/studies/calibration/virtual_pulls.h"
 
+#include <cmath>
+#include <limits>
+
 #include "engine/base/random/normal_draw.h"
 #include "engine/simulate.h"
 #include "equipment/catalogue.h"
 #include "equipment/load_item.h"
+#include "studies/trials/average_method.h"
 
 namespace gurney {
 namespace {
@@ -76,28 +80,55 @@ Trial virtual_pull(const VirtualPull& pull) {
   return trial;
 }
 
-Trial virtual_winch(bool brakes, double ramp, double static_friction, double kinetic_friction) {
-  ItemOptions options;
-  options.brakes.assign(4, brakes);
+/// Share of the weight on the front axle at rest, as scales under the wheels say it.
+double front_share(const Response& response) {
+  const auto& wheels = response.items[0].history[0].wheels;
+  double front = 0, all = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    all += wheels[i].normal_force;
+    front += i < 2 ? wheels[i].normal_force : 0;
+  }
+  return front / all;
+}
+
+Trial virtual_winch(const VirtualWinch& v) {
+  constexpr double kStart = 0.5, kHeight = 0.14, kMoves = 3;
   Scene scene;
   EquipmentModel& model = scene.items[0].model;
-  model = load_item(find_data(DataKind::kItem, "xu_trolley", ""), options).model;
+  model = load_item(find_data(DataKind::kItem, "xu_trolley", "")).model;
+  Trial trial;
+  describe(model, trial);
   for (Caster& caster : model.casters) {
-    caster.tread.static_friction = static_friction;
-    caster.tread.kinetic_friction = kinetic_friction;
+    const bool front = caster.mount.x() > 0;
+    caster.tread.static_friction = v.static_friction;
+    caster.tread.kinetic_friction = v.kinetic_friction;
+    caster.tread.rolling_resistance = v.resistance * caster.wheel_radius;
+    if (v.locked && *v.locked != (front ? LockedWheels::kRear : LockedWheels::kFront))
+      caster.brake_torque = std::numeric_limits<double>::infinity();
   }
+  const double most = v.locked ? v.static_friction * (*v.locked == LockedWheels::kAll ? 1 : 0.7)
+                               : 1.2 * v.resistance;
+  const double pulled = std::ceil(1.1 * most * normal_force(trial.setup) / v.ramp + kMoves);
   Excitation excitation;
-  PointForce winch{"winch", {0.55, 0, 0.14}, Vector3::UnitX(), {0, 0.5, 15.5}, {0, 0, 15 * ramp}};
+  PointForce winch{"winch",
+                   {0.55, 0, kHeight},
+                   Vector3::UnitX(),
+                   {0, kStart, kStart + pulled},
+                   {0, 0, pulled * v.ramp}};
   winch.speed_limit = 0.1;
   excitation.forces = {winch};
   SimulationSettings settings;
   settings.time_step = 1 / (2 * kRate);
   settings.history_step = 1 / kRate;
-  settings.duration = 15;
-  Trial trial;
-  trial.kind = brakes ? TrialKind::kLockedPull : TrialKind::kStartPull;
-  describe(model, trial);
-  record(simulate(scene, excitation, settings), trial);
+  settings.duration = kStart + pulled;
+  const Response response = simulate(scene, excitation, settings);
+  trial.kind = v.locked ? TrialKind::kLockedPull : TrialKind::kStartPull;
+  trial.setup.locked = v.locked.value_or(LockedWheels::kAll);
+  trial.setup.pull_height = kHeight;
+  trial.setup.wheelbase = model.casters[0].mount.x() - model.casters[2].mount.x();
+  trial.setup.front_share = front_share(response);
+  trial.setup.rolling_ratio = v.resistance;
+  record(response, trial);
   return trial;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <optional>
 
 #include "studies/trials/trial.h"
 
@@ -21,9 +21,14 @@ struct VirtualPull {
 /// A pull as the job studies/jobs/pulling_test.toml, sampled at 120 Hz, without noise.
 Trial virtual_pull(const VirtualPull& pull);
 
-/// A winch of 0.1 m/s pulls, its force growing by `ramp` [N/s] for 15 s. Wheels of a caster with
-/// brakes off roll; else they slide with `static_friction` and `kinetic_friction`.
-Trial virtual_winch(bool brakes, double ramp, double static_friction, double kinetic_friction);
+/// A winch of 0.1 m/s that pulls ever harder.
+struct VirtualWinch {
+  double ramp = 60;                    ///< [N/s]
+  std::optional<LockedWheels> locked;  ///< that cannot turn; empty: all roll
+  double static_friction = 0.6, kinetic_friction = 0.6;
+  double resistance = 0.02;  ///< Cr / R of the wheels that roll
+};
+Trial virtual_winch(const VirtualWinch& winch);
 
 /// Rolls against a wall with `speed` and leaves with `restitution` times it.
 Trial virtual_impact(double speed, double restitution);

@@ -9,37 +9,56 @@ namespace {
 
 using testing::HasSubstr;
 
-// The winch's force rises by 60 N/s, 12 N in the window of 0.2 s: half of it is smoothed away, 1 %
-// of 580 N.
-TEST(Breakaway, FindsTheFrictionOfLockedWheels) {
-  for (const double kinetic : {0.6, 0.5}) {
+VirtualWinch winch(std::optional<LockedWheels> locked, double ramp, double kinetic = 0.6) {
+  return {ramp, locked, 0.6, kinetic, 0.02};
+}
+
+// Rolling resistance acts 1 mm ahead of the axles that roll, which the moments leave out: 0.2 % of
+// the load of the others. Rear wheels are unloaded by the pull and stick again once after they
+// broke away; at 30 N/s that is 0.05 s late, 0.6 %. Noise adds 0.1 %, where mu_k = mu_s 0.2 %.
+TEST(Breakaway, FindsTheFrictionOfOneLockedAxle) {
+  for (const LockedWheels locked : {LockedWheels::kFront, LockedWheels::kRear})
+    for (const double kinetic : {0.6, 0.5}) {
+      SCOPED_TRACE(kinetic);
+      TrialFault fault;
+      const auto found =
+          breakaway_of(with_noise(virtual_winch(winch(locked, 30, kinetic)), 1, 0), fault);
+      ASSERT_TRUE(found) << fault.text();
+      EXPECT_FALSE(found->peak_bounds);
+      const double late = locked == LockedWheels::kRear ? 0.006 : 0;
+      EXPECT_NEAR(found->peak, 0.6, (0.002 + late) * 0.6 + 3 * found->peak_error);
+      EXPECT_LT(found->peak_error, 0.005 * 0.6);
+      EXPECT_NEAR(found->moving, kinetic, 0.003 * kinetic);
+    }
+}
+
+// The less loaded axle goes first and falls to mu_k: at most 2 (mu_s - mu_k) N of that axle are
+// missing at the peak, at least nothing (studies/calibration/breakaway.h). It has 40 % of N.
+TEST(Breakaway, BoundsTheFrictionOfAllLockedWheels) {
+  for (const double kinetic : {0.6, 0.54, 0.48}) {
     SCOPED_TRACE(kinetic);
     TrialFault fault;
-    const auto found = breakaway_of(with_noise(virtual_winch(true, 60, 0.6, kinetic), 1, 0), fault);
+    const auto found = breakaway_of(
+        with_noise(virtual_winch(winch(LockedWheels::kAll, 60, kinetic)), 1, 0), fault);
     ASSERT_TRUE(found) << fault.text();
-    if (kinetic == 0.6) {
-      EXPECT_NEAR(found->peak, 0.6, 0.02 * 0.6);
-    }
-    // Wheels break away one after the other: the sum never reaches mu_s N (docs/calibration.md).
-    EXPECT_GT(found->peak, (0.6 + kinetic) / 2);
-    EXPECT_LT(found->peak, 0.6 * 1.02);
-    EXPECT_NEAR(found->moving, kinetic, 0.005 * kinetic);
-    EXPECT_LT(found->moving_error, 0.005 * kinetic);
+    EXPECT_TRUE(found->peak_bounds);
+    EXPECT_LT(found->peak, 0.6 + 3 * found->peak_error);
+    EXPECT_GT(found->peak, 0.6 - 0.8 * (0.6 - kinetic) - 3 * found->peak_error);
+    EXPECT_NEAR(found->moving, kinetic, 0.001 * kinetic);
   }
 }
 
 TEST(Breakaway, FindsWhatItTakesToRoll) {
   TrialFault fault;
-  const auto found = breakaway_of(with_noise(virtual_winch(false, 3, 0.6, 0.6), 1, 0), fault);
+  const auto found = breakaway_of(with_noise(virtual_winch(winch({}, 2)), 1, 0), fault);
   ASSERT_TRUE(found) << fault.text();
-  EXPECT_NEAR(found->moving, 0.02, 0.02 * 0.02);
-  // In the engine it takes no more to start. The largest of some twenty windows with an error of
-  // 1.5 % each is 2 of these errors high.
-  EXPECT_NEAR(found->peak, 0.02, 0.05 * 0.02);
+  EXPECT_NEAR(found->moving, 0.02, 0.005 * 0.02);
+  EXPECT_NEAR(found->peak, 0.02, 3 * found->peak_error);  // in the engine it takes no more to start
+  EXPECT_LT(found->peak_error, 0.05 * 0.02);
 }
 
 TEST(Breakaway, NamesTrialsThatNeverMove) {
-  Trial trial = virtual_winch(true, 60, 0.6, 0.6);
+  Trial trial = virtual_winch(winch(LockedWheels::kAll, 60));
   for (std::size_t i = 0; i < trial.signals.time.size(); ++i) trial.signals.displacement[i] = 0;
   trial.lines.assign(trial.signals.time.size(), 7);
   TrialFault fault;
@@ -55,17 +74,23 @@ TEST(Breakaway, NamesPullsThatSomebodyCalledLocked) {
   EXPECT_THAT(fault.reason, HasSubstr("the force falls to 0 N while it moves: is it kind = pull?"));
 }
 
-// Noise makes an error of about 2 mm/s in each speed, 1 % of e at 0.4 m/s; the engine's own rebound
-// and the coasting during the contact make another 2 %.
+// Without the item the speeds of the whole stand for those of the contact: pitching and wheels take
+// up to 6 % at e = 0.7. With it the engine's run is met; noise and where the samples fall make 1 %.
 TEST(Rebound, FindsTheRestitution) {
   for (const double e : {0.3, 0.5, 0.7}) {
     SCOPED_TRACE(e);
     TrialFault fault;
-    const auto found = rebound_of(with_noise(virtual_impact(0.5, e), 1, 0), fault);
+    Trial trial = with_noise(virtual_impact(0.5, e), 1, 0);
+    const auto found = rebound_of(trial, fault);
     ASSERT_TRUE(found) << fault.text();
-    EXPECT_NEAR(found->restitution, e, 4 * found->error + 0.02 * e);
-    EXPECT_LT(found->error, 0.02);
+    EXPECT_NEAR(found->restitution, e, 3 * found->error);
+    EXPECT_LT(found->error, 0.015);
     EXPECT_NEAR(found->approach, 0.365, 0.01);  // sqrt(0.5^2 - 2 0.195 0.3)
+    trial.setup.item.clear();
+    const auto plain = rebound_of(trial, fault);
+    ASSERT_TRUE(plain) << fault.text();
+    EXPECT_NEAR(plain->restitution, e, 0.06 * e);
+    EXPECT_LT(plain->restitution, found->restitution);
   }
 }
 

@@ -66,8 +66,12 @@ int main(int, char** argv) {
   }
   for (int i = 1; i <= 2; ++i) {
     const double share = std::exp((i - 1.5) * 0.05);
-    writer.write("locked_" + std::to_string(i), virtual_winch(true, 80, 0.62 * share, 0.55 * share),
-                 13);
+    VirtualWinch winch;
+    winch.ramp = 40;
+    winch.locked = LockedWheels::kFront;
+    winch.static_friction = 0.62 * share;
+    winch.kinetic_friction = 0.55 * share;
+    writer.write("locked_" + std::to_string(i), virtual_winch(winch), 13);
     writer.write("impact_" + std::to_string(i), virtual_impact(0.3 + 0.1 * i, 0.4 * share), 3);
   }
 }

@@ -88,6 +88,44 @@ TEST(TrialFile, TellsEveryMistakeWithItsPlace) {
   EXPECT_THAT(text, HasSubstr("bad.csv:11:1: no samples below"));
 }
 
+TEST(TrialFile, KnowsWhichWheelsAreLocked) {
+  const TempFolder folder;
+  Trial made = make_pull({});
+  made.kind = TrialKind::kLockedPull;
+  made.setup.locked = LockedWheels::kFront;
+  made.setup.pull_height = 0.14;
+  made.setup.wheelbase = 0.98;
+  made.setup.front_share = 0.53;
+  made.setup.rolling_ratio = 0.02;
+  const TrialSetup read =
+      read_trial_file(folder.write("one.csv", trial_file_text(made, ""))).trials.at(0).setup;
+  EXPECT_EQ(read.locked, LockedWheels::kFront);
+  EXPECT_DOUBLE_EQ(read.pull_height, 0.14);
+  EXPECT_DOUBLE_EQ(read.wheelbase, 0.98);
+  EXPECT_EQ(read.front_share, 0.53);
+  EXPECT_EQ(read.rolling_ratio, 0.02);
+  const std::string facts =
+      "# schema = gurney-trial/1\n# kind = locked_pull\n# use = calibration\n"
+      "# origin = measured\n# caster = R100\n# floor = vinyl\n# mass_kg = 96.5\n";
+  const std::string table = "time_s,force_n,displacement_mm\n0,1,2\n";
+  EXPECT_EQ(read_trial_file(folder.write("all.csv", facts + table)).trials.at(0).setup.locked,
+            LockedWheels::kAll);
+  const std::string bad =
+      folder.write("bad.csv", facts + "# locked = reer\n# front_share = 1.5\n" + table);
+  const std::string text = error_text([&] { read_trial_file(bad); });
+  EXPECT_THAT(text, HasSubstr("bad.csv:8:12: locked = \"reer\": unknown; did you mean 'rear'?"));
+  EXPECT_THAT(text, HasSubstr("bad.csv:9:17: front_share = 1.5: must be"));
+  const std::string few = folder.write("few.csv", facts + "# locked = rear\n" + table);
+  const std::string missing = error_text([&] { read_trial_file(few); });
+  for (const char* key : {"pull_height_mm", "wheelbase_mm", "rolling_ratio"})
+    EXPECT_THAT(missing, HasSubstr(std::string(key) + ": missing"));
+  EXPECT_THAT(error_text([&] {
+                read_trial_file(
+                    folder.write("pull.csv", std::string(kFacts) + "# locked = rear\n" + table));
+              }),
+              HasSubstr("pull.csv:10:3: locked: unknown key"));
+}
+
 TEST(TrialFile, TellsMistakesOfTheTable) {
   const TempFolder folder;
   const std::string file = folder.write(
