@@ -120,7 +120,7 @@ std::optional<Minimum> minimise(const Residuals& of, Vector x, double widest) {
 std::optional<CrosswiseFit> fit_crosswise(const Trial& trial, TrialFault& fault) {
   const auto phases = find_phases(trial, fault);
   if (!phases) return {};
-  const auto averages = averages_of(trial, *phases, fault);
+  const auto averages = averages_of(trial, *phases, settled_of_pull(trial, *phases), fault);
   if (!averages) return {};
   for (const auto& wrong : {check_averages(*averages), check_phases(trial, *phases)})
     if (wrong) {

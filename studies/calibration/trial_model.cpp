@@ -30,7 +30,7 @@ TrialModel::TrialModel(const Trial& trial, const Phases& phases)
     : trial_(trial),
       phases_(phases),
       settled_(phases.start + std::min(kEarly, (phases.release - phases.start) / 2)) {
-  Span steady = used_of_pull(trial, phases);
+  Span steady = settled_of_pull(trial, phases);
   const std::vector<double>& t = trial.signals.time;
   steady.begin = static_cast<std::size_t>(std::ranges::lower_bound(t, settled_) - t.begin());
   require(steady.size() >= kFewest, "phase II is too short");

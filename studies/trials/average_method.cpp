@@ -99,10 +99,17 @@ Resistance average_method(const TrialAverages& a) {
 }
 
 Span used_of_pull(const Trial& trial, const Phases& phases) {
-  const double half = (phases.release - phases.start) / 2;
-  const bool swivels = trial.kind == TrialKind::kCrosswisePull;
-  return between(trial, phases.start + (swivels ? std::max(half, kAfterStart) : kAfterStart),
-                 phases.release - kAroundRelease);
+  return between(trial, phases.start + kAfterStart, phases.release - kAroundRelease);
+}
+
+Span settled_of_pull(const Trial& trial, const Phases& phases) {
+  Span span = used_of_pull(trial, phases);
+  if (trial.kind != TrialKind::kCrosswisePull) return span;
+  const double half = (phases.start + phases.release) / 2;
+  const std::vector<double>& t = trial.signals.time;
+  span.begin =
+      std::max(span.begin, static_cast<std::size_t>(std::ranges::lower_bound(t, half) - t.begin()));
+  return span;
 }
 
 Span used_of_coast(const Trial& trial, const Phases& phases) {
@@ -111,7 +118,12 @@ Span used_of_coast(const Trial& trial, const Phases& phases) {
 
 std::optional<TrialAverages> averages_of(const Trial& trial, const Phases& phases,
                                          TrialFault& fault) {
-  const Span pull = used_of_pull(trial, phases), coast = used_of_coast(trial, phases);
+  return averages_of(trial, phases, used_of_pull(trial, phases), fault);
+}
+
+std::optional<TrialAverages> averages_of(const Trial& trial, const Phases& phases, const Span& pull,
+                                         TrialFault& fault) {
+  const Span coast = used_of_coast(trial, phases);
   if (!long_enough(trial, pull, "II", fault) || !long_enough(trial, coast, "III", fault)) return {};
   TrialAverages averages;
   averages.name = trial.name;

@@ -24,16 +24,22 @@ double normal_force(const TrialSetup& setup);
 /// The averages of a sampled pull: the mean force, and the accelerations of quadratics fitted to
 /// the displacement in phases II and III, each with its own place and speed; means of the
 /// acceleration where no displacement was measured. What follows a change of force is left out:
-/// 0.15 s after the start (half of phase II where casters swivel first), 0.1 s on either side of
-/// the release, 0.15 s before the stop.
+/// 0.15 s after the start, 0.1 s on either side of the release, 0.15 s before the stop.
 ///
 /// `slope` is from a cubic in phase III.
 /// @return nothing, and a fault in `fault`, where less than 0.2 s or 12 samples are left of a phase
 std::optional<TrialAverages> averages_of(const Trial& trial, const Phases& phases,
                                          TrialFault& fault);
 
+/// The same with another part of phase II.
+std::optional<TrialAverages> averages_of(const Trial& trial, const Phases& phases, const Span& pull,
+                                         TrialFault& fault);
+
 /// The parts of phases II and III that are used.
 Span used_of_pull(const Trial& trial, const Phases& phases);
 Span used_of_coast(const Trial& trial, const Phases& phases);
+
+/// As used_of_pull(); of a crosswise pull the second half of phase II, when casters are in line.
+Span settled_of_pull(const Trial& trial, const Phases& phases);
 
 }  // namespace gurney

@@ -142,7 +142,8 @@ std::optional<TrialFault> check_averages(const TrialAverages& a) {
 std::optional<TrialFault> check_phases(const Trial& trial, const Phases& phases) {
   const TrialSignals& s = trial.signals;
   if (s.displacement.empty()) return {};
-  const PolynomialFit pull = fit_polynomial(s.time, s.displacement, used_of_pull(trial, phases), 2);
+  const PolynomialFit pull =
+      fit_polynomial(s.time, s.displacement, settled_of_pull(trial, phases), 2);
   const PolynomialFit coast =
       fit_polynomial(s.time, s.displacement, used_of_coast(trial, phases), 2);
   const double bend = pull.acceleration() - coast.acceleration();

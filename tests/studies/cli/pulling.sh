@@ -19,7 +19,7 @@ expect 1 "figures/figure_4.svg: exists already" "$gurney" pulling tests.h5 -o fi
 expect 1 "tests.h5: has no run 50 that did not fail; its last is 49" "$gurney" pulling tests.h5 \
   --run 50
 expect 2 "FILE is required" "$gurney" pulling
-expect 1 "nothing.h5: does not exist" "$gurney" pulling nothing.h5
+expect 1 "nothing.h5: no such file" "$gurney" pulling nothing.h5
 
 # Written as trials, they are read as what a user measured.
 expect 0 "wrote    tests_trials/trial_49.csv" "$gurney" export tests.h5 --to trials
