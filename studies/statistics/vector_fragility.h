@@ -45,6 +45,7 @@ struct VectorFit {
 
   /// P of a slope at least so far from 0 by chance, from Student's t with groups - 1 degrees and
   /// the cluster covariance; with one group from the normal and the covariance of independent runs.
+  /// Somewhat too small with few groups: of slopes of 0 7 % have p < 0.05 with 40 groups of five.
   /// @param slope  0: of the first; 1: of the second
   double p_of(Eigen::Index slope) const;
 };

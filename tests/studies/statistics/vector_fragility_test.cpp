@@ -31,9 +31,7 @@ std::vector<VectorObservation> drawn(std::uint64_t seed, std::size_t groups, dou
   return runs;
 }
 
-TEST(VectorFragility, WithOneMeasureInBothIsTheScalarFit) {
-  // b = a^2 c with c drawn anew and without influence: its slope is near 0 and the likelihood is at
-  // least that of a alone.
+TEST(VectorFragility, AMeasureWithoutInfluenceAddsNothingAndMixingTurnsThePlane) {
   std::vector<Observation> alone;
   std::vector<VectorObservation> both = drawn(3, 200, 0);
   for (const VectorObservation& each : both)
@@ -73,14 +71,19 @@ TEST(VectorFragility, FindsKnownSlopes) {
 }
 
 TEST(VectorFragility, AMeasureWithoutInfluenceIsCalledSoAtTheStatedRate) {
-  int called = 0;
+  // Of 400 records, for the covariance of groups holds for many (Liang & Zeger 1986).
+  int by_groups = 0, by_runs = 0;
   const int repeats = 400;
-  for (int i = 0; i < repeats; ++i)
-    called += fit_vector(drawn(static_cast<std::uint64_t>(100 + i), 40, 0)).p_of(1) < 0.05;
-  // 5 % of 400: 10 to 31 times in 99.5 % of cases. The sandwich of 40 groups is a little narrow
-  // (Liang & Zeger's holds for many), which 2 % more allow for: up to 39.
-  EXPECT_GT(binomial_cdf(called, repeats, 0.05), 0.0025);
-  EXPECT_LT(binomial_cdf(called - 1, repeats, 0.07), 0.9975) << called;
+  for (int i = 0; i < repeats; ++i) {
+    const VectorFit fit = fit_vector(drawn(static_cast<std::uint64_t>(100 + i), 400, 0));
+    by_groups += fit.p_of(1) < 0.05;
+    by_runs += 2 * normal_cdf(-std::abs(fit.plane[1]) / std::sqrt(fit.covariance(1, 1))) < 0.05;
+  }
+  // Both tails of the binomial distribution at 0.25 %.
+  EXPECT_GT(binomial_cdf(by_groups, repeats, 0.05), 0.0025) << by_groups;
+  EXPECT_LT(binomial_cdf(by_groups - 1, repeats, 0.05), 0.9975) << by_groups;
+  EXPECT_GT(binomial_cdf(by_runs - 1, repeats, 0.05), 0.9975)
+      << by_runs << ": were runs independent, the test would tell nothing of groups";
 }
 
 TEST(VectorFragility, SaysWhyThereIsNone) {
