@@ -37,8 +37,8 @@ ImpactLog::Key ImpactLog::key_of(const BodyContact& c) {
           items ? static_cast<int>(c.other_side.item) : -1, items ? c.other_side.leg : -1};
 }
 
-bool ImpactLog::in_group(const Key& key, const Group& group) const {
-  return std::binary_search(group.items.begin(), group.items.end(),
+bool ImpactLog::in_island(const Key& key, const Island& island) const {
+  return std::binary_search(island.items.begin(), island.items.end(),
                             static_cast<std::size_t>(key[0]));
 }
 
@@ -75,7 +75,7 @@ void ImpactLog::observe(const Stepper::Step& step) {
   const auto& after = step.to->contacts;
   if (before.empty() && pairs_.empty()) return;
   std::map<Key, PairStep> steps;
-  for (std::size_t c = step.group->first_contact; c < step.group->end_contact; ++c) {
+  for (std::size_t c = step.island->first_contact; c < step.island->end_contact; ++c) {
     const BodyContact& contact = after[c].contact;
     const Key key = key_of(contact);
     PairStep& now = steps[key];
@@ -101,7 +101,7 @@ void ImpactLog::observe(const Stepper::Step& step) {
       now.ends = std::max(now.ends, d1 < 0 ? crossing : step.time);
   }
   for (auto& [key, pair] : pairs_)
-    if (!steps.contains(key) && in_group(key, *step.group)) steps[key].ends = step.time;
+    if (!steps.contains(key) && in_island(key, *step.island)) steps[key].ends = step.time;
   for (auto& [key, now] : steps) {
     Pair& pair = pairs_[key];
     if (!pair.in_impact && now.approach > kSlowestImpact) begin(pair, *now.contact, now);

@@ -50,7 +50,7 @@ class ImpactLog {
 
   using Key = std::array<int, 5>;  // item, leg, other, other item, its leg
   static Key key_of(const BodyContact& contact);
-  bool in_group(const Key& key, const Group& group) const;
+  bool in_island(const Key& key, const Island& island) const;
 
   const Assembly& assembly_;
   std::vector<std::vector<std::string>> wheels_;  // of each item

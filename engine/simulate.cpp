@@ -44,7 +44,7 @@ Response simulate_with_star(const Scene& scene, const Excitation& excitation,
   const Stepper::Observer observer = [&](const Stepper::Step& step) {
     impacts.observe(step);
     tethers.observe(step);
-    for (std::size_t i : step.group->items) recorders[i].observe(step, impacts.impacts_of(i));
+    for (std::size_t i : step.island->items) recorders[i].observe(step, impacts.impacts_of(i));
   };
   std::optional<std::string> cause;
   const BulletWorld::Solve solve = [&](double, const std::vector<BodyContact>& contacts) {

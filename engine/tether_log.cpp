@@ -6,7 +6,7 @@ namespace gurney {
 
 void TetherLog::observe(const Stepper::Step& step) {
   const double time = step.time + step.duration;
-  for (std::size_t item : step.group->items) {
+  for (std::size_t item : step.island->items) {
     const Tethers& tethers = assembly_.items[item].tethers;
     const State& from = step.from->items[item];
     const State& to = step.to->items[item];

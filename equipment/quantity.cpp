@@ -17,7 +17,7 @@ namespace {
 constexpr std::array kAxes = {"x", "y", "z"};
 constexpr int kOrderChecks = 1000;
 
-bool moves_with(const Group& a, const Group& b) {
+bool moves_with(const CorrelationGroup& a, const CorrelationGroup& b) {
   return !a.name.empty() && a.name == b.name && a.correlation == 1 && b.correlation == 1;
 }
 

@@ -51,8 +51,8 @@ Distribution read_table(Table& in) {
   return Distribution::table(std::move(values), in.numbers("cumulative", Range::within(0, 1)));
 }
 
-Group read_group(Table& in) {
-  Group group;
+CorrelationGroup read_group(Table& in) {
+  CorrelationGroup group;
   group.name = in.text("group", "");
   if (in.has("group") && group.name.empty()) in.note("group", ": must have a name");
   group.correlation = in.number("correlation", Range::within(-1, 1), 1.0);
@@ -88,7 +88,7 @@ std::optional<Uncertainty> read_uncertainty(Table& parent, const std::string& ke
     for (const std::string& each : in.keys()) in.has(each);  // whose they are is not known
     return {};
   }
-  Group group = read_group(in);
+  CorrelationGroup group = read_group(in);
   const std::string source = in.text("source", ""), reason = in.text("assumption", "");
   if (source.empty() && reason.empty())
     parent.note(key, ": must have a source, an assumption, or both");

@@ -13,7 +13,7 @@ namespace gurney {
 /// (docs/formats/equipment_file.md).
 struct Uncertainty {
   Distribution distribution;  ///< in the unit of the key
-  Group group;
+  CorrelationGroup group;
   std::string reason;  ///< assumption behind it; empty: it has a source
 };
 

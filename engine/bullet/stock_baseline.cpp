@@ -58,7 +58,7 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
   const EnergyAccount account;
   StageSolver::Output output;
   output.items.resize(1);
-  const Group alone{{0}, 0, 0};
+  const Island alone{{0}, 0, 0};
   std::vector<Loads::Row> rows;
   SceneState next = scene_state;
   recorder.sample(scene_state, account, clock.keeps_history());

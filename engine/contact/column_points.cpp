@@ -18,16 +18,16 @@ constexpr int kRimPoints = 16;
 constexpr double kAlong = 1e-3;
 constexpr double kParallel = 1e-6;
 
-Vector3 across_axis(const Column& column, const Vector3& v) {
+Vector3 across_axis(const Cylinder& column, const Vector3& v) {
   return v - column.axis.dot(v) * column.axis;
 }
 
-double lowest(const Column& column, const Vector3& direction) {
+double lowest(const Cylinder& column, const Vector3& direction) {
   return direction.dot(column.center) - column.half_height * std::abs(direction.dot(column.axis)) -
          column.radius * across_axis(column, direction).norm();
 }
 
-bool choose_axis(const ConvexShape& a, const Column& b, AxisChoice& choice) {
+bool choose_axis(const ConvexShape& a, const Cylinder& b, AxisChoice& choice) {
   const auto consider = [&](const Vector3& normal, double handicap, Kind kind) {
     return choice.consider(normal, a.lowest(normal) + lowest(b, -normal), handicap, kind);
   };
@@ -50,7 +50,7 @@ bool choose_axis(const ConvexShape& a, const Column& b, AxisChoice& choice) {
 }
 
 /// The end or the line of the side that looks along `direction`.
-SurfacePiece facing(const Column& column, const Vector3& direction) {
+SurfacePiece facing(const Cylinder& column, const Vector3& direction) {
   const double along = column.axis.dot(direction);
   const Vector3 across = across_axis(column, direction);
   const Vector3 out =
@@ -72,7 +72,7 @@ struct Edge {
 };
 
 /// Of the edges at the corner of `a` that is lowest along `normal`, the one most along the column.
-Edge leading_edge(const ConvexShape& a, const Vector3& normal, const Column& b) {
+Edge leading_edge(const ConvexShape& a, const Vector3& normal, const Cylinder& b) {
   const auto corner = [&](int i) { return a.corners[static_cast<std::size_t>(i)]; };
   int lowest = 0;
   for (int i = 1; i < static_cast<int>(a.corners.size()); ++i)
@@ -93,7 +93,7 @@ Edge leading_edge(const ConvexShape& a, const Vector3& normal, const Column& b) 
 }
 
 /// Points of an edge beside the column, each against the side there.
-void edge_points(const Edge& edge, const Column& b, const Vector3& shift, double margin,
+void edge_points(const Edge& edge, const Cylinder& b, const Vector3& shift, double margin,
                  std::vector<FacingPoint>& points) {
   const Vector3 from = edge.from + shift - b.center, run = edge.to - edge.from;
   const double start = b.axis.dot(from), rise = b.axis.dot(run);
@@ -126,7 +126,7 @@ void edge_points(const Edge& edge, const Column& b, const Vector3& shift, double
 
 }  // namespace
 
-void column_points(const ConvexShape& a, const Column& b, const Vector3& motion, double margin,
+void column_points(const ConvexShape& a, const Cylinder& b, const Vector3& motion, double margin,
                    std::vector<FacingPoint>& points) {
   AxisChoice choice(motion, margin);
   if (!choose_axis(a, b, choice)) return;

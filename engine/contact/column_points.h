@@ -8,7 +8,7 @@
 namespace gurney {
 
 /// A cylinder.
-struct Column {
+struct Cylinder {
   Vector3 center;          ///< [m]
   Vector3 axis;            ///< unit
   double radius = 0;       ///< > 0 [m]
@@ -23,7 +23,7 @@ struct Column {
 /// overlap.
 ///
 /// @param motion  displacement of a relative to b until one asks again [m]
-void column_points(const ConvexShape& a, const Column& b, const Vector3& motion, double margin,
+void column_points(const ConvexShape& a, const Cylinder& b, const Vector3& motion, double margin,
                    std::vector<FacingPoint>& points);
 
 }  // namespace gurney

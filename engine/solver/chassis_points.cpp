@@ -8,8 +8,8 @@
 namespace gurney {
 namespace {
 
-double reach_of(const std::variant<ConvexShape, Column>& shape, const Vector3& center) {
-  if (const auto* column = std::get_if<Column>(&shape))
+double reach_of(const std::variant<ConvexShape, Cylinder>& shape, const Vector3& center) {
+  if (const auto* column = std::get_if<Cylinder>(&shape))
     return std::hypot(column->radius, column->half_height);
   double reach = 0;
   for (const Vector3& corner : std::get<ConvexShape>(shape).corners)
@@ -61,7 +61,7 @@ void ChassisPoints::against_room(std::size_t item, const State& state,
       if ((box.center - obstacle.center).norm() > box.reach + obstacle.reach + margin) continue;
       points.clear();
       const Vector3 motion = step * box.velocity;
-      if (const auto* column = std::get_if<Column>(&obstacle.shape))
+      if (const auto* column = std::get_if<Cylinder>(&obstacle.shape))
         column_points(box.shape, *column, motion, margin, points);
       else
         convex_points(box.shape, std::get<ConvexShape>(obstacle.shape), motion, margin, points);

@@ -25,8 +25,8 @@ class ChassisPoints {
 
  private:
   struct Obstacle {
-    int other;                                // BodyContact::other
-    std::variant<ConvexShape, Column> shape;  // floor axes
+    int other;                                  // BodyContact::other
+    std::variant<ConvexShape, Cylinder> shape;  // floor axes
     Vector3 center;
     double reach;  // of any of its points from there [m]
   };

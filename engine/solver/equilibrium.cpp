@@ -23,11 +23,11 @@ bool relax(const Assembly& standing, double pseudo_step, SceneState& scene) {
   StageSolver solver(standing, {1e-10, 200});
   StageSolver::Output out;
   StageSolver::Input input;
-  const Group alone{{0}, 0, scene.contacts.size()};
+  const Island alone{{0}, 0, scene.contacts.size()};
   const Mechanism& mechanism = standing.items.front();
   State& state = scene.items.front();
   input.tau = pseudo_step;
-  input.group = &alone;
+  input.island = &alone;
   input.guess.resize(1);
   for (int i = 0; i < kMaxPseudoSteps; ++i) {
     input.start = &scene;

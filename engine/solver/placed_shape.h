@@ -9,6 +9,6 @@
 namespace gurney {
 
 /// A shape of the room as the search for contacts wants it, in floor axes.
-std::variant<ConvexShape, Column> placed_shape(const RoomShape& room);
+std::variant<ConvexShape, Cylinder> placed_shape(const RoomShape& room);
 
 }  // namespace gurney

@@ -38,8 +38,8 @@ Vector3 StageSolver::contact_rates(const ContactWork& work, const std::vector<Ve
 }
 
 void StageSolver::update_contacts(const Input& input, const std::vector<Velocity>& v) {
-  const std::size_t first = input.group->first_contact;
-  contacts_.resize(input.group->end_contact - first);
+  const std::size_t first = input.island->first_contact;
+  contacts_.resize(input.island->end_contact - first);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const BodyContactState& memory = input.start->contacts[first + c];
     const BodyContact& contact = memory.contact;
@@ -69,7 +69,7 @@ void StageSolver::update_contacts(const Input& input, const std::vector<Velocity
 
 void StageSolver::finish_contacts(const Input& input, const std::vector<Velocity>& v,
                                   Output& out) const {
-  const std::size_t first = input.group->first_contact;
+  const std::size_t first = input.island->first_contact;
   out.end.contacts.resize(input.start->contacts.size());
   out.contacts.resize(input.start->contacts.size());
   for (std::size_t c = 0; c < contacts_.size(); ++c) {

@@ -2,11 +2,11 @@
 
 #include "engine/solver/stage_solver.h"
 
-// Newton's step of a group of several items.
+// Newton's step of an island of several items.
 namespace gurney {
 namespace {
 
-/// Where the unknowns of an item are in the group's system: its chassis, then its kept joints.
+/// Where the unknowns of an item are in the island's system: its chassis, then its kept joints.
 struct Place {
   Eigen::Index chassis = 0;
   std::array<Eigen::Index, kMaxLegs> joints{};
@@ -14,10 +14,10 @@ struct Place {
 
 }  // namespace
 
-void StageSolver::coupled_step(const Group& group, double tau, std::vector<Velocity>& v) {
+void StageSolver::coupled_step(const Island& island, double tau, std::vector<Velocity>& v) {
   std::vector<Place> places(items_.size());
   Eigen::Index size = 0;
-  for (std::size_t i : group.items) {
+  for (std::size_t i : island.items) {
     places[i].chassis = size;
     size += 6;
     for (std::size_t j = 0; j < assembly_.items[i].legs.size(); ++j) {
@@ -28,7 +28,7 @@ void StageSolver::coupled_step(const Group& group, double tau, std::vector<Veloc
   }
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size, size);
   Eigen::VectorXd right_side = Eigen::VectorXd::Zero(size);
-  for (std::size_t i : group.items) {
+  for (std::size_t i : island.items) {
     const ItemStage& item = items_[i];
     const Eigen::Index at = places[i].chassis;
     K.block<6, 6>(at, at) = item.matrix();
@@ -64,7 +64,7 @@ void StageSolver::coupled_step(const Group& group, double tau, std::vector<Veloc
       couple(pa.joints[static_cast<std::size_t>(a.leg)], work.side.joints,
              pb.joints[static_cast<std::size_t>(b.leg)], work.other_side.joints);
   }
-  for (std::size_t i : group.items)
+  for (std::size_t i : island.items)
     for (int dof = 0; dof < 6; ++dof) {
       if (!items_[i].constrained(dof)) continue;
       const Eigen::Index row = places[i].chassis + dof;
@@ -72,7 +72,7 @@ void StageSolver::coupled_step(const Group& group, double tau, std::vector<Veloc
       K(row, row) = assembly_.items[i].total_mass;
     }
   const Eigen::VectorXd step = K.partialPivLu().solve(right_side);
-  for (std::size_t i : group.items) {
+  for (std::size_t i : island.items) {
     items_[i].apply(step.segment<6>(places[i].chassis), v[i]);
     for (std::size_t j = 0; j < assembly_.items[i].legs.size(); ++j)
       if (items_[i].leg(static_cast<int>(j)).kept)

@@ -34,13 +34,13 @@ ItemStage::Input StageSolver::item_input(const Input& input, std::size_t item) c
 }
 
 void StageSolver::update_geometry(const Input& input, const std::vector<Velocity>& v, bool first) {
-  for (std::size_t i : input.group->items)
+  for (std::size_t i : input.island->items)
     items_[i].update_geometry(item_input(input, i), v[i], first);
   update_contacts(input, v);
 }
 
 double StageSolver::evaluate_forces(const Input& input, const std::vector<Velocity>& v) {
-  for (std::size_t i : input.group->items) items_[i].begin_forces(item_input(input, i), v[i]);
+  for (std::size_t i : input.island->items) items_[i].begin_forces(item_input(input, i), v[i]);
   for (ContactWork& work : contacts_) {
     const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
     work.force = work.law->force(work.stage, contact_rates(work, v), work.slope);
@@ -50,7 +50,7 @@ double StageSolver::evaluate_forces(const Input& input, const std::vector<Veloci
                                        -work.force);
   }
   double residual = 0;
-  for (std::size_t i : input.group->items) {
+  for (std::size_t i : input.island->items) {
     const double of_item = items_[i].end_forces(item_input(input, i), v[i]);
     if (!(of_item <= residual)) residual = of_item;
   }
@@ -58,7 +58,7 @@ double StageSolver::evaluate_forces(const Input& input, const std::vector<Veloci
 }
 
 void StageSolver::newton_step(const Input& input, std::vector<Velocity>& v) {
-  for (std::size_t i : input.group->items) items_[i].begin_matrix();
+  for (std::size_t i : input.island->items) items_[i].begin_matrix();
   for (const ContactWork& work : contacts_) {
     const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
     const Matrix3 slope = input.tau * work.slope;
@@ -67,24 +67,24 @@ void StageSolver::newton_step(const Input& input, std::vector<Velocity>& v) {
       items_[b.item].add_contact_slope(b.leg, work.other_side.chassis, work.other_side.joints,
                                        slope);
   }
-  for (std::size_t i : input.group->items) items_[i].eliminate();
-  if (input.group->items.size() > 1) return coupled_step(*input.group, input.tau, v);
-  const std::size_t only = input.group->items.front();
+  for (std::size_t i : input.island->items) items_[i].eliminate();
+  if (input.island->items.size() > 1) return coupled_step(*input.island, input.tau, v);
+  const std::size_t only = input.island->items.front();
   const ItemStage& item = items_[only];
   item.apply(item.matrix().partialPivLu().solve(item.right_side()), v[only]);
 }
 
-double StageSolver::geometry_error(const Group& group, const std::vector<Velocity>& v) const {
+double StageSolver::geometry_error(const Island& island, const std::vector<Velocity>& v) const {
   double error = 0;
-  for (std::size_t i : group.items) error = std::max(error, items_[i].geometry_error(v[i]));
+  for (std::size_t i : island.items) error = std::max(error, items_[i].geometry_error(v[i]));
   return error;
 }
 
 bool StageSolver::solve(const Input& input, Output& out) {
-  const std::vector<std::size_t>& group = input.group->items;
+  const std::vector<std::size_t>& island = input.island->items;
   // Rounding of M v shows in the residual as M g tau gets small.
   double speed = 0;
-  for (std::size_t i : group) {
+  for (std::size_t i : island) {
     v_[i] = input.guess[i];
     speed = std::max(speed, v_[i].chassis.head<3>().norm());
   }
@@ -97,15 +97,15 @@ bool StageSolver::solve(const Input& input, Output& out) {
     double residual = evaluate_forces(input, v_);
     int iteration = 0;
     for (; residual > tolerance && iteration < settings_.max_iterations; ++iteration) {
-      for (std::size_t i : group) before_[i] = v_[i];
+      for (std::size_t i : island) before_[i] = v_[i];
       newton_step(input, v_);
       double next = evaluate_forces(input, v_);
       if (iteration >= kIterationsBeforeBacktracking) {
         double fraction = 1;
-        for (std::size_t i : group) full_[i] = v_[i];
+        for (std::size_t i : island) full_[i] = v_[i];
         for (int k = 0; k < kMaxBacktracks && !(next < residual); ++k) {
           fraction *= 0.5;
-          for (std::size_t i : group) {
+          for (std::size_t i : island) {
             v_[i].chassis = before_[i].chassis + fraction * (full_[i].chassis - before_[i].chassis);
             for (std::size_t j = 0; j < assembly_.items[i].legs.size(); ++j)
               v_[i].joints[j] =
@@ -120,7 +120,7 @@ bool StageSolver::solve(const Input& input, Output& out) {
     out.iterations += iteration;
     out.residual = residual;
     converged = residual <= tolerance;
-    if (!converged || geometry_error(*input.group, v_) < kGeometryTolerance) break;
+    if (!converged || geometry_error(*input.island, v_) < kGeometryTolerance) break;
   }
   if (std::isfinite(out.residual)) finish(input, v_, out);
   return converged;
@@ -129,7 +129,7 @@ bool StageSolver::solve(const Input& input, Output& out) {
 void StageSolver::finish(const Input& input, const std::vector<Velocity>& v, Output& out) {
   out.end.items.resize(items_.size());
   out.items.resize(items_.size());
-  for (std::size_t i : input.group->items)
+  for (std::size_t i : input.island->items)
     items_[i].finish(item_input(input, i), v[i], out.end.items[i], out.items[i]);
   finish_contacts(input, v, out);
 }

@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "engine/solver/assembly.h"
-#include "engine/solver/group.h"
+#include "engine/solver/island.h"
 #include "engine/solver/item_stage.h"
 
 namespace gurney {
 
-/// Solves one implicit stage of length tau for a group of items that may touch,
+/// Solves one implicit stage of length tau for an island of items that may touch,
 ///
 ///     M (v - v_start) = tau (J' f(J v) + f_loads(v) - bias),
 ///
@@ -30,7 +30,7 @@ class StageSolver {
 
   struct Input {
     const SceneState* start = nullptr;
-    const Group* group = nullptr;
+    const Island* island = nullptr;
     double tau = 0;
     Vector3 floor_acceleration = Vector3::Zero();
     Loads::Stage loads;           ///< `start` aside
@@ -43,7 +43,7 @@ class StageSolver {
     Vector3 point = Vector3::Zero();  ///< on the item, floor axes [m]
   };
 
-  /// Of the group's items and contacts only; the rest is left as it was.
+  /// Of the island's items and contacts only; the rest is left as it was.
   struct Output {
     SceneState end;
     std::vector<ItemStage::Output> items;
@@ -76,8 +76,8 @@ class StageSolver {
   void update_geometry(const Input& input, const std::vector<Velocity>& v, bool first);
   double evaluate_forces(const Input& input, const std::vector<Velocity>& v);
   void newton_step(const Input& input, std::vector<Velocity>& v);
-  void coupled_step(const Group& group, double tau, std::vector<Velocity>& v);
-  double geometry_error(const Group& group, const std::vector<Velocity>& v) const;
+  void coupled_step(const Island& island, double tau, std::vector<Velocity>& v);
+  double geometry_error(const Island& island, const std::vector<Velocity>& v) const;
   void finish(const Input& input, const std::vector<Velocity>& v, Output& out);
 
   Vector3 rates(const BodyContact::Side& at, const Side& side,
@@ -91,7 +91,7 @@ class StageSolver {
   const Assembly& assembly_;
   Settings settings_;
   std::vector<ItemStage> items_;
-  std::vector<ContactWork> contacts_;  // of the group
+  std::vector<ContactWork> contacts_;  // of the island
   std::vector<Velocity> v_, before_, full_;
 };
 

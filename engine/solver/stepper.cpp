@@ -94,7 +94,7 @@ Stepper::Stepper(const Assembly& assembly, const FloorMotion& floor,
   input_.guess.resize(assembly.items.size());
   between_.items.resize(assembly.items.size());
   std::vector<BodyContact> none;
-  groups_ = groups_of(none, assembly.items.size());
+  islands_ = islands_of(none, assembly.items.size());
 }
 
 void Stepper::set_contacts(const std::vector<BodyContact>& contacts, SceneState& state) {
@@ -103,7 +103,7 @@ void Stepper::set_contacts(const std::vector<BodyContact>& contacts, SceneState&
   for (std::size_t i = 0; i < count; ++i)
     accounts_[i].contact_loss += assembly_.contact_energy(i, state);
   std::vector<BodyContact> sorted = contacts;
-  groups_ = groups_of(sorted, count);
+  islands_ = islands_of(sorted, count);
   std::vector<BodyContactState> memories(sorted.size());
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     double nearest = kSameContactDistance;
@@ -138,10 +138,11 @@ double Stepper::approach_speed(const BodyContact& contact, const SceneState& sta
   return std::max(0.0, -contact.normal.dot(assembly_.velocity(contact, state)));
 }
 
-double Stepper::longest_step(const Group& group, const SceneState& state, double remaining) const {
+double Stepper::longest_step(const Island& island, const SceneState& state,
+                             double remaining) const {
   double longest = remaining;
-  const auto count = static_cast<double>(group.end_contact - group.first_contact);
-  for (std::size_t c = group.first_contact; c < group.end_contact; ++c) {
+  const auto count = static_cast<double>(island.end_contact - island.first_contact);
+  for (std::size_t c = island.first_contact; c < island.end_contact; ++c) {
     const BodyContactState& memory = state.contacts[c];
     const BodyContact& contact = memory.contact;
     const double rate = contact.normal.dot(assembly_.velocity(contact, state));
@@ -167,22 +168,22 @@ double Stepper::predicted_acceleration(const BodyContact& contact, const SceneSt
   return of(contact.side) - (contact.between_items() ? of(contact.other_side) : 0);
 }
 
-void Stepper::extrapolate(const Group& group, const SceneState& from, double duration) {
-  for (std::size_t i : group.items)
+void Stepper::extrapolate(const Island& island, const SceneState& from, double duration) {
+  for (std::size_t i : island.items)
     extrapolate_item(from.items[i], first_.end.items[i], first_.items[i].acceleration, duration,
                      assembly_.items[i].legs.size(), between_.items[i]);
   between_.contacts.resize(from.contacts.size());
-  for (std::size_t c = group.first_contact; c < group.end_contact; ++c) {
+  for (std::size_t c = island.first_contact; c < island.end_contact; ++c) {
     between_.contacts[c] = from.contacts[c];
     between_.contacts[c].deflection =
         extrapolated(from.contacts[c].deflection, first_.end.contacts[c].deflection);
   }
 }
 
-bool Stepper::attempt(const Group& group, const SceneState& from, double duration) {
+bool Stepper::attempt(const Island& island, const SceneState& from, double duration) {
   const double tau = kSdirkGamma * duration;
-  const double time = from.items[group.items.front()].time;
-  input_.group = &group;
+  const double time = from.items[island.items.front()].time;
+  input_.island = &island;
   input_.tau = tau;
   input_.loads = {tau, time, time + duration, true, nullptr};
 
@@ -199,7 +200,7 @@ bool Stepper::attempt(const Group& group, const SceneState& from, double duratio
   input_.start = &from;
   input_.floor_acceleration = floor_first;
   input_.loads.floor_acceleration_up = floor_first.z();
-  for (std::size_t i : group.items) {
+  for (std::size_t i : island.items) {
     const Velocity& v = from.items[i].velocity;
     input_.guess[i] = predictions_[i].known ? advanced(v, tau, predictions_[i].acceleration,
                                                        assembly_.items[i].legs.size())
@@ -209,25 +210,25 @@ bool Stepper::attempt(const Group& group, const SceneState& from, double duratio
   quality_.newton_iterations += first_.iterations;
   if (!std::isfinite(first_.residual)) return false;
 
-  extrapolate(group, from, duration);
+  extrapolate(island, from, duration);
   input_.start = &between_;
   input_.floor_acceleration = floor_second_;
   input_.loads.floor_acceleration_up = floor_second_.z();
-  for (std::size_t i : group.items)
+  for (std::size_t i : island.items)
     input_.guess[i] = advanced(between_.items[i].velocity, tau, first_.items[i].acceleration,
                                assembly_.items[i].legs.size());
   input_.loads.first = false;
   const bool second_converged = solver_.solve(input_, second_);
   quality_.newton_iterations += second_.iterations;
-  for (std::size_t i : group.items) second_.end.items[i].time = time + duration;
+  for (std::size_t i : island.items) second_.end.items[i].time = time + duration;
   return first_converged && second_converged && std::isfinite(second_.residual);
 }
 
-void Stepper::accept(const Group& group, SceneState& state, double duration,
+void Stepper::accept(const Island& island, SceneState& state, double duration,
                      const Observer& observer) {
   const double tau = kSdirkGamma * duration;
-  const double time = state.items[group.items.front()].time;
-  for (std::size_t i : group.items) {
+  const double time = state.items[island.items.front()].time;
+  for (std::size_t i : island.items) {
     const ItemStage::Output &first = first_.items[i], &second = second_.items[i];
     add_power(first.power, (1 - kSdirkGamma) * duration, accounts_[i]);
     add_power(second.power, kSdirkGamma * duration, accounts_[i]);
@@ -240,30 +241,30 @@ void Stepper::accept(const Group& group, SceneState& state, double duration,
       std::max({quality_.largest_residual, first_.residual, second_.residual});
   ++quality_.steps;
   if (observer)
-    observer({&group, time, duration, &state, &second_.end, &first_, &second_, floor_second_});
-  for (std::size_t i : group.items) std::swap(state.items[i], second_.end.items[i]);
-  for (std::size_t c = group.first_contact; c < group.end_contact; ++c)
+    observer({&island, time, duration, &state, &second_.end, &first_, &second_, floor_second_});
+  for (std::size_t i : island.items) std::swap(state.items[i], second_.end.items[i]);
+  for (std::size_t c = island.first_contact; c < island.end_contact; ++c)
     std::swap(state.contacts[c], second_.end.contacts[c]);
 }
 
-double Stepper::penetration(const Group& group, const SceneState& state) const {
+double Stepper::penetration(const Island& island, const SceneState& state) const {
   double deepest = -1;
-  for (std::size_t i : group.items)
+  for (std::size_t i : island.items)
     if (!assembly_.items[i].loads.empty())
       deepest = std::max(deepest, assembly_.items[i].loads.penetration(state.items[i].loads));
   return deepest;
 }
 
-std::optional<double> Stepper::locate_landing(const Group& group, const SceneState& from,
+std::optional<double> Stepper::locate_landing(const Island& island, const SceneState& from,
                                               double duration) {
   double low = 0, high = duration;
-  double at_low = penetration(group, from);
-  double at_high = penetration(group, second_.end);
+  double at_low = penetration(island, from);
+  double at_high = penetration(island, second_.end);
   double trial = duration;
   for (int i = 0; i < kMaxLandingTrials && high - low > 1e-15; ++i) {
     trial = low + (high - low) * at_low / (at_low - at_high);
-    if (!attempt(group, from, trial)) return std::nullopt;
-    const double here = penetration(group, second_.end);
+    if (!attempt(island, from, trial)) return std::nullopt;
+    const double here = penetration(island, second_.end);
     if (std::abs(here) < kLandingTolerance) break;
     if (here < 0) {
       low = trial;
@@ -276,19 +277,19 @@ std::optional<double> Stepper::locate_landing(const Group& group, const SceneSta
   return trial;
 }
 
-std::optional<std::string> Stepper::advance_smoothly(const Group& group, SceneState& state,
+std::optional<std::string> Stepper::advance_smoothly(const Island& island, SceneState& state,
                                                      double time, int depth,
                                                      const Observer& observer) {
-  const double from = state.items[group.items.front()].time;
+  const double from = state.items[island.items.front()].time;
   double duration = time - from;
-  const bool converged = attempt(group, state, duration);
+  const bool converged = attempt(island, state, duration);
   if (!converged) {
     if (depth < settings_.max_subdivisions) {
       if (depth == 0) ++quality_.subdivided_steps;
-      for (std::size_t i : group.items) predictions_[i].known = false;
+      for (std::size_t i : island.items) predictions_[i].known = false;
       const double middle = from + 0.5 * duration;
-      if (auto cause = advance_smoothly(group, state, middle, depth + 1, observer)) return cause;
-      return advance_smoothly(group, state, time, depth + 1, observer);
+      if (auto cause = advance_smoothly(island, state, middle, depth + 1, observer)) return cause;
+      return advance_smoothly(island, state, time, depth + 1, observer);
     }
     const bool finite = std::isfinite(first_.residual) && std::isfinite(second_.residual);
     const double residual = std::max(first_.residual, second_.residual);
@@ -297,49 +298,49 @@ std::optional<std::string> Stepper::advance_smoothly(const Group& group, SceneSt
                          finite ? residual : std::nan(""));
     ++quality_.unconverged_steps;
   }
-  if (penetration(group, second_.end) > kLandingTolerance) {
-    const std::optional<double> landing = locate_landing(group, state, duration);
+  if (penetration(island, second_.end) > kLandingTolerance) {
+    const std::optional<double> landing = locate_landing(island, state, duration);
     if (!landing) return "the landing of a drop weight could not be located";
     duration = *landing;
     ++quality_.event_steps;
-    accept(group, state, duration, observer);
-    for (std::size_t i : group.items) {
+    accept(island, state, duration, observer);
+    for (std::size_t i : island.items) {
       if (!assembly_.items[i].loads.empty())
         accounts_[i].damper_loss += assembly_.items[i].loads.land(state.items[i].loads);
       predictions_[i].known = false;
     }
     if (time - from - duration >= kShortestStep)
-      return advance_smoothly(group, state, time, depth, observer);
+      return advance_smoothly(island, state, time, depth, observer);
   } else {
-    accept(group, state, duration, observer);
+    accept(island, state, duration, observer);
   }
-  for (std::size_t i : group.items) state.items[i].time = time;
+  for (std::size_t i : island.items) state.items[i].time = time;
   return std::nullopt;
 }
 
-std::optional<std::string> Stepper::advance_group(const Group& group, SceneState& state,
-                                                  double time, const Observer& observer) {
-  const State& front = state.items[group.items.front()];
+std::optional<std::string> Stepper::advance_island(const Island& island, SceneState& state,
+                                                   double time, const Observer& observer) {
+  const State& front = state.items[island.items.front()];
   while (front.time < time) {
-    for (std::size_t c = group.first_contact; c < group.end_contact; ++c) {
+    for (std::size_t c = island.first_contact; c < island.end_contact; ++c) {
       BodyContactState& memory = state.contacts[c];
       if (memory.compression <= 0) memory.approach_speed = approach_speed(memory.contact, state);
     }
     const double remaining = time - front.time;
-    const double parts = std::ceil(remaining / longest_step(group, state, remaining));
+    const double parts = std::ceil(remaining / longest_step(island, state, remaining));
     if (parts >= 2) ++quality_.event_steps;
     const double stop = parts < 2 ? time : front.time + remaining / parts;
-    if (auto cause = advance_smoothly(group, state, stop, 0, observer)) return cause;
+    if (auto cause = advance_smoothly(island, state, stop, 0, observer)) return cause;
   }
-  for (std::size_t i : group.items)
+  for (std::size_t i : island.items)
     if (!state.items[i].position.allFinite()) return "the position is not finite";
   return std::nullopt;
 }
 
 std::optional<std::string> Stepper::advance(SceneState& state, double time,
                                             const Observer& observer) {
-  for (const Group& group : groups_)
-    if (auto cause = advance_group(group, state, time, observer)) return cause;
+  for (const Island& island : islands_)
+    if (auto cause = advance_island(island, state, time, observer)) return cause;
   return std::nullopt;
 }
 

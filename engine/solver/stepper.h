@@ -22,9 +22,9 @@ class Stepper {
  public:
   Stepper(const Assembly& assembly, const FloorMotion& floor, const SimulationSettings& settings);
 
-  /// What an accepted step did to the items and contacts of one group.
+  /// What an accepted step did to the items and contacts of one island.
   struct Step {
-    const Group* group;
+    const Island* island;
     double time, duration;  ///< at its start
     const SceneState* from;
     const SceneState* to;
@@ -50,18 +50,19 @@ class Stepper {
   const Quality& quality() const { return quality_; }
 
  private:
-  bool attempt(const Group& group, const SceneState& from, double duration);
-  void extrapolate(const Group& group, const SceneState& from, double duration);
-  void accept(const Group& group, SceneState& state, double duration, const Observer& observer);
-  std::optional<std::string> advance_group(const Group& group, SceneState& state, double time,
-                                           const Observer& observer);
-  std::optional<std::string> advance_smoothly(const Group& group, SceneState& state, double time,
+  bool attempt(const Island& island, const SceneState& from, double duration);
+  void extrapolate(const Island& island, const SceneState& from, double duration);
+  void accept(const Island& island, SceneState& state, double duration, const Observer& observer);
+  std::optional<std::string> advance_island(const Island& island, SceneState& state, double time,
+                                            const Observer& observer);
+  std::optional<std::string> advance_smoothly(const Island& island, SceneState& state, double time,
                                               int depth, const Observer& observer);
-  double penetration(const Group& group, const SceneState& state) const;
-  std::optional<double> locate_landing(const Group& group, const SceneState& from, double duration);
+  double penetration(const Island& island, const SceneState& state) const;
+  std::optional<double> locate_landing(const Island& island, const SceneState& from,
+                                       double duration);
   double approach_speed(const BodyContact& contact, const SceneState& state) const;
   double predicted_acceleration(const BodyContact& contact, const SceneState& state) const;
-  double longest_step(const Group& group, const SceneState& state, double remaining) const;
+  double longest_step(const Island& island, const SceneState& state, double remaining) const;
 
   /// What the last accepted step of an item tells the next one.
   struct Prediction {
@@ -76,7 +77,7 @@ class Stepper {
   StageSolver::Input input_;
   StageSolver::Output first_, second_;
   SceneState between_;  // start of the second stage
-  std::vector<Group> groups_;
+  std::vector<Island> islands_;
   Vector3 floor_second_ = Vector3::Zero();
   std::vector<Prediction> predictions_;
   std::vector<EnergyAccount> accounts_;

@@ -31,11 +31,11 @@ std::vector<std::pair<std::string, std::string>> places_in(const StudyData& data
 std::vector<NamedDemand> all_demands(const StudyData& data, std::size_t configuration) {
   std::vector<NamedDemand> all;
   for (const auto& [item, none] : places_in(data, configuration, "items"))
-    for (const Column<Demands>& column : demand_columns())
+    for (const TableColumn<Demands>& column : demand_columns())
       all.push_back(
           {item + ": " + column.name, column.units, {Quantity::Of::kItem, column.name, item, ""}});
   for (const auto& [item, point] : places_in(data, configuration, "points"))
-    for (const Column<PointDemands>& column : point_demand_columns())
+    for (const TableColumn<PointDemands>& column : point_demand_columns())
       all.push_back({item + "/" + point + ": " + column.name,
                      column.units,
                      {Quantity::Of::kPoint, column.name, item, point}});
@@ -70,7 +70,7 @@ std::vector<NamedDemand> demands_named(const StudyData& data, std::size_t config
         result.push_back(each);
     if (result.size() > before) continue;
     std::vector<std::string> known;
-    for (const Column<Demands>& column : demand_columns()) known.push_back(column.name);
+    for (const TableColumn<Demands>& column : demand_columns()) known.push_back(column.name);
     for (const NamedDemand& each : all) known.push_back(each.name);
     throw Error(fmt::format("{}: no demand '{}'{}", data.file().path(), name,
                             config::suggestion(name, known)));

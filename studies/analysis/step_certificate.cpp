@@ -33,7 +33,7 @@ double relative_change(double full, double half) {
   return size > 0 ? std::abs(half - full) / size : 0;
 }
 
-StepChange change_of(const StudyReader& file, const Column<Demands>& column,
+StepChange change_of(const StudyReader& file, const TableColumn<Demands>& column,
                      const std::vector<Pair>& pairs) {
   const std::vector<double> full = file.numbers(std::string("items/") + column.name);
   const std::vector<double> half = file.numbers(std::string("half_step/") + column.name);
@@ -100,7 +100,7 @@ std::optional<StepCertificate> step_certificate(const StudyData& data) {
     if (half.rows()[run].second > half.rows()[run].first) runs.push_back(run);
   certificate.runs = runs.size();
   const std::vector<Pair> pairs = pairs_of(full.rows(), half.rows());
-  for (const Column<Demands>& column : demand_columns())
+  for (const TableColumn<Demands>& column : demand_columns())
     certificate.changes.push_back(change_of(data.file(), column, pairs));
   const std::vector<LimitState>& states = data.limit_states();
   for (std::size_t i = 0; i < states.size(); ++i) {

@@ -59,7 +59,7 @@ std::string difference(const StudyReader& file, std::size_t run, const Response&
   const auto [first, last] = file.rows_of_runs("items")[run];
   if (last - first != (response.outcome == Outcome::kDiverged ? 0 : response.items.size()))
     return "the outcome";
-  for (const Column<Demands>& column : demand_columns()) {
+  for (const TableColumn<Demands>& column : demand_columns()) {
     const std::vector<double> theirs = file.numbers(std::string("items/") + column.name);
     for (std::size_t row = first; row < last; ++row) {
       const double ours = column.value(response.items[row - first].demands);

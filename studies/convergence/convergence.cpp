@@ -101,7 +101,7 @@ class Judge {
       for (const std::string& name : item_names(cases_.runs[run].scene))
         if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     for (const std::string& name : names)
-      for (const Column<Demands>& column : demand_columns()) add(name, column);
+      for (const TableColumn<Demands>& column : demand_columns()) add(name, column);
   }
 
   void limit_states() {
@@ -130,7 +130,7 @@ class Judge {
     return all;
   }
 
-  void add(const std::string& item, const Column<Demands>& column) {
+  void add(const std::string& item, const TableColumn<Demands>& column) {
     Values2 values(all_.size());
     for (const std::size_t run : usable_) {
       const std::vector<std::string> names = item_names(cases_.runs[run].scene);

@@ -42,7 +42,7 @@ std::string csv_of(const std::vector<RunColumn>& columns, const std::vector<std:
 /// The columns of a table with rows for items (and parts of them), as columns of runs.
 template <class Row>
 void add_demands(const StudyReader& file, const std::string& table, const std::string& part,
-                 std::span<const Column<Row>> wanted, const std::set<std::size_t>& runs,
+                 std::span<const TableColumn<Row>> wanted, const std::set<std::size_t>& runs,
                  std::vector<RunColumn>& columns) {
   const std::vector<std::string> items = file.strings(table + "/item");
   const std::vector<std::string> parts =
@@ -56,7 +56,7 @@ void add_demands(const StudyReader& file, const std::string& table, const std::s
     if (std::ranges::find(places, place) == places.end()) places.push_back(place);
     rows.push_back(row);
   }
-  for (const Column<Row>& each : wanted) {
+  for (const TableColumn<Row>& each : wanted) {
     const std::vector<double> values = file.numbers(table + "/" + each.name);
     std::map<std::string, std::vector<double>> of_place;
     for (const std::string& place : places) of_place[place].assign(file.runs(), kNaN);
@@ -149,7 +149,7 @@ std::vector<RunColumn> pelicun_demands(const StudyData& data, const std::set<std
   const StudyReader& file = data.file();
   std::vector<RunColumn> columns{{"PFA-0-1", "mps2", file.numbers("runs/pfa")},
                                  {"PFV-0-1", "mps", file.numbers("runs/pfv")}};
-  for (const Column<Demands>& each : demand_columns()) {
+  for (const TableColumn<Demands>& each : demand_columns()) {
     if (each.missing != 0 || pelicun_unit(each.units).empty()) continue;
     std::vector<RunColumn> of_items;
     add_demands(file, "items", "", std::span(&each, 1), runs, of_items);

@@ -41,9 +41,9 @@ struct NamedColumn {
 };
 
 template <class Row>
-std::vector<NamedColumn> named(std::span<const Column<Row>> columns) {
+std::vector<NamedColumn> named(std::span<const TableColumn<Row>> columns) {
   std::vector<NamedColumn> result;
-  for (const Column<Row>& column : columns) result.push_back({column.name, column.units});
+  for (const TableColumn<Row>& column : columns) result.push_back({column.name, column.units});
   return result;
 }
 

@@ -13,8 +13,8 @@ namespace gurney {
 namespace {
 
 template <class Row>
-double value(std::span<const Column<Row>> columns, const std::string& name, const Row& row) {
-  for (const Column<Row>& column : columns)
+double value(std::span<const TableColumn<Row>> columns, const std::string& name, const Row& row) {
+  for (const TableColumn<Row>& column : columns)
     if (name == column.name) return column.value(row);
   throw std::logic_error("no column " + name);
 }
@@ -40,8 +40,8 @@ void append_of_item(const Quantity& quantity, const EquipmentModel& model, const
 
 template <class Outcome, class Named>
 void append_of_part(const Quantity& quantity, const std::vector<Named>& named,
-                    const std::vector<Outcome>& outcomes, std::span<const Column<Outcome>> columns,
-                    std::vector<double>& values) {
+                    const std::vector<Outcome>& outcomes,
+                    std::span<const TableColumn<Outcome>> columns, std::vector<double>& values) {
   for (std::size_t i = 0; i < outcomes.size(); ++i)
     if (named[i].name == quantity.part)
       values.push_back(value(columns, quantity.column, outcomes[i]));

@@ -69,10 +69,10 @@ std::string number_line(const std::string& name, const std::string& value,
 }
 
 template <class Row>
-std::string list(std::span<const Column<Row>> columns, const Row& row,
+std::string list(std::span<const TableColumn<Row>> columns, const Row& row,
                  const std::set<std::string>& without = {}) {
   std::string result;
-  for (const Column<Row>& column : columns) {
+  for (const TableColumn<Row>& column : columns) {
     const double value = column.value(row);
     if (without.count(column.name) > 0 || column.is_missing(value)) continue;
     std::string units = column.units;
@@ -84,13 +84,13 @@ std::string list(std::span<const Column<Row>> columns, const Row& row,
 
 /// A column for each quantity, a row for each wheel or point.
 template <class Row>
-std::string table(const std::string& heading, std::span<const Column<Row>> columns,
+std::string table(const std::string& heading, std::span<const TableColumn<Row>> columns,
                   const std::vector<std::string>& names, const std::vector<Row>& rows) {
   std::size_t width = 18;
   for (const std::string& name : names) width = std::max(width, name.size());
   std::string titles = fmt::format("\n  {:<{}}", heading, width);
   std::string units_line = fmt::format("  {:<{}}", "", width);
-  for (const Column<Row>& column : columns) {
+  for (const TableColumn<Row>& column : columns) {
     std::string units = column.units;
     shown(0, units, false);
     const std::string words = words_of(column.name);
@@ -100,7 +100,7 @@ std::string table(const std::string& heading, std::span<const Column<Row>> colum
   std::string result = titles + "\n" + units_line + "\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     result += fmt::format("  {:<{}}", names.at(i), width);
-    for (const Column<Row>& column : columns) {
+    for (const TableColumn<Row>& column : columns) {
       std::string units = column.units;
       const double value = column.value(rows[i]);
       const std::string text =

@@ -13,9 +13,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 template <class Row>
-Json object(std::span<const Column<Row>> columns, const Row& row) {
+Json object(std::span<const TableColumn<Row>> columns, const Row& row) {
   Json result = Json::object();
-  for (const Column<Row>& column : columns) {
+  for (const TableColumn<Row>& column : columns) {
     const double value = column.value(row);
     if (column.is_missing(value)) {
       result[column.name] = nullptr;
@@ -29,7 +29,7 @@ Json object(std::span<const Column<Row>> columns, const Row& row) {
 }
 
 template <class Row, class Named>
-Json named_objects(std::span<const Column<Row>> columns, const std::vector<Row>& rows,
+Json named_objects(std::span<const TableColumn<Row>> columns, const std::vector<Row>& rows,
                    const std::vector<Named>& named) {
   Json result = Json::array();
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -13,9 +13,10 @@ namespace gurney {
 /// One dataset for each column, one value for each row.
 /// @param group  with its slash, such as "/runs/"
 template <class Row>
-void add_columns(Hdf5Writer& file, const std::string& group, std::span<const Column<Row>> columns,
-                 const std::vector<std::string>& scales, const std::vector<Row>& rows) {
-  for (const Column<Row>& column : columns) {
+void add_columns(Hdf5Writer& file, const std::string& group,
+                 std::span<const TableColumn<Row>> columns, const std::vector<std::string>& scales,
+                 const std::vector<Row>& rows) {
+  for (const TableColumn<Row>& column : columns) {
     std::vector<double> values;
     for (const Row& row : rows) values.push_back(column.value(row));
     const Hdf5Spec spec{group + column.name, column.units, column.meaning, scales};

@@ -8,7 +8,7 @@ namespace {
 constexpr bool kWhole = true;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-constexpr Column<Demands> kDemands[] = {
+constexpr TableColumn<Demands> kDemands[] = {
     {"peak_displacement", "m", "largest horizontal displacement relative to the floor",
      [](const Demands& d) { return d.peak_displacement; }},
     {"peak_displacement_x", "m", "largest |x| of the displacement",
@@ -55,7 +55,7 @@ constexpr Column<Demands> kDemands[] = {
      [](const Demands& d) { return d.peak_impact_force; }, !kWhole, kNaN},
 };
 
-constexpr Column<WheelDemands> kWheelDemands[] = {
+constexpr TableColumn<WheelDemands> kWheelDemands[] = {
     {"peak_normal_force", "N", "largest normal force",
      [](const WheelDemands& w) { return w.peak_normal_force; }},
     {"peak_tangential_force", "N", "largest force in the plane of the floor",
@@ -72,7 +72,7 @@ constexpr Column<WheelDemands> kWheelDemands[] = {
      [](const WheelDemands& w) { return w.liftoff_before_overturning; }, !kWhole, -1},
 };
 
-constexpr Column<PointDemands> kPointDemands[] = {
+constexpr TableColumn<PointDemands> kPointDemands[] = {
     {"peak_displacement", "m", "largest horizontal displacement relative to the floor",
      [](const PointDemands& p) { return p.peak_displacement; }},
     {"peak_absolute_acceleration", "m/s2",
@@ -86,7 +86,7 @@ constexpr Column<PointDemands> kPointDemands[] = {
      [](const PointDemands& p) { return p.numerical_acceleration; }, !kWhole, kNaN},
 };
 
-constexpr Column<Quality> kQuality[] = {
+constexpr TableColumn<Quality> kQuality[] = {
     {"energy_closure", "1", "largest closure error of the energy account over the energy in play",
      [](const Quality& q) { return q.energy_closure; }},
     {"numerical_loss", "1", "energy dissipated by the integrator over the energy in play",
@@ -106,7 +106,7 @@ constexpr Column<Quality> kQuality[] = {
      [](const Quality& q) { return double(q.collision_passes); }, kWhole},
 };
 
-constexpr Column<EnergyAccount> kEnergy[] = {
+constexpr TableColumn<EnergyAccount> kEnergy[] = {
     {"energy_kinetic", "J", "kinetic energy relative to the floor",
      [](const EnergyAccount& e) { return e.kinetic; }},
     {"energy_gravitational", "J", "gravitational energy relative to the start",
@@ -143,7 +143,7 @@ constexpr Column<EnergyAccount> kEnergy[] = {
      [](const EnergyAccount& e) { return e.numerical_loss; }},
 };
 
-constexpr Column<Impact> kImpact[] = {
+constexpr TableColumn<Impact> kImpact[] = {
     {"time", "s", "time of the first touch", [](const Impact& i) { return i.time; }},
     {"point_x", "m", "x of the point touched first, floor axes",
      [](const Impact& i) { return i.point.x(); }},
@@ -165,7 +165,7 @@ constexpr Column<Impact> kImpact[] = {
     {"duration", "s", "duration of the impact", [](const Impact& i) { return i.duration; }},
 };
 
-constexpr Column<ZoneOutcome> kZone[] = {
+constexpr TableColumn<ZoneOutcome> kZone[] = {
     {"time_of_entry", "s", "when an item first entered; -1: none did",
      [](const ZoneOutcome& z) { return z.time_of_entry; }, !kWhole, -1},
     {"occupied_time", "s", "time during which an item was in the zone",
@@ -178,7 +178,7 @@ constexpr Column<ZoneOutcome> kZone[] = {
      [](const ZoneOutcome& z) { return z.free_width_at_end; }},
 };
 
-constexpr Column<TetherOutcome> kTether[] = {
+constexpr TableColumn<TetherOutcome> kTether[] = {
     {"time_taut", "s", "when it first got taut; -1: never",
      [](const TetherOutcome& t) { return t.time_taut; }, !kWhole, -1},
     {"time_broken", "s", "when it broke or unplugged; -1: it held",
@@ -186,7 +186,7 @@ constexpr Column<TetherOutcome> kTether[] = {
     {"peak_tension", "N", "largest tension", [](const TetherOutcome& t) { return t.peak_tension; }},
 };
 
-constexpr Column<Sample> kSample[] = {
+constexpr TableColumn<Sample> kSample[] = {
     {"yaw", "rad", "yaw since the start, not wrapped", [](const Sample& s) { return s.yaw; }},
     {"tilt", "rad", "angle between the item's z axis and the floor normal",
      [](const Sample& s) { return s.tilt; }},
@@ -195,7 +195,7 @@ constexpr Column<Sample> kSample[] = {
     {"pull_force", "N", "sum of the point forces", [](const Sample& s) { return s.pull_force; }},
 };
 
-constexpr Column<WheelSample> kWheelSample[] = {
+constexpr TableColumn<WheelSample> kWheelSample[] = {
     {"swivel_angle", "rad", "heading of the fork relative to the item, not wrapped",
      [](const WheelSample& w) { return w.swivel_angle; }},
     {"swivel_rate", "rad/s", "rate of swivel_angle",
@@ -216,15 +216,15 @@ constexpr Column<WheelSample> kWheelSample[] = {
 
 }  // namespace
 
-std::span<const Column<Demands>> demand_columns() { return kDemands; }
-std::span<const Column<WheelDemands>> wheel_demand_columns() { return kWheelDemands; }
-std::span<const Column<PointDemands>> point_demand_columns() { return kPointDemands; }
-std::span<const Column<Quality>> quality_columns() { return kQuality; }
-std::span<const Column<EnergyAccount>> energy_columns() { return kEnergy; }
-std::span<const Column<Impact>> impact_columns() { return kImpact; }
-std::span<const Column<ZoneOutcome>> zone_columns() { return kZone; }
-std::span<const Column<TetherOutcome>> tether_columns() { return kTether; }
-std::span<const Column<Sample>> sample_columns() { return kSample; }
-std::span<const Column<WheelSample>> wheel_sample_columns() { return kWheelSample; }
+std::span<const TableColumn<Demands>> demand_columns() { return kDemands; }
+std::span<const TableColumn<WheelDemands>> wheel_demand_columns() { return kWheelDemands; }
+std::span<const TableColumn<PointDemands>> point_demand_columns() { return kPointDemands; }
+std::span<const TableColumn<Quality>> quality_columns() { return kQuality; }
+std::span<const TableColumn<EnergyAccount>> energy_columns() { return kEnergy; }
+std::span<const TableColumn<Impact>> impact_columns() { return kImpact; }
+std::span<const TableColumn<ZoneOutcome>> zone_columns() { return kZone; }
+std::span<const TableColumn<TetherOutcome>> tether_columns() { return kTether; }
+std::span<const TableColumn<Sample>> sample_columns() { return kSample; }
+std::span<const TableColumn<WheelSample>> wheel_sample_columns() { return kWheelSample; }
 
 }  // namespace gurney

@@ -10,7 +10,7 @@
 namespace gurney {
 
 template <class Row>
-struct Column {
+struct TableColumn {
   const char* name;
   const char* units;  ///< "1" for a pure number
   const char* meaning;
@@ -23,17 +23,17 @@ struct Column {
   }
 };
 
-std::span<const Column<Demands>> demand_columns();
-std::span<const Column<WheelDemands>> wheel_demand_columns();
-std::span<const Column<PointDemands>> point_demand_columns();
-std::span<const Column<Quality>> quality_columns();
-std::span<const Column<EnergyAccount>> energy_columns();
-std::span<const Column<Impact>> impact_columns();  ///< without the names
-std::span<const Column<ZoneOutcome>> zone_columns();
-std::span<const Column<TetherOutcome>> tether_columns();
+std::span<const TableColumn<Demands>> demand_columns();
+std::span<const TableColumn<WheelDemands>> wheel_demand_columns();
+std::span<const TableColumn<PointDemands>> point_demand_columns();
+std::span<const TableColumn<Quality>> quality_columns();
+std::span<const TableColumn<EnergyAccount>> energy_columns();
+std::span<const TableColumn<Impact>> impact_columns();  ///< without the names
+std::span<const TableColumn<ZoneOutcome>> zone_columns();
+std::span<const TableColumn<TetherOutcome>> tether_columns();
 
 /// One number for each sample of a history.
-std::span<const Column<Sample>> sample_columns();
-std::span<const Column<WheelSample>> wheel_sample_columns();
+std::span<const TableColumn<Sample>> sample_columns();
+std::span<const TableColumn<WheelSample>> wheel_sample_columns();
 
 }  // namespace gurney

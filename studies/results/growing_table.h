@@ -23,8 +23,8 @@ class GrowingTable {
   void add_text(const std::string& name, const std::string& meaning, std::size_t width);
 
   template <class Row>
-  void add(std::span<const Column<Row>> columns) {
-    for (const Column<Row>& column : columns) {
+  void add(std::span<const TableColumn<Row>> columns) {
+    for (const TableColumn<Row>& column : columns) {
       if (column.whole)
         add_whole(column.name, column.meaning);
       else
@@ -37,8 +37,8 @@ class GrowingTable {
   GrowingTable& put(const std::string& value);
 
   template <class Row>
-  GrowingTable& put(std::span<const Column<Row>> columns, const Row& row) {
-    for (const Column<Row>& column : columns) put(column.value(row));
+  GrowingTable& put(std::span<const TableColumn<Row>> columns, const Row& row) {
+    for (const TableColumn<Row>& column : columns) put(column.value(row));
     return *this;
   }
 

@@ -27,11 +27,11 @@ class Table {
   }
 
   template <class Row>
-  void add(std::span<const Column<Row>> columns, const std::vector<Row>& rows) {
+  void add(std::span<const TableColumn<Row>> columns, const std::vector<Row>& rows) {
     add_columns(file_, group_, columns, scales(), rows);
   }
 
-  void add(const Column<ItemResponse>& column, const std::vector<ItemResponse>& rows) {
+  void add(const TableColumn<ItemResponse>& column, const std::vector<ItemResponse>& rows) {
     add(std::span(&column, 1), rows);
   }
 
@@ -70,7 +70,7 @@ void add_items(Hdf5Writer& file, const Scene& scene, const std::vector<ItemRespo
 template <class Row>
 void add_parts(Hdf5Writer& file, const std::string& name, const std::string& part,
                const std::string& meaning, const Scene& scene, const Response& response,
-               std::span<const Column<Row>> columns, std::vector<Row> Demands::*member,
+               std::span<const TableColumn<Row>> columns, std::vector<Row> Demands::*member,
                std::vector<std::string> (*names_of)(const EquipmentModel&)) {
   std::vector<std::string> items, parts;
   std::vector<Row> rows;

@@ -74,7 +74,7 @@ double Draw::uniform(const std::string& stream) const {
   return uniform_draw(seed_, key, run_);
 }
 
-double Draw::probability(const std::string& variable, const Group& group) const {
+double Draw::probability(const std::string& variable, const CorrelationGroup& group) const {
   const double r = group.name.empty() ? 0 : group.correlation;
   if (r == 1) return uniform("group " + group.name);
   const double own = uniform("variable " + full_name(variable));

@@ -11,7 +11,7 @@
 namespace gurney {
 
 /// Correlation of a variable with a group: the variables of a group share one normal variable.
-struct Group {
+struct CorrelationGroup {
   std::string name;        ///< empty: the variable is independent of all others
   double correlation = 1;  ///< of its normal score with the group's variable, in [-1, 1]
 };
@@ -55,7 +55,7 @@ class Draw {
   /// u itself where the variable is independent; else Phi(r z_group + sqrt(1 - r^2) z) with
   /// z = Phi^-1(u), z_group alone where r is 1, r the correlation: a Gaussian copula
   /// (docs/theory/uncertainty.md).
-  double probability(const std::string& variable, const Group& group = {}) const;
+  double probability(const std::string& variable, const CorrelationGroup& group = {}) const;
 
   std::uint64_t seed() const { return seed_; }
   std::uint64_t run() const { return run_; }

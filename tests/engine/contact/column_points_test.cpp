@@ -13,11 +13,11 @@ namespace {
 constexpr double kMargin = 0.02, kRadius = 0.15;
 const Vector3 kStill = Vector3::Zero();
 
-Column upright(double height = 3) {
+Cylinder upright(double height = 3) {
   return {{0, 0, 0.5 * height}, Vector3::UnitZ(), kRadius, 0.5 * height};
 }
 
-std::vector<FacingPoint> between(const ConvexShape& a, const Column& b) {
+std::vector<FacingPoint> between(const ConvexShape& a, const Cylinder& b) {
   std::vector<FacingPoint> points;
   column_points(a, b, kStill, kMargin, points);
   return points;

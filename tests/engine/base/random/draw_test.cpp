@@ -17,13 +17,13 @@ namespace {
 
 constexpr int kRuns = 100000;
 
-double score(std::uint64_t run, const char* name, const Group& group = {}) {
+double score(std::uint64_t run, const char* name, const CorrelationGroup& group = {}) {
   return normal_quantile(Draw(5, run).probability(name, group));
 }
 
 /// Sample correlation of the normal scores of two variables.
-double correlation(const char* first, const Group& first_group, const char* second,
-                   const Group& second_group) {
+double correlation(const char* first, const CorrelationGroup& first_group, const char* second,
+                   const CorrelationGroup& second_group) {
   double xy = 0, xx = 0, yy = 0;
   for (std::uint64_t run = 0; run < kRuns; ++run) {
     const double x = score(run, first, first_group), y = score(run, second, second_group);
@@ -40,7 +40,7 @@ void expect_correlation(double sample, double expected) {
 }
 
 TEST(Draw, MembersOfAGroupCorrelateByTheProductOfTheirCorrelations) {
-  const Group tread{"treads", 0.7}, other{"treads", 0.5}, against{"treads", -0.7};
+  const CorrelationGroup tread{"treads", 0.7}, other{"treads", 0.5}, against{"treads", -0.7};
   expect_correlation(correlation("a", tread, "b", tread), 0.49);
   expect_correlation(correlation("a", tread, "b", other), 0.35);
   expect_correlation(correlation("a", tread, "b", against), -0.49);
@@ -144,7 +144,7 @@ TEST(Draw, AVariableThatIsItsGroupsAsksForNoNumberOfItsOwn) {
 TEST(Draw, RowsOfASaltelliDesignTakeOneInputFromB) {
   const auto inputs = std::make_shared<Draw::Streams>(
       Draw::Streams{"group treads", "variable left", "variable mass"});
-  const Group half{"treads", 0.5}, whole{"treads", 1};
+  const CorrelationGroup half{"treads", 0.5}, whole{"treads", 1};
   const auto row = [&](std::uint64_t matrix) {
     return Draw::of_saltelli(3, 0, {7, matrix}, inputs);
   };

@@ -1,4 +1,4 @@
-#include "engine/solver/group.h"
+#include "engine/solver/island.h"
 
 #include <algorithm>
 #include <numeric>
@@ -6,8 +6,8 @@
 
 namespace gurney {
 
-std::vector<Group> groups_of(std::vector<BodyContact>& contacts, std::size_t items) {
-  std::vector<std::size_t> first(items);  // of the item's group
+std::vector<Island> islands_of(std::vector<BodyContact>& contacts, std::size_t items) {
+  std::vector<std::size_t> first(items);  // of the item's island
   std::iota(first.begin(), first.end(), 0);
   const auto find = [&](std::size_t i) {
     while (first[i] != i) i = first[i] = first[first[i]];
@@ -26,22 +26,22 @@ std::vector<Group> groups_of(std::vector<BodyContact>& contacts, std::size_t ite
         };
         return key(a) < key(b);
       });
-  std::vector<Group> groups;
-  std::vector<std::size_t> group_of(items);
+  std::vector<Island> islands;
+  std::vector<std::size_t> island_of(items);
   for (std::size_t i = 0; i < items; ++i) {
     if (find(i) == i) {
-      group_of[i] = groups.size();
-      groups.emplace_back();
+      island_of[i] = islands.size();
+      islands.emplace_back();
     }
-    groups[group_of[find(i)]].items.push_back(i);
+    islands[island_of[find(i)]].items.push_back(i);
   }
   std::size_t next = 0;
-  for (Group& group : groups) {
-    group.first_contact = next;
-    while (next < contacts.size() && find(contacts[next].side.item) == group.items.front()) ++next;
-    group.end_contact = next;
+  for (Island& island : islands) {
+    island.first_contact = next;
+    while (next < contacts.size() && find(contacts[next].side.item) == island.items.front()) ++next;
+    island.end_contact = next;
   }
-  return groups;
+  return islands;
 }
 
 }  // namespace gurney
