@@ -46,6 +46,8 @@ expect_failure(units studies/bad.cpp "const double d = std::numbers::pi / 180\;"
 expect_failure(units studies/bad.cpp "const double d = 180 / std::numbers::pi\;")
 expect_failure(self_contained_headers engine/bad.h "#pragma once\nstd::string text()\;")
 expect_failure(self_contained_headers engine/bad.h "int number()\;")
+set(twice "namespace gurney {\nstruct Twice {\n}\;\n}  // namespace gurney\nnamespace gurney {\nstruct Twice {")
+expect_failure(one_definition studies/bad.h "${twice}")
 string(CONCAT folder "/wo" "rk/x")
 expect_failure(self_contained_headers engine/good.cpp "#include <vector>\n#include \"engine/good.h\"")
 expect_failure(foreign_words docs/bad.md "see ${folder}")
