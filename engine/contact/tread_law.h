@@ -29,9 +29,10 @@ struct TreadState {
 ///
 /// With the compression d and d' = -u_z:
 ///
-///     N = k_n d + min(max(c_n d', -k_n d), k_n d)  for d > 0, else 0           (never pulls,
-///     continuous) e' = (u_x, u_y, r_s w_spin) - (V / sigma) e - slip,   F = -(k_t e + c_t e'), |F|
-///     <= mu N |T_roll| <= Cr N, opposed to the rolling
+///     N  = k_n d + min(max(c_n d', -k_n d), k_n d)  for d > 0, else 0   (never pulls, continuous)
+///     e' = (u_x, u_y, r_s w_spin) - (V / sigma) e - slip
+///     F  = -(k_t e + c_t e'),  |F| <= mu N
+///     |T_roll| <= Cr N, opposed to the rolling
 ///
 /// e is the stored deflection (two translations and spin) and V = R |w_roll| the rolling speed: a
 /// rolling patch forgets its deflection over sigma (the relaxation length of the tyre models of von
