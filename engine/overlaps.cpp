@@ -38,6 +38,7 @@ std::vector<Overlap> find_overlaps(const Scene& scene) {
           const double depth = -assembly.gap(contact, state);
           if (contact.other != 0 && depth > kLeastDepth) note(contact, depth);
         }
+        return false;
       });
   return overlaps;
 }

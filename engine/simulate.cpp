@@ -47,9 +47,10 @@ Response simulate_with_star(const Scene& scene, const Excitation& excitation,
     for (std::size_t i : step.island->items) recorders[i].observe(step, impacts.impacts_of(i));
   };
   std::optional<std::string> cause;
-  const BulletWorld::Solve solve = [&](double, const std::vector<BodyContact>& contacts) {
+  const BulletWorld::Solve solve = [&](double until, const std::vector<BodyContact>& contacts) {
     stepper.set_contacts(contacts, state);
-    cause = stepper.advance(state, clock.target(), observer);
+    cause = stepper.advance(state, until, observer);
+    return !cause;
   };
   const auto sample = [&] {
     for (std::size_t i = 0; i < count; ++i)
@@ -62,8 +63,7 @@ Response simulate_with_star(const Scene& scene, const Excitation& excitation,
   std::vector<RunClock::ItemMotion> motions(count);
   while (clock.next(time)) {
     const double began = time;
-    world.step(clock.target() - began, state, solve);
-    if (cause) {
+    if (!world.step(clock.target(), state, solve)) {
       clock.stop(Outcome::kDiverged, *cause);
       break;
     }

@@ -25,6 +25,8 @@ namespace {
 /// Bullet reports contacts from this far; nearer than this a pass is always made [m].
 constexpr double kContactMargin = 0.02;
 
+constexpr double kMaxParts = 100;  // of a step, each with a pass of its own
+
 /// How fast any point of the item moves at most.
 double speed_of(const Mechanism& mechanism, const State& state) {
   double swing = 0, joints = 0;
@@ -35,6 +37,12 @@ double speed_of(const Mechanism& mechanism, const State& state) {
   }
   return state.velocity.chassis.head<3>().norm() +
          state.velocity.chassis.tail<3>().norm() * mechanism.reach + joints * swing;
+}
+
+/// How fast any part of the item sweeps through space at most: a wheel's spin does not count.
+double sweep_of(const Mechanism& mechanism, State state) {
+  for (Eigen::Vector2d& rates : state.velocity.joints) rates[1] = 0;
+  return speed_of(mechanism, state);
 }
 
 /// What Bullet's world needs before it can be made.
@@ -72,12 +80,19 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
         ~btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD);
   }
 
-  void step(double duration, SceneState& state, const Solve& solve) {
+  bool step(double until, SceneState& state, const Solve& solve) {
     state_ = &state;
     solve_ = &solve;
-    speed_ = approach_speed();
-    stepSimulation(duration, 0);
-    travelled_ += duration * std::max(speed_, approach_speed());
+    solved_ = true;
+    const double& time = state.items.front().time;
+    while (solved_ && time < until) {
+      stop_ = next_pass(time, until);
+      speed_ = approach_speed();
+      const double duration = stop_ - time;
+      stepSimulation(duration, 0);
+      travelled_ += duration * std::max(speed_, approach_speed());
+    }
+    return solved_;
   }
 
   long passes() const { return passes_; }
@@ -101,9 +116,7 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
   void predictUnconstraintMotion(btScalar duration) override { step_ = duration; }
   void createPredictiveContacts(btScalar) override {}
   void calculateSimulationIslands() override {}
-  void solveConstraints(btContactSolverInfo& info) override {
-    (*solve_)(info.m_timeStep, contacts_);
-  }
+  void solveConstraints(btContactSolverInfo&) override { solved_ = (*solve_)(stop_, contacts_); }
   void integrateTransforms(btScalar) override {}
   void updateActivationState(btScalar) override {}
   void saveKinematicState(btScalar) override {}
@@ -112,6 +125,17 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
   void synchronizeMotionStates() override {}
 
  private:
+  /// Nothing may travel past the margin between two passes: it would be found inside another body.
+  double next_pass(double time, double until) const {
+    if (obstacles_.empty() && items_.size() == 1) return until;
+    double fastest = 0;
+    for (std::size_t i = 0; i < items_.size(); ++i)
+      fastest = std::max(fastest, sweep_of(assembly_.items[i], state_->items[i]));
+    const double remaining = until - time;
+    const double parts = std::min(std::ceil(remaining * fastest / kContactMargin), kMaxParts);
+    return parts < 2 ? until : time + remaining / parts;
+  }
+
   /// A point that turned with a wheel since the last pass is no contact any more, and Bullet's
   /// search would start from the axis it found then: results would depend on which passes are
   /// skipped.
@@ -176,7 +200,15 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
             wheel.tread_point(direction, wheel.on_fork(pose, angle, point - state.position))};
   }
 
-  /// Bullet's normal of a tread before a polyhedron is a guess.
+  /// Bullet's normal of a tread before a polyhedron is a guess; of one that touches, the normal it
+  /// had is a better one: of a deep overlap Bullet may find the way out through another face.
+  Vector3 guess_of(const BodyContact& contact) const {
+    for (const BodyContactState& memory : state_->contacts)
+      if (memory.compression > 0 && memory.contact.same_pair(contact)) return memory.contact.normal;
+    return contact.normal;
+  }
+
+  /// A tread before a polyhedron.
   void sharpen(const btMultiBodyLinkCollider& body, BodyContact& contact) const {
     const auto& obstacle = obstacles_[static_cast<std::size_t>(contact.other) - 1];
     if (!obstacle || body.m_link < 0) return;
@@ -184,12 +216,35 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
     const State& state = state_->items[contact.side.item];
     const Vector3 found = state.position + mechanism.point(contact.side, state);
     const WheelObstacle::Plane plane =
-        obstacle->between(contact.normal, [&](const Vector3& normal) -> Vector3 {
+        obstacle->between(guess_of(contact), [&](const Vector3& normal) -> Vector3 {
           return state.position + mechanism.point(side_at(body, found, -normal), state);
         });
     contact.side = side_at(body, found, -plane.normal);
+    contact.side.outwards = -plane.normal;
     contact.normal = plane.normal;
     contact.offset = plane.offset;
+  }
+
+  /// A wheel that turns its side to a face meets it with the rim of that side.
+  /// @returns false when it does not
+  bool add_side(const BodyContact& contact) {
+    const BodyContact::Side& at = contact.side;
+    const auto& obstacle = obstacles_[static_cast<std::size_t>(contact.other) - 1];
+    if (!obstacle || at.leg < 0) return false;
+    const auto i = static_cast<std::size_t>(at.leg);
+    const Leg& leg = assembly_.items[at.item].legs[i];
+    const State& state = state_->items[at.item];
+    const double angle = state.legs[i].swivel_angle;
+    const Vector3 across = leg.across(state.pose(), angle, -contact.normal);
+    if (!Leg::lies(Vector3(0, 0, across.y()))) return false;
+    const std::size_t before = contacts_.size();
+    for (const Vector3& point : leg.rim(across.y() > 0)) {
+      const Vector3 here = state.position + leg.point(state.pose(), angle, point);
+      if (!obstacle->faces(contact.normal, here)) continue;
+      BodyContact& added = contacts_.emplace_back(contact);
+      added.side = {at.item, at.leg, point};
+    }
+    return contacts_.size() > before;
   }
 
   /// Of wheels against the room and other items.
@@ -217,6 +272,7 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
           contact.other = other->getUserIndex();
           contact.offset = contact.normal.dot(first ? on_b : on_a);
           sharpen(*body, contact);
+          if (add_side(contact)) continue;
         }
         contacts_.push_back(contact);
       }
@@ -231,6 +287,8 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
   RoomObjects room_;
   bool skip_clear_passes_;
   SceneState* state_ = nullptr;
+  bool solved_ = true;
+  double stop_ = 0;  // of the step that is made
   const Solve* solve_ = nullptr;
   std::vector<BodyContact> contacts_;
   double step_ = 0, speed_ = 0, travelled_ = 0, clearance_ = 0;
@@ -241,8 +299,8 @@ BulletWorld::BulletWorld(const Scene& scene, const Assembly& assembly, bool skip
     : world_(std::make_unique<World>(scene, assembly, skip_clear_passes)) {}
 BulletWorld::~BulletWorld() = default;
 
-void BulletWorld::step(double duration, SceneState& state, const Solve& solve) {
-  world_->step(duration, state, solve);
+bool BulletWorld::step(double until, SceneState& state, const Solve& solve) {
+  return world_->step(until, state, solve);
 }
 
 long BulletWorld::collision_passes() const { return world_->passes(); }

@@ -12,7 +12,7 @@ namespace gurney {
 /// Bullet's world with our solve in it.
 ///
 /// A subclass of btMultiBodyDynamicsWorld holds each item as a btMultiBody with its shapes, and the
-/// shapes of the room. Each call of step() is one stepSimulation: Bullet finds the contacts between
+/// shapes of the room. Each pass is one stepSimulation: Bullet finds the contacts between
 /// them (those with the flat floor and of the chassis with the room are analytic: FloorPoints,
 /// ChassisPoints), and where it would solve constraints and integrate, it calls us.
 ///
@@ -24,9 +24,14 @@ class BulletWorld {
   BulletWorld(const Scene& scene, const Assembly& assembly, bool skip_clear_passes);
   ~BulletWorld();
 
-  /// Advances `state` by `duration` with `solve`, which receives the contacts found at the start.
-  using Solve = std::function<void(double duration, const std::vector<BodyContact>& contacts)>;
-  void step(double duration, SceneState& state, const Solve& solve);
+  /// Advances the state to a time with the contacts found at its start.
+  /// @returns false when the run cannot go on
+  using Solve = std::function<bool(double until, const std::vector<BodyContact>& contacts)>;
+
+  /// Advances `state` to `until` with `solve`: in one pass, or in several where parts move so fast
+  /// that they would travel past the margin between two.
+  /// @returns false when `solve` did
+  bool step(double until, SceneState& state, const Solve& solve);
 
   long collision_passes() const;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/base/units.h"
 
@@ -16,6 +17,9 @@ constexpr double kStickStiffnessRatio = 10;
 /// have a valley between middle and edge in which no single contact point can stay.
 constexpr double kCrownBegins = 10 * kRadiansPerDegree, kCrownEnds = 30 * kRadiansPerDegree;
 const double kSineOfCrown = std::sin(kCrownBegins);
+
+/// Nearer to its axle than this a direction has no part in the wheel's plane: sine of the angle.
+constexpr double kSquare = 1e-6;
 
 struct CrownPoint {
   double out;   ///< from the middle of the tread, along the axle [m]
@@ -65,17 +69,32 @@ Leg::Leg(const Caster& caster, const Vector3& chassis_center)
   reach_ = mount_.norm() + swing_;
 }
 
-double Leg::edge_radius() const { return radius_ - crown_point(kCrownEnds, 0.5 * width_).drop; }
+std::array<Vector3, Leg::kRimPoints> Leg::rim(bool left) const {
+  const double radius = radius_ - crown_point(kCrownEnds, 0.5 * width_).drop;
+  std::array<Vector3, kRimPoints> points;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / kRimPoints;
+    points[k] = wheel_center_ + Vector3(radius * std::cos(angle), (left ? 0.5 : -0.5) * width_,
+                                        radius * std::sin(angle));
+  }
+  return points;
+}
 
 Vector3 Leg::tread_point(const Vector3& direction, const Vector3& found) const {
   const double sine = direction.y();
   const Vector3 in_plane(direction.x(), 0, direction.z());
-  if (lies(Vector3(0, 0, sine))) return found;
+  if (in_plane.norm() < kSquare) return found;
   const Vector3 outwards = in_plane.normalized();
   if (std::abs(sine) <= kSineOfCrown) return wheel_center_ + radius_ * outwards;
   const CrownPoint point = crown_point(std::asin(std::abs(sine)), 0.5 * width_);
   return wheel_center_ + (radius_ - point.drop) * outwards +
          std::copysign(point.out, sine) * Vector3::UnitY();
+}
+
+Vector3 Leg::tread_point(const Pose& pose, double swivel_angle, const Vector3& outwards,
+                         const Vector3& found) const {
+  const Matrix3 fork = fork_rotation(pose, swivel_angle);
+  return pose.rotation * mount_ + fork * tread_point(fork.transpose() * outwards, found);
 }
 
 Matrix3 Leg::fork_rotation(const Pose& pose, double swivel_angle) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 
 #include "engine/base/vector.h"
@@ -73,12 +74,23 @@ class Leg {
   /// has no contact on its tread.
   static bool lies(const Vector3& axle) { return std::abs(axle.z()) > 0.866; }
 
-  /// Radius of the wheel at the edge of its tread, smaller by the crown [m].
-  double edge_radius() const;
+  /// A direction in fork axes.
+  Vector3 across(const Pose& pose, double swivel_angle, const Vector3& direction) const {
+    return fork_rotation(pose, swivel_angle).transpose() * direction;
+  }
+
+  static constexpr int kRimPoints = 12;
+  /// With these a wheel that lies meets what it lies on: at the edge of its tread, on its left or
+  /// right side. Fork axes, relative to the mount.
+  std::array<Vector3, kRimPoints> rim(bool left) const;
 
   /// Where the crowned tread touches a plane that faces `direction` (unit, outwards, fork axes); of
-  /// one that faces its side, `found`. Fork axes, relative to the mount.
+  /// one that faces its side squarely, `found`. Fork axes, relative to the mount.
   Vector3 tread_point(const Vector3& direction, const Vector3& found) const;
+
+  /// The same in floor axes, relative to O; `found` in fork axes.
+  Vector3 tread_point(const Pose& pose, double swivel_angle, const Vector3& outwards,
+                      const Vector3& found) const;
 
   /// Position of the leg's centre of mass relative to O, for the potential energy.
   Vector3 center_of_mass(const Pose& pose, double swivel_angle) const;

@@ -16,6 +16,10 @@ struct BodyContact {
     /// Chassis: chassis axes, relative to its centre; wheel: fork axes, relative to the mount (the
     /// point does not turn with the axle).
     Vector3 local = Vector3::Zero();
+    /// Of a tread before a plane: against the plane's normal, unit, floor axes. The point is where
+    /// the tread is farthest this way, however the wheel turns, and `local` where that was when the
+    /// contact was found. Zero: the point is `local`.
+    Vector3 outwards = Vector3::Zero();
 
     bool same_body(const Side& b) const { return item == b.item && leg == b.leg; }
   };
@@ -25,10 +29,19 @@ struct BodyContact {
   int other = 0;  ///< 0: the floor; i + 1: room shape i; kItem: `other_side`, of a later item
   Side other_side;
   Vector3 normal = Vector3::UnitZ();  ///< unit, towards `side`, floor axes
-  double offset = 0;                  ///< of floor and room shapes: gap = normal . point - offset;
-                                      ///< of two items: gap = normal . (point - other point) [m]
+  double offset = 0;                  ///< of floor and room shapes: gap = normal . point - offset; of
+                                      ///< two items: gap = normal . (point - other point) - offset [m]
 
   bool between_items() const { return other == kItem; }
+  /// Whether both are the same point before the same plane at two times. 1e-6 m of a point and
+  /// 1e-9 of a normal are the rounding of their construction.
+  bool same_place(const BodyContact& b) const {
+    const bool same_point = side.outwards.isZero()
+                                ? (side.local - b.side.local).norm() < 1e-6
+                                : (side.outwards - b.side.outwards).norm() < 1e-9;
+    return same_point && (normal - b.normal).norm() < 1e-9 &&
+           (other_side.local - b.other_side.local).norm() < 1e-6;
+  }
   /// Whether both may be the same contact at two times: points of one pair of bodies.
   bool same_pair(const BodyContact& b) const {
     return side.same_body(b.side) && other == b.other &&
@@ -42,6 +55,9 @@ struct BodyContactState {
   Vector3 deflection = Vector3::Zero();  ///< tangential, floor axes [m]
   double compression = 0;                ///< overlap [m]
   double approach_speed = 0;             ///< when it last touched, or now while apart [m/s]
+  /// How much deeper the bodies overlap than `compression`: see Stepper::set_contacts [m].
+  double slack = 0;
+  bool kept_place = false;  ///< the last pass found it where it was
 };
 
 }  // namespace gurney

@@ -8,6 +8,7 @@ namespace {
 
 /// Normals that may be the true one of a guess: cosine of the angle.
 constexpr double kNear = 0.866;
+constexpr double kSameFace = 1 - 1e-9;  // cosine of the angle
 constexpr int kBisections = 40;  // of at most 180 degrees: to 3e-12 rad
 
 }  // namespace
@@ -53,6 +54,16 @@ WheelObstacle::Plane WheelObstacle::between(const Vector3& guess, const Lowest& 
     consider({normal, normal.dot(edge.point)});
   }
   return best;
+}
+
+bool WheelObstacle::faces(const Vector3& normal, const Vector3& point) const {
+  bool found = false;
+  for (const ConvexShape::Face& face : shape_.faces) {
+    const bool own = face.normal.dot(normal) > kSameFace;
+    found |= own;
+    if (!own && face.normal.dot(point) > shape_.level(face)) return false;
+  }
+  return found;
 }
 
 }  // namespace gurney

@@ -27,6 +27,10 @@ class WheelObstacle {
   /// than 30 degrees from `guess`, the one that leaves most. Of a corner it is `guess`.
   Plane between(const Vector3& guess, const Lowest& lowest) const;
 
+  /// Whether a point near the face with this normal is before or behind that face, and not beside
+  /// it; of normals that no face has, never.
+  bool faces(const Vector3& normal, const Vector3& point) const;
+
  private:
   struct Edge {
     Vector3 point;

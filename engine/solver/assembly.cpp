@@ -13,10 +13,11 @@ Vector3 Assembly::point(const BodyContact& contact, const SceneState& state) con
 
 double Assembly::gap(const BodyContact& contact, const SceneState& state) const {
   const Vector3 here = state.items[contact.side.item].position + point(contact, state);
-  if (!contact.between_items()) return contact.normal.dot(here) - contact.offset;
+  const double along = contact.normal.dot(here) - contact.offset;
+  if (!contact.between_items()) return along;
   const BodyContact::Side& b = contact.other_side;
   const State& other = state.items[b.item];
-  return contact.normal.dot(here - other.position - items[b.item].point(b, other));
+  return along - contact.normal.dot(other.position + items[b.item].point(b, other));
 }
 
 Vector3 Assembly::velocity(const BodyContact& contact, const SceneState& state) const {

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace gurney {
 namespace {
 
-constexpr int kRimPoints = 12;
 /// A wheel with a steeper axle may soon lie on its side.
 constexpr double kSteepAxle = 0.5;
 
@@ -40,13 +38,8 @@ void FloorPoints::collect(const State& state, double margin,
   for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
     const Leg& leg = mechanism_.legs[i];
     if (!Leg::lies(axle_of(leg, state, i))) continue;
-    for (int k = 0; k < 2 * kRimPoints; ++k) {
-      const double angle = 2 * std::numbers::pi * (k / 2) / kRimPoints;
-      const Vector3 on_rim(leg.edge_radius() * std::cos(angle),
-                           (k % 2 ? 0.5 : -0.5) * leg.wheel_width(),
-                           leg.edge_radius() * std::sin(angle));
-      add_if_low({item_, static_cast<int>(i), leg.wheel_center() + on_rim});
-    }
+    for (const bool left : {false, true})
+      for (const Vector3& point : leg.rim(left)) add_if_low({item_, static_cast<int>(i), point});
   }
 }
 

@@ -21,6 +21,13 @@ Leg::Geometry geometry(const Leg& leg, const State& state, std::size_t i) {
 
 }  // namespace
 
+Vector3 point_of(const Leg& leg, const Pose& pose, double swivel_angle,
+                 const BodyContact::Side& side) {
+  return side.outwards.isZero()
+             ? leg.point(pose, swivel_angle, side.local)
+             : leg.tread_point(pose, swivel_angle, side.outwards, side.local);
+}
+
 Mechanism::Mechanism(const Scene& scene, std::size_t item, const Excitation& excitation)
     : chassis(chassis_with_payloads(scene.items[item].model)),
       loads(item == 0 ? excitation : Excitation(), chassis.center_of_mass, scene.gravity),
@@ -78,19 +85,18 @@ double Mechanism::elastic_energy(const State& state) const {
 Vector3 Mechanism::point(const BodyContact::Side& side, const State& state) const {
   if (side.leg < 0) return state.rotation * side.local;
   const auto leg = static_cast<std::size_t>(side.leg);
-  return legs[leg].point(state.pose(), state.legs[leg].swivel_angle, side.local);
+  return point_of(legs[leg], state.pose(), state.legs[leg].swivel_angle, side);
 }
 
 Vector3 Mechanism::velocity(const BodyContact::Side& side, const State& state) const {
   const Vector6& v = state.velocity.chassis;
   const Vector3 here = point(side, state);
-  Vector3 u = v.head<3>() + v.tail<3>().cross(here);
+  const Vector3 u = v.head<3>() + v.tail<3>().cross(here);
   if (side.leg < 0) return u;
   const auto leg = static_cast<std::size_t>(side.leg);
+  if (!legs[leg].swivels()) return u;
   const auto g = geometry(legs[leg], state, leg);
-  const Eigen::Vector2d& rates = state.velocity.joints[leg];
-  if (legs[leg].swivels()) u += rates[0] * g.swivel_axis.cross(here - g.mount);
-  return u + rates[1] * g.axle.cross(here - g.wheel_center);
+  return u + state.velocity.joints[leg][0] * g.swivel_axis.cross(here - g.mount);
 }
 
 double Mechanism::mobility(const BodyContact::Side& side, const Vector3& normal,

@@ -10,6 +10,10 @@
 
 namespace gurney {
 
+/// A point of a wheel, relative to the chassis' centre, floor axes.
+Vector3 point_of(const Leg& leg, const Pose& pose, double swivel_angle,
+                 const BodyContact::Side& side);
+
 /// The constants of one item on its casters under its loads: what a run reads and never changes.
 struct Mechanism {
   Mechanism(const Scene& scene, std::size_t item, const Excitation& excitation);
@@ -31,7 +35,7 @@ struct Mechanism {
   double elastic_energy(const State& state) const;
 
   /// A point of the item (BodyContact::Side), relative to the chassis' centre, floor axes; and its
-  /// velocity.
+  /// velocity, without the spin of a wheel, which moves no point of its surface.
   Vector3 point(const BodyContact::Side& side, const State& state) const;
   Vector3 velocity(const BodyContact::Side& side, const State& state) const;
   /// 1 / the mass that an impulse along `normal` feels there of the chassis alone: more than that

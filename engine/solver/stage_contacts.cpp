@@ -15,9 +15,10 @@ void StageSolver::place(const Input& input, const std::vector<Velocity>& v, cons
     const Leg::Geometry& g = item.leg(at.leg).g;
     const double swivel =
         input.start->items[at.item].legs[i].swivel_angle + input.tau * v[at.item].joints[i][0];
-    side.point = leg.point(item.pose(), swivel, at.local);
+    side.point = point_of(leg, item.pose(), swivel, at);
     if (leg.swivels()) side.joints.col(0) = frame * g.swivel_axis.cross(side.point - g.mount);
     side.joints.col(1) = frame * g.axle.cross(side.point - g.wheel_center);
+    side.joints(2, 1) = 0;  // a wheel that spins comes no nearer
   }
   side.chassis.leftCols<3>() = frame;
   for (int k = 0; k < 3; ++k)
@@ -57,9 +58,8 @@ void StageSolver::update_contacts(const Input& input, const std::vector<Velocity
       gap -= contact.normal.dot(items_[b.item].pose().position + work.other_side.point);
       if (a.leg >= 0) items_[a.item].keep(a.leg);
       if (b.leg >= 0) items_[b.item].keep(b.leg);
-    } else {
-      gap -= contact.offset;
     }
+    gap -= contact.offset;
     work.stage.tau = input.tau;
     work.stage.compression = -gap + input.tau * contact_rates(work, v).z();
     work.stage.approach_speed = memory.approach_speed;

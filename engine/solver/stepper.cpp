@@ -81,6 +81,33 @@ void add_power(const EnergyAccount& power, double time, EnergyAccount& account) 
   account.contact_loss += time * power.contact_loss;
 }
 
+/// The contacts with what they remember: each that of the nearest of its pair, once.
+std::vector<BodyContactState> remembered(const std::vector<BodyContact>& contacts,
+                                         const std::vector<BodyContactState>& before) {
+  struct Match {
+    double distance;
+    std::size_t now, before;
+  };
+  std::vector<Match> matches;
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    for (std::size_t k = 0; k < before.size(); ++k)
+      if (before[k].contact.same_pair(contacts[i]))
+        matches.push_back(
+            {(before[k].contact.side.local - contacts[i].side.local).norm(), i, k});
+  std::ranges::stable_sort(matches, {}, &Match::distance);
+  std::vector<BodyContactState> memories(contacts.size());
+  std::vector<bool> found(contacts.size()), taken(before.size());
+  for (const Match& match : matches) {
+    if (found[match.now] || taken[match.before]) continue;
+    found[match.now] = taken[match.before] = true;
+    BodyContactState& memory = memories[match.now] = before[match.before];
+    memory.kept_place = contacts[match.now].same_place(memory.contact);
+    if (match.distance >= kSameContactDistance) memory.deflection.setZero();
+  }
+  for (std::size_t i = 0; i < contacts.size(); ++i) memories[i].contact = contacts[i];
+  return memories;
+}
+
 }  // namespace
 
 Stepper::Stepper(const Assembly& assembly, const FloorMotion& floor,
@@ -104,21 +131,17 @@ void Stepper::set_contacts(const std::vector<BodyContact>& contacts, SceneState&
     accounts_[i].contact_loss += assembly_.contact_energy(i, state);
   std::vector<BodyContact> sorted = contacts;
   islands_ = islands_of(sorted, count);
-  std::vector<BodyContactState> memories(sorted.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    double nearest = kSameContactDistance;
-    for (const BodyContactState& memory : state.contacts) {
-      if (!memory.contact.same_pair(sorted[i])) continue;
-      const double distance = (memory.contact.side.local - sorted[i].side.local).norm();
-      if (distance >= nearest) continue;
-      nearest = distance;
-      memories[i] = memory;
-    }
-    memories[i].contact = sorted[i];
-    memories[i].deflection -= sorted[i].normal * sorted[i].normal.dot(memories[i].deflection);
+  std::vector<BodyContactState> memories = remembered(sorted, state.contacts);
+  for (BodyContactState& memory : memories) {
+    memory.deflection -= memory.contact.normal * memory.contact.normal.dot(memory.deflection);
     // One that has parted may overlap again as its points move: that is no new blow.
-    if (memories[i].compression <= 0) memories[i].approach_speed = approach_speed(sorted[i], state);
-    memories[i].compression = -assembly_.gap(sorted[i], state);
+    if (memory.compression <= 0) memory.approach_speed = approach_speed(memory.contact, state);
+    const double overlap = -assembly_.gap(memory.contact, state);
+    memory.slack = std::clamp(memory.slack, 0.0, std::max(overlap, 0.0));
+    if (!memory.kept_place)
+      memory.slack = std::max(overlap - std::max(memory.compression, 0.0), 0.0);
+    memory.contact.offset -= memory.slack;
+    memory.compression = overlap - memory.slack;
   }
   state.contacts = std::move(memories);
   for (std::size_t i = 0; i < count; ++i)
@@ -220,8 +243,9 @@ bool Stepper::attempt(const Island& island, const SceneState& from, double durat
   input_.loads.first = false;
   const bool second_converged = solver_.solve(input_, second_);
   quality_.newton_iterations += second_.iterations;
+  if (!std::isfinite(second_.residual)) return false;
   for (std::size_t i : island.items) second_.end.items[i].time = time + duration;
-  return first_converged && second_converged && std::isfinite(second_.residual);
+  return first_converged && second_converged;
 }
 
 void Stepper::accept(const Island& island, SceneState& state, double duration,

@@ -38,8 +38,12 @@ class Stepper {
   /// @returns a cause when the run cannot go on.
   std::optional<std::string> advance(SceneState& state, double time, const Observer& observer);
 
-  /// The contacts of bodies from now on. A contact that persists (same body, nearly the same place)
-  /// keeps what it remembers in `state`; the energy stored in contacts that end is lost.
+  /// The contacts of bodies from now on. A contact that persists (same pair of bodies, the nearest
+  /// place) keeps what it remembers in `state`; the energy stored in contacts that end is lost.
+  ///
+  /// No contact is made deeper by being found: where a new place, or a normal that has turned,
+  /// would overlap by more than the contact was compressed, the rest is its slack and pushes
+  /// nothing. Otherwise the search for contacts would do work on the item.
   void set_contacts(const std::vector<BodyContact>& contacts, SceneState& state);
 
   /// Loads change at the state's time: blocks let go, and the last acceleration predicts nothing.
