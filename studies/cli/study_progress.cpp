@@ -13,8 +13,8 @@ namespace gurney {
 StudyProgress::StudyProgress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
 
 void StudyProgress::operator()(const BatchProgress& now) {
-  if (quiet_ || now.units_now == 0) return;
-  const bool last = now.done == now.units;
+  if (quiet_ || complete_ || now.units_now == 0) return;
+  const bool last = complete_ = now.done == now.units;
   if (!terminal_ && !last && now.seconds - shown_ < 10) return;
   shown_ = now.seconds;
   const double seconds = std::max(now.seconds, 1e-9);

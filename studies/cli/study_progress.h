@@ -13,7 +13,7 @@ class StudyProgress {
   void operator()(const BatchProgress& now);
 
  private:
-  bool quiet_, terminal_;
+  bool quiet_, terminal_, complete_ = false;
   double shown_ = -10;
 };
 

@@ -154,7 +154,7 @@ fresh
 begin
 interrupt
 study 0 "runs     40" long.toml -o a.h5 --resume -j 1
-grep -qE '^100 %  40 runs, ' stderr || complain "counts only the runs since --resume"
+[ "$(grep -cE '^100 %  40 runs, ' stderr)" -eq 1 ] || complain "the counts are not those of the whole study, once"
 
 # Files and links of others are neither followed nor removed.
 fresh
@@ -245,10 +245,16 @@ little_memory() { (ulimit -v "$1"; exec "$gurney" run long.toml -o a.h5 -j 1 --r
 fresh
 begin
 interrupt
-for size in 60000 65000 70000 75000; do
-  little_memory "$size" > stdout 2> stderr && break
+stopped=0
+for size in $(seq 45000 1500 81000); do
+  little_memory "$size" > stdout 2> stderr
+  got=$?
+  [ "$got" -eq 0 ] && break
   grep -q "bad_alloc" stderr && complain "a limit of $size kB: bad_alloc"
+  grep -q "not enough memory" stderr && [ "$got" -eq 1 ] && stopped=$((stopped + 1))
+  grep -q "Segmentation\|crashed" stderr && complain "a limit of $size kB: crashed"
 done
+[ "$stopped" -gt 0 ] || complain "no limit at which the memory ends"
 study 0 "a.h5" long.toml -o a.h5 --resume
 same whole.h5 a.h5
 
