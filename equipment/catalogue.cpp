@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "engine/base/config/file_snapshot.h"
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
 
@@ -63,9 +64,12 @@ std::string find_data(DataKind kind, const std::string& name, const std::string&
   if (name.find('/') != std::string::npos || fs::path(name).extension() == ".toml") {
     const fs::path path = (fs::path(named_in).parent_path() / name).lexically_normal();
     std::error_code ignored;
-    require(fs::is_regular_file(path, ignored), "no such file: " + path.string());
+    const bool there = config::FileSnapshot::exists(path) && !fs::is_directory(path, ignored);
+    require(there, "no such file: " + path.string());
     return path.string();
   }
+  const std::string file = (folder_of(kind) / (name + ".toml")).string();
+  if (config::FileSnapshot::exists(file)) return file;
   const std::vector<std::string> names = catalogue_names(kind);
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     std::string list;
@@ -74,7 +78,7 @@ std::string find_data(DataKind kind, const std::string& name, const std::string&
     throw Error("unknown " + noun + (hint.find("did you") == 2 ? hint : "") +
                 " (the catalogue has " + list + ")");
   }
-  return (folder_of(kind) / (name + ".toml")).string();
+  return file;
 }
 
 }  // namespace gurney

@@ -5,9 +5,12 @@
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <LinearMath/btAlignedAllocator.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
+#include <new>
 #include <optional>
 #include <tuple>
 
@@ -21,6 +24,15 @@
 
 namespace gurney {
 namespace {
+
+void* allocate(std::size_t size) {
+  void* const memory = std::malloc(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+/// Bullet does not look at what its allocator returns: without memory it would write through null.
+const bool kAllocatorIsSet = (btAlignedAllocSetCustom(allocate, std::free), true);
 
 /// Bullet reports contacts from this far; nearer than this a pass is always made [m].
 constexpr double kContactMargin = 0.02;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "engine/base/config/file_snapshot.h"
 #include "engine/base/error.h"
 #include "groundmotions/suites/folder_suite.h"
 #include "groundmotions/suites/list_suite.h"
@@ -40,6 +41,7 @@ bool append_collection(const std::filesystem::path& path, const ReadOptions& opt
     append(suite, read_list_suite(*file, options));
   else
     return false;
+  config::FileSnapshot::note(path.string(), std::string(file->bytes()));
   return true;
 }
 

@@ -8,34 +8,13 @@
 
 #include "engine/base/config/document.h"
 #include "engine/base/config/overlay.h"
+#include "studies/study/flat_tree.h"
 
 namespace gurney {
 namespace {
 
 using config::Node;
 using Entries = std::map<std::string, std::string>;
-
-bool is_array_of_tables(const Node& node) {
-  return node.kind == Node::Kind::kArray && !node.elements.empty() &&
-         std::ranges::all_of(node.elements,
-                             [](const Node& each) { return each.kind == Node::Kind::kTable; });
-}
-
-/// Each value of a tree by its dotted key; tables of an array by their name, or else number.
-void flatten(const Node& node, const std::string& path, Entries& entries) {
-  if (node.kind == Node::Kind::kTable) {
-    for (const Node& each : node.elements)
-      flatten(each, path.empty() ? each.key : path + "." + each.key, entries);
-  } else if (is_array_of_tables(node)) {
-    for (std::size_t i = 0; i < node.elements.size(); ++i) {
-      const Node* name = node.elements[i].find("name");
-      flatten(node.elements[i],
-              fmt::format("{}[{}]", path, name ? name->text : std::to_string(i + 1)), entries);
-    }
-  } else {
-    entries[path] = config::describe(node);
-  }
-}
 
 /// The job of one configuration, with [study] but without its factors.
 Entries job_of(const StudySide& side) {

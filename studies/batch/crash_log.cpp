@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <fstream>
 #include <sstream>
 #include <string_view>
 
@@ -64,33 +63,52 @@ extern "C" void crashed(int signal_number) {
   ::raise(signal_number);  // SA_RESETHAND: this time it ends the process
 }
 
-CrashedRuns read(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  std::map<std::pair<std::size_t, std::size_t>, int> times;
-  CrashedRuns given_up;
+std::string contents_of(int file) {
   std::string text;
-  for (int number = 1; std::getline(stream, text); ++number) {
-    std::istringstream line(text);
-    std::size_t unit = 0, run = 0;
-    int signal_number = 0;
-    require(bool(line >> unit >> run >> signal_number),
-            fmt::format("{}:{}: is no line `unit run signal`: '{}'", file.string(), number, text));
-    if (++times[{unit, run}] == kTries)
-      given_up[{unit, run}] =
-          fmt::format("crashed the program {} times: {}", kTries, strsignal(signal_number));
-  }
-  return given_up;
+  std::array<char, 4096> bytes{};
+  for (ssize_t size; (size = ::read(file, bytes.data(), bytes.size())) > 0;)
+    text.append(bytes.data(), static_cast<std::size_t>(size));
+  return text;
 }
 
 }  // namespace
 
-CrashLog::CrashLog(const std::filesystem::path& file) : given_up_(read(file)) {
-  log_file = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  require(log_file >= 0, fmt::format("{}: cannot be written: {}", file.string(), strerror(errno)));
+CrashLog::CrashLog(const std::filesystem::path& file) {
+  const int descriptor =
+      ::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0644);
+  require(descriptor >= 0,
+          fmt::format("{}: cannot be written: {}", file.string(), strerror(errno)));
+  const std::string text = contents_of(descriptor);
+  // A power cut may have torn the last line: it is cut off, so that the next one stands alone.
+  const std::size_t whole = text.rfind('\n') + 1;
+  if (whole < text.size() && ::ftruncate(descriptor, static_cast<off_t>(whole)) != 0)
+    warnings_.push_back(file.string() + ": its torn last line cannot be cut off");
+  read(file, text.substr(0, whole));
+  log_file = descriptor;
   struct sigaction action {};
   action.sa_handler = crashed;
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   for (const int each : kSignals) sigaction(each, &action, nullptr);
+}
+
+void CrashLog::read(const std::filesystem::path& file, const std::string& text) {
+  std::map<std::pair<std::size_t, std::size_t>, int> times;
+  std::istringstream lines(text);
+  int number = 0;
+  for (std::string each; std::getline(lines, each);) {
+    ++number;
+    std::istringstream line(each);
+    std::size_t unit = 0, run = 0;
+    int signal_number = 0;
+    std::string rest;
+    if (!(line >> unit >> run >> signal_number) || line >> rest)
+      warnings_.push_back(
+          fmt::format("{}:{}: is not a line `unit run signal` and was ignored: '{}'", file.string(),
+                      number, each));
+    else if (++times[{unit, run}] == kTries)
+      given_up_[{unit, run}] =
+          fmt::format("crashed the program {} times: {}", kTries, strsignal(signal_number));
+  }
 }
 
 CrashLog::~CrashLog() {

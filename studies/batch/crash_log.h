@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace gurney {
 
@@ -20,7 +21,7 @@ using CrashedRuns = std::map<std::pair<std::size_t, std::size_t>, std::string>;
 class CrashLog {
  public:
   /// @param file  made where it is missing
-  /// @throws Error where it cannot be read or written, or is no such file
+  /// @throws Error where it cannot be written
   explicit CrashLog(const std::filesystem::path& file);
   ~CrashLog();
   CrashLog(const CrashLog&) = delete;
@@ -29,8 +30,14 @@ class CrashLog {
   /// Those that crashed a process twice.
   const CrashedRuns& given_up() const { return given_up_; }
 
+  /// Lines that are none of its own; they are ignored.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
  private:
+  void read(const std::filesystem::path& file, const std::string& text);
+
   CrashedRuns given_up_;
+  std::vector<std::string> warnings_;
 };
 
 /// While one exists, this thread is in a run.

@@ -17,25 +17,34 @@ using Clock = std::chrono::steady_clock;
 
 using Part = std::map<std::size_t, std::string>;  ///< bytes of units
 
+void count(const UnitResult& result, BatchProgress& progress) {
+  for (const StudyRun& run : result.runs) {
+    progress.failed += run.response.outcome == Outcome::kDiverged;
+    progress.overturned += run.response.outcome == Outcome::kOverturned;
+  }
+  progress.runs += result.runs.size();
+  ++progress.done;
+}
+
+BatchProgress done_before(const Batch& batch, const PartFolder& folder) {
+  BatchProgress progress;
+  progress.units = batch.plan.units();
+  for (std::size_t unit = 0; unit < progress.units; ++unit)
+    if (folder.has(unit)) count(unit_from_bytes(folder.read(unit)), progress);
+  return progress;
+}
+
 /// Collects finished units into parts: soon at first, later after 2 % of the time the batch has
 /// run, so that parts stay few and little is lost.
 class Collector {
  public:
-  Collector(const std::function<void(const BatchProgress&)>& report, std::size_t units,
-            std::size_t done)
-      : report_(report) {
-    progress_.units = units;
-    progress_.done = done;
-  }
+  Collector(const std::function<void(const BatchProgress&)>& report, const BatchProgress& before)
+      : report_(report), progress_(before) {}
 
   /// @return a part that is due to be written; else empty
   Part add(UnitResult result) {
-    for (const StudyRun& run : result.runs) {
-      progress_.failed += run.response.outcome == Outcome::kDiverged;
-      progress_.overturned += run.response.outcome == Outcome::kOverturned;
-    }
-    progress_.runs += result.runs.size();
-    ++progress_.done;
+    count(result, progress_);
+    progress_.runs_now += result.runs.size();
     ++progress_.units_now;
     const std::size_t unit = result.unit;
     bytes_ += (waiting_[unit] = to_bytes(result)).size();
@@ -124,11 +133,10 @@ void run_units(const Work& work, const std::vector<std::size_t>& units, const St
 
 }  // namespace
 
-BatchProgress run_batch(const Batch& batch, PartFolder& folder, int threads,
-                        const std::function<bool()>& go_on,
+BatchProgress run_batch(const Batch& batch, PartFolder& folder, const CrashLog& crashes,
+                        int threads, const std::function<bool()>& go_on,
                         const std::function<void(const BatchProgress&)>& progress) {
-  Collector collector(progress, batch.plan.units(), folder.size());
-  const CrashLog crashes(folder.path() / "crashes");
+  Collector collector(progress, done_before(batch, folder));
   const Work work{batch, folder, crashes, collector, go_on};
   StageLevels levels(batch);
   run_units(work, missing_units(batch, 0, folder), levels, threads);

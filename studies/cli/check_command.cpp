@@ -9,6 +9,7 @@
 
 #include "engine/base/units.h"
 #include "studies/batch/estimate.h"
+#include "studies/cli/study_size.h"
 #include "studies/run_job.h"
 #include "studies/study/stages.h"
 
@@ -41,18 +42,6 @@ std::string list_of(const std::vector<std::string>& all) {
       all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(kShown, all.size())));
   return fmt::format("{}: {}{}", all.size(), fmt::join(shown, "; "),
                      all.size() > kShown ? "; ..." : "");
-}
-
-std::string duration_text(double seconds) {
-  if (seconds < 90) return fmt::format("{:.2g} s", seconds);
-  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
-  return fmt::format("{:.1f} h", seconds / 3600);
-}
-
-std::string size_text(double bytes) {
-  if (bytes < 1e6) return fmt::format("{:.0f} kB", std::max(1.0, bytes / 1e3));
-  return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6)
-                     : fmt::format("{:.1f} GB", bytes / 1e9);
 }
 
 void add_warnings(Answer& answer, const std::vector<std::string>& warnings) {
@@ -122,9 +111,10 @@ void add_plan(Answer& answer, const Batch& batch) {
 
 Answer check_study(const StudyJob& job, int threads) {
   const StudyMotions motions(job);
-  motions.read_all(threads);
   const Plan plan(job, motions);
   const Batch batch{job, motions, plan};
+  refuse_oversized(batch);
+  motions.read_all(threads);
   Answer answer;
   answer.add("job", job.file(), job.file() + ": a study without mistakes");
   add_plan(answer, batch);

@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <iostream>
 #include <memory>
+#include <new>
 
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
@@ -27,6 +29,7 @@
 #include "studies/cli/sensitivity_command.h"
 #include "studies/cli/show_command.h"
 #include "studies/cli/signals.h"
+#include "studies/cli/standard_error.h"
 #include "studies/cli/verify_command.h"
 
 namespace gurney {
@@ -110,7 +113,42 @@ std::string unknown_command(CLI::App& app, const std::vector<std::string>& words
 
 }  // namespace
 
+namespace {
+
+/// @return the exit code, once all output is written
+int flushed(int code) {
+  std::cout.flush();
+  require(std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0,
+          "cannot write to the standard output");
+  return code;
+}
+
+int parse_and_act(CLI::App& app, const std::function<int()>& act, int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  const bool wants_help = !words.empty() && words[0] == "help";
+  if (wants_help) words.erase(words.begin());
+  if (const std::string unknown = unknown_command(app, words); !unknown.empty()) {
+    print_error("{}\n", unknown);
+    return kBadUsage;
+  }
+  if (wants_help) {
+    fmt::print("{}", command_at(app, words).help());
+    return kDone;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kBadUsage;
+  }
+  if (!app.get_subcommands().empty()) return act();
+  print_error("a command is needed\n\n{}", app.help());
+  return kBadUsage;
+}
+
+}  // namespace
+
 int run_command_line(int argc, char** argv) {
+  open_standard_files();
   handle_signals();
   CLI::App app("What will hospital equipment on casters do when the floor shakes?", "gurney");
   app.set_version_flag("--version", version());
@@ -136,32 +174,13 @@ int run_command_line(int argc, char** argv) {
   add_verify(app, act);
   app.add_subcommand("help", "Print this help, or that of a command: help records scale");
   try {
-    std::vector<std::string> words(argv + 1, argv + argc);
-    const bool wants_help = !words.empty() && words[0] == "help";
-    if (wants_help) words.erase(words.begin());
-    if (const std::string unknown = unknown_command(app, words); !unknown.empty()) {
-      fmt::print(stderr, "{}\n", unknown);
-      return kBadUsage;
-    }
-    if (wants_help) {
-      fmt::print("{}", command_at(app, words).help());
-      return kDone;
-    }
-    app.parse(argc, argv);
-    if (app.get_subcommands().empty()) {
-      fmt::print(stderr, "a command is needed\n\n{}", app.help());
-      return kBadUsage;
-    }
-    const int code = act();
-    require(std::fflush(stdout) == 0 && std::ferror(stdout) == 0,
-            "cannot write to the standard output");
-    return code;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kBadUsage;
+    return flushed(parse_and_act(app, act, argc, argv));
   } catch (const Error& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    print_error("{}\n", error.what());
+  } catch (const std::bad_alloc&) {
+    write_error("gurney: not enough memory\n");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "gurney: {}\n", error.what());
+    print_error("gurney: {}\n", error.what());
   }
   return kBadInput;
 }

@@ -11,6 +11,7 @@
 #include "equipment/implausible.h"
 #include "equipment/load_item.h"
 #include "studies/cli/records_output.h"
+#include "studies/cli/standard_error.h"
 #include "studies/report/equipment_list.h"
 #include "studies/report/equipment_report.h"
 
@@ -90,7 +91,7 @@ int check(const CheckOptions& options) {
     } catch (const Error& error) {
       code = 1;
       results.push_back({{"file", file}, {"mistakes", error.what()}});
-      fmt::print(stderr, "{}\n", error.what());
+      print_error("{}\n", error.what());
     }
   }
   if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"files", results}}.dump(2));

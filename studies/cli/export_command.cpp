@@ -9,6 +9,7 @@
 #include "engine/base/error.h"
 #include "studies/analysis/overview.h"
 #include "studies/cli/new_folder.h"
+#include "studies/cli/standard_error.h"
 #include "studies/exports/csv_tables.h"
 #include "studies/exports/nrml.h"
 #include "studies/exports/pelicun.h"
@@ -84,7 +85,7 @@ int export_command(const ExportOptions& options) {
       });
   files.commit();
   fmt::print("{}", written);
-  for (const std::string& each : left_out) fmt::print(stderr, "left out {}\n", each);
+  for (const std::string& each : left_out) print_error("left out {}\n", each);
   return 0;
 }
 

@@ -13,6 +13,7 @@
 #include "groundmotions/processing/pipeline.h"
 #include "groundmotions/processing/step_reader.h"
 #include "studies/cli/inline_table.h"
+#include "studies/cli/standard_error.h"
 #include "studies/report/record_report.h"
 
 namespace gurney {
@@ -43,11 +44,11 @@ class ProgressLine {
   ~ProgressLine() { clear(); }
   void show(const std::string& what, std::size_t done, std::size_t all) {
     if (!isatty(2) || all < 2) return;
-    fmt::print(stderr, "\r\x1b[K{} {} of {}", what, done + 1, all);
+    print_error("\r\x1b[K{} {} of {}", what, done + 1, all);
     shown_ = true;
   }
   void clear() {
-    if (shown_) fmt::print(stderr, "\r\x1b[K");
+    if (shown_) print_error("\r\x1b[K");
     shown_ = false;
   }
 
@@ -104,16 +105,15 @@ int for_each_record(const RecordSource& source, std::vector<Refusal>* refused,
     progress.clear();
     if (source.tells_findings)
       for (const std::string& finding : record_findings(*record))
-        fmt::print(stderr, "warning: {}: {}\n", record->name, finding);
+        print_error("warning: {}: {}\n", record->name, finding);
     use(entry, *record);
     ++used;
   }
   progress.clear();
   for (const Refusal& refusal : left_out)
-    fmt::print(stderr, "{}\n",
-               refusal.reason.find(refusal.file) == std::string::npos
-                   ? refusal.file + ": " + refusal.reason
-                   : refusal.reason);
+    print_error("{}\n", refusal.reason.find(refusal.file) == std::string::npos
+                            ? refusal.file + ": " + refusal.reason
+                            : refusal.reason);
   for (const Refusal& refusal : suite.refused) named = named || is_named(refusal.file);
   if (refused) *refused = std::move(left_out);
   return used == 0 || named ? 1 : 0;

@@ -15,6 +15,7 @@
 #include "groundmotions/measures/peaks.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"
+#include "studies/cli/standard_error.h"
 
 namespace gurney {
 namespace {
@@ -76,7 +77,7 @@ void print_facts(const Building& building, int floor, const Record& ground,
                response.isolators->residual.norm());
   for (const std::string& warning : response.floor.warnings)
     if (std::ranges::find(ground.warnings, warning) == ground.warnings.end())  // those were told
-      fmt::print(stderr, "warning: {}\n", warning);
+      print_error("warning: {}\n", warning);
 }
 
 int floor(const FloorOptions& options) {

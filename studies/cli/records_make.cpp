@@ -8,6 +8,7 @@
 #include "engine/base/error.h"
 #include "groundmotions/synthetic/kinds.h"
 #include "studies/cli/records_output.h"
+#include "studies/cli/standard_error.h"
 
 namespace gurney {
 namespace {
@@ -60,7 +61,7 @@ int make(const MakeOptions& options) {
   if (options.kind.empty()) throw CLI::RequiredError("KIND (`gurney records make --list`)");
   if (options.output.empty()) throw CLI::RequiredError("-o FILE.csv");
   const Record record = make_record(synthetic_request(options.kind, options.settings));
-  for (const std::string& warning : record.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : record.warnings) print_error("warning: {}\n", warning);
   write_output(options.output, record_csv(record), options.overwrite);
   return 0;
 }

@@ -20,6 +20,7 @@
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"
 #include "studies/cli/signals.h"
+#include "studies/cli/standard_error.h"
 #include "studies/report/suite_figure.h"
 #include "studies/results/output_files.h"
 
@@ -118,7 +119,7 @@ void print(const ScaleOptions& options, const ScaledSuite& suite, const SuiteSca
       "mean over target at least {:.3f}, at {:.3g} s\n",
       scaling.common_factor, scaling.suite_misfit, scaling.smallest_ratio,
       scaling.period_of_smallest);
-  for (const std::string& warning : scaling.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : scaling.warnings) print_error("warning: {}\n", warning);
 }
 
 std::string json(const ScaledSuite& suite, const SuiteScaling& scaling,
@@ -161,7 +162,7 @@ int scale(const ScaleOptions& options) {
           suite.spectra.push_back(combined_spectrum(combination, record, periods, target.damping));
           suite.records.push_back(entry);
         } catch (const Error& error) {
-          fmt::print(stderr, "left out: {}\n", error.what());
+          print_error("left out: {}\n", error.what());
         }
       });
   require(!suite.records.empty(),

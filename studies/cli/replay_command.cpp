@@ -11,8 +11,10 @@
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
 #include "studies/batch/run_unit.h"
+#include "studies/batch/study_identity.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/run_output.h"
+#include "studies/cli/standard_error.h"
 #include "studies/results/columns.h"
 #include "studies/study/data_files.h"
 #include "studies/study_results/study_reader.h"
@@ -44,10 +46,12 @@ std::string job_of(const ReplayOptions& options, const StudyReader& file) {
   require(!job.empty() && fs::exists(job),
           fmt::format("{}: the job's file {}; name it with --job", options.file,
                       job.empty() ? "is not known" : job + " is not there any more"));
-  const std::string theirs = file.text_attribute("job_sha256"), ours = sha256(text_of(job));
-  require(theirs == ours, fmt::format("{}: is not the job of {}: there job_sha256 {}, here {}", job,
-                                      options.file, theirs, ours));
-  return job;
+  const std::string theirs = file.text_attribute("job_sha256"), text = text_of(job);
+  if (theirs == sha256(text)) return job;
+  const std::string keys = job_difference(file.job_text(), text);
+  throw Error(fmt::format(
+      "{}: is not the job of {}: {}", job, options.file,
+      keys.empty() ? fmt::format("there job_sha256 {}, here {}", theirs, sha256(text)) : keys));
 }
 
 std::size_t whole(const StudyReader& file, const std::string& column, std::size_t run) {
@@ -114,13 +118,13 @@ int replay_command(const ReplayOptions& options) {
   const std::string differs = difference(file, options.run, response);
   if (!differs.empty()) {
     const std::string changed = changed_files(file, study);
-    fmt::print(stderr,
-               "{}: run {} has other numbers now: {}\nit was made by gurney {} {} on CPU class {}, "
-               "this is {} {} on {}; {}\n",
-               options.file, options.run, differs, file.text_attribute("program_version"),
-               file.text_attribute("git_commit"), file.text_attribute("cpu_class"),
-               build_info().program_version, build_info().git_commit, build_info().cpu_class,
-               changed.empty() ? "a record may have changed, too" : "changed since: " + changed);
+    print_error(
+        "{}: run {} has other numbers now: {}\nit was made by gurney {} {} on CPU class {}, "
+        "this is {} {} on {}; {}\n",
+        options.file, options.run, differs, file.text_attribute("program_version"),
+        file.text_attribute("git_commit"), file.text_attribute("cpu_class"),
+        build_info().program_version, build_info().git_commit, build_info().cpu_class,
+        changed.empty() ? "a record may have changed, too" : "changed since: " + changed);
     return 1;
   }
   if (!options.json) fmt::print("replay   the same numbers as in {}\n", options.file);

@@ -1,5 +1,7 @@
 #include "studies/cli/run_command.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "engine/base/error.h"
@@ -33,10 +35,12 @@ RunOutput output_of(const RunOptions& options) {
 
 int run_command(const RunOptions& options) {
   if (has_study(options.job)) return run_study(options);
-  require(!options.resume && options.threads == 0,
-          options.job +
-              ": is a single run, which has no use for --resume and -j; studies have a "
-              "table [study]");
+  const std::string unused = options.resume ? options.threads > 0 ? "--resume and -j" : "--resume"
+                             : options.threads > 0 ? "-j"
+                                                   : "";
+  require(unused.empty(), fmt::format("{}: is a single run, which has no use for {}; studies have "
+                                      "a table [study]",
+                                      options.job, unused));
   const RunOutput output = output_of(options);
   const PreparedRun run = prepare_run(options.job);
   make_default_folder(options);

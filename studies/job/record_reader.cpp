@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "engine/base/config/file_snapshot.h"
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "groundmotions/buildings/building_reader.h"
@@ -24,8 +25,7 @@ constexpr std::array kAxes = {"x", "y", "z"};
 /// Relative to the folder of the job; noted where nothing is there.
 fs::path existing_path(Table& table, const std::string& key, const std::string& name) {
   const fs::path path = (fs::path(table.document().path()).parent_path() / name).lexically_normal();
-  std::error_code ignored;
-  if (!fs::exists(path, ignored))
+  if (!config::FileSnapshot::exists(path))
     table.note(key, " = \"" + name + "\": no such file: " + path.string());
   return path;
 }

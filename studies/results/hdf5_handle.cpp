@@ -1,24 +1,38 @@
 #include "studies/results/hdf5_handle.h"
 
+#include <vector>
+
 #include "engine/base/error.h"
 
 namespace gurney::hdf5 {
 namespace {
 
-herr_t append_message(unsigned, const H5E_error2_t* error, void* text) {
-  std::string& message = *static_cast<std::string*>(text);
-  message += message.empty() ? "" : "; ";
-  message += std::string(error->func_name) + ": " + error->desc;
+herr_t collect_message(unsigned, const H5E_error2_t* error, void* messages) {
+  static_cast<std::vector<std::string>*>(messages)->push_back(error->desc ? error->desc : "");
   return 0;
+}
+
+/// The system's reason if HDF5 quotes one, else the innermost message. HDF5's whole stack has
+/// addresses and up to 4 kB.
+std::string reason_in(const std::vector<std::string>& messages) {
+  static const std::string kQuote = "error message = '";
+  for (const std::string& message : messages) {
+    const auto at = message.find(kQuote);
+    if (at == std::string::npos) continue;
+    const auto start = at + kQuote.size();
+    return message.substr(start, message.find('\'', start) - start);
+  }
+  return messages.empty() ? "" : messages.front();
 }
 
 }  // namespace
 
 void fail(const std::string& what) {
-  std::string stack;
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, append_message, &stack);
+  std::vector<std::string> messages;  // from the innermost function outwards
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, collect_message, &messages);
   H5Eclear2(H5E_DEFAULT);
-  throw Error("HDF5 cannot " + what + (stack.empty() ? "" : ": " + stack));
+  const std::string reason = reason_in(messages);
+  throw Error("HDF5 cannot " + what + (reason.empty() ? "" : ": " + reason));
 }
 
 void silence_printing() {

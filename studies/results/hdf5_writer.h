@@ -6,7 +6,7 @@
 #include <vector>
 
 /// HDF5 behind values and exceptions. The files hdf5_*.cpp are the only ones that include hdf5.h.
-/// Every call is checked; an Error carries HDF5's own stack of messages.
+/// Every call is checked; an Error states the reason.
 namespace gurney {
 
 /// What a dataset is called and means. Its shape is given by dimension scales, named by path.

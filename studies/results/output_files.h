@@ -8,8 +8,9 @@ namespace gurney {
 
 /// The files a command leaves: all of them complete, or none.
 ///
-/// Each is written to `FILE.part` in its own folder and synced; commit() renames them. Whatever is
-/// not committed is removed again. An existing file stays as it is until the new one is complete.
+/// Each is written to a new file `FILE.part` in its own folder and synced; commit() renames them.
+/// Whatever is not committed is removed again. An existing file stays as it is until the new one is
+/// complete; without `overwrite` it stays in any case.
 class OutputFiles {
  public:
   explicit OutputFiles(bool overwrite) : overwrite_(overwrite) {}
@@ -27,15 +28,20 @@ class OutputFiles {
   void stage(const std::string& path, std::string_view bytes);
 
   /// Gives the staged files their names.
+  /// @throws Error where somebody made such a file meanwhile and it may not be overwritten
   void commit();
 
  private:
+  struct Staged {
+    std::string path, part;
+  };
   bool overwrite_;
-  std::vector<std::string> staged_;
+  std::vector<Staged> staged_;
 };
 
-/// Syncs a finished file and gives it its name, in one folder.
-/// @throws Error with the system's reason
-void put_in_place(const std::string& made, const std::string& path);
+/// Syncs a finished file and gives it its name, on one file system.
+/// @param overwrite  false: never over a file that is there
+/// @throws Error with the reason; then the finished file is where it was
+void put_in_place(const std::string& made, const std::string& path, bool overwrite);
 
 }  // namespace gurney

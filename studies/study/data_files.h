@@ -8,11 +8,8 @@
 namespace gurney {
 
 /// Every file that decides a study's numbers beside the job and the records: items, casters, floor
-/// coverings, rooms, tethers, buildings, target spectra, and what those name in turn.
-///
-/// Found by what the job says, not by what was read: a text that names a file beside the one it
-/// stands in, or an entry of the catalogue of any kind. The list may hold a file too many (a caster
-/// named like an item), never one too few.
+/// coverings, rooms, tethers, buildings, target spectra, lists of records. They are those that were
+/// read, with the bytes that were used; the motions (StudyMotions) are to be there, too.
 /// @return SHA-256 by name: `equipment/casters/R100.toml` of the catalogue's, others relative to
 ///         the job's folder
 std::map<std::string, std::string> data_files(const StudyJob& job);

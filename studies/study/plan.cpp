@@ -44,9 +44,20 @@ Plan::Plan(const StudyJob& job, const StudyMotions& motions) {
                         job.file(), streams_->size(), kSobolDimensions / 2));
     draws_ *= kSaltelliMatrices + streams_->size();
   }
+  refuse_uncountable(job.file(), static_cast<double>(most_records_) *
+                                     static_cast<double>(job.configurations().size()));
   first_.push_back(0);
   for (std::size_t i = 0; i < job.configurations().size(); ++i)
     first_.push_back(first_.back() + motions.set_of(i).size() * angles_ * draws_);
+}
+
+void Plan::refuse_uncountable(const std::string& job, double motions) const {
+  constexpr double kMost = 1e15;  // so that indices and counts of runs fit into their integers
+  const double of_unit =
+      static_cast<double>(runs_of_unit_) + static_cast<double>((stages_ - 1) * kLevelsOfAStage);
+  const double runs =
+      motions * static_cast<double>(angles_) * static_cast<double>(draws_) * of_unit;
+  require(runs < kMost, fmt::format("{}: the study has about {:.2g} runs: too many", job, runs));
 }
 
 std::size_t Plan::runs() const {

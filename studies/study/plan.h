@@ -29,7 +29,8 @@ struct Unit {
 /// number (Hammersley 1960), and B has records by the Sobol sequence.
 class Plan {
  public:
-  /// @throws Error for a Saltelli design without numbers that are drawn, or with too many
+  /// @throws Error for a Saltelli design without numbers that are drawn, or with too many, and for
+  ///         more runs than can be counted
   Plan(const StudyJob& job, const StudyMotions& motions);
 
   std::size_t units() const { return stages_ * units_of_stage(); }
@@ -54,6 +55,7 @@ class Plan {
   std::optional<Draw> draw(const Unit& unit) const;
 
  private:
+  void refuse_uncountable(const std::string& job, double motions) const;
   std::optional<SaltelliRow> row_of(std::size_t draw) const;
   std::size_t record_in_b(std::size_t configuration, std::uint64_t point) const;
 

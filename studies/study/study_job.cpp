@@ -17,6 +17,7 @@ namespace gurney {
 namespace {
 
 using config::Document;
+using config::FileSnapshot;
 using config::Node;
 
 /// Level of each factor, for every combination; the last factor changes fastest.
@@ -118,12 +119,14 @@ void StudyJob::check_limit_states(const Node& study, const Job& job) const {
   }
 }
 
-StudyJob::StudyJob(const std::string& path) : StudyJob(std::make_unique<Document>(path)) {}
+StudyJob::StudyJob(const std::string& path)
+    : StudyJob(std::make_unique<FileSnapshot>(), std::make_unique<Document>(path)) {}
 
 StudyJob::StudyJob(const std::string& text, const std::string& path)
-    : StudyJob(std::make_unique<Document>(text, path)) {}
+    : StudyJob(std::make_unique<FileSnapshot>(), std::make_unique<Document>(text, path)) {}
 
-StudyJob::StudyJob(std::unique_ptr<Document> document) : document_(std::move(document)) {
+StudyJob::StudyJob(std::unique_ptr<FileSnapshot> files, std::unique_ptr<Document> document)
+    : files_(std::move(files)), document_(std::move(document)) {
   Mistakes mistakes;
   auto taken = document_->take("study");
   require(taken.has_value(), file() + ": the job has no table [study]");
@@ -153,6 +156,7 @@ StudyJob::StudyJob(std::unique_ptr<Document> document) : document_(std::move(doc
 }
 
 Job StudyJob::job(std::size_t configuration, const std::optional<Draw>& draw) const {
+  const FileSnapshot::Scope scope(*files_);
   Document document(configurations_.at(configuration).tree, *document_);
   return read_study_job(document, draw);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/config/document.h"
+#include "engine/base/config/file_snapshot.h"
 #include "studies/job/job.h"
 #include "studies/study/study.h"
 
@@ -17,7 +18,8 @@ struct Configuration {
   config::Node tree;                ///< the job with their patches
 };
 
-/// A job file with a table [study], and the jobs that it stands for.
+/// A job file with a table [study], and the jobs that it stands for. Every file it is made from is
+/// read once: an edit while the study runs changes nothing.
 class StudyJob {
  public:
   /// @throws Error with every mistake: of the study, and of the job in any configuration.
@@ -32,16 +34,21 @@ class StudyJob {
   const std::string& text() const { return document_->text(); }
   const std::string& file() const { return document_->path(); }
 
+  /// The job file and those it names, as they were read. What else belongs to the study is to be
+  /// read in their scope.
+  config::FileSnapshot& files() const { return *files_; }
+
   /// The job of a configuration. May be called from several threads at once.
   /// @param draw  none: every number has its value
   /// @throws Error where this draw makes a bad job, such as items that overlap.
   Job job(std::size_t configuration, const std::optional<Draw>& draw) const;
 
  private:
-  explicit StudyJob(std::unique_ptr<config::Document> document);
+  StudyJob(std::unique_ptr<config::FileSnapshot> files, std::unique_ptr<config::Document> document);
 
   void check_limit_states(const config::Node& study, const Job& job) const;
 
+  std::unique_ptr<config::FileSnapshot> files_;
   std::unique_ptr<config::Document> document_;
   Study study_;
   std::vector<Configuration> configurations_;

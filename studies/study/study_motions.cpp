@@ -7,6 +7,7 @@
 #include <exception>
 #include <functional>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include "engine/base/error.h"
@@ -143,6 +144,7 @@ std::optional<Motion> MotionSet::motion(std::size_t record, double scale, double
 }
 
 StudyMotions::StudyMotions(const StudyJob& job) {
+  const config::FileSnapshot::Scope scope(job.files());
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < job.configurations().size(); ++i) {
     const std::string text = excitation_text(job.configurations()[i].tree);
@@ -165,6 +167,8 @@ void StudyMotions::read_all(int threads) const {
   for (std::size_t i = 0; i < all.size(); ++i) {
     try {
       all[i].first->ground(all[i].second);
+    } catch (const std::bad_alloc&) {
+      mistakes[i] = "not enough memory for the records";
     } catch (const std::exception& error) {
       mistakes[i] = error.what();
     }

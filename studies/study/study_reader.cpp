@@ -278,7 +278,7 @@ Study read_study(Table& in, const Node& node) {
     for (double& angle : study.angles) angle *= kRadiansPerDegree;
   }
   if (in.has("synthetic_records"))
-    study.synthetic_records = in.integer("synthetic_records", 1, 1000000);
+    study.synthetic_records = in.integer("synthetic_records", 1, 10000);
   study.limit_states = read_limit_states(in);
   if (auto table = in.table("intensity"))
     study.intensity = read_intensity(*table, study.limit_states);

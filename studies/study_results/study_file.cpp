@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
+#include "studies/batch/study_identity.h"
 #include "studies/results/results_file.h"
 #include "studies/run_job.h"
 #include "studies/study/data_files.h"
@@ -66,17 +68,6 @@ void add_configurations(Hdf5Writer& file, const Batch& batch) {
   }
   GrowingTable table(file, "configurations");
   texts.write(table);
-}
-
-std::string files_of(const Record& record) {
-  std::string text;
-  for (const auto& component : record.components) {
-    if (!component || component->sha256.empty()) continue;
-    const std::string line = fmt::format(
-        "{} {}", component->sha256, std::filesystem::path(component->file).filename().string());
-    if (text.find(line) == std::string::npos) text += (text.empty() ? "" : "\n") + line;
-  }
-  return text;
 }
 
 void add_records(Hdf5Writer& file, const Batch& batch) {
@@ -157,6 +148,9 @@ StudyCounts write_study_file(const std::string& path, const Batch& batch,
   RunTables tables(file, batch);
   for (std::size_t unit = 0; unit < batch.plan.units(); ++unit) {
     const UnitResult result = read(unit);
+    require(result.unit == unit,
+            fmt::format("the results of unit {} stand where those of unit {} must be", result.unit,
+                        unit));
     for (const StudyRun& run : result.runs) {
       ++counts.runs;
       counts.failed += run.response.outcome == Outcome::kDiverged;

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/base/config/file_snapshot.h"
 #include "engine/base/config/json_reader.h"
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/config/table.h"
@@ -48,7 +49,8 @@ void collect_keys(const Node& node, const std::string& path, std::set<std::strin
 
 }  // namespace
 
-Document::Document(const std::string& path) : Document(read_file(path), path) {}
+Document::Document(const std::string& path)
+    : Document(FileSnapshot::bytes_of(path, read_file), path) {}
 
 Document::Document(const std::string& text, const std::string& path) : path_(path), text_(text) {
   if (is_json(text, path)) {

@@ -108,16 +108,16 @@ for pair in INT:130 TERM:143; do
   wait "$process"
   got=$?
   [ "$got" -eq "${pair#*:}" ] || complain "exit code $got after SIG${pair%:*}"
-  grep -qE '^gurney: interrupted; [1-9][0-9]* of 24 records.* runs are kept in stopped.h5.parts$' stderr ||
+  grep -qE '^gurney: interrupted; [1-9][0-9]* of 24 analysis cases are finished and kept in stopped.h5.parts$' stderr ||
     complain "does not say what is kept"
-  grep -qx "go on with: gurney run long.toml -o stopped.h5 --resume" stderr || complain "does not say how to go on"
+  grep -qx "go on with: gurney run long.toml -o stopped.h5 --resume -j 1" stderr || complain "does not say how to go on"
   gone stopped.h5
   study 1 "stopped.h5.parts: holds runs of a study that was interrupted; go on with --resume" long.toml -o stopped.h5
   sed 's/levels = .*/levels = [0.1, 0.2]/' long.toml > other.toml
-  study 1 "there 'job_sha256 $(sha256sum long.toml | cut -d' ' -f1)', here 'job_sha256 $(sha256sum other.toml | cut -d' ' -f1)'" \
+  study 1 "holds runs of another study: study.intensity.levels: there '[0.1, 0.3]', here '[0.1, 0.2]' (in the job)" \
     other.toml -o stopped.h5 --resume
   echo '# edited' >> item.toml
-  study 1 "there 'item.toml $unedited', here 'item.toml $(sha256sum item.toml | cut -d' ' -f1)'" long.toml -o stopped.h5 --resume
+  study 1 "item.toml: there '$unedited', here '$(sha256sum item.toml | cut -d' ' -f1)'" long.toml -o stopped.h5 --resume
   cp "$item" item.toml
   truncate -s -10 stopped.h5.parts/00000001.part
   study 0 "stopped.h5.parts/00000001.part: is damaged" long.toml -o stopped.h5 --resume
@@ -126,7 +126,7 @@ for pair in INT:130 TERM:143; do
 done
 grep -q " interrupted on " stopped.log && grep -q " finished on " stopped.log || complain "the log does not tell both attempts"
 sed 's/levels = .*/levels = [0.1, 0.2]/' small.toml > other.toml
-study 1 "one.h5: holds the results of another job" other.toml -o one.h5 --resume
+study 1 "one.h5: holds the results of another study: study.intensity.levels: there" other.toml -o one.h5 --resume
 
 # A run that crashed the program twice is a failed row; a crash is told and leaves a line.
 "$gurney" run long.toml -o crashed.h5 -j 1 > stdout 2> stderr &
@@ -144,7 +144,8 @@ gone crashed.h5.parts
 # A full disk: what is there stays, and the study goes on from it.
 # shellcheck disable=SC2317
 full_disk() { (ulimit -f "$1"; exec "$gurney" run long.toml -o full.h5 -j 2 "${@:2}"); }
-expect 1 "go on with: gurney run long.toml -o full.h5 --resume" full_disk 20
+expect 1 "go on with: gurney run long.toml -o full.h5 --resume -j 2" full_disk 20
+[ "$(wc -L < stderr)" -lt 200 ] || complain "the reason has more than a line"
 grep -q "File too large" stderr || complain "does not say why"
 gone full.h5
 gone full.h5.part

@@ -115,5 +115,37 @@ TEST(OutputFiles, LeavesNothingWhenTheDiskIsFull) {
   EXPECT_EQ(contents_of(folder.file("b")), "old");
 }
 
+TEST(OutputFiles, NeitherFollowsALinkNorTouchesThePartsOfOthers) {
+  const TempFolder folder;
+  folder.write("victim", "precious");
+  std::filesystem::create_symlink(folder.file("victim"), folder.file("a.part"));
+  folder.write("b.part", "somebody's");
+  OutputFiles output(false);
+  output.check(folder.file("a"));
+  output.check(folder.file("b"));
+  output.stage(folder.file("a"), "one");
+  output.stage(folder.file("b"), "two");
+  output.commit();
+  EXPECT_EQ(contents_of(folder.file("victim")), "precious");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("a.part")));
+  EXPECT_EQ(contents_of(folder.file("b.part")), "somebody's");
+  EXPECT_EQ(contents_of(folder.file("a")), "one");
+  EXPECT_EQ(contents_of(folder.file("b")), "two");
+  EXPECT_EQ(count_files(folder), 5u);
+}
+
+TEST(OutputFiles, PutInPlaceWithoutOverwriteLeavesWhatIsThere) {
+  const TempFolder folder;
+  folder.write("made", "new");
+  folder.write("there", "old");
+  EXPECT_ERROR(put_in_place(folder.file("made"), folder.file("there"), false),
+               "there: was made by somebody else meanwhile; it was left alone");
+  EXPECT_EQ(contents_of(folder.file("there")), "old");
+  EXPECT_EQ(contents_of(folder.file("made")), "new");
+  put_in_place(folder.file("made"), folder.file("there"), true);
+  EXPECT_EQ(contents_of(folder.file("there")), "new");
+  EXPECT_FALSE(std::filesystem::exists(folder.file("made")));
+}
+
 }  // namespace
 }  // namespace gurney

@@ -50,11 +50,26 @@ TEST(CrashLogTest, GivesUpAfterTwo) {
               ElementsAre(Pair(Pair(12, 3), "crashed the program 2 times: Aborted")));
 }
 
-TEST(CrashLogTest, RefusesWhatItDidNotWrite) {
+TEST(CrashLogTest, ReportsAndIgnoresForeignLines) {
   const TempFolder folder;
-  const std::string file = folder.write("crashes", "12 3 11\n12 three 11\n");
-  EXPECT_EQ(error_text([&] { CrashLog log(file); }),
-            file + ":2: is no line `unit run signal`: '12 three 11'");
+  const std::string file = folder.write("crashes", "12 3 11\n12 three 11\n50 %  9 runs\n12 3 11\n");
+  const CrashLog log(file);
+  EXPECT_THAT(log.given_up(), ElementsAre(Pair(Pair(12, 3), testing::_)));
+  EXPECT_THAT(
+      log.warnings(),
+      ElementsAre(file + ":2: is not a line `unit run signal` and was ignored: '12 three 11'",
+                  file + ":3: is not a line `unit run signal` and was ignored: '50 %  9 runs'"));
+}
+
+TEST(CrashLogTest, CutsATornLastLineOff) {
+  const TempFolder folder;
+  for (const std::string torn : {"3 1", "3 1 11", "3"}) {
+    const std::string file = folder.write("crashes", "12 3 11\n" + torn);
+    const CrashLog log(file);
+    EXPECT_THAT(log.given_up(), IsEmpty());
+    EXPECT_THAT(log.warnings(), IsEmpty());
+    EXPECT_EQ(contents_of(file), "12 3 11\n") << "so that the next line stands alone";
+  }
 }
 
 TEST(CrashLogTest, ARunThatIsGivenUpFailsAndTheOthersAreMade) {

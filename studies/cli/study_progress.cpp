@@ -1,0 +1,31 @@
+#include "studies/cli/study_progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "studies/cli/standard_error.h"
+#include "studies/cli/study_size.h"
+
+namespace gurney {
+
+StudyProgress::StudyProgress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
+
+void StudyProgress::operator()(const BatchProgress& now) {
+  if (quiet_ || complete_ || now.units_now == 0) return;
+  const bool last = complete_ = now.done == now.units;
+  if (!terminal_ && !last && now.seconds - shown_ < 10) return;
+  shown_ = now.seconds;
+  const double seconds = std::max(now.seconds, 1e-9);
+  const double to_go =
+      static_cast<double>(now.units - now.done) * seconds / static_cast<double>(now.units_now);
+  print_error("{}{:3.0f} %  {} runs, {:.1f} runs/s, {} overturned, {} failed{}{}",
+              terminal_ ? "\r" : "",
+              100.0 * static_cast<double>(now.done) / static_cast<double>(now.units), now.runs,
+              static_cast<double>(now.runs_now) / seconds, now.overturned, now.failed,
+              last ? std::string() : ", " + duration_text(to_go) + " to go",
+              terminal_ && !last ? "\x1b[K" : "\n");
+}
+
+}  // namespace gurney

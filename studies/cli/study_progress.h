@@ -1,0 +1,20 @@
+#pragma once
+
+#include "studies/batch/run_batch.h"
+
+namespace gurney {
+
+/// Reports a study on its way on standard error: one line that is written over on a terminal;
+/// elsewhere a line every ten seconds.
+class StudyProgress {
+ public:
+  explicit StudyProgress(bool quiet);
+
+  void operator()(const BatchProgress& now);
+
+ private:
+  bool quiet_, terminal_, complete_ = false;
+  double shown_ = -10;
+};
+
+}  // namespace gurney

@@ -1,0 +1,35 @@
+#include "studies/cli/study_size.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/base/error.h"
+#include "studies/batch/estimate.h"
+
+namespace gurney {
+
+std::string duration_text(double seconds) {
+  if (seconds < 90) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+std::string size_text(double bytes) {
+  if (bytes < 1e6) return fmt::format("{:.0f} kB", std::max(1.0, bytes / 1e3));
+  return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6)
+                     : fmt::format("{:.1f} GB", bytes / 1e9);
+}
+
+void refuse_oversized(const Batch& batch) {
+  if (static_cast<double>(batch.plan.runs()) <= kMostRuns) return;
+  const Estimate needs = estimate(batch);
+  throw Error(fmt::format(
+      "{}: the study has {} runs, which would take about {} on one core and {} of disk: at most "
+      "{:.0f} runs are allowed; take fewer draws, records, angles or levels, or make several "
+      "studies with other seeds",
+      batch.job.file(), needs.runs, duration_text(needs.seconds(1)), size_text(needs.bytes()),
+      kMostRuns));
+}
+
+}  // namespace gurney

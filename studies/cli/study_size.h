@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "studies/batch/run_unit.h"
+
+namespace gurney {
+
+/// Runs that a study may have: 10 million take 28 hours on one core at 10 ms each, and 1 GB of
+/// memory for their bookkeeping at most.
+inline constexpr double kMostRuns = 1e7;
+
+std::string duration_text(double seconds);
+std::string size_text(double bytes);
+
+/// @throws Error for a study with more runs than kMostRuns, with what it would take
+void refuse_oversized(const Batch& batch);
+
+}  // namespace gurney
