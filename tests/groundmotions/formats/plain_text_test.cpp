@@ -205,7 +205,7 @@ TEST(PlainText, RefusesOptionsOutsideTheirRanges) {
             "'km/s2' is not a unit of acceleration: g, m/s2, cm/s2 (gal), mm/s2, mg, %g, ft/s2 or "
             "in/s2 are allowed");
   EXPECT_EQ(error_text([] { read_text("1\n2\n", {.unit = "g", .time_step = -0.01}); }),
-            "the time step of a record must be in (0, 1] s, got -0.01");
+            "the time step of a record must be in [1e-05, 1] s, got -0.01");
 }
 
 }  // namespace
