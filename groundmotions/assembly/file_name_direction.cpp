@@ -44,8 +44,8 @@ bool orient_by_file_name(Component& component) {
   if (!says_nothing(component)) return false;
   const std::string stem = upper(std::filesystem::path(component.file).stem().string());
   const std::string digits = stem.size() > 3 ? stem.substr(stem.size() - 3) : "";
-  const auto azimuth = digits.find_first_not_of("0123456789") == digits.npos ? number(digits)
-                                                                             : std::nullopt;
+  const auto azimuth =
+      digits.find_first_not_of("0123456789") == digits.npos ? number(digits) : std::nullopt;
   if (azimuth && *azimuth <= 360)
     component.azimuth = std::fmod(*azimuth, 360) * kRadiansPerDegree;
   else if (std::ranges::any_of(kUp, [&](auto up) { return stem.ends_with(up); }))

@@ -18,8 +18,8 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 std::size_t common_size(const std::vector<std::string>& stems) {
   std::size_t size = stems[0].size();
   for (const std::string& stem : stems)
-    size = std::min(
-        size, static_cast<std::size_t>(std::ranges::mismatch(stems[0], stem).in1 - stems[0].begin()));
+    size = std::min(size, static_cast<std::size_t>(std::ranges::mismatch(stems[0], stem).in1 -
+                                                   stems[0].begin()));
   return size;
 }
 

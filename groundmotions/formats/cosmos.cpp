@@ -178,11 +178,12 @@ class ChannelReader {
     for (std::size_t i = 0; i < channel.text.size(); ++i) {
       const auto at = channel.text[i].find(kLocation);
       if (!channel.text[i].starts_with("STA CHA") || at == kNone) continue;
-      const auto place = trimmed(file_.lines()[channel.first_line + i].substr(at + kLocation.size()));
+      const auto place =
+          trimmed(file_.lines()[channel.first_line + i].substr(at + kLocation.size()));
       if (!place.empty()) component.header.emplace_back("location", place);
     }
-    const auto serial = channel.text.size() > 6 ? number_after(channel.text[6], "S/N")
-                                                : std::optional<double>();
+    const auto serial =
+        channel.text.size() > 6 ? number_after(channel.text[6], "S/N") : std::optional<double>();
     if (serial) component.header.emplace_back("recorder", fmt::format("s/n {:.0f}", *serial));
   }
 

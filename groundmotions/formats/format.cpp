@@ -159,9 +159,9 @@ std::vector<Component> read_components(const SourceFile& file, const ReadOptions
     return candidate.is_binary != file.is_text() && candidate.recognises(file);
   });
   constexpr const char* kUnknown = "not a record in a known format (see docs/records.md)";
-  require(format != formats().end() || file.is_text(),
-          fmt::format("{}: a binary file of {} bytes, {}", file.name(), file.bytes().size(),
-                      kUnknown));
+  require(
+      format != formats().end() || file.is_text(),
+      fmt::format("{}: a binary file of {} bytes, {}", file.name(), file.bytes().size(), kUnknown));
   if (format == formats().end())
     throw Error(fmt::format("{}:1:1: {}: {} of text, {} bytes", file.name(), kUnknown,
                             lines_text(file.lines().size()), file.bytes().size()));

@@ -11,9 +11,9 @@ namespace gurney {
 
 namespace {
 
-constexpr std::array kCompanions = {
-    std::pair(".VT2", ".AT2"), std::pair(".DT2", ".AT2"), std::pair(".VEL", ".ACC"),
-    std::pair(".DIS", ".ACC"), std::pair(".DSP", ".ACC"), std::pair(".DISP", ".ACC")};
+constexpr std::array kCompanions = {std::pair(".VT2", ".AT2"), std::pair(".DT2", ".AT2"),
+                                    std::pair(".VEL", ".ACC"), std::pair(".DIS", ".ACC"),
+                                    std::pair(".DSP", ".ACC"), std::pair(".DISP", ".ACC")};
 
 std::string key_of(const std::filesystem::path& path) {
   return (path.parent_path() / upper(path.filename().string())).string();

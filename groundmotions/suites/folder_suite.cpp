@@ -66,8 +66,7 @@ class FileGrouping {
       }
       std::vector<FoundComponent> channels;
       for (std::size_t i = 0; i < components.size(); ++i)
-        channels.push_back(
-            found_component(path, components[i], static_cast<int>(i) + 1, options));
+        channels.push_back(found_component(path, components[i], static_cast<int>(i) + 1, options));
       std::ranges::move(records_of_file(channels), std::back_inserter(suite_.records));
     } catch (const Error& error) {
       suite_.refused.push_back({path.string(), error.what()});

@@ -29,7 +29,8 @@ std::string content_of(const Component& component) {
   std::string event;
   for (const char* name : {"event", "event time", "event date", "origin time (Japan)"})
     if (event.empty()) event = fact_of(component, name);
-  std::string text = " " + plain_words(event) + " / " + plain_words(fact_of(component, "station")) + " ";
+  std::string text =
+      " " + plain_words(event) + " / " + plain_words(fact_of(component, "station")) + " ";
   const std::string name = " " + plain_words(component.name) + " ";
   if (const auto at = text.rfind(name); name != "  " && at != std::string::npos)
     text.replace(at, name.size(), " ");

@@ -36,8 +36,8 @@ FoundComponent found_component(const std::filesystem::path& path, const Componen
 /// else they stay together, to be refused with what there is.
 std::vector<SuiteRecord> records_of_file(const std::vector<FoundComponent>& channels);
 
-/// Files of one component as records, of different names. Components belong together if folder and site are the same
-/// and
+/// Files of one component as records, of different names. Components belong together if folder and
+/// site are the same and
 /// - their files are named alike but for the component, or
 /// - event and station are the same and together they can be one record: one vertical and two
 ///   horizontals at most, none parallel, that start together. Where there are more than that, those

@@ -18,9 +18,9 @@ namespace gurney {
 
 namespace {
 
-const std::vector<std::string> kColumns = {
-    "name",        "file",    "channels",       "h1",   "h2", "vertical", "unit",
-    "time_step_s", "columns", "count_m_per_s2", "scale"};
+const std::vector<std::string> kColumns = {"name",    "file",           "channels", "h1",
+                                           "h2",      "vertical",       "unit",     "time_step_s",
+                                           "columns", "count_m_per_s2", "scale"};
 
 bool is_content(std::string_view line) {
   line = trimmed(line);

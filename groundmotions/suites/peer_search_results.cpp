@@ -110,7 +110,8 @@ void report_absent(const SourceFile& file, const std::vector<std::string>& absen
   if (absent.empty()) return;
   const std::size_t all = absent.size() + suite.records.size() + suite.refused.size();
   const std::vector<std::string> first(
-      absent.begin(), absent.begin() + static_cast<std::ptrdiff_t>(std::min(kShown, absent.size())));
+      absent.begin(),
+      absent.begin() + static_cast<std::ptrdiff_t>(std::min(kShown, absent.size())));
   const std::string text = fmt::format(
       "{}: the files of {} of its {} records are not in the folder: {}{}", file.name(),
       absent.size(), all, fmt::join(first, ", "),

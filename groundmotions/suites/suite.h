@@ -43,7 +43,8 @@ using Progress = std::function<void(std::size_t, std::size_t)>;
 /// are. A pattern such as "recs/*.AT2" stands for all that it names.
 ///
 /// @param options  for files that do not say their unit or time step
-/// @throws Error if a path does not exist, a pattern names nothing or a list is wrong. Files that are no records are refused
+/// @throws Error if a path does not exist, a pattern names nothing or a list is wrong. Files that
+/// are no records are refused
 ///         one by one.
 Suite read_suite(const std::vector<std::filesystem::path>& paths, const ReadOptions& options = {},
                  const Progress& progress = {});

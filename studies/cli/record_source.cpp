@@ -111,8 +111,7 @@ int for_each_record(const RecordSource& source, std::vector<Refusal>* refused,
     ++used;
   }
   progress.clear();
-  for (const Refusal& refusal : left_out)
-    fmt::print(stderr, "{}\n", text_of(refusal));
+  for (const Refusal& refusal : left_out) fmt::print(stderr, "{}\n", text_of(refusal));
   for (const std::string& note : suite.notes) fmt::print(stderr, "note: {}\n", note);
   for (const Refusal& refusal : suite.refused) named = named || is_named(refusal.file);
   if (refused) *refused = std::move(left_out);

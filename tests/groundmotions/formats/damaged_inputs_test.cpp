@@ -1,7 +1,5 @@
 #include <gmock/gmock.h>
 
-
-
 #include "engine/base/units.h"
 #include "groundmotions/formats/format.h"
 #include "groundmotions/suites/suite.h"
@@ -111,13 +109,16 @@ TEST(DamagedInputs, WhatIsNoRecordIsNotQuoted) {
 
 TEST(DamagedInputs, ThePeerComponentStandsWithEventAndDate) {
   const auto name = [](const std::string& head) {
-    return read(head + "ACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n .1 -.1 .2\n")[0];
+    return read(head +
+                "ACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n .1 -.1 .2\n")[0];
   };
-  const Component first = name("Quake, 1/17/1994, Town Hall, 228\nPROCESSED BY X, BUTTERWORTH, 4\n");
+  const Component first =
+      name("Quake, 1/17/1994, Town Hall, 228\nPROCESSED BY X, BUTTERWORTH, 4\n");
   EXPECT_EQ(first.name, "228");
   EXPECT_NEAR(first.azimuth.value(), 228 * kRadiansPerDegree, 1e-12);
   EXPECT_EQ(name("PEER\nBORAH PEAK, 10/28/83, 14:06, ANL (BASEMENT), 196\n").name, "196");
-  const Component turned = name("PEER\nRSN1044, Clockwise rot. 68.7962 deg. w.r.t. the input NWH090\n");
+  const Component turned =
+      name("PEER\nRSN1044, Clockwise rot. 68.7962 deg. w.r.t. the input NWH090\n");
   EXPECT_EQ(turned.name, "");
   EXPECT_FALSE(turned.azimuth);
 }
@@ -127,7 +128,8 @@ TEST(DamagedInputs, CosmosKnowsTheVerticalByItsCode) {
     sample.integers = {{54, -999}};
     return read(cosmos_file(sample))[0];
   };
-  EXPECT_EQ(component({.label = "Sta Chan  3: BNZ (Rcrdr Chan  3)"}).direction, Direction::kVertical);
+  EXPECT_EQ(component({.label = "Sta Chan  3: BNZ (Rcrdr Chan  3)"}).direction,
+            Direction::kVertical);
   EXPECT_NEAR(component({.label = "Sta Chan  1: HNE (Rcrdr Chan  1)"}).azimuth.value(),
               90 * kRadiansPerDegree, 1e-12);
   std::string text = cosmos_file({.label = "Sta Chan  1:", .integers = {{54, -999}}});

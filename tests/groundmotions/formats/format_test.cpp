@@ -54,8 +54,9 @@ TEST(Formats, RefuseOptionsThatAreWrongForEveryFile) {
 }
 
 TEST(Formats, TellWhatIsNoRecord) {
-  EXPECT_EQ(error("Dear \xf3ne,\tall\n", {}),
-            "f:1:1: not a record in a known format (see docs/records.md): 1 line of text, 15 bytes");
+  EXPECT_EQ(
+      error("Dear \xf3ne,\tall\n", {}),
+      "f:1:1: not a record in a known format (see docs/records.md): 1 line of text, 14 bytes");
 }
 
 }  // namespace

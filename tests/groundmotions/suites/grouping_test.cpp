@@ -61,9 +61,12 @@ TEST_F(Grouping, KnowsStationsThatEndInDigitsAndWordsThatTouchThem) {
   EXPECT_EQ(name_without_component("RSN30_PARKF_C05085.AT2", "085"), "RSN30_PARKF_C05*.AT2");
   EXPECT_EQ(name_without_component("RSN1_X_STADWN.AT2", "DWN"), "RSN1_X_STA*.AT2");
   EXPECT_EQ(name_of_pattern("RSN30_PARKF_C05*.AT2"), "RSN30_PARKF_C05");
-  for (const auto& [file, component] :
-       {std::pair{"X10050", "50"}, {"X10140", "140"}, {"X10-UP", "UP"},   // digits touch digits
-        {"B_STA021", "N21E"}, {"B_STA111", "S69E"}, {"B_STADWN", "DWN"}})  // letters, bearings
+  for (const auto& [file, component] : {std::pair{"X10050", "50"},
+                                        {"X10140", "140"},
+                                        {"X10-UP", "UP"},  // digits touch digits
+                                        {"B_STA021", "N21E"},
+                                        {"B_STA111", "S69E"},
+                                        {"B_STADWN", "DWN"}})  // letters, bearings
     folder_.write(file + std::string(".AT2"), at2(component, std::string(file).substr(0, 5)));
   EXPECT_THAT(contents(suite()), ElementsAre("B_STA: B_STA021.AT2 B_STA111.AT2 B_STADWN.AT2",
                                              "X10: X10-UP.AT2 X10050.AT2 X10140.AT2"));
@@ -89,8 +92,12 @@ TEST_F(Grouping, LeavesACopyAlone) {
 }
 
 TEST_F(Grouping, PartsBoreholeAndSurfaceOfKikNet) {
-  for (const auto& [name, dir] : {std::pair{"NS1", "1"}, {"EW1", "2"}, {"UD1", "3"},
-                                  {"NS2", "4"}, {"EW2", "5"}, {"UD2", "6"}})
+  for (const auto& [name, dir] : {std::pair{"NS1", "1"},
+                                  {"EW1", "2"},
+                                  {"UD1", "3"},
+                                  {"NS2", "4"},
+                                  {"EW2", "5"},
+                                  {"UD2", "6"}})
     folder_.write(std::string("XYZ0010102030405.") + name, knet(dir));
   EXPECT_THAT(contents(suite()),
               ElementsAre("XYZ0010102030405 borehole: XYZ0010102030405.EW1 XYZ0010102030405.NS1 "
@@ -107,17 +114,17 @@ TEST_F(Grouping, PartsBoreholeAndSurfaceOfKikNet) {
 
 TEST_F(Grouping, PartsChannelsOfSeveralPlaces) {
   const auto channel = [](int number, const char* label, const char* place) {
-    return csmip_volume1({.label = fmt::format("CHAN  {}: {}   Location: {}", number, label, place),
-                          .code = 0});
+    return csmip_volume1(
+        {.label = fmt::format("CHAN  {}: {}   Location: {}", number, label, place), .code = 0});
   };
   const auto path = folder_.write(
       "building.V1", channel(1, "UP", "Ground") + channel(2, "90 DEG", "Ground") +
                          channel(3, "360 DEG", "ground ") + channel(4, "90 DEG", "Roof,  N wall") +
                          channel(5, "90 DEG", "Roof, S wall"));
-  EXPECT_THAT(contents(suite()),
-              ElementsAre("building Ground: building.V1#1 building.V1#2 building.V1#3",
-                          "building Roof, N wall: building.V1#4",
-                          "building Roof, S wall: building.V1#5"));
+  EXPECT_THAT(
+      contents(suite()),
+      ElementsAre("building Ground: building.V1#1 building.V1#2 building.V1#3",
+                  "building Roof, N wall: building.V1#4", "building Roof, S wall: building.V1#5"));
   EXPECT_EQ(read_record(suite().records[0])[Direction::kH2]->name, "360 DEG");
   EXPECT_EQ(read_record(suite().records[2])[Direction::kH1]->name, "90 DEG");
   EXPECT_THAT(error_text([&] { read_record({RecordFile{.path = path}}); }),
@@ -156,14 +163,14 @@ TEST_F(Grouping, TakesAzimuthsFromNamesOnlyAtARightAngle) {
   const std::string text = "time (s)  acc (g)\n0.00 0.1\n0.01 0.2\n0.02 -0.1\n";
   for (const char* name : {"KOBE_NIS000.txt", "KOBE_NIS090.txt", "run001.txt", "run002.txt"})
     folder_.write(name, text);
-  EXPECT_THAT(contents(suite()),
-              ElementsAre("KOBE_NIS: KOBE_NIS000.txt KOBE_NIS090.txt", "run001: run001.txt",
-                          "run002: run002.txt"));
+  EXPECT_THAT(contents(suite()), ElementsAre("KOBE_NIS: KOBE_NIS000.txt KOBE_NIS090.txt",
+                                             "run001: run001.txt", "run002: run002.txt"));
   const Record record = read_record(suite().records[0]);
   EXPECT_THAT(record[Direction::kH1]->file, HasSubstr("NIS090"));  // east is h1, north h2
   EXPECT_THAT(record.warnings, testing::Contains(HasSubstr("taken from the file's name")));
-  EXPECT_EQ(read_record({{folder_.file("KOBE_NIS000.txt")}, {folder_.file("KOBE_NIS090.txt")}}).name,
-            "KOBE_NIS");
+  EXPECT_EQ(
+      read_record({{folder_.file("KOBE_NIS000.txt")}, {folder_.file("KOBE_NIS090.txt")}}).name,
+      "KOBE_NIS");
 }
 
 TEST_F(Grouping, PassesOverVelocitiesBesideTheirAcceleration) {
@@ -181,12 +188,12 @@ TEST_F(Grouping, PassesOverVelocitiesBesideTheirAcceleration) {
 }
 
 TEST(Companions, KnowsTheSpellings) {
-  std::vector<std::filesystem::path> files = {"x/1.acc",         "x/1.vel",         "x/1.DIS",
-                                              "x/S.ACC.ASC",     "x/S.VEL.ASC",     "y/1.vel",
-                                              "x/S.ACC.D.V2c",   "x/S.dis.d.v2c",   "x/level.txt"};
+  std::vector<std::filesystem::path> files = {"x/1.acc",       "x/1.vel",       "x/1.DIS",
+                                              "x/S.ACC.ASC",   "x/S.VEL.ASC",   "y/1.vel",
+                                              "x/S.ACC.D.V2c", "x/S.dis.d.v2c", "x/level.txt"};
   EXPECT_EQ(drop_companions(files), 4u);
-  EXPECT_THAT(files, ElementsAre("x/1.acc", "x/S.ACC.ASC", "y/1.vel", "x/S.ACC.D.V2c",
-                                 "x/level.txt"));
+  EXPECT_THAT(files,
+              ElementsAre("x/1.acc", "x/S.ACC.ASC", "y/1.vel", "x/S.ACC.D.V2c", "x/level.txt"));
 }
 
 TEST_F(Grouping, TakesPatterns) {

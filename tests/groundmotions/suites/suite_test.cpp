@@ -109,8 +109,9 @@ TEST(PeerSearchResults, RefusesARecordOfWhichAFileIsAbsentAndAReportWithoutAny) 
   const auto report = folder.write("_SearchResults.csv", kReport);
   Suite suite = read_suite({report});
   ASSERT_EQ(suite.refused.size(), 1u);
-  EXPECT_EQ(text_of(suite.refused[0]),
-            report + ": the files of 3 of its 3 records are not in the folder: RSN11, RSN12, RSN13");
+  EXPECT_EQ(
+      text_of(suite.refused[0]),
+      report + ": the files of 3 of its 3 records are not in the folder: RSN11, RSN12, RSN13");
   folder.write("RSN11_E.AT2", at2("090"));
   folder.write("RSN11_N.AT2", at2("000"));
   suite = read_suite({report});
@@ -171,14 +172,15 @@ TEST(ListSuite, TellsEveryMistake) {
                                  "b, e.txt\n,e.txt,,\n");
   EXPECT_EQ(
       error_text([&] { read_suite({list}); }),
-      fmt::format("{0}:1:11: unknown column 'units'; did you mean 'unit'?; allowed are name, "
-                  "file, channels, h1, h2, vertical, unit, time_step_s, columns, count_m_per_s2, scale\n"
-                  "{0}:3:1: the name 'a' comes twice\n"
-                  "{0}:3:4: 'none.txt': no such file\n"
-                  "{0}:3:18: scale must be a number in (0, 1e+06], got '-1'\n"
-                  "{0}:4:1: 2 cells, the header has 4 columns\n"
-                  "{0}:5:1: a record needs a name",
-                  list));
+      fmt::format(
+          "{0}:1:11: unknown column 'units'; did you mean 'unit'?; allowed are name, "
+          "file, channels, h1, h2, vertical, unit, time_step_s, columns, count_m_per_s2, scale\n"
+          "{0}:3:1: the name 'a' comes twice\n"
+          "{0}:3:4: 'none.txt': no such file\n"
+          "{0}:3:18: scale must be a number in (0, 1e+06], got '-1'\n"
+          "{0}:4:1: 2 cells, the header has 4 columns\n"
+          "{0}:5:1: a record needs a name",
+          list));
 }
 
 }  // namespace
