@@ -26,11 +26,26 @@ constexpr std::array kSpellings = {
     Spelling{"s-1", "/s"},         Spelling{"./", "/"},           Spelling{"//", "/"},
     Spelling{"gals", "gal"},       Spelling{"g's", "g"}};
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string text = names[0];
+  for (std::size_t i = 1; i < names.size(); ++i)
+    text += (i + 1 < names.size() ? ", " : " or ") + names[i];
+  return text;
+}
+
 bool is_dropped(char c) {
   return std::string_view(" \t^*()[]{}").find(c) != std::string_view::npos;
 }
 
 }  // namespace
+
+const std::vector<std::string>& acceleration_unit_names() {
+  static const std::vector<std::string> names = {"g",  "m/s2", "cm/s2", "gal",  "mm/s2",
+                                                 "mg", "%g",   "ft/s2", "in/s2"};
+  return names;
+}
+
+const std::string kAccelerationUnits = listed(acceleration_unit_names());
 
 std::string plain_unit(std::string_view spelling) {
   std::string text;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gurney {
 
@@ -21,8 +22,10 @@ std::string plain_unit(std::string_view spelling);
 /// cm/s2, mm/s2, in/s2, ft/s2; gal. Nothing for any other.
 std::optional<AccelerationUnit> acceleration_unit(std::string_view spelling);
 
-/// What to write in a message about a wrong unit.
-inline constexpr const char* kAccelerationUnits =
-    "g, m/s2, cm/s2 (gal), mm/s2, mg, %g, ft/s2 or in/s2";
+/// The names that users may give, in jobs, lists and options alike.
+const std::vector<std::string>& acceleration_unit_names();
+
+/// The same for a message: "g, m/s2, ... or in/s2".
+extern const std::string kAccelerationUnits;
 
 }  // namespace gurney

@@ -16,6 +16,13 @@ namespace {
 
 double degrees(double radians) { return radians / kRadiansPerDegree; }
 
+/// Names of horizontals without an azimuth: H1, longitudinal, "a_g" and "x" of a table.
+bool sounds_horizontal(std::string_view name) {
+  const std::string plain = upper(name);
+  return plain.starts_with("H1") || plain.starts_with("H2") || plain.starts_with("A") ||
+         plain.starts_with("X") || plain.starts_with("L") || plain.starts_with("T");
+}
+
 std::optional<Component>& slot(Record& record, Direction direction) {
   return record.components[static_cast<std::size_t>(direction)];
 }
@@ -81,6 +88,15 @@ void put_horizontal_pair(Component first, Component second, Record& record) {
   put(std::move(second), Direction::kH2, record);
 }
 
+/// A name that says no direction may be that of a vertical.
+void put_only_horizontal(Component component, Record& record) {
+  if (!component.azimuth && !component.name.empty() && !sounds_horizontal(component.name))
+    record.warnings.push_back(
+        fmt::format("{}: the direction of '{}' is not known; it is taken as h1", component.file,
+                    component.name));
+  put(std::move(component), Direction::kH1, record);
+}
+
 std::string listed(const std::vector<Component>& components) {
   std::string names;
   for (const Component& component : components)
@@ -101,7 +117,7 @@ void put_horizontals(std::vector<Component> horizontals, Record& record) {
   if (horizontals.size() == 2)
     put_horizontal_pair(std::move(horizontals[0]), std::move(horizontals[1]), record);
   else
-    put(std::move(horizontals[0]), Direction::kH1, record);
+    put_only_horizontal(std::move(horizontals[0]), record);
 }
 
 }  // namespace

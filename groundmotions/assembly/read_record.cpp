@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "engine/base/error.h"
 #include "groundmotions/assembly/align.h"
+#include "groundmotions/assembly/file_name_direction.h"
 #include "groundmotions/assembly/place.h"
+#include "groundmotions/assembly/record_name.h"
+#include "groundmotions/assembly/site.h"
 #include "groundmotions/processing/rotate.h"
 
 namespace gurney {
@@ -45,33 +49,41 @@ std::vector<UnplacedComponent> read_files(const std::vector<RecordFile>& files,
   return components;
 }
 
-/// What all begin with, without separators at its end; empty if that says little.
-std::string common_beginning(const std::vector<std::string>& names) {
-  constexpr std::size_t kFewestLetters = 4;
-  std::string common = names.front();
-  for (const std::string& name : names) {
-    const auto [end, other] = std::ranges::mismatch(common, name);
-    common.erase(end, common.end());
-  }
-  common.erase(common.find_last_not_of("-_. ") + 1);
-  return common.size() < kFewestLetters ? "" : common;
-}
-
 std::string name_from(const std::vector<RecordFile>& files) {
   std::vector<std::string> stems;
   for (const RecordFile& file : files) {
     const std::string stem = file.path.stem().string();
     if (std::ranges::find(stems, stem) == stems.end()) stems.push_back(stem);
   }
-  const std::string common = common_beginning(stems);
-  return common.empty() ? fmt::format("{}", fmt::join(stems, " + ")) : common;
+  return common_name(stems);
+}
+
+/// Channels of several places are no record, unless the user says which is which.
+void check_sites(const std::vector<UnplacedComponent>& components, Record& record) {
+  std::set<std::string> sites;
+  bool any_stated = false;
+  std::string text;
+  for (const auto& [component, stated] : components) {
+    any_stated = any_stated || stated.has_value();
+    if (sites.insert(site_of(component)).second)
+      text += fmt::format("{}'{}' at '{}'", text.empty() ? "" : ", ", component.name,
+                          site_of(component));
+  }
+  if (sites.size() < 2) return;
+  text = fmt::format("{}: the components are of {} places or instruments: {}",
+                     components[0].component.file, sites.size(), text);
+  require(any_stated, text + "; one record is of one place: name its files or channels");
+  record.warnings.push_back(text);
 }
 
 }  // namespace
 
 Record read_record(const std::vector<RecordFile>& files, const ReadOptions& options) {
   require(!files.empty(), "a record needs at least one component: h1, h2 or vertical");
-  Record record = place(read_files(files, options));
+  std::vector<UnplacedComponent> components = read_files(files, options);
+  orient_by_file_names(components);
+  Record record = place(components);
+  check_sites(components, record);
   record.name = name_from(files);
   std::vector<std::string> warnings;
   for (const auto& component : record.components)

@@ -9,6 +9,8 @@
 #include <numbers>
 
 #include "engine/base/error.h"
+#include "groundmotions/measures/peaks.h"
+#include "groundmotions/processing/integrate.h"
 
 namespace gurney {
 
@@ -22,6 +24,9 @@ constexpr double kQuiet = 0.01;               ///< of the peak
 constexpr double kShortestQuiet = 1;          ///< [s]
 constexpr double kLongestTail = 120;          ///< [s]
 constexpr double kAccuracy = 1e-3;            ///< of the peaks, at a halving of the step
+constexpr double kVisibleDrift = 0.01;        ///< after the ground's end; an assumption [m]
+constexpr double kShareOfPeak = 0.1;          ///< and of the peak displacement; an assumption
+constexpr const char* kBaselineStep = "\"baseline kind=end_at_rest\"";
 constexpr int kMaxHalvings = 10;
 constexpr double kEnergyAccuracy = 1e-6;  ///< of the largest input
 
@@ -245,6 +250,24 @@ void report_isolators(const IsolatedHistory& history, const Isolation& isolation
                     isolators.change, isolators.time_step, kAccuracy));
 }
 
+/// A ground that moves on when its record ends carries the floor on while the building vibrates.
+void report_drift(const Record& ground, double tail, Record& floor) {
+  for (const Direction direction : kDirections) {
+    if (!ground[direction] || !floor[direction]) continue;
+    const double step = ground.time_step();
+    const double speed = std::abs(end_motion(step, ground[direction]->acceleration).velocity);
+    const double below = peaks(step, ground[direction]->acceleration).displacement;
+    if (speed * tail <= std::max(kVisibleDrift, kShareOfPeak * below)) continue;
+    const auto& above = *floor[direction];
+    floor.warnings.push_back(fmt::format(
+        "{}: the ground still moves at {:.2g} m/s when its record ends; over the {:.3g} s that the "
+        "building vibrates on this is {:.2g} m, and the peak displacement of {:.3g} m becomes "
+        "{:.3g} m on the floor; correct the baseline of the record first, with the step {}",
+        name_of(direction), speed, tail, speed * tail, below,
+        peaks(above.time_step, above.acceleration).displacement, kBaselineStep));
+  }
+}
+
 }  // namespace
 
 BuildingResponse building_response(const Record& ground, const Building& building, int floor) {
@@ -292,6 +315,7 @@ BuildingResponse building_response(const Record& ground, const Building& buildin
       component->acceleration[i] =
           history.acceleration[static_cast<std::size_t>(i)][static_cast<int>(direction)];
   }
+  report_drift(ground, static_cast<double>(samples - 1 - motion.steps()) * time_step, record);
   return response;
 }
 

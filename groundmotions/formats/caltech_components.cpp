@@ -194,14 +194,28 @@ class ChannelReader {
     state("station line", corrected ? 5 : 4);
     for (const auto& [name, key] :
          {std::pair{"filter", "FILTERED"}, std::pair{"peak", "UNITS OF UNCOR"},
-          std::pair{"peak", "PEAK ACCEL"}, std::pair{"trigger", "TRIGGER TIME"},
-          std::pair{"location", "LOCATION:"}})
+          std::pair{"peak", "PEAK ACCEL"}, std::pair{"trigger", "TRIGGER TIME"}})
       if (const auto at = channel.find(key)) state(name, *at);
+    state_place(channel, component);
     if (channel.series.size() > 1)
       component.header.emplace_back("also in the file", "velocity, displacement");
     if (const auto at = channel.find("START TIME"))
       component.start_time =
           time_in(channel.text[*at].substr(channel.text[*at].find("START TIME")));
+  }
+
+  /// "Chan  4: 90 Deg  Location: Roof - N wall" and the recorder of "SMA-1 S/N 5254".
+  void state_place(const CaltechChannel& channel, Component& component) const {
+    constexpr std::string_view kLocation = "LOCATION:";
+    if (const auto at = channel.find(kLocation)) {
+      const auto line = file_.lines()[channel.first_line + *at];
+      const auto place = line.substr(channel.text[*at].find(kLocation) + kLocation.size());
+      if (!trimmed(place).empty()) component.header.emplace_back("location", trimmed(place));
+    }
+    const std::size_t index = channel.corrected() ? 5 : 4;
+    const auto serial = index < channel.text.size() ? number_after(channel.text[index], "S/N")
+                                                    : std::optional<double>();
+    if (serial) component.header.emplace_back("recorder", fmt::format("s/n {:.0f}", *serial));
   }
 
   /// "START TIME:  8/29/18, 02:33:  .0 UTC": month, day, year.

@@ -172,8 +172,28 @@ class ChannelReader {
     return {};
   }
 
+  /// "Location: ..." of the line of the channel and the recorder's serial number.
+  void state_place(const CosmosChannel& channel, Component& component) const {
+    constexpr std::string_view kLocation = "LOCATION:";
+    for (std::size_t i = 0; i < channel.text.size(); ++i) {
+      const auto at = channel.text[i].find(kLocation);
+      if (!channel.text[i].starts_with("STA CHA") || at == kNone) continue;
+      const auto place =
+          trimmed(file_.lines()[channel.first_line + i].substr(at + kLocation.size()));
+      if (!place.empty()) component.header.emplace_back("location", place);
+    }
+    const auto serial =
+        channel.text.size() > 6 ? number_after(channel.text[6], "S/N") : std::optional<double>();
+    if (serial) component.header.emplace_back("recorder", fmt::format("s/n {:.0f}", *serial));
+  }
+
+  void orient_by_text(const CosmosChannel& channel, Component& component) const {
+    if (!orient_by_label(component.name, component)) orient_by_label(channel.code, component);
+  }
+
   void orient(const CosmosChannel& channel, Component& component) {
     component.name = label_of(channel);
+    if (component.name.empty()) component.name = channel.code;
     const auto north = channel.integer(54), reference = channel.integer(55);
     const int code = static_cast<int>(north.value_or(reference.value_or(0)));
     if (code == kCosmosUp || code == kCosmosVertical) {
@@ -191,12 +211,13 @@ class ChannelReader {
                       *reference));
       return;
     } else {
-      orient_by_label(component.name, component);
+      orient_by_text(channel, component);
       return;
     }
     Component by_label;
     by_label.acceleration = Eigen::VectorXd::Zero(2);
-    orient_by_label(component.name, by_label);
+    by_label.name = component.name;
+    orient_by_text(channel, by_label);
     const bool other_kind = component.direction != by_label.direction;
     const bool other_azimuth = component.azimuth && by_label.azimuth &&
                                std::abs(*component.azimuth - *by_label.azimuth) > kRadiansPerDegree;
@@ -217,6 +238,7 @@ class ChannelReader {
     state("station", 4);
     state("peak", 10);
     state("filter", 11);
+    state_place(channel, component);
     const auto part = [&](std::size_t number) {
       return static_cast<int>(channel.integer(number).value_or(-1));
     };

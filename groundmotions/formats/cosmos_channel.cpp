@@ -76,7 +76,7 @@ class CosmosFileReader {
     read_unknowns(channel);
     read_numbers("INTEGER", channel.integers);
     read_numbers("REAL", channel.reals);
-    skip_comments();
+    read_comments(channel);
     if (!mistakes_.any()) read_all_series(channel);
   }
 
@@ -112,12 +112,19 @@ class CosmosFileReader {
     numbers = fields_.read(line_, *count, *format, EmptyField::kZero, "numbers of the header");
   }
 
-  void skip_comments() {
+  void read_comments(CosmosChannel& channel) {
     const std::string line = text();
     if (mistakes_.any() || line.find("COMMENT") == kNone) return;
     const auto count = count_of(line);
     if (!count) return mistake("expected 'NN Comment line(s) follow'");
-    line_ = std::min(line_ + 1 + *count, file_.lines().size());
+    const std::size_t end = std::min(line_ + 1 + *count, file_.lines().size());
+    for (++line_; line_ < end; ++line_) {
+      const std::string comment = text();
+      const auto at = comment.find("<SCNL>");
+      if (at == kNone) continue;
+      const auto parts = words_of(std::string_view(comment).substr(at + 6), ". \t");
+      if (parts.size() > 1) channel.code = parts[1];
+    }
   }
 
   bool is_announcement(const std::string& line) {

@@ -25,7 +25,9 @@ struct CosmosChannel {
   std::vector<std::string> text;  ///< in capitals
   std::vector<double> integers, reals;
   double unknown_integer = -999, unknown_real = -999;  ///< what stands for "unknown"
-  std::vector<CosmosSeries> series;                    ///< at least one
+  std::string
+      code;  ///< SEED code of the comment "<SCNL>STATION.CODE.NETWORK.LOCATION"; may be empty
+  std::vector<CosmosSeries> series;  ///< at least one
 
   /// A number of the header, counted from 1 as the format's definition does; nothing if it is not
   /// known.

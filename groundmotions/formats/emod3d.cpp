@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "groundmotions/formats/end_mark.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/stated.h"
@@ -48,8 +49,7 @@ std::vector<Component> read_emod3d(const SourceFile& file, const ReadOptions& op
   const AccelerationUnit unit = agreed_unit({}, 0, options, mistakes);
   component.unit = unit.name;
   NumberReader reader(file, mistakes);
-  for (std::size_t i = 2; i < file.lines().size(); ++i) reader.read_line(i);
-  reader.check_end();
+  read_to_end(file, 2, reader);
   if (!mistakes.any()) check_count(head[0], "npts", 2, reader.values().size(), mistakes);
   mistakes.throw_if_any();
 

@@ -8,6 +8,7 @@
 
 #include "groundmotions/formats/calendar.h"
 #include "groundmotions/formats/colon_header.h"
+#include "groundmotions/formats/end_mark.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/stated.h"
@@ -62,7 +63,7 @@ void set_start(const ColonHeader& header, Component& component, Mistakes& mistak
 }
 
 void set_facts(const ColonHeader& header, Component& component) {
-  constexpr std::array<std::pair<const char*, const char*>, 20> kFacts = {
+  constexpr std::array<std::pair<const char*, const char*>, 21> kFacts = {
       {{"event", "EVENT_NAME"},
        {"event id", "EVENT_ID"},
        {"event date", "EVENT_DATE_YYYYMMDD"},
@@ -70,6 +71,7 @@ void set_facts(const ColonHeader& header, Component& component) {
        {"magnitude Mw", "MAGNITUDE_W"},
        {"magnitude ML", "MAGNITUDE_L"},
        {"network", "NETWORK"},
+       {"location", "LOCATION"},
        {"station", "STATION_CODE"},
        {"station name", "STATION_NAME"},
        {"site class (EC8)", "SITE_CLASSIFICATION_EC8"},
@@ -168,8 +170,7 @@ std::vector<Component> read_esm(const SourceFile& file, const ReadOptions& optio
   const double count = header.number_of("NDATA", mistakes);
 
   NumberReader reader(file, mistakes);
-  for (std::size_t i = header.lines(); i < file.lines().size(); ++i) reader.read_line(i);
-  reader.check_end();
+  read_to_end(file, header.lines(), reader);
   if (!mistakes.any())
     check_count(count, "NDATA", header.find("NDATA")->line, reader.values().size(), mistakes);
   mistakes.throw_if_any();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/base/error.h"
+#include "engine/base/units.h"
 #include "groundmotions/acceleration_unit.h"
 #include "groundmotions/formats/bbp.h"
 #include "groundmotions/formats/bhrc.h"
@@ -28,6 +29,7 @@
 #include "groundmotions/formats/usc_blocks.h"
 #include "groundmotions/formats/usc_volume.h"
 #include "groundmotions/formats/usgs_smc.h"
+#include "groundmotions/time_step_range.h"
 
 namespace gurney {
 
@@ -69,14 +71,17 @@ const std::vector<Format>& formats() {
 
 namespace {
 
+/// Above all that ground and floors were ever seen to do (4.1 g: Aoi et al. 2008, Science 322).
+constexpr double kLargestAcceleration = 100 * kStandardGravity;
+
 /// What is wrong with options whatever the file.
 void check(const ReadOptions& options) {
   require(options.unit.empty() || acceleration_unit(options.unit),
           fmt::format("'{}' is not a unit of acceleration: {} are allowed", options.unit,
                       kAccelerationUnits));
-  require(!options.time_step || (*options.time_step > 0 && *options.time_step <= 1),
-          fmt::format("the time step of a record must be in (0, 1] s, got {}",
-                      options.time_step.value_or(0)));
+  require(!options.time_step || is_time_step(*options.time_step),
+          fmt::format("the time step of a record must be in [{:g}, {:g}] s, got {}",
+                      kShortestTimeStep, kLongestTimeStep, options.time_step.value_or(0)));
   require(
       !options.si_per_count || (*options.si_per_count > 0 && std::isfinite(*options.si_per_count)),
       fmt::format("count_m_per_s2 must be positive and finite, got {}",
@@ -116,6 +121,20 @@ std::vector<Component> read_as(const Format& format, const SourceFile& file,
   return components;
 }
 
+std::string lines_text(std::size_t count) {
+  return fmt::format("{} {}", count, count == 1 ? "line" : "lines");
+}
+
+/// No motion of a floor comes near the limit: a wrong unit, or a damaged number.
+void check_amplitudes(const Component& component) {
+  const double peak = component.acceleration.cwiseAbs().maxCoeff();
+  require(peak <= kLargestAcceleration,
+          fmt::format("{}: component '{}' has a peak of {:.4g} m/s2 ({:.3g} g); at most {:g} m/s2 "
+                      "(100 g) are allowed: check the unit ({}) and the samples",
+                      component.file, component.name, peak, peak / kStandardGravity,
+                      kLargestAcceleration, component.unit));
+}
+
 void make_readable(Component& component) {
   component.name = readable(component.name);
   for (auto& [name, value] : component.header) {
@@ -140,17 +159,19 @@ std::vector<Component> read_components(const SourceFile& file, const ReadOptions
     return candidate.is_binary != file.is_text() && candidate.recognises(file);
   });
   constexpr const char* kUnknown = "not a record in a known format (see docs/records.md)";
-  require(format != formats().end() || file.is_text(),
-          fmt::format("{}: a binary file, {}", file.name(), kUnknown));
+  require(
+      format != formats().end() || file.is_text(),
+      fmt::format("{}: a binary file of {} bytes, {}", file.name(), file.bytes().size(), kUnknown));
   if (format == formats().end())
-    throw Error(fmt::format("{}:1:1: {}; the file starts with '{}'", file.name(), kUnknown,
-                            readable(file.lines().front().substr(0, 60))));
+    throw Error(fmt::format("{}:1:1: {}: {} of text, {} bytes", file.name(), kUnknown,
+                            lines_text(file.lines().size()), file.bytes().size()));
   auto components = read_as(*format, file, options);
   for (Component& component : components) {
     component.file = file.name();
     component.format = format->name;
     component.sha256 = file.sha256();
     make_readable(component);
+    check_amplitudes(component);
   }
   return components;
 }

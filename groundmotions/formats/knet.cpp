@@ -9,6 +9,7 @@
 
 #include "groundmotions/formats/calendar.h"
 #include "groundmotions/formats/column_table.h"
+#include "groundmotions/formats/end_mark.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/stated.h"
@@ -186,8 +187,7 @@ std::vector<Component> read_knet(const SourceFile& file, const ReadOptions& opti
       checked_time_step(1 / frequency, "1 / Sampling Freq", rate.line, options, mistakes);
 
   NumberReader reader(file, mistakes);
-  for (std::size_t i = header_end(file); i < file.lines().size(); ++i) reader.read_line(i);
-  reader.check_end();
+  read_to_end(file, header_end(file), reader);
   const auto& counts = reader.values();
   if (!mistakes.any())
     check_count(std::round(duration * frequency), "Duration Time times Sampling Freq",

@@ -63,9 +63,8 @@ std::optional<double> azimuth_in(std::string_view label) {
   return point == kNone ? std::nullopt : std::optional(90.0 * static_cast<double>(point));
 }
 
-}  // namespace
-
-void orient(std::string_view name, Component& component) {
+/// Directions that words and SEED codes name, letter case apart.
+bool orient_by_word(std::string_view name, Component& component) {
   constexpr std::array<std::string_view, 7> kNorth = {"N",   "NS",    "N-S",        "SN",
                                                       "S-N", "NORTH", "NORTH-SOUTH"};
   constexpr std::array<std::string_view, 7> kEast = {"E",   "EW",   "E-W",      "WE",
@@ -77,10 +76,7 @@ void orient(std::string_view name, Component& component) {
   std::string code = upper(trimmed(name));
   if (code.size() == 5 && number(code.substr(3))) code = code.substr(0, 3);  // with its location
   if (is_seed_code(code)) code = code.back();
-  const auto degrees = number(code);
-  if (degrees && *degrees >= 0 && *degrees <= 360) {
-    if (!is_lone_digit(code)) component.azimuth = *degrees * kRadiansPerDegree;
-  } else if (is_one_of(code, kNorth)) {
+  if (is_one_of(code, kNorth)) {
     component.azimuth = 0;
   } else if (is_one_of(code, kEast)) {
     component.azimuth = 90 * kRadiansPerDegree;
@@ -90,8 +86,32 @@ void orient(std::string_view name, Component& component) {
     turn_up(trimmed(name), component);
   } else if (code == "SOUTH" || code == "WEST") {
     component.azimuth = (code == "SOUTH" ? 180 : 270) * kRadiansPerDegree;
-  } else if (const auto azimuth = azimuth_in(code)) {
-    component.azimuth = *azimuth * kRadiansPerDegree;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// The first word of "HNZ 00" or "BNZ.NC.--", if it is a code of an accelerometer.
+bool orient_by_seed_code(std::string_view label, Component& component) {
+  constexpr std::string_view kBands = "FGDCESHBML", kInstruments = "NGL", kDirections = "ENZ";
+  const auto words = words_of(label, " \t,;:().-_");
+  const auto code = words.empty() ? std::string_view() : words[0];
+  const bool is_code = code.size() == 3 && is_seed_code(std::string(code)) &&
+                       kBands.find(code[0]) != kNone && kInstruments.find(code[1]) != kNone &&
+                       kDirections.find(code[2]) != kNone;
+  return is_code && orient_by_word(code, component);
+}
+
+}  // namespace
+
+void orient(std::string_view name, Component& component) {
+  const std::string code = upper(trimmed(name));
+  const auto degrees = number(code);
+  if (degrees && *degrees >= 0 && *degrees <= 360) {
+    if (!is_lone_digit(code)) component.azimuth = *degrees * kRadiansPerDegree;
+  } else if (!orient_by_word(code, component)) {
+    if (const auto azimuth = azimuth_in(code)) component.azimuth = *azimuth * kRadiansPerDegree;
   }
 }
 
@@ -112,7 +132,7 @@ bool orient_by_label(std::string_view text, Component& component) {
       return true;
     }
   }
-  return false;
+  return orient_by_word(label, component) || orient_by_seed_code(label, component);
 }
 
 void turn_up(std::string_view why, Component& component) {

@@ -21,8 +21,9 @@ namespace gurney {
 void orient(std::string_view name, Component& component);
 
 /// Azimuth or vertical of a component as a label in a header says it: "90 DEG", "N08W", "UP",
-/// "Roof, N wall: 275 deg", "VERT", "DOWN" (turned to up, with a warning). Labels such as "L" or
-/// "Roof" say neither.
+/// "Roof, N wall: 275 deg", "VERT", "DOWN" (turned to up, with a warning), the words of orient()
+/// where they are all of the label (NS, E-W), SEED codes that it begins with ("BNZ 00"). Labels
+/// such as "L" or "Roof" say neither.
 /// @returns whether the label says it.
 bool orient_by_label(std::string_view label, Component& component);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "groundmotions/acceleration_unit.h"
+#include "groundmotions/formats/end_mark.h"
 #include "groundmotions/formats/header_text.h"
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"
@@ -106,8 +107,49 @@ Header header_of(const SourceFile& file) {
   return header;
 }
 
-/// The second line, or where that is blank the last above NPTS, quantity and unit.
+/// The last field of a line, without a remark in brackets: "228" of "..., RRS, 228 (CDMG 24)".
+std::string_view last_field(std::string_view line) {
+  const auto comma = line.rfind(',');
+  if (comma == kNone) return {};
+  const auto field = line.substr(comma + 1);
+  return trimmed(field.substr(0, field.find('(')));
+}
+
+/// Short, as "228", "N 08 W", "BHZ00" are, not words of a sentence.
+bool is_component_name(std::string_view field) {
+  constexpr std::size_t kLongest = 10;
+  return !field.empty() && field.size() <= kLongest && words_of(field, " ").size() <= 3;
+}
+
+bool says_direction(std::string_view field) {
+  Component component;
+  component.acceleration = Eigen::VectorXd::Zero(2);
+  orient(field, component);
+  return component.azimuth || component.direction;
+}
+
+/// "1/17/1994" or "10/28/83".
+bool has_date(std::string_view line) {
+  return std::ranges::any_of(words_of(line, ", \t"), [](std::string_view word) {
+    const auto parts = words_of(word, "/");
+    return parts.size() == 3 &&
+           std::ranges::all_of(parts, [](auto part) { return number(part).has_value(); });
+  });
+}
+
+/// The line that names event, station and component: a date, and a direction as its last field.
+std::optional<std::string_view> dated_line(const SourceFile& file, const Header& header) {
+  for (std::size_t i = 0; i < std::min(header.first_data_line(), file.lines().size()); ++i) {
+    const auto line = trimmed(file.lines()[i]);
+    const auto field = last_field(line);
+    if (is_component_name(field) && says_direction(field) && has_date(line)) return line;
+  }
+  return {};
+}
+
+/// That line, or else the second, or where that is blank the last above NPTS, quantity and unit.
 std::string_view event_line(const SourceFile& file, const Header& header) {
+  if (const auto line = dated_line(file, header)) return *line;
   std::size_t end = file.lines().size();
   for (const auto line :
        {header.samples.line, header.time_step.line, header.quantity_line, header.unit_line})
@@ -123,10 +165,9 @@ void name_component(const SourceFile& file, const Header& header, Component& com
   const std::string_view event = event_line(file, header);
   if (event.empty()) return;
   component.header.emplace_back("event", event);
-  const auto comma = event.rfind(',');
-  if (comma == kNone) return;
-  const auto field = trimmed(event.substr(comma + 1));
-  component.name = trimmed(field.substr(0, field.find('(')));
+  const auto field = last_field(event);
+  if (!is_component_name(field)) return;
+  component.name = field;
   orient(component.name, component);
 }
 
@@ -217,8 +258,7 @@ std::vector<Component> read_peer_at2(const SourceFile& file, const ReadOptions& 
   for (; first < file.lines().size() && is_text_line(file.lines()[first]); ++first)
     component.warnings.push_back(fmt::format("a line of text after the header, skipped: '{}'",
                                              trimmed(file.lines()[first]).substr(0, 60)));
-  for (std::size_t i = first; i < file.lines().size(); ++i) reader.read_line(i);
-  reader.check_end();
+  read_to_end(file, first, reader);
   if (!mistakes.any()) check_samples(header, reader.values().size(), component, mistakes);
   mistakes.throw_if_any();
 

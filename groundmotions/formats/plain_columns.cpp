@@ -113,6 +113,11 @@ PlainColumns plain_columns(const PlainRows& rows, bool stated, const ReadOptions
   } else if (even && first_column_grows(rows, width)) {
     result.columns.resize(width);
     result.columns[0].kind = Kind::kTime;
+  } else if (!even && odd + 1 == rows.lengths.size() && first_column_grows(rows, width)) {
+    mistakes.add(rows.lines[odd], 1,
+                 fmt::format("{} of {} numbers in the last row: the file seems to be cut",
+                             rows.lengths[odd], width));
+    mistakes.throw_if_any();
   } else {
     mistakes.add(rows.lines[0], 1,
                  fmt::format("{} numbers in a row, and the first is no time that grows from row to "

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <optional>
 
+#include "groundmotions/formats/end_mark.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/words.h"
 
@@ -41,7 +42,7 @@ bool has_text(std::string_view line) {
 
 bool is_comment(std::string_view line) {
   line = trimmed(line);
-  return !line.empty() && line[0] == '#';
+  return line.starts_with('#') || line.starts_with('%') || line.starts_with("//");
 }
 
 bool is_blank(std::string_view line) { return trimmed(line).empty(); }
@@ -51,13 +52,6 @@ bool is_row(std::string_view line) {
   return !words.empty() && std::ranges::all_of(words, [](std::string_view word) {
     // Numbers may stick together or lack the letter of their exponent; see NumberReader.
     return take_number(word).has_value() && (word.empty() || word[0] == '-' || word[0] == '+');
-  });
-}
-
-bool is_end_mark(std::string_view line) {
-  return std::ranges::any_of(words_of(line, kBetweenWords), [](std::string_view word) {
-    const std::string text = lower(word);
-    return is_text(word) && (text == "end" || text == "eof" || text.starts_with("end_"));
   });
 }
 
@@ -94,12 +88,6 @@ std::vector<std::string_view> apart_by_two_blanks(std::string_view line) {
   return words;
 }
 
-std::size_t last_content(const SourceFile& file) {
-  std::size_t last = file.lines().size();
-  while (last > 0 && is_blank(file.lines()[last - 1])) --last;
-  return last;
-}
-
 }  // namespace
 
 std::size_t PlainRows::width() const {
@@ -127,11 +115,9 @@ PlainRows plain_rows(const SourceFile& file, Mistakes& mistakes) {
       rows.header_lines.push_back(i + 1);
     }
 
-  std::size_t last = last_content(file);
-  while (last > first && is_end_mark(file.lines()[last - 1])) {
-    rows.end.insert(rows.end.begin(), trimmed(file.lines()[last - 1]));
-    --last;
-  }
+  const std::size_t last = data_end(file, first);
+  for (std::size_t i = last; i < file.lines().size(); ++i)
+    if (!is_blank(file.lines()[i])) rows.end.push_back(trimmed(file.lines()[i]));
 
   bool commas = false, points = false;
   NumberReader reader(file, mistakes, kSeparators);

@@ -10,7 +10,7 @@
 namespace gurney {
 
 /// A text file of numbers, cut into a header of text, rows of numbers and an end mark. Numbers are
-/// apart by blanks, tabs, commas or semicolons; `#` starts a comment line anywhere.
+/// apart by blanks, tabs, commas or semicolons; `#`, `%` and `//` start a comment line anywhere.
 struct PlainRows {
   std::vector<std::string_view> header;   ///< lines of text and comments before the numbers
   std::vector<std::size_t> header_lines;  ///< of them in the file, from 1

@@ -118,7 +118,7 @@ void set_header(const PlainRows& rows, Component& component) {
 
 void warn_of_text(const PlainRows& rows, Component& component) {
   std::size_t count = 0;
-  for (const auto line : rows.header) count += line[0] != '#';
+  for (const auto line : rows.header) count += std::string_view("#%/").find(line[0]) == line.npos;
   if (count > 0)
     component.warnings.push_back(
         fmt::format("{} {} of text before the numbers, skipped; the last is '{}'", count,

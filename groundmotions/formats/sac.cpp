@@ -145,6 +145,8 @@ void orient(const SacWords& words, Component& component) {
     component.azimuth = std::fmod(azimuth, 360) * kRadiansPerDegree;
   else if (last == 'N' || last == 'E')
     component.azimuth = (last == 'N' ? 0 : 90) * kRadiansPerDegree;
+  else
+    gurney::orient(component.name, component);
   if (is_named_vertical != (component.direction == Direction::kVertical) ||
       (is_named_vertical && inclination != 0 && inclination != 180))
     component.warnings.push_back(fmt::format(
@@ -176,7 +178,7 @@ void check_extremes(const SacWords& words, const Eigen::VectorXd& values, Compon
 
 void describe(const SacWords& words, Component& component) {
   const std::pair<const char*, std::size_t> facts[] = {
-      {"station", 0}, {"network", 21}, {"instrument", 23}, {"event", 1}};
+      {"station", 0}, {"network", 21}, {"instrument", 23}, {"event", 1}, {"location", 3}};
   for (const auto& [name, index] : facts)
     if (!words.text(index).empty()) component.header.emplace_back(name, words.text(index));
   component.header.emplace_back("mean of the samples [m/s2]",

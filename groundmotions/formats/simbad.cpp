@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "groundmotions/formats/colon_header.h"
+#include "groundmotions/formats/end_mark.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/stated.h"
@@ -65,8 +66,7 @@ std::vector<Component> read_simbad(const SourceFile& file, const ReadOptions& op
                                           header.find(kStep)->line, options, mistakes);
   const double count = header.number_of(kCount, mistakes);
   NumberReader reader(file, mistakes);
-  for (std::size_t i = title + 1; i < file.lines().size(); ++i) reader.read_line(i);
-  reader.check_end();
+  read_to_end(file, title + 1, reader);
   if (!mistakes.any())
     check_count(count, kCount, header.find(kCount)->line, reader.values().size(), mistakes);
   mistakes.throw_if_any();

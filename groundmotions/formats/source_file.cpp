@@ -46,7 +46,8 @@ SourceFile::SourceFile(const std::filesystem::path& path)
 SourceFile::SourceFile(std::string name, std::string bytes)
     : name_(std::move(name)), bytes_(std::move(bytes)) {
   require(!bytes_.empty() && bytes_ != kByteOrderMark, name_ + ": the file is empty");
-  if (std::ranges::none_of(bytes_, is_binary)) cut();
+  text_ = std::string_view(bytes_).substr(0, bytes_.find_last_not_of('\0') + 1);
+  if (!text_.empty() && std::ranges::none_of(text_, is_binary)) cut();
 }
 
 void SourceFile::refuse_binary() const {
@@ -56,7 +57,7 @@ void SourceFile::refuse_binary() const {
 }
 
 void SourceFile::cut() {
-  std::string_view rest = bytes_;
+  std::string_view rest = text_;
   if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
   while (!rest.empty()) {
     const auto length = std::min(rest.find_first_of("\r\n"), rest.size());

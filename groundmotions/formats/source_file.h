@@ -11,7 +11,8 @@ namespace gurney {
 ///
 /// A line ends with LF, CR LF, CR CR LF or a lone CR; line ends are not part of the lines. A UTF-8
 /// byte order mark is dropped, and so are blank lines before the first that is not. Text has no
-/// control characters but tabs, line and page ends and the end-of-text of DOS.
+/// control characters but tabs, line and page ends and the end-of-text of DOS; NULs that pad its
+/// end are no part of it.
 class SourceFile {
  public:
   /// @throws Error if the file cannot be read, is no regular file, is empty or larger than 256 MiB.
@@ -35,7 +36,7 @@ class SourceFile {
 
   std::size_t blank_lines() const { return blank_lines_; }  ///< dropped before the first line
 
-  bool ends_with_line_end() const { return bytes_.back() == '\n' || bytes_.back() == '\r'; }
+  bool ends_with_line_end() const { return text_.ends_with('\n') || text_.ends_with('\r'); }
   std::string sha256() const;  ///< of the bytes, 64 hexadecimal digits (FIPS 180-4)
 
  private:
@@ -44,6 +45,7 @@ class SourceFile {
 
   std::string name_;
   std::string bytes_;
+  std::string_view text_;                ///< without the NULs that pad its end
   std::vector<std::string_view> lines_;  ///< none: not text
   std::size_t blank_lines_ = 0;
 };

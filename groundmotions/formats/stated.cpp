@@ -76,8 +76,10 @@ double agreed_time_step(const std::optional<double>& stated, std::size_t line,
 
 double checked_time_step(double stated, std::string_view key, std::size_t line,
                          const ReadOptions& options, Mistakes& mistakes) {
-  if (!(stated > 0 && stated <= 1))
-    mistakes.add(line, 1, fmt::format("{} must be in (0, 1] s, got {}", key, stated));
+  if (!is_time_step(stated))
+    tell(mistakes, line,
+         fmt::format("{} must be in [{:g}, {:g}] s, got {}", key, kShortestTimeStep,
+                     kLongestTimeStep, stated));
   else if (options.time_step && !(std::abs(*options.time_step - stated) <= 1e-6 * stated))
     mistakes.add(line, 1,
                  fmt::format("the file states a time step of {} s, but time_step_s = {} was given",

@@ -6,6 +6,7 @@
 #include "groundmotions/acceleration_unit.h"
 #include "groundmotions/formats/format.h"
 #include "groundmotions/formats/mistakes.h"
+#include "groundmotions/time_step_range.h"
 
 /// What a file says of itself, checked against the user's options and against its samples. Lines
 /// are counted from 1.
@@ -22,12 +23,12 @@ AccelerationUnit checked_unit(std::string_view stated, std::size_t line, const R
                               Mistakes& mistakes);
 
 /// The time step that a file states, or else options.time_step [s]; a mistake if there is none,
-/// both differ, or it is not in (0, 1] s.
+/// both differ, or it is not is_time_step().
 /// @param line  that states it or should; 0: no line in particular
 double agreed_time_step(const std::optional<double>& stated, std::size_t line,
                         const ReadOptions& options, Mistakes& mistakes);
 
-/// The time step that a file states as `key` on `line` [s]; a mistake unless it is in (0, 1] and
+/// The time step that a file states as `key` on `line` [s]; a mistake unless it is_time_step() and
 /// agrees with options.time_step to 1e-6.
 double checked_time_step(double stated, std::string_view key, std::size_t line,
                          const ReadOptions& options, Mistakes& mistakes);

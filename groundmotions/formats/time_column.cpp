@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/time_step_range.h"
 
 namespace gurney {
 
@@ -17,8 +18,10 @@ double even_step(const std::vector<double>& times, const std::vector<std::size_t
   auto sorted = std::vector(steps.begin() + 1, steps.end());
   std::ranges::nth_element(sorted, sorted.begin() + static_cast<long>(sorted.size() / 2));
   const double usual = sorted[sorted.size() / 2];
-  if (!(usual > 0 && usual <= 1)) {
-    mistakes.add(lines[1], 1, fmt::format("time steps must be in (0, 1] s, got {:.9g}", usual));
+  if (!is_time_step(usual)) {
+    mistakes.add(lines[1], 1,
+                 fmt::format("time steps must be in [{:g}, {:g}] s, got {:.9g}", kShortestTimeStep,
+                             kLongestTimeStep, usual));
     return usual;
   }
   for (std::size_t i = 1; i < steps.size(); ++i)

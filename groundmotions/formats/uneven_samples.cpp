@@ -13,7 +13,7 @@ namespace {
 
 /// Of a step: a last time that misses the grid by less is on it.
 constexpr double kGridTolerance = 1e-6;
-constexpr double kMostSamples = 1e8;
+constexpr double kMostSamples = 1e7;
 
 void check(const std::vector<double>& times, const std::vector<double>& values, double time_step) {
   require(times.size() >= 2 && times.size() == values.size(),
@@ -23,6 +23,9 @@ void check(const std::vector<double>& times, const std::vector<double>& values, 
     throw Error(fmt::format("time {} of {} decreases: {} s after {} s", drop - times.begin() + 2,
                             times.size(), *(drop + 1), *drop));
   const double duration = times.back() - times.front();
+  require(spacing_of(times).largest <= kLongestGap,
+          fmt::format("times that follow each other are up to {:g} s apart, {} s is allowed",
+                      spacing_of(times).largest, kLongestGap));
   require(time_step > 0 && duration >= time_step && duration <= kMostSamples * time_step,
           fmt::format("samples over {} s cannot be brought to a time step of {} s", duration,
                       time_step));

@@ -6,6 +6,8 @@
 
 namespace gurney {
 
+inline constexpr double kLongestGap = 2;  ///< between digitised samples; an assumption [s]
+
 /// The time step that unevenly spaced samples are brought to unless the user states one: films of
 /// old accelerographs were digitised at uneven times, and their programs took 0.005 s too [s].
 inline constexpr double kEvenTimeStep = 0.005;

@@ -11,6 +11,7 @@
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "groundmotions/formats/calendar.h"
+#include "groundmotions/formats/end_mark.h"
 #include "groundmotions/formats/fortran_fields.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
@@ -26,7 +27,6 @@ constexpr std::size_t kTextLines = 11, kIntegers = 48, kReals = 50;
 constexpr std::size_t kRealLine = kTextLines + 6, kCommentLine = kRealLine + 10;  // from 0
 constexpr double kCentimetre = 0.01;                                              ///< [m]
 constexpr double kLargestCount = 1e8;
-constexpr double kLongestGap = 2;  ///< between digitised samples; an assumption [s]
 
 const FortranFormat kIntegerFormat{8, 10, 0, 'I', "8I10"};
 const FortranFormat kRealFormat{5, 15, 0, 'E', "5E15.7"};
@@ -124,8 +124,7 @@ class SmcReader {
     std::size_t line = first_line_;
     const char* what = is_uneven() ? "numbers" : "samples";
     auto numbers = fields_.read(line, count, *format, EmptyField::kMistake, what);
-    std::size_t end = file_.lines().size();
-    while (end > line && trimmed(file_.lines()[end - 1]).empty()) --end;
+    const std::size_t end = data_end(file_, line);
     const std::string more = fmt::format("more lines follow the {} {} of the header", count, what);
     if (mistakes_.any() || line == end) return numbers;
     // Digitised files may have one line more than they state.
@@ -179,13 +178,6 @@ class SmcReader {
       return;
     }
     component.time_step = options_.time_step.value_or(kEvenTimeStep);
-    if (times.size() > 1 && !(spacing_of(times).largest <= kLongestGap)) {
-      mistakes_.add(first_line_ + 1, 1,
-                    fmt::format("times that follow each other are up to {:g} s apart, {} s is "
-                                "allowed",
-                                spacing_of(times).largest, kLongestGap));
-      return;
-    }
     try {
       component.acceleration = kCentimetre * evenly_spaced(times, values, component.time_step);
     } catch (const Error& error) {
@@ -240,7 +232,8 @@ class SmcReader {
     fact("title", file_.lines()[0]);
     fact("event", file_.lines()[3]);
     fact("magnitude", file_.lines()[4]);
-    fact("station", file_.lines()[5]);
+    fact("station", station_of(file_.lines()[5]));
+    fact("location", place_of());
     fact("instrument", file_.lines()[7]);
     if (has_real(32)) fact("high-pass corner [Hz]", fmt::format("{:g}", reals_[32]));
     if (has_real(34)) fact("low-pass from [Hz]", fmt::format("{:g}", reals_[34]));
@@ -267,16 +260,29 @@ class SmcReader {
     return new_year ? std::optional(*new_year + 86400 * (day - 1)) : std::nullopt;
   }
 
+  /// "station = Shafter, F   component=  360": what stands before the component.
+  static std::string_view station_of(std::string_view line) {
+    line = line.substr(0, upper(line).find("COMPONENT="));
+    const auto sign = upper(line).find("STATION");
+    const auto equals = line.find('=');
+    return sign < equals && equals != line.npos ? line.substr(equals + 1) : line;
+  }
+
   /// Integers 19 (kind), 25 (floor), 27 (bridge) and 28 (dam; 0 and missing are the free field).
-  void warn_of_structure(Component& component) {
+  std::string place_of() const {
     const bool on_bridge = has_integer(26) && integers_[26] > 0;
     const bool on_dam = has_integer(27) && integers_[27] > 0;
-    if (!has_integer(18) && !on_bridge && !on_dam) return;
+    if (!has_integer(18) && !on_bridge && !on_dam) return {};
     const double kind = has_integer(18) ? integers_[18] : on_bridge ? 2 : 3;
     std::string place = structure_name(kind);
     if (has_integer(24)) place += fmt::format(", floor {}", integers_[24]);
-    component.warnings.push_back(
-        fmt::format("the station is in {}: a motion of the structure, not of the ground", place));
+    return place;
+  }
+
+  void warn_of_structure(Component& component) const {
+    if (const std::string place = place_of(); !place.empty())
+      component.warnings.push_back(
+          fmt::format("the station is in {}: a motion of the structure, not of the ground", place));
   }
 
   const SourceFile& file_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -11,14 +12,15 @@
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/suites/csv_row.h"
+#include "groundmotions/time_step_range.h"
 
 namespace gurney {
 
 namespace {
 
-const std::vector<std::string> kColumns = {"name",           "file", "h1",          "h2",
-                                           "vertical",       "unit", "time_step_s", "columns",
-                                           "count_m_per_s2", "scale"};
+const std::vector<std::string> kColumns = {"name",    "file",           "channels", "h1",
+                                           "h2",      "vertical",       "unit",     "time_step_s",
+                                           "columns", "count_m_per_s2", "scale"};
 
 bool is_content(std::string_view line) {
   line = trimmed(line);
@@ -74,6 +76,7 @@ class ListReader {
     SuiteRecord record{.name = {}, .files = {}, .options = options_, .facts = {}};
     for (std::size_t i = 0; i < row.size(); ++i) read_cell(titles_[i], row[i], record);
     if (record.files.empty()) mistakes_.add(line_ + 1, 1, "the record has no file");
+    take_channels(row, record);
     const auto stated = std::ranges::count_if(
         record.files, [](const RecordFile& file) { return file.direction.has_value(); });
     if (stated != 0 && stated != std::ssize(record.files))
@@ -100,7 +103,7 @@ class ListReader {
                                   kAccelerationUnits));
       record.options.unit = cell.text;
     } else if (title == "time_step_s") {
-      record.options.time_step = positive(cell, title, 1);
+      record.options.time_step = positive(cell, title, kLongestTimeStep);
     } else if (title == "columns") {
       record.options.columns = cell.text;
     } else if (title == "count_m_per_s2") {
@@ -109,6 +112,32 @@ class ListReader {
       record.scale = positive(cell, title, 1e6);
     } else if (std::ranges::find(kColumns, title) != kColumns.end()) {
       add_file(title, cell, record);
+    }
+  }
+
+  /// One file and some of its channels: each becomes a file of the record.
+  void take_channels(const std::vector<CsvCell>& row, SuiteRecord& record) {
+    const auto title = std::ranges::find(titles_, "channels");
+    if (title == titles_.end()) return;
+    const CsvCell& cell = row[static_cast<std::size_t>(title - titles_.begin())];
+    if (cell.text.empty()) return;
+    if (record.files.size() != 1 || record.files[0].direction) {
+      mistakes_.add(line_ + 1, cell.column, "channels must go with one file in 'file'");
+      return;
+    }
+    const RecordFile file = record.files[0];
+    record.files.clear();
+    std::istringstream texts(cell.text);
+    for (std::string text; std::getline(texts, text, ';');) {
+      const auto channel = number(text);
+      if (!channel || !(*channel >= 1 && *channel <= 1000 && *channel == std::floor(*channel)))
+        mistakes_.add(
+            line_ + 1, cell.column,
+            fmt::format("channels must be whole numbers from 1 to 1000 apart by semicolons, "
+                        "got '{}'",
+                        text));
+      else
+        record.files.push_back({.path = file.path, .channel = static_cast<int>(*channel)});
     }
   }
 

@@ -78,10 +78,16 @@ Columns columns_of(const SourceFile& file, std::size_t line) {
   return columns;
 }
 
-/// @returns the reason for which the record cannot be used, or nothing
-std::string add_files(const std::vector<CsvCell>& row, const Columns& columns,
-                      const std::filesystem::path& folder, SuiteRecord& record) {
+/// Why a record cannot be used.
+struct Lack {
+  std::string reason;      ///< empty: nothing lacks
+  bool is_absent = false;  ///< none of its files is there
+};
+
+Lack add_files(const std::vector<CsvCell>& row, const Columns& columns,
+               const std::filesystem::path& folder, SuiteRecord& record) {
   std::string reason;
+  std::size_t absent = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string name = cell(row, columns.files[i]);
     if (name.empty()) {
@@ -89,11 +95,31 @@ std::string add_files(const std::vector<CsvCell>& row, const Columns& columns,
       continue;
     }
     const auto path = folder / name;
-    if (!std::filesystem::is_regular_file(path))
+    if (!std::filesystem::is_regular_file(path)) {
       reason += fmt::format("{}{} is not in the folder", reason.empty() ? "" : "; ", name);
+      ++absent;
+    }
     record.files.push_back({.path = path});
   }
-  return reason;
+  return {reason, absent > 0 && absent == record.files.size()};
+}
+
+/// One note for all records that are not there; a refusal if that leaves none.
+void report_absent(const SourceFile& file, const std::vector<std::string>& absent, Suite& suite) {
+  constexpr std::size_t kShown = 3;
+  if (absent.empty()) return;
+  const std::size_t all = absent.size() + suite.records.size() + suite.refused.size();
+  const std::vector<std::string> first(
+      absent.begin(),
+      absent.begin() + static_cast<std::ptrdiff_t>(std::min(kShown, absent.size())));
+  const std::string text = fmt::format(
+      "{}: the files of {} of its {} records are not in the folder: {}{}", file.name(),
+      absent.size(), all, fmt::join(first, ", "),
+      absent.size() > kShown ? fmt::format(" and {} more", absent.size() - kShown) : "");
+  if (absent.size() == all)
+    suite.refused.push_back({file.name(), text});
+  else
+    suite.notes.push_back(text);
 }
 
 }  // namespace
@@ -111,6 +137,7 @@ Suite read_peer_search_results(const SourceFile& file, const ReadOptions& option
   const Columns columns = columns_of(file, titles);
   const auto folder = std::filesystem::path(file.name()).parent_path();
   Suite suite;
+  std::vector<std::string> absent;
   for (std::size_t line = titles + 1; line < file.lines().size(); ++line) {
     const auto row = csv_row(file.lines()[line]);
     if (row.size() == 1) break;  // a blank line ends the table
@@ -121,16 +148,19 @@ Suite read_peer_search_results(const SourceFile& file, const ReadOptions& option
     const std::string number = cell(row, columns.number);
     record.name =
         number.empty() ? fmt::format("line {}", line + 1 + file.blank_lines()) : "RSN" + number;
-    const std::string reason =
+    const Lack lack =
         row.size() == columns.count
             ? add_files(row, columns, folder, record)
-            : fmt::format("{}:{}:1: {} cells, the header has {} columns", file.name(),
-                          line + 1 + file.blank_lines(), row.size(), columns.count);
-    if (reason.empty())
+            : Lack{fmt::format("{}:{}:1: {} cells, the header has {} columns", file.name(),
+                               line + 1 + file.blank_lines(), row.size(), columns.count)};
+    if (lack.is_absent)
+      absent.push_back(record.name);
+    else if (lack.reason.empty())
       suite.records.push_back(std::move(record));
     else
-      suite.refused.push_back({record.name, reason});
+      suite.refused.push_back({record.name, lack.reason});
   }
+  report_absent(file, absent, suite);
   require(!suite.records.empty() || !suite.refused.empty(),
           fmt::format("{}:{}:1: the table '{}' has no rows", file.name(),
                       titles + 1 + file.blank_lines(), kTable));

@@ -12,8 +12,9 @@ bool recognises_peer_search_results(const SourceFile& file);
 /// components. Earthquake, station, magnitude, distances, Vs30, pulse period and lowest usable
 /// frequency become facts. The report's own scale factors are facts, not applied.
 ///
-/// A record whose horizontal files are not in the folder is refused. A vertical that is named but
-/// absent is refused as well; one that is not named is missing.
+/// Records of which no file is in the folder are left out with one note for all of them; if none is
+/// there the report is refused. A record of which some files are absent, the vertical too, is
+/// refused. A vertical that is not named is missing.
 ///
 /// @throws Error without the table or without its columns of file names.
 Suite read_peer_search_results(const SourceFile& file, const ReadOptions& options = {});

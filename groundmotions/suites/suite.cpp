@@ -8,6 +8,7 @@
 #include "engine/base/config/file_snapshot.h"
 #include "engine/base/error.h"
 #include "groundmotions/suites/folder_suite.h"
+#include "groundmotions/suites/glob.h"
 #include "groundmotions/suites/list_suite.h"
 #include "groundmotions/suites/peer_search_results.h"
 
@@ -18,6 +19,7 @@ namespace {
 void append(Suite& suite, Suite more) {
   std::ranges::move(more.records, std::back_inserter(suite.records));
   std::ranges::move(more.refused, std::back_inserter(suite.refused));
+  std::ranges::move(more.notes, std::back_inserter(suite.notes));
 }
 
 /// A folder, list or report; false for anything else.
@@ -32,7 +34,7 @@ bool append_collection(const std::filesystem::path& path, const ReadOptions& opt
   try {
     file.emplace(path);
   } catch (const Error&) {
-    return false;  // told when it is read as a record
+    return false;  // reported when it is read as a record
   }
   if (!file->is_text()) return false;
   if (recognises_peer_search_results(*file))
@@ -45,15 +47,35 @@ bool append_collection(const std::filesystem::path& path, const ReadOptions& opt
   return true;
 }
 
+std::vector<std::filesystem::path> expanded(const std::vector<std::filesystem::path>& paths) {
+  std::vector<std::filesystem::path> all;
+  for (const auto& path : paths) {
+    if (!is_glob(path)) {
+      all.push_back(path);
+      continue;
+    }
+    const auto found = glob(path);
+    require(!found.empty(), path.string() + ": no file or folder has a name of this pattern");
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  return all;
+}
+
 }  // namespace
+
+std::string text_of(const Refusal& refusal) {
+  return refusal.reason.find(refusal.file + ":") == std::string::npos
+             ? refusal.file + ": " + refusal.reason
+             : refusal.reason;
+}
 
 Suite read_suite(const std::vector<std::filesystem::path>& paths, const ReadOptions& options,
                  const Progress& progress) {
   Suite suite;
   std::vector<std::filesystem::path> files;
-  for (const auto& path : paths)
+  for (const auto& path : expanded(paths))
     if (!append_collection(path, options, progress, suite)) files.push_back(path);
-  append(suite, group_files(files, options, progress));
+  if (!files.empty()) append(suite, group_files(files, options, progress));
   return suite;
 }
 

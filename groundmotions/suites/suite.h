@@ -25,10 +25,14 @@ struct Refusal {
   std::string reason;
 };
 
+/// Reason with the file, which is named once.
+std::string text_of(const Refusal& refusal);
+
 /// Records that belong together; not read yet.
 struct Suite {
   std::vector<SuiteRecord> records;
   std::vector<Refusal> refused;
+  std::vector<std::string> notes;  ///< what is not there or not needed, one sentence each
 };
 
 /// Called before each file with how many are done and how many there are.
@@ -36,10 +40,11 @@ using Progress = std::function<void(std::size_t, std::size_t)>;
 
 /// The records behind some paths: folders (folder_suite.h), lists and PEER _SearchResults.csv
 /// (known by their content), and record files, which are grouped into records as those of a folder
-/// are.
+/// are. A pattern such as "recs/*.AT2" stands for all that it names.
 ///
 /// @param options  for files that do not say their unit or time step
-/// @throws Error if a path does not exist or a list is wrong. Files that are no records are refused
+/// @throws Error if a path does not exist, a pattern names nothing or a list is wrong. Files that
+/// are no records are refused
 ///         one by one.
 Suite read_suite(const std::vector<std::filesystem::path>& paths, const ReadOptions& options = {},
                  const Progress& progress = {});

@@ -10,6 +10,7 @@
 #include "engine/base/config/document.h"
 #include "engine/base/config/table.h"
 #include "engine/base/error.h"
+#include "groundmotions/acceleration_unit.h"
 #include "groundmotions/processing/pipeline.h"
 #include "groundmotions/processing/step_reader.h"
 #include "studies/cli/inline_table.h"
@@ -61,10 +62,11 @@ class ProgressLine {
 void add_source_options(CLI::App& command, RecordSource& source) {
   command
       .add_option("PATH", source.paths,
-                  "Record files, folders, lists of records, PEER _SearchResults.csv")
+                  "Record files, folders, patterns (\"recs/*.AT2\"), lists of records, PEER "
+                  "_SearchResults.csv")
       ->required();
   command.add_option("--unit", source.options.unit,
-                     "Unit of files that do not say it: g, m/s2, cm/s2 (gal), mm/s2");
+                     fmt::format("Unit of files that do not state it: {}", kAccelerationUnits));
   command.add_option("--time-step", source.options.time_step,
                      "Time step of files that do not say it [s]");
   command.add_option("--count", source.options.si_per_count,
@@ -110,10 +112,8 @@ int for_each_record(const RecordSource& source, std::vector<Refusal>* refused,
     ++used;
   }
   progress.clear();
-  for (const Refusal& refusal : left_out)
-    print_error("{}\n", refusal.reason.find(refusal.file) == std::string::npos
-                            ? refusal.file + ": " + refusal.reason
-                            : refusal.reason);
+  for (const Refusal& refusal : left_out) print_error("{}\n", text_of(refusal));
+  for (const std::string& note : suite.notes) print_error("note: {}\n", note);
   for (const Refusal& refusal : suite.refused) named = named || is_named(refusal.file);
   if (refused) *refused = std::move(left_out);
   return used == 0 || named ? 1 : 0;

@@ -68,10 +68,20 @@ struct ScaledSuite {
   std::vector<Eigen::VectorXd> spectra;
 };
 
-/// The cells file, h1, h2 and vertical of a list.
+/// The channels of a record whose files are channels of one.
+std::string channels_text(const std::vector<RecordFile>& files) {
+  std::string text;
+  for (const RecordFile& file : files)
+    if (file.channel) text += fmt::format("{}{}", text.empty() ? "" : ";", *file.channel);
+  return text;
+}
+
+/// The cells file, h1, h2, vertical and channels of a list.
 std::string files_text(const std::vector<RecordFile>& files, const fs::path& folder) {
-  std::array<std::string, 4> cells;
+  std::array<std::string, 5> cells;
+  cells[4] = channels_text(files);
   for (const RecordFile& file : files) {
+    if (file.channel && &file != &files[0]) continue;
     std::string& cell = cells[file.direction ? 1 + static_cast<std::size_t>(*file.direction) : 0];
     cell += (cell.empty() ? "" : ";") + fs::proximate(file.path, folder).string();
   }
@@ -85,7 +95,7 @@ std::string list_text(const ScaledSuite& suite, const SuiteScaling& scaling,
                       const TargetSpectrum& target, const fs::path& folder) {
   std::string text =
       fmt::format("# scaled to {}, {:g} % damping\n", target.name, 100 * target.damping);
-  text += "name,file,h1,h2,vertical,unit,time_step_s,columns,count_m_per_s2,scale\n";
+  text += "name,file,h1,h2,vertical,channels,unit,time_step_s,columns,count_m_per_s2,scale\n";
   std::set<std::string> names;
   for (std::size_t i = 0; i < suite.records.size(); ++i) {
     const SuiteRecord& record = suite.records[i];

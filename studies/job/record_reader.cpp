@@ -8,8 +8,11 @@
 #include "engine/base/config/file_snapshot.h"
 #include "engine/base/error.h"
 #include "engine/base/units.h"
+#include "groundmotions/acceleration_unit.h"
 #include "groundmotions/buildings/building_reader.h"
 #include "groundmotions/processing/step_reader.h"
+#include "groundmotions/suites/glob.h"
+#include "groundmotions/time_step_range.h"
 #include "studies/job/scale_reader.h"
 
 namespace gurney {
@@ -39,11 +42,16 @@ fs::path checked_path(Table& table, const std::string& key, const std::string& n
   return path;
 }
 
+/// A file, a folder, or a pattern such as "recs/*.AT2".
+fs::path suite_path(Table& table, const std::string& name) {
+  const fs::path path = (fs::path(table.document().path()).parent_path() / name).lexically_normal();
+  return is_glob(path) && !glob(path).empty() ? path : existing_path(table, "suite", name);
+}
+
 /// Files for stated axes, or files that place their components themselves.
 std::vector<RecordFile> read_files(Table& excitation, Table& in, std::vector<fs::path>& suite) {
   std::vector<RecordFile> files;
-  for (const std::string& name : in.texts("suite"))
-    suite.push_back(existing_path(in, "suite", name));
+  for (const std::string& name : in.texts("suite")) suite.push_back(suite_path(in, name));
   for (const Direction direction : kDirections) {
     const char* key = kAxes[static_cast<std::size_t>(direction)];
     if (const std::string name = in.text(key, ""); !name.empty())
@@ -101,10 +109,11 @@ void read_use(Table& in, RecordRequest& record) {
 }
 
 void read_options(Table& in, ReadOptions& options) {
-  static const std::vector<std::string> kUnits = {"g", "m/s2", "cm/s2", "mm/s2"};
-  if (in.has("unit")) options.unit = kUnits[in.choice("unit", kUnits)];
+  const std::vector<std::string>& units = acceleration_unit_names();
+  if (in.has("unit")) options.unit = units[in.choice("unit", units)];
   if (in.has("time_step_s"))
-    options.time_step = in.number("time_step_s", Range::within(0, 1).open_below());
+    options.time_step =
+        in.number("time_step_s", Range::within(kShortestTimeStep, kLongestTimeStep));
   if (in.has("count_m_per_s2"))
     options.si_per_count = in.number("count_m_per_s2", Range::positive());
   options.columns = in.text("columns", "");

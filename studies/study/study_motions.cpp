@@ -34,16 +34,15 @@ std::string excitation_text(const config::Node& job) {
   return text;
 }
 
-std::vector<SuiteRecord> records_of(const RecordRequest& request) {
+Suite suite_of(const RecordRequest& request) {
   if (request.suite.empty()) return {};
   Suite suite = read_suite(request.suite, request.options);
   std::string refused;
   for (const Refusal& each : suite.refused)
-    refused += fmt::format("{}{}: {}: {}", refused.empty() ? "" : "\n", request.where, each.file,
-                           each.reason);
+    refused += fmt::format("{}{}: {}", refused.empty() ? "" : "\n", request.where, text_of(each));
   require(refused.empty(), refused);
   require(!suite.records.empty(), request.where + ": the suite has no records");
-  return std::move(suite.records);
+  return suite;
 }
 
 double or_none(const std::function<double()>& value) {
@@ -64,7 +63,9 @@ MotionSet::MotionSet(const Job& job, const Study& study)
     for (int seed = 1; seed <= study.synthetic_records; ++seed)
       names_.push_back(fmt::format("{} {}", request_->synthetic->kind->name, seed));
   } else {
-    suite_ = records_of(*request_);
+    Suite suite = suite_of(*request_);
+    suite_ = std::move(suite.records);
+    notes_ = std::move(suite.notes);
     for (const SuiteRecord& record : suite_) names_.push_back(record.name);
     if (suite_.empty()) names_ = {ground_record(*request_).name};
   }
@@ -98,6 +99,7 @@ GroundMotion MotionSet::read(std::size_t record) const {
   if (request.scale_to) motion.record = scaled_to(motion.record, *request.scale_to);
   if (scale != 1) motion.record = scaled(std::move(motion.record), scale);
   motion.warnings = motion.record.warnings;
+  if (record == 0) motion.warnings.insert(motion.warnings.end(), notes_.begin(), notes_.end());
   const std::vector<std::string> findings = implausible(motion.record);
   require(!request.refuse_implausible || findings.empty(),
           fmt::format("{}: record '{}' is not plausible, and plausibility = \"refuse\":\n{}",

@@ -52,6 +52,7 @@ class MotionSet {
 
   std::optional<RecordRequest> request_;
   std::vector<SuiteRecord> suite_;
+  std::vector<std::string> notes_;  ///< of the suite; warnings of its first record
   IntensityPlan intensity_;
   std::vector<KeptMeasure> kept_;
   std::vector<std::string> names_;

@@ -54,5 +54,13 @@ TEST(AccelerationUnit, KnowsNoOther) {
     EXPECT_FALSE(acceleration_unit(other)) << other;
 }
 
+// One list for jobs, lists, options and messages.
+TEST(AccelerationUnit, NamesOfUsersAreUnits) {
+  for (const std::string& name : acceleration_unit_names()) {
+    EXPECT_TRUE(acceleration_unit(name)) << name;
+    EXPECT_NE(kAccelerationUnits.find(name), std::string::npos) << name;
+  }
+}
+
 }  // namespace
 }  // namespace gurney

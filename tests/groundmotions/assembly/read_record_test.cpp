@@ -154,8 +154,8 @@ TEST_F(ReadRecord, TellsTheMistakesOfAllFiles) {
               read_record({{folder_ / "none.AT2", Direction::kH1}, {bad, Direction::kH2}});
             }),
             (folder_ / "none.AT2").string() + ": no such file\n" + bad.string() +
-                ":1:1: not a record in a known format (see docs/records.md); the file starts with "
-                "'nonsense'");
+                ":1:1: not a record in a known format (see docs/records.md): 1 line of text, 9 "
+                "bytes");
 }
 
 TEST_F(ReadRecord, RefusesARecordThatIsAllZero) {

@@ -64,6 +64,19 @@ TEST(FloorRecord, ARigidBuildingMovesAsTheGround) {
     EXPECT_EQ(samples(floor, direction).head(ground().samples()), samples(ground(), direction));
 }
 
+// A step of 1 m/s2 over the last 101 samples of 5 ms: the ground stops with 0.5 m/s, and the floor
+// goes on with them while the building vibrates.
+TEST(FloorRecord, ReportsHowFarAResidualVelocityOfTheGroundCarriesTheFloor) {
+  EXPECT_THAT(floor_record(ground(), two_storeys(), 2).warnings, IsEmpty());
+  Record moving = ground();
+  auto& h2 = moving.components[1];
+  h2->acceleration.tail(101).setOnes();
+  const auto warnings = floor_record(moving, two_storeys(), 2).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0], HasSubstr("h2: the ground still moves at 0.5"));
+  EXPECT_THAT(warnings[0], HasSubstr("with the step \"baseline kind=end_at_rest\""));
+}
+
 // Each axis alone by ModalResponse, at the finer samples the vertical mode of 0.1 s asks for:
 // 0.1 / 20 = 0.005 s is the ground's own step.
 TEST(FloorRecord, EachAxisIsItsModalResponse) {

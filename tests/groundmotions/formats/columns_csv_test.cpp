@@ -77,7 +77,7 @@ TEST(ColumnsCsv, RefusesTimesThatAreNotEven) {
   EXPECT_THAT(error_text([] { read("time_s,x_g\n0,1\n0.01,1\n0.01,1\n0.02,1\n"); }),
               HasSubstr("f.csv:4:1: the time goes from 0.01 to 0.01 s"));
   EXPECT_THAT(error_text([] { read("time_s,x_g\n0.02,1\n0.01,1\n0,1\n"); }),
-              HasSubstr("f.csv:3:1: time steps must be in (0, 1] s, got -0.01"));
+              HasSubstr("f.csv:3:1: time steps must be in [1e-05, 1] s, got -0.01"));
   // 0.0102 is off the grid by 2 % of the step, 0.01005 by 0.5 %.
   EXPECT_THAT(error_text([] { read("time_s,x_g\n0,1\n0.0102,1\n0.02,1\n"); }),
               HasSubstr("f.csv:3:1: time 0.0102 s is off the even grid (0.01 s, step 0.01 s)"));

@@ -33,11 +33,11 @@ TEST(Emod3d, ReadsInTheUnitOfTheUser) {
 TEST(Emod3d, AsksForTheUnitAndChecksTheCount) {
   EXPECT_EQ(error_text([] { read_text(kFile); }),
             "f: the file does not state its unit; state it as unit = \"...\" or --unit (g, m/s2, "
-            "cm/s2 (gal), mm/s2, mg, %g, ft/s2 or in/s2)");
+            "cm/s2, gal, mm/s2, mg, %g, ft/s2 or in/s2)");
   EXPECT_EQ(error_text([] { read_text(replaced(kFile, "7  5.0", "8  5.0"), {.unit = "g"}); }),
             "f:2:1: npts states 8 samples, but the file holds 7");
   EXPECT_EQ(error_text([] { read_text(replaced(kFile, "5.00000e-03", "5"), {.unit = "g"}); }),
-            "f:2:1: dt must be in (0, 1] s, got 5");
+            "f:2:1: dt must be in [1e-05, 1] s, got 5");
 }
 
 // A title and rows of eight samples look alike.

@@ -91,7 +91,7 @@ TEST(Esm, ChecksTheHeader) {
             "f:8:1: NDATA states 5 samples, but the file holds 4");
   EXPECT_EQ(error_text([] { read_text(replaced(kFile, "0.005000", "0.0O5")); }),
             "f:7:1: SAMPLING_INTERVAL_S must be a number, got '0.0O5'\n"
-            "f:7:1: SAMPLING_INTERVAL_S must be in (0, 1] s, got 0");
+            "f:7:1: SAMPLING_INTERVAL_S must be in [1e-05, 1] s, got 0");
   EXPECT_THAT(read_text(replaced(kFile, ": -3.250000", ": 3.300000"))[0].warnings,
               ElementsAre("the file states a peak of 3.300000 cm/s2, but its samples have 3.25 "
                           "cm/s2"));

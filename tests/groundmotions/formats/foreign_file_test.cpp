@@ -52,8 +52,10 @@ TEST(ForeignFile, LeavesEveryFormatAlone) {
 }
 
 TEST(ForeignFile, UnknownBinaryFilesAreToldToBeBinary) {
-  EXPECT_THAT(error_text([] { read_components(SourceFile("f", std::string(2000, '\0'))); }),
-              HasSubstr("f: a binary file, not a record in a known format (see docs/records.md)"));
+  EXPECT_THAT(
+      error_text([] { read_components(SourceFile("f", std::string(2000, '\0'))); }),
+      HasSubstr(
+          "f: a binary file of 2000 bytes, not a record in a known format (see docs/records.md)"));
 }
 
 }  // namespace

@@ -76,13 +76,17 @@ TEST(Orientation, ReadsLabels) {
   EXPECT_NEAR(azimuth("Roof, N wall: 275 deg"), 275, 1e-12);
   EXPECT_NEAR(azimuth("S08E"), 172, 1e-12);
   EXPECT_NEAR(azimuth("E"), 90, 1e-12);
-  for (const char* label :
-       {"", "L", "T", "Roof", "H1", "-90 DEG", "400 DEG", "N95E", "12 storeys"}) {
+  EXPECT_NEAR(azimuth("NS"), 0, 1e-12);  // RENADIC
+  EXPECT_NEAR(azimuth("E-W"), 90, 1e-12);
+  EXPECT_NEAR(azimuth("HNE 00"), 90, 1e-12);
+  for (const char* label : {"", "L", "T", "Roof", "THE ROOF", "ENG", "Channel", "H1", "-90 DEG",
+                            "400 DEG", "N95E", "12 storeys"}) {
     Component component;
     EXPECT_FALSE(orient_by_label(label, component)) << label;
     EXPECT_FALSE(component.azimuth || component.direction) << label;
   }
-  for (const char* label : {"UP", "Up", "V", "VERT", "Vertical - 2nd floor"}) {
+  for (const char* label :
+       {"UP", "Up", "V", "VERT", "Vertical - 2nd floor", "UD", "Z", "BNZ", "HNZ.--"}) {
     Component component;
     EXPECT_TRUE(orient_by_label(label, component)) << label;
     EXPECT_EQ(component.direction, Direction::kVertical) << label;

@@ -226,7 +226,7 @@ TEST(PeerAt2, ChecksTheStepAndTheUnitAgainstTheUser) {
             "f.AT2:4:1: the file states a time step of 0.02 s, but time_step_s = 0.01 was given\n"
             "f.AT2:3:1: the file states the unit g, but unit = \"cm/s2\" was given");
   EXPECT_EQ(error_text([&] { read(replaced(text, "DT= .02", "DT= 0.0")); }),
-            "f.AT2:4:1: DT must be in (0, 1] s, got 0");
+            "f.AT2:4:1: DT must be in [1e-05, 1] s, got 0");
   EXPECT_EQ(error_text([&] { read(replaced(text, ", DT= .02 SEC", "")); }),
             "f.AT2: the file does not state its time step; state it as time_step_s or --time-step");
   expect_the_motion(read(replaced(text, ", DT= .02 SEC", ""), {.unit = "", .time_step = 0.02}));

@@ -39,7 +39,7 @@ TEST(PlainText, ReadsOneColumn) {
 TEST(PlainText, AsksForUnitAndStep) {
   EXPECT_EQ(error_text([] { read_text("1\n2\n"); }),
             "f: the file does not state its unit; state it as unit = \"...\" or --unit (g, m/s2, "
-            "cm/s2 (gal), mm/s2, mg, %g, ft/s2 or in/s2)\n"
+            "cm/s2, gal, mm/s2, mg, %g, ft/s2 or in/s2)\n"
             "f: the file does not state its time step; state it as time_step_s or --time-step");
 }
 
@@ -202,10 +202,10 @@ TEST(PlainText, RefusesWhatIsNoNumber) {
 
 TEST(PlainText, RefusesOptionsOutsideTheirRanges) {
   EXPECT_EQ(error_text([] { read_text("1\n2\n", {.unit = "km/s2", .time_step = 0.01}); }),
-            "'km/s2' is not a unit of acceleration: g, m/s2, cm/s2 (gal), mm/s2, mg, %g, ft/s2 or "
+            "'km/s2' is not a unit of acceleration: g, m/s2, cm/s2, gal, mm/s2, mg, %g, ft/s2 or "
             "in/s2 are allowed");
   EXPECT_EQ(error_text([] { read_text("1\n2\n", {.unit = "g", .time_step = -0.01}); }),
-            "the time step of a record must be in (0, 1] s, got -0.01");
+            "the time step of a record must be in [1e-05, 1] s, got -0.01");
 }
 
 }  // namespace

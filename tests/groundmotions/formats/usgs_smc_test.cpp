@@ -142,7 +142,7 @@ TEST(UsgsSmc, ChecksWhatTheHeaderStates) {
   EXPECT_THAT(error_text([] {
                 read_text(smc_file({.reals = {{2, 0.5}}}));
               }),
-              HasSubstr("the time step must be in (0, 1] s, got 2"));
+              HasSubstr("the time step must be in [1e-05, 1] s, got 2"));
 }
 
 TEST(UsgsSmc, ChecksTheRateAgainstTheTimesOfThePeaks) {

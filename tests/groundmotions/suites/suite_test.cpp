@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "groundmotions/suites/csv_row.h"
-#include "groundmotions/suites/folder_suite.h"
+#include "groundmotions/suites/name_pattern.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
@@ -49,6 +49,7 @@ TEST(FolderSuite, KnowsTheNameWithoutTheComponent) {
   EXPECT_EQ(name_without_component("first.AT2", "090"), "");
   EXPECT_EQ(name_without_component("EAST.AT2", "E"), "");
   EXPECT_EQ(name_without_component("RSN1090_X.AT2", "090"), "");
+  EXPECT_EQ(name_without_component("14383980_13849090.AT2", "90"), "14383980_13849*.AT2");
 }
 
 TEST(FolderSuite, GroupsFilesByNameAndByHeader) {
@@ -62,7 +63,7 @@ TEST(FolderSuite, GroupsFilesByNameAndByHeader) {
   folder.write("b/notes.txt", "nothing to read\n");
   folder.write(".hidden/x.AT2", at2("000"));
   const Suite suite = read_suite({folder.path()});
-  EXPECT_THAT(names(suite), ElementsAre("RSN1_X_ST:3", "one:2", "other:1"));
+  EXPECT_THAT(names(suite), ElementsAre("RSN1_X_ST:3", "one + two:2", "other:1"));
   ASSERT_EQ(suite.refused.size(), 1u);
   EXPECT_THAT(suite.refused[0].file, HasSubstr("notes.txt"));
   EXPECT_THAT(suite.refused[0].reason, HasSubstr("not a record in a known format"));
@@ -95,13 +96,28 @@ TEST(PeerSearchResults, DrivesASuite) {
     EXPECT_THAT(suite.records[0].facts, ElementsAre(Pair("RSN", "11"), Pair("station", "A, B"),
                                                     Pair("scale factor of the search", "1.5")));
     EXPECT_EQ(suite.records[0].scale, 1);
-    ASSERT_EQ(suite.refused.size(), 1u);
-    EXPECT_EQ(suite.refused[0].file, path == report ? "RSN13" : report);
-    EXPECT_THAT(suite.refused[0].reason,
-                HasSubstr("RSN13_E.AT2 is not in the folder; RSN13_N.AT2 is not in the folder; "
-                          "RSN13_V.AT2 is not in the folder"));
+    EXPECT_THAT(suite.refused, IsEmpty());
+    EXPECT_THAT(suite.notes,
+                ElementsAre(report + ": the files of 1 of its 3 records are not in the folder: "
+                                     "RSN13"));
     EXPECT_EQ(read_record(suite.records[0])[Direction::kVertical]->name, "UP");
   }
+}
+
+TEST(PeerSearchResults, RefusesARecordOfWhichAFileIsAbsentAndAReportWithoutAny) {
+  const TempFolder folder;
+  const auto report = folder.write("_SearchResults.csv", kReport);
+  Suite suite = read_suite({report});
+  ASSERT_EQ(suite.refused.size(), 1u);
+  EXPECT_EQ(
+      text_of(suite.refused[0]),
+      report + ": the files of 3 of its 3 records are not in the folder: RSN11, RSN12, RSN13");
+  folder.write("RSN11_E.AT2", at2("090"));
+  folder.write("RSN11_N.AT2", at2("000"));
+  suite = read_suite({report});
+  ASSERT_EQ(suite.refused.size(), 1u);
+  EXPECT_EQ(text_of(suite.refused[0]), "RSN11: RSN11_V.AT2 is not in the folder");
+  EXPECT_EQ(suite.notes.size(), 1u);
 }
 
 TEST(PeerSearchResults, RefusesRowsThatAreCutAndTablesWithoutFileNames) {
@@ -156,14 +172,15 @@ TEST(ListSuite, TellsEveryMistake) {
                                  "b, e.txt\n,e.txt,,\n");
   EXPECT_EQ(
       error_text([&] { read_suite({list}); }),
-      fmt::format("{0}:1:11: unknown column 'units'; did you mean 'unit'?; allowed are name, "
-                  "file, h1, h2, vertical, unit, time_step_s, columns, count_m_per_s2, scale\n"
-                  "{0}:3:1: the name 'a' comes twice\n"
-                  "{0}:3:4: 'none.txt': no such file\n"
-                  "{0}:3:18: scale must be a number in (0, 1e+06], got '-1'\n"
-                  "{0}:4:1: 2 cells, the header has 4 columns\n"
-                  "{0}:5:1: a record needs a name",
-                  list));
+      fmt::format(
+          "{0}:1:11: unknown column 'units'; did you mean 'unit'?; allowed are name, "
+          "file, channels, h1, h2, vertical, unit, time_step_s, columns, count_m_per_s2, scale\n"
+          "{0}:3:1: the name 'a' comes twice\n"
+          "{0}:3:4: 'none.txt': no such file\n"
+          "{0}:3:18: scale must be a number in (0, 1e+06], got '-1'\n"
+          "{0}:4:1: 2 cells, the header has 4 columns\n"
+          "{0}:5:1: a record needs a name",
+          list));
 }
 
 }  // namespace

@@ -1,0 +1,263 @@
+#include "groundmotions/suites/grouping.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "engine/base/units.h"
+#include "groundmotions/assembly/file_name_direction.h"
+#include "groundmotions/assembly/place.h"
+#include "groundmotions/assembly/record_name.h"
+#include "groundmotions/assembly/site.h"
+#include "groundmotions/formats/words.h"
+#include "groundmotions/suites/name_pattern.h"
+
+namespace gurney {
+
+namespace {
+
+constexpr double kParallel = 1 * kRadiansPerDegree;
+constexpr double kAlike = 0.5;  ///< share of two names that is the same; an assumption
+
+using Group = std::vector<FoundComponent>;
+
+/// Event and station without the name of the component; dates and times where there is no event.
+std::string content_of(const Component& component) {
+  std::string event;
+  for (const char* name : {"event", "event time", "event date", "origin time (Japan)"})
+    if (event.empty()) event = fact_of(component, name);
+  std::string text =
+      " " + plain_words(event) + " / " + plain_words(fact_of(component, "station")) + " ";
+  const std::string name = " " + plain_words(component.name) + " ";
+  if (const auto at = text.rfind(name); name != "  " && at != std::string::npos)
+    text.replace(at, name.size(), " ");
+  return plain_words(text).empty() ? "" : text;
+}
+
+bool parallel(double a, double b) {
+  return std::abs(std::remainder(a - b, std::numbers::pi)) < kParallel;
+}
+
+bool starts_together(const FoundComponent& a, const FoundComponent& b) {
+  return !a.start_time || !b.start_time ||
+         std::abs(*a.start_time - *b.start_time) < std::min(a.duration, b.duration);
+}
+
+bool can_be_together(const FoundComponent& a, const FoundComponent& b) {
+  if (a.site != b.site || !starts_together(a, b) || a.vertical != b.vertical)
+    return a.site == b.site && starts_together(a, b);
+  if (a.vertical) return false;
+  if (a.azimuth && b.azimuth) return !parallel(*a.azimuth, *b.azimuth);
+  return a.name.empty() || upper(a.name) != upper(b.name);
+}
+
+bool can_be_record(const Group& group) {
+  if (std::ranges::count(group, true, &FoundComponent::vertical) > 1) return false;
+  if (std::ranges::count(group, false, &FoundComponent::vertical) > 2) return false;
+  for (std::size_t i = 0; i < group.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (!can_be_together(group[i], group[j])) return false;
+  return true;
+}
+
+Group joined(Group a, const Group& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+bool at_right_angle(const Group& group) {
+  std::vector<double> azimuths;
+  for (const FoundComponent& each : group)
+    if (each.azimuth) azimuths.push_back(*each.azimuth);
+  return azimuths.size() == 2 &&
+         std::abs(std::abs(std::remainder(azimuths[0] - azimuths[1], std::numbers::pi)) -
+                  std::numbers::pi / 2) < kParallel;
+}
+
+/// Digits at the end of names are azimuths only if they make a right angle; run001 and run002 are
+/// two records.
+std::vector<Group> without_chance(const std::vector<Group>& groups) {
+  std::vector<Group> result;
+  for (const Group& group : groups) {
+    const bool by_chance = std::ranges::any_of(group, &FoundComponent::by_file_name) &&
+                           !(can_be_record(group) && at_right_angle(group));
+    if (!by_chance) result.push_back(group);
+    if (by_chance)
+      for (const FoundComponent& each : group) result.push_back({each});
+  }
+  return result;
+}
+
+std::string file_name(const FoundComponent& component) {
+  return component.path.filename().string();
+}
+
+/// Share of the longer name that both begin and end with.
+double likeness(const std::string& a, const std::string& b) {
+  const std::size_t shorter = std::min(a.size(), b.size());
+  std::size_t front = 0, back = 0;
+  while (front < shorter && a[front] == b[front]) ++front;
+  while (front + back < shorter && a[a.size() - 1 - back] == b[b.size() - 1 - back]) ++back;
+  return static_cast<double>(front + back) / static_cast<double>(std::max(a.size(), b.size()));
+}
+
+/// Joins the groups of one event, station and site: all of them if that can be a record, else those
+/// of the likest names, one pair after the other.
+void join_alike(std::vector<Group>& groups) {
+  Group all;
+  for (const Group& group : groups) all = joined(std::move(all), group);
+  if (can_be_record(all)) {
+    groups = {all};
+    return;
+  }
+  for (;;) {
+    double best = kAlike;
+    std::size_t first = 0, second = 0;
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      for (std::size_t j = i + 1; j < groups.size(); ++j) {
+        const double like = likeness(file_name(groups[i][0]), file_name(groups[j][0]));
+        if (like <= best || !can_be_record(joined(groups[i], groups[j]))) continue;
+        best = like;
+        first = i;
+        second = j;
+      }
+    if (second == 0) return;
+    groups[first] = joined(std::move(groups[first]), groups[second]);
+    groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(second));
+  }
+}
+
+/// Groups by a key; what has none stays alone.
+template <class Item, class Key>
+std::vector<std::vector<Item>> by_key(const std::vector<Item>& items, const Key& key_of) {
+  std::map<std::string, std::size_t> places;
+  std::vector<std::vector<Item>> groups;
+  for (const Item& item : items) {
+    const std::string key = key_of(item);
+    const auto place = places.find(key);
+    if (key.empty() || place == places.end()) {
+      if (!key.empty()) places[key] = groups.size();
+      groups.push_back({item});
+    } else {
+      groups[place->second].push_back(item);
+    }
+  }
+  return groups;
+}
+
+std::string place_key(const FoundComponent& component, const std::string& key) {
+  if (key.empty()) return {};
+  return component.path.parent_path().string() + "|" + key + "|" + component.site;
+}
+
+std::string name_of(const Group& group) {
+  const std::string& pattern = group[0].pattern;
+  const bool by_name = std::ranges::all_of(
+      group, [&](const auto& each) { return !each.pattern.empty() && each.pattern == pattern; });
+  if (group.size() > 1 && by_name) return name_of_pattern(pattern);
+  std::vector<std::string> stems;
+  for (const FoundComponent& each : group) stems.push_back(each.path.stem().string());
+  return common_name(stems);
+}
+
+SuiteRecord record_of(const Group& group, const std::string& name) {
+  SuiteRecord record{.name = name, .files = {}, .options = group[0].options, .facts = {}};
+  for (const FoundComponent& each : group)
+    record.files.push_back({.path = each.path, .channel = each.channel});
+  return record;
+}
+
+/// Blanks in a row become one.
+std::string place_of(const Component& component) {
+  std::string place = fact_of(component, "location");
+  if (place.empty()) place = fact_of(component, "sensor");
+  return fmt::format("{}", fmt::join(words_of(place, " \t"), " "));
+}
+
+std::string with_place(const std::string& name, const FoundComponent& component) {
+  const std::string& place = component.place.empty() ? component.site : component.place;
+  return place.empty() ? name : name + " " + place;
+}
+
+bool says_where(const FoundComponent& channel) {
+  return channel.vertical || channel.azimuth || !channel.site.empty();
+}
+
+/// Two sensors at one station have files of like names; the place tells them apart.
+void name_apart(std::vector<Group>& groups, std::vector<SuiteRecord>& records) {
+  std::map<std::string, int> count;
+  for (const SuiteRecord& record : records) ++count[record.name];
+  for (std::size_t i = 0; i < records.size(); ++i)
+    if (count[records[i].name] > 1) records[i].name = with_place(records[i].name, groups[i][0]);
+}
+
+std::string channel_name(const FoundComponent& channel) {
+  return fmt::format("{} channel {}{}", channel.path.stem().string(), channel.channel.value_or(1),
+                     channel.name.empty() ? "" : " (" + channel.name + ")");
+}
+
+}  // namespace
+
+FoundComponent found_component(const std::filesystem::path& path, const Component& read,
+                               std::optional<int> channel, const ReadOptions& options) {
+  Component component = read;
+  const bool by_file_name = !channel && orient_by_file_name(component);
+  return {.path = path,
+          .channel = channel,
+          .name = component.name,
+          .pattern = channel ? "" : name_pattern(path.filename().string(), component),
+          .content = content_of(component),
+          .site = site_of(component),
+          .place = place_of(component),
+          .vertical = component.direction == Direction::kVertical ||
+                      (!component.azimuth && sounds_vertical(component.name)),
+          .by_file_name = by_file_name,
+          .azimuth = component.azimuth,
+          .start_time = component.start_time,
+          .duration = component.duration(),
+          .options = options};
+}
+
+std::vector<SuiteRecord> records_of_file(const std::vector<FoundComponent>& channels) {
+  const std::string stem = channels[0].path.stem().string();
+  if (can_be_record(channels) || !std::ranges::all_of(channels, says_where)) {
+    SuiteRecord record{.name = stem, .files = {}, .options = channels[0].options, .facts = {}};
+    record.files.push_back({.path = channels[0].path});
+    return {record};
+  }
+  std::vector<SuiteRecord> records;
+  for (const Group& site :
+       by_key(channels, [](const FoundComponent& channel) { return channel.site + " "; })) {
+    if (can_be_record(site) && !site[0].site.empty()) {
+      records.push_back(record_of(site, with_place(stem, site[0])));
+      continue;
+    }
+    for (const FoundComponent& channel : site)
+      records.push_back(record_of({channel}, channel_name(channel)));
+  }
+  return records;
+}
+
+std::vector<SuiteRecord> records_of_components(const std::vector<FoundComponent>& components) {
+  const std::vector<Group> by_name = without_chance(by_key(
+      components, [](const FoundComponent& each) { return place_key(each, upper(each.pattern)); }));
+  const auto by_content = by_key(by_name, [](const Group& group) {
+    const bool is_one = std::ranges::all_of(
+        group, [&](const auto& each) { return each.content == group[0].content; });
+    return is_one ? place_key(group[0], group[0].content) : std::string();
+  });
+  std::vector<Group> groups;
+  for (std::vector<Group> alike : by_content) {
+    if (alike.size() > 1) join_alike(alike);
+    groups.insert(groups.end(), alike.begin(), alike.end());
+  }
+  std::vector<SuiteRecord> records;
+  for (const Group& group : groups) records.push_back(record_of(group, name_of(group)));
+  name_apart(groups, records);
+  return records;
+}
+
+}  // namespace gurney

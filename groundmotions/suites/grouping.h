@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "groundmotions/suites/suite.h"
+
+namespace gurney {
+
+/// A component of a file as far as it matters to its neighbours.
+struct FoundComponent {
+  std::filesystem::path path;
+  std::optional<int> channel = {};  ///< from 1; none: the only component of its file
+  std::string name;                 ///< of the component
+  std::string pattern;              ///< name_pattern() of the file's name; may be empty
+  std::string content;              ///< event and station, in plain_words(); may be empty
+  std::string site;                 ///< site_of()
+  std::string place;                ///< location or sensor as the file writes it; may be empty
+  bool vertical = false;
+  bool by_file_name = false;              ///< its direction is known by the file's name only
+  std::optional<double> azimuth = {};     ///< [rad]
+  std::optional<double> start_time = {};  ///< [s since 1970]
+  double duration = 0;                    ///< [s]
+  ReadOptions options = {};
+};
+
+/// @param channel  of several in the file, from 1
+FoundComponent found_component(const std::filesystem::path& path, const Component& component,
+                               std::optional<int> channel, const ReadOptions& options);
+
+/// The components of one file as records: one for each site, all channels in one if there is one
+/// site. A site whose channels cannot be one record (two verticals, three horizontals, two that are
+/// parallel) gives a record for each of its channels, if they say their directions or their site;
+/// else they stay together, to be refused with what there is.
+std::vector<SuiteRecord> records_of_file(const std::vector<FoundComponent>& channels);
+
+/// Files of one component as records, of different names. Components belong together if folder and
+/// site are the same and
+/// - their files are named alike but for the component, or
+/// - event and station are the same and together they can be one record: one vertical and two
+///   horizontals at most, none parallel, that start together. Where there are more than that, those
+///   whose names are most alike.
+std::vector<SuiteRecord> records_of_components(const std::vector<FoundComponent>& components);
+
+}  // namespace gurney
