@@ -31,7 +31,8 @@ class Collector {
   /// @return a part that is due to be written; else empty
   Part add(UnitResult result) {
     for (const StudyRun& run : result.runs) {
-      progress_.failed += run.response.outcome == Outcome::kDiverged;
+      progress_.failed += is_failure(run.response.outcome);
+      progress_.untrusted += run.response.outcome == Outcome::kUntrusted;
       progress_.overturned += run.response.outcome == Outcome::kOverturned;
     }
     progress_.runs += result.runs.size();

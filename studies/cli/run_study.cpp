@@ -15,6 +15,7 @@
 #include "studies/batch/run_batch.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/signals.h"
+#include "studies/report/failed_runs.h"
 #include "studies/results/hdf5_reader.h"
 #include "studies/results/output_files.h"
 #include "studies/study/data_files.h"
@@ -80,10 +81,10 @@ class ProgressLine {
     shown_ = now.seconds;
     const double rate = static_cast<double>(now.units_now) / std::max(now.seconds, 1e-9);
     fmt::print(
-        stderr, "{}{:3.0f} %  {} runs, {:.1f} runs/s, {} overturned, {} failed{}{}",
-        terminal_ ? "\r" : "",
+        stderr, "{}{:3.0f} %  {} runs, {:.1f} runs/s, {} overturned, {}{}{}", terminal_ ? "\r" : "",
         100.0 * static_cast<double>(now.done) / static_cast<double>(now.units), now.runs,
-        static_cast<double>(now.runs) / std::max(now.seconds, 1e-9), now.overturned, now.failed,
+        static_cast<double>(now.runs) / std::max(now.seconds, 1e-9), now.overturned,
+        failed_runs(now.failed, now.untrusted),
         last ? std::string()
              : ", " + duration_text(static_cast<double>(now.units - now.done) / rate) + " to go",
         terminal_ && !last ? "\x1b[K" : "\n");
@@ -104,9 +105,11 @@ void append_log(const Paths& paths, const RunOptions& options, int threads,
   std::FILE* const log = std::fopen(paths.log.c_str(), "a");
   require(log != nullptr, paths.log.string() + ": cannot be written");
   fmt::print(log,
-             "{:%Y-%m-%dT%H:%M:%SZ} {} on {}: {} runs in {:.1f} s with {} threads, gurney {} {}, "
+             "{:%Y-%m-%dT%H:%M:%SZ} {} on {}: {} runs ({}) in {:.1f} s with {} threads, gurney {} "
+             "{}, "
              "CPU class {}\njob {}\n",
-             fmt::gmtime(now), how, host, progress.runs, progress.seconds, threads,
+             fmt::gmtime(now), how, host, progress.runs,
+             failed_runs(progress.failed, progress.untrusted), progress.seconds, threads,
              build.program_version, build.git_commit, build.cpu_class,
              fs::absolute(options.job).lexically_normal().string());
   std::fclose(log);
@@ -130,12 +133,13 @@ void print_counts(const RunOptions& options, const Paths& paths, const StudyCoun
     fmt::print("{}\n", nlohmann::ordered_json{{"results", paths.results.string()},
                                               {"runs", counts.runs},
                                               {"overturned", counts.overturned},
-                                              {"failed", counts.failed}}
+                                              {"failed", counts.failed},
+                                              {"untrusted", counts.untrusted}}
                            .dump(2));
     return;
   }
-  fmt::print("runs     {}, {} overturned, {} failed\n", counts.runs, counts.overturned,
-             counts.failed);
+  fmt::print("runs     {}, {} overturned, {}\n", counts.runs, counts.overturned,
+             failed_runs(counts.failed, counts.untrusted));
   if (progress.runs > 0)
     fmt::print("speed    {:.1f} runs per second\n",
                static_cast<double>(progress.runs) / progress.seconds);
