@@ -47,6 +47,7 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
   current_.points.resize(points_.size());
   gravitational_start_ = mechanism.gravitational_energy(start);
   stored_start_ = complete(at_start, {}).stored();
+  sampled_ = checked_ = EnergyBalance(stored_start_);
   current_.velocity =
       start.velocity.chassis.head<3>() + start.velocity.chassis.tail<3>().cross(rotation * origin_);
   current_.tilt = demands_.peak_tilt = tilt_of(rotation);
@@ -221,11 +222,12 @@ EnergyAccount Recorder::complete(const SceneState& scene, const EnergyAccount& a
 
 void Recorder::sample(const SceneState& state, const EnergyAccount& account, bool keep) {
   current_.energy = complete(state, account);
-  const EnergyAccount& e = current_.energy;
-  largest_energy_ = std::max({largest_energy_, e.kinetic, std::abs(e.work()), e.loss(),
-                              std::abs(e.weight_energy), e.elastic});
-  largest_closure_ = std::max(largest_closure_, std::abs(e.closure(stored_start_)));
+  sampled_.observe(current_.energy);
   if (keep) history_.push_back(current_);
+}
+
+void Recorder::check(const SceneState& state, const EnergyAccount& account) {
+  checked_.observe(complete(state, account));
 }
 
 void Recorder::finish(const SceneState& state, const EnergyAccount& account, double overturned_at,
@@ -247,12 +249,10 @@ void Recorder::finish(const SceneState& state, const EnergyAccount& account, dou
   item.energy = complete(state, account);
   item.stored_energy_at_start = stored_start_;
   item.history = history_;
-  if (largest_energy_ > 0) {
-    Quality& q = response.quality;
-    q.energy_closure = std::max(q.energy_closure, largest_closure_ / largest_energy_);
-    const double numerical = item.energy.numerical_loss / largest_energy_;
-    if (std::abs(numerical) > std::abs(q.numerical_loss)) q.numerical_loss = numerical;
-  }
+  Quality& q = response.quality;
+  q.energy_closure = std::max(q.energy_closure, sampled_.closure());
+  const double numerical = sampled_.numerical_loss();
+  if (std::abs(numerical) > std::abs(q.numerical_loss)) q.numerical_loss = numerical;
   response.items.push_back(std::move(item));
 }
 

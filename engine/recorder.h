@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/energy_balance.h"
 #include "engine/impact_log.h"
 #include "engine/response.h"
 #include "engine/run_clock.h"
@@ -26,6 +27,11 @@ class Recorder {
 
   /// Checks the energy account at `state` and, when `keep`, appends a sample to the history.
   void sample(const SceneState& state, const EnergyAccount& account, bool keep);
+
+  /// Checks it for the verdict on the run, which must not depend on the history's spacing.
+  void check(const SceneState& state, const EnergyAccount& account);
+  /// [-]
+  double energy_error() const { return checked_.error(); }
 
   /// At the last step.
   RunClock::ItemMotion motion() const { return {speed_, body_speed_, current_.tilt}; }
@@ -58,7 +64,7 @@ class Recorder {
   Vector3 origin_start_;
   double yaw_start_, yaw_;
   double gravitational_start_, stored_start_;
-  double largest_energy_ = 0, largest_closure_ = 0;
+  EnergyBalance sampled_, checked_;
   double speed_ = 0, body_speed_ = 0;
   Sample current_;
   Demands demands_;

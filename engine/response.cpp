@@ -14,8 +14,18 @@ const char* name_of(Outcome outcome) {
       return "overturned";
     case Outcome::kDiverged:
       return "diverged";
+    case Outcome::kUntrusted:
+      return "untrusted";
   }
   return "unknown";
+}
+
+bool is_failure(Outcome outcome) {
+  return outcome == Outcome::kDiverged || outcome == Outcome::kUntrusted;
+}
+
+bool is_failure(std::string_view outcome) {
+  return outcome == name_of(Outcome::kDiverged) || outcome == name_of(Outcome::kUntrusted);
 }
 
 const char* name_of(WheelMode mode) {

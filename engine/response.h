@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/base/vector.h"
@@ -11,9 +12,14 @@
 
 namespace gurney {
 
-/// How a run ended. Only kDiverged is a failure.
-enum class Outcome { kRested, kStillMoving, kStopped, kOverturned, kDiverged };
+/// How a run ended. kUntrusted: it went on to its end, but its energy balance misses by more than
+/// EnergyBalance::kTrusted.
+enum class Outcome { kRested, kStillMoving, kStopped, kOverturned, kDiverged, kUntrusted };
 const char* name_of(Outcome outcome);
+/// Whether a run with this outcome has no demands: kDiverged and kUntrusted.
+bool is_failure(Outcome outcome);
+/// The same of an outcome by its name.
+bool is_failure(std::string_view outcome);
 
 /// What a wheel does.
 enum class WheelMode { kSticks, kRolls, kSkids, kBraked, kLifted };
@@ -115,7 +121,7 @@ struct ItemResponse {
 
 struct Response {
   Outcome outcome = Outcome::kDiverged;             ///< of the run: kOverturned when any item did
-  std::string cause;                                ///< of kDiverged; otherwise empty
+  std::string cause;                                ///< of a failed run; otherwise empty
   double end_time = 0;                              ///< [s]
   Quality quality;                                  ///< of the whole scene
   std::vector<ItemResponse> items{ItemResponse{}};  ///< as Scene::items

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kTimeTolerance = 1e-8;  // [s]; stops nearer than this are one
 constexpr double kNoMotion = 1e-7;       // [m/s]
-constexpr double kAccountStep = 0.1;     // [s]; checks of the energy account without a history
+constexpr double kAccountStep = 0.1;     // [s]; checks of the energy account
 
 }  // namespace
 
@@ -21,8 +21,11 @@ RunClock::RunClock(const Excitation& excitation, std::vector<double> breakpoints
   std::sort(breakpoints_.begin(), breakpoints_.end());
   excitation_end_ = breakpoints_.empty() ? 0.0 : breakpoints_.back();
   limit_ = settings.duration > 0 ? settings.duration : excitation_end_ + settings.settle_time;
-  const double spacing = keeps_history() ? settings.history_step : kAccountStep;
-  stride_ = std::max(1L, std::lround(spacing / settings.time_step));
+  const auto stride = [&](double spacing) {
+    return std::max(1L, std::lround(spacing / settings.time_step));
+  };
+  check_stride_ = stride(kAccountStep);
+  stride_ = keeps_history() ? stride(settings.history_step) : check_stride_;
 }
 
 bool RunClock::next(double time) {

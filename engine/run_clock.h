@@ -25,6 +25,8 @@ class RunClock {
   bool at_breakpoint() const { return at_breakpoint_; }
   /// Whether a sample of the history (or, without one, of the energy account) is due at target().
   bool sample_due() const { return on_grid_ && grid_ % stride_ == 0; }
+  /// Whether a check of the energy balance is due at target().
+  bool check_due() const { return on_grid_ && grid_ % check_stride_ == 0; }
   bool keeps_history() const { return settings_.history_step > 0; }
 
   /// Of one item: `speed` of its fastest part, `body_speed` without the joints of its casters, by
@@ -49,7 +51,7 @@ class RunClock {
   std::vector<double> breakpoints_;
   std::size_t next_break_ = 0;
   double excitation_end_, limit_;
-  long grid_ = 0, stride_;
+  long grid_ = 0, stride_, check_stride_;
   std::vector<double> overturned_at_;
   bool any_overturned_ = false;
   double target_ = 0, resting_since_ = 0;

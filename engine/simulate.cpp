@@ -1,5 +1,7 @@
 #include "engine/simulate.h"
 
+#include <fmt/format.h>
+
 #include "engine/bullet/bullet_world.h"
 #include "engine/bullet/stock_baseline.h"
 #include "engine/impact_log.h"
@@ -24,6 +26,13 @@ SceneState start_of(const Scene& scene, const Assembly& assembly, const Excitati
     assembly.items[i].set_in_motion(scene.items[i].initial, state.items[i]);
   }
   return state;
+}
+
+std::string miss_of(const std::string& item, double error) {
+  return fmt::format(
+      "the energy balance of {} is off by {:.2g} of the largest energy in play, above the limit of "
+      "{:g}; a shorter settings.time_step_s may resolve its contacts",
+      item.empty() ? "the item" : item, error, EnergyBalance::kTrusted);
 }
 
 Response simulate_with_star(const Scene& scene, const Excitation& excitation,
@@ -58,7 +67,12 @@ Response simulate_with_star(const Scene& scene, const Excitation& excitation,
     return time;
   };
 
+  const auto check = [&] {
+    for (std::size_t i = 0; i < count; ++i) recorders[i].check(state, stepper.accounts()[i]);
+  };
+
   double sampled_at = sample();
+  check();
   zones.observe(time, 0, state);
   std::vector<RunClock::ItemMotion> motions(count);
   while (clock.next(time)) {
@@ -70,12 +84,18 @@ Response simulate_with_star(const Scene& scene, const Excitation& excitation,
     if (clock.at_breakpoint()) stepper.change_loads(state);
     zones.observe(time, clock.target() - began, state);
     if (clock.sample_due()) sampled_at = sample();
+    if (clock.check_due()) check();
     for (std::size_t i = 0; i < count; ++i) motions[i] = recorders[i].motion();
     clock.observe(time, motions);
     for (std::size_t i = 0; i < count; ++i)
       if (clock.overturned_at(i) == time) recorders[i].overturned();
   }
   if (sampled_at != time) sample();
+  check();
+  if (clock.outcome() != Outcome::kDiverged)
+    for (std::size_t i = 0; i < count; ++i)
+      if (const double error = recorders[i].energy_error(); !(error <= EnergyBalance::kTrusted))
+        clock.stop(Outcome::kUntrusted, miss_of(scene.items[i].name, error));
 
   Response response;
   response.outcome = clock.outcome();

@@ -1,10 +1,14 @@
 #include "engine/contact/convex_shape.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include "engine/base/error.h"
 
 namespace gurney {
 namespace {
@@ -41,6 +45,7 @@ std::vector<int> outline(const std::vector<Vector3>& points, std::vector<int> me
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
   });
   std::vector<int> loop;
+  if (members.size() < 3) return loop;
   const auto chain = [&](auto first, auto last) {
     const std::size_t start = loop.size();
     for (auto it = first; it != last; ++it) {
@@ -110,6 +115,10 @@ ConvexShape hull_of(const std::vector<Vector3>& points, double flat) {
         for (const Vector3& normal : {across.normalized(), Vector3(-across.normalized())})
           if (!known(triple, normal)) add_face(shape, triple, normal, flat);
       }
+  require(
+      !shape.faces.empty(),
+      fmt::format("a shape with a spread of {:g} m has no faces that numbers of 64 bits resolve",
+                  spread_of(points)));
   add_edges(shape);
   return shape;
 }

@@ -93,7 +93,8 @@ void add_counts(const StudyData& data, StudyOverview& overview) {
   for (std::size_t run = 0; run < outcome.size(); ++run) {
     LevelCounts& counts = counts_of(static_cast<std::size_t>(configuration[run]), run);
     const bool overturned = outcome[run] == name_of(Outcome::kOverturned);
-    const bool failed = outcome[run] == name_of(Outcome::kDiverged);
+    const bool failed = is_failure(outcome[run]);
+    overview.untrusted += outcome[run] == name_of(Outcome::kUntrusted);
     ++counts.runs;
     counts.overturned += overturned;
     counts.failed += failed;
@@ -121,7 +122,7 @@ void add_energy(const StudyReader& file, StudyOverview& overview) {
   worst = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t run = 0; run < closure.size(); ++run) {
     const bool more = std::isnan(worst) || closure[run] > worst;
-    if (outcome[run] == name_of(Outcome::kDiverged) || !more) continue;
+    if (is_failure(outcome[run]) || !more) continue;
     worst = closure[run];
     overview.energy_closure_run = run;
   }

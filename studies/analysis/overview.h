@@ -54,6 +54,7 @@ struct StudyOverview {
   int draws = 0;
   std::vector<LimitState> states;
   std::size_t runs = 0, overturned = 0, failed = 0;
+  std::size_t untrusted = 0;  ///< of the failed ones
   std::size_t energy_closure_run = 0;
   std::size_t warned = 0;           ///< runs whose building warned
   std::string first_warning;        ///< of them; empty: none

@@ -41,7 +41,7 @@ StudyData::StudyData(const std::string& path)
   for (std::size_t run = 0; run < configuration.size(); ++run) {
     const auto of = static_cast<std::size_t>(configuration[run]);
     record_.push_back(static_cast<std::size_t>(record[run]));
-    if (outcome[run] == name_of(Outcome::kDiverged))
+    if (is_failure(outcome[run]))
       ++failed_.at(of);
     else
       runs_.at(of).push_back(run);

@@ -19,7 +19,8 @@ using Part = std::map<std::size_t, std::string>;  ///< bytes of units
 
 void count(const UnitResult& result, BatchProgress& progress) {
   for (const StudyRun& run : result.runs) {
-    progress.failed += run.response.outcome == Outcome::kDiverged;
+    progress.failed += is_failure(run.response.outcome);
+    progress.untrusted += run.response.outcome == Outcome::kUntrusted;
     progress.overturned += run.response.outcome == Outcome::kOverturned;
   }
   progress.runs += result.runs.size();

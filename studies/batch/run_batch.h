@@ -10,10 +10,10 @@ namespace gurney {
 
 /// What is known of a batch on its way.
 struct BatchProgress {
-  std::size_t units = 0, done = 0;                   ///< those of earlier attempts included
-  std::size_t runs = 0, failed = 0, overturned = 0;  ///< of the units that are done
-  std::size_t units_now = 0, runs_now = 0;           ///< of this attempt
-  double seconds = 0;                                ///< of this attempt
+  std::size_t units = 0, done = 0;  ///< those of earlier attempts included
+  std::size_t runs = 0, failed = 0, untrusted = 0, overturned = 0;  ///< of the units that are done
+  std::size_t units_now = 0, runs_now = 0;                          ///< of this attempt
+  double seconds = 0;                                               ///< of this attempt
 };
 
 /// Runs every unit that the folder lacks, and puts it there. A run that crashed the program twice

@@ -26,7 +26,7 @@ bool wanted(Histories histories, Outcome outcome) {
     case Histories::kNone:
       return false;
     case Histories::kFailed:
-      return outcome == Outcome::kDiverged;
+      return is_failure(outcome);
     case Histories::kOverturned:
       return outcome == Outcome::kOverturned;
     case Histories::kAll:
@@ -54,7 +54,7 @@ void repeat_at_half_step(RunCase run, StudyRun& result) {
   run.settings.time_step *= 0.5;
   run.settings.history_step = 0;
   const Response response = simulate(run.scene, run.excitation, run.settings);
-  if (response.outcome == Outcome::kDiverged) {
+  if (is_failure(response.outcome)) {
     result.warnings.push_back("the repeat with half the time step failed: " + response.cause);
     return;
   }
@@ -123,11 +123,10 @@ UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<b
     if (!wanted(study.keep.histories, run.response.outcome))
       for (ItemResponse& item : run.response.items) item.history.clear();
     run.until =
-        job && run.response.outcome != Outcome::kDiverged &&
+        job && !is_failure(run.response.outcome) &&
         exceeded(study.limit_states, study.intensity.until, values_of(job->scene, run.response));
     intensities.report(*value, run.until);
-    if (run.response.outcome == Outcome::kDiverged &&
-        study.intensity.kind == IntensityPlan::Kind::kHunt)
+    if (is_failure(run.response.outcome) && study.intensity.kind == IntensityPlan::Kind::kHunt)
       intensities.stop();
     result.runs.push_back(std::move(run));
   }

@@ -17,7 +17,7 @@ void StageLevels::advance(const std::function<UnitResult(std::size_t)>& read) {
   for (std::size_t index = stage_ * units; index < (stage_ + 1) * units; ++index) {
     auto& stripes = stripes_[batch_.plan.unit(index).configuration];
     for (const StudyRun& run : read(index).runs) {
-      if (run.response.outcome == Outcome::kDiverged) continue;
+      if (is_failure(run.response.outcome)) continue;
       Stripe& stripe = stripes[run.intensity];
       stripe.im = run.intensity;
       stripe.runs += 1;

@@ -154,7 +154,7 @@ int run_command_line(int argc, char** argv) {
   app.set_version_flag("--version", version());
   app.require_subcommand(0, 1);  // what follows it is no command, as in: verify pulling
   app.footer(
-      "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 a run diverged or a check failed, "
+      "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 a run failed or a check failed, "
       "130/143 interrupted.");
   std::function<int()> act;
   add_run(app, act);

@@ -61,7 +61,7 @@ std::size_t whole(const StudyReader& file, const std::string& column, std::size_
 /// A demand that is not the same as in the study; empty: all are.
 std::string difference(const StudyReader& file, std::size_t run, const Response& response) {
   const auto [first, last] = file.rows_of_runs("items")[run];
-  if (last - first != (response.outcome == Outcome::kDiverged ? 0 : response.items.size()))
+  if (last - first != (is_failure(response.outcome) ? 0 : response.items.size()))
     return "the outcome";
   for (const TableColumn<Demands>& column : demand_columns()) {
     const std::vector<double> theirs = file.numbers(std::string("items/") + column.name);
@@ -128,7 +128,7 @@ int replay_command(const ReplayOptions& options) {
     return 1;
   }
   if (!options.json) fmt::print("replay   the same numbers as in {}\n", options.file);
-  return response.outcome == Outcome::kDiverged ? 3 : 0;
+  return is_failure(response.outcome) ? 3 : 0;
 }
 
 }  // namespace gurney

@@ -45,7 +45,7 @@ int run_command(const RunOptions& options) {
   const PreparedRun run = prepare_run(options.job);
   make_default_folder(options);
   check_output(output);
-  return run_and_write(run, output).outcome == Outcome::kDiverged ? 3 : 0;
+  return is_failure(run_and_write(run, output).outcome) ? 3 : 0;
 }
 
 }  // namespace gurney

@@ -16,7 +16,7 @@ struct RunOptions {
 
 /// `gurney run`: reads the job, checks that its files can be written, simulates, writes the results
 /// file, the figure and the log, and prints the summary.
-/// @returns 0, or 3 for a run that diverged (its files are written, with the cause)
+/// @returns 0, or 3 for a run that failed (its files are written, with the cause)
 /// @throws Error for bad input and for files that cannot be written
 int run_command(const RunOptions& options);
 

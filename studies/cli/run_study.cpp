@@ -19,6 +19,7 @@
 #include "studies/cli/standard_error.h"
 #include "studies/cli/study_progress.h"
 #include "studies/cli/study_size.h"
+#include "studies/report/failed_runs.h"
 #include "studies/results/output_files.h"
 #include "studies/study_results/complete_study.h"
 #include "studies/study_results/study_file.h"
@@ -48,9 +49,11 @@ std::string log_entry(const RunOptions& options, int threads, const BatchProgres
   const BuildInfo build = build_info();
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   return fmt::format(
-      "{:%Y-%m-%dT%H:%M:%SZ} {} on {}: {} runs in {:.1f} s with {} threads, gurney {} {}, "
+      "{:%Y-%m-%dT%H:%M:%SZ} {} on {}: {} runs ({} so far) in {:.1f} s with {} threads, gurney {} "
+      "{}, "
       "CPU class {}\njob {}\n",
-      fmt::gmtime(now), how, host, progress.runs_now, progress.seconds, threads,
+      fmt::gmtime(now), how, host, progress.runs_now,
+      failed_runs(progress.failed, progress.untrusted), progress.seconds, threads,
       build.program_version, build.git_commit, build.cpu_class,
       fs::absolute(options.job).lexically_normal().string());
 }
@@ -85,12 +88,13 @@ void print_counts(const RunOptions& options, const Paths& paths, const StudyCoun
     fmt::print("{}\n", nlohmann::ordered_json{{"results", paths.results.string()},
                                               {"runs", counts.runs},
                                               {"overturned", counts.overturned},
-                                              {"failed", counts.failed}}
+                                              {"failed", counts.failed},
+                                              {"untrusted", counts.untrusted}}
                            .dump(2));
     return;
   }
-  fmt::print("runs     {}, {} overturned, {} failed\n", counts.runs, counts.overturned,
-             counts.failed);
+  fmt::print("runs     {}, {} overturned, {}\n", counts.runs, counts.overturned,
+             failed_runs(counts.failed, counts.untrusted));
   if (progress.runs_now > 0)
     fmt::print("speed    {:.1f} runs per second\n",
                static_cast<double>(progress.runs_now) / progress.seconds);

@@ -7,6 +7,7 @@
 
 #include "studies/cli/standard_error.h"
 #include "studies/cli/study_size.h"
+#include "studies/report/failed_runs.h"
 
 namespace gurney {
 
@@ -20,10 +21,10 @@ void StudyProgress::operator()(const BatchProgress& now) {
   const double seconds = std::max(now.seconds, 1e-9);
   const double to_go =
       static_cast<double>(now.units - now.done) * seconds / static_cast<double>(now.units_now);
-  print_error("{}{:3.0f} %  {} runs, {:.1f} runs/s, {} overturned, {} failed{}{}",
-              terminal_ ? "\r" : "",
+  print_error("{}{:3.0f} %  {} runs, {:.1f} runs/s, {} overturned, {}{}{}", terminal_ ? "\r" : "",
               100.0 * static_cast<double>(now.done) / static_cast<double>(now.units), now.runs,
-              static_cast<double>(now.runs_now) / seconds, now.overturned, now.failed,
+              static_cast<double>(now.runs_now) / seconds, now.overturned,
+              failed_runs(now.failed, now.untrusted),
               last ? std::string() : ", " + duration_text(to_go) + " to go",
               terminal_ && !last ? "\x1b[K" : "\n");
 }

@@ -37,7 +37,7 @@ Outcomes outcomes_of(const RunCase& run, const std::vector<LimitState>& states) 
   Response response;
   try {
     response = simulate(run.scene, run.excitation, run.settings);
-    if (response.outcome == Outcome::kDiverged) found.failure = response.cause;
+    if (is_failure(response.outcome)) found.failure = response.cause;
   } catch (const Error& error) {
     found.failure = error.what();
   }

@@ -38,7 +38,7 @@ struct Convergence {
   double tolerance = 0;
   std::vector<Variant> variants;
   std::vector<ConvergedNumber> numbers;
-  std::vector<std::string> failed;  ///< runs that diverged in a variant, with the cause
+  std::vector<std::string> failed;  ///< runs that failed in a variant, with the cause
   std::size_t runs = 0, of_runs = 0;
 };
 

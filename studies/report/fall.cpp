@@ -56,7 +56,7 @@ std::optional<FloorPulse> largest_pulse(const FloorMotion& floor, const Vector2&
 
 std::vector<Fall> falls(const RunFacts& facts, const Response& response) {
   std::vector<Fall> result;
-  if (response.outcome == Outcome::kDiverged) return result;
+  if (is_failure(response.outcome)) return result;
   for (std::size_t i = 0; i < response.items.size(); ++i) {
     const Demands& d = response.items[i].demands;
     if (d.time_of_overturning < 0) continue;

@@ -94,6 +94,7 @@ std::string overview_json(const StudyOverview& overview) {
   result["runs"] = overview.runs;
   result["overturned"] = overview.overturned;
   result["failed"] = overview.failed;
+  result["untrusted"] = overview.untrusted;
   result["warned"] = overview.warned;
   result["limit_states"] = states;
   result["counts"] = counts(overview);

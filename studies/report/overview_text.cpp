@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/units.h"
+#include "studies/report/failed_runs.h"
 #include "studies/report/overview_report.h"
 
 namespace gurney {
@@ -163,8 +164,8 @@ std::string overview_text(const StudyOverview& overview) {
                            fmt::join(overview.levels, ", ")));
   all += entry("draws", overview.draws > 0 ? fmt::format("{} of each record", overview.draws)
                                            : "none, every number has its value");
-  all += entry("runs", fmt::format("{}, {} overturned, {} failed", overview.runs,
-                                   overview.overturned, overview.failed));
+  all += entry("runs", fmt::format("{}, {} overturned, {}", overview.runs, overview.overturned,
+                                   failed_runs(overview.failed, overview.untrusted)));
   if (overview.warned > 0)
     all += entry("warnings", fmt::format("in {} runs the building warned (/warnings), such as: {}",
                                          overview.warned, overview.first_warning));

@@ -55,6 +55,7 @@ std::string ending(const Response& response) {
     case Outcome::kOverturned:
       return fmt::format("It overturned and lay at {:.2f} s, {}.", response.end_time, place);
     case Outcome::kDiverged:
+    case Outcome::kUntrusted:
       break;
   }
   return {};
@@ -80,6 +81,7 @@ std::string common_ending(const Response& response) {
                          response.items.size(), response.end_time);
     }
     case Outcome::kDiverged:
+    case Outcome::kUntrusted:
       break;
   }
   return {};
@@ -111,9 +113,11 @@ std::string motions(const Response& response, const std::vector<std::string>& na
 }  // namespace
 
 std::string story(const RunFacts& facts, const Response& response) {
-  if (response.outcome == Outcome::kDiverged)
-    return fmt::format("The run DIVERGED at {:.4g} s: {}. Its numbers must not be used.",
-                       response.end_time, response.cause);
+  if (is_failure(response.outcome))
+    return fmt::format(
+        "The run {} at {:.4g} s: {}. Its results must not be used.",
+        response.outcome == Outcome::kUntrusted ? "is UNTRUSTED; it ended" : "DIVERGED",
+        response.end_time, response.cause);
   const std::vector<std::string> names = item_names(facts.scene);
   const Demands& first = response.items[0].demands;
   std::string text = response.items.size() == 1

@@ -69,9 +69,10 @@ void add_runs(Hdf5Writer& file, const RunFacts& facts, const Response& response)
   file.add_scale({"/runs/axis", "1", "floor axis", {}}, std::vector<std::string>{"x", "y", "z"});
   one_text("record", "name of the floor motion; empty: the floor is at rest",
            facts.record ? facts.record->name : "");
-  one_text("outcome", "how the run ended: rested, still_moving, stopped, overturned or diverged",
+  one_text("outcome",
+           "how the run ended: rested, still_moving, stopped, overturned, diverged or untrusted",
            name_of(response.outcome));
-  one_text("cause", "why the run diverged; empty: it did not", response.cause);
+  one_text("cause", "why the run diverged or is untrusted; empty: neither", response.cause);
   file.add({"/runs/end_time", "s", "end of the run", kRun}, std::vector<double>{response.end_time});
   add_record(file, facts.record.value_or(RecordFacts{}));
 }

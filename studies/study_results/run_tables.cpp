@@ -227,7 +227,7 @@ void RunTables::add_run(const UnitResult& result, const Unit& unit, const StudyR
   for (const std::string& warning : run.warnings)
     table("warnings").put(double(runs_)).put(warning.substr(0, kLongestCause)).end_row();
   const ConfigurationNames& names = names_[unit.configuration];
-  if (run.response.outcome == Outcome::kDiverged) {
+  if (is_failure(run.response.outcome)) {
     table("failures").put(double(runs_)).put(run.response.cause.substr(0, kLongestCause)).end_row();
   } else {
     add_items(run, names);

@@ -153,7 +153,8 @@ StudyCounts write_study_file(const std::string& path, const Batch& batch,
                         unit));
     for (const StudyRun& run : result.runs) {
       ++counts.runs;
-      counts.failed += run.response.outcome == Outcome::kDiverged;
+      counts.failed += is_failure(run.response.outcome);
+      counts.untrusted += run.response.outcome == Outcome::kUntrusted;
       counts.overturned += run.response.outcome == Outcome::kOverturned;
     }
     tables.add(result);

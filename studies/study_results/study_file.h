@@ -12,7 +12,7 @@ inline constexpr int kStudyFormatVersion = 2;
 
 /// What the merge counted.
 struct StudyCounts {
-  std::size_t runs = 0, failed = 0, overturned = 0;
+  std::size_t runs = 0, failed = 0, untrusted = 0, overturned = 0;
 };
 
 /// Writes the results of a study, unit by unit in their order, so that the same study gives the

@@ -11,7 +11,7 @@
 /// with a struct of parameters (all double), a function that makes
 ///    Findings of them, and `Family <family>()`, which names the equation, its source, the range of
 ///    every parameter and the cases (family.h). Declare it in cases.h and list it in cases.cpp.
-/// 2. Run scenes with the Runner that the function gets: it notes what diverged or did not
+/// 2. Run scenes with the Runner that the function gets: it notes what failed or did not
 ///    converge, and runs the same case on the stock solver.
 /// 3. Give every Check a tolerance that is a formula of the parameters, with no number fitted to
 ///    the result, and say the formula in `derivation`: the user reads it. Use a Track for what is

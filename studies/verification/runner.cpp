@@ -8,8 +8,8 @@ Response Runner::operator()(Findings& findings, const Scene& scene, const Excita
                             SimulationSettings settings) const {
   settings.solver = solver_;
   Response response = simulate(scene, excitation, settings);
-  if (response.outcome == Outcome::kDiverged)
-    findings.checks.push_back({"runs that diverged", "", 1, 0, 0, response.cause});
+  if (is_failure(response.outcome))
+    findings.checks.push_back({"runs that failed", "", 1, 0, 0, response.cause});
   if (const auto steps = static_cast<double>(response.quality.unconverged_steps); steps > 0)
     findings.checks.push_back(
         {"steps that did not converge", "", steps, 0, 0, "every step must reach its residual"});

@@ -1,9 +1,12 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "engine/base/error.h"
 #include "engine/simulate.h"
 #include "studies/verification/scenes/small_scenes.h"
+#include "tests/engine/drawn_items.h"
 #include "tests/support/error_text.h"
 
 namespace gurney {
@@ -108,6 +111,47 @@ TEST(Outcome, ARunThatCannotGoOnSaysWhyAndHoldsNoNaN) {
   EXPECT_TRUE(finite(response));
 }
 
+// The kinds of numbers that a file may hold and no physics resolves.
+TEST(Outcome, FiniteHugeNumbersFailByName) {
+  Job job = coasting(1e-3);
+  job.excitation.forces = {{"push", {0, 0, 1.0}, {0, 1, 0}, {0, 0.2}, {1e300, 1e300}}};
+  EXPECT_EQ(run(job).outcome, Outcome::kDiverged);
+  job = coasting(1e-3);
+  RoomShape kerb;
+  kerb.name = "kerb";
+  kerb.position = {2, 0, 0.01};
+  for (const double width : {5e-324, 1e308}) {
+    kerb.shape = RoomBox{Vector3(width, 1, 0.02)};
+    job.scene.room = {kerb};
+    try {
+      EXPECT_TRUE(finite(run(job))) << width;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("has no faces")) << width;
+    }
+  }
+}
+
+// Its treads are so stiff that it rattles within each step of 4 ms.
+TEST(Outcome, ARunWhoseEnergyBalanceMissesIsUntrusted) {
+  const drawn::Run coarse = drawn::run(1054);
+  const Response response = simulate(coarse.scene, coarse.excitation, coarse.settings);
+  EXPECT_EQ(response.outcome, Outcome::kUntrusted);
+  EXPECT_TRUE(is_failure(response.outcome));
+  EXPECT_THAT(response.cause, testing::StartsWith("the energy balance of item is off by 0."));
+  EXPECT_THAT(response.cause, testing::HasSubstr("above the limit of 0.05"));
+}
+
+// Replays keep histories and must come to the same verdict.
+TEST(Outcome, TheVerdictDoesNotDependOnTheHistory) {
+  drawn::Run run = drawn::run(1054);
+  run.settings.history_step = 0;
+  const Response without = simulate(run.scene, run.excitation, run.settings);
+  run.settings.history_step = 0.004;
+  const Response with = simulate(run.scene, run.excitation, run.settings);
+  EXPECT_EQ(without.outcome, with.outcome);
+  EXPECT_EQ(without.cause, with.cause);
+}
+
 TEST(Outcome, WrongScenesAndSettingsAreErrorsNotOutcomes) {
   Job job = coasting(1e-3);
   job.settings.time_step = 0.5;
@@ -122,6 +166,8 @@ TEST(Outcome, NamesAreStable) {
   EXPECT_STREQ(name_of(Outcome::kRested), "rested");
   EXPECT_STREQ(name_of(Outcome::kOverturned), "overturned");
   EXPECT_STREQ(name_of(Outcome::kDiverged), "diverged");
+  EXPECT_STREQ(name_of(Outcome::kUntrusted), "untrusted");
+  EXPECT_TRUE(is_failure("untrusted") && is_failure("diverged") && !is_failure("overturned"));
 }
 
 }  // namespace

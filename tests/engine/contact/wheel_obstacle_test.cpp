@@ -81,5 +81,15 @@ TEST(WheelObstacle, AtACornerTheGuessStays) {
   EXPECT_NEAR(plane.offset, normal.dot(corner), kExact);
 }
 
+// The kerb reaches from x = 0 to 1 and from y = -1 to 1.
+TEST(WheelObstacle, AFaceIsFacedOnlyByWhatIsBeforeOrBehindIt) {
+  const Vector3 up = Vector3::UnitZ();
+  EXPECT_TRUE(kerb().faces(up, {0.5, 0, kHeight + 0.01}));
+  EXPECT_TRUE(kerb().faces(up, {0.01, 0.99, 0.5 * kHeight}));
+  EXPECT_FALSE(kerb().faces(up, {-0.01, 0, kHeight})) << "beside it";
+  EXPECT_FALSE(kerb().faces(up, {0.5, 1.01, kHeight}));
+  EXPECT_FALSE(kerb().faces(Vector3(-0.6, 0, 0.8), {0.01, 0, kHeight})) << "an edge is no face";
+}
+
 }  // namespace
 }  // namespace gurney

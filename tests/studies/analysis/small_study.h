@@ -43,6 +43,7 @@ struct SmallRun {
   double displacement;  ///< of the first item [m]
   bool fell = false;    ///< the first item
   bool failed = false;
+  bool untrusted = false;
 };
 
 /// One configuration; items `cart` and, at rest, `bed`.
@@ -69,8 +70,13 @@ inline void write_small_study(const std::string& path, const std::vector<SmallRu
     const SmallRun& run = runs[i];
     table.put(double(i)).put(0.0).put(double(run.record)).put(double(i));
     table.put(run.intensity).put(run.intensity).put(0.1 * run.intensity);
-    table.put(std::string(run.failed ? "diverged" : run.fell ? "overturned" : "rested")).end_row();
-    if (run.failed) continue;
+    table
+        .put(std::string(run.untrusted ? "untrusted"
+                         : run.failed  ? "diverged"
+                         : run.fell    ? "overturned"
+                                       : "rested"))
+        .end_row();
+    if (run.failed || run.untrusted) continue;
     Demands cart;
     cart.peak_displacement = run.displacement;
     if (run.fell) cart.time_of_overturning = 0.0;

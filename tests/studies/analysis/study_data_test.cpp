@@ -27,6 +27,14 @@ TEST_F(StudyDataTest, FailedRunsAreCountedApart) {
   EXPECT_EQ(study.failed(0), 1);
 }
 
+TEST_F(StudyDataTest, UntrustedRunsAreFailedOnes) {
+  SmallRun untrusted{0, 2, 17.0};
+  untrusted.untrusted = true;
+  const StudyData study = data({{0, 1, 0.2}, untrusted, {1, 1, 0.05}});
+  EXPECT_THAT(study.runs_of(0), ElementsAre(0, 2));
+  EXPECT_EQ(study.failed(0), 1);
+}
+
 TEST_F(StudyDataTest, ObservationsAreTheRunsOfTheItemsAsked) {
   const StudyData study = data({{0, 1, 0.2}, {0, 2, 0.11, true}, {1, 1, 0.05}});
   const RunMeasure own = study.measure("");

@@ -313,7 +313,7 @@ TEST(ShippedJob, TrolleyMeetsTheWallWithAForce) {
 
 TEST(ShippedJob, IcuBayHasItsFourItemsAndTheirTethers) {
   const Response response = start_of("icu_bay", 1);
-  EXPECT_NE(response.outcome, Outcome::kDiverged) << response.cause;
+  EXPECT_FALSE(is_failure(response.outcome)) << response.cause;
   EXPECT_EQ(response.items.size(), 4u);
   EXPECT_EQ(response.tethers.size(), 4u);
   EXPECT_EQ(response.zones.size(), 2u);
@@ -321,7 +321,7 @@ TEST(ShippedJob, IcuBayHasItsFourItemsAndTheirTethers) {
 
 TEST(ShippedJob, TenItemsShareTheTheatre) {
   const Response response = start_of("ten_items", 1);
-  EXPECT_NE(response.outcome, Outcome::kDiverged) << response.cause;
+  EXPECT_FALSE(is_failure(response.outcome)) << response.cause;
   EXPECT_EQ(response.items.size(), 10u);
 }
 

@@ -29,7 +29,12 @@ TEST(Story, TellsEachOutcomeOfASingleItem) {
   response.outcome = Outcome::kDiverged;
   response.cause = "no solution";
   EXPECT_EQ(story(facts, response),
-            "The run DIVERGED at 24 s: no solution. Its numbers must not be used.");
+            "The run DIVERGED at 24 s: no solution. Its results must not be used.");
+  response.outcome = Outcome::kUntrusted;
+  response.cause = "energy from nowhere";
+  EXPECT_EQ(story(facts, response),
+            "The run is UNTRUSTED; it ended at 24 s: energy from nowhere. Its results must not be "
+            "used.");
   response = {};
   response.items[0].demands.wheels.resize(4);
   response.outcome = Outcome::kRested;

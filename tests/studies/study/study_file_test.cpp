@@ -157,7 +157,7 @@ TEST_F(StudyFile, ARunThatFailedIsARowWithItsCause) {
   std::vector<std::string> causes;
   for (const UnitResult& unit : results_)
     for (const StudyRun& run : unit.runs)
-      if (run.response.outcome == Outcome::kDiverged) causes.push_back(run.response.cause);
+      if (is_failure(run.response.outcome)) causes.push_back(run.response.cause);
   EXPECT_EQ(causes.size(), counts_.failed);
   EXPECT_EQ(file.strings("/failures/cause"), causes);
   EXPECT_THAT(causes, Each(testing::Ne("")));

@@ -36,7 +36,7 @@ class SmallRuns {
       const Unit unit = plan_.unit(index);
       if (unit.record >= records || !has(unit.configuration, levels)) continue;
       for (StudyRun& run : run_unit(batch(), index, [] { return true; }).runs) {
-        if (run.response.outcome == Outcome::kDiverged)
+        if (is_failure(run.response.outcome))
           throw std::runtime_error(fmt::format("unit {}: diverged: {}", index, run.response.cause));
         result.push_back(std::move(run));
       }
