@@ -54,6 +54,7 @@ struct BodyContactState {
   BodyContact contact;
   Vector3 deflection = Vector3::Zero();  ///< tangential, floor axes [m]
   double compression = 0;                ///< overlap [m]
+  bool sliding = false;                  ///< its friction is at the limit
   double approach_speed = 0;             ///< when it last touched, or now while apart [m/s]
   /// How much deeper the bodies overlap than `compression`: see Stepper::set_contacts [m].
   double slack = 0;

@@ -83,6 +83,7 @@ ImpactLaw::Result ImpactLaw::finish(const Stage& stage, const Vector3& u) const 
   const Vector2 tangent = result.force.head<2>();
   result.deflection =
       (damping_rate * stage.deflection - tangent) / (tangential_stiffness_ + damping_rate);
+  result.sliding = tangent.norm() >= friction_ * n.force * (1 - 1e-12);
   const Vector2 rate = (result.deflection - stage.deflection) / stage.tau;
   result.sliding_power = -tangent.dot(u.head<2>() - rate);
   result.damping_power += tangential_damping_ * rate.squaredNorm();

@@ -41,6 +41,7 @@ class ImpactLaw {
     Vector3 force = Vector3::Zero();
     Vector2 deflection = Vector2::Zero();  ///< at the end of the stage [m]
     double compression = 0;
+    bool sliding = false;  ///< friction at its limit
     double sliding_power = 0;  ///< [W]
     double damping_power = 0;  ///< [W]
     double spring_rates = 0;   ///< sum of k x'^2 [W/s]
@@ -54,6 +55,7 @@ class ImpactLaw {
   double stored_energy(double compression, double deflection) const;
   /// Slope of the force at the first touch: how fast an impact changes [N/m].
   double impact_stiffness() const { return stiffness_ * (1 + damping_number_); }
+  double tangential_stiffness() const { return tangential_stiffness_; }
   bool compliant() const { return compliant_; }
 
  private:

@@ -79,6 +79,7 @@ class TreadLaw {
     return compression > 0 ? tread_.normal_stiffness * compression : 0;
   }
   double spin_radius() const { return spin_radius_; }
+  double tangential_stiffness() const { return tread_.tangential_stiffness; }
 
   /// Elastic energy stored at a compression and state [J].
   double stored_energy(double compression, const TreadState& state) const;

@@ -81,6 +81,7 @@ void StageSolver::finish_contacts(const Input& input, const std::vector<Velocity
     end = input.start->contacts[first + c];
     end.deflection = work.frame.topRows<2>().transpose() * result.deflection;
     end.compression = result.compression;
+    end.sliding = result.sliding;
     out.contacts[first + c] = {result.force.z(), u.z(),
                                items_[a.item].pose().position + work.side.point};
     EnergyAccount& power = out.items[a.item].power;

@@ -17,6 +17,12 @@ constexpr double kShortestStep = 1e-8;
 
 constexpr int kMaxLandingTrials = 20;
 
+/// A reversal of slip nearer to the start or end of a step than this fraction of it is left there.
+constexpr double kReversalTolerance = 1e-3;
+
+/// Passes that find the time of a reversal and the floor's mean acceleration until then.
+constexpr int kReversalPasses = 4;
+
 constexpr double kSameContactDistance = 0.02;  // [m]
 
 /// Steps in half a period of a contact's spring: the rebound is then within 0.3 % of its law's.
@@ -117,6 +123,7 @@ Stepper::Stepper(const Assembly& assembly, const FloorMotion& floor,
       settings_(settings),
       solver_(assembly, {settings.residual, settings.max_newton_iterations}),
       predictions_(assembly.items.size()),
+      reversals_(assembly, settings.time_step),
       accounts_(assembly.items.size()) {
   input_.guess.resize(assembly.items.size());
   between_.items.resize(assembly.items.size());
@@ -257,7 +264,7 @@ void Stepper::accept(const Island& island, SceneState& state, double duration,
     add_power(first.power, (1 - kSdirkGamma) * duration, accounts_[i]);
     add_power(second.power, kSdirkGamma * duration, accounts_[i]);
     accounts_[i].numerical_loss += 0.5 * tau * tau * (second.spring_rates - first.spring_rates);
-    predictions_[i] = {second.acceleration, true};
+    predictions_[i] = {second.acceleration, floor_second_, true};
     const Tethers& tethers = assembly_.items[i].tethers;
     if (!tethers.empty()) accounts_[i].damper_loss += tethers.give_way(second_.end.items[i]);
   }
@@ -342,6 +349,22 @@ std::optional<std::string> Stepper::advance_smoothly(const Island& island, Scene
   return std::nullopt;
 }
 
+double Stepper::end_of_step(const Island& island, const SceneState& state, double latest) {
+  reversals_.collect(island, state, predictions_);
+  if (reversals_.none()) return latest;
+  const double time = state.items[island.items.front()].time;
+  const double longest = latest - time;
+  double until = longest;
+  for (int i = 0; i < kReversalPasses; ++i) {
+    const Vector3 change = floor_.velocity_at(time + until) - floor_.velocity_at(time);
+    until = std::min(longest, reversals_.first(change / until));
+    if (until < kReversalTolerance * longest) return latest;
+  }
+  if (until > (1 - kReversalTolerance) * longest) return latest;
+  ++quality_.event_steps;
+  return time + until;
+}
+
 std::optional<std::string> Stepper::advance_island(const Island& island, SceneState& state,
                                                    double time, const Observer& observer) {
   const State& front = state.items[island.items.front()];
@@ -353,7 +376,8 @@ std::optional<std::string> Stepper::advance_island(const Island& island, SceneSt
     const double remaining = time - front.time;
     const double parts = std::ceil(remaining / longest_step(island, state, remaining));
     if (parts >= 2) ++quality_.event_steps;
-    const double stop = parts < 2 ? time : front.time + remaining / parts;
+    const double latest = parts < 2 ? time : front.time + remaining / parts;
+    const double stop = end_of_step(island, state, latest);
     if (auto cause = advance_smoothly(island, state, stop, 0, observer)) return cause;
   }
   for (std::size_t i : island.items)

@@ -7,6 +7,7 @@
 
 #include "engine/base/floor_motion.h"
 #include "engine/scene/settings.h"
+#include "engine/solver/slip_reversal.h"
 #include "engine/solver/stage_solver.h"
 
 namespace gurney {
@@ -68,11 +69,7 @@ class Stepper {
   double predicted_acceleration(const BodyContact& contact, const SceneState& state) const;
   double longest_step(const Island& island, const SceneState& state, double remaining) const;
 
-  /// What the last accepted step of an item tells the next one.
-  struct Prediction {
-    Velocity acceleration;
-    bool known = false;
-  };
+  double end_of_step(const Island& island, const SceneState& state, double latest);
 
   const Assembly& assembly_;
   const FloorMotion& floor_;
@@ -83,7 +80,8 @@ class Stepper {
   SceneState between_;  // start of the second stage
   std::vector<Island> islands_;
   Vector3 floor_second_ = Vector3::Zero();
-  std::vector<Prediction> predictions_;
+  std::vector<SlipReversals::Course> predictions_;
+  SlipReversals reversals_;
   std::vector<EnergyAccount> accounts_;
   Quality quality_;
 };

@@ -21,6 +21,7 @@ Family slope();
 // sliding
 Family harmonic_slip();
 Family harmonic_slip_formula();
+Family slip_from_rest();
 Family rectangular_pulse();
 Family half_sine_pulse();
 Family half_sine_pulse_formula();
@@ -80,6 +81,7 @@ Family block_uplift();
 Family cart_at_kerb();
 Family slider_at_kerb();
 Family rocking();
+Family rocking_feet();
 Family floor_step();
 Family floor_double_step();
 Family sine_pulse();

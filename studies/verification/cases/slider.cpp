@@ -9,19 +9,19 @@ namespace gurney::verification::sliding {
 
 using namespace scenes;
 
-Slider make_slider(bool rolls, double mu) {
-  constexpr double kTangential = 1e11;  // [N/m]
+Slider make_slider(bool rolls, double mu, double tangential_stiffness) {
   ItemOptions options;
   Caster& caster = options.caster;
   stiffen(caster.tread);
-  caster.tread.tangential_stiffness = kTangential;
+  caster.tread.tangential_stiffness = tangential_stiffness;
   if (rolls) {
     caster.tread.rolling_resistance = mu * caster.wheel_radius;
     caster.swivels = false;
   } else {
     caster.tread.static_friction = caster.tread.kinetic_friction = mu;
   }
-  Slider slider{rolls ? trolley(options) : locked_block(options), 1, 0, 4 * kTangential * 10 / 11};
+  Slider slider{rolls ? trolley(options) : locked_block(options), 1, 0,
+                4 * tangential_stiffness * 10 / 11};
   const double mass = total_mass(slider.item);
   if (rolls) slider.scale = mass / (mass + wheel_inertia_mass(slider.item));
   slider.wind_up = mu * kStandardGravity * std::sqrt(mass / slider.stiffness);

@@ -17,7 +17,8 @@ struct Slider {
 };
 
 /// @param rolls  a cart with Cr / R = mu, else a block
-Slider make_slider(bool rolls, double mu);
+/// @param tangential_stiffness  k_t of each tread [N/m]
+Slider make_slider(bool rolls, double mu, double tangential_stiffness = 1e11);
 
 /// Starts along x at `speed`.
 Response shake(const Slider& slider, const FloorMotion& floor, const SimulationSettings& settings,

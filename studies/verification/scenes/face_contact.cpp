@@ -7,23 +7,29 @@
 namespace gurney {
 
 FaceContact::FaceContact(const Body& first, const Body& second, const std::vector<double>& points,
-                         double stiffness, double damping_number) {
+                         double stiffness, double damping_number, const TurningFace& turning) {
   using Vector8 = Eigen::Matrix<double, 8, 1>;  // x1, yaw1, x2, yaw2 and their rates
-  const auto force_at = [&](const Vector8& s, double y) {
-    const auto apart = [&](int of) {
-      return s[of] - s[of + 2] - (y - first.y) * s[of + 1] + (y - second.y) * s[of + 3];
-    };
-    return stiffness * std::max(0.0, apart(0)) * std::max(0.0, 1 + damping_number * apart(4));
+  const auto of_wall = [&](std::size_t i) {
+    return !turning.of_wall.empty() && turning.of_wall[i];
+  };
+  const auto lever = [&](const Vector8& s, std::size_t i) {
+    return points[i] - first.y + (of_wall(i) ? 0 : turning.ahead * s[1]);
+  };
+  const auto force_at = [&](const Vector8& s, std::size_t i) {
+    const double y = points[i], bent = (of_wall(i) ? 0.5 : -0.5) * turning.ahead * s[1] * s[1];
+    const double depth = s[0] - s[2] - (y - first.y) * s[1] + (y - second.y) * s[3] + bent;
+    const double rate = s[4] - s[6] - lever(s, i) * s[5] + (y - second.y) * s[7];
+    return stiffness * std::max(0.0, depth) * std::max(0.0, 1 + damping_number * rate);
   };
   const auto rates = [&](const Vector8& s) {
     Vector8 r;
     r << s.tail<4>(), Eigen::Vector4d::Zero();
-    for (const double y : points) {
-      const double force = force_at(s, y);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double force = force_at(s, i);
       r[4] -= force * first.inverse_mass;
-      r[5] += (y - first.y) * force * first.inverse_inertia;
+      r[5] += lever(s, i) * force * first.inverse_inertia;
       r[6] += force * second.inverse_mass;
-      r[7] -= (y - second.y) * force * second.inverse_inertia;
+      r[7] -= (points[i] - second.y) * force * second.inverse_inertia;
     }
     return r;
   };

@@ -1,0 +1,83 @@
+#include "engine/solver/slip_reversal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gurney {
+
+SlipReversals::SlipReversals(const Assembly& assembly, double time_step)
+    : assembly_(assembly), time_step_(time_step) {
+  for (const Mechanism& item : assembly.items) {
+    double stiffness = 0;
+    for (const Leg& leg : item.legs) stiffness += leg.tread().tangential_stiffness();
+    stiff_treads_.push_back(item.total_mass < stiffness * time_step * time_step);
+  }
+}
+
+void SlipReversals::collect_treads(std::size_t item, const State& state, const Course& course) {
+  const Mechanism& mechanism = assembly_.items[item];
+  for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
+    const TreadState& tread = state.legs[i].tread;
+    if (!tread.sliding && !tread.rolling) continue;
+    const Leg& leg = mechanism.legs[i];
+    Leg::Geometry g;
+    leg.evaluate(state.pose(), state.legs[i].swivel_angle, state.velocity.chassis,
+                 state.velocity.joints[i], Vector3::Zero(), g);
+    const auto rates = [&](const Velocity& v) -> Vector5 {
+      return g.jacobian_chassis * v.chassis + g.jacobian_joints * v.joints[i];
+    };
+    const Vector5 u = rates(state.velocity), a = rates(course.acceleration);
+    if (tread.sliding)
+      slips_.push_back({{u[0], u[1], u[3]},
+                        {a[0], a[1], a[3]},
+                        Vector3(1, 1, 0).asDiagonal(),
+                        course.floor_acceleration});
+    if (tread.rolling) {
+      const double radius = leg.wheel_radius();
+      Matrix3 along = Matrix3::Zero();
+      along.row(0) = std::copysign(1.0, u[4]) * g.heading.transpose();
+      slips_.push_back({{radius * std::abs(u[4]), 0, 0},
+                        {std::copysign(radius * a[4], u[4] * a[4]), 0, 0},
+                        along,
+                        course.floor_acceleration});
+    }
+  }
+}
+
+void SlipReversals::collect_contact(const Island& island, const BodyContactState& memory,
+                                    const SceneState& state, const std::vector<Course>& courses) {
+  const BodyContact& contact = memory.contact;
+  const BodyContact::Side& side = contact.side;
+  if (!memory.sliding || contact.between_items() || side.leg >= 0 || !courses[side.item].known)
+    return;
+  const double stiffness = assembly_.laws.of(contact).tangential_stiffness() *
+                           static_cast<double>(island.end_contact - island.first_contact);
+  if (assembly_.items[side.item].total_mass >= stiffness * time_step_ * time_step_) return;
+  const Vector6& a = courses[side.item].acceleration.chassis;
+  const Matrix3 tangents = Matrix3::Identity() - contact.normal * contact.normal.transpose();
+  const Vector3 acceleration = a.head<3>() + a.tail<3>().cross(assembly_.point(contact, state));
+  slips_.push_back({tangents * assembly_.velocity(contact, state), tangents * acceleration,
+                    tangents, courses[side.item].floor_acceleration});
+}
+
+void SlipReversals::collect(const Island& island, const SceneState& state,
+                            const std::vector<Course>& courses) {
+  slips_.clear();
+  for (std::size_t i : island.items)
+    if (stiff_treads_[i] && courses[i].known) collect_treads(i, state.items[i], courses[i]);
+  for (std::size_t c = island.first_contact; c < island.end_contact; ++c)
+    collect_contact(island, state.contacts[c], state, courses);
+}
+
+double SlipReversals::first(const Vector3& floor) const {
+  double earliest = std::numeric_limits<double>::infinity();
+  for (const Slip& slip : slips_) {
+    const Vector3 a = slip.acceleration + slip.of_floor * (slip.floor_acceleration - floor);
+    const double approach = -slip.velocity.dot(a);
+    if (approach > 0) earliest = std::min(earliest, approach / a.squaredNorm());
+  }
+  return earliest;
+}
+
+}  // namespace gurney
