@@ -220,8 +220,9 @@ bool Stepper::attempt(const Island& island, const SceneState& from, double durat
   input_.loads.first = false;
   const bool second_converged = solver_.solve(input_, second_);
   quality_.newton_iterations += second_.iterations;
+  if (!std::isfinite(second_.residual)) return false;
   for (std::size_t i : island.items) second_.end.items[i].time = time + duration;
-  return first_converged && second_converged && std::isfinite(second_.residual);
+  return first_converged && second_converged;
 }
 
 void Stepper::accept(const Island& island, SceneState& state, double duration,

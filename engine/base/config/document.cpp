@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -14,20 +11,10 @@
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/config/table.h"
 #include "engine/base/config/toml_reader.h"
+#include "engine/base/input_file.h"
 
 namespace gurney::config {
 namespace {
-
-std::string read_file(const std::string& path) {
-  std::error_code ignored;
-  require(!std::filesystem::is_directory(path, ignored), path + ": is a folder, not a file");
-  require(std::filesystem::exists(path, ignored), path + ": no such file");
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
-  require(in.is_open() && !in.bad() && !text.fail(), path + ": cannot be read");
-  return text.str();
-}
 
 /// No TOML begins with a brace; a job that results keep has lost the name of its file.
 bool is_json(const std::string& text, const std::string& path) {
@@ -48,7 +35,7 @@ void collect_keys(const Node& node, const std::string& path, std::set<std::strin
 
 }  // namespace
 
-Document::Document(const std::string& path) : Document(read_file(path), path) {}
+Document::Document(const std::string& path) : Document(read_input_file(path), path) {}
 
 Document::Document(const std::string& text, const std::string& path) : path_(path), text_(text) {
   if (is_json(text, path)) {
