@@ -1,24 +1,35 @@
 #include "studies/results/hdf5_handle.h"
 
+#include <algorithm>
+
 #include "engine/base/error.h"
+#include "engine/base/printable.h"
 
 namespace gurney::hdf5 {
 namespace {
 
-herr_t append_message(unsigned, const H5E_error2_t* error, void* text) {
-  std::string& message = *static_cast<std::string*>(text);
-  message += message.empty() ? "" : "; ";
-  message += std::string(error->func_name) + ": " + error->desc;
-  return 0;
+constexpr std::size_t kLongestReason = 160;
+
+/// The innermost of HDF5's messages; of one that quotes the operating system, what that says.
+herr_t take_reason(unsigned, const H5E_error2_t* error, void* text) {
+  std::string& reason = *static_cast<std::string*>(text);
+  reason = error->desc;
+  static const std::string kQuote = "error message = '";
+  if (const auto quote = reason.find(kQuote); quote != std::string::npos) {
+    reason.erase(0, quote + kQuote.size());
+    reason.erase(std::min(reason.find('\''), reason.size()));
+  }
+  if (reason.size() > kLongestReason) reason.resize(kLongestReason);
+  return 1;
 }
 
 }  // namespace
 
 void fail(const std::string& what) {
   std::string stack;
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, append_message, &stack);
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_reason, &stack);
   H5Eclear2(H5E_DEFAULT);
-  throw Error("HDF5 cannot " + what + (stack.empty() ? "" : ": " + stack));
+  throw Error("HDF5 cannot " + what + (stack.empty() ? "" : ": " + printable(stack)));
 }
 
 void silence_printing() {

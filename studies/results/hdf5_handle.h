@@ -12,7 +12,7 @@ namespace gurney::hdf5 {
 
 static_assert(std::is_same_v<hid_t, std::int64_t>);
 
-/// @throws Error "HDF5 cannot WHAT: ..." with HDF5's stack of messages
+/// @throws Error "HDF5 cannot WHAT: ..." with HDF5's reason
 [[noreturn]] void fail(const std::string& what);
 
 /// Passes on what an HDF5 call returned unless it reports a failure (a negative number).
