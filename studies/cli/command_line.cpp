@@ -8,9 +8,11 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <new>
 
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
+#include "engine/base/printable.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/calibrate_command.h"
 #include "studies/cli/check_command.h"
@@ -159,9 +161,11 @@ int run_command_line(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kBadUsage;
   } catch (const Error& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    fmt::print(stderr, "{}\n", printable(error.what()));
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "gurney: this needs more memory than there is\n");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "gurney: {}\n", error.what());
+    fmt::print(stderr, "gurney: {}\n", printable(error.what()));
   }
   return kBadInput;
 }
