@@ -89,6 +89,7 @@ void add_face(ConvexShape& shape, const std::array<int, 3>& triple, const Vector
     if (height(i) > flat) return;
     if (height(i) > -flat) members.push_back(i);
   }
+  if (members.size() < 3) return;  // corners that are no numbers
   std::vector<int> loop = outline(shape.corners, members, normal, flat);
   if (loop.size() >= 3) shape.faces.push_back({normal, std::move(loop), std::move(members)});
 }

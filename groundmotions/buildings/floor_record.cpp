@@ -28,6 +28,7 @@ constexpr double kVisibleDrift = 0.01;        ///< after the ground's end; an as
 constexpr double kShareOfPeak = 0.1;          ///< and of the peak displacement; an assumption
 constexpr const char* kBaselineStep = "\"baseline kind=end_at_rest\"";
 constexpr int kMaxHalvings = 10;
+constexpr double kMostSteps = 1.5e7;      ///< of one pass; some ten seconds in all
 constexpr double kEnergyAccuracy = 1e-6;  ///< of the largest input
 
 std::array<ModalAxis, 2> horizontal(const Building& building) {
@@ -181,7 +182,14 @@ double change(const IsolatedHistory& coarse, const IsolatedHistory& fine) {
 IsolatedHistory solve_isolated(const Ground& ground, const Building& building, int floor,
                                double time_step, double window) {
   const double largest = IsolatedMotion::largest_step(*building.isolation, horizontal(building));
-  int substeps = std::max(1, static_cast<int>(std::ceil(time_step / largest)));
+  const double first = std::max(1.0, std::ceil(time_step / largest));
+  const auto steps = static_cast<double>(ground.steps());
+  require(
+      first * steps <= kMostSteps,
+      fmt::format("building '{}': its isolators and shortest period need time steps of {:.2g} s, "
+                  "{:.2g} of them for this record; must be at most {:g}",
+                  building.name, time_step / first, first * steps, kMostSteps));
+  int substeps = static_cast<int>(first);
   const auto solve = [&] {
     return run_isolated(ground, building, floor, time_step, window, substeps);
   };
@@ -190,7 +198,9 @@ IsolatedHistory solve_isolated(const Ground& ground, const Building& building, i
     substeps *= 2;
     IsolatedHistory fine = solve();
     fine.isolators.change = change(coarse, fine);
-    if (fine.isolators.change <= kAccuracy || halving + 1 == kMaxHalvings) return fine;
+    const double next = 2.0 * substeps * static_cast<double>(fine.floor.acceleration.size());
+    if (fine.isolators.change <= kAccuracy || halving + 1 == kMaxHalvings || next > kMostSteps)
+      return fine;
     coarse = std::move(fine);
   }
 }

@@ -31,7 +31,7 @@ const SyntheticParameter kTimeStep{"time_step_s", "of the samples", 0.005,
 const SyntheticParameter kPga{"pga_g", "peak acceleration", 0.4, Range::positive()};
 const SyntheticParameter kPeriod{"period_s", "of the sine", 1, Range::positive()};
 const SyntheticParameter kDuration{"duration_s", "of the motion with its tapers", 30,
-                                   Range::positive()};
+                                   Range::within(0, 3600).open_below()};
 const SyntheticParameter kTaper{"taper_s", "of each end", 3, Range::positive()};
 
 std::uint64_t seed_of(const Values& v) { return static_cast<std::uint64_t>(v.at("seed")); }

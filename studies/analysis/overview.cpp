@@ -42,6 +42,9 @@ FileOverview header_of(const Hdf5Reader& file, const std::string& path) {
   };
   const auto keys = texts("key"), values = texts("value"), ranges = texts("range"),
              reasons = texts("reason"), files = texts("file");
+  file.require_length(
+      {"/assumptions/value", "/assumptions/range", "/assumptions/reason", "/assumptions/file"},
+      keys.size());
   for (std::size_t i = 0; i < keys.size(); ++i)
     if (known.emplace(keys[i], values[i], files[i]).second)
       header.assumptions.push_back({keys[i], values[i], ranges[i], reasons[i], files[i]});
@@ -170,11 +173,16 @@ RunOverview run_overview(const std::string& path) {
   require(type_of(file, path) == "gurney-results", path + ": is the results file of a study");
   RunOverview overview;
   overview.file = header_of(file, path);
+  file.require_length({"/runs/record", "/runs/outcome", "/runs/cause", "/runs/end_time",
+                       "/verification/energy_closure"},
+                      1);
   const std::string record = file.strings("/runs/record").at(0);
   if (!record.empty()) {
     FileOverview::Motion motion{record, {}, {}};
     const auto names = file.text_attributes("record_files"),
                hashes = file.text_attributes("record_sha256");
+    require(names.size() == hashes.size(),
+            path + ": attributes record_files and record_sha256 differ in length");
     for (std::size_t i = 0; i < names.size(); ++i)
       motion.files.push_back(hashes.at(i) + " " + names[i]);
     overview.file.motions.push_back(motion);
@@ -191,6 +199,9 @@ RunOverview run_overview(const std::string& path) {
   const auto peaks = numbers("peak_displacement"), residuals = numbers("residual_displacement"),
              velocities = numbers("peak_velocity"), tilts = numbers("peak_tilt"),
              times = numbers("time_of_overturning");
+  file.require_length({"/items/model", "/items/peak_displacement", "/items/residual_displacement",
+                       "/items/peak_velocity", "/items/peak_tilt", "/items/time_of_overturning"},
+                      items.size());
   for (std::size_t i = 0; i < items.size(); ++i)
     overview.items.push_back(
         {items[i], models[i], peaks[i], residuals[i], velocities[i], tilts[i], times[i]});

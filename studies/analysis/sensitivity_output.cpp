@@ -84,7 +84,12 @@ void require_variation(const SensitivityOutput& output, const std::string& file)
 std::vector<double> DrawnNumbers::column(const std::string& name,
                                          const std::vector<std::size_t>& draws) const {
   std::vector<double> column;
-  for (const std::size_t draw : draws) column.push_back(values.at(name).at(draw));
+  const auto& of_draw = values.at(name);
+  for (const std::size_t draw : draws) {
+    const auto value = of_draw.find(draw);
+    require(value != of_draw.end(), fmt::format("/drawn has no {} of draw {}", name, draw));
+    column.push_back(value->second);
+  }
   return column;
 }
 

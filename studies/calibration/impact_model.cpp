@@ -46,7 +46,8 @@ class WallRun {
     scene_.pairs = {{"item", "wall", contact}, {"item", "", contact}};
     Trial made;
     made.kind = TrialKind::kImpact;
-    for (const Sample& sample : simulate(scene_, {}, settings_).items[0].history) {
+    const Response response = simulate(scene_, {}, settings_);
+    for (const Sample& sample : response.items[0].history) {
       made.signals.time.push_back(sample.time);
       made.signals.displacement.push_back(sample.displacement.x());
     }

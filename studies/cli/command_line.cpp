@@ -13,6 +13,7 @@
 
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
+#include "engine/base/printable.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/calibrate_command.h"
 #include "studies/cli/check_command.h"
@@ -176,11 +177,11 @@ int run_command_line(int argc, char** argv) {
   try {
     return flushed(parse_and_act(app, act, argc, argv));
   } catch (const Error& error) {
-    print_error("{}\n", error.what());
+    print_error("{}\n", printable(error.what()));
   } catch (const std::bad_alloc&) {
     write_error("gurney: not enough memory\n");
   } catch (const std::exception& error) {
-    print_error("gurney: {}\n", error.what());
+    print_error("gurney: {}\n", printable(error.what()));
   }
   return kBadInput;
 }

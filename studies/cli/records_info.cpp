@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "engine/base/printable.h"
 #include "studies/cli/record_source.h"
 #include "studies/report/record_report.h"
 #include "studies/report/record_table.h"
@@ -35,7 +36,7 @@ int info(const InfoOptions& options) {
   bool first = true;
   return for_each_record(
       options.source, nullptr, [&](const SuiteRecord& entry, const Record& record) {
-        fmt::print("{}{}", first ? "" : "\n", record_report(record, entry.facts));
+        fmt::print("{}{}", first ? "" : "\n", printable(record_report(record, entry.facts)));
         first = false;
       });
 }
@@ -47,7 +48,7 @@ int list(const InfoOptions& options) {
   const int code =
       for_each_record(options.source, &refused, [&](const SuiteRecord&, const Record& record) {
         if (count++ == 0) fmt::print("{}", record_table_head());
-        fmt::print("{}", record_table_line(record));
+        fmt::print("{}", printable(record_table_line(record)));
         std::fflush(stdout);
       });
   fmt::print("{} record{}", count, count == 1 ? "" : "s");

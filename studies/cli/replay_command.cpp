@@ -4,12 +4,11 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
+#include "engine/base/input_file.h"
 #include "studies/batch/run_unit.h"
 #include "studies/batch/study_identity.h"
 #include "studies/build_info/build_info.h"
@@ -25,8 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string text_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  return fs::exists(path) ? read_input_file(path.string()) : std::string();
 }
 
 /// The last job that the study's log names.

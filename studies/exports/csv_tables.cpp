@@ -23,9 +23,19 @@ std::string name_of(const std::string& path) { return path.substr(path.rfind('/'
 
 std::vector<Table> tables_of(const Hdf5Reader& file, const std::string& path) {
   std::map<std::pair<std::string, std::string>, Table> tables;
-  for (const Hdf5Dataset& each : file.datasets()) {
-    require(!each.scales.empty(), path + ": " + each.path + " has no dimension scale");
+  const std::vector<Hdf5Dataset> datasets = file.datasets();
+  std::map<std::string, std::vector<std::uint64_t>> shapes;
+  for (const Hdf5Dataset& each : datasets) shapes[each.path] = each.shape;
+  for (const Hdf5Dataset& each : datasets) {
     const std::string group = group_of(each.path);
+    require(!each.scales.empty() && each.scales.size() == each.shape.size(),
+            path + ": " + each.path + " has no dimension scale");
+    for (std::size_t i = 0; i < each.scales.size(); ++i) {
+      const auto scale = shapes.find("/" + group + "/" + each.scales[i]);
+      require(scale != shapes.end() && scale->second == std::vector{each.shape[i]},
+              fmt::format("{}: {} is not as long as its dimension scale {}", path, each.path,
+                          each.scales[i]));
+    }
     Table& table = tables[{group, each.scales.front()}];
     table.group = group;
     table.scale = each.scales.front();

@@ -14,7 +14,8 @@ using TakeFile = std::function<void(const std::string& name, std::string_view by
 /// an underscore. Without letters and digits it is `otherwise`.
 std::string plain_identifier(const std::string& text, const std::string& otherwise);
 
-/// A cell of a CSV file (RFC 4180): quoted where it must be.
+/// A cell of a CSV file (RFC 4180): quoted where it must be, control characters as `\x1b`. A text
+/// that a spreadsheet would compute, such as `=1+1`, gets an apostrophe before it.
 std::string csv_cell(const std::string& text);
 /// The shortest text that reads back as the same number; NaN: empty.
 std::string csv_cell(double value);

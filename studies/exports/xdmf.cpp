@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "engine/base/error.h"
@@ -30,6 +31,12 @@ Vector3 vector_at(const std::vector<double>& numbers, std::size_t row) {
   return {numbers[3 * row], numbers[3 * row + 1], numbers[3 * row + 2]};
 }
 
+void require_values(const Hdf5Reader& file, const char* name, const std::vector<double>& values,
+                    std::size_t count) {
+  require(values.size() == count, fmt::format("{}: {} has {} values; must have {}", file.path(),
+                                              name, values.size(), count));
+}
+
 std::size_t index_in(const std::vector<std::string>& names, const std::string& name) {
   const auto found = std::ranges::find(names, name);
   return found == names.end() ? kNone : static_cast<std::size_t>(found - names.begin());
@@ -40,8 +47,15 @@ std::vector<Shape> shapes_of(const Hdf5Reader& file, const std::vector<std::stri
              kinds = file.strings("/shapes/kind"), wheels = file.strings("/histories/wheel");
   const auto first = file.numbers("/shapes/first"), count = file.numbers("/shapes/count"),
              pivots = file.numbers("/shapes/pivot"), points = file.numbers("/shapes/point");
+  file.require_length({"/shapes/item", "/shapes/body", "/shapes/first", "/shapes/count"},
+                      kinds.size());
+  require_values(file, "/shapes/pivot", pivots, 3 * kinds.size());
+  const double vertices = std::floor(static_cast<double>(points.size()) / 3);
   std::vector<Shape> shapes;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
+    require(first[i] >= 0 && count[i] >= 0 && first[i] + count[i] <= vertices,
+            fmt::format("{}: /shapes: shape {} has the points {} to {} of {}", file.path(), i,
+                        first[i], first[i] + count[i], vertices));
     Shape shape;
     shape.kind = kinds[i];
     shape.pivot = vector_at(pivots, i);
@@ -100,6 +114,14 @@ class Poses {
         orientation_(file.numbers("/histories/orientation")),
         swivel_(wheels_ == 0 ? std::vector<double>() : file.numbers("/histories/swivel_angle")) {}
 
+  /// @throws Error unless there is a pose of each item and wheel at each time
+  void require_times(const Hdf5Reader& file, std::size_t times) const {
+    require_values(file, "/histories/start", start_, 3 * items_);
+    require_values(file, "/histories/displacement", displacement_, 3 * items_ * times);
+    require_values(file, "/histories/orientation", orientation_, 4 * items_ * times);
+    require_values(file, "/histories/swivel_angle", swivel_, wheels_ * times);
+  }
+
   Vector3 place(const Shape& shape, Vector3 point, std::size_t time) const {
     if (shape.item == kNone) return point;
     if (shape.wheel != kNone) {
@@ -135,6 +157,7 @@ void export_xdmf(const std::string& path, const std::string& name, const TakeFil
   require(!time.empty(), path + ": has no histories (settings.history_step_s)");
   const std::vector<Shape> shapes = shapes_of(file, file.strings("/histories/item"));
   const Poses poses(file);
+  poses.require_times(file, time.size());
 
   Cells cells;
   std::vector<std::int64_t> vertices, places, cell_rows;

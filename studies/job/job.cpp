@@ -25,6 +25,9 @@ namespace {
 using config::Range;
 using config::Table;
 
+constexpr double kLongestRun = 7200;  ///< [s]; the longest records have some 20 min
+constexpr double kMostSteps = 2e7;
+
 void read_initial(Table& root, std::vector<Assumption>& assumptions, InitialMotion& initial) {
   auto table = root.table("initial");
   if (!table) return;
@@ -48,8 +51,15 @@ void read_settings(Table& root, SimulationSettings& settings) {
   settings.max_newton_iterations =
       in.integer("max_newton_iterations", 4, 1000, settings.max_newton_iterations);
   settings.max_subdivisions = in.integer("max_subdivisions", 0, 20, settings.max_subdivisions);
-  settings.settle_time = in.number("settle_time_s", Range::not_negative(), settings.settle_time);
-  settings.duration = in.number("duration_s", Range::positive(), settings.duration);
+  settings.settle_time =
+      in.number("settle_time_s", Range::within(0, kLongestRun), settings.settle_time);
+  settings.duration =
+      in.number("duration_s", Range::within(0, kLongestRun).open_below(), settings.duration);
+  const double steps = settings.duration / settings.time_step;
+  if (steps > kMostSteps)
+    in.note("duration_s",
+            fmt::format(" = {:g}: takes {:g} time steps of {:g} s; must take at most {:g}",
+                        settings.duration, steps, settings.time_step, kMostSteps));
   settings.rest_speed = in.number("rest_speed_m_per_s", Range::positive(), settings.rest_speed);
   settings.rest_hold = in.number("rest_hold_s", Range::positive(), settings.rest_hold);
   if (in.has("follow_overturning")) settings.follow_overturning = in.boolean("follow_overturning");

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/printable.h"
+
 namespace gurney {
 namespace {
 
@@ -20,7 +22,7 @@ std::string style_of(const Pen& pen) {
 
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     if (c == '&') {
       result += "&amp;";
     } else if (c == '<') {

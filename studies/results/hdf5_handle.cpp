@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/base/error.h"
+#include "engine/base/printable.h"
 
 namespace gurney::hdf5 {
 namespace {
@@ -22,7 +23,8 @@ std::string reason_in(const std::vector<std::string>& messages) {
     const auto start = at + kQuote.size();
     return message.substr(start, message.find('\'', start) - start);
   }
-  return messages.empty() ? "" : messages.front();
+  constexpr std::size_t kLongestReason = 160;
+  return messages.empty() ? "" : messages.front().substr(0, kLongestReason);
 }
 
 }  // namespace
@@ -32,7 +34,7 @@ void fail(const std::string& what) {
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, collect_message, &messages);
   H5Eclear2(H5E_DEFAULT);
   const std::string reason = reason_in(messages);
-  throw Error("HDF5 cannot " + what + (reason.empty() ? "" : ": " + reason));
+  throw Error("HDF5 cannot " + what + (reason.empty() ? "" : ": " + printable(reason)));
 }
 
 void silence_printing() {

@@ -4,35 +4,63 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/error.h"
+
 namespace gurney {
 
 /// What a file says of one of its datasets.
 struct Hdf5Dataset {
   std::string path;
-  std::string type;                 ///< "float64", "int64", "uint8" or "string"
+  std::string type;  ///< "float64", "int64", "uint8" or "string"
+  std::vector<std::uint64_t> shape;
   std::vector<std::string> scales;  ///< name of the scale of each dimension; a scale names itself
   std::string units;
   std::string long_name;
 };
 
+/// An HDF5 file that may be damaged, or made to harm: it is read in a child process first; values
+/// stand in the file itself and are not more than its bytes; texts come without control characters.
 class Hdf5Reader {
  public:
-  /// @throws Error when `path` is no HDF5 file.
+  /// @throws Error when `path` is not an HDF5 file, is damaged, or leads to other files.
   explicit Hdf5Reader(const std::string& path);
   ~Hdf5Reader();
   Hdf5Reader(const Hdf5Reader&) = delete;
   Hdf5Reader& operator=(const Hdf5Reader&) = delete;
 
-  std::vector<Hdf5Dataset> datasets() const;                    ///< in order of their paths
-  std::vector<std::string> attributes() const;                  ///< names, of the file itself
-  std::string text_attribute(const std::string& name) const;    ///< of the file itself
-  std::int64_t whole_attribute(const std::string& name) const;  ///< of the file; 0: it has none
+  const std::string& path() const { return path_; }
+  std::vector<Hdf5Dataset> datasets() const { return datasets_; }  ///< in order of their paths
+  std::vector<std::string> attributes() const;                     ///< names, of the file itself
+  std::string text_attribute(const std::string& name) const;       ///< of the file itself
+  std::int64_t whole_attribute(const std::string& name) const;     ///< of the file; 0: it has none
   std::vector<std::string> text_attributes(const std::string& name) const;  ///< a list of texts
+
+  /// @throws Error where the dataset is absent or of another type
   std::vector<double> numbers(const std::string& path) const;
   std::vector<std::string> strings(const std::string& path) const;
 
+  /// @throws Error unless each dataset has so many rows
+  void require_length(const std::vector<std::string>& paths, std::uint64_t length) const;
+
  private:
+  enum class Probed { kNo, kYes };
+  Hdf5Reader(const std::string& path, Probed probed);
+  const Hdf5Dataset& dataset(const std::string& path) const;
+  void read_all() const;
+
+  /// What `read` returns; its errors with the file's name.
+  template <class Read>
+  auto named(Read read) const {
+    try {
+      return read();
+    } catch (const Error& error) {
+      throw Error(path_ + ": " + error.what());
+    }
+  }
+
+  std::string path_;
   std::int64_t file_;
+  std::vector<Hdf5Dataset> datasets_;
 };
 
 }  // namespace gurney

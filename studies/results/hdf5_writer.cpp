@@ -3,11 +3,13 @@
 #include <hdf5_hl.h>
 
 #include <algorithm>
+#include <fstream>
 #include <functional>
 #include <numeric>
 #include <utility>
 
 #include "engine/base/error.h"
+#include "studies/results/hdf5_checks.h"
 #include "studies/results/hdf5_handle.h"
 
 namespace gurney {
@@ -57,6 +59,7 @@ Hdf5Writer::Hdf5Writer() {
 
 Hdf5Writer::Hdf5Writer(const std::string& path) {
   silence_printing();
+  path_ = path;
   file_ =
       checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, file_creation(), H5P_DEFAULT), "make " + path);
 }
@@ -68,6 +71,10 @@ Hdf5Writer::~Hdf5Writer() {
 void Hdf5Writer::finish() {
   checked(H5Fflush(file_, H5F_SCOPE_GLOBAL), "finish a file");
   checked(H5Fclose(std::exchange(file_, H5I_INVALID_HID)), "finish a file");
+  const std::string seal = hdf5::seal_of(path_);
+  std::ofstream stream(path_, std::ios::binary | std::ios::app);
+  stream << seal;
+  require(bool(stream.flush()), path_ + ": cannot be written: is the disk full?");
 }
 
 void Hdf5Writer::add_group(const std::string& path) {
@@ -245,7 +252,7 @@ std::string Hdf5Writer::image() {
   const auto size = checked(H5Fget_file_image(file_, nullptr, 0), "size a file");
   std::string bytes(static_cast<std::size_t>(size), '\0');
   checked(H5Fget_file_image(file_, bytes.data(), bytes.size()), "copy a file");
-  return bytes;
+  return bytes + hdf5::seal_of_bytes(bytes);
 }
 
 }  // namespace gurney

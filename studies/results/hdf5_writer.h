@@ -63,10 +63,10 @@ class Hdf5Writer {
   void append(const std::string& path, std::span<const std::int64_t> values);
   void append(const std::string& path, std::span<const std::string> values);
 
-  /// Completes a file on disk.
+  /// Completes a file on disk, with the SHA-256 of its bytes at its end.
   void finish();
 
-  /// The bytes of the finished file in memory.
+  /// The bytes of the finished file in memory, with their SHA-256 at the end.
   std::string image();
 
  private:
@@ -84,6 +84,7 @@ class Hdf5Writer {
   void describe(std::int64_t dataset, const Hdf5Spec& spec);
   void make_scale(const std::string& path, std::uint64_t length);
 
+  std::string path_;  ///< on disk; empty: in memory
   std::int64_t file_;
   std::vector<Scale> scales_;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace gurney {
 /// The tables of a study file, column by column.
 class StudyReader {
  public:
-  /// @throws Error unless it is a results file of a study, of a version this program knows.
+  /// @throws Error unless it is a results file of a study, of a version this program knows, whose
+  /// columns are as long as their tables and whose indices lead to rows that exist.
   explicit StudyReader(const std::string& path);
 
   const std::string& path() const { return path_; }
@@ -33,7 +35,11 @@ class StudyReader {
  private:
   std::string path_;
   Hdf5Reader file_;
-  std::map<std::string, bool> columns_;
+  void check_tables();
+  void check_indices() const;
+
+  std::map<std::string, std::uint64_t> rows_;  ///< of each table
+  std::set<std::string> columns_;              ///< such as "items/peak_displacement"
   std::size_t runs_ = 0;
 };
 

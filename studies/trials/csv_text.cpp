@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <string_view>
 
 #include "engine/base/error.h"
+#include "engine/base/input_file.h"
+#include "engine/base/printable.h"
 
 namespace gurney {
 namespace {
@@ -77,6 +77,12 @@ void read_row(std::vector<TextCell> cells, const std::string& line, int number, 
   text.rows.push_back(std::move(cells));
 }
 
+void note_control_character(std::string_view line, int number, CsvMistakes& mistakes) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  if (const auto at = find_control_character(line); at != line.npos)
+    mistakes.note(number, static_cast<int>(at) + 1, "a control character; must be text");
+}
+
 }  // namespace
 
 void CsvMistakes::note(const TextCell& at, const std::string& message) {
@@ -102,10 +108,7 @@ void CsvMistakes::finish() const {
 }
 
 CsvText read_csv_text(const std::string& file, CsvMistakes& mistakes) {
-  require(!std::filesystem::is_directory(file), file + ": is a folder, not a file");
-  std::ifstream stream(file, std::ios::binary);
-  require(stream.is_open(), file + ": cannot be read; is the name right?");
-  std::string all((std::istreambuf_iterator<char>(stream)), {});
+  std::string all = read_input_file(file);
   if (all.starts_with("\xEF\xBB\xBF")) all.erase(0, 3);
   CsvText text{file, {}, {}, {}};
   int number = 0;
@@ -114,6 +117,7 @@ CsvText read_csv_text(const std::string& file, CsvMistakes& mistakes) {
     const std::string line = all.substr(from, to - from);
     from = to + 1;
     ++number;
+    note_control_character(line, number, mistakes);
     std::vector<TextCell> cells = cells_of(line, number);
     if (cells.empty()) continue;
     if (cells[0].text.starts_with('#')) {

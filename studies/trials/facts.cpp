@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "engine/base/config/nearest_name.h"
+#include "engine/base/config/unit_limit.h"
 
 namespace gurney {
 
@@ -56,9 +57,17 @@ double Facts::number(const std::string& key, const config::Range& range,
   const std::optional<double> value = number_in(cell->text);
   if (!value)
     mistakes_->note(*cell, not_a_number(key, cell->text));
-  else if (!range.contains(*value))
-    mistakes_->note(*cell, fmt::format("{} = {}: must be {}", key, cell->text, range.text()));
+  else
+    note_outside(*cell, key, range, cell->text, *value);
   return value.value_or(1);
+}
+
+void Facts::note_outside(const TextCell& cell, const std::string& key, const config::Range& range,
+                         const std::string& text, double value) {
+  const std::string allowed =
+      range.contains(value) ? config::beyond_unit(key, range, value) : range.text();
+  if (!allowed.empty())
+    mistakes_->note(cell, fmt::format("{} = {}: must be {}", key, text, allowed));
 }
 
 std::size_t Facts::choice(const std::string& key, const std::vector<std::string>& allowed) {
@@ -80,8 +89,8 @@ std::vector<double> Facts::numbers(const std::string& key, const config::Range& 
     const std::optional<double> value = number_in(word);
     if (!value)
       mistakes_->note(*cell, not_a_number(key, word));
-    else if (!range.contains(*value))
-      mistakes_->note(*cell, fmt::format("{} = {}: must be {}", key, word, range.text()));
+    else
+      note_outside(*cell, key, range, word, *value);
     values.push_back(value.value_or(1));
   }
   return values;

@@ -38,6 +38,8 @@ class Facts {
 
  private:
   const TextCell* find(const std::string& key, bool needed);
+  void note_outside(const TextCell& cell, const std::string& key, const config::Range& range,
+                    const std::string& text, double value);
 
   CsvMistakes* mistakes_;
   TextCell at_;

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "engine/base/config/nearest_name.h"
+#include "engine/base/config/unit_limit.h"
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "studies/trials/setup_reader.h"
@@ -96,6 +97,11 @@ void read_samples(const CsvText& text, Trial& trial, CsvMistakes& mistakes) {
       const std::optional<double> value = number_in(row[i].text);
       if (!value && !row[i].text.empty())
         mistakes.note(row[i], not_a_number(found[i]->name, row[i].text));
+      if (const std::string allowed =
+              config::beyond_unit(found[i]->name, Range::any(), value.value_or(0));
+          !allowed.empty())
+        mistakes.note(row[i],
+                      fmt::format("{} = {}: must be {}", found[i]->name, row[i].text, allowed));
       (trial.signals.*(found[i]->series))
           .push_back(value ? *value * found[i]->unit : std::numeric_limits<double>::quiet_NaN());
     }

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -18,17 +15,6 @@
 
 namespace gurney::config {
 namespace {
-
-std::string read_file(const std::string& path) {
-  std::error_code ignored;
-  require(!std::filesystem::is_directory(path, ignored), path + ": is a folder, not a file");
-  require(std::filesystem::exists(path, ignored), path + ": no such file");
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
-  require(in.is_open() && !in.bad() && !text.fail(), path + ": cannot be read");
-  return text.str();
-}
 
 /// No TOML begins with a brace; a job that results keep has lost the name of its file.
 bool is_json(const std::string& text, const std::string& path) {
@@ -49,8 +35,7 @@ void collect_keys(const Node& node, const std::string& path, std::set<std::strin
 
 }  // namespace
 
-Document::Document(const std::string& path)
-    : Document(FileSnapshot::bytes_of(path, read_file), path) {}
+Document::Document(const std::string& path) : Document(FileSnapshot::bytes_of(path), path) {}
 
 Document::Document(const std::string& text, const std::string& path) : path_(path), text_(text) {
   if (is_json(text, path)) {

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "engine/base/input_file.h"
+
 namespace gurney::config {
 namespace {
 
@@ -20,14 +22,13 @@ FileSnapshot::Scope::Scope(FileSnapshot& snapshot) : before_(std::exchange(curre
 
 FileSnapshot::Scope::~Scope() { current = before_; }
 
-std::string FileSnapshot::bytes_of(const std::string& path,
-                                   std::string (*read)(const std::string&)) {
-  if (current == nullptr) return read(path);
+std::string FileSnapshot::bytes_of(const std::string& path) {
+  if (current == nullptr) return read_input_file(path);
   const std::lock_guard lock(current->mutex_);
   const std::string key = key_of(path);
   const auto known = current->files_.find(key);
   if (known != current->files_.end()) return known->second;
-  return current->files_[key] = read(path);
+  return current->files_[key] = read_input_file(path);
 }
 
 bool FileSnapshot::exists(const std::string& path) {

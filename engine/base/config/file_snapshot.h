@@ -27,9 +27,8 @@ class FileSnapshot {
   FileSnapshot(const FileSnapshot&) = delete;
   FileSnapshot& operator=(const FileSnapshot&) = delete;
 
-  /// Bytes of a file: of this thread's snapshot, else read now.
-  /// @param read  reads a file, or throws
-  static std::string bytes_of(const std::string& path, std::string (*read)(const std::string&));
+  /// Bytes of a regular file: of this thread's snapshot, else read now.
+  static std::string bytes_of(const std::string& path);
 
   /// Whether there is such a file or folder, or was when this thread's snapshot first saw it.
   static bool exists(const std::string& path);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "engine/base/config/toml_depth.h"
 #include "engine/base/error.h"
 
 namespace gurney::config {
@@ -61,7 +62,9 @@ Node node_of(const Json& source, const std::string& pointer, std::vector<std::st
 
 JsonTree read_json(const std::string& text, const std::string& name) {
   std::vector<std::set<std::string>> keys;
-  const auto refuse_twice = [&](int, Json::parse_event_t event, Json& value) {
+  const auto check_event = [&](int depth, Json::parse_event_t event, Json& value) {
+    require(depth <= kDeepestNesting,
+            fmt::format("{}: nested more than {} deep", name, kDeepestNesting));
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end) keys.pop_back();
     if (event == Json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
@@ -71,7 +74,7 @@ JsonTree read_json(const std::string& text, const std::string& name) {
   };
   try {
     JsonTree tree;
-    tree.root = node_of(Json::parse(text, refuse_twice), "", tree.pointers);
+    tree.root = node_of(Json::parse(text, check_event), "", tree.pointers);
     require(tree.root.kind == Node::Kind::kTable, name + ": must be a JSON object");
     return tree;
   } catch (const Json::exception& error) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/printable.h"
+
 namespace gurney::config {
 
 const Node* Node::find(const std::string& wanted) const {
@@ -20,7 +22,7 @@ std::string describe(const Node& node) {
     case Node::Kind::kNumber:
       return fmt::format("{}", node.number);
     case Node::Kind::kText:
-      return '"' + node.text + '"';
+      return '"' + printable(node.text) + '"';
     case Node::Kind::kOther:
       return node.text;
     case Node::Kind::kTable:

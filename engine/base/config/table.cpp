@@ -5,8 +5,19 @@
 #include <utility>
 
 #include "engine/base/config/nearest_name.h"
+#include "engine/base/config/unit_limit.h"
+#include "engine/base/printable.h"
 
 namespace gurney::config {
+namespace {
+
+void note_control_character(Document& document, const Node& node, const std::string& name) {
+  if (node.kind == Node::Kind::kText && find_control_character(node.text) != std::string::npos)
+    document.note(node.place,
+                  name + " = " + describe(node) + ": must be text without control characters");
+}
+
+}  // namespace
 
 Table::Table(Document& document, const Node& node, std::string path)
     : document_(&document), node_(&node), path_(std::move(path)) {}
@@ -39,6 +50,7 @@ std::string Table::text(const std::string& key, std::optional<std::string> fallb
   const Node* node = required(key, fallback.has_value(), "text in quotes");
   if (node == nullptr) return fallback.value_or("");
   if (node->kind != Node::Kind::kText) note_value(*node, key, "text in quotes");
+  note_control_character(*document_, *node, name_of(key));
   return node->text;
 }
 
@@ -90,11 +102,12 @@ std::vector<bool> Table::booleans(const std::string& key, std::size_t size) {
 std::vector<std::string> Table::texts(const std::string& key) {
   const Node* node = find(key);
   if (node == nullptr) return {};
-  if (node->kind == Node::Kind::kText) return {node->text};
+  if (node->kind == Node::Kind::kText) return {text(key)};
   std::vector<std::string> values;
   bool right = node->kind == Node::Kind::kArray && !node->elements.empty();
   for (std::size_t i = 0; right && i < node->elements.size(); ++i) {
     right = node->elements[i].kind == Node::Kind::kText;
+    note_control_character(*document_, node->elements[i], fmt::format("{}[{}]", name_of(key), i));
     values.push_back(node->elements[i].text);
   }
   if (!right) note_value(*node, key, "a text or an array of texts");
@@ -185,10 +198,14 @@ void Table::note_value(const Node& node, const std::string& key, const std::stri
 
 void Table::read_number(const Node& node, const std::string& key, const Range& range,
                         double& value) {
-  if (node.is_number() && range.contains(node.number))
-    value = node.number;
-  else
+  if (!node.is_number() || !range.contains(node.number)) {
     note_value(node, key, range.text());
+  } else if (const std::string allowed = beyond_unit(name_of(key), range, node.number);
+             !allowed.empty()) {
+    note_value(node, key, allowed);
+  } else {
+    value = node.number;
+  }
 }
 
 }  // namespace gurney::config

@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "engine/base/config/toml_depth.h"
 #include "engine/base/error.h"
 
 namespace gurney::config {
@@ -57,6 +58,9 @@ Node node_of(const toml::node& source) {
 }  // namespace
 
 Node read_toml(const std::string& text, const std::string& name) {
+  if (const std::optional<Place> place = find_too_deep(text))
+    throw Error(fmt::format("{}:{}:{}: nested more than {} deep", name, place->line, place->column,
+                            kDeepestNesting));
   try {
     Node root = node_of(toml::parse(text, name));
     root.place = {};

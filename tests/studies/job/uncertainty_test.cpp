@@ -189,9 +189,10 @@ TEST(ShippedJob, DrawsTheVentilator) {
 
 TEST(JobVariant, ChangesTheItem) {
   EXPECT_EQ(job_of("").scene.items[0].model.casters[0].brake_torque, 0);
-  for (const char* text : {"variant = \"brakes on\"\n", "variant = [\"brakes on\"]\n"})
-    for (const Caster& caster : job_of(text).scene.items[0].model.casters)
-      EXPECT_GT(caster.brake_torque, 0);
+  for (const char* text : {"variant = \"brakes on\"\n", "variant = [\"brakes on\"]\n"}) {
+    const Job job = job_of(text);
+    for (const Caster& caster : job.scene.items[0].model.casters) EXPECT_GT(caster.brake_torque, 0);
+  }
   // What the job itself says comes after the variant.
   EXPECT_EQ(job_of("variant = \"brakes on\"\nbrakes = false\n")
                 .scene.items[0]

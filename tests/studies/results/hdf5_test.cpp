@@ -62,10 +62,10 @@ TEST(Hdf5File, TakesEmptyDimensions) {
 TEST(Hdf5File, WhatIsNoneIsToldInWords) {
   const TempFolder folder;
   EXPECT_ERROR(Hdf5Reader(folder.file("a.h5")), "a.h5: no such file");
-  EXPECT_ERROR(Hdf5Reader(folder.path()), ": is a folder, no results file of gurney");
+  EXPECT_ERROR(Hdf5Reader(folder.path()), ": is a folder, not a file");
   std::ofstream(folder.file("text.h5")) << "text";
   EXPECT_ERROR(Hdf5Reader(folder.file("text.h5")),
-               "text.h5: is no results file of gurney (no HDF5 file)");
+               "text.h5: is not a results file of gurney (no HDF5 file)");
 }
 
 TEST(Hdf5File, ErrorsStateTheReasonInOneLine) {

@@ -1,0 +1,46 @@
+#include "engine/base/printable.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/base/utf8.h"
+
+namespace gurney {
+namespace {
+
+/// Whether the character of `length` bytes that `text` starts with is one.
+bool is_control(std::string_view text, std::size_t length) {
+  const auto byte = static_cast<unsigned char>(text[0]);
+  if (text.starts_with("\r\n") || byte == '\t' || byte == '\n') return false;
+  if (length == 2) return byte == 0xc2 && static_cast<unsigned char>(text[1]) < 0xa0;  // C1
+  return byte < 0x20 || byte == 0x7f;
+}
+
+}  // namespace
+
+std::size_t find_control_character(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::string_view rest = text.substr(at);
+    const std::size_t length = std::max<std::size_t>(utf8_length(rest), 1);
+    if (is_control(rest, length)) return at;
+    at += length;
+  }
+  return std::string_view::npos;
+}
+
+std::string printable(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text), bytes = std::max<std::size_t>(length, 1);
+    if (length > 0 && !is_control(text, length))
+      result += text.substr(0, length);
+    else
+      for (const char byte : text.substr(0, bytes))
+        result += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+    text.remove_prefix(bytes);
+  }
+  return result;
+}
+
+}  // namespace gurney

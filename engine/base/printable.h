@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace gurney {
+
+/// Place of the first control character (C0, DEL, C1) other than a tab and the line ends LF and
+/// CR LF; npos: there is none.
+std::size_t find_control_character(std::string_view text);
+
+/// The text with each byte of such a character, and each that is no UTF-8, written as `\x1b`: a
+/// terminal shows it and does not obey it, and the result is text for XML and JSON.
+std::string printable(std::string_view text);
+
+}  // namespace gurney
