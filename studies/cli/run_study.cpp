@@ -15,6 +15,7 @@
 #include "studies/batch/run_batch.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/signals.h"
+#include "studies/report/scale_factors_json.h"
 #include "studies/results/hdf5_reader.h"
 #include "studies/results/output_files.h"
 #include "studies/study/data_files.h"
@@ -126,12 +127,14 @@ bool complete_already(const RunOptions& options, const Paths& paths, const Study
 
 void print_counts(const RunOptions& options, const Paths& paths, const StudyCounts& counts,
                   const BatchProgress& progress) {
+  const ScaleFactors factors = scale_factors(StudyData(paths.results.string()));
   if (options.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"results", paths.results.string()},
-                                              {"runs", counts.runs},
-                                              {"overturned", counts.overturned},
-                                              {"failed", counts.failed}}
-                           .dump(2));
+    nlohmann::ordered_json json{{"results", paths.results.string()},
+                                {"runs", counts.runs},
+                                {"overturned", counts.overturned},
+                                {"failed", counts.failed}};
+    if (factors.any()) json["scale_factors"] = scale_factors_json(factors);
+    fmt::print("{}\n", json.dump(2));
     return;
   }
   fmt::print("runs     {}, {} overturned, {} failed\n", counts.runs, counts.overturned,
@@ -139,6 +142,7 @@ void print_counts(const RunOptions& options, const Paths& paths, const StudyCoun
   if (progress.runs > 0)
     fmt::print("speed    {:.1f} runs per second\n",
                static_cast<double>(progress.runs) / progress.seconds);
+  if (factors.any()) fmt::print("scaling  factors {}\n", factors.text());
   fmt::print("results  {}\n", paths.results.string());
 }
 
