@@ -50,23 +50,41 @@ bool is_size(const NamedDemand& demand) {
          !column.starts_with("direction_of");
 }
 
+/// A column whose sign is a direction.
+bool is_signed(const NamedDemand& demand) {
+  return demand.quantity.of == Quantity::Of::kItem && demand.quantity.column == "residual_yaw";
+}
+
+std::string column_of(const NamedDemand& demand) {
+  return demand.absolute ? "|" + demand.quantity.column + "|" : demand.quantity.column;
+}
+
+NamedDemand size_of(NamedDemand demand) {
+  demand.absolute = true;
+  demand.name = demand.quantity.item + ": " + column_of(demand);
+  return demand;
+}
+
 }  // namespace
 
 std::vector<NamedDemand> demands_of(const StudyData& data, std::size_t configuration) {
   std::vector<NamedDemand> all = all_demands(data, configuration);
   std::erase_if(all, [](const NamedDemand& each) { return !is_size(each); });
+  for (NamedDemand& each : all)
+    if (is_signed(each)) each = size_of(each);
   return all;
 }
 
 std::vector<NamedDemand> demands_named(const StudyData& data, std::size_t configuration,
                                        const std::vector<std::string>& names) {
-  const std::vector<NamedDemand> all = all_demands(data, configuration);
+  std::vector<NamedDemand> all = all_demands(data, configuration);
+  for (std::size_t i = 0, end = all.size(); i < end; ++i)
+    if (is_signed(all[i])) all.push_back(size_of(all[i]));
   std::vector<NamedDemand> result;
   for (const std::string& name : names) {
     const std::size_t before = result.size();
     for (const NamedDemand& each : all)
-      if (each.name == name ||
-          (each.quantity.of == Quantity::Of::kItem && each.quantity.column == name))
+      if (each.name == name || (each.quantity.of == Quantity::Of::kItem && column_of(each) == name))
         result.push_back(each);
     if (result.size() > before) continue;
     std::vector<std::string> known;
@@ -78,14 +96,16 @@ std::vector<NamedDemand> demands_named(const StudyData& data, std::size_t config
   return result;
 }
 
-std::vector<double> values_of_runs(const StudyData& data, const Quantity& quantity,
+std::vector<double> values_of_runs(const StudyData& data, const NamedDemand& demand,
                                    const std::vector<std::size_t>& runs) {
   FileValues values(data.file());
   std::vector<double> result;
   for (const std::size_t run : runs) {
     double largest = std::numeric_limits<double>::quiet_NaN();
-    for (const double value : values(run, quantity))
+    for (const double signed_value : values(run, demand.quantity)) {
+      const double value = demand.absolute ? std::abs(signed_value) : signed_value;
       if (!std::isnan(value) && !(value <= largest)) largest = value;
+    }
     result.push_back(largest);
   }
   return result;

@@ -134,7 +134,7 @@ StudySensitivity designed_sensitivity(const StudySide& side, const SensitivityRe
                                                design.outputs.end());
   const auto indices = sobol_indices(design.outputs[0], design.outputs[1], mixed);
   require(!indices.empty(), fmt::format("{}: {} is {:g} in every run of the matrices A and B: "
-                                        "nothing rules it",
+                                        "no input controls it",
                                         file, output.name, result.mean));
   std::vector<std::optional<std::string>> variables;
   for (std::size_t i = 0; i < inputs.size(); ++i) {

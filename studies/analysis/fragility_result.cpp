@@ -1,7 +1,9 @@
 #include "studies/analysis/fragility_result.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "studies/statistics/capacity_intervals.h"
+#include "studies/statistics/fit_check.h"
 
 namespace gurney {
 namespace {
@@ -31,20 +33,27 @@ void add_cloud(const StudyData& data, const FragilityRequest& request, const Run
     result.cloud_curve = fragility->curve;
 }
 
+void judge_stripes(const StripeTable& table, const FragilityRequest& request, std::uint64_t seed,
+                   FragilityResult& result) {
+  result.profile = profile_intervals(table, request.confidence, true);
+  if (const auto check = check_fit(result.stripes, 999, seed)) result.p_of_fit = check->p_simulated;
+}
+
+/// The band of an IDA without a curve stays that of its outcomes, which supposes no model.
+void judge_capacities(const FragilityRequest& request, std::uint64_t seed,
+                      FragilityResult& result) {
+  if (!result.capacities->curve) return;
+  result.band = {};
+  result.band.status = result.capacities->status;
+  const CapacityIntervals intervals =
+      capacity_intervals(result.brackets, *result.capacities, result.im, request.confidence);
+  result.band.of_curve = intervals.of_curve;
+  result.band.theta = intervals.theta;
+  result.band.beta = intervals.beta;
+  result.p_of_fit = p_of_lognormal(result.brackets, *result.capacities, 499, seed);
+}
+
 }  // namespace
-
-std::optional<LognormalCurve> FragilityResult::curve() const {
-  return capacities ? capacities->curve : fit.curve;
-}
-
-std::optional<CapacityFit> hunted_capacities(const StudyData& data, std::size_t state,
-                                             const std::string& measure,
-                                             const std::vector<Observation>& observations) {
-  const IntensityPlan& plan = data.study().intensity;
-  const bool ended_it = plan.kind == IntensityPlan::Kind::kHunt && plan.until == state;
-  if (!ended_it || measure != data.file().text_attribute("intensity_measure")) return {};
-  return fit_capacities(ida_capacities(observations));
-}
 
 FragilityResult fragility_of(const StudyData& data, const FragilityRequest& request) {
   const RunMeasure measure = data.measure(request.measure);
@@ -55,24 +64,24 @@ FragilityResult fragility_of(const StudyData& data, const FragilityRequest& requ
   result.words = state.words;
   result.measure = {measure.name, measure.units, {}};
   result.failed = data.failed(request.configuration);
-  const std::vector<Observation> observations =
-      data.observations(request.state, request.configuration, measure);
-  const StripeTable table(observations);
-  result.fit = fit_fragility(table);
+  static_cast<FittedCurve&>(result) =
+      fitted_curve(data, request.state, request.configuration, measure);
   result.runs = result.fit.runs;
   result.exceeded = result.fit.exceeded;
   result.records = result.fit.groups;
+  const StripeTable table(result.observations);
   result.im = grid(table.stripes());
   result.band = fragility_band(table, result.im,
                                {.confidence = request.confidence, .seed = data.study().seed});
-  result.profile = profile_intervals(table, request.confidence, true);
   if (table.stripes().size() <= kMostStripes) {
     result.stripes = table.stripes();
     result.isotonic = isotonic_curve(result.stripes);
-    result.check = check_fit(result.stripes, 999, data.study().seed);
   }
+  if (result.capacities)
+    judge_capacities(request, data.study().seed, result);
+  else
+    judge_stripes(table, request, data.study().seed, result);
   const bool own = measure.name == data.file().text_attribute("intensity_measure");
-  result.capacities = hunted_capacities(data, request.state, measure.name, observations);
   add_cloud(data, request, measure, result);
   if (own && data.study().hazard && result.curve())
     result.rate = mean_rate(*result.curve(), *data.study().hazard);

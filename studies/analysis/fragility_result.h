@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "studies/analysis/fitted_curve.h"
 #include "studies/analysis/study_data.h"
 #include "studies/statistics/bands.h"
-#include "studies/statistics/capacity.h"
-#include "studies/statistics/fit_check.h"
+#include "studies/statistics/cloud.h"
 #include "studies/statistics/hazard.h"
 
 namespace gurney {
@@ -20,34 +20,23 @@ struct FragilityRequest {
 };
 
 /// How likely a limit state is, given an intensity. Intensities are SI.
-struct FragilityResult {
+struct FragilityResult : FittedCurve {
   std::string configuration, state, words;  ///< words: what the state says
   RunMeasure measure;                       ///< without its values
   std::size_t runs = 0, exceeded = 0, records = 0, failed = 0;
 
-  FragilityFit fit;        ///< of the outcomes of runs, by maximum likelihood
-  FragilityBand band;      ///< at `im`
+  FragilityBand band;      ///< of curve(), at `im`
   std::vector<double> im;  ///< grid over the intensities of the runs, logarithmic
   std::vector<Stripe> stripes;
-  std::optional<ProfileIntervals> profile;
-  std::optional<FitCheck> check;
-  std::vector<double> isotonic;  ///< at the stripes
+  std::optional<ProfileIntervals> profile;  ///< of stripes; capacities have no others
+  std::optional<double> p_of_fit;           ///< small: a lognormal curve fits badly
+  std::vector<double> isotonic;             ///< at the stripes
 
-  std::optional<CapacityFit> capacities;  ///< of a hunt: from the brackets of its records
-  std::optional<CloudFit> cloud;          ///< where the state is a demand above a limit
+  std::optional<CloudFit> cloud;  ///< where the state is a demand above a limit
   std::optional<LognormalCurve> cloud_curve;
 
   std::optional<MeanRate> rate;  ///< with the study's hazard
-
-  /// The curve to be used: of capacities after a hunt, else of the fit; none: see their status.
-  std::optional<LognormalCurve> curve() const;
 };
-
-/// Capacities of records where a hunt ended at this limit state and the measure is its own; of all
-/// other observations there are none.
-std::optional<CapacityFit> hunted_capacities(const StudyData& data, std::size_t state,
-                                             const std::string& measure,
-                                             const std::vector<Observation>& observations);
 
 /// @throws Error for a measure that the file lacks
 FragilityResult fragility_of(const StudyData& data, const FragilityRequest& request);

@@ -164,6 +164,7 @@ StudyOverview study_overview(const std::string& path) {
   add_counts(data, overview);
   add_failures(data.file(), overview);
   add_energy(data.file(), overview);
+  overview.factors_on_records = scale_factors(data);
   overview.certificate = step_certificate(data);
   return overview;
 }

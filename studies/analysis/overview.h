@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/analysis/scale_factors.h"
 #include "studies/analysis/step_certificate.h"
 
 namespace gurney {
@@ -56,6 +57,7 @@ struct StudyOverview {
   std::size_t runs = 0, overturned = 0, failed = 0;
   std::size_t untrusted = 0;  ///< of the failed ones
   std::size_t energy_closure_run = 0;
+  ScaleFactors factors_on_records;  ///< on the records, of all runs
   std::size_t warned = 0;           ///< runs whose building warned
   std::string first_warning;        ///< of them; empty: none
   std::vector<LevelCounts> counts;  ///< levels of a configuration follow each other

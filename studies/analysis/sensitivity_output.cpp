@@ -41,7 +41,7 @@ std::vector<double> values_of(const StudySide& side, const SensitivityRequest& r
                       request.demand, fmt::join(names, ", ")));
   output.name = demands[0].name;
   output.units = demands[0].units;
-  return values_of_runs(data, demands[0].quantity, runs);
+  return values_of_runs(data, demands[0], runs);
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ void require_variation(const SensitivityOutput& output, const std::string& file)
                       "intervals that say something",
                       file, output.runs.size(), output.name, kFewestRuns));
   require(moments_of(output.values).variance > 0,
-          fmt::format("{}: {} is {:g} in every run: nothing rules it", file, output.name,
+          fmt::format("{}: {} is {:g} in every run: no input controls it", file, output.name,
                       output.values.front()));
 }
 

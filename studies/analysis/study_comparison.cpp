@@ -217,12 +217,12 @@ void Comparer::compare_demands() {
                : demands_named(*side.data, side.configuration, options_.demands);
   };
   const std::vector<NamedDemand> demands_a = asked(a_), demands_b = asked(b_);
-  std::set<std::string> names_b, common;
-  for (const NamedDemand& each : demands_b) names_b.insert(each.name);
+  std::set<std::string> common;
   for (const NamedDemand& each : demands_a) {
-    if (!names_b.contains(each.name)) continue;
-    const RunValues of_a = by_run(runs_a_, values_of_runs(*a_.data, each.quantity, runs_a_));
-    const RunValues of_b = by_run(runs_b_, values_of_runs(*b_.data, each.quantity, runs_b_));
+    const auto other = std::ranges::find(demands_b, each.name, &NamedDemand::name);
+    if (other == demands_b.end()) continue;
+    const RunValues of_a = by_run(runs_a_, values_of_runs(*a_.data, each, runs_a_));
+    const RunValues of_b = by_run(runs_b_, values_of_runs(*b_.data, *other, runs_b_));
     if (!add(ComparedQuantity::Kind::kMean, each.name, each.units, of_a, of_b)) continue;
     add(ComparedQuantity::Kind::kMedian, each.name, each.units, of_a, of_b);
     common.insert(each.name);
@@ -242,16 +242,28 @@ void Comparer::count_overturned() {
   }
 }
 
-void Comparer::adjust() {
+template <class Row>
+std::size_t adjust_family(const std::vector<Row*>& rows) {
   std::vector<double> p;
-  for (const ComparedQuantity& row : result_.quantities) p.push_back(row.p);
-  for (const ComparedCurves& row : result_.curves) p.push_back(row.p);
-  result_.tests = static_cast<std::size_t>(
-      std::ranges::count_if(p, [](double each) { return !std::isnan(each); }));
+  for (const Row* row : rows) p.push_back(row->p);
   const std::vector<double> adjusted = holm_adjusted(p);
-  std::size_t next = 0;
-  for (ComparedQuantity& row : result_.quantities) row.p_holm = adjusted[next++];
-  for (ComparedCurves& row : result_.curves) row.p_holm = adjusted[next++];
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i]->p_holm = adjusted[i];
+  return static_cast<std::size_t>(
+      std::ranges::count_if(p, [](double each) { return !std::isnan(each); }));
+}
+
+void Comparer::adjust() {
+  const auto tests_of = [this](ComparedQuantity::Kind kind) {
+    std::vector<ComparedQuantity*> family;
+    for (ComparedQuantity& row : result_.quantities)
+      if (row.kind == kind) family.push_back(&row);
+    return adjust_family(family);
+  };
+  std::vector<ComparedCurves*> curves;
+  for (ComparedCurves& row : result_.curves) curves.push_back(&row);
+  result_.tests = {tests_of(ComparedQuantity::Kind::kShare), adjust_family(curves),
+                   tests_of(ComparedQuantity::Kind::kMean),
+                   tests_of(ComparedQuantity::Kind::kMedian)};
   result_.smallest_p = std::min(1.0, std::exp2(1 - static_cast<double>(result_.pairs.groups)));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,14 @@ struct ComparedCurves {
   double p_holm = 1;
 };
 
+/// Rows with a p of each family of tests: the statistics that a reader looks at together.
+struct FamilyTests {
+  std::size_t shares = 0, curves = 0, means = 0, medians = 0;
+
+  std::size_t all() const { return shares + curves + means + medians; }
+  std::size_t largest() const { return std::max({shares, curves, means, medians}); }
+};
+
 struct StudyComparison {
   RunPairs pairs;
   std::vector<ComparedQuantity> quantities;
@@ -46,7 +55,7 @@ struct StudyComparison {
   std::string measure, units;           ///< of the curves; empty: they have none in common
   std::vector<std::string> not_common;  ///< limit states and demands of one side only
   std::size_t overturned = 0;           ///< runs, paired, whose demands end with their fall
-  std::size_t tests = 0;                ///< that Holm's method counts
+  FamilyTests tests;                    ///< that Holm's method counts
   double smallest_p = 0;                ///< that any test can give with so few groups
 };
 
@@ -63,8 +72,8 @@ struct ComparisonOptions {
 /// Means and shares: Student's interval, p of the sign-flip permutation test, which is McNemar's
 /// for shares with one pair in each group. Medians: interval from order statistics, p of the sign
 /// test. Curves: likelihood ratio of two against one, p by swapping groups. p are adjusted by Holm
-/// over the whole table. A quantity that is equal in all pairs cannot be significant whatever the
-/// level, so it is no test.
+/// within each family: shares, curves, means, medians (why: docs/compare.md). A quantity that is
+/// equal in all pairs cannot be significant whatever the level, so it is no test.
 /// @throws Error as pair_runs()
 StudyComparison compare_studies(const StudySide& a, const StudySide& b,
                                 const ComparisonOptions& options = {});

@@ -69,7 +69,7 @@ std::vector<RunMeasure> known_measures(const StudyData& data) {
 
 Levels::Levels(const StudyData& data) {
   measure_ = data.file().text_attribute("intensity_measure");
-  units_ = data.file().text_attribute("intensity_units");
+  unit_ = report_unit(data, {measure_, data.file().text_attribute("intensity_units"), {}});
   const std::vector<double> value =
       data.file().numbers(measure_.empty() ? "runs/scale" : "runs/intensity");
   std::vector<double> sorted = value;
@@ -84,7 +84,7 @@ Levels::Levels(const StudyData& data) {
 
 std::string Levels::name_of(std::size_t level) const {
   if (measure_.empty()) return fmt::format("scale = {:.4g}", values_.at(level));
-  return fmt::format("{} = {:.4g} {}", measure_, values_.at(level), units_);
+  return fmt::format("{} = {:.4g} {}", measure_, values_.at(level) / unit_.in_si, unit_.name);
 }
 
 std::vector<std::size_t> record_rows(const StudySide& side) {

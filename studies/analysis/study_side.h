@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/analysis/report_unit.h"
 #include "studies/analysis/study_data.h"
 
 namespace gurney {
@@ -37,10 +38,11 @@ class Levels {
 
   const std::vector<double>& values() const { return values_; }
   std::size_t of_run(std::size_t run) const { return of_run_[run]; }
-  std::string name_of(std::size_t level) const;  ///< "PGA geomean = 3.92 m/s2", "scale = 1"
+  std::string name_of(std::size_t level) const;  ///< "PGA geomean = 0.4 g", "scale = 1"
 
  private:
-  std::string measure_, units_;
+  std::string measure_;
+  ReportUnit unit_;
   std::vector<double> values_;
   std::vector<std::size_t> of_run_;
 };

@@ -10,6 +10,7 @@
 #include "engine/base/units.h"
 #include "studies/batch/estimate.h"
 #include "studies/cli/study_size.h"
+#include "studies/report/scale_factors_json.h"
 #include "studies/run_job.h"
 #include "studies/study/stages.h"
 
@@ -73,6 +74,26 @@ void add_intensity(Answer& answer, const IntensityPlan& plan) {
                            1 + plan.more_stages, kLevelsOfAStage));
 }
 
+/// Of the levels as stated: of an IDA the first, for the others are not known before it runs.
+void add_scale_factors(Answer& answer, const Batch& batch) {
+  const IntensityPlan& plan = batch.job.study().intensity;
+  const bool ida = plan.kind == IntensityPlan::Kind::kHunt;
+  const bool stated = plan.kind == IntensityPlan::Kind::kScales;
+  const std::vector<double> levels = ida ? std::vector<double>{plan.first} : plan.levels;
+  ScaleFactors factors;
+  std::size_t number = 0;
+  for (std::size_t set = 0; set < batch.motions.sets(); ++set) {
+    const MotionSet& motions = batch.motions.set(set);
+    for (std::size_t i = 0; i < motions.size(); ++i, ++number)
+      for (const double level : levels)
+        if (!motions.name(i).empty())
+          factors.add(number, stated ? level : motions.scale_for(i, level));
+  }
+  if (!factors.any()) return;
+  answer.add("scale_factors", scale_factors_json(factors),
+             "factors " + factors.text() + (ida ? " (first level of the IDA)" : ""));
+}
+
 void add_plan(Answer& answer, const Batch& batch) {
   const Study& study = batch.job.study();
   std::vector<std::string> names;
@@ -98,6 +119,7 @@ void add_plan(Answer& answer, const Batch& batch) {
   answer.add("angles_deg", angles,
              fmt::format("{}: {:g} deg", angles.size(), fmt::join(angles, ", ")));
   add_intensity(answer, study.intensity);
+  add_scale_factors(answer, batch);
   const std::vector<std::string> inputs = batch.plan.inputs();
   answer.add("draws", study.draws,
              study.draws == 0 ? "none: every number has its value"

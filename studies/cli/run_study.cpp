@@ -20,6 +20,7 @@
 #include "studies/cli/study_progress.h"
 #include "studies/cli/study_size.h"
 #include "studies/report/failed_runs.h"
+#include "studies/report/scale_factors_json.h"
 #include "studies/results/output_files.h"
 #include "studies/study_results/complete_study.h"
 #include "studies/study_results/study_file.h"
@@ -84,13 +85,15 @@ bool is_complete(const RunOptions& options, const Paths& paths, const Batch& bat
 
 void print_counts(const RunOptions& options, const Paths& paths, const StudyCounts& counts,
                   const BatchProgress& progress) {
+  const ScaleFactors factors = scale_factors(StudyData(paths.results.string()));
   if (options.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"results", paths.results.string()},
-                                              {"runs", counts.runs},
-                                              {"overturned", counts.overturned},
-                                              {"failed", counts.failed},
-                                              {"untrusted", counts.untrusted}}
-                           .dump(2));
+    nlohmann::ordered_json json{{"results", paths.results.string()},
+                                {"runs", counts.runs},
+                                {"overturned", counts.overturned},
+                                {"failed", counts.failed},
+                                {"untrusted", counts.untrusted}};
+    if (factors.any()) json["scale_factors"] = scale_factors_json(factors);
+    fmt::print("{}\n", json.dump(2));
     return;
   }
   fmt::print("runs     {}, {} overturned, {}\n", counts.runs, counts.overturned,
@@ -98,6 +101,7 @@ void print_counts(const RunOptions& options, const Paths& paths, const StudyCoun
   if (progress.runs_now > 0)
     fmt::print("speed    {:.1f} runs per second\n",
                static_cast<double>(progress.runs_now) / progress.seconds);
+  if (factors.any()) fmt::print("scaling  factors {}\n", factors.text());
   fmt::print("results  {}\n", paths.results.string());
 }
 

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
-#include "studies/analysis/fragility_result.h"
+#include "studies/analysis/fitted_curve.h"
 #include "studies/limit_states/limit_state_reader.h"
 
 namespace gurney {
@@ -33,28 +32,37 @@ std::vector<std::size_t> chosen_configurations(const StudyData& data, const Expo
   return chosen;
 }
 
+std::string basis_text(const ChosenCurve& curve) {
+  const CurveAudit& of = curve.audit;
+  return of.of_records
+             ? fmt::format("capacities of {} records, of which {} exceed", of.outcomes, of.exceeded)
+             : fmt::format("{} runs with {} records, of which {} exceed", of.outcomes,
+                           curve.records, of.exceeded);
+}
+
+std::string caution_text(const ChosenCurve& curve, const ReportUnit& unit) {
+  std::string text;
+  for (const std::string& each : cautions(curve.audit, unit)) text += " Caution: " + each + ".";
+  return text;
+}
+
 ChosenCurves chosen_curves(const StudyData& data, const ExportChoice& choice) {
   ChosenCurves chosen{data.measure(choice.measure), {}, {}};
   const std::vector<std::size_t> states = chosen_states(data, choice);
   for (const std::size_t configuration : chosen_configurations(data, choice))
     for (const std::size_t state : states) {
-      const std::vector<Observation> observations =
-          data.observations(state, configuration, chosen.measure);
-      const FragilityFit fit = fit_fragility(observations);
-      const auto capacities = hunted_capacities(data, state, chosen.measure.name, observations);
-      const std::optional<LognormalCurve> curve = capacities ? capacities->curve : fit.curve;
+      const FittedCurve fitted = fitted_curve(data, state, configuration, chosen.measure);
+      const std::optional<LognormalCurve> curve = fitted.curve();
       const LimitState& limit = data.limit_states()[state];
       if (!curve) {
-        chosen.left_out.push_back(
-            fmt::format("{}{}'{}': {}", data.configurations()[configuration],
-                        data.configurations()[configuration].empty() ? "" : ", ", limit.name,
-                        text(capacities ? capacities->status : fit.status)));
+        chosen.left_out.push_back(fmt::format(
+            "{}{}'{}': {}", data.configurations()[configuration],
+            data.configurations()[configuration].empty() ? "" : ", ", limit.name,
+            no_curve_text(fitted.status(), fitted.median(), report_unit(data, chosen.measure))));
         continue;
       }
-      const auto [low, high] = std::ranges::minmax(observations, {}, &Observation::im);
-      chosen.curves.push_back({data.configurations()[configuration], limit, *curve, fit.runs,
-                               fit.exceeded, fit.groups, data.failed(configuration), low.im,
-                               high.im});
+      chosen.curves.push_back({data.configurations()[configuration], limit, *curve,
+                               fitted.fit.groups, data.failed(configuration), fitted.audit});
     }
   require(!chosen.curves.empty(),
           fmt::format("{}: no fragility curve over {} can be fitted; nothing was written\n  {}",

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/analysis/curve_audit.h"
 #include "studies/analysis/study_data.h"
 #include "studies/statistics/lognormal.h"
 
@@ -23,8 +24,8 @@ struct ChosenCurve {
   std::string configuration;
   LimitState state;
   LognormalCurve curve;  ///< im in SI
-  std::size_t runs = 0, exceeded = 0, records = 0, failed = 0;
-  double lowest = 0, highest = 0;  ///< im of the runs, SI
+  std::size_t records = 0, failed = 0;
+  CurveAudit audit;
 };
 
 struct ChosenCurves {
@@ -32,6 +33,12 @@ struct ChosenCurves {
   std::vector<ChosenCurve> curves;    ///< in order of configurations, then of limit states
   std::vector<std::string> left_out;  ///< those without a curve, and why: a line each
 };
+
+/// `capacities of 20 records, of which 18 exceed`
+std::string basis_text(const ChosenCurve& curve);
+
+/// ` Caution: ...` for each.
+std::string caution_text(const ChosenCurve& curve, const ReportUnit& unit);
 
 /// @throws Error for unknown names, and where no curve is left
 ChosenCurves chosen_curves(const StudyData& data, const ExportChoice& choice);

@@ -35,8 +35,8 @@ std::string xml_text(const std::string& text) {
 std::string function_of(const ChosenCurve& each, const OutsideMeasure& measure,
                         const std::string& id, const std::string& state) {
   const LognormalCurve curve{each.curve.theta / measure.unit_in_si, each.curve.beta};
-  const double low = std::min(each.lowest / measure.unit_in_si, curve.quantile(kTail));
-  const double high = std::max(each.highest / measure.unit_in_si, curve.quantile(1 - kTail));
+  const double low = std::min(each.audit.lowest / measure.unit_in_si, curve.quantile(kTail));
+  const double high = std::max(each.audit.highest / measure.unit_in_si, curve.quantile(1 - kTail));
   return fmt::format(
       "    <fragilityFunction id=\"{}\" format=\"continuous\" shape=\"logncdf\">\n"
       "      <imls imt=\"{}\" noDamageLimit=\"0\" minIML=\"{}\" maxIML=\"{}\"/>\n"
@@ -55,7 +55,7 @@ std::vector<std::string> export_nrml(const StudyData& data, const ExportChoice& 
   const ChosenCurves chosen = chosen_curves(data, choice);
   const std::string job = plain_identifier(data.file().text_attribute("job_name"), "study");
   std::map<std::string, std::map<std::string, std::string>> functions;  // of states, by their ids
-  std::map<std::string, std::string> words;
+  std::map<std::string, std::string> words, about;                      // of states
   for (const ChosenCurve& each : chosen.curves) {
     const std::string state = plain_identifier(each.state.name, "limit");
     const std::string id =
@@ -65,6 +65,8 @@ std::vector<std::string> export_nrml(const StudyData& data, const ExportChoice& 
                                "--configuration or --limit",
                                data.file().path(), id, state));
     words[state] = each.state.words;
+    about[state] += fmt::format(" {}: fitted to {}.{}", id, basis_text(each),
+                                caution_text(each, {outside.unit, outside.unit_in_si}));
   }
   for (const auto& [state, all] : functions) {
     std::string text = fmt::format(
@@ -74,9 +76,10 @@ std::vector<std::string> export_nrml(const StudyData& data, const ExportChoice& 
         "    <description>{}</description>\n    <limitStates>{}</limitStates>\n",
         job, state,
         xml_text(fmt::format("{}: {}. Intensity measure: {} [{}]. mean and stddev are those of "
-                             "the intensity, not median and beta. gurney {}, job SHA-256 {}",
+                             "the intensity, not median and beta.{} gurney {}, job SHA-256 {}",
                              data.file().text_attribute("title"), words[state], measure.name,
-                             outside.unit, data.file().text_attribute("program_version"),
+                             outside.unit, about[state],
+                             data.file().text_attribute("program_version"),
                              data.file().text_attribute("job_sha256"))),
         state);
     for (const auto& [id, function] : all) text += function;

@@ -45,14 +45,15 @@ Json description(const StudyData& data, const ChosenCurve& each, const RunMeasur
        fmt::format("{}{}{}: {}", title.empty() ? "Equipment on casters" : title,
                    each.configuration.empty() ? "" : ", ", each.configuration, each.state.words)},
       {"Comments",
-       fmt::format("Fitted to {} runs with {} records, of which {} exceed; {} failed runs are not "
-                   "counted. Intensity measure: {}, {:.4g} to {:.4g} {}. It is one number for "
+       fmt::format("Fitted to {}; {} failed runs are not counted. Intensity measure: {}, {:.4g} to "
+                   "{:.4g} {}. It is one number for "
                    "both horizontal directions: set pelicun's multiplier for non-directional "
                    "demands to 1 where the demand sample is of the same measure. Record-to-record "
-                   "and drawn scatter only; no dispersion was added. gurney {}, job SHA-256 {}.",
-                   each.runs, each.records, each.exceeded, each.failed, measure.name,
-                   each.lowest / outside.unit_in_si, each.highest / outside.unit_in_si,
-                   outside.unit, data.file().text_attribute("program_version"),
+                   "and drawn scatter only; no dispersion was added.{} gurney {}, job SHA-256 {}.",
+                   basis_text(each), each.failed, measure.name,
+                   each.audit.lowest / outside.unit_in_si, each.audit.highest / outside.unit_in_si,
+                   outside.unit, caution_text(each, {outside.unit, outside.unit_in_si}),
+                   data.file().text_attribute("program_version"),
                    data.file().text_attribute("job_sha256"))},
       {"SuggestedComponentBlockSize", "1 EA"},
       {"RoundUpToIntegerQuantity", "True"},
@@ -72,6 +73,7 @@ std::vector<std::string> export_pelicun(const StudyData& data, const ExportChoic
       outside_measure(data, measure.name, "DLML, whose names pelicun knows,", dlml_measure);
   const ChosenCurves chosen = chosen_curves(data, choice);
   std::string table = header();
+  std::string notes = csv_line({"ID", "Caution"});
   Json descriptions = Json::object();
   for (const ChosenCurve& each : chosen.curves) {
     const std::string id =
@@ -83,10 +85,13 @@ std::vector<std::string> export_pelicun(const StudyData& data, const ExportChoic
                         "--limit",
                         data.file().path(), id));
     table += row(id, outside, each.curve);
+    for (const std::string& caution : cautions(each.audit, {outside.unit, outside.unit_in_si}))
+      notes += csv_line({csv_cell(id), csv_cell(caution)});
     descriptions[id] = description(data, each, chosen.measure, outside);
   }
   take("fragility.csv", table);
   take("fragility.json", descriptions.dump(2) + "\n");
+  take("fragility_cautions.csv", notes);
   return chosen.left_out;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studies/analysis/report_unit.h"
 #include "studies/report/comparison_report.h"
 #include "studies/report/panel.h"
 
@@ -12,6 +13,12 @@ namespace {
 constexpr int kPoints = 60;
 constexpr double kPanelWidth = 380, kPanelHeight = 220, kColumn = 460, kRow = 310, kLeft = 70,
                  kTop = 120;
+
+/// How a side of the comparison is drawn.
+struct SidePen {
+  std::string label, color;
+  double confidence, unit;  ///< unit: of im, in SI
+};
 
 struct Extent {
   double low, high;
@@ -26,16 +33,17 @@ Extent extent_of(const ComparedCurves& curves) {
 }
 
 /// Adds the curve and the band's edges of one side to the panel.
-void add_side(Panel& panel, const std::string& label, const std::vector<Observation>& seen,
-              const FragilityFit& fit, const Extent& extent, double confidence,
-              const std::string& color) {
+void add_side(Panel& panel, const SidePen& side, const std::vector<Observation>& seen,
+              const FragilityFit& fit, const Extent& extent) {
   std::vector<double> im;
   for (int i = 0; i < kPoints; ++i)
     im.push_back(extent.low * std::pow(extent.high / extent.low, i / (kPoints - 1.0)));
   const FragilityBand band =
-      fragility_band(StripeTable(seen), im, {.confidence = confidence, .resamples = 199});
-  Curve line{label, im, {}, {.stroke = color, .width = 2}};
-  Curve low{"", im, {}, {.stroke = color, .width = 0.9, .dash = "4 3"}}, high = low;
+      fragility_band(StripeTable(seen), im, {.confidence = side.confidence, .resamples = 199});
+  std::vector<double> x = im;
+  for (double& each : x) each /= side.unit;
+  Curve line{side.label, x, {}, {.stroke = side.color, .width = 2}};
+  Curve low{"", x, {}, {.stroke = side.color, .width = 0.9, .dash = "4 3"}}, high = low;
   for (std::size_t i = 0; i < im.size(); ++i) {
     line.y.push_back(fit.curve ? fit.curve->probability(im[i]) : std::nan(""));
     low.y.push_back(band.of_curve[i].low);
@@ -46,13 +54,13 @@ void add_side(Panel& panel, const std::string& label, const std::vector<Observat
 
 /// A dot for the share that exceeded at each im with several runs, as large as they are many.
 void draw_shares(Svg& svg, const Scaling& scaling, const std::vector<Observation>& seen,
-                 const std::string& color) {
+                 const SidePen& side) {
   const StripeTable table(seen);
   for (const Stripe& stripe : table.stripes())
     if (stripe.runs > 1)
-      svg.circle(scaling.x(std::log10(stripe.im)), scaling.y(stripe.fraction()),
+      svg.circle(scaling.x(std::log10(stripe.im / side.unit)), scaling.y(stripe.fraction()),
                  std::min(6.0, 1.5 + 0.5 * std::sqrt(stripe.runs)),
-                 {.stroke = color, .width = 1, .fill = color, .opacity = 0.5});
+                 {.stroke = side.color, .width = 1, .fill = side.color, .opacity = 0.5});
 }
 
 }  // namespace
@@ -62,7 +70,7 @@ std::string comparison_figure(const ComparisonReport& report) {
   std::erase_if(curves, [](const auto& each) { return each.a.exceeded + each.b.exceeded == 0; });
   const std::size_t rows = (curves.size() + 1) / 2;
   Svg svg(2 * kColumn + 20, kTop + static_cast<double>(std::max<std::size_t>(1, rows)) * kRow - 20);
-  svg.text(kLeft, 34, fmt::format("A: {}   against   B: {}", report.name_a, report.name_b),
+  svg.text(kLeft, 34, fmt::format("{}   against   {}", report.name_a, report.name_b),
            {.size = 16, .bold = true});
   svg.text(kLeft, 55,
            curves.empty()
@@ -70,10 +78,14 @@ std::string comparison_figure(const ComparisonReport& report) {
                : fmt::format("{:g} % bands, pointwise, dashed; dots: shares of runs at one level",
                              100 * report.confidence),
            {.size = 12, .color = "#555555"});
+  const ReportUnit unit =
+      report_unit(*report.a.data, {report.found.measure, report.found.units, {}});
+  const SidePen a{report.name_a, palette(0), report.confidence, unit.in_si},
+      b{report.name_b, palette(1), report.confidence, unit.in_si};
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const ComparedCurves& each = curves[i];
     Panel panel{.title = each.name,
-                .x_label = fmt::format("{} ({})", report.found.measure, report.found.units),
+                .x_label = fmt::format("{} ({})", report.found.measure, unit.name),
                 .y_label = "Probability of exceedance",
                 .curves = {},
                 .zero_line = false,
@@ -81,14 +93,14 @@ std::string comparison_figure(const ComparisonReport& report) {
                 .legend_columns = 2,
                 .y_range = {0, 1}};
     const Extent extent = extent_of(each);
-    panel.x_range = {std::log10(extent.low), std::log10(extent.high)};
-    add_side(panel, "A", each.of_a, each.a, extent, report.confidence, palette(0));
-    add_side(panel, "B", each.of_b, each.b, extent, report.confidence, palette(1));
+    panel.x_range = {std::log10(extent.low / unit.in_si), std::log10(extent.high / unit.in_si)};
+    add_side(panel, a, each.of_a, each.a, extent);
+    add_side(panel, b, each.of_b, each.b, extent);
     const Frame frame{kLeft + static_cast<double>(i % 2) * kColumn,
                       kTop + static_cast<double>(i / 2) * kRow, kPanelWidth, kPanelHeight};
     const Scaling scaling = draw(svg, frame, panel);
-    draw_shares(svg, scaling, each.of_a, palette(0));
-    draw_shares(svg, scaling, each.of_b, palette(1));
+    draw_shares(svg, scaling, each.of_a, a);
+    draw_shares(svg, scaling, each.of_b, b);
   }
   return svg.str();
 }

@@ -49,6 +49,7 @@ Json quantities(const StudyComparison& found, ComparedQuantity::Kind kind) {
 
 Json curve(const FragilityFit& fit) {
   Json json{{"status", text(fit.status)}, {"runs", fit.runs}, {"exceeded", fit.exceeded}};
+  if (!fit.curve) json["median_between"] = interval({fit.median.low, fit.median.high});
   json["theta"] = fit.curve ? number(fit.curve->theta) : Json();
   json["beta"] = fit.curve ? number(fit.curve->beta) : Json();
   return json;
@@ -87,7 +88,10 @@ std::string comparison_json(const ComparisonReport& report) {
                     {"records_of_b_only", report.inputs.records_of_b},
                     {"records_changed", report.inputs.records_changed}};
   json["confidence"] = report.confidence;
-  json["tests"] = found.tests;
+  json["tests"] = {{"shares", found.tests.shares},
+                   {"curves", found.tests.curves},
+                   {"means", found.tests.means},
+                   {"medians", found.tests.medians}};
   json["smallest_p_possible"] = number(found.smallest_p);
   json["shares"] = quantities(found, Kind::kShare);
   json["means"] = quantities(found, Kind::kMean);

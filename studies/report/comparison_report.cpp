@@ -5,10 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studies/analysis/curve_audit.h"
+#include "studies/analysis/report_unit.h"
+
 namespace gurney {
 namespace {
 
 constexpr double kSignificant = 0.05;
+
+constexpr double kRounding = 1e-12;  // of the values that a difference is of
 
 std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
 
@@ -17,8 +22,13 @@ std::string probability(double p) {
   return p < 0.0001 ? "<0.0001" : fmt::format("{:.4f}", p);
 }
 
-std::string interval(const Interval& of) {
-  return std::isfinite(of.low) ? fmt::format("{:.3g} to {:.3g}", of.low, of.high) : "unknown";
+/// 0 where it is the rounding of sums of values as large as `size`.
+double rounded(double value, double size) { return std::abs(value) < kRounding * size ? 0 : value; }
+
+std::string interval(const Interval& of, double unit, double size) {
+  if (!std::isfinite(of.low)) return "unknown";
+  return fmt::format("{:.3g} to {:.3g}", rounded(of.low, size) / unit,
+                     rounded(of.high, size) / unit);
 }
 
 std::string shown(const std::string& value) { return value.empty() ? "(not there)" : value; }
@@ -75,7 +85,7 @@ std::string pairing_text(const StudyComparison& found) {
       return text + "; one record without draws: nothing is random, so there is no p\n";
   }
   const double smallest =
-      found.smallest_p * static_cast<double>(std::max<std::size_t>(1, found.tests));
+      found.smallest_p * static_cast<double>(std::max<std::size_t>(1, found.tests.largest()));
   if (smallest > kSignificant)
     text += fmt::format(
         "{:<12} so few groups give a p of {} or more, {} after Holm: whatever differs, this table "
@@ -86,7 +96,12 @@ std::string pairing_text(const StudyComparison& found) {
 
 std::string label(const ComparedQuantity& row) {
   if (!row.words.empty() && row.words != row.name) return row.name + ": " + row.words;
-  return row.units == "1" ? row.name : row.name + " [" + row.units + "]";
+  return row.units == "1" ? row.name : row.name + " [" + report_unit(row.units).name + "]";
+}
+
+std::string with_unit(const ComparedQuantity& row) {
+  const ReportUnit unit = report_unit(row.units);
+  return number(row.a / unit.in_si) + (unit.name == "1" ? "" : " " + unit.name);
 }
 
 std::string quantities_text(const StudyComparison& found, ComparedQuantity::Kind kind,
@@ -99,15 +114,22 @@ std::string quantities_text(const StudyComparison& found, ComparedQuantity::Kind
     return fmt::format("{:<{}} {:>6} {:>10} {:>10} {:>11}  {:<22} {:>8} {:>8}", name, width, groups,
                        a, b, difference, between, p, holm);
   };
+  const auto row_text = [&](const ComparedQuantity& row) {
+    const double unit = report_unit(row.units).in_si;
+    const double size = std::max(std::abs(row.a), std::abs(row.b));
+    return line(label(row), row.groups, number(row.a / unit), number(row.b / unit),
+                number(rounded(row.difference, size) / unit), interval(row.interval, unit, size),
+                probability(row.p), probability(row.p_holm));
+  };
   std::string text, same;
   for (const ComparedQuantity& row : found.quantities) {
     if (row.kind != kind) continue;
-    if (row.a == row.b && row.difference == 0 && std::isnan(row.p))
-      same += fmt::format("{}{} ({})", same.empty() ? "" : ", ", row.name, number(row.a));
+    const double size = std::max(std::abs(row.a), std::abs(row.b));
+    if (std::isnan(row.p) && rounded(row.difference, size) == 0 &&
+        rounded(row.a - row.b, size) == 0)
+      same += fmt::format("{}{} ({})", same.empty() ? "" : ", ", row.name, with_unit(row));
     else
-      text += line(label(row), row.groups, number(row.a), number(row.b), number(row.difference),
-                   interval(row.interval), probability(row.p), probability(row.p_holm)) +
-              (row.p_holm < kSignificant ? " *\n" : "\n");
+      text += row_text(row) + (row.p_holm < kSignificant ? " *\n" : "\n");
   }
   if (text.empty() && same.empty()) return {};
   text = "\n" +
@@ -117,38 +139,28 @@ std::string quantities_text(const StudyComparison& found, ComparedQuantity::Kind
   return same.empty() ? text : text + "the same in every pair: " + same + "\n";
 }
 
-std::string curve_text(const FragilityFit& fit) {
-  switch (fit.status) {
-    case FragilityStatus::kFitted:
-      return fmt::format("{:.4g}, {:.3g}", fit.curve->theta, fit.curve->beta);
-    case FragilityStatus::kNoRuns:
-      return "no runs";
-    case FragilityStatus::kAllExceed:
-      return "every run exceeds";
-    case FragilityStatus::kNoneExceeds:
-      return "no run exceeds";
-    case FragilityStatus::kSeparated:
-      return fmt::format("a step from {:.4g} to {:.4g}", fit.low, fit.high);
-    case FragilityStatus::kQuasiSeparated:
-      return fmt::format("a step at {:.4g}", fit.low);
-    case FragilityStatus::kNotIncreasing:
-      return "does not rise";
-  }
-  return {};
+std::string curve_text(const FragilityFit& fit, const ReportUnit& unit) {
+  if (fit.curve)
+    return fmt::format("{:.4g}, {:.3g}", fit.curve->theta / unit.in_si, fit.curve->beta);
+  const std::string known = median_text(fit.status, fit.median, unit);
+  return known.empty() ? text(fit.status) : known;
 }
 
-std::string curves_text(const StudyComparison& found) {
+std::string curves_text(const ComparisonReport& report) {
+  const StudyComparison& found = report.found;
   if (found.measure.empty())
     return "\nno fragility curves: the studies have different intensity measures\n";
   if (found.curves.empty())
     return "\nno fragility curves: all runs have one " + found.measure + "; see the shares\n";
   std::string text = fmt::format("\n{:<24} {:<28} {:<28} {:>9} {:>8} {:>8}\n", "fragility curve",
                                  "A: theta, beta", "B: theta, beta", "LR", "p", "Holm");
+  const ReportUnit unit = report_unit(*report.a.data, {found.measure, found.units, {}});
   for (const ComparedCurves& row : found.curves)
-    text += fmt::format("{:<24} {:<28} {:<28} {:>9} {:>8} {:>8}{}\n", row.name, curve_text(row.a),
-                        curve_text(row.b), number(row.likelihood_ratio), probability(row.p),
-                        probability(row.p_holm), row.p_holm < kSignificant ? " *" : "");
-  return text + fmt::format("theta in {} ({})\n", found.units, found.measure);
+    text +=
+        fmt::format("{:<24} {:<28} {:<28} {:>9} {:>8} {:>8}{}\n", row.name, curve_text(row.a, unit),
+                    curve_text(row.b, unit), number(row.likelihood_ratio), probability(row.p),
+                    probability(row.p_holm), row.p_holm < kSignificant ? " *" : "");
+  return text + fmt::format("theta in {} ({})\n", unit.name, found.measure);
 }
 
 /// The findings in words.
@@ -183,17 +195,20 @@ std::string comparison_text(const ComparisonReport& report) {
       side_text('B', report.name_b, report.b, found.pairs.paired_b, found.pairs.left_out_b) +
       pairing_text(found) + "\n" + inputs_text(report.inputs);
   text += quantities_text(found, Kind::kShare, "share of runs that exceed", report.confidence) +
-          curves_text(found) + quantities_text(found, Kind::kMean, "mean", report.confidence) +
+          curves_text(report) + quantities_text(found, Kind::kMean, "mean", report.confidence) +
           quantities_text(found, Kind::kMedian, "median", report.confidence);
   if (found.overturned > 0)
     text += fmt::format(
-        "\n{} of the paired runs overturned: their demands are those until the item fell\n",
+        "\n{} of the paired runs overturned: their demands are those before overturning\n",
         found.overturned);
   if (!found.not_common.empty())
     text += fmt::format("\nnot in both: {}\n", fmt::join(found.not_common, ", "));
   return text +
-         fmt::format("\n{} tests, Holm's adjustment over all; * below {:g}\n", found.tests,
-                     kSignificant) +
+         fmt::format(
+             "\ntests: {} of shares, {} of curves, {} of means, {} of medians; Holm's "
+             "adjustment within each of these families; * below {:g}\n",
+             found.tests.shares, found.tests.curves, found.tests.means, found.tests.medians,
+             kSignificant) +
          conclusion_text(report);
 }
 

@@ -32,11 +32,38 @@ void draw_fractions(Svg& svg, const Scaling& scaling, const FragilityResult& res
                  {.stroke = palette(color), .width = 1.3, .fill = "#ffffff"});
 }
 
+/// Where a bracket stands in the empirical distribution: in its middle, in ln im.
+double place_of(const Capacity& capacity) {
+  return capacity.low > 0 ? std::sqrt(capacity.low * capacity.high) : capacity.high;
+}
+
+/// Steps of the empirical distribution; records that never exceed count, but have no step.
+void draw_capacities(Svg& svg, const Scaling& scaling, const FragilityResult& result, double unit,
+                     std::size_t color) {
+  std::vector<double> places;
+  for (const Capacity& each : result.brackets)
+    if (std::isfinite(each.high)) places.push_back(place_of(each));
+  std::ranges::sort(places);
+  const auto n = static_cast<double>(result.brackets.size());
+  Svg::Points steps;
+  const auto add = [&](double im, double count) {
+    steps.emplace_back(scaling.x(std::log10(im / unit)), scaling.y(count / n));
+  };
+  add(result.im.front(), 0);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    add(places[i], static_cast<double>(i));
+    add(places[i], static_cast<double>(i + 1));
+  }
+  add(result.im.back(), static_cast<double>(places.size()));
+  svg.polyline(steps, {.stroke = palette(color), .width = 1});
+}
+
 void draw_state(Svg& svg, const Frame& frame, const std::vector<const FragilityResult*>& results,
-                const IntensityUnit& unit) {
-  Panel panel{.title = results.front()->state + ": " + results.front()->words,
-              .x_label = fmt::format("{} ({})", results.front()->measure.name, unit.name),
-              .y_label = "P(exceeded)",
+                const ReportUnit& unit) {
+  const FragilityResult& first = *results.front();
+  Panel panel{.title = first.state == first.words ? first.state : first.state + ": " + first.words,
+              .x_label = fmt::format("{} ({})", first.measure.name, unit.name),
+              .y_label = "Probability of exceedance",
               .curves = {},
               .log_x = true,
               .legend_columns = 3,
@@ -48,7 +75,7 @@ void draw_state(Svg& svg, const Frame& frame, const std::vector<const FragilityR
                 {},
                 {},
                 {.stroke = palette(i), .width = 1.8}};
-    if (!of) curve.label += of ? "" : " (no curve)";
+    if (!of) curve.label += " (no curve)";
     for (const double im : result.im) {
       curve.x.push_back(im / unit.in_si);
       curve.y.push_back(of ? of->probability(im) : std::nan(""));
@@ -58,7 +85,10 @@ void draw_state(Svg& svg, const Frame& frame, const std::vector<const FragilityR
   const Scaling scaling = draw(svg, frame, panel);
   for (std::size_t i = 0; i < results.size(); ++i) {
     draw_band(svg, scaling, *results[i], unit.in_si, i);
-    draw_fractions(svg, scaling, *results[i], unit.in_si, i);
+    if (!results[i]->brackets.empty())
+      draw_capacities(svg, scaling, *results[i], unit.in_si, i);
+    else
+      draw_fractions(svg, scaling, *results[i], unit.in_si, i);
   }
 }
 
@@ -70,15 +100,20 @@ std::string fragility_figure(const StudyData& data, const std::vector<FragilityR
     if (std::ranges::find(states, each.state) == states.end()) states.push_back(each.state);
   Svg svg(kWidth, kTop + kRow * static_cast<double>(states.size()));
   svg.text(kLeft, 26, data.file().text_attribute("title"), {.size = 15, .bold = true});
+  const bool ida = std::ranges::any_of(
+      results, [](const FragilityResult& each) { return each.capacities.has_value(); });
   svg.text(kLeft, 44,
-           "line: fitted curve; area: 95 % band over records; circles: fractions of runs",
+           ida ? "line: fitted curve; area: 95 % confidence band; steps: empirical distribution of "
+                 "the records' capacities; circles: fractions of runs"
+               : "line: fitted curve; area: 95 % confidence band over records; circles: fractions "
+                 "of runs",
            {.size = 11, .color = "#555555"});
   for (std::size_t i = 0; i < states.size(); ++i) {
     std::vector<const FragilityResult*> of_state;
     for (const FragilityResult& each : results)
       if (each.state == states[i]) of_state.push_back(&each);
     draw_state(svg, {kLeft, kTop + 40 + kRow * static_cast<double>(i), kPanelWidth, kPanelHeight},
-               of_state, unit_to_tell(data, of_state.front()->measure));
+               of_state, report_unit(data, of_state.front()->measure));
   }
   return svg.str();
 }

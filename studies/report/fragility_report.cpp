@@ -6,8 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/base/units.h"
 #include "studies/analysis/performance.h"
+#include "studies/report/scale_factors_json.h"
 
 namespace gurney {
 namespace {
@@ -21,62 +21,53 @@ std::string interval_text(const Interval& interval, double unit, int digits) {
   return end(interval.low) + " to " + end(interval.high);
 }
 
-/// What is known of theta where there is no curve.
-std::string bound_text(const FragilityResult& result, const IntensityUnit& unit) {
-  const double low = result.capacities ? result.capacities->low : result.fit.low;
-  const double high = result.capacities ? result.capacities->high : result.fit.high;
-  switch (result.capacities ? result.capacities->status : result.fit.status) {
-    case FragilityStatus::kAllExceed:
-      return fmt::format("theta below {:.3g}", high / unit.in_si);
-    case FragilityStatus::kNoneExceeds:
-      return fmt::format("theta above {:.3g}", low / unit.in_si);
-    case FragilityStatus::kSeparated:
-      return fmt::format("theta between {:.3g} and {:.3g}", low / unit.in_si, high / unit.in_si);
-    case FragilityStatus::kQuasiSeparated:
-      return fmt::format("theta at {:.3g}", low / unit.in_si);
-    default:
-      return "";
-  }
+std::string exceed_text(const FragilityResult& result) {
+  const CurveAudit& audit = result.audit;
+  return fmt::format("{} of {} {}", audit.exceeded, audit.outcomes,
+                     audit.of_records ? "records" : "runs");
 }
 
-std::string row(const FragilityResult& result, const IntensityUnit& unit, std::size_t wide,
+std::string row(const FragilityResult& result, const ReportUnit& unit, std::size_t wide,
                 std::size_t state_wide) {
-  std::string line = fmt::format("{:<{}}  {:<{}}  {:>5} of {:<5}  ", result.configuration, wide,
-                                 result.state, state_wide, result.exceeded, result.runs);
-  if (const auto curve = result.curve()) {
-    line += fmt::format("{:>8.3g}  {:>5.2f}  ", curve->theta / unit.in_si, curve->beta);
-    if (!result.capacities)
-      line += fmt::format("{:<16}  {}", interval_text(result.band.theta, unit.in_si, 3),
-                          interval_text(result.band.beta, 1, 2));
-  } else {
-    const FragilityStatus status =
-        result.capacities ? result.capacities->status : result.fit.status;
-    const std::string bound = bound_text(result, unit);
-    line += text(status) + (bound.empty() ? "" : ": " + bound);
-  }
+  std::string line = fmt::format("{:<{}}  {:<{}}  {:>16}  ", result.configuration, wide,
+                                 result.state, state_wide, exceed_text(result));
+  if (const auto curve = result.curve())
+    line += fmt::format("{:>8.3g}  {:>5.2f}  {:<16}  {}", curve->theta / unit.in_si, curve->beta,
+                        interval_text(result.band.theta, unit.in_si, 3),
+                        interval_text(result.band.beta, 1, 2));
+  else
+    line += no_curve_text(result.status(), result.median(), unit);
   return line + "\n";
 }
 
+std::string fit_note(const FragilityResult& result) {
+  return result.capacities
+             ? fmt::format("the capacities are not lognormal (p = {:.2g})", *result.p_of_fit)
+             : fmt::format(
+                   "a lognormal curve fits badly (p = {:.2g}); see the fractions in the "
+                   "figure",
+                   *result.p_of_fit);
+}
+
 /// One line for each thing a reader should know before using a row.
-std::string notes(const FragilityResult& result, const IntensityUnit& unit) {
+std::string notes(const FragilityResult& result, const ReportUnit& unit) {
   std::string text;
   const std::string name =
       (result.configuration.empty() ? "" : result.configuration + ", ") + result.state;
   const auto note = [&](const std::string& line) { text += name + ": " + line + "\n"; };
-  if (result.failed > 0) note(fmt::format("{} failed runs are left out", result.failed));
-  if (result.fit.curve && result.check && result.check->p_simulated < 0.05)
-    note(fmt::format("a lognormal curve fits badly (p = {:.2g}); see the fractions in the figure",
-                     result.check->p_simulated));
+  if (result.failed > 0) note(fmt::format("{} failed runs are excluded", result.failed));
+  if (result.p_of_fit && *result.p_of_fit < 0.05) note(fit_note(result));
   if (result.capacities && result.capacities->resurrections > 0)
-    note(fmt::format("{} runs above the capacity of their record did not exceed again",
+    note(fmt::format("{} runs above the capacity of their record do not exceed (resurrections)",
                      result.capacities->resurrections));
   if (result.capacities && result.capacities->censored > 0)
-    note(fmt::format("{} of {} records never exceed; they count as above their highest intensity",
+    note(fmt::format("{} of {} records never exceed: right-censored at their highest intensity",
                      result.capacities->censored, result.records));
+  for (const std::string& caution : cautions(result.audit, unit)) note("caution: " + caution);
   if (result.cloud && result.cloud_curve)
     note(fmt::format(
-        "cloud: theta {:.3g}, beta {:.2f}, R2 {:.2f} ({} demands, {} at least, {} at "
-        "most)",
+        "cloud: theta {:.3g}, beta {:.2f}, R2 {:.2f} ({} demands uncensored, {} "
+        "right-censored, {} left-censored)",
         result.cloud_curve->theta / unit.in_si, result.cloud_curve->beta, result.cloud->r_squared,
         result.cloud->exact, result.cloud->at_least, result.cloud->at_most));
   if (result.rate) {
@@ -92,7 +83,7 @@ std::string notes(const FragilityResult& result, const IntensityUnit& unit) {
 }
 
 std::string performance_text(const StudyData& data, const std::vector<FragilityResult>& results,
-                             const IntensityUnit& unit) {
+                             const ReportUnit& unit) {
   std::string text;
   for (const PerformanceTable& table : performance_tables(data, results)) {
     text += fmt::format("\n{}P(worst level reached), %\n{:>10}  {:>10}",
@@ -125,6 +116,33 @@ Json curve_json(const std::optional<LognormalCurve>& curve) {
   return {{"theta", curve->theta}, {"beta", curve->beta}};
 }
 
+Json audit_json(const CurveAudit& audit) {
+  Json json{{"counted", audit.of_records ? "records" : "runs"},
+            {"outcomes", audit.outcomes},
+            {"exceeded", audit.exceeded},
+            {"lowest_im", audit.lowest},
+            {"highest_im", audit.highest},
+            {"extrapolated", !audit.theta                   ? Json()
+                             : *audit.theta > audit.highest ? Json("above")
+                             : *audit.theta < audit.lowest  ? Json("below")
+                                                            : Json()}};
+  if (audit.factors.any()) json["scale_factors"] = scale_factors_json(audit.factors);
+  return json;
+}
+
+Json capacities_json(const FragilityResult& result) {
+  Json of_records = Json::array();
+  for (const Capacity& each : result.brackets)
+    of_records.push_back({{"record", each.group},
+                          {"above", each.low},
+                          {"at_most", number(each.high)},
+                          {"resurrections", each.resurrections}});
+  return {{"records", result.brackets.size()},
+          {"censored", result.capacities->censored},
+          {"resurrections", result.capacities->resurrections},
+          {"brackets", of_records}};
+}
+
 Json json_of(const FragilityResult& result) {
   Json json{{"configuration", result.configuration},
             {"limit_state", result.state},
@@ -136,18 +154,25 @@ Json json_of(const FragilityResult& result) {
             {"records", result.records},
             {"failed", result.failed},
             {"method", result.capacities ? "capacities" : "stripes"},
-            {"status", text(result.capacities ? result.capacities->status : result.fit.status)},
+            {"status", text(result.status())},
             {"curve", curve_json(result.curve())}};
-  if (result.fit.curve && !result.capacities) {
+  const ReportUnit si{result.measure.units, 1};
+  if (result.curve()) {
     json["theta_interval"] = interval(result.band.theta);
     json["beta_interval"] = interval(result.band.beta);
-    const Eigen::Matrix2d& c = result.fit.cluster_covariance;
+    const Eigen::Matrix2d& c =
+        result.capacities ? result.capacities->covariance : result.fit.cluster_covariance;
     json["covariance_of_ln_theta_ln_beta"] = {{c(0, 0), c(0, 1)}, {c(1, 0), c(1, 1)}};
+  } else {
+    json["reason"] = no_curve_text(result.status(), result.median(), si);
+    json["median_between"] = interval({result.median().low, result.median().high});
   }
+  json["cautions"] = cautions(result.audit, si);
+  json["audit"] = audit_json(result.audit);
   if (result.profile)
     json["profile"] = {{"theta", interval(result.profile->theta)},
                        {"beta", interval(result.profile->beta)}};
-  if (result.check) json["p_of_fit"] = number(result.check->p_simulated);
+  if (result.p_of_fit) json["p_of_fit"] = number(*result.p_of_fit);
   for (std::size_t i = 0; i < result.stripes.size(); ++i)
     json["stripes"].push_back({{"im", result.stripes[i].im},
                                {"runs", result.stripes[i].runs},
@@ -156,9 +181,7 @@ Json json_of(const FragilityResult& result) {
   for (std::size_t i = 0; i < result.im.size(); ++i)
     json["band"].push_back(
         {result.im[i], result.band.of_curve[i].low, result.band.of_curve[i].high});
-  if (result.capacities)
-    json["capacities"] = {{"censored", result.capacities->censored},
-                          {"resurrections", result.capacities->resurrections}};
+  if (result.capacities) json["capacities"] = capacities_json(result);
   if (result.cloud)
     json["cloud"] = {{"status", text(result.cloud->status)},
                      {"a", number(result.cloud->a)},
@@ -175,24 +198,16 @@ Json json_of(const FragilityResult& result) {
 
 }  // namespace
 
-IntensityUnit unit_to_tell(const StudyData& data, const RunMeasure& measure) {
-  const IntensityPlan& plan = data.study().intensity;
-  if (plan.unit_in_si != 1 && measure.name == data.file().text_attribute("intensity_measure"))
-    return {plan.unit, plan.unit_in_si};
-  if (measure.units == "m/s2") return {"g", kStandardGravity};
-  return {measure.units, 1};
-}
-
 std::string fragility_report(const StudyData& data, const std::vector<FragilityResult>& results) {
   if (results.empty()) return "";
-  const IntensityUnit unit = unit_to_tell(data, results.front().measure);
+  const ReportUnit unit = report_unit(data, results.front().measure);
   const std::size_t wide =
       widest(results, 13, [](const FragilityResult& each) { return each.configuration; });
   const std::size_t state_wide =
       widest(results, 11, [](const FragilityResult& each) { return each.state; });
   std::string text = fmt::format("P(limit state | {} [{}]) = Phi(ln(im / theta) / beta)\n\n",
                                  results.front().measure.name, unit.name);
-  text += fmt::format("{:<{}}  {:<{}}  {:>14}  {:>8}  {:>5}  {:<16}  {}\n", "configuration", wide,
+  text += fmt::format("{:<{}}  {:<{}}  {:>16}  {:>8}  {:>5}  {:<16}  {}\n", "configuration", wide,
                       "limit state", state_wide, "exceed", "theta", "beta", "95 % of theta",
                       "95 % of beta");
   for (const FragilityResult& each : results) text += row(each, unit, wide, state_wide);
@@ -201,10 +216,10 @@ std::string fragility_report(const StudyData& data, const std::vector<FragilityR
   text += below.empty() ? "" : "\n" + below;
   text += performance_text(data, results, unit);
   text += "\n";
-  std::vector<std::string> told;
+  std::vector<std::string> listed;
   for (const FragilityResult& each : results) {
-    if (std::ranges::find(told, each.state) != told.end()) continue;
-    told.push_back(each.state);
+    if (std::ranges::find(listed, each.state) != listed.end()) continue;
+    listed.push_back(each.state);
     text += fmt::format("{}: {}\n", each.state, each.words);
   }
   return text;

@@ -3,6 +3,7 @@
 
 #include "engine/base/units.h"
 #include "studies/report/overview_report.h"
+#include "studies/report/scale_factors_json.h"
 
 namespace gurney {
 namespace {
@@ -90,6 +91,8 @@ std::string overview_json(const StudyOverview& overview) {
   result["angles_deg"] = angles;
   result["intensity_measure"] = overview.measure;
   result["levels"] = overview.levels;
+  if (overview.factors_on_records.any())
+    result["scale_factors"] = scale_factors_json(overview.factors_on_records);
   result["draws"] = overview.draws;
   result["runs"] = overview.runs;
   result["overturned"] = overview.overturned;

@@ -162,6 +162,8 @@ std::string overview_text(const StudyOverview& overview) {
   all += entry("intensity",
                fmt::format("{}: {}", overview.measure.empty() ? "records" : overview.measure,
                            fmt::join(overview.levels, ", ")));
+  if (overview.factors_on_records.any())
+    all += entry("scaling", "factors " + overview.factors_on_records.text());
   all += entry("draws", overview.draws > 0 ? fmt::format("{} of each record", overview.draws)
                                            : "none, every number has its value");
   all += entry("runs", fmt::format("{}, {} overturned, {}", overview.runs, overview.overturned,

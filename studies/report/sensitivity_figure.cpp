@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studies/analysis/report_unit.h"
 #include "studies/report/panel.h"
 #include "studies/report/sensitivity_report.h"
 
@@ -72,10 +73,21 @@ void draw_bar(Svg& svg, const Scaling& scaling, double y, const TornadoBar& bar,
   half(bar.high, y, 1);
 }
 
+/// What the tornado draws, in a unit.
+StudySensitivity in_unit(StudySensitivity found, double unit) {
+  found.mean /= unit;
+  for (SensitiveInput& input : found.inputs) {
+    input.bar.low /= unit;
+    input.bar.high /= unit;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string sensitivity_figure(const SensitivityReport& report) {
-  const StudySensitivity& found = report.found;
+  const ReportUnit unit = report_unit(report.found.units);
+  const StudySensitivity found = in_unit(report.found, unit.in_si);
   std::vector<SensitiveInput> inputs = found.inputs;
   if (inputs.size() > kMostRows) inputs.resize(kMostRows);
   const double height = kRow * static_cast<double>(std::max<std::size_t>(1, inputs.size()));
@@ -98,7 +110,7 @@ std::string sensitivity_figure(const SensitivityReport& report) {
     svg.text(left.x + left.width, left.y - 9, "95 % intervals", {.anchor = Anchor::kEnd});
   }
   draw_axis(svg, right, range, "",
-            fmt::format("Mean{}", found.units == "1" ? "" : " (" + found.units + ")"));
+            fmt::format("Mean{}", unit.name == "1" ? "" : " (" + unit.name + ")"));
   svg.text(right.x, right.y - 9,
            fmt::format("Runs with the input in its lowest {:g} %", 100 * found.share),
            {.size = 12, .bold = true, .color = palette(0)});

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "studies/analysis/report_unit.h"
+
 namespace gurney {
 namespace {
 
@@ -15,8 +17,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kFew = 100;
 constexpr double kMuchLeft = 0.2;
 
-std::string with_unit(double value, const std::string& unit) {
-  return fmt::format("{:.3g}{}", value, unit == "1" ? "" : " " + unit);
+std::string with_unit(double value, const ReportUnit& unit) {
+  return fmt::format("{:.3g}{}", value / unit.in_si, unit.name == "1" ? "" : " " + unit.name);
 }
 
 std::string index_text(const std::optional<VarianceIndex>& index) {
@@ -25,15 +27,17 @@ std::string index_text(const std::optional<VarianceIndex>& index) {
                      fmt::format("{:.2f} to {:.2f}", index->interval.low, index->interval.high));
 }
 
-std::string row_text(const SensitiveInput& input, std::size_t width) {
+std::string row_text(const SensitiveInput& input, std::size_t width, const ReportUnit& unit) {
   std::string text = fmt::format("{:<{}} ", name_of(input), width) + index_text(input.index);
   if (input.total) text += " " + index_text(input.total);
   if (!input.drawn) return text + "\n";
+  const auto mean_text = [&](double mean, double error) {
+    return fmt::format("{:.3g} (+-{:.2g})", mean / unit.in_si, error / unit.in_si);
+  };
   return text + fmt::format(" {:>10.3g} {:>10.3g}  {:<20} {:<20} {:>10.3g}\n", input.low,
-                            input.high,
-                            fmt::format("{:.3g} (+-{:.2g})", input.bar.low, input.bar.low_error),
-                            fmt::format("{:.3g} (+-{:.2g})", input.bar.high, input.bar.high_error),
-                            input.bar.swing());
+                            input.high, mean_text(input.bar.low, input.bar.low_error),
+                            mean_text(input.bar.high, input.bar.high_error),
+                            input.bar.swing() / unit.in_si);
 }
 
 std::string table_text(const StudySensitivity& found) {
@@ -45,7 +49,8 @@ std::string table_text(const StudySensitivity& found) {
   if (found.designed) text += fmt::format(" {:>6}  {:<14}", "total", "95 % interval");
   text += fmt::format(" {:>10} {:>10}  {:<20} {:<20} {:>10}\n", percent(found.share),
                       percent(1 - found.share), "mean below", "mean above", "swing");
-  for (const SensitiveInput& input : found.inputs) text += row_text(input, width);
+  for (const SensitiveInput& input : found.inputs)
+    text += row_text(input, width, report_unit(found.units));
   return text;
 }
 
@@ -58,10 +63,10 @@ std::string remarks(const StudySensitivity& found) {
   if (lead == found.inputs.end())
     text += "No input stands out: every interval reaches 0.\n";
   else
-    text += fmt::format(
-        "{} rules most: by itself it goes with {:.0f} % of the variance{}.\n", name_of(*lead),
-        100 * lead->index->estimate,
-        lead->total ? fmt::format(", with others with {:.0f} %", 100 * lead->total->estimate) : "");
+    text +=
+        fmt::format("{} contributes most: first-order Sobol' index {:.2f}{}.\n", name_of(*lead),
+                    lead->index->estimate,
+                    lead->total ? fmt::format(", total index {:.2f}", lead->total->estimate) : "");
   text += fmt::format("The indices sum to {:.2f}{}.\n", found.sum,
                       found.correlated.empty() ? "" : ", correlated inputs counted once");
   const char* const rest = 1 - found.sum > kMuchLeft
@@ -101,7 +106,7 @@ std::string remarks(const StudySensitivity& found) {
         "too narrow; look at one --level.\n",
         found.runs, found.draws);
   if (found.overturned > 0)
-    text += fmt::format("{} runs overturned: their demands are those until the item fell.\n",
+    text += fmt::format("{} runs overturned: their demands are those before overturning.\n",
                         found.overturned);
   if (found.left_out > 0)
     text += fmt::format("{} runs {}\n", found.left_out,
@@ -150,11 +155,12 @@ std::string sensitivity_text(const std::vector<SensitivityReport>& reports) {
           fmt::format("{}{}: {}\n", text.empty() ? "" : "\n", report.configuration, report.why_not);
       continue;
     }
-    text += fmt::format(
-        "{}{}{}{}: mean {}, standard deviation {}, {} runs\n", text.empty() ? "" : "\n",
-        found.output, report.configuration.empty() ? "" : ", " + report.configuration,
-        found.level.empty() ? "" : ", " + found.level, with_unit(found.mean, found.units),
-        with_unit(found.deviation, found.units), found.runs);
+    text +=
+        fmt::format("{}{}{}{}: mean {}, standard deviation {}, {} runs\n", text.empty() ? "" : "\n",
+                    found.output, report.configuration.empty() ? "" : ", " + report.configuration,
+                    found.level.empty() ? "" : ", " + found.level,
+                    with_unit(found.mean, report_unit(found.units)),
+                    with_unit(found.deviation, report_unit(found.units)), found.runs);
     text += table_text(found) + remarks(found);
   }
   return text;

@@ -21,7 +21,7 @@ struct Cloud {
   Range x{1e300, -1e300}, y{1e300, -1e300};
   Svg::Points points;
 
-  Cloud(const VectorResult& result, const std::array<IntensityUnit, 2>& units) {
+  Cloud(const VectorResult& result, const std::array<ReportUnit, 2>& units) {
     for (const VectorObservation& each : result.runs) {
       points.emplace_back(std::log10(each.first / units[0].in_si),
                           std::log10(each.second / units[1].in_si));
@@ -75,7 +75,7 @@ std::vector<std::pair<double, double>> inside(const Cloud& cloud, double slope_x
 }
 
 void draw_result(Svg& svg, const Frame& frame, const VectorResult& result,
-                 const std::array<IntensityUnit, 2>& units) {
+                 const std::array<ReportUnit, 2>& units) {
   if (result.runs.empty()) return;
   const Cloud cloud(result, units);
   const std::string title =
@@ -126,7 +126,7 @@ std::string vector_figure(const StudyData& data, const std::vector<VectorResult>
                       kTop + kRow * static_cast<double>(i / across), kSide, kSide};
     draw_result(
         svg, frame, results[i],
-        {unit_to_tell(data, results[i].measures[0]), unit_to_tell(data, results[i].measures[1])});
+        {report_unit(data, results[i].measures[0]), report_unit(data, results[i].measures[1])});
   }
   return svg.str();
 }

@@ -28,7 +28,7 @@ std::string beta_of(const FragilityFit& fit) {
   return fit.curve ? fmt::format("{:.2f}", fit.curve->beta) : "-";
 }
 
-std::string row(const VectorResult& result, const std::array<IntensityUnit, 2>& units,
+std::string row(const VectorResult& result, const std::array<ReportUnit, 2>& units,
                 std::size_t wide, std::size_t state_wide) {
   const VectorFit& fit = result.fit;
   std::string line = fmt::format("{:<{}}  {:<{}}  {:>5} of {:<5}  ", result.configuration, wide,
@@ -78,8 +78,8 @@ std::string vector_report(const StudyData& data, const std::vector<VectorResult>
     state_wide = std::max(state_wide, each.state.size());
   }
   const auto& measures = results.front().measures;
-  const std::array<IntensityUnit, 2> units{unit_to_tell(data, measures[0]),
-                                           unit_to_tell(data, measures[1])};
+  const std::array<ReportUnit, 2> units{report_unit(data, measures[0]),
+                                        report_unit(data, measures[1])};
   std::string text = fmt::format(
       "P(limit state | a, b) = Phi(slope_a ln a + slope_b ln b + c), a = {} [{}], b = {} [{}]\n\n",
       measures[0].name, units[0].name, measures[1].name, units[1].name);

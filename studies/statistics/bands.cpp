@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeastFitted = 0.9;  // share of the resamples bootstrap-t needs
+constexpr double kFarthest = 1000;    // of an end of theta, in standard errors of ln theta
+constexpr int kHalvings = 40;         // 1e-12 of the bracket
 
 /// How often each group is drawn in one resample of as many groups.
 std::vector<int> drawn_times(std::size_t groups, std::uint64_t seed, std::uint64_t resample) {
@@ -65,10 +67,53 @@ double error_at(const Eigen::Matrix2d& covariance, double im) {
   return std::sqrt(x.dot(covariance * x));
 }
 
+/// A line with its covariance for groups.
+struct Line {
+  Eigen::Vector2d line;
+  Eigen::Matrix2d covariance;
+
+  double score(double im) const { return line[0] * std::log(im) + line[1]; }
+  double error(double im) const { return error_at(covariance, im); }
+};
+
+/// Intervals of the score at any intensity.
+struct Scores {
+  Line fit;
+  std::vector<Line> drawn;  ///< of the resamples that have a line
+  double confidence, degrees;
+  bool with_bootstrap = false;
+
+  Interval at(double im) const {
+    Studentized score{fit.score(im), fit.error(im), {}};
+    for (const Line& each : drawn) score.add(each.score(im), each.error(im));
+    return score.interval(confidence, degrees, with_bootstrap);
+  }
+};
+
+/// The intensity nearest to theta, upwards or downwards, at which the interval of the score leaves
+/// 0; 0 or infinity if it has not within 1000 standard errors of ln theta.
+double end_of_theta(const Scores& scores, double theta, double step) {
+  const auto outside = [&](double distance) {
+    const Interval z = scores.at(theta * std::exp(distance));
+    return step > 0 ? z.low > 0 : z.high < 0;
+  };
+  double inner = 0, outer = step;
+  while (!outside(outer)) {
+    inner = outer;
+    outer *= 2;
+    if (std::abs(outer) > kFarthest * std::abs(step)) return step > 0 ? kInfinity : 0;
+  }
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (inner + outer) / 2;
+    (outside(middle) ? outer : inner) = middle;
+  }
+  return theta * std::exp((inner + outer) / 2);
+}
+
 struct Collector {
-  std::vector<Studentized> scores;  // at each im
-  std::vector<std::vector<double>> probabilities;
-  Studentized log_theta, log_beta;
+  std::vector<Line> lines;
+  std::vector<std::vector<double>> probabilities;  // at each im
+  Studentized log_beta;
   std::vector<double> thetas, betas;
 };
 
@@ -90,17 +135,15 @@ void add_degenerate(const ProbitFit& fit, double u, const std::vector<double>& i
 
 void add_line(const ProbitFit& fit, const Eigen::Matrix2d& covariance,
               const std::vector<double>& im, Collector& collected, FragilityBand& band) {
-  for (std::size_t i = 0; i < im.size(); ++i) {
-    collected.scores[i].add(fit.score(im[i]), error_at(covariance, im[i]));
+  collected.lines.push_back({fit.line, covariance});
+  for (std::size_t i = 0; i < im.size(); ++i)
     collected.probabilities[i].push_back(normal_cdf(fit.score(im[i])));
-  }
   if (fit.status != FragilityStatus::kFitted) {
     ++band.not_increasing;
     return;
   }
   const Eigen::Matrix2d of_curve = covariance_of_curve(fit.line, covariance);
   const LognormalCurve curve = fit.curve();
-  collected.log_theta.add(std::log(curve.theta), std::sqrt(of_curve(0, 0)));
   collected.log_beta.add(std::log(curve.beta), std::sqrt(of_curve(1, 1)));
   collected.thetas.push_back(curve.theta);
   collected.betas.push_back(curve.beta);
@@ -131,10 +174,8 @@ FragilityBand fragility_band(const StripeTable& table, const std::vector<double>
   const Eigen::Matrix2d covariance = cluster_covariance(fit, table);
   const Eigen::Matrix2d of_curve = covariance_of_curve(fit.line, covariance);
   Collector collected;
-  collected.log_theta = {std::log(fit.curve().theta), std::sqrt(of_curve(0, 0)), {}};
   collected.log_beta = {std::log(fit.curve().beta), std::sqrt(of_curve(1, 1)), {}};
   collected.probabilities.resize(im.size());
-  for (const double x : im) collected.scores.push_back({fit.score(x), error_at(covariance, x), {}});
   for (int i = 0; i < options.resamples; ++i) {
     const auto stream = static_cast<std::uint64_t>(i);
     const std::vector<int> times = drawn_times(table.groups(), options.seed, stream);
@@ -148,19 +189,23 @@ FragilityBand fragility_band(const StripeTable& table, const std::vector<double>
   }
 
   const double degrees = static_cast<double>(table.groups() - 1);
-  const auto enough = [&](const Studentized& values) {
-    return static_cast<double>(values.t.size()) >= kLeastFitted * options.resamples;
+  const auto enough = [&](std::size_t fitted) {
+    return static_cast<double>(fitted) >= kLeastFitted * options.resamples;
   };
+  const Scores scores{{fit.line, covariance},
+                      collected.lines,
+                      options.confidence,
+                      degrees,
+                      enough(collected.lines.size())};
   for (std::size_t i = 0; i < im.size(); ++i) {
-    const Studentized& score = collected.scores[i];
-    const Interval z = score.interval(options.confidence, degrees, enough(score));
+    const Interval z = scores.at(im[i]);
     band.of_curve[i] = {normal_cdf(z.low), normal_cdf(z.high)};
     band.percentile_of_curve[i] = percentiles(collected.probabilities[i], options.confidence);
   }
-  band.theta = exponential(
-      collected.log_theta.interval(options.confidence, degrees, enough(collected.log_theta)));
-  band.beta = exponential(
-      collected.log_beta.interval(options.confidence, degrees, enough(collected.log_beta)));
+  const double theta = fit.curve().theta, step = std::sqrt(of_curve(0, 0));
+  band.theta = {end_of_theta(scores, theta, -step), end_of_theta(scores, theta, step)};
+  band.beta = exponential(collected.log_beta.interval(options.confidence, degrees,
+                                                      enough(collected.log_beta.t.size())));
   band.percentile_theta = percentiles(collected.thetas, options.confidence);
   band.percentile_beta = percentiles(collected.betas, options.confidence);
   return band;

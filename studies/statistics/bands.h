@@ -27,7 +27,9 @@ struct FragilityBand {
   /// For each im: the band of the curve. See fragility_band() for how it is made.
   std::vector<Interval> of_curve;
 
-  /// Of the parameters, in the same manner; [0, infinity] unless kFitted.
+  /// theta: the intensities at which the band holds P = 0.5 (Fieller 1954, J. R. Statist. Soc. B
+  /// 16(2), 175-185), so an end is 0 or infinity where the slope could be 0. beta: of ln beta, in
+  /// the manner of the band. [0, infinity] unless kFitted.
   Interval theta, beta;
 
   /// For comparison, plain percentiles of the resamples: too narrow for few groups.

@@ -8,7 +8,6 @@
 #include <map>
 
 #include "engine/base/error.h"
-#include "studies/statistics/censored_normal.h"
 #include "studies/statistics/quantiles.h"
 
 namespace gurney {
@@ -20,6 +19,21 @@ FragilityStatus status_without_fit(double highest_low, double lowest_high) {
   if (lowest_high == kInfinity) return FragilityStatus::kNoneExceeds;
   if (highest_low == 0) return FragilityStatus::kAllExceed;
   return highest_low < lowest_high ? FragilityStatus::kSeparated : FragilityStatus::kQuasiSeparated;
+}
+
+/// Every bracket ends or begins at `im`: those below it, and the nearest ends on either side.
+MedianBounds bounds_around(double im, const std::vector<Capacity>& capacities) {
+  double below = 0, nearest_low = 0, nearest_high = kInfinity;
+  for (const Capacity& each : capacities) {
+    if (each.high <= im) {
+      below += 1;
+      nearest_low = std::max(nearest_low, each.low);
+    } else {
+      nearest_high = std::min(nearest_high, each.high);
+    }
+  }
+  return median_bounds(im, below / static_cast<double>(capacities.size()), nearest_low,
+                       nearest_high);
 }
 
 }  // namespace
@@ -47,25 +61,35 @@ std::vector<Capacity> ida_capacities(const std::vector<Observation>& observation
   return capacities;
 }
 
-CapacityFit fit_capacities(const std::vector<Capacity>& capacities) {
-  CapacityFit fit;
-  if (capacities.empty()) return fit;
+std::vector<CensoredValue> log_capacities(const std::vector<Capacity>& capacities) {
   std::vector<CensoredValue> values;
-  double highest_low = 0, lowest_high = kInfinity;
   for (const Capacity& capacity : capacities) {
     require(capacity.low >= 0 && capacity.low <= capacity.high && capacity.high > 0,
             fmt::format("a capacity within {:g} to {:g} is none", capacity.low, capacity.high));
+    if (capacity.low > 0 || capacity.high < kInfinity)
+      values.push_back({std::log(capacity.low), std::log(capacity.high)});
+  }
+  return values;
+}
+
+CapacityFit fit_capacities(const std::vector<Capacity>& capacities) {
+  CapacityFit fit;
+  if (capacities.empty()) return fit;
+  const std::vector<CensoredValue> values = log_capacities(capacities);
+  double highest_low = 0, lowest_high = kInfinity;
+  for (const Capacity& capacity : capacities) {
     fit.censored += capacity.high == kInfinity ? 1 : 0;
     fit.resurrections += capacity.resurrections;
     highest_low = std::max(highest_low, capacity.low);
     lowest_high = std::min(lowest_high, capacity.high);
-    if (capacity.low > 0 || capacity.high < kInfinity)
-      values.push_back({std::log(capacity.low), std::log(capacity.high)});
   }
   if (highest_low <= lowest_high) {
     fit.status = status_without_fit(highest_low, lowest_high);
     fit.low = highest_low;
     fit.high = lowest_high;
+    fit.median = fit.status == FragilityStatus::kQuasiSeparated
+                     ? bounds_around(highest_low, capacities)
+                     : MedianBounds{highest_low, lowest_high};
     return fit;
   }
   const auto n = static_cast<Eigen::Index>(values.size());

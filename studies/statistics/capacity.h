@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "studies/statistics/censored_normal.h"
 #include "studies/statistics/fragility.h"
 
 namespace gurney {
@@ -26,6 +27,7 @@ struct CapacityFit {
   FragilityStatus status = FragilityStatus::kNoRuns;
   std::optional<LognormalCurve> curve;  ///< kFitted only
   double low = 0, high = 0;             ///< separated: all capacities can lie in this interval
+  MedianBounds median;                  ///< without a curve: what is known of theta
   Eigen::Matrix2d covariance{{0, 0}, {0, 0}};  ///< of (ln theta, ln beta)
   double log_likelihood = 0;
   int censored = 0;       ///< records that never exceed
@@ -33,11 +35,14 @@ struct CapacityFit {
 };
 
 /// Lognormal capacities by maximum likelihood from brackets; records that never exceed count as
-/// above their highest im (Baker 2015, where the bracket has
-/// no width). A bracket with
-/// low == high is an exact capacity. Brackets that share a point are separated: one capacity
-/// would explain all, and beta is not determined.
+/// above their highest im (Baker 2015, where the bracket has no width). A bracket with low == high
+/// is an exact capacity. Brackets that share a point are separated: one capacity would explain all,
+/// and beta is not determined.
 CapacityFit fit_capacities(const std::vector<Capacity>& capacities);
+
+/// What the likelihood knows of ln capacity: records that tell nothing are left out.
+/// @throws Error for a bracket that is none
+std::vector<CensoredValue> log_capacities(const std::vector<Capacity>& capacities);
 
 /// Exact capacities by the method of moments: theta = exp(mean ln), beta = standard deviation of ln
 /// with n - 1 (Porter, Kennedy & Bachman 2007, Earthquake Spectra 23(2), 471-489, method A).

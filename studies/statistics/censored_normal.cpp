@@ -4,13 +4,13 @@
 
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numbers>
 
 #include "engine/base/error.h"
-#include "studies/statistics/newton.h"
 #include "studies/statistics/special.h"
 
 namespace gurney {
@@ -131,7 +131,19 @@ Eigen::MatrixXd spread_of_scores(const Eigen::MatrixXd& design,
   return n / (n - 1) * spread;
 }
 
+/// Only rows with both ends somewhere know the sign of 1 / sigma.
+bool has_bounded_row(const std::vector<CensoredValue>& values) {
+  return std::ranges::any_of(
+      values, [](const CensoredValue& y) { return std::isfinite(y.low) && std::isfinite(y.high); });
+}
+
 }  // namespace
+
+Quadratic<Eigen::Dynamic> censored_normal_likelihood(const Eigen::MatrixXd& design,
+                                                     const std::vector<CensoredValue>& values,
+                                                     const Eigen::VectorXd& point) {
+  return likelihood(design, values, has_bounded_row(values), point);
+}
 
 CensoredNormalFit fit_censored_normal(const Eigen::MatrixXd& design,
                                       const std::vector<CensoredValue>& values,
@@ -141,12 +153,10 @@ CensoredNormalFit fit_censored_normal(const Eigen::MatrixXd& design,
               (groups.empty() || groups.size() == values.size()),
           fmt::format("{} values have {} rows and {} groups: must be one for each", values.size(),
                       design.rows(), groups.size()));
-  bool positive = false;  // only data with both ends somewhere know the sign of 1 / sigma
-  for (const CensoredValue& y : values) {
+  for (const CensoredValue& y : values)
     require(y.low <= y.high && (std::isfinite(y.low) || std::isfinite(y.high)),
             fmt::format("a value within {:g} to {:g} is none", y.low, y.high));
-    positive = positive || (std::isfinite(y.low) && std::isfinite(y.high));
-  }
+  const bool positive = has_bounded_row(values);
   CensoredNormalFit fit;
   if (design.rows() <= p) return fit;
   const Eigen::VectorXd rough = rough_values(values);

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "studies/statistics/newton.h"
+
 namespace gurney {
 
 /// What is known of a number y: low <= y <= high. Exact where low == high; low = -infinity or high
@@ -36,5 +38,12 @@ struct CensoredNormalFit {
 CensoredNormalFit fit_censored_normal(const Eigen::MatrixXd& design,
                                       const std::vector<CensoredValue>& values,
                                       const std::vector<std::size_t>& groups = {});
+
+/// The ln likelihood of these rows at the point (coefficients / sigma, 1 / sigma), with its
+/// derivatives; -infinity where 1 / sigma <= 0, though rows all open on one side know no sign of
+/// it.
+Quadratic<Eigen::Dynamic> censored_normal_likelihood(const Eigen::MatrixXd& design,
+                                                     const std::vector<CensoredValue>& values,
+                                                     const Eigen::VectorXd& point);
 
 }  // namespace gurney

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "studies/statistics/special.h"
@@ -42,6 +43,18 @@ double best_log_likelihood_at(double im, const std::vector<Stripe>& stripes) {
   return 0;
 }
 
+MedianBounds bounds_of(const ProbitFit& fit, const std::vector<Stripe>& stripes) {
+  const bool known = fit.status == FragilityStatus::kAllExceed ||
+                     fit.status == FragilityStatus::kNoneExceeds ||
+                     fit.status == FragilityStatus::kSeparated;
+  if (known) return {fit.low, fit.high};
+  if (fit.status != FragilityStatus::kQuasiSeparated) return {};
+  const auto at = std::ranges::find(stripes, fit.low, &Stripe::im);
+  const double below = at == stripes.begin() ? 0 : std::prev(at)->im;
+  const double above = std::next(at) == stripes.end() ? kInfinity : std::next(at)->im;
+  return median_bounds(fit.low, at->fraction(), below, above);
+}
+
 ProbitFit without_line(FragilityStatus status, double low, double high, double log_likelihood = 0) {
   ProbitFit fit;
   fit.status = status;
@@ -60,19 +73,25 @@ std::string text(FragilityStatus status) {
     case FragilityStatus::kNoRuns:
       return "no runs";
     case FragilityStatus::kAllExceed:
-      return "every run exceeds: the curve lies below the lowest intensity";
+      return "all runs exceed";
     case FragilityStatus::kNoneExceeds:
-      return "no run exceeds: the curve lies above the highest intensity";
+      return "no run exceeds";
     case FragilityStatus::kSeparated:
-      return "separated: every run above an interval of intensity exceeds and none below it, so "
-             "beta is not determined";
+      return "complete separation: all runs above an interval of intensity exceed and none below, "
+             "so beta cannot be estimated";
     case FragilityStatus::kQuasiSeparated:
-      return "separated but for one intensity, the only one with both outcomes, so beta is not "
-             "determined";
+      return "quasi-complete separation: only one intensity has both outcomes, so neither median "
+             "nor beta can be estimated";
     case FragilityStatus::kNotIncreasing:
       return "exceedance does not increase with intensity: no lognormal curve";
   }
   return {};
+}
+
+MedianBounds median_bounds(double im, double fraction, double next_below, double next_above) {
+  if (fraction < 0.5) return {im, next_above};
+  if (fraction > 0.5) return {next_below, im};
+  return {im, im};
 }
 
 double ProbitFit::score(double im) const { return line[0] * std::log(im) + line[1]; }
@@ -192,6 +211,7 @@ FragilityFit fit_fragility(const StripeTable& table) {
   fit.status = probit.status;
   fit.low = probit.low;
   fit.high = probit.high;
+  fit.median = bounds_of(probit, table.stripes());
   fit.log_likelihood = probit.log_likelihood;
   fit.covariance.setZero();
   fit.cluster_covariance.setZero();

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,13 +20,26 @@ enum class FragilityStatus {
   kNoRuns,
   kAllExceed,       ///< theta lies somewhere below the lowest im
   kNoneExceeds,     ///< theta lies somewhere above the highest im
-  kSeparated,       ///< all above an interval of im exceed, none below: beta is not determined
-  kQuasiSeparated,  ///< the same with both outcomes at one im only: theta is it, beta is not
+  kSeparated,       ///< complete: all above an interval of im exceed, none below
+  kQuasiSeparated,  ///< quasi-complete: the same, with both outcomes at one im only
   kNotIncreasing,   ///< no rise of the probability with im: no lognormal curve
 };
 
-/// `none of 40 runs exceeds` and the like, for a reader.
+/// `no run exceeds` and the like, for a reader.
 std::string text(FragilityStatus status);
+
+/// What is known of theta where there is no curve: it lies above `low`, if that is > 0, and below
+/// `high`, if that is finite; both at one im: about there.
+struct MedianBounds {
+  double low = 0, high = std::numeric_limits<double>::infinity();
+
+  bool known() const { return low > 0 || std::isfinite(high); }
+};
+
+/// Those of a quasi-complete separation at `im`, where `fraction` exceeds: the likelihood is
+/// highest for a step there, so theta lies beyond it on the side of the rarer outcome, as far as
+/// the next intensity on that side (0 or infinity if there is none).
+MedianBounds median_bounds(double im, double fraction, double next_below, double next_above);
 
 /// The maximum of the binomial likelihood of Phi(slope ln im + intercept).
 struct ProbitFit {
@@ -67,6 +82,7 @@ struct FragilityFit {
 
   /// Separated: theta lies in [low, high]. All exceed: low = 0. None exceeds: high = infinity.
   double low = 0, high = 0;
+  MedianBounds median;  ///< without a curve; quasi-separated: not [low, high], which is the one im
 
   Eigen::Matrix2d covariance;  ///< of (ln theta, ln beta), runs independent; zero unless fitted
   Eigen::Matrix2d cluster_covariance;  ///< the same, groups independent; zero if there is one group

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "engine/base/random/group_strata.h"
 #include "engine/base/random/normal_draw.h"
 #include "engine/base/random/sampling.h"
 
@@ -77,11 +78,13 @@ double Draw::uniform(const std::string& stream) const {
 double Draw::probability(const std::string& variable, const CorrelationGroup& group) const {
   const double r = group.name.empty() ? 0 : group.correlation;
   if (r == 1) return uniform("group " + group.name);
-  const double own = uniform("variable " + full_name(variable));
+  const std::string own_stream = "variable " + full_name(variable);
+  const double own = uniform(own_stream);
   if (r == 0) return own;
-  const double shared = uniform("group " + group.name);
-  const double score =
-      r * normal_quantile(shared) + std::sqrt(std::max(0.0, 1 - r * r)) * normal_quantile(own);
+  const std::string group_stream = "group " + group.name;
+  if (cells_ > 0 && std::abs(r) < 1)
+    return stratified_member({seed_, cells_, hash_of(group_stream), hash_of(own_stream), r}, run_);
+  const double score = member_score(r, uniform(group_stream), own);
   return std::clamp(normal_cdf(score), 0x1p-54, 1 - 0x1p-53);
 }
 

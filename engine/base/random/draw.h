@@ -54,7 +54,8 @@ class Draw {
   /// With u uniform, of a Latin hypercube, or of a Sobol sequence, it is
   /// u itself where the variable is independent; else Phi(r z_group + sqrt(1 - r^2) z) with
   /// z = Phi^-1(u), z_group alone where r is 1, r the correlation: a Gaussian copula
-  /// (docs/theory/uncertainty.md).
+  /// (docs/theory/uncertainty.md). In a Latin hypercube the score is put into the cell of its rank
+  /// among all draws: stratified_member().
   double probability(const std::string& variable, const CorrelationGroup& group = {}) const;
 
   std::uint64_t seed() const { return seed_; }

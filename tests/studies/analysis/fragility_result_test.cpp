@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "engine/base/random/normal_draw.h"
@@ -88,6 +89,91 @@ TEST_F(FragilityResultTest, AHuntGivesCapacities) {
   EXPECT_NEAR(result.curve()->theta / kG, 0.2, 0.2 * 1e-4);
   EXPECT_NEAR(result.curve()->beta, 0.5 * std::sqrt(squares / 101), 1e-4);
   EXPECT_EQ(result.capacities->resurrections, 1);
+  // Intervals are those of the capacities: Student's of 101 means of ln capacity, t(0.975, 100) =
+  // 1.983972, to the width of the brackets as above.
+  const double half = 1.983972 * 0.5 * std::sqrt(squares / 100) / std::sqrt(101.0);
+  EXPECT_NEAR(std::log(result.band.theta.high / result.curve()->theta), half, 1e-4);
+  EXPECT_NEAR(std::log(result.band.theta.low / result.curve()->theta), -half, 1e-4);
+  EXPECT_TRUE(result.band.beta.contains(result.curve()->beta));
+  for (std::size_t i = 0; i < result.im.size(); ++i) {
+    const double p = result.curve()->probability(result.im[i]);
+    EXPECT_LE(result.band.of_curve[i].low, p) << i;
+    EXPECT_GE(result.band.of_curve[i].high, p) << i;
+  }
+  EXPECT_FALSE(result.profile);  // of stripes
+  ASSERT_TRUE(result.p_of_fit);
+  EXPECT_GT(*result.p_of_fit, 0.05);
+  const StudyData study(folder_.file("s.h5"));
+  EXPECT_THAT(fragility_report(study, {result}), testing::HasSubstr("101 of 101 records"));
+  const auto json = nlohmann::json::parse(fragility_json({result}))["fragilities"][0];
+  EXPECT_EQ(json["capacities"]["records"], 101);
+  EXPECT_EQ(json["capacities"]["brackets"].size(), 101);
+  EXPECT_DOUBLE_EQ(json["theta_interval"][0], result.band.theta.low);
+  EXPECT_FALSE(json.contains("profile"));
+  EXPECT_THAT(fragility_figure(study, {result}),
+              testing::AllOf(testing::HasSubstr("empirical distribution"),
+                             testing::Not(testing::HasSubstr("<circle"))));
+}
+
+TEST_F(FragilityResultTest, AnIdaOfOverturningIsCautionedAgainst) {
+  std::string job = kSmallStudy;
+  const std::string levels = "levels = [0.1, 0.2, 0.4]\n";
+  job.replace(job.find(levels), levels.size(),
+              "hunt = { first = 0.1, increment = 0.1, until = \"fell\" }\n");
+  std::vector<SmallRun> runs;
+  for (std::size_t record = 0; record < 12; ++record) {
+    const double capacity = (0.2 + 0.02 * double(record)) * kG;
+    runs.push_back({record, 0.95 * capacity, 0.05, false});
+    runs.push_back({record, 1.05 * capacity, 0.05, true});
+  }
+  const StudyData study = data(runs, job);
+  const std::string report = fragility_report(study, {fragility_of(study, {1, 0, ""})});
+  EXPECT_THAT(report, testing::HasSubstr("12 runs of the IDA overturned; rocking is chaotic"));
+  EXPECT_THAT(report, testing::HasSubstr("12 of 12 records"));
+}
+
+TEST_F(FragilityResultTest, AQuasiCompleteSeparationHasNoMedian) {
+  std::vector<SmallRun> runs;
+  for (std::size_t record = 0; record < 44; ++record) {
+    runs.push_back({record, 0.8 * kG, 0.05});
+    runs.push_back({record, 1.2 * kG, record < 7 ? 0.2 : 0.05});
+  }
+  const StudyData study = data(runs);
+  const FragilityResult result = fragility_of(study, {});
+  const std::string report = fragility_report(study, {result});
+  EXPECT_THAT(report, testing::HasSubstr("quasi-complete separation"));
+  EXPECT_THAT(report, testing::HasSubstr("median above about 1.2 g"));
+  EXPECT_THAT(report, testing::Not(testing::HasSubstr("theta at")));
+  const auto json = nlohmann::json::parse(fragility_json({result}))["fragilities"][0];
+  EXPECT_TRUE(json["curve"].is_null());
+  EXPECT_THAT(json["reason"].get<std::string>(),
+              testing::HasSubstr("median above about 11.8 m/s2"));
+  EXPECT_NEAR(json["median_between"][0].get<double>(), 1.2 * kG, 1e-9);
+  EXPECT_TRUE(json["median_between"][1].is_null());
+}
+
+TEST_F(FragilityResultTest, CautionsAgainstWhatTheRunsDoNotCarry) {
+  // 3 of 20 records exceed at the highest level and 1 at the one below.
+  std::vector<SmallRun> runs;
+  for (std::size_t record = 0; record < 20; ++record)
+    for (const double level : {0.1, 0.2, 0.4}) {
+      const bool moves = (level > 0.3 && record < 3) || (level > 0.15 && record == 0);
+      runs.push_back({record, level * kG, moves ? 0.2 : 0.05, false, false, false,
+                      record == 5 ? 60.6 : level});
+    }
+  const StudyData study = data(runs);
+  const FragilityResult result = fragility_of(study, {});
+  ASSERT_TRUE(result.curve());
+  const std::string report = fragility_report(study, {result});
+  EXPECT_THAT(report, testing::HasSubstr("is extrapolated beyond the highest intensity of the "
+                                         "runs, 0.4 g"));
+  EXPECT_THAT(report, testing::HasSubstr("only 4 of 60 runs exceed; fewer than 10"));
+  EXPECT_THAT(report, testing::HasSubstr("scale factors 0.1 to 60.6; 1 of 20 records above 5, 19 "
+                                         "below 0.2"));
+  const auto json = nlohmann::json::parse(fragility_json({result}))["fragilities"][0];
+  EXPECT_EQ(json["cautions"].size(), 3);
+  EXPECT_EQ(json["audit"]["extrapolated"], "above");
+  EXPECT_EQ(json["audit"]["scale_factors"]["records_above"], 1);
 }
 
 TEST_F(FragilityResultTest, SaysWhyThereIsNoCurve) {
@@ -97,7 +183,7 @@ TEST_F(FragilityResultTest, SaysWhyThereIsNoCurve) {
   EXPECT_EQ(results[0].fit.status, FragilityStatus::kSeparated);
   EXPECT_FALSE(results[0].curve());
   const std::string report = fragility_report(study, results);
-  EXPECT_THAT(report, testing::HasSubstr("theta between 0.102 and 0.204"));
+  EXPECT_THAT(report, testing::HasSubstr("median between 0.102 and 0.204 g"));
   EXPECT_THAT(report, testing::HasSubstr("no run exceeds"));
   EXPECT_THAT(fragility_json(results), testing::HasSubstr("\"curve\": null"));
   EXPECT_THAT(fragility_figure(study, results), testing::HasSubstr("all (no curve)"));

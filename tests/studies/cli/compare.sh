@@ -36,6 +36,8 @@ expect 0 "32 draws, each counts once: one record" "$gurney" compare a.h5 --confi
 expect 0 "less in B: icu_ventilator: peak_displacement" "$gurney" compare a.h5 --demand peak_displacement
 expect 0 "excitation.record.synthetic.period_s" "$gurney" compare a.h5 b.h5 --configuration false
 expect 0 "item.brakes" "$gurney" compare a.h5 b.h5 --configuration false,true
+expect 0 "within each of these families" "$gurney" compare a.h5
+expect 0 "|residual_yaw| [deg]" "$gurney" compare a.h5
 expect 0 '"p_holm"' "$gurney" compare a.h5 --json
 expect 1 "two configurations must be named" "$gurney" compare a.h5 --configuration false
 expect 1 "no configuration 'flase'; did you mean 'false'?" "$gurney" compare a.h5 --configuration flase

@@ -27,7 +27,7 @@ expect 1 "trolley_levels.toml: is no results file of gurney" "$gurney" show \
 expect 2 "FILE is required" "$gurney" show
 
 expect 0 "left out 'overturned': no run exceeds" "$gurney" export study.h5 --to pelicun
-folder_holds study_pelicun fragility.csv fragility.json
+folder_holds study_pelicun fragility.csv fragility.json fragility_cautions.csv
 expect 1 "study_pelicun/fragility.csv: exists already" "$gurney" export study.h5 --to pelicun
 expect 0 "wrote    study_pelicun/fragility.csv" "$gurney" export study.h5 --to pelicun --overwrite
 expect 0 "wrote    other/moved.xml" "$gurney" export study.h5 --to nrml -o other/

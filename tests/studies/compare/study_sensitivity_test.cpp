@@ -57,7 +57,7 @@ TEST_F(StudySensitivityTest, SharesOfTheVarianceAreFound) {
   EXPECT_TRUE(found.correlated.empty());
   EXPECT_EQ(found.output, "cart: peak_displacement");
   const std::string text = sensitivity_text({{"", found, ""}});
-  EXPECT_THAT(text, HasSubstr("big rules most"));
+  EXPECT_THAT(text, HasSubstr("big contributes most"));
   EXPECT_THAT(text, HasSubstr("(interactions) is in none of them"));
   EXPECT_THAT(text, testing::Not(HasSubstr("Few runs")));
 }
@@ -134,7 +134,7 @@ TEST_F(StudySensitivityTest, WhatCannotBeToldIsRefused) {
   std::vector<MadeRun> runs = linear(50);
   for (MadeRun& run : runs) run.displacement = 1;
   const StudyData same = data(runs);
-  EXPECT_ERROR(study_sensitivity({&same, 0}, kPeak), "is 1 in every run: nothing rules it");
+  EXPECT_ERROR(study_sensitivity({&same, 0}, kPeak), "is 1 in every run: no input controls it");
   EXPECT_ERROR(
       study_sensitivity({&same, 0}, {.demand = "peak_displacment", .limit = "", .level = {}}),
       "no demand 'peak_displacment'; did you mean 'peak_displacement'?");

@@ -65,8 +65,7 @@ TEST_F(Exports, RefuseMeasuresTheFormatHasNoNameFor) {
 TEST_F(Exports, SayWhyThereIsNoCurve) {
   EXPECT_ERROR(export_pelicun(*data_, {.limit = "hit"}, take()),
                "no fragility curve over PGA larger can be fitted; nothing was written\n"
-               "  false, 'hit': no run exceeds: the curve lies above the highest intensity\n"
-               "  true, 'hit': no run exceeds");
+               "  false, 'hit': no run exceeds: median above ");
   EXPECT_TRUE(files_.empty());
   EXPECT_THAT(
       export_nrml(*data_, {.configuration = "true"}, take()),
@@ -81,6 +80,21 @@ TEST_F(Exports, WriteWhatIsChosen) {
   files_.clear();
   export_responses(*data_, {.configuration = "false"}, take());
   EXPECT_EQ(files_.size(), 1 + FabricatedStudy::kLevels.size());
+}
+
+// Scales are 0.49 to 5.88; of `false` the failed run is one at 5.88.
+TEST_F(Exports, CarryTheCautionsOfACurve) {
+  export_pelicun(*data_, {.limit = "moved"}, take());
+  EXPECT_THAT(files_.at("fragility.json"),
+              HasSubstr("Caution: scale factors 0.49 to 5.88; 39 of 40 records above 5."));
+  EXPECT_THAT(files_.at("fragility_cautions.csv"),
+              testing::StartsWith("ID,Caution\nfabricated.false.moved,scale factors 0.49 to 5.88; "
+                                  "39 of 40 records above 5\n"));
+  export_nrml(*data_, {.limit = "moved"}, take());
+  EXPECT_THAT(files_.at("moved.xml"),
+              HasSubstr("true: fitted to 240 runs with 40 records, of which "));
+  EXPECT_THAT(files_.at("moved.xml"),
+              HasSubstr("Caution: scale factors 0.49 to 5.88; 40 of 40 records above 5."));
 }
 
 TEST_F(Exports, TakeCapacitiesAfterAHunt) {

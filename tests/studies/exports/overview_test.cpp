@@ -47,6 +47,13 @@ TEST_F(Overview, CountsRunsOfEachConfigurationAtEachLevel) {
   EXPECT_EQ(overview.overturned, 0u);
 }
 
+TEST_F(Overview, PrintsTheScaleFactorsOfAllRecords) {
+  const StudyOverview overview = study_overview(path_);
+  EXPECT_THAT(overview_text(overview),
+              HasSubstr("scaling     factors 0.49 to 5.88; 40 of 40 records above 5"));
+  EXPECT_EQ(nlohmann::json::parse(overview_json(overview))["scale_factors"]["records_above"], 40);
+}
+
 TEST_F(Overview, NamesFailedRunsAndWhatMakesThemAgain) {
   const StudyOverview overview = study_overview(path_);
   ASSERT_EQ(overview.failures.size(), 1u);

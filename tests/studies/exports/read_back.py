@@ -53,6 +53,10 @@ def check_pelicun():
         assert "residual_displacement > 0.02 m" in each["Description"]
     assert "239 runs with 40 records" in described["fabricated.false.moved"]["Comments"]
     assert "1 failed" in described["fabricated.false.moved"]["Comments"]
+    listed, *cautions = table("pelicun/fragility_cautions.csv")
+    assert listed == ["ID", "Caution"]
+    for name, caution in cautions:
+        assert "Caution: " + caution in described[name]["Comments"], caution
     export("--to", "pelicun", "-o", "floor", "--measure", "pfv", "--configuration", "true")
     _, row = table("floor/fragility.csv")
     assert row[2:4] == ["Peak Floor Velocity", "mps"]

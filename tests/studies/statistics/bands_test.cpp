@@ -92,6 +92,29 @@ TEST(FragilityBand, IsTheSameForTheSameSeed) {
   EXPECT_LT(one.theta.low, one.percentile_theta.high);
 }
 
+// One method for both: the interval of theta is where the band holds P = 0.5. Ends are found to
+// 2^-40 of a bracket.
+TEST(FragilityBand, HoldsOneHalfWithinTheIntervalOfTheta) {
+  const StripeTable table(SyntheticStudy{.records = 11, .correlation = 0.5}.outcomes(3));
+  const Interval theta = fragility_band(table, {}, {.resamples = 199}).theta;
+  const auto band = fragility_band(table, {theta.low, theta.high}, {.resamples = 199}).of_curve;
+  EXPECT_NEAR(band[0].high, 0.5, 1e-9);
+  EXPECT_NEAR(band[1].low, 0.5, 1e-9);
+}
+
+// Two of three records at the higher level, one at the lower: the slope could be 0, so theta could
+// be anywhere.
+TEST(FragilityBand, BoundsThetaOnlyWhereTheSlopeIsNotZero) {
+  std::vector<Observation> seen;
+  for (std::size_t record = 0; record < 6; ++record) {
+    seen.push_back({1, record < 2, record});
+    seen.push_back({1.1, record % 2 == 0, record});
+  }
+  const auto band = fragility_band(StripeTable(seen), {});
+  EXPECT_EQ(band.theta.low, 0);
+  EXPECT_EQ(band.theta.high, kInfinity);
+}
+
 // Three records of two runs: 1 of 27 resamples holds only the record that never exceeds, and so on.
 TEST(FragilityBand, CountsResamplesWithoutACurve) {
   const StripeTable table(

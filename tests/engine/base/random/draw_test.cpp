@@ -135,6 +135,68 @@ TEST(Draw, PlansPutOneDrawOfEachVariableInEachCell) {
   EXPECT_EQ(Draw::of_sobol(3, 5, streams).probability("new"), Draw(3, 5).probability("new"));
 }
 
+/// The normal scores of a variable in the draws of a Latin hypercube.
+std::vector<double> hypercube_scores(std::uint64_t seed, std::uint64_t draws, const char* name,
+                                     const CorrelationGroup& group) {
+  std::vector<double> scores;
+  for (std::uint64_t run = 0; run < draws; ++run)
+    scores.push_back(
+        normal_quantile(Draw::of_hypercube(seed, run, draws).probability(name, group)));
+  return scores;
+}
+
+double sample_correlation(const std::vector<double>& x, const std::vector<double>& y) {
+  double xy = 0, xx = 0, yy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xy += x[i] * y[i];
+    xx += x[i] * x[i];
+    yy += y[i] * y[i];
+  }
+  return xy / std::sqrt(xx * yy);
+}
+
+TEST(Draw, AHypercubeStratifiesMembersOfGroups) {
+  for (const double r : {0.3, 0.8, -0.8, 1.0, -1.0}) {
+    std::set<int> cells;
+    for (std::uint64_t run = 0; run < 30; ++run)
+      cells.insert(
+          static_cast<int>(30 * Draw::of_hypercube(3, run, 30).probability("a", {"g", r})));
+    EXPECT_EQ(cells.size(), 30) << "correlation " << r;
+  }
+}
+
+// Fisher's z, 4.5 of its standard deviations: the sampling error of plain draws, of which a
+// hypercube has no more.
+TEST(Draw, AHypercubeKeepsTheCorrelationOfAGroup) {
+  constexpr std::uint64_t kDraws = 3000;
+  const auto of = [&](const char* name, double r) {
+    return hypercube_scores(4, kDraws, name, {"g", r});
+  };
+  const double allowed = 4.5 / std::sqrt(kDraws - 3);
+  EXPECT_NEAR(std::atanh(sample_correlation(of("a", 0.8), of("b", 0.8))), std::atanh(0.64),
+              allowed);
+  EXPECT_NEAR(std::atanh(sample_correlation(of("a", 0.8), of("b", -0.5))), std::atanh(-0.4),
+              allowed);
+  EXPECT_NEAR(std::atanh(sample_correlation(of("a", 0.8), of("b", 1))), std::atanh(0.8), allowed);
+}
+
+TEST(Draw, AMemberInAHypercubeDependsOnSeedRunAndNameOnly) {
+  const auto member = [](std::uint64_t seed, std::uint64_t run, const char* name) {
+    return Draw::of_hypercube(seed, run, 30).probability(name, {"g", 0.8});
+  };
+  EXPECT_EQ(member(3, 7, "a"), member(3, 7, "a"));
+  EXPECT_NE(member(3, 7, "a"), member(4, 7, "a"));
+  EXPECT_NE(member(3, 7, "a"), member(3, 8, "a"));
+  EXPECT_NE(member(3, 7, "a"), member(3, 7, "b"));
+  std::vector<double> forwards(30), backwards(30);
+  std::thread other([&] {
+    for (std::uint64_t run = 30; run-- > 0;) backwards[run] = member(9, run, "c");
+  });
+  for (std::uint64_t run = 0; run < 30; ++run) forwards[run] = member(9, run, "c");
+  other.join();
+  EXPECT_EQ(forwards, backwards);
+}
+
 TEST(Draw, AVariableThatIsItsGroupsAsksForNoNumberOfItsOwn) {
   const auto streams = std::make_shared<Draw::Streams>();
   Draw::noting(3, 0, streams).probability("left", {"treads", 1});

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "studies/analysis/scale_factors.h"
+
+namespace gurney {
+
+inline nlohmann::ordered_json scale_factors_json(const ScaleFactors& factors) {
+  return {{"lowest", factors.lowest()},       {"highest", factors.highest()},
+          {"records", factors.records()},     {"limits", {kSmallestFactor, kLargestFactor}},
+          {"records_above", factors.above()}, {"records_below", factors.below()}};
+}
+
+}  // namespace gurney
