@@ -136,8 +136,8 @@ kill -s SEGV "$process"
 wait "$process" 2> /dev/null
 [ $? -eq 139 ] || complain "is not ended by SIGSEGV"
 grep -q 'gurney: crashed (signal 11) in run [01] of unit [0-9]*; finished runs are kept' stderr || complain "does not tell of the crash"
-cat crashed.h5.parts/crashes >> crashed.h5.parts/crashes.twice
-cat crashed.h5.parts/crashes.twice >> crashed.h5.parts/crashes
+cat crashed.h5.parts/crashes > crashes.once
+cat crashes.once >> crashed.h5.parts/crashes
 study 3 "runs     48, 0 overturned, 1 failed" long.toml -o crashed.h5 --resume
 gone crashed.h5.parts
 
