@@ -68,7 +68,7 @@ struct ScaledSuite {
 };
 
 /// A cell in quotes, a quote in it doubled (RFC 4180).
-std::string quoted(const std::string& text) {
+std::string csv_cell(const std::string& text) {
   std::string cell = "\"";
   for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
   return cell + "\"";
@@ -92,7 +92,7 @@ std::string files_text(const std::vector<RecordFile>& files, const fs::path& fol
     cell += (cell.empty() ? "" : ";") + fs::proximate(file.path, folder).string();
   }
   for (std::string& cell : cells)
-    if (!cell.empty()) cell = quoted(cell);
+    if (!cell.empty()) cell = csv_cell(cell);
   return fmt::format("{}", fmt::join(cells, ","));
 }
 
@@ -111,7 +111,7 @@ std::string list_text(const ScaledSuite& suite, const SuiteScaling& scaling,
     const auto shown = [](const std::optional<double>& value) {
       return value ? fmt::format("{:g}", *value) : std::string();
     };
-    text += fmt::format("{},{},{},{},\"{}\",{},{:.6g}\n", quoted(name),
+    text += fmt::format("{},{},{},{},\"{}\",{},{:.6g}\n", csv_cell(name),
                         files_text(record.files, folder), read.unit, shown(read.time_step),
                         read.columns, shown(read.si_per_count),
                         record.scale * scaling.factors[static_cast<Eigen::Index>(i)]);
