@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "engine/base/units.h"
+#include "groundmotions/formats/header_text.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/words.h"
 
@@ -18,7 +19,8 @@ namespace {
 
 bool says_nothing(const Component& component) {
   return !component.azimuth && !component.direction &&
-         (component.name.empty() || component.name.starts_with("column "));
+         (component.name.empty() || component.name.starts_with("column ") ||
+          upper(component.name) == "A" || quantity_in(component.name) == "acceleration");
 }
 
 bool needs_direction(const UnplacedComponent& component) {

@@ -110,7 +110,7 @@ class ListReader {
       record.options.si_per_count = positive(cell, title, 1e6);
     } else if (title == "scale") {
       record.scale = positive(cell, title, 1e6);
-    } else if (std::ranges::find(kColumns, title) != kColumns.end()) {
+    } else if (title != "channels" && std::ranges::find(kColumns, title) != kColumns.end()) {
       add_file(title, cell, record);
     }
   }

@@ -68,6 +68,13 @@ struct ScaledSuite {
   std::vector<Eigen::VectorXd> spectra;
 };
 
+/// A cell in quotes, a quote in it doubled (RFC 4180).
+std::string csv_cell(const std::string& text) {
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
+  return cell + "\"";
+}
+
 /// The channels of a record whose files are channels of one.
 std::string channels_text(const std::vector<RecordFile>& files) {
   std::string text;
@@ -86,7 +93,7 @@ std::string files_text(const std::vector<RecordFile>& files, const fs::path& fol
     cell += (cell.empty() ? "" : ";") + fs::proximate(file.path, folder).string();
   }
   for (std::string& cell : cells)
-    if (!cell.empty()) cell = "\"" + cell + "\"";
+    if (!cell.empty()) cell = csv_cell(cell);
   return fmt::format("{}", fmt::join(cells, ","));
 }
 
@@ -105,10 +112,10 @@ std::string list_text(const ScaledSuite& suite, const SuiteScaling& scaling,
     const auto shown = [](const std::optional<double>& value) {
       return value ? fmt::format("{:g}", *value) : std::string();
     };
-    text +=
-        fmt::format("\"{}\",{},{},{},\"{}\",{},{:.6g}\n", name, files_text(record.files, folder),
-                    read.unit, shown(read.time_step), read.columns, shown(read.si_per_count),
-                    record.scale * scaling.factors[static_cast<Eigen::Index>(i)]);
+    text += fmt::format("{},{},{},{},\"{}\",{},{:.6g}\n", csv_cell(name),
+                        files_text(record.files, folder), read.unit, shown(read.time_step),
+                        read.columns, shown(read.si_per_count),
+                        record.scale * scaling.factors[static_cast<Eigen::Index>(i)]);
   }
   return text;
 }

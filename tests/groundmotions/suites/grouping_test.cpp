@@ -136,7 +136,7 @@ TEST_F(Grouping, PartsChannelsOfSeveralPlaces) {
                                           "roof: building.V1#4"));
   folder_.write("list.csv", "name,file,channels\nx,building.V1,1.5\n");
   EXPECT_THAT(error_text([&] { read_suite({folder_.file("list.csv")}); }),
-              HasSubstr("list.csv:2:16: channels must be whole numbers from 1 to 1000"));
+              HasSubstr("list.csv:2:15: channels must be whole numbers from 1 to 1000"));
 }
 
 // Channels of a structure without a place each: which belong together is not known.

@@ -111,12 +111,13 @@ TEST(BadJob, ExplainsRecords) {
       "a.toml:4:1: excitation.record: no components or too many; must have 'file' (one file "
       "with all components, or an array of files), or files for 'x', 'y', 'z', or 'synthetic', or, "
       "in a study, 'suite'");
-  EXPECT_EQ(mistakes(head + "file = \"no.csv\"\nunit = \"m/s\"\nscale = inf\ntime_step_s = 0\n"),
-            "a.toml:5:8: excitation.record.file = \"no.csv\": no such file: no.csv\n"
-            "a.toml:6:8: excitation.record.unit = \"m/s\": must be one of g, m/s2, cm/s2, mm/s2; "
-            "did you mean 'm/s2'?\n"
-            "a.toml:7:9: excitation.record.scale = inf: must be a finite number > 0\n"
-            "a.toml:8:15: excitation.record.time_step_s = 0: must be a finite number > 0 and <= 1");
+  EXPECT_EQ(
+      mistakes(head + "file = \"no.csv\"\nunit = \"m/s\"\nscale = inf\ntime_step_s = 0\n"),
+      "a.toml:5:8: excitation.record.file = \"no.csv\": no such file: no.csv\n"
+      "a.toml:6:8: excitation.record.unit = \"m/s\": must be one of g, m/s2, cm/s2, gal, "
+      "mm/s2, mg, %g, ft/s2, in/s2; did you mean 'm/s2'?\n"
+      "a.toml:7:9: excitation.record.scale = inf: must be a finite number > 0\n"
+      "a.toml:8:15: excitation.record.time_step_s = 0: must be a finite number >= 1e-05 and <= 1");
   const TempFolder folder;
   const std::string x = folder.write("x.at2", "");
   EXPECT_EQ(mistakes(head + "x = \"" + x + "\"\nuse = \"xy\"\n"),
