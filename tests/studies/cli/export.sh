@@ -22,7 +22,7 @@ expect 0 "PGA larger: 0.1 g, 0.15 g, 0.2 g" "$gurney" show study.h5
 expect 0 "were repeated with half the step" "$gurney" show study.h5
 expect 0 '"filetype": "gurney-study"' "$gurney" show study.h5 --json
 expect 1 "nothing.h5: no such file" "$gurney" show nothing.h5
-expect 1 "trolley_levels.toml: is no results file of gurney" "$gurney" show \
+expect 1 "trolley_levels.toml: is not a results file of gurney" "$gurney" show \
   "$2/studies/jobs/trolley_levels.toml"
 expect 2 "FILE is required" "$gurney" show
 

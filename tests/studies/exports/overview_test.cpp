@@ -134,7 +134,7 @@ TEST_F(Overview, IsJson) {
 TEST_F(Overview, RefusesOtherFiles) {
   const std::string text = folder_.file("text.h5");
   std::ofstream(text) << "no HDF5";
-  EXPECT_ERROR(is_study_file(text), "text.h5: is no results file of gurney");
+  EXPECT_ERROR(is_study_file(text), "text.h5: is not a results file of gurney");
   EXPECT_ERROR(is_study_file(text + "x"), "text.h5x: no such file");
   EXPECT_ERROR(run_overview(path_), "overview.h5: is the results file of a study");
   EXPECT_TRUE(is_study_file(path_));
