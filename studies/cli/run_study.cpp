@@ -12,9 +12,11 @@
 
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
+#include "studies/batch/declared_ranges.h"
 #include "studies/batch/run_batch.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/signals.h"
+#include "studies/report/wrapped.h"
 #include "studies/results/hdf5_reader.h"
 #include "studies/results/output_files.h"
 #include "studies/study/data_files.h"
@@ -125,12 +127,13 @@ bool complete_already(const RunOptions& options, const Paths& paths, const Study
 }
 
 void print_counts(const RunOptions& options, const Paths& paths, const StudyCounts& counts,
-                  const BatchProgress& progress) {
+                  const BatchProgress& progress, const std::vector<std::string>& undrawn) {
   if (options.json) {
     fmt::print("{}\n", nlohmann::ordered_json{{"results", paths.results.string()},
                                               {"runs", counts.runs},
                                               {"overturned", counts.overturned},
-                                              {"failed", counts.failed}}
+                                              {"failed", counts.failed},
+                                              {"ranges_not_drawn", undrawn}}
                            .dump(2));
     return;
   }
@@ -139,6 +142,8 @@ void print_counts(const RunOptions& options, const Paths& paths, const StudyCoun
   if (progress.runs > 0)
     fmt::print("speed    {:.1f} runs per second\n",
                static_cast<double>(progress.runs) / progress.seconds);
+  fmt::print("declared ranges not drawn:\n");
+  for (const std::string& line : undrawn) fmt::print("  {}\n", wrapped(line, 4, 2));
   fmt::print("results  {}\n", paths.results.string());
 }
 
@@ -211,7 +216,7 @@ int run_study(const RunOptions& options) {
   }
   append_log(paths, options, threads, progress, "finished");
   folder.remove();
-  print_counts(options, paths, counts, progress);
+  print_counts(options, paths, counts, progress, undrawn_ranges(batch).lines());
   return counts.failed > 0 ? 3 : 0;
 }
 

@@ -91,6 +91,7 @@ std::string overview_json(const StudyOverview& overview) {
   result["intensity_measure"] = overview.measure;
   result["levels"] = overview.levels;
   result["draws"] = overview.draws;
+  result["ranges_not_drawn"] = overview.undrawn;
   result["runs"] = overview.runs;
   result["overturned"] = overview.overturned;
   result["failed"] = overview.failed;

@@ -5,6 +5,7 @@
 
 #include "engine/base/units.h"
 #include "studies/report/overview_report.h"
+#include "studies/report/wrapped.h"
 
 namespace gurney {
 namespace {
@@ -163,6 +164,8 @@ std::string overview_text(const StudyOverview& overview) {
                            fmt::join(overview.levels, ", ")));
   all += entry("draws", overview.draws > 0 ? fmt::format("{} of each record", overview.draws)
                                            : "none, every number has its value");
+  all += "declared ranges not drawn:\n";
+  for (const std::string& line : overview.undrawn) all += "  " + wrapped(line, 4, 2) + "\n";
   all += entry("runs", fmt::format("{}, {} overturned, {} failed", overview.runs,
                                    overview.overturned, overview.failed));
   if (overview.warned > 0)

@@ -22,7 +22,8 @@ class Collector {
          {DataKind::kItem, DataKind::kCaster, DataKind::kFloor, DataKind::kRoom, DataKind::kTether})
       for (const std::string& name : catalogue_names(kind))
         catalogue_.emplace(name, find_data(kind, name, ""));
-    add(fs::path(data_folder()) / "equipment" / "contacts.toml");
+    for (const char* file : {"contacts.toml", "levelness.toml"})
+      add(fs::path(data_folder()) / "equipment" / file);
   }
 
   /// @param folder  that relative names in the tree start from
