@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/random/draw.h"
+
 namespace gurney {
 
 /// A number, or a choice of words, that no source backs or that was drawn from a distribution: what
@@ -18,6 +20,7 @@ struct Assumption {
   std::string reason;  ///< empty: a drawn number whose distribution has a source
   std::string file;
   std::string distribution;  ///< that it was drawn from; empty: not drawn
+  Draw::Streams streams{};   ///< random numbers that a drawn one rests on
 };
 
 /// Appends what is not there yet (same file, key and value).

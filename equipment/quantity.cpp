@@ -237,7 +237,8 @@ double Quantities::settle(const std::string& name, double value,
     const std::string variable = table_.document().variable_name(path);
     value = distribution.quantile(draw->probability(variable, uncertainty->group));
     assumptions_->push_back({draw->full_name(variable), "", value, distribution.low(),
-                             distribution.high(), uncertainty->reason, file, distribution.text()});
+                             distribution.high(), uncertainty->reason, file, distribution.text(),
+                             draw->streams_of(variable, uncertainty->group)});
   } else if (!basis.reason.empty()) {
     assumptions_->push_back({path, "", value, basis.low, basis.high, basis.reason, file, ""});
   }

@@ -17,6 +17,7 @@ TetherType load_tether_type(const std::string& file, const std::optional<Draw>& 
   type.axial_stiffness = in.number("axial_stiffness_n", Range::positive());
   type.damping = in.number("damping_n_s_per_m", Range::not_negative());
   type.strength = in.number("strength_n", Range::positive().with_infinity());
+  type.slack_pull = in.number("slack_pull_n", Range::not_negative(), 0.0);
   document.finish();
   return type;
 }

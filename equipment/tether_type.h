@@ -16,6 +16,7 @@ struct TetherType {
   double axial_stiffness = 0;  ///< force per strain; over the length the stiffness, > 0 [N]
   double damping = 0;          ///< while taut, >= 0 [N s/m]
   double strength = std::numeric_limits<double>::infinity();  ///< > 0 [N]
+  double slack_pull = 0;  ///< horizontally towards the anchor, taut or not, >= 0 [N]
   std::vector<Assumption> assumptions;
 };
 

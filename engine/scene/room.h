@@ -57,6 +57,7 @@ struct Tether {
   double stiffness = 0;              ///< > 0 [N/m]
   double damping = 0;                ///< while taut, >= 0 [N s/m]
   double strength = std::numeric_limits<double>::infinity();  ///< > 0 [N]
+  double slack_pull = 0;  ///< horizontally towards the anchor, whether taut or not, >= 0 [N]
 };
 
 }  // namespace gurney

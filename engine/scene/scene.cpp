@@ -88,6 +88,7 @@ void validate(const Scene& scene) {
   Problems problems;
   problems.not_negative("gravity", scene.gravity);
   problems.check(std::abs(scene.slope) <= 1, "slope", scene.slope, "in -1..1");
+  problems.check(std::abs(scene.cross_slope) <= 1, "cross_slope", scene.cross_slope, "in -1..1");
   for (const auto& [name, model, initial] : scene.items) {
     problems.finite("initial.position", initial.position);
     problems.finite("initial.velocity", initial.velocity);

@@ -21,7 +21,8 @@ struct PlacedItem {
 struct Scene {
   std::vector<PlacedItem> items{PlacedItem{}};  ///< 1 or more
   double gravity = 9.80665;                     ///< >= 0 [m/s2]
-  double slope = 0;  ///< of the floor: rise over run, the x axis points uphill
+  double slope = 0;                             ///< of the floor: rise over run along x, in [-1, 1]
+  double cross_slope = 0;                       ///< the same along y
   std::string floor_material;
   std::vector<RoomShape> room;
   std::vector<Zone> zones;

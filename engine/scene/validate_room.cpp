@@ -72,6 +72,7 @@ void check_tether(const Scene& scene, const Tether& tether, Problems& problems) 
   problems.positive(owner + "slack_length", tether.slack_length);
   problems.positive(owner + "stiffness", tether.stiffness);
   problems.not_negative(owner + "damping", tether.damping);
+  problems.not_negative(owner + "slack_pull", tether.slack_pull);
   problems.number(tether.strength > 0, owner + "strength", tether.strength, "> 0");
   problems.check(tether.point.allFinite() && tether.anchor.allFinite(),
                  owner + "point and anchor: must be finite");

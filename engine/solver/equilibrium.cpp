@@ -83,8 +83,8 @@ void settle(const Assembly& assembly, const Scene& scene, std::size_t index,
   Excitation held = still;
   for (int dof : {0, 1, 5}) held.fixture.guides[dof] = {Guide::Kind::kHeld, 0, 0, 0};
   Scene level = alone(scene, index);
-  level.slope = 0;
-  level.gravity = scene.gravity * std::cos(std::atan(scene.slope));
+  level.slope = level.cross_slope = 0;
+  level.gravity = -mechanism.gravity.z();
   // Nothing pushes sideways: without friction the treads settle without holding each other.
   for (Caster& caster : level.items[0].model.casters) {
     caster.tread.static_friction = caster.tread.kinetic_friction = 0;
@@ -119,7 +119,8 @@ void settle(const Assembly& assembly, const Scene& scene, std::size_t index,
     }
   };
   adopt(settled);
-  if (scene.slope == 0 && !mechanism.loads.holds_at_start()) return;
+  const bool is_level = scene.slope == 0 && scene.cross_slope == 0;
+  if (is_level && !mechanism.loads.holds_at_start()) return;
 
   Excitation loaded = index == 0 ? excitation : Excitation();
   stop_at_zero_rate(loaded.fixture);

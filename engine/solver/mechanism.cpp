@@ -7,11 +7,6 @@
 namespace gurney {
 namespace {
 
-Vector3 sloped_gravity(double gravity, double slope) {
-  const double angle = std::atan(slope);
-  return {-gravity * std::sin(angle), 0, -gravity * std::cos(angle)};
-}
-
 Leg::Geometry geometry(const Leg& leg, const State& state, std::size_t i) {
   Leg::Geometry g;
   leg.evaluate(state.pose(), state.legs[i].swivel_angle, state.velocity.chassis,
@@ -23,9 +18,15 @@ Leg::Geometry geometry(const Leg& leg, const State& state, std::size_t i) {
 
 Vector3 point_of(const Leg& leg, const Pose& pose, double swivel_angle,
                  const BodyContact::Side& side) {
-  return side.outwards.isZero()
-             ? leg.point(pose, swivel_angle, side.local)
-             : leg.tread_point(pose, swivel_angle, side.outwards, side.local);
+  return side.outwards.isZero() ? leg.point(pose, swivel_angle, side.local)
+                                : leg.tread_point(pose, swivel_angle, side.outwards, side.local);
+}
+
+Vector3 gravity_on_slope(double gravity, double slope, double cross_slope) {
+  const double steepest = std::hypot(slope, cross_slope);
+  if (steepest == 0) return {0, 0, -gravity};
+  const double angle = std::atan(steepest), along = -gravity * std::sin(angle);
+  return {along * (slope / steepest), along * (cross_slope / steepest), -gravity * std::cos(angle)};
 }
 
 Mechanism::Mechanism(const Scene& scene, std::size_t item, const Excitation& excitation)
@@ -33,7 +34,7 @@ Mechanism::Mechanism(const Scene& scene, std::size_t item, const Excitation& exc
       loads(item == 0 ? excitation : Excitation(), chassis.center_of_mass, scene.gravity),
       tethers(scene, item, chassis.center_of_mass),
       fixture(item == 0 ? excitation.fixture : Fixture()),
-      gravity(sloped_gravity(scene.gravity, scene.slope)),
+      gravity(gravity_on_slope(scene.gravity, scene.slope, scene.cross_slope)),
       total_mass(chassis.mass),
       length(0),
       reach(0) {

@@ -14,6 +14,10 @@ namespace gurney {
 Vector3 point_of(const Leg& leg, const Pose& pose, double swivel_angle,
                  const BodyContact::Side& side);
 
+/// Gravity in floor axes, whose z axis is normal to a floor that rises by `slope` along x and
+/// `cross_slope` along y.
+Vector3 gravity_on_slope(double gravity, double slope, double cross_slope);
+
 /// The constants of one item on its casters under its loads: what a run reads and never changes.
 struct Mechanism {
   Mechanism(const Scene& scene, std::size_t item, const Excitation& excitation);

@@ -7,6 +7,10 @@ namespace {
 
 bool broken(const State& state, std::size_t i) { return (state.broken_tethers >> i & 1u) != 0; }
 
+/// A cord that hangs straight down pulls nowhere: its horizontal pull grows to its full value over
+/// this horizontal distance [m].
+constexpr double kFullPull = 0.1;
+
 }  // namespace
 
 Tethers::Tethers(const Scene& scene, std::size_t item, const Vector3& chassis_center) {
@@ -43,12 +47,23 @@ Tethers::Pull Tethers::pull(const Tether& tether, double tau, const State& start
   return pull;
 }
 
+Loads::Row Tethers::slack_pull(const Tether& tether, const Pose& pose) const {
+  const Vector3 arm = pose.rotation * tether.point;
+  Vector3 direction = tether.anchor - pose.position - arm;
+  direction.z() = 0;
+  direction /= std::max(direction.norm(), kFullPull);
+  Vector6 row;
+  row << direction, arm.cross(direction);
+  return {row, tether.slack_pull, 0};
+}
+
 void Tethers::evaluate(double tau, const State& start, const Pose& pose, const Vector6& velocity,
                        std::vector<Loads::Row>& rows) const {
   for (std::size_t i = 0; i < tethers_.size(); ++i) {
     if (broken(start, i)) continue;
     const Pull p = pull(tethers_[i], tau, start, pose, velocity);
     rows.push_back({p.row, p.elastic + p.damping, p.slope});
+    if (tethers_[i].slack_pull > 0) rows.push_back(slack_pull(tethers_[i], pose));
   }
 }
 
@@ -59,6 +74,9 @@ double Tethers::finish(double tau, const State& start, const Pose& pose, const V
     if (broken(start, i)) continue;
     const Pull p = pull(tethers_[i], tau, start, pose, velocity);
     power.damper_loss += p.damping * p.rate;
+    if (tethers_[i].slack_pull > 0)
+      power.work_of_forces +=
+          tethers_[i].slack_pull * slack_pull(tethers_[i], pose).direction.dot(velocity);
     if (p.elastic > 0) rates += tethers_[i].stiffness * p.rate * p.rate;
   }
   return rates;

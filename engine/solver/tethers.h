@@ -16,7 +16,10 @@ namespace gurney {
 ///     T = k s + min(max(c s', -k s), k s)  for s > 0, else 0,
 ///
 /// so that a cord never pushes and takes up its load without a jump. A tether whose spring force
-/// k s exceeds its strength at the end of a step has broken and carries nothing any more.
+/// k s exceeds its strength at the end of a step has broken and carries nothing any more. Until
+/// then it also pulls with its slack pull H, horizontally towards the anchor: what hangs or lies on
+/// the floor between the two has a horizontal tension, taut or not. Within kFullPull = 0.1 m of the
+/// anchor in plan H falls to 0 in proportion to the distance.
 class Tethers {
  public:
   Tethers(const Scene& scene, std::size_t item, const Vector3& chassis_center);
@@ -30,7 +33,7 @@ class Tethers {
   void evaluate(double tau, const State& start, const Pose& pose, const Vector6& velocity,
                 std::vector<Loads::Row>& rows) const;
 
-  /// Adds the damping's power (W) to `power`, and returns the sum of k s'^2.
+  /// Adds the power (W) of damping and of slack pulls to `power`, and returns the sum of k s'^2.
   double finish(double tau, const State& start, const Pose& pose, const Vector6& velocity,
                 EnergyAccount& power) const;
 
@@ -48,6 +51,7 @@ class Tethers {
   };
   Pull pull(const Tether& tether, double tau, const State& start, const Pose& pose,
             const Vector6& velocity) const;
+  Loads::Row slack_pull(const Tether& tether, const Pose& pose) const;
   double stretch(const Tether& tether, const State& state) const;
 
   std::vector<Tether> tethers_;  // points relative to the chassis' centre

@@ -14,6 +14,7 @@
 #include "engine/response.h"
 #include "studies/analysis/run_levels.h"
 #include "studies/results/hdf5_reader.h"
+#include "studies/study/undrawn_ranges.h"
 
 namespace gurney {
 namespace {
@@ -49,6 +50,17 @@ FileOverview header_of(const Hdf5Reader& file, const std::string& path) {
     if (known.emplace(keys[i], values[i], files[i]).second)
       header.assumptions.push_back({keys[i], values[i], ranges[i], reasons[i], files[i]});
   return header;
+}
+
+/// Files of programs before 2026-11-22 do not say what was drawn.
+std::vector<std::string> undrawn_of(const StudyReader& file) {
+  if (!file.has("assumptions/drawn")) return {"not stated in this file"};
+  const auto keys = file.strings("assumptions/key"), ranges = file.strings("assumptions/range"),
+             files = file.strings("assumptions/file"), drawn = file.strings("assumptions/drawn");
+  UndrawnRanges undrawn;
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    if (drawn[i] == "no" && !ranges[i].empty()) undrawn.add(files[i], keys[i]);
+  return undrawn.lines();
 }
 
 void add_motions(const StudyReader& file, FileOverview& header) {
@@ -159,6 +171,7 @@ StudyOverview study_overview(const std::string& path) {
   overview.angles = study.angles;
   overview.measure = data.file().text_attribute("intensity_measure");
   overview.draws = study.draws;
+  overview.undrawn = undrawn_of(data.file());
   overview.states = data.limit_states();
   overview.runs = data.file().runs();
   add_counts(data, overview);

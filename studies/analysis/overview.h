@@ -47,6 +47,7 @@ struct StudyOverview {
     std::string name;
     std::vector<std::string> levels;
   };
+  std::vector<std::string> undrawn;  ///< declared ranges that were not drawn, by data file
   std::vector<Varied> factors;
   std::vector<std::string> configurations;
   std::vector<double> angles;  ///< [rad]

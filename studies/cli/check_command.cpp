@@ -8,9 +8,11 @@
 #include <thread>
 
 #include "engine/base/units.h"
+#include "studies/batch/declared_ranges.h"
 #include "studies/batch/estimate.h"
 #include "studies/cli/study_size.h"
 #include "studies/report/scale_factors_json.h"
+#include "studies/report/wrapped.h"
 #include "studies/run_job.h"
 #include "studies/study/stages.h"
 
@@ -128,6 +130,10 @@ void add_plan(Answer& answer, const Batch& batch) {
                  : fmt::format("{} points for each record, each with {} rows of a Saltelli design",
                                study.draws, inputs.size() + kSaltelliMatrices));
   if (!inputs.empty()) answer.add("inputs", inputs, list_of(inputs));
+  const std::vector<std::string> undrawn = undrawn_ranges(batch).lines();
+  answer.json["ranges_not_drawn"] = undrawn;
+  answer.text += "declared ranges not drawn:\n";
+  for (const std::string& line : undrawn) answer.text += "  " + wrapped(line, 4, 2) + "\n";
   add_warnings(answer, warnings);
 }
 

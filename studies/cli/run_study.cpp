@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "engine/base/error.h"
+#include "studies/batch/declared_ranges.h"
 #include "studies/batch/run_batch.h"
 #include "studies/batch/study_identity.h"
 #include "studies/build_info/build_info.h"
@@ -21,6 +22,7 @@
 #include "studies/cli/study_size.h"
 #include "studies/report/failed_runs.h"
 #include "studies/report/scale_factors_json.h"
+#include "studies/report/wrapped.h"
 #include "studies/results/output_files.h"
 #include "studies/study_results/complete_study.h"
 #include "studies/study_results/study_file.h"
@@ -84,14 +86,12 @@ bool is_complete(const RunOptions& options, const Paths& paths, const Batch& bat
 }
 
 void print_counts(const RunOptions& options, const Paths& paths, const StudyCounts& counts,
-                  const BatchProgress& progress) {
+                  const BatchProgress& progress, const std::vector<std::string>& undrawn) {
   const ScaleFactors factors = scale_factors(StudyData(paths.results.string()));
   if (options.json) {
-    nlohmann::ordered_json json{{"results", paths.results.string()},
-                                {"runs", counts.runs},
-                                {"overturned", counts.overturned},
-                                {"failed", counts.failed},
-                                {"untrusted", counts.untrusted}};
+    nlohmann::ordered_json json{{"results", paths.results.string()}, {"runs", counts.runs},
+                                {"overturned", counts.overturned},   {"failed", counts.failed},
+                                {"untrusted", counts.untrusted},     {"ranges_not_drawn", undrawn}};
     if (factors.any()) json["scale_factors"] = scale_factors_json(factors);
     fmt::print("{}\n", json.dump(2));
     return;
@@ -102,6 +102,8 @@ void print_counts(const RunOptions& options, const Paths& paths, const StudyCoun
     fmt::print("speed    {:.1f} runs per second\n",
                static_cast<double>(progress.runs_now) / progress.seconds);
   if (factors.any()) fmt::print("scaling  factors {}\n", factors.text());
+  fmt::print("declared ranges not drawn:\n");
+  for (const std::string& line : undrawn) fmt::print("  {}\n", wrapped(line, 4, 2));
   fmt::print("results  {}\n", paths.results.string());
 }
 
@@ -199,7 +201,7 @@ int run_study(const RunOptions& options) {
   }
   append_log(paths, log_entry(options, threads, progress, "finished"));
   folder.remove();
-  print_counts(options, paths, counts, progress);
+  print_counts(options, paths, counts, progress, undrawn_ranges(batch).lines());
   return counts.failed > 0 ? 3 : 0;
 }
 

@@ -10,6 +10,7 @@
 
 #include "engine/base/config/table.h"
 #include "engine/base/units.h"
+#include "equipment/levelness.h"
 #include "equipment/quantity.h"
 #include "studies/job/excitation_reader.h"
 #include "studies/job/item_reader.h"
@@ -85,12 +86,24 @@ void read_output(Table& root, SimulationSettings& settings) {
   settings.history_step = histories ? whole : 0;
 }
 
+/// How far the floor is out of level where the job does not say.
+void use_levelness(std::optional<Draw> draw, std::vector<Assumption>& assumptions, Scene& scene) {
+  if (draw) draw = draw->of_part("floor");
+  const Levelness usual = usual_levelness(draw);
+  scene.slope = usual.slope;
+  scene.cross_slope = usual.cross_slope;
+  add_assumptions(assumptions, usual.assumptions);
+}
+
 std::optional<FloorCovering> read_floor(Table& root, std::vector<Assumption>& assumptions,
                                         Scene& scene) {
   auto table = root.table("floor");
+  const bool stated = table && (table->has("slope") || table->has("cross_slope"));
+  if (!stated) use_levelness(root.document().draw(), assumptions, scene);
   if (!table) return {};
   Quantities in(*table, assumptions);
   scene.slope = in.number("slope", Range::within(-1, 1), scene.slope);
+  scene.cross_slope = in.number("cross_slope", Range::within(-1, 1), scene.cross_slope);
   scene.gravity = in.number("gravity_m_per_s2", Range::not_negative(), scene.gravity);
   return read_floor_covering(*table);
 }

@@ -65,12 +65,15 @@ void read_constants(Quantities& in, Tether& tether, std::vector<Assumption>& ass
   stated("stiffness_n_per_m", "axial_stiffness_n");
   stated("damping_n_s_per_m", "damping_n_s_per_m");
   stated("strength_n", "strength_n");
+  stated("slack_pull_n", "slack_pull_n");
   tether.stiffness = in.number("stiffness_n_per_m", Range::positive(),
                                fallback(usual.axial_stiffness / tether.slack_length));
   tether.damping =
       in.number("damping_n_s_per_m", Range::not_negative(), known ? usual.damping : 0.0);
   tether.strength =
       in.number("strength_n", Range::positive().with_infinity(), fallback(usual.strength));
+  tether.slack_pull =
+      in.number("slack_pull_n", Range::not_negative(), known ? usual.slack_pull : 0.0);
   add_assumptions(assumptions, usual.assumptions);
 }
 

@@ -6,6 +6,7 @@
 #include "engine/base/units.h"
 #include "studies/report/failed_runs.h"
 #include "studies/report/overview_report.h"
+#include "studies/report/wrapped.h"
 
 namespace gurney {
 namespace {
@@ -166,6 +167,8 @@ std::string overview_text(const StudyOverview& overview) {
     all += entry("scaling", "factors " + overview.factors_on_records.text());
   all += entry("draws", overview.draws > 0 ? fmt::format("{} of each record", overview.draws)
                                            : "none, every number has its value");
+  all += "declared ranges not drawn:\n";
+  for (const std::string& line : overview.undrawn) all += "  " + wrapped(line, 4, 2) + "\n";
   all += entry("runs", fmt::format("{}, {} overturned, {}", overview.runs, overview.overturned,
                                    failed_runs(overview.failed, overview.untrusted)));
   if (overview.warned > 0)

@@ -9,38 +9,16 @@
 
 #include "engine/base/units.h"
 #include "studies/report/story.h"
+#include "studies/report/wrapped.h"
 #include "studies/results/columns.h"
 #include "studies/results/names.h"
 
 namespace gurney {
 namespace {
 
-constexpr std::size_t kColumns = 100;
-
 /// What says nothing of an item without casters.
 const std::set<std::string> kDemandsOfWheels = {"peak_normal_force", "lifted_time",
                                                 "most_wheels_lifted"};
-
-/// Breaks a text between words; lines after the first start with `indent` blanks.
-std::string wrapped(const std::string& text, std::size_t indent, std::size_t used) {
-  std::istringstream words(text);
-  std::string result, word;
-  std::size_t column = used;
-  bool first = true;
-  while (words >> word) {
-    if (!first && column + 1 + word.size() > kColumns) {
-      result.append("\n").append(indent, ' ');
-      column = indent;
-    } else if (!first) {
-      result += " ";
-      ++column;
-    }
-    result += word;
-    column += word.size();
-    first = false;
-  }
-  return result;
-}
 
 /// For reading: four digits, angles in degrees.
 std::string shown(double value, std::string& units, bool whole) {

@@ -31,7 +31,8 @@ Plan::Plan(const StudyJob& job, const StudyMotions& motions) {
   if (stated_draws_ > 0 && (sampling_ == Sampling::kSobol || sampling_ == Sampling::kSaltelli)) {
     streams_ = std::make_shared<Draw::Streams>();
     for (std::size_t i = 0; i < job.configurations().size(); ++i)
-      job.job(i, Draw::noting(seed_, 0, streams_));
+      for (const Assumption& each : job.job(i, Draw(seed_, 0)).assumptions)
+        streams_->insert(each.streams.begin(), each.streams.end());
   }
   if (sampling_ == Sampling::kSaltelli) {
     require(!streams_->empty(), job.file() +

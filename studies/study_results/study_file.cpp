@@ -7,6 +7,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
+#include "studies/batch/declared_ranges.h"
 #include "studies/batch/study_identity.h"
 #include "studies/results/results_file.h"
 #include "studies/run_job.h"
@@ -111,23 +112,23 @@ void add_design(Hdf5Writer& file, const Batch& batch) {
 }
 
 void add_assumptions(Hdf5Writer& file, const Batch& batch) {
-  std::vector<std::string> configurations, keys, values, ranges, reasons, files;
-  for (std::size_t i = 0; i < batch.job.configurations().size(); ++i)
-    for (const Assumption& each : batch.job.job(i, {}).assumptions) {
-      if (each.reason.empty()) continue;
-      const AssumptionFacts facts = facts_of(each);
-      configurations.push_back(std::to_string(i));
-      keys.push_back(facts.key);
-      values.push_back(facts.value);
-      ranges.push_back(facts.range);
-      reasons.push_back(facts.reason);
-      files.push_back(facts.file);
-    }
+  std::vector<std::string> configurations, keys, values, ranges, drawn, reasons, files;
+  for (const StatedAssumption& each : stated_assumptions(batch)) {
+    const AssumptionFacts facts = facts_of(each.assumption);
+    configurations.push_back(std::to_string(each.configuration));
+    keys.push_back(facts.key);
+    values.push_back(facts.value);
+    ranges.push_back(facts.range);
+    drawn.push_back(each.drawn ? "yes" : "no");
+    reasons.push_back(facts.reason);
+    files.push_back(facts.file);
+  }
   GrowingTable table(file, "assumptions");
   TextTable{{{"configuration", "row of /configurations", configurations},
              {"key", "the number that has no source", keys},
              {"value", "its value where it is not drawn", values},
              {"range", "how far it may be off", ranges},
+             {"drawn", "yes: drawn by the study; no: always its value", drawn},
              {"reason", "why this value", reasons},
              {"file", "data file that states it", files}}}
       .write(table);

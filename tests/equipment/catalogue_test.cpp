@@ -24,7 +24,8 @@ std::vector<std::string> shipped_files() {
        {DataKind::kItem, DataKind::kCaster, DataKind::kFloor, DataKind::kRoom, DataKind::kTether})
     for (const std::string& name : catalogue_names(kind))
       files.push_back(find_data(kind, name, ""));
-  files.push_back(data_folder() + "/equipment/contacts.toml");
+  for (const char* file : {"contacts", "levelness"})
+    files.push_back(data_folder() + "/equipment/" + file + ".toml");
   return files;
 }
 

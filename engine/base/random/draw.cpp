@@ -24,12 +24,18 @@ std::uint64_t hash_of(const std::string& name) {
   return hash;
 }
 
+std::string group_stream(const CorrelationGroup& group) { return "group " + group.name; }
+
 }  // namespace
 
 Draw Draw::of_part(const std::string& part) const {
   Draw draw = *this;
   draw.parts_ += part + '/';
   return draw;
+}
+
+std::string Draw::own_stream(const std::string& variable) const {
+  return "variable " + full_name(variable);
 }
 
 std::string Draw::full_name(const std::string& variable) const { return parts_ + variable; }
@@ -53,14 +59,7 @@ Draw Draw::of_saltelli(std::uint64_t seed, std::uint64_t run, const SaltelliRow&
   return draw;
 }
 
-Draw Draw::noting(std::uint64_t seed, std::uint64_t run, std::shared_ptr<Streams> streams) {
-  Draw draw(seed, run);
-  draw.noted_ = std::move(streams);
-  return draw;
-}
-
 double Draw::uniform(const std::string& stream) const {
-  if (noted_) noted_->insert(stream);
   if (streams_) {
     const auto found = streams_->find(stream);
     if (found != streams_->end()) {
@@ -75,16 +74,23 @@ double Draw::uniform(const std::string& stream) const {
   return uniform_draw(seed_, key, run_);
 }
 
+Draw::Streams Draw::streams_of(const std::string& variable, const CorrelationGroup& group) const {
+  const double r = group.name.empty() ? 0 : group.correlation;
+  Streams streams;
+  if (r != 0) streams.insert(group_stream(group));
+  if (r != 1) streams.insert(own_stream(variable));
+  return streams;
+}
+
 double Draw::probability(const std::string& variable, const CorrelationGroup& group) const {
   const double r = group.name.empty() ? 0 : group.correlation;
-  if (r == 1) return uniform("group " + group.name);
-  const std::string own_stream = "variable " + full_name(variable);
-  const double own = uniform(own_stream);
+  if (r == 1) return uniform(group_stream(group));
+  const double own = uniform(own_stream(variable));
   if (r == 0) return own;
-  const std::string group_stream = "group " + group.name;
   if (cells_ > 0 && std::abs(r) < 1)
-    return stratified_member({seed_, cells_, hash_of(group_stream), hash_of(own_stream), r}, run_);
-  const double score = member_score(r, uniform(group_stream), own);
+    return stratified_member(
+        {seed_, cells_, hash_of(group_stream(group)), hash_of(own_stream(variable)), r}, run_);
+  const double score = member_score(r, uniform(group_stream(group)), own);
   return std::clamp(normal_cdf(score), 0x1p-54, 1 - 0x1p-53);
 }
 

@@ -41,9 +41,6 @@ class Draw {
   static Draw of_saltelli(std::uint64_t seed, std::uint64_t run, const SaltelliRow& row,
                           std::shared_ptr<const Streams> inputs);
 
-  /// A draw that notes its streams, to know them before a Sobol sequence. Not for several threads.
-  static Draw noting(std::uint64_t seed, std::uint64_t run, std::shared_ptr<Streams> streams);
-
   /// The same draw for a part: names of variables begin with `part/`, groups keep theirs.
   Draw of_part(const std::string& part) const;
 
@@ -58,18 +55,21 @@ class Draw {
   /// among all draws: stratified_member().
   double probability(const std::string& variable, const CorrelationGroup& group = {}) const;
 
+  /// The streams that probability() takes for this variable.
+  Streams streams_of(const std::string& variable, const CorrelationGroup& group = {}) const;
+
   std::uint64_t seed() const { return seed_; }
   std::uint64_t run() const { return run_; }
   std::string text() const;  ///< `draw 3 of seed 1`
 
  private:
+  std::string own_stream(const std::string& variable) const;
   double uniform(const std::string& stream) const;
 
   std::uint64_t seed_, run_;
   std::uint64_t cells_ = 0;                 ///< of a Latin hypercube; 0: none
   std::shared_ptr<const Streams> streams_;  ///< of a Sobol sequence or a Saltelli design
   std::optional<SaltelliRow> row_;
-  std::shared_ptr<Streams> noted_;
   std::string parts_;
 };
 

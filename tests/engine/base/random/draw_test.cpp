@@ -118,12 +118,8 @@ std::set<int> cells(const char* name, const std::function<Draw(std::uint64_t)>& 
 }
 
 TEST(Draw, PlansPutOneDrawOfEachVariableInEachCell) {
-  const auto streams = std::make_shared<Draw::Streams>();
-  const Draw noting = Draw::noting(3, 0, streams);
-  for (const char* name : {"mass", "friction"}) noting.probability(name);
-  noting.probability("left", {"treads", 0.5});
-  EXPECT_EQ(*streams,
-            (Draw::Streams{"variable mass", "variable friction", "variable left", "group treads"}));
+  const auto streams = std::make_shared<Draw::Streams>(
+      Draw::Streams{"variable mass", "variable friction", "variable left", "group treads"});
   const auto hypercube = [](std::uint64_t run) { return Draw::of_hypercube(3, run, 16); };
   const auto sobol = [&](std::uint64_t run) { return Draw::of_sobol(3, run, streams); };
   for (const char* name : {"mass", "friction"}) {
@@ -197,10 +193,12 @@ TEST(Draw, AMemberInAHypercubeDependsOnSeedRunAndNameOnly) {
   EXPECT_EQ(forwards, backwards);
 }
 
-TEST(Draw, AVariableThatIsItsGroupsAsksForNoNumberOfItsOwn) {
-  const auto streams = std::make_shared<Draw::Streams>();
-  Draw::noting(3, 0, streams).probability("left", {"treads", 1});
-  EXPECT_EQ(*streams, (Draw::Streams{"group treads"}));
+TEST(Draw, StreamsOfAVariableAreItsOwnAndItsGroups) {
+  const Draw draw = Draw(3, 0).of_part("left");
+  EXPECT_EQ(draw.streams_of("mass"), (Draw::Streams{"variable left/mass"}));
+  EXPECT_EQ(draw.streams_of("mass", {"treads", 0.5}),
+            (Draw::Streams{"variable left/mass", "group treads"}));
+  EXPECT_EQ(draw.streams_of("mass", {"treads", 1}), (Draw::Streams{"group treads"}));
 }
 
 TEST(Draw, RowsOfASaltelliDesignTakeOneInputFromB) {
