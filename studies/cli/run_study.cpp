@@ -108,7 +108,7 @@ void print_counts(const RunOptions& options, const Paths& paths, const StudyCoun
 }
 
 /// A word of a shell command.
-std::string quoted(const std::string& word) {
+std::string shell_word(const std::string& word) {
   if (word.find_first_of(" \t'\"$&;|<>()*?[]{}#~`!\\") == std::string::npos) return word;
   std::string text = "'";
   for (const char letter : word) text += letter == '\'' ? "'\\''" : std::string(1, letter);
@@ -122,8 +122,8 @@ std::string resume_hint(const RunOptions& options, const Paths& paths, const Par
   return fmt::format(
       "{} of {} analysis cases are finished and kept in {}\ngo on with: gurney run {} -o {} "
       "--resume{}{}{}",
-      folder.size(), units, paths.parts.string(), quoted(options.job),
-      quoted(paths.results.string()), options.overwrite ? " --overwrite" : "",
+      folder.size(), units, paths.parts.string(), shell_word(options.job),
+      shell_word(paths.results.string()), options.overwrite ? " --overwrite" : "",
       options.threads > 0 ? fmt::format(" -j {}", options.threads) : "",
       options.json ? " --json" : "");
 }
