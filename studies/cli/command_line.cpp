@@ -14,11 +14,13 @@
 #include "studies/build_info/build_info.h"
 #include "studies/cli/calibrate_command.h"
 #include "studies/cli/check_command.h"
+#include "studies/cli/command_help.h"
 #include "studies/cli/compare_command.h"
 #include "studies/cli/converge_command.h"
 #include "studies/cli/equipment_command.h"
 #include "studies/cli/export_command.h"
 #include "studies/cli/fragility_command.h"
+#include "studies/cli/json_errors.h"
 #include "studies/cli/measures_command.h"
 #include "studies/cli/pulling_command.h"
 #include "studies/cli/records_command.h"
@@ -60,7 +62,9 @@ void add_run(CLI::App& app, std::function<int()>& act) {
   run->add_option("-j,--threads", options.threads,
                   "Threads for a study (default: all of the machine)")
       ->check(CLI::Range(1, 4096));
-  run->callback([held, &act] { act = [held] { return run_command(*held); }; });
+  run->callback([held, &act] {
+    act = [held] { return with_json_errors(held->json, [held] { return run_command(*held); }); };
+  });
 }
 
 void add_replay(CLI::App& app, std::function<int()>& act) {
@@ -108,6 +112,13 @@ std::string unknown_command(CLI::App& app, const std::vector<std::string>& words
   return {};
 }
 
+/// The exit code, where all that was printed arrived.
+int checked_output(int code) {
+  require(std::fflush(stdout) == 0 && std::ferror(stdout) == 0,
+          "cannot write to the standard output");
+  return code;
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -135,6 +146,7 @@ int run_command_line(int argc, char** argv) {
   add_calibrate(app, act);
   add_verify(app, act);
   app.add_subcommand("help", "Print this help, or that of a command: help records scale");
+  describe_commands(app);
   try {
     std::vector<std::string> words(argv + 1, argv + argc);
     const bool wants_help = !words.empty() && words[0] == "help";
@@ -145,17 +157,14 @@ int run_command_line(int argc, char** argv) {
     }
     if (wants_help) {
       fmt::print("{}", command_at(app, words).help());
-      return kDone;
+      return checked_output(kDone);
     }
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) {
       fmt::print(stderr, "a command is needed\n\n{}", app.help());
       return kBadUsage;
     }
-    const int code = act();
-    require(std::fflush(stdout) == 0 && std::ferror(stdout) == 0,
-            "cannot write to the standard output");
-    return code;
+    return checked_output(act());
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kBadUsage;
   } catch (const Error& error) {

@@ -10,6 +10,7 @@
 #include "engine/base/config/document.h"
 #include "engine/base/config/table.h"
 #include "engine/base/error.h"
+#include "groundmotions/acceleration_unit.h"
 #include "groundmotions/processing/pipeline.h"
 #include "groundmotions/processing/step_reader.h"
 #include "studies/cli/inline_table.h"
@@ -63,7 +64,7 @@ void add_source_options(CLI::App& command, RecordSource& source) {
                   "Record files, folders, lists of records, PEER _SearchResults.csv")
       ->required();
   command.add_option("--unit", source.options.unit,
-                     "Unit of files that do not say it: g, m/s2, cm/s2 (gal), mm/s2");
+                     std::string("Unit of files that do not state it: ") + kAccelerationUnits);
   command.add_option("--time-step", source.options.time_step,
                      "Time step of files that do not say it [s]");
   command.add_option("--count", source.options.si_per_count,

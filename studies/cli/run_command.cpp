@@ -33,10 +33,13 @@ RunOutput output_of(const RunOptions& options) {
 
 int run_command(const RunOptions& options) {
   if (has_study(options.job)) return run_study(options);
-  require(!options.resume && options.threads == 0,
-          options.job +
-              ": is a single run, which has no use for --resume and -j; studies have a "
-              "table [study]");
+  const auto refuse = [&](bool given, const char* option) {
+    require(!given, options.job + ": is a single run, which has no use for " + option +
+                        "; a study has a table [study]");
+  };
+  refuse(options.resume && options.threads > 0, "--resume and -j");
+  refuse(options.resume, "--resume");
+  refuse(options.threads > 0, "-j");
   const RunOutput output = output_of(options);
   const PreparedRun run = prepare_run(options.job);
   make_default_folder(options);

@@ -101,7 +101,8 @@ void read_use(Table& in, RecordRequest& record) {
 }
 
 void read_options(Table& in, ReadOptions& options) {
-  static const std::vector<std::string> kUnits = {"g", "m/s2", "cm/s2", "mm/s2"};
+  static const std::vector<std::string> kUnits = {"g",  "m/s2", "cm/s2", "gal",  "mm/s2",
+                                                  "mg", "%g",   "ft/s2", "in/s2"};
   if (in.has("unit")) options.unit = kUnits[in.choice("unit", kUnits)];
   if (in.has("time_step_s"))
     options.time_step = in.number("time_step_s", Range::within(0, 1).open_below());

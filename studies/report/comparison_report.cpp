@@ -89,6 +89,12 @@ std::string label(const ComparedQuantity& row) {
   return row.units == "1" ? row.name : row.name + " [" + row.units + "]";
 }
 
+/// Rounding of equal means is no difference.
+std::string difference(const ComparedQuantity& row) {
+  const double rounding = 1e-12 * std::max(std::abs(row.a), std::abs(row.b));
+  return number(std::abs(row.difference) <= rounding ? 0 : row.difference);
+}
+
 std::string quantities_text(const StudyComparison& found, ComparedQuantity::Kind kind,
                             const std::string& title, double confidence) {
   std::size_t width = title.size();
@@ -105,7 +111,7 @@ std::string quantities_text(const StudyComparison& found, ComparedQuantity::Kind
     if (row.a == row.b && row.difference == 0 && std::isnan(row.p))
       same += fmt::format("{}{} ({})", same.empty() ? "" : ", ", row.name, number(row.a));
     else
-      text += line(label(row), row.groups, number(row.a), number(row.b), number(row.difference),
+      text += line(label(row), row.groups, number(row.a), number(row.b), difference(row),
                    interval(row.interval), probability(row.p), probability(row.p_holm)) +
               (row.p_holm < kSignificant ? " *\n" : "\n");
   }

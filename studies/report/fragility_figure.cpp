@@ -34,9 +34,10 @@ void draw_fractions(Svg& svg, const Scaling& scaling, const FragilityResult& res
 
 void draw_state(Svg& svg, const Frame& frame, const std::vector<const FragilityResult*>& results,
                 const IntensityUnit& unit) {
-  Panel panel{.title = results.front()->state + ": " + results.front()->words,
+  const FragilityResult& first = *results.front();
+  Panel panel{.title = first.state + (first.words == first.state ? "" : ": " + first.words),
               .x_label = fmt::format("{} ({})", results.front()->measure.name, unit.name),
-              .y_label = "P(exceeded)",
+              .y_label = "Probability of exceedance",
               .curves = {},
               .log_x = true,
               .legend_columns = 3,

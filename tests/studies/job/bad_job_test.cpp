@@ -113,7 +113,9 @@ TEST(BadJob, ExplainsRecords) {
       "in a study, 'suite'");
   EXPECT_EQ(mistakes(head + "file = \"no.csv\"\nunit = \"m/s\"\nscale = inf\ntime_step_s = 0\n"),
             "a.toml:5:8: excitation.record.file = \"no.csv\": no such file: no.csv\n"
-            "a.toml:6:8: excitation.record.unit = \"m/s\": must be one of g, m/s2, cm/s2, mm/s2; "
+            "a.toml:6:8: excitation.record.unit = \"m/s\": must be one of g, m/s2, cm/s2, gal, "
+            "mm/s2, mg, %g, "
+            "ft/s2, in/s2; "
             "did you mean 'm/s2'?\n"
             "a.toml:7:9: excitation.record.scale = inf: must be a finite number > 0\n"
             "a.toml:8:15: excitation.record.time_step_s = 0: must be a finite number > 0 and <= 1");
