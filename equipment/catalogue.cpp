@@ -74,9 +74,8 @@ std::string find_data(DataKind kind, const std::string& name, const std::string&
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     std::string list;
     for (const std::string& each : names) list += (list.empty() ? "" : ", ") + each;
-    const std::string hint = config::suggestion(name, names);
-    throw Error("unknown " + noun + (hint.find("did you") == 2 ? hint : "") +
-                " (the catalogue has " + list + ")");
+    throw Error("unknown " + noun + config::near_name(name, names) + " (the catalogue has " + list +
+                ")");
   }
   return file;
 }

@@ -4,6 +4,7 @@
 
 #include "engine/base/config/table.h"
 #include "engine/base/error.h"
+#include "equipment/file_kind.h"
 #include "equipment/implausible.h"
 #include "equipment/load_item.h"
 #include "equipment/room_description.h"
@@ -14,6 +15,7 @@ namespace {
 
 DataKind kind_of(const std::string& file) {
   config::Document document(file);
+  refuse_other_kind(document, "");
   const std::vector<std::string> schemas = {"gurney-item/1", "gurney-caster/1", "gurney-floor/1",
                                             "gurney-room/1", "gurney-tether/1"};
   const std::size_t kind = document.root().choice("schema", schemas);

@@ -24,8 +24,12 @@ void read_chassis(Quantities in, ItemDescription& item) {
   item.chassis_mass = in.number("mass_kg", Range::positive());
   item.chassis_center_of_mass = in.vector_mm("center_of_mass_mm", Range::any());
   const bool box = in.table().has("inertia_box_mm");
-  if (box == in.table().has("inertia_kg_m2"))
-    in.table().note("inertia_box_mm", ": must be given, or inertia_kg_m2, not both");
+  if (box && in.table().has("inertia_kg_m2"))
+    in.table().note("inertia_box_mm", ": must not go with inertia_kg_m2; one of them states it");
+  if (!box && !in.table().has("inertia_kg_m2")) {
+    in.table().note("inertia_box_mm", ": missing; must be given, or inertia_kg_m2 in its place");
+    return;
+  }
   if (box) {
     item.chassis_inertia =
         solid_box_inertia(item.chassis_mass, in.vector_mm("inertia_box_mm", Range::positive()));
@@ -93,11 +97,15 @@ CasterPlace read_place(Table table, std::size_t index, CasterTypes& types,
   Quantities in(table, assumptions);
   place.name = table.text("name", fmt::format("caster {}", index + 1));
   place.type = types.read(table, place.name);
+  place.where = table.where("position_mm");
   place.mount = in.vector_mm("position_mm", Range::any());
   place.heading = in.number("heading_deg", Range::any(), 0.0) * kRadiansPerDegree;
+  place.stated_heading = in.stated("heading_deg") * kRadiansPerDegree;
   place.swivels = table.boolean("swivels", true);
   place.brake_on = in.flag("brake", false);
   place.swivel_locked = in.flag("swivel_lock", false);
+  if (!place.swivels && (place.swivel_locked || table.is_table("swivel_lock")))
+    table.note("swivel_lock", ": has no effect: the caster does not swivel (swivels = false)");
   return place;
 }
 

@@ -14,9 +14,11 @@ namespace gurney {
 /// One place for a caster on the base plate.
 struct CasterPlace {
   std::string name;
+  std::string where;  ///< `file:line:column`; empty: not from a file
   CasterType type;
   Vector3 mount = Vector3::Zero();  ///< of the swivel axis, base axes [m]
   double heading = 0;               ///< initial [rad]
+  double stated_heading = 0;        ///< before any draw [rad]
   bool swivels = true;
   bool brake_on = false;
   bool swivel_locked = false;

@@ -41,12 +41,12 @@ T option_at(const std::vector<T>& values, std::size_t i, T otherwise) {
 
 std::string find_problems(const ItemDescription& item, const ItemOptions& options) {
   std::string problems;
-  const auto add = [&](const std::string& line) {
-    if (!problems.empty()) problems += '\n';
-    problems += line;
-  };
   for (std::size_t i = 0; i < item.casters.size(); ++i) {
     const CasterPlace& place = item.casters[i];
+    const auto add = [&](const std::string& line) {
+      problems += problems.empty() ? "" : "\n";
+      problems += place.where + (place.where.empty() ? "" : ": ") + line;
+    };
     const CasterType& type = type_at(place, options);
     if (option_at(options.brakes, i, place.brake_on) && type.brake_torque == 0)
       add(fmt::format("caster '{}': the brake is on, but caster {} has no brake_torque_n_m",

@@ -39,7 +39,8 @@ struct LoadedItem {
 /// Base axes become item axes: the base plate is as high as its casters, or where there are none as
 /// high as it stands on its lowest boxes.
 /// @throws Error with a line for each mistake (a brake that is on but does not exist, base heights
-///         that differ between casters, constants outside the engine's ranges), without a place.
+///         that differ between casters, constants outside the engine's ranges), with the place of a
+///         caster that was read from a file.
 LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options = {});
 
 /// Constants of the item's chassis, or its feet, against the floor.

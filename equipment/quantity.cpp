@@ -25,10 +25,10 @@ bool moves_with(const CorrelationGroup& a, const CorrelationGroup& b) {
 
 double Quantities::number(const std::string& key, const Range& range,
                           std::optional<double> fallback) {
-  if (!table_.is_table(key)) return table_.number(key, range, fallback);
+  if (!table_.is_table(key)) return stated_[key] = table_.number(key, range, fallback);
   Table quantity = *table_.table(key);
   const std::size_t mistakes = table_.document().mistakes();
-  const double value = quantity.number("value", range);
+  const double value = stated_[key] = quantity.number("value", range);
   const Provenance found = provenance(quantity, key);
   Basis basis{found.reason, value, value};
   if (found.has_range || !found.reason.empty()) {
@@ -123,11 +123,12 @@ bool Quantities::flag(const std::string& key, bool fallback) {
   if (!table_.is_table(key)) return table_.boolean(key, fallback);
   Table quantity = *table_.table(key);
   const bool value = quantity.boolean("value");
-  return parts(key, quantity, Range::any(), {value ? 1.0 : 0.0}, true)[0] != 0;
+  return parts(key, quantity, Range::any(), {value ? 1.0 : 0.0}, {true}, true)[0] != 0;
 }
 
 std::vector<double> Quantities::numbers(const std::string& key, const Range& range,
-                                        std::size_t size) {
+                                        const std::vector<bool>& drawn) {
+  const std::size_t size = drawn.size();
   if (table_.is_array(key)) return table_.numbers(key, range, size);
   if (!table_.has(key)) return {};
   if (!table_.is_table(key)) return std::vector<double>(size, table_.number(key, range));
@@ -135,10 +136,11 @@ std::vector<double> Quantities::numbers(const std::string& key, const Range& ran
   std::vector<double> values = quantity.is_array("value")
                                    ? quantity.numbers("value", range, size)
                                    : std::vector<double>(size, quantity.number("value", range));
-  return parts(key, quantity, range, std::move(values), false);
+  return parts(key, quantity, range, std::move(values), drawn, false);
 }
 
-std::vector<bool> Quantities::flags(const std::string& key, std::size_t size) {
+std::vector<bool> Quantities::flags(const std::string& key, const std::vector<bool>& drawn) {
+  const std::size_t size = drawn.size();
   if (table_.is_array(key)) return table_.booleans(key, size);
   if (!table_.has(key)) return {};
   if (!table_.is_table(key)) return std::vector<bool>(size, table_.boolean(key));
@@ -146,16 +148,26 @@ std::vector<bool> Quantities::flags(const std::string& key, std::size_t size) {
   const std::vector<bool> flags = quantity.is_array("value")
                                       ? quantity.booleans("value", size)
                                       : std::vector<bool>(size, quantity.boolean("value"));
-  const std::vector<double> values =
-      parts(key, quantity, Range::any(), std::vector<double>(flags.begin(), flags.end()), true);
+  const std::vector<double> values = parts(
+      key, quantity, Range::any(), std::vector<double>(flags.begin(), flags.end()), drawn, true);
   std::vector<bool> settled;
   for (const double value : values) settled.push_back(value != 0);
   return settled;
 }
 
+bool Quantities::is_one_for_all(const std::string& key) {
+  return !table_.is_array(key) && !(table_.is_table(key) && table_.table(key)->is_array("value"));
+}
+
+double Quantities::stated(const std::string& key) const {
+  const auto found = stated_.find(key);
+  return found == stated_.end() ? 0 : found->second;
+}
+
 /// Parts of one quantity, each drawn by itself; what the values rest on is one entry for all.
 std::vector<double> Quantities::parts(const std::string& key, Table& quantity, const Range& range,
-                                      std::vector<double> values, bool flags) {
+                                      std::vector<double> values, const std::vector<bool>& drawn,
+                                      bool flags) {
   const std::size_t mistakes = table_.document().mistakes();
   const Provenance found = provenance(quantity, key);
   std::optional<Uncertainty> uncertainty;
@@ -170,6 +182,7 @@ std::vector<double> Quantities::parts(const std::string& key, Table& quantity, c
   if (flags && !(choices.size() > 0 && std::all_of(choices.begin(), choices.end(), is_flag)))
     quantity.note("distribution", ": must be discrete, with the values 0 (false) and 1 (true)");
   for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!drawn[i]) continue;
     if (table_.document().mistakes() == mistakes) note_outside(key, *uncertainty, values[i]);
     const std::string name = values.size() == 1 ? key : fmt::format("{}[{}]", key, i);
     values[i] = settle(name, values[i], uncertainty, {});

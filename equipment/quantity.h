@@ -38,10 +38,17 @@ class Quantities {
   /// Its distribution has the values 0 (false) and 1 (true).
   bool flag(const std::string& key, bool fallback);
 
-  /// Numbers or flags of equal parts: an array of `size` or one for all; a distribution is that of
-  /// each part by itself. Empty if absent.
-  std::vector<double> numbers(const std::string& key, const config::Range& range, std::size_t size);
-  std::vector<bool> flags(const std::string& key, std::size_t size);
+  /// Numbers or flags of equal parts: an array, or one for all; a distribution is that of each part
+  /// by itself. Empty if absent.
+  /// @param drawn  one for each part, false: its value holds in a draw too
+  std::vector<double> numbers(const std::string& key, const config::Range& range,
+                              const std::vector<bool>& drawn);
+  std::vector<bool> flags(const std::string& key, const std::vector<bool>& drawn);
+
+  bool is_one_for_all(const std::string& key);  ///< of numbers and flags: not an array
+
+  /// What `number` read for this key, before any draw; 0 if it did not.
+  double stated(const std::string& key) const;
 
   /// x and y.
   std::vector<double> plane(const std::string& key, const config::Range& range,
@@ -76,7 +83,8 @@ class Quantities {
   std::vector<double> components(const std::string& key, const config::Range& range,
                                  std::size_t size, std::optional<std::vector<double>> fallback);
   std::vector<double> parts(const std::string& key, config::Table& quantity,
-                            const config::Range& range, std::vector<double> values, bool flags);
+                            const config::Range& range, std::vector<double> values,
+                            const std::vector<bool>& drawn, bool flags);
   Provenance provenance(config::Table& quantity, const std::string& key);
   void note_outside(const std::string& key, const Uncertainty& uncertainty, double value);
 
@@ -87,6 +95,7 @@ class Quantities {
 
   config::Table table_;
   std::map<std::string, Uncertainty> uncertain_;  ///< numbers read so far
+  std::map<std::string, double> stated_;
   std::vector<Assumption>* assumptions_;
 };
 

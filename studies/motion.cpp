@@ -104,10 +104,36 @@ Record at(const std::string& where, Work work) {
   }
 }
 
+/// Components that the record lacks, found although no unit is stated; empty: none.
+std::string missing_beside_unit(const RecordRequest& request) {
+  ReadOptions any_unit = request.options;
+  any_unit.unit = "m/s2";
+  Record record;
+  try {
+    record = read_record(request.files, any_unit);
+  } catch (const Error&) {
+    return {};  // what is wrong besides the unit is stated already
+  }
+  try {
+    used_components(record, request);
+    return {};
+  } catch (const Error& error) {
+    return std::string("\n") + error.what();
+  }
+}
+
+Record read(const RecordRequest& request) {
+  try {
+    return read_record(request.files, request.options);
+  } catch (const Error& error) {
+    if (!request.options.unit.empty()) throw;
+    throw Error(error.what() + missing_beside_unit(request));
+  }
+}
+
 /// Read or made, and processed.
 Record unscaled(const RecordRequest& request) {
-  Record record =
-      request.synthetic ? made(*request.synthetic) : read_record(request.files, request.options);
+  Record record = request.synthetic ? made(*request.synthetic) : read(request);
   return at(request.where, [&] { return processed(std::move(record), request.processing); });
 }
 

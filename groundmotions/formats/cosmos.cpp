@@ -120,7 +120,8 @@ class ChannelReader {
       mistakes_.add(
           line_, 1,
           "the samples are raw counts, and the header states no sensitivity (real numbers "
-          "22, 42 and 47); state count_m_per_s2 or --count, or take the .V1c or .V2c of this "
+          "22, 42 and 47); state count_m_per_s2 or gurney records --count, or take the .V1c or "
+          ".V2c of this "
           "record");
       return 0;
     }

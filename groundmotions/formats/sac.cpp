@@ -123,8 +123,9 @@ AccelerationUnit unit_of(const ReadOptions& options, Mistakes& mistakes) {
   const auto given = acceleration_unit(options.unit);
   if (!given && !options.si_per_count)
     mistakes.add(
-        fmt::format("a SAC file does not state its unit; state it as unit = \"...\" or --unit ({}) "
-                    "or, of counts, as count_m_per_s2 or --count (1e-9 for nm/s2)",
+        fmt::format("a SAC file does not state its unit; state it as unit = \"...\" or gurney "
+                    "records --unit ({}) "
+                    "or, of counts, as count_m_per_s2 or gurney records --count (1e-9 for nm/s2)",
                     kAccelerationUnits));
   if (given) return *given;
   return {"counts", options.si_per_count.value_or(1)};

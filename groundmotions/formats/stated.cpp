@@ -46,7 +46,8 @@ AccelerationUnit agreed_unit(const std::optional<AccelerationUnit>& stated, std:
   const auto given = acceleration_unit(options.unit);
   if (!stated && !given)
     tell(mistakes, line,
-         fmt::format("the file does not state its unit; state it as unit = \"...\" or --unit ({})",
+         fmt::format("the file does not state its unit; state it as unit = \"...\" or gurney "
+                     "records --unit ({})",
                      kAccelerationUnits));
   else if (stated && given && stated->to_si != given->to_si)
     tell(mistakes, line,
@@ -70,7 +71,8 @@ double agreed_time_step(const std::optional<double>& stated, std::size_t line,
   if (stated) return checked_time_step(*stated, "the time step", line, options, mistakes);
   if (!options.time_step)
     tell(mistakes, line,
-         "the file does not state its time step; state it as time_step_s or --time-step");
+         "the file does not state its time step; state it as time_step_s or gurney records "
+         "--time-step");
   return options.time_step.value_or(0);
 }
 

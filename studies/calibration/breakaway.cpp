@@ -97,7 +97,7 @@ std::string wrong_motion(const TrialSignals& s, const Span& span, double inertia
   if (std::abs(law->scale - 1) > kSure * law->scale_error &&
       !(std::abs(std::log(law->scale)) < std::log(kNewton)))
     return fmt::format("it gathers speed {:.3g} times as fast as force and mass say, must be 1: {}",
-                       law->scale, cause_of_ratio(law->scale, kNewton));
+                       law->scale, cause_of_ratio(law->scale, kNewton, !s.displacement.empty()));
   return "";
 }
 

@@ -13,7 +13,7 @@ class Collector {
   explicit Collector(Calibration& result) : result_(result) {}
 
   void add(const TrialAverages& averages) {
-    if (const auto fault = check_averages(averages)) return leave_out(*fault);
+    if (const auto fault = check_averages(averages, false)) return leave_out(*fault);
     const RollingTrial trial{averages, average_method(averages)};
     values.push_back(value_of(trial));
     if (averages.setup.use == TrialUse::kCalibration) result_.rolling.push_back(trial);
@@ -46,7 +46,8 @@ class Collector {
     if (!phases) return leave_out(fault);
     const auto averages = averages_of(trial, *phases, fault);
     if (!averages) return leave_out(fault);
-    if (const auto wrong = check_averages(*averages)) return leave_out(*wrong);
+    if (const auto wrong = check_averages(*averages, !trial.signals.displacement.empty()))
+      return leave_out(*wrong);
     if (const auto wrong = check_phases(trial, *phases)) return leave_out(*wrong);
     add(*averages);
     result_.pulls.push_back({std::move(trial), *phases, *averages});

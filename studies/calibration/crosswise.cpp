@@ -122,7 +122,8 @@ std::optional<CrosswiseFit> fit_crosswise(const Trial& trial, TrialFault& fault)
   if (!phases) return {};
   const auto averages = averages_of(trial, *phases, settled_of_pull(trial, *phases), fault);
   if (!averages) return {};
-  for (const auto& wrong : {check_averages(*averages), check_phases(trial, *phases)})
+  for (const auto& wrong : {check_averages(*averages, !trial.signals.displacement.empty()),
+                            check_phases(trial, *phases)})
     if (wrong) {
       fault = *wrong;
       return {};

@@ -42,7 +42,18 @@ void write_all(const CalibrateOptions& options, const Calibration& calibration,
   for (const auto& [path, text] : all) fmt::print("{}\n", path);
 }
 
+/// Before the work: what is certain to be refused after it.
+void check_folder(const CalibrateOptions& options) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (options.folder.empty() || !fs::exists(options.folder, ignored)) return;
+  require(fs::is_directory(options.folder, ignored), options.folder + ": is a file, not a folder");
+  for (const char* name : {"calibration.txt", "calibration.json", "calibration.svg"})
+    OutputFiles(options.overwrite).check((fs::path(options.folder) / name).string());
+}
+
 int run_calibrate(const CalibrateOptions& options) {
+  check_folder(options);
   const Calibration calibration = calibrate(read_trials(options.trials), options.trials);
   std::vector<std::string> without;
   const std::vector<CasterFile> casters = caster_files(calibration, options.base, without);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -10,6 +11,7 @@
 #include "engine/base/units.h"
 #include "studies/batch/declared_ranges.h"
 #include "studies/batch/estimate.h"
+#include "studies/cli/json_errors.h"
 #include "studies/cli/study_size.h"
 #include "studies/report/scale_factors_json.h"
 #include "studies/report/wrapped.h"
@@ -96,6 +98,21 @@ void add_scale_factors(Answer& answer, const Batch& batch) {
              "factors " + factors.text() + (ida ? " (first level of the IDA)" : ""));
 }
 
+/// Warnings of the items, each with the configurations that it is of.
+std::vector<std::string> job_warnings(const StudyJob& job) {
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<std::string>> of;
+  for (std::size_t i = 0; i < job.configurations().size(); ++i)
+    for (const std::string& warning : job.job(i, {}).warnings) {
+      if (!of.contains(warning)) order.push_back(warning);
+      of[warning].push_back(fmt::format("{}", fmt::join(job.configurations()[i].levels, ", ")));
+    }
+  for (std::string& warning : order)
+    if (const auto& found = of[warning]; found.size() < job.configurations().size())
+      warning += " (" + list_of(found) + ")";
+  return order;
+}
+
 void add_plan(Answer& answer, const Batch& batch) {
   const Study& study = batch.job.study();
   std::vector<std::string> names;
@@ -104,7 +121,7 @@ void add_plan(Answer& answer, const Batch& batch) {
                                         : fmt::format("{}", fmt::join(each.levels, ", ")));
   answer.add("configurations", names, list_of(names));
   std::vector<std::string> records;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = job_warnings(batch.job);
   for (std::size_t set = 0; set < batch.motions.sets(); ++set)
     for (std::size_t i = 0; i < batch.motions.set(set).size(); ++i) {
       const std::string& name = batch.motions.set(set).name(i);
@@ -144,7 +161,7 @@ Answer check_study(const StudyJob& job, int threads) {
   refuse_oversized(batch);
   motions.read_all(threads);
   Answer answer;
-  answer.add("job", job.file(), job.file() + ": a study without mistakes");
+  answer.add("job", job.file(), job.file() + ": a valid study");
   add_plan(answer, batch);
   const Estimate needs = estimate(batch);
   const bool hunt = job.study().intensity.kind == IntensityPlan::Kind::kHunt;
@@ -169,7 +186,7 @@ Answer check_run(const std::string& job) {
   for (const PlacedItem& item : run.facts.scene.items)
     items.push_back(item.name.empty() ? item.model.name : item.name);
   Answer answer;
-  answer.add("job", job, job + ": a single run without mistakes");
+  answer.add("job", job, job + ": a valid single run");
   answer.add("items", items, list_of(items));
   answer.add("record", run.facts.record ? run.facts.record->name : "",
              run.facts.record ? run.facts.record->name : "the floor rests");
@@ -198,7 +215,11 @@ void add_check(CLI::App& app, std::function<int()>& act) {
   check->add_flag("--json", options->json, "Print the answer as JSON");
   check->add_option("-j,--threads", options->threads, "Threads that the study would have")
       ->check(CLI::Range(1, 4096));
-  check->callback([options, &act] { act = [options] { return check_command(*options); }; });
+  check->callback([options, &act] {
+    act = [options] {
+      return with_json_errors(options->json, [&] { return check_command(*options); });
+    };
+  });
 }
 
 }  // namespace gurney

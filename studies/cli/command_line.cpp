@@ -17,11 +17,13 @@
 #include "studies/build_info/build_info.h"
 #include "studies/cli/calibrate_command.h"
 #include "studies/cli/check_command.h"
+#include "studies/cli/command_help.h"
 #include "studies/cli/compare_command.h"
 #include "studies/cli/converge_command.h"
 #include "studies/cli/equipment_command.h"
 #include "studies/cli/export_command.h"
 #include "studies/cli/fragility_command.h"
+#include "studies/cli/json_errors.h"
 #include "studies/cli/measures_command.h"
 #include "studies/cli/pulling_command.h"
 #include "studies/cli/records_command.h"
@@ -64,7 +66,9 @@ void add_run(CLI::App& app, std::function<int()>& act) {
   run->add_option("-j,--threads", options.threads,
                   "Threads for a study (default: all of the machine)")
       ->check(CLI::Range(1, 4096));
-  run->callback([held, &act] { act = [held] { return run_command(*held); }; });
+  run->callback([held, &act] {
+    act = [held] { return with_json_errors(held->json, [held] { return run_command(*held); }); };
+  });
 }
 
 void add_replay(CLI::App& app, std::function<int()>& act) {
@@ -111,10 +115,6 @@ std::string unknown_command(CLI::App& app, const std::vector<std::string>& words
   }
   return {};
 }
-
-}  // namespace
-
-namespace {
 
 /// @return the exit code, once all output is written
 int flushed(int code) {
@@ -174,6 +174,7 @@ int run_command_line(int argc, char** argv) {
   add_calibrate(app, act);
   add_verify(app, act);
   app.add_subcommand("help", "Print this help, or that of a command: help records scale");
+  describe_commands(app);
   try {
     return flushed(parse_and_act(app, act, argc, argv));
   } catch (const Error& error) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/base/error.h"
+#include "studies/cli/figure_option.h"
 #include "studies/cli/records_output.h"
 #include "studies/report/comparison_report.h"
 
@@ -108,7 +109,7 @@ void add_compare(CLI::App& app, std::function<int()>& act) {
       ->allow_extra_args(false);
   command->add_option("--measure", options.measure,
                       "Intensity measure of the curves (default: the studies' own)");
-  command->add_option("--figure", options.figure, "Draw the fragility curves into this .svg file");
+  add_figure_option(*command, options.figure, "Draw the fragility curves");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
   command->add_flag("--json", options.json, "Print JSON, in SI units");
   command->callback([held, &act] { act = [held] { return compare(*held); }; });

@@ -6,8 +6,10 @@
 #include <memory>
 #include <thread>
 
+#include "studies/cli/figure_option.h"
 #include "studies/cli/records_output.h"
 #include "studies/report/convergence_report.h"
+#include "studies/results/output_files.h"
 
 namespace gurney {
 namespace {
@@ -24,6 +26,7 @@ int converge_command(const ConvergeOptions& options) {
   const int threads = options.threads > 0
                           ? options.threads
                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (!options.figure.empty()) OutputFiles(options.overwrite).check(options.figure);
   const Convergence found = converge(convergence_cases(options.job, options.runs, threads),
                                      0.01 * options.tolerance_percent, threads);
   fmt::print("{}", options.json ? convergence_json(found) : convergence_text(found));
@@ -50,8 +53,7 @@ void add_converge(CLI::App& app, std::function<int()>& act) {
       ->check(CLI::Range(1e-6, 100.0));
   command->add_option("-j,--threads", options.threads, "Threads (default: all)")
       ->check(CLI::Range(1, 4096));
-  command->add_option("--figure", options.figure,
-                      "Draw the changes with the time step into this .svg file");
+  add_figure_option(*command, options.figure, "Draw the changes with the time step");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
   command->add_flag("--json", options.json, "Print JSON, in SI units");
   command->callback([held, &act] { act = [held] { return converge_command(*held); }; });

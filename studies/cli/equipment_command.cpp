@@ -10,6 +10,8 @@
 #include "equipment/check_file.h"
 #include "equipment/implausible.h"
 #include "equipment/load_item.h"
+#include "studies/cli/figure_option.h"
+#include "studies/cli/json_errors.h"
 #include "studies/cli/records_output.h"
 #include "studies/cli/standard_error.h"
 #include "studies/report/equipment_list.h"
@@ -86,12 +88,12 @@ int check(const CheckOptions& options) {
                          {"name", checked.name},
                          {"warnings", checked.warnings}});
       if (options.json) continue;
-      fmt::print("{}: {} '{}' has no mistakes\n", file, noun(checked.kind), checked.name);
+      fmt::print("{}: {} '{}' is valid\n", file, noun(checked.kind), checked.name);
       for (const std::string& warning : checked.warnings) fmt::print("  warning: {}\n", warning);
     } catch (const Error& error) {
       code = 1;
-      results.push_back({{"file", file}, {"mistakes", error.what()}});
-      print_error("{}\n", error.what());
+      results.push_back({{"file", file}, {"errors", json_errors(error.what())}});
+      if (!options.json) print_error("{}\n", error.what());
     }
   }
   if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"files", results}}.dump(2));
@@ -125,7 +127,7 @@ void add_show(CLI::App& equipment, std::function<int()>& act) {
       ->check(CLI::IsMember({"on", "off"}));
   command->add_flag("--assumptions", options->assumptions,
                     "List every number in use that has no source");
-  command->add_option("--figure", options->figure, "A figure to write: plan and two sides (.svg)");
+  add_figure_option(*command, options->figure, "A figure to write: plan and two sides");
   command->add_flag("--json", options->json, "Print JSON, in SI units");
   command->add_flag("--overwrite", options->overwrite, "Replace a figure that exists");
   command->callback([options, &act] { act = [options] { return show(*options); }; });

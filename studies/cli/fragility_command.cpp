@@ -7,6 +7,7 @@
 
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
+#include "studies/cli/figure_option.h"
 #include "studies/cli/records_output.h"
 #include "studies/limit_states/limit_state_reader.h"
 #include "studies/report/fragility_report.h"
@@ -92,7 +93,7 @@ void add_fragility(CLI::App& app, std::function<int()>& act) {
   command->add_option("--measure", options.measure, "Intensity measure (default: the study's own)");
   command->add_option("--and", options.second,
                       "A second measure: P given both, and whether it adds to the first");
-  command->add_option("--figure", options.figure, "Draw the curves into this .svg file");
+  add_figure_option(*command, options.figure, "Draw the curves");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
   command->add_flag("--json", options.json, "Print JSON, in SI units");
   command->callback([held, &act] { act = [held] { return fragility(*held); }; });

@@ -16,6 +16,7 @@
 #include "groundmotions/measures/response_spectrum.h"
 #include "groundmotions/scaling/suite_scaling.h"
 #include "groundmotions/scaling/target_reader.h"
+#include "studies/cli/figure_option.h"
 #include "studies/cli/inline_table.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"
@@ -240,7 +241,7 @@ void add_records_scale(CLI::App& records, std::function<int()>& act) {
   command->add_option("--limits", options->limits, "Factors allowed for a record, LOW:HIGH");
   command->add_flag("--common", options->common, "One factor for all records");
   command->add_option("-o,--output", options->output, "A list of the scaled suite to write (.csv)");
-  command->add_option("--figure", options->figure, "A figure to write (.svg)");
+  add_figure_option(*command, options->figure, "A figure to write");
   command->add_flag("--json", options->json, "Print the factors as JSON");
   command->add_flag("--overwrite", options->overwrite, "Replace files that exist");
   command->callback([options, &act] { act = [options] { return scale(*options); }; });

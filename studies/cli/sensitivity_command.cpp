@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "engine/base/error.h"
+#include "studies/cli/figure_option.h"
 #include "studies/cli/records_output.h"
 #include "studies/report/sensitivity_report.h"
 
@@ -71,8 +72,7 @@ void add_sensitivity(CLI::App& app, std::function<int()>& act) {
       ->add_option("--level", options.level,
                    "Only runs at the N-th level, counted from 1 (default: all)")
       ->check(CLI::Range(1, 1000000));
-  command->add_option("--figure", options.figure,
-                      "Draw indices and tornado of one configuration into this .svg file");
+  add_figure_option(*command, options.figure, "Draw indices and tornado of one configuration");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
   command->add_flag("--json", options.json, "Print JSON, in SI units");
   command->callback([held, &act] { act = [held] { return sensitivity(*held); }; });

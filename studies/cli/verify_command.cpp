@@ -24,7 +24,7 @@ constexpr int kFailed = 3;
 struct VerifyOptions {
   verification::Selection selection;
   std::uint64_t seed = 0;
-  bool json = false, markdown = false, overwrite = false;
+  bool json = false, markdown = false, overwrite = false, list = false;
   std::string figures;
   int threads = 0;
 };
@@ -43,9 +43,28 @@ void write_figures(const std::string& folder, bool overwrite, const std::vector<
   files.commit();
 }
 
+/// A line for each group with its families; each family's cases are FAMILY/CASE.
+int list_names(const std::vector<verification::Family>& families) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> groups;
+  for (const verification::Family& family : families) {
+    const auto group = std::ranges::find(groups, family.statement.group,
+                                         [](const auto& each) { return each.first; });
+    const std::string name = fmt::format("{} ({})", family.statement.name, family.cases.size());
+    if (group == groups.end())
+      groups.push_back({family.statement.group, {name}});
+    else
+      group->second.push_back(name);
+  }
+  fmt::print("group: families (number of cases)\n");
+  for (const auto& [group, names] : groups)
+    fmt::print("{}:\n  {}\n", group, fmt::join(names, "\n  "));
+  return 0;
+}
+
 int verify(VerifyOptions options, bool drawn) {
   if (drawn) options.selection.seed = options.seed;
   const std::vector<verification::Family> families = verification::all_families();
+  if (options.list) return list_names(families);
   std::vector<CaseRun> runs = choose(families, options.selection);
   if (!options.figures.empty()) {
     std::filesystem::create_directories(options.figures);
@@ -79,6 +98,7 @@ void add_verify(CLI::App& app, std::function<int()>& act) {
       app.add_subcommand("verify", "Hold the engine against closed forms, on this machine");
   command->add_option("NAME", options.selection.names,
                       "Groups, families or cases, told in full (default: all)");
+  command->add_flag("--list", options.list, "Print the names of groups and families");
   command->add_flag("--json", options.json, "Print JSON, with every check");
   command->add_flag("--markdown", options.markdown, "Print the tables of docs/verification.md");
   command->add_option("--figures", options.figures,

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "engine/base/error.h"
+#include "equipment/uncertainty.h"
 #include "studies/results/hdf5_reader.h"
 
 namespace gurney {
@@ -105,6 +106,20 @@ void add_columns(const Hdf5Reader& file, const Table& table, const Hdf5Dataset& 
   }
 }
 
+/// Drawn numbers have each the unit of its key: a column of its own, which a run's file has.
+void add_units_of_drawn(const Hdf5Reader& file, std::vector<CsvColumn>& columns) {
+  const auto named = [&](const char* name) {
+    return std::ranges::find(columns, name, &CsvColumn::name);
+  };
+  if (named("value") == columns.end() || named("variable") == columns.end()) return;
+  named("value")->units = "see unit";
+  if (named("unit") != columns.end()) return;
+  CsvColumn units{"unit", "1", {}};
+  for (const std::string& variable : file.strings("/drawn/variable"))
+    units.cells.push_back(csv_cell(unit_of_key(variable)));
+  columns.push_back(std::move(units));
+}
+
 std::string csv_of(const std::vector<CsvColumn>& columns) {
   std::vector<std::string> names, units;
   for (const CsvColumn& column : columns) {
@@ -128,6 +143,7 @@ void export_tables(const std::string& path, const TakeFile& take) {
                              [&](const auto& each) { return order_of(table, each); });
     std::vector<CsvColumn> columns;
     for (const Hdf5Dataset& dataset : table.datasets) add_columns(file, table, dataset, columns);
+    if (table.group == "drawn") add_units_of_drawn(file, columns);
     const bool alone =
         std::ranges::count(tables, table.group, [](const Table& t) { return t.group; }) == 1;
     take((alone ? table.group : table.group + "_" + table.scale) + ".csv", csv_of(columns));

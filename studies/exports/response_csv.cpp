@@ -9,6 +9,7 @@
 #include <set>
 
 #include "engine/base/error.h"
+#include "equipment/uncertainty.h"
 #include "studies/analysis/run_levels.h"
 #include "studies/results/columns.h"
 
@@ -86,7 +87,7 @@ void add_drawn(const StudyReader& file, std::size_t configuration,
     by_draw[variables[row]][draws[row]] = values[row];
   }
   for (const std::string& name : names) {
-    RunColumn column{name, "1", {}};
+    RunColumn column{name, unit_of_key(name), {}};
     for (const double draw : draw_of_run) {
       const auto found = by_draw[name].find(draw);
       column.values.push_back(found == by_draw[name].end() ? kNaN : found->second);

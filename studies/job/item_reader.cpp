@@ -6,6 +6,7 @@
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/units.h"
 #include "equipment/quantity.h"
+#include "studies/job/caster_options.h"
 #include "studies/job/load_named.h"
 
 namespace gurney {
@@ -71,6 +72,12 @@ std::map<std::string, int> read_payloads(Table& item, const ItemDescription& des
   return counts;
 }
 
+bool has_a_place(const std::string& line, const ItemDescription& description) {
+  return std::ranges::any_of(description.casters, [&](const CasterPlace& caster) {
+    return !caster.where.empty() && line.starts_with(caster.where);
+  });
+}
+
 }  // namespace
 
 std::optional<FloorCovering> read_floor_covering(Table& floor) {
@@ -81,7 +88,7 @@ std::optional<FloorCovering> read_floor_covering(Table& floor) {
 }
 
 std::optional<LoadedItem> read_job_item(Table& item, ItemOptions& options, InitialMotion& initial,
-                                        std::vector<Assumption>& assumptions) {
+                                        std::vector<Assumption>& assumptions, Remarks& remarks) {
   const std::size_t mistakes_of_others = item.document().mistakes();
   Quantities in(item, assumptions);
   const std::vector<double> position = in.plane("position_m", Range::any(), {0, 0});
@@ -92,14 +99,10 @@ std::optional<LoadedItem> read_job_item(Table& item, ItemOptions& options, Initi
   std::optional<ItemDescription> description = read_description(item);
   read_casters(item, description ? &*description : nullptr, options);
   if (!description) return {};
-  const std::size_t casters = description->casters.size();
-  if (casters == 0) {
+  if (description->casters.empty()) {
     note_keys_of_casters(item, *description);
   } else {
-    options.headings = in.numbers("headings_deg", Range::any(), casters);
-    for (double& heading : options.headings) heading *= kRadiansPerDegree;
-    options.brakes = in.flags("brakes", casters);
-    options.swivel_locks = in.flags("swivel_locks", casters);
+    read_caster_options(in, *description, options, remarks);
   }
   options.payloads = read_payloads(item, *description);
   if (item.document().mistakes() > mistakes_of_others) return {};
@@ -108,7 +111,10 @@ std::optional<LoadedItem> read_job_item(Table& item, ItemOptions& options, Initi
   } catch (const Error& error) {
     std::istringstream lines(error.what());
     for (std::string line; std::getline(lines, line);)
-      item.note(item.has("inline") ? "inline" : "equipment", ": " + line);
+      if (has_a_place(line, *description))
+        item.document().note(Error(line));
+      else
+        item.note(item.has("inline") ? "inline" : "equipment", ": " + line);
     return {};
   }
 }

@@ -6,6 +6,7 @@
 #include "engine/base/config/table.h"
 #include "engine/scene/loads.h"
 #include "equipment/load_item.h"
+#include "studies/job/remarks.h"
 
 namespace gurney {
 
@@ -17,8 +18,9 @@ std::optional<FloorCovering> read_floor_covering(config::Table& floor);
 ///
 /// @param options  with the floor covering; the rest is read here
 /// @param initial  its position and yaw are set
+/// @param remarks  on options that reach no caster, or not all
 std::optional<LoadedItem> read_job_item(config::Table& item, ItemOptions& options,
                                         InitialMotion& initial,
-                                        std::vector<Assumption>& assumptions);
+                                        std::vector<Assumption>& assumptions, Remarks& remarks);
 
 }  // namespace gurney

@@ -68,8 +68,12 @@ std::vector<JobItem> read_items(Table& root, const std::optional<FloorCovering>&
       root.document().set_draw_of(fmt::format("item[{}]", i), job.draw->of_part(placed.name));
     ItemOptions options;
     options.floor = covering;
+    Remarks remarks;
     std::optional<LoadedItem> item =
-        read_job_item(tables[i], options, placed.initial, job.assumptions);
+        read_job_item(tables[i], options, placed.initial, job.assumptions, remarks);
+    job.warnings.insert(job.warnings.end(), remarks.warnings.begin(), remarks.warnings.end());
+    job.without_effect.insert(job.without_effect.end(), remarks.without_effect.begin(),
+                              remarks.without_effect.end());
     if (!item) continue;
     JobItem& of_job = items.emplace_back(JobItem{tables[i], {}});
     if (item->states_contact)

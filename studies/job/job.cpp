@@ -10,6 +10,7 @@
 
 #include "engine/base/config/table.h"
 #include "engine/base/units.h"
+#include "equipment/file_kind.h"
 #include "equipment/levelness.h"
 #include "equipment/quantity.h"
 #include "studies/job/excitation_reader.h"
@@ -29,18 +30,31 @@ using config::Table;
 constexpr double kLongestRun = 7200;  ///< [s]; the longest records have some 20 min
 constexpr double kMostSteps = 2e7;
 
-void read_initial(Table& root, std::vector<Assumption>& assumptions, InitialMotion& initial) {
+/// Notes each of these keys that is there, as one that `reason` leaves without effect.
+void note_without_effect(Table& table, const std::vector<const char*>& keys,
+                         const std::string& reason, Job& job) {
+  for (const char* key : keys)
+    if (table.has(key))
+      job.without_effect.push_back(
+          fmt::format("{}: {}: has no effect {}", table.where(key), table.name_of(key), reason));
+}
+
+void read_initial(Table& root, Job& job) {
   auto table = root.table("initial");
   if (!table) return;
-  Quantities in(*table, assumptions);
+  InitialMotion& initial = job.scene.items.front().initial;
+  Quantities in(*table, job.assumptions);
   initial.velocity = in.vector("velocity_m_per_s", Range::any(), Vector3::Zero());
   initial.yaw_rate = in.number("yaw_rate_deg_per_s", Range::any(), 0.0) * kRadiansPerDegree;
   initial.wheels_roll = table->boolean("wheels_roll", initial.wheels_roll);
+  if (root.document().clean() && job.scene.items.front().model.casters.empty())
+    note_without_effect(*table, {"wheels_roll"}, "on an item without casters", job);
 }
 
-void read_settings(Table& root, SimulationSettings& settings) {
+void read_settings(Table& root, Job& job) {
   auto found = root.table("settings");
   if (!found) return;
+  SimulationSettings& settings = job.settings;
   Table& in = *found;
   static const std::vector<std::string> kSolvers = {"star", "bullet", "bullet-dantzig",
                                                     "bullet-paper", "bullet-paper-dantzig"};
@@ -70,11 +84,20 @@ void read_settings(Table& root, SimulationSettings& settings) {
         kRadiansPerDegree;
   settings.skip_clear_collision_passes =
       in.boolean("skip_clear_collision_passes", settings.skip_clear_collision_passes);
+  if (settings.solver != Solver::kStar)
+    note_without_effect(
+        in,
+        {"residual", "max_newton_iterations", "max_subdivisions", "skip_clear_collision_passes"},
+        "with the solver \"" + kSolvers[static_cast<std::size_t>(settings.solver)] + "\"", job);
+  for (const char* key : {"settle_time_s", "rest_speed_m_per_s", "rest_hold_s"})
+    if (settings.duration > 0 && in.has(key))
+      job.warnings.push_back(in.name_of(key) + ": no effect beside duration_s, which ends the run");
 }
 
-void read_output(Table& root, SimulationSettings& settings) {
+void read_output(Table& root, Job& job) {
   auto table = root.table("output");
   if (!table) return;
+  SimulationSettings& settings = job.settings;
   const bool histories = table->boolean("histories", true);
   const double spacing = table->number("history_step_s", Range::positive(), settings.history_step);
   const double steps = std::max(1.0, std::round(spacing / settings.time_step));
@@ -84,6 +107,7 @@ void read_output(Table& root, SimulationSettings& settings) {
                 fmt::format(" = {:g}: must be a whole number of time steps of {:g} s, such as {:g}",
                             spacing, settings.time_step, whole));
   settings.history_step = histories ? whole : 0;
+  if (!histories) note_without_effect(*table, {"history_step_s"}, "with histories = false", job);
 }
 
 /// How far the floor is out of level where the job does not say.
@@ -121,8 +145,10 @@ Job read(config::Document& document, const std::optional<Draw>& draw) {
   Job job;
   job.file = document.path();
   job.text = document.text();
+  refuse_other_kind(document, "gurney-job/1");
   Table root = document.root();
   root.choice("schema", {"gurney-job/1"});
+  document.tree().asked.insert("study");  // is read by StudyJob
   job.title = root.text("title", "");
   job.draw = draw;
   document.set_draw(draw);
@@ -138,16 +164,24 @@ Job read(config::Document& document, const std::optional<Draw>& draw) {
   }
   if (auto table = root.table("fixture"))
     job.excitation.fixture = read_fixture(*table, job.assumptions);
-  read_initial(root, job.assumptions, job.scene.items.front().initial);
-  read_settings(root, job.settings);
-  read_output(root, job.settings);
+  read_initial(root, job);
+  read_settings(root, job);
+  read_output(root, job);
   furnish(root, items, std::move(room), job);
   if (document.clean()) check_overlaps(items, job.scene);
-  document.finish();
   return job;
 }
 
+void note_lines(config::Document& document, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) document.note(Error(line));
+}
+
 }  // namespace
+
+bool draws_anything(const Job& job) {
+  return std::ranges::any_of(job.assumptions,
+                             [](const Assumption& each) { return !each.distribution.empty(); });
+}
 
 Job read_job(const std::string& path) {
   config::Document document(path);
@@ -156,11 +190,18 @@ Job read_job(const std::string& path) {
 
 Job read_job(config::Document& document) {
   Table root = document.root();
-  return read(document, read_draw(root));
+  Job job = read(document, read_draw(root));
+  note_lines(document, job.without_effect);
+  if (document.clean() && job.draw && !draws_anything(job))
+    root.note("uncertainty", ": has no effect: no number of the job has a distribution");
+  document.finish();
+  return job;
 }
 
 Job read_study_job(config::Document& document, const std::optional<Draw>& draw) {
-  return read(document, draw);
+  Job job = read(document, draw);
+  document.finish();
+  return job;
 }
 
 }  // namespace gurney

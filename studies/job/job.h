@@ -62,6 +62,7 @@ struct Job {
   std::optional<Draw> draw;             ///< of every uncertain number; none: as their values
   std::vector<Assumption> assumptions;  ///< every unsourced or drawn number in use
   std::vector<std::string> warnings;
+  std::vector<std::string> without_effect;  ///< inputs: see Remarks
 };
 
 /// @throws Error with every mistake of the job, and of the data files it names.
@@ -69,6 +70,9 @@ Job read_job(const std::string& path);
 
 /// The same from an open document, which it finishes.
 Job read_job(config::Document& document);
+
+/// Whether a number of a job that was read with a draw has a distribution.
+bool draws_anything(const Job& job);
 
 /// One way a study has a job: with this draw, or with every number at its value.
 Job read_study_job(config::Document& document, const std::optional<Draw>& draw);

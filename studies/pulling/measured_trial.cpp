@@ -26,7 +26,8 @@ std::optional<TrialFault> evaluate(MeasuredTrial& made) {
   if (auto bad = check_phases(made.trial, *made.phases)) return bad;
   made.averages = averages_of(made.trial, *made.phases, fault);
   if (!made.averages) return fault;
-  return made.trial.kind == TrialKind::kPull ? check_averages(*made.averages) : std::nullopt;
+  if (made.trial.kind != TrialKind::kPull) return {};
+  return check_averages(*made.averages, !made.trial.signals.displacement.empty());
 }
 
 bool alike(const TrialSetup& a, Alignment of_a, const TrialSetup& b) {

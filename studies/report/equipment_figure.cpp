@@ -24,15 +24,20 @@ constexpr View kPlan = {"Plan", 0, 1}, kSide = {"From the right", 0, 2},
 
 const std::string kChassis = palette(0), kEdge = palette(1), kWorst = palette(2);
 
-/// One width for all views, so that a millimetre is as long in each.
-double half_width(const EquipmentFacts& facts) {
+/// Half of what the plan shows.
+double plan_half_width(const EquipmentFacts& facts) {
   double reach = 0;
   for (const Box& box : facts.model.shape)
     reach = std::max(reach, (box.center.cwiseAbs() + box.size / 2).head<2>().maxCoeff());
   for (const Caster& caster : facts.model.casters)
     reach = std::max(
         reach, caster.mount.head<2>().cwiseAbs().maxCoeff() + caster.trail + caster.wheel_radius);
-  return 1.1 * std::max(reach, 0.55 * facts.sheet.size.z());
+  return 1.1 * reach;
+}
+
+/// Of both side views, so that a millimetre is as long in each.
+double side_half_width(const EquipmentFacts& facts) {
+  return std::max(plan_half_width(facts), 1.1 * 0.55 * facts.sheet.size.z());
 }
 
 class ViewDrawing {
@@ -174,8 +179,8 @@ std::string equipment_figure(const EquipmentFacts& facts) {
                                     sheet.stability.tilt / kRadiansPerDegree)
                       : std::string()),
            {.size = 12, .color = "#555555"});
-  const double half = half_width(facts), step = kPanel + kGap;
-  draw_plan_view(svg, {kLeft, kTop, kPanel, kPanel}, facts, half);
+  const double half = side_half_width(facts), step = kPanel + kGap;
+  draw_plan_view(svg, {kLeft, kTop, kPanel, kPanel}, facts, plan_half_width(facts));
   draw_side_view(svg, {kLeft + step, kTop, kPanel, kPanel}, kSide, facts, half);
   draw_side_view(svg, {kLeft + 2 * step, kTop, kPanel, kPanel}, kFront, facts, half);
   svg.text(kLeft, kTop + kPanel + 62,

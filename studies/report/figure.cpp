@@ -60,12 +60,14 @@ Panel vector_panel(const std::string& title, const std::string& y_label,
 }
 
 Panel wheel_panel(const std::string& title, const std::string& y_label, const RunFacts& facts,
-                  const std::vector<Sample>& history, double WheelSample::*member, double unit) {
+                  const std::vector<Sample>& history, double WheelSample::*member, double unit,
+                  bool rigid_too = true) {
   Panel panel = time_panel(title, y_label, 2);
   const auto& casters = facts.scene.items[0].model.casters;
   for (std::size_t i = 0; i < casters.size(); ++i)
-    panel.curves.push_back(curve(casters[i].name, history, i,
-                                 [&](const Sample& s) { return s.wheels[i].*member / unit; }));
+    if (rigid_too || casters[i].swivels)
+      panel.curves.push_back(curve(casters[i].name, history, i,
+                                   [&](const Sample& s) { return s.wheels[i].*member / unit; }));
   return panel;
 }
 
@@ -145,8 +147,9 @@ std::vector<Panel> panels_of_item(const RunFacts& facts, const ItemResponse& ite
       vector_panel("Acceleration relative to the floor", "Acceleration (m/s\u00b2)", history,
                    &Sample::acceleration),
       wheel_panel("Swivel angles", "Swivel angle (deg)", facts, history, &WheelSample::swivel_angle,
-                  kRadiansPerDegree),
+                  kRadiansPerDegree, false),
       energy_panel(history, item.stored_energy_at_start)};
+  std::erase_if(panels, [](const Panel& panel) { return panel.curves.empty(); });
   if (pulled(history)) panels.insert(panels.end(), {pull_panel(history), turn_panel(history)});
   return panels;
 }

@@ -11,7 +11,7 @@
 namespace gurney {
 namespace {
 
-constexpr std::size_t kMostLines = 20;
+constexpr std::ptrdiff_t kMostLines = 20;
 
 /// Rows of cells; columns as wide as their widest cell, numbers to the right.
 class TextTable {
@@ -46,12 +46,18 @@ std::string entry(const std::string& name, const std::string& value) {
   return fmt::format("{:<12}{}\n", name, value);
 }
 
-/// The first lines, and how many there are more.
-std::string shortened(const std::vector<std::string>& lines) {
+/// The first entries, each of one or more lines, and how many there are more.
+std::string shortened(const std::vector<std::string>& entries, const char* what) {
   std::string all;
-  for (std::size_t i = 0; i < std::min(lines.size(), kMostLines); ++i) all += lines[i] + "\n";
-  if (lines.size() > kMostLines)
-    all += fmt::format("  and {} more; --json lists all\n", lines.size() - kMostLines);
+  std::size_t shown = 0;
+  std::ptrdiff_t lines = 0;
+  for (; shown < entries.size(); ++shown) {
+    lines += 1 + std::ranges::count(entries[shown], '\n');
+    if (shown > 0 && lines > kMostLines) break;
+    all += entries[shown] + "\n";
+  }
+  if (shown < entries.size())
+    all += fmt::format("  and {} more {}; --json lists all\n", entries.size() - shown, what);
   return all;
 }
 
@@ -68,13 +74,15 @@ std::string head(const FileOverview& file, const std::string& what) {
 
 std::string motions(const FileOverview& file) {
   if (file.motions.empty()) return entry("records", "none, the floor is at rest");
-  std::vector<std::string> lines;
+  std::vector<std::string> records;
   for (const auto& motion : file.motions) {
-    lines.push_back("  " + motion.name + (motion.files.empty() ? ", made by the program" : ""));
-    for (const std::string& each : motion.files) lines.push_back("    " + each);
-    for (const std::string& each : motion.warnings) lines.push_back("    warning: " + each);
+    std::string record = "  " + motion.name + (motion.files.empty() ? ", made by the program" : "");
+    for (const std::string& each : motion.files) record += "\n    " + each;
+    for (const std::string& each : motion.warnings) record += "\n    warning: " + each;
+    records.push_back(record);
   }
-  return "\n" + entry("records", std::to_string(file.motions.size())) + shortened(lines);
+  return "\n" + entry("records", std::to_string(file.motions.size())) +
+         shortened(records, "records");
 }
 
 std::string tail(const FileOverview& file, const std::string& worst) {
@@ -86,7 +94,7 @@ std::string tail(const FileOverview& file, const std::string& worst) {
   const std::size_t count = file.assumptions.size();
   all += entry("assumed", count == 0   ? "no number without a source"
                           : count == 1 ? "1 number without a source, with a reason and a range; "
-                                         "--json tells it"
+                                         "--json lists it"
                                        : fmt::format("{} numbers without a source, with a reason "
                                                      "and a range; --json lists them",
                                                      count));
@@ -123,7 +131,7 @@ std::string failures(const StudyOverview& overview) {
   std::vector<std::string> lines;
   for (const FailedRun& each : overview.failures)
     lines.push_back(fmt::format("  {}: {}\n    {}", each.run, each.cause, each.command));
-  return "\nruns that failed, why, and what makes them again\n" + shortened(lines);
+  return "\nruns that failed, why, and the command that re-runs each\n" + shortened(lines, "runs");
 }
 
 std::string certificate(const StudyOverview& overview) {

@@ -48,7 +48,8 @@ void draw_history(Svg& svg, const Frame& frame, const std::string& title, const 
        {.title = title,
         .x_label = "Time (s)",
         .y_label = label,
-        .curves = {thinned(time_step, values, unit, color)}});
+        .curves = {thinned(time_step, values, unit, color)},
+        .x_range = {0, time_step * static_cast<double>(values.size() - 1)}});
 }
 
 void draw_component(Svg& svg, const Component& component, Direction direction) {

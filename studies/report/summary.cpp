@@ -175,9 +175,13 @@ std::string record_text(const RunFacts& facts) {
     text += fmt::format("           {}\n", wrapped(step, 13, 11));
   text += "\n";
   text += fmt::format("  {:<32}{:>12}{:>12}{:>12}\n", "floor motion", "x", "y", "z");
+  // Rounded first: what is shown as zero has no sign.
+  const auto number = [](double value) {
+    return fmt::format("{:.4f}", std::round(1e4 * value) == 0 ? 0.0 : value);
+  };
   const auto row = [&](const char* name, const char* units, const Vector3& value) {
-    text += fmt::format("  {:<32}{:>12}{:>12}{:>12} {}\n", name, fmt::format("{:.4f}", value.x()),
-                        fmt::format("{:.4f}", value.y()), fmt::format("{:.4f}", value.z()), units);
+    text += fmt::format("  {:<32}{:>12}{:>12}{:>12} {}\n", name, number(value.x()),
+                        number(value.y()), number(value.z()), units);
   };
   row("PGA", "g", r.pga / kStandardGravity);
   row("PGV", "m/s", r.pgv);

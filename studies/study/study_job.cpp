@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -95,6 +96,24 @@ class Mistakes {
   std::string text_;
 };
 
+/// Inputs that change nothing in a configuration; they are errors where none needs them.
+class InputsWithoutEffect {
+ public:
+  void meet(const std::vector<std::string>& of_configuration) {
+    for (const std::string& each : std::set(of_configuration.begin(), of_configuration.end()))
+      ++count_[each];
+  }
+  std::vector<std::string> everywhere(std::size_t configurations) const {
+    std::vector<std::string> lines;
+    for (const auto& [line, count] : count_)
+      if (count == configurations) lines.push_back(line);
+    return lines;
+  }
+
+ private:
+  std::map<std::string, std::size_t> count_;
+};
+
 template <class Work>
 void collect(Mistakes& mistakes, Work work) {
   try {
@@ -145,14 +164,31 @@ StudyJob::StudyJob(std::unique_ptr<FileSnapshot> files, std::unique_ptr<Document
     clean = reading.clean();
     reading.finish();
   });
+  InputsWithoutEffect without_effect;
   for (std::size_t i = 0; i < configurations_.size(); ++i)
     collect(mistakes, [&] {
       const Job each = job(i, {});
+      without_effect.meet(each.without_effect);
       if (!clean) return;
       refuse_contradictions(*document_, each, study_);
       check_limit_states(*taken, each);
     });
+  for (const std::string& line : without_effect.everywhere(configurations_.size()))
+    mistakes.add(line);
   mistakes.raise();
+  if (study_.draws > 0 && !draws_anything())
+    throw Error(document_->where(taken->find("draws")->place) +
+                ": study.draws: has no effect: no number of the job has a distribution");
+}
+
+bool StudyJob::draws_anything() const {
+  try {
+    for (std::size_t i = 0; i < configurations_.size(); ++i)
+      if (gurney::draws_anything(job(i, Draw(study_.seed, 0)))) return true;
+    return false;
+  } catch (const Error&) {  // the job without a draw is right, so this draw changed it
+    return true;
+  }
 }
 
 Job StudyJob::job(std::size_t configuration, const std::optional<Draw>& draw) const {

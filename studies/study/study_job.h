@@ -46,6 +46,7 @@ class StudyJob {
  private:
   StudyJob(std::unique_ptr<config::FileSnapshot> files, std::unique_ptr<config::Document> document);
 
+  bool draws_anything() const;
   void check_limit_states(const config::Node& study, const Job& job) const;
 
   std::unique_ptr<config::FileSnapshot> files_;

@@ -89,28 +89,42 @@ std::optional<TrialFault> check_force(const Trial& trial) {
   return {};
 }
 
+/// What the mass would be if nothing else were wrong; empty where no mass would do.
+std::string mass_in_question(const TrialSetup& setup, double ratio) {
+  const double mass = (setup.mass + setup.added_mass) / ratio - setup.added_mass;
+  if (!(mass > 0)) return "";
+  return fmt::format("is the mass of {:.4g} kg right ({:.4g} kg would give 1)? Or: ", setup.mass,
+                     mass);
+}
+
 }  // namespace
 
-std::string cause_of_ratio(double ratio, double within) {
+std::string cause_of_ratio(double ratio, double within, bool of_displacement) {
   struct Cause {
     double ratio;
-    const char* text;
+    const char *displacement, *acceleration;  ///< by what was measured; null: cannot be
   };
   constexpr std::array kCauses = {
       Cause{1e3,
-            "is the displacement (acceleration) a thousand times too large, such as mm in a "
-            "column of m, or the force in kN in a column of N?"},
+            "is the displacement a thousand times too large, such as mm in a column of m, or the "
+            "force in kN in a column of N?",
+            "is the acceleration a thousand times too large, such as mm/s2 in a column of m/s2, or "
+            "the force in kN in a column of N?"},
       Cause{1e-3,
             "is the displacement a thousandth, such as m in a column of mm, or the force in N "
-            "in a column of kN?"},
-      Cause{1e-6, "is the time in ms in a column of s?"},
-      Cause{1e6, "is the time in s in a column of ms?"},
-      Cause{kStandardGravity, "is an acceleration in m/s2 in a column of g?"},
-      Cause{1 / kStandardGravity,
-            "is an acceleration in g in a column of m/s2, or a force of kg?"}};
-  for (const Cause& cause : kCauses)
-    if (std::abs(std::log(ratio / cause.ratio)) < std::log(within))
-      return std::string("units: ") + cause.text;
+            "in a column of kN?",
+            "is the acceleration a thousandth, or the force in N in a column of kN?"},
+      Cause{1e-6, "is the time in ms in a column of s?", nullptr},
+      Cause{1e6, "is the time in s in a column of ms?", nullptr},
+      Cause{kStandardGravity, "is the force in kg in a column of N?",
+            "is the acceleration in m/s2 in a column of g, or the force in kg in a column of N?"},
+      Cause{1 / kStandardGravity, "is the force in N in a column of kg?",
+            "is the acceleration in g in a column of m/s2, or the force in N in a column of kg?"}};
+  for (const Cause& cause : kCauses) {
+    const char* const text = of_displacement ? cause.displacement : cause.acceleration;
+    if (text != nullptr && std::abs(std::log(ratio / cause.ratio)) < std::log(within))
+      return std::string("units: ") + text;
+  }
   return "mass, force or clock are wrong, or the phases were not free of other forces";
 }
 
@@ -120,16 +134,18 @@ std::optional<TrialFault> check_samples(const Trial& trial) {
   return check_force(trial);
 }
 
-std::optional<TrialFault> check_averages(const TrialAverages& a) {
+std::optional<TrialFault> check_averages(const TrialAverages& a, bool of_displacement) {
   const auto fault = [&](std::string reason) {
     return TrialFault{a.file, a.line, std::move(reason)};
   };
   const double inertia = a.setup.mass + a.setup.added_mass;
   const double ratio = inertia * (a.pull_acceleration + a.coast_deceleration) / a.pull_force;
-  if (!(ratio > 0) || !(std::abs(std::log(ratio)) < kBalance))
-    return fault(fmt::format(
-        "(M + J)(a_2 + a_3) is {:.4g} of the force, must be 1: {}", ratio,
-        ratio > 0 ? cause_of_ratio(ratio, kFarOff) : "it does not slow down in phase III"));
+  const std::string balance =
+      fmt::format("(M + J)(a_2 + a_3) is {:.4g} of the force, must be 1: ", ratio);
+  if (!(ratio > 0)) return fault(balance + "it does not slow down in phase III");
+  if (!(std::abs(std::log(ratio)) < kBalance))
+    return fault(balance + mass_in_question(a.setup, ratio) +
+                 cause_of_ratio(ratio, kFarOff, of_displacement));
   const Resistance r = average_method(a);
   if (!(r.pulled > 0) || !(r.coasting > 0))
     return fault(

@@ -62,8 +62,9 @@ std::vector<CaseRun> choose(const std::vector<Family>& families, const Selection
       continue;
     Selection everything = selection;
     everything.names.clear();
-    throw Error(fmt::format("no case, family or group is named '{}'{}", name,
-                            config::suggestion(name, known_names(choose(families, everything)))));
+    throw Error(
+        fmt::format("no case, family or group is named '{}'{}; gurney verify --list lists them",
+                    name, config::near_name(name, known_names(choose(families, everything)))));
   }
   if (!selection.names.empty())
     std::erase_if(all, [&](const CaseRun& each) {

@@ -176,6 +176,13 @@ TEST(Document, ExplainsFilesItCannotRead) {
   EXPECT_EQ(open(folder.write("empty.toml", "")), "(no error)");
   const std::string broken = folder.write("broken.toml", "a = 1\nb = = 2\n");
   EXPECT_EQ(open(broken).rfind(broken + ":2:5: not valid TOML: ", 0), 0u) << open(broken);
+  // What is no value of TOML is stated with its place and what is allowed.
+  const std::string word = folder.write("word.toml", "swivels = no\n");
+  EXPECT_EQ(open(word), word +
+                            ":1:11: not valid TOML: no: no value is written so: must be true or "
+                            "false, a number, or text in quotes");
+  const std::string list = folder.write("list.toml", "brakes = [true, Off]\n");
+  EXPECT_EQ(open(list).rfind(list + ":1:17: not valid TOML: Off: no value", 0), 0u) << open(list);
   const std::string twice = folder.write("twice.toml", "a = 1\na = 2\n");
   EXPECT_EQ(open(twice).rfind(twice + ":2:", 0), 0u) << open(twice);
 }
@@ -217,6 +224,14 @@ TEST(NearestName, SuggestsANeighbourOrListsAll) {
   EXPECT_EQ(suggestion("timestep", {"time_step_s", "residual"}), "; did you mean 'time_step_s'?");
   EXPECT_EQ(suggestion("mass", {"mass_kg", "size_mm"}), "; did you mean 'mass_kg'?");
   EXPECT_EQ(suggestion("x", {}), "");
+  // One letter wrong wins over a longer name that begins so.
+  EXPECT_EQ(suggestion("swivel", {"swivel_lock", "swivels"}), "; did you mean 'swivels'?");
+  EXPECT_EQ(suggestion("swivel", {"swivel_lock", "brake"}), "; did you mean 'swivel_lock'?");
+  // The same word spelt otherwise wins over a nearer one.
+  EXPECT_EQ(suggestion("PU125", {"R125", "pu_125"}), "; did you mean 'pu_125'?");
+  EXPECT_EQ(suggestion("Sheet Vinyl", {"sheet_metal", "sheet-vinyl"}),
+            "; did you mean 'sheet-vinyl'?");
+  EXPECT_EQ(near_name("colour_of_it", {"height", "trail"}), "");
 }
 
 }  // namespace

@@ -164,19 +164,21 @@ position_mm = [250, "left", 0]
 name = "caster 1"
 )");
   const std::string text = error_text([&] { load_item(file); });
-  EXPECT_EQ(text.substr(0, text.find("\n" + caster_file)),
-            at(file, {":1:1: shape: must have at least one box [[shape]]",
-                      ":1:10: schema = \"gurney-item/2\": must be one of gurney-item/1; did you "
-                      "mean 'gurney-item/1'?",
-                      ":3:1: chassis.inertia_box_mm: must be given, or inertia_kg_m2, not both",
-                      ":4:11: chassis.mass_kg = -3: must be a finite number > 0",
-                      ":5:28: chassis.center_of_mass_mm[2] = nan: must be a finite number",
-                      ":6:1: caster[1].name = \"caster 1\": must differ from the name of caster[0]",
-                      ":7:8: caster[0].type = \"R12\": unknown caster; did you mean 'R125'? (the "
-                      "catalogue has " +
-                          catalogue_list(DataKind::kCaster) + ")",
-                      ":9:1: caster[0].brakes: unknown key; did you mean 'brake'?",
-                      ":12:21: caster[1].position_mm[1] = \"left\": must be a finite number"}));
+  EXPECT_EQ(
+      text.substr(0, text.find("\n" + caster_file)),
+      at(file, {":1:1: shape: must have at least one box [[shape]]",
+                ":1:10: schema = \"gurney-item/2\": must be one of gurney-item/1; did you "
+                "mean 'gurney-item/1'?",
+                ":3:1: chassis.inertia_box_mm: missing; must be given, or inertia_kg_m2 in its "
+                "place",
+                ":4:11: chassis.mass_kg = -3: must be a finite number > 0",
+                ":5:28: chassis.center_of_mass_mm[2] = nan: must be a finite number",
+                ":6:1: caster[1].name = \"caster 1\": must differ from the name of caster[0]",
+                ":7:8: caster[0].type = \"R12\": unknown caster; did you mean 'R125'? (the "
+                "catalogue has " +
+                    catalogue_list(DataKind::kCaster) + ")",
+                ":9:1: caster[0].brakes: unknown key; did you mean 'brake'?",
+                ":12:21: caster[1].position_mm[1] = \"left\": must be a finite number"}));
   EXPECT_NE(text.find(caster_file + ":4:21: wheel_diameter_mm = 0: must be a finite number > 0"),
             std::string::npos)
       << text;
@@ -191,11 +193,15 @@ TEST(LoadItem, RefusesBrakesThatAreNotThereAndUnequalHeights) {
   item.casters[1].type.swivel_lock_torque = 0;
   item.casters[1].mount.z() = 0.02;
   EXPECT_EQ(error_text([&] { assemble_item(item); }),
-            "caster 'caster 2': the swivel is locked, but caster R100 has no "
-            "swivel_lock_torque_n_m\n"
-            "caster 'caster 2': its base plate would be 111 mm above the floor, that of caster "
-            "'caster 1' 131 mm: must be equal (height_mm minus z of position_mm)\n"
-            "caster 'caster 3': the brake is on, but caster R100 has no brake_torque_n_m");
+            item.casters[1].where +
+                ": caster 'caster 2': the swivel is locked, but caster R100 has no "
+                "swivel_lock_torque_n_m\n" +
+                item.casters[1].where +
+                ": caster 'caster 2': its base plate would be 111 mm above the floor, that of "
+                "caster 'caster 1' 131 mm: must be equal (height_mm minus z of position_mm)\n" +
+                item.casters[2].where +
+                ": caster 'caster 3': the brake is on, but caster R100 has no brake_torque_n_m");
+  EXPECT_TRUE(item.casters[1].where.starts_with(item.file + ":"));
 }
 
 TEST(LoadItem, DescribesACasterInsideAnItem) {

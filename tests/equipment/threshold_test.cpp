@@ -49,7 +49,7 @@ double energy_at_start(const EquipmentModel& model, double speed) {
   return inertia * speed * speed / 2;
 }
 
-/// Speed at which an item trips whose front wheels are stopped at their axles (West's formula): it
+/// Speed at which an item trips whose front wheels are stopped at their axles (Mallet 1862): it
 /// turns about them with w = M v h' / I, and its centre must rise from h' to r, so that
 /// v = sqrt(2 g (r - h') I / M) / h', with b from the axles to the centre, h' above them,
 /// r^2 = b^2 + h'^2 and I about the axles.
@@ -152,7 +152,7 @@ TEST(OverAThreshold, AShorterStepSaysTheSame) {
 // Against a kerb as high as the axles. Forks swing and treads give some speed back, for which 15 %
 // are left: all fall at 1.05 of the speed already, six at 0.95. Beds and the X-ray unit are longer
 // than high and would have to come with 4 m/s and more.
-TEST_P(OverAThreshold, TripsAtAKerbFromWestsSpeedOn) {
+TEST_P(OverAThreshold, TripsAtAKerbFromMalletsSpeedOn) {
   const Tripping item = tripping(trial(GetParam(), kLow, false).scene.items[0].model);
   const auto falls = [&](double speed) {
     const Trial run = trial(GetParam(), {item.radius, speed}, false);

@@ -1,6 +1,7 @@
 #include "engine/base/config/nearest_name.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace gurney::config {
 
@@ -22,35 +23,63 @@ int edit_distance(const std::string& a, const std::string& b) {
 
 namespace {
 
-std::string without_underscores(std::string name) {
-  std::erase(name, '_');
+std::string in_lower_case(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return name;
+}
+
+/// `PU 125` and `pu_125` are one word.
+std::string plain(const std::string& name) {
+  std::string letters = in_lower_case(name);
+  std::erase_if(letters, [](char c) { return c == '_' || c == '-' || c == ' ' || c == '.'; });
+  return letters;
 }
 
 /// `mass` for `mass_kg`, `timestep` for `time_step_s`.
 bool is_beginning(const std::string& name, const std::string& known) {
   constexpr std::size_t kFewestLetters = 3;
-  return name.size() >= kFewestLetters &&
-         without_underscores(known).rfind(without_underscores(name), 0) == 0;
+  return name.size() >= kFewestLetters && plain(known).starts_with(plain(name));
+}
+
+/// A third of the letters wrong is still a typo; more is another word.
+int largest_distance(const std::string& name) {
+  const int letters = static_cast<int>(name.size());
+  return std::min(std::max(2, letters / 3), letters - 1);
+}
+
+/// The same word spelt otherwise, then one letter wrong, then a forgotten unit, then a typo:
+/// `swivel` is `swivels` and not the beginning of `swivel_lock`.
+const std::string* nearest(const std::string& name, const std::vector<std::string>& known) {
+  const auto found = [&](auto is_it) -> const std::string* {
+    const auto at = std::ranges::find_if(known, is_it);
+    return at == known.end() ? nullptr : &*at;
+  };
+  const std::string lower = in_lower_case(name);
+  const auto distance = [&](const std::string& each) {
+    return edit_distance(lower, in_lower_case(each));
+  };
+  if (const auto* same = found([&](const auto& each) { return plain(each) == plain(name); }))
+    return same;
+  const std::string& closest = *std::ranges::min_element(known, {}, distance);
+  if (distance(closest) <= std::min(1, largest_distance(name))) return &closest;
+  if (const auto* longer = found([&](const auto& each) { return is_beginning(name, each); }))
+    return longer;
+  return distance(closest) <= largest_distance(name) ? &closest : nullptr;
 }
 
 }  // namespace
 
 std::string suggestion(const std::string& name, const std::vector<std::string>& known) {
   if (known.empty()) return "";
-  const auto nearest =
-      std::min_element(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
-        return edit_distance(name, a) < edit_distance(name, b);
-      });
-  // A third of the letters wrong is still a typo; more is another word.
-  const int limit =
-      std::min(std::max(2, static_cast<int>(name.size()) / 3), static_cast<int>(name.size()) - 1);
-  for (const std::string& each : known)
-    if (is_beginning(name, each)) return "; did you mean '" + each + "'?";
-  if (edit_distance(name, *nearest) <= limit) return "; did you mean '" + *nearest + "'?";
+  if (const std::string* near = nearest(name, known)) return "; did you mean '" + *near + "'?";
   std::string list;
   for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
   return "; known: " + list;
+}
+
+std::string near_name(const std::string& name, const std::vector<std::string>& known) {
+  const std::string* near = known.empty() ? nullptr : nearest(name, known);
+  return near == nullptr ? "" : "; did you mean '" + *near + "'?";
 }
 
 }  // namespace gurney::config

@@ -62,8 +62,7 @@ std::size_t Table::choice(const std::string& key, const std::vector<std::string>
   if (node == nullptr) return fallback.value_or(0);
   for (std::size_t i = 0; i < allowed.size(); ++i)
     if (node->kind == Node::Kind::kText && node->text == allowed[i]) return i;
-  const std::string hint = suggestion(node->text, allowed);
-  note_value(*node, key, "one of " + list + (hint.find("did you") == 2 ? hint : ""));
+  note_value(*node, key, "one of " + list + near_name(node->text, allowed));
   return fallback.value_or(0);
 }
 
@@ -168,6 +167,15 @@ std::vector<std::string> Table::keys() const {
 void Table::note(const std::string& key, const std::string& message) {
   const Node* node = node_->find(key);
   document_->note(node == nullptr ? node_->place : node->place, name_of(key) + message);
+}
+
+void Table::note_element(const std::string& key, std::size_t index, const std::string& message) {
+  const Node* node = node_->find(key);
+  if (node != nullptr && node->kind == Node::Kind::kTable) node = node->find("value");
+  if (node == nullptr || index >= node->elements.size()) return note(key, message);
+  const Node& element = node->elements[index];
+  document_->note(element.place,
+                  fmt::format("{}[{}] = {}{}", name_of(key), index, describe(element), message));
 }
 
 std::string Table::name_of(const std::string& key) const {

@@ -51,6 +51,10 @@ class Table {
   /// `message`, which begins with ": " or " = ".
   void note(const std::string& key, const std::string& message);
 
+  /// The same at number `index` of an array, or of the array `value` of a quantity: `key[2] = 90`
+  /// and then `message`.
+  void note_element(const std::string& key, std::size_t index, const std::string& message);
+
   std::string name_of(const std::string& key) const;  ///< with the path before it
   std::string where(const std::string& key) const;    ///< `file:line:column` of its value
   Document& document() { return *document_; }

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
+#include <cctype>
 #include <sstream>
+#include <string_view>
 
 #include "engine/base/config/toml_depth.h"
 #include "engine/base/error.h"
@@ -55,6 +58,36 @@ Node node_of(const toml::node& source) {
   return node;
 }
 
+/// The bare word in which an error lies, such as `no` after `=`, and its place; empty: none.
+std::string bare_word(const std::string& text, Place& place) {
+  std::istringstream lines(text);
+  std::string line;
+  for (int i = 0; i < place.line && std::getline(lines, line);) ++i;
+  const auto is_letter = [&](std::size_t at) {
+    return at < line.size() &&
+           (std::isalnum(static_cast<unsigned char>(line[at])) || line[at] == '_');
+  };
+  std::size_t begin =
+      std::min(line.size(), static_cast<std::size_t>(std::max(1, place.column) - 1));
+  if (!is_letter(begin) && begin > 0) --begin;  // the parser may stand behind it
+  while (begin > 0 && is_letter(begin - 1)) --begin;
+  std::size_t end = begin;
+  while (is_letter(end)) ++end;
+  const std::string word = line.substr(begin, end - begin);
+  const std::size_t before = line.find_last_not_of(" \t", begin == 0 ? 0 : begin - 1);
+  const bool is_value = begin > 0 && before != std::string::npos &&
+                        std::string_view("=[,").find(line[before]) != std::string_view::npos;
+  if (!is_value || word.empty() || !std::isalpha(static_cast<unsigned char>(word[0]))) return "";
+  place.column = static_cast<int>(begin) + 1;
+  return word;
+}
+
+std::string explained(const std::string& text, const std::string& description, Place& place) {
+  const std::string word = bare_word(text, place);
+  if (word.empty() || word == "true" || word == "false") return description;
+  return word + ": no value is written so: must be true or false, a number, or text in quotes";
+}
+
 }  // namespace
 
 Node read_toml(const std::string& text, const std::string& name) {
@@ -66,9 +99,10 @@ Node read_toml(const std::string& text, const std::string& name) {
     root.place = {};
     return root;
   } catch (const toml::parse_error& error) {
-    const Place place = place_of(error.source());
-    throw Error(fmt::format("{}:{}:{}: not valid TOML: {}", name, place.line, place.column,
-                            std::string(error.description())));
+    Place place = place_of(error.source());
+    const std::string reason = explained(text, std::string(error.description()), place);
+    throw Error(
+        fmt::format("{}:{}:{}: not valid TOML: {}", name, place.line, place.column, reason));
   }
 }
 

@@ -171,7 +171,7 @@ Family floor_step() {
   return make_family<Steps>(
       {"floor_step", "blocks", "The floor's velocity steps once under a block",
        "falls from V1 = (1/h) sqrt(2 g (R - h) I_O / M) on",
-       "West's formula, Milne 1885, Trans. Seism. Soc. Japan 8"},
+       "Mallet 1862, The Great Neapolitan Earthquake of 1857, part I"},
       fields(), kBlocks, one_step);
 }
 

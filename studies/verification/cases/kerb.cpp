@@ -189,7 +189,7 @@ Family cart_at_kerb() {
       {"cart_at_kerb", "blocks",
        "The front wheels of a cart meet a kerb that is higher than their axle",
        "falls from V = (1/h) sqrt(2 g (R - h) I_O / M) on, h and R from the front axle",
-       "West's formula, Milne 1885; angular momentum"},
+       "Mallet 1862, The Great Neapolitan Earthquake of 1857, part I; angular momentum"},
       {{{"mass", "kg", 30, 200}, &Cart::mass},
        {{"height", "m", 0.4, 1.2}, &Cart::height},
        {{"ahead", "m", -0.1, 0.1}, &Cart::ahead},
@@ -209,7 +209,7 @@ Family slider_at_kerb() {
   return make_family<Slider>(
       {"slider_at_kerb", "blocks", "A block slides without friction against a low kerb",
        "falls from V = (1/h) sqrt(2 g (R - h) I_O / M) on, h and R from the front edge",
-       "West's formula, Milne 1885; angular momentum"},
+       "Mallet 1862, The Great Neapolitan Earthquake of 1857, part I; angular momentum"},
       {{{"mass", "kg", 30, 300}, &Slider::mass},
        {{"width", "m", 0.25, 0.7}, &Slider::width},
        {{"height", "m", 0.8, 1.8}, &Slider::height},

@@ -79,9 +79,9 @@ TEST(Cosmos, TakesTheTimeStepOfTheseSamplesNotOfTheRawOnes) {
               ElementsAre(HasSubstr("real number 62 of the header states no time "
                                     "step")));
   const std::string none = cosmos_file({.integers = {}, .reals = {{62, -999}, {34, -999}}});
-  EXPECT_THAT(
-      error_text([&] { read(none); }),
-      HasSubstr("the file does not state its time step; state it as time_step_s or --time-step"));
+  EXPECT_THAT(error_text([&] { read(none); }),
+              HasSubstr("the file does not state its time step; state it as time_step_s or gurney "
+                        "records --time-step"));
   EXPECT_EQ(read(none, {.time_step = 0.01})[0].time_step, 0.01);
   // Seconds where milliseconds must be: the length tells it.
   EXPECT_THAT(error_text([] {

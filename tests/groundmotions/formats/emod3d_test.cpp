@@ -32,7 +32,8 @@ TEST(Emod3d, ReadsInTheUnitOfTheUser) {
 
 TEST(Emod3d, AsksForTheUnitAndChecksTheCount) {
   EXPECT_EQ(error_text([] { read_text(kFile); }),
-            "f: the file does not state its unit; state it as unit = \"...\" or --unit (g, m/s2, "
+            "f: the file does not state its unit; state it as unit = \"...\" or gurney records "
+            "--unit (g, m/s2, "
             "cm/s2, gal, mm/s2, mg, %g, ft/s2 or in/s2)");
   EXPECT_EQ(error_text([] { read_text(replaced(kFile, "7  5.0", "8  5.0"), {.unit = "g"}); }),
             "f:2:1: npts states 8 samples, but the file holds 7");

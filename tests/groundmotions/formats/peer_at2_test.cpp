@@ -228,7 +228,8 @@ TEST(PeerAt2, ChecksTheStepAndTheUnitAgainstTheUser) {
   EXPECT_EQ(error_text([&] { read(replaced(text, "DT= .02", "DT= 0.0")); }),
             "f.AT2:4:1: DT must be in [1e-05, 1] s, got 0");
   EXPECT_EQ(error_text([&] { read(replaced(text, ", DT= .02 SEC", "")); }),
-            "f.AT2: the file does not state its time step; state it as time_step_s or --time-step");
+            "f.AT2: the file does not state its time step; state it as time_step_s or gurney "
+            "records --time-step");
   expect_the_motion(read(replaced(text, ", DT= .02 SEC", ""), {.unit = "", .time_step = 0.02}));
 }
 

@@ -38,9 +38,11 @@ TEST(PlainText, ReadsOneColumn) {
 
 TEST(PlainText, AsksForUnitAndStep) {
   EXPECT_EQ(error_text([] { read_text("1\n2\n"); }),
-            "f: the file does not state its unit; state it as unit = \"...\" or --unit (g, m/s2, "
+            "f: the file does not state its unit; state it as unit = \"...\" or gurney records "
+            "--unit (g, m/s2, "
             "cm/s2, gal, mm/s2, mg, %g, ft/s2 or in/s2)\n"
-            "f: the file does not state its time step; state it as time_step_s or --time-step");
+            "f: the file does not state its time step; state it as time_step_s or gurney records "
+            "--time-step");
 }
 
 TEST(PlainText, ReadsRowsOfSamplesThatTheUserDeclares) {

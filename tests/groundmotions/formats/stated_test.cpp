@@ -102,14 +102,16 @@ TEST(Stated, FileAndUserMustAgree) {
             "f:4:1: the file states a time step of 0.02 s, but time_step_s = 0.01 was given");
   EXPECT_EQ(told(gal, 1.5, {}), "f:4:1: the time step must be in [1e-05, 1] s, got 1.5");
   EXPECT_EQ(told({}, {}, {}),
-            "f:4:1: the file does not state its unit; state it as unit = \"...\" or --unit (g, "
+            "f:4:1: the file does not state its unit; state it as unit = \"...\" or gurney records "
+            "--unit (g, "
             "m/s2, cm/s2, "
             "gal, mm/s2, mg, %g, ft/s2 or in/s2)\n"
-            "f:4:1: the file does not state its time step; state it as time_step_s or --time-step");
-  EXPECT_EQ(
-      told({}, 0.02, {}, 0),
-      "f: the file does not state its unit; state it as unit = \"...\" or --unit (g, m/s2, cm/s2, "
-      "gal, mm/s2, mg, %g, ft/s2 or in/s2)");
+            "f:4:1: the file does not state its time step; state it as time_step_s or gurney "
+            "records --time-step");
+  EXPECT_EQ(told({}, 0.02, {}, 0),
+            "f: the file does not state its unit; state it as unit = \"...\" or gurney records "
+            "--unit (g, m/s2, cm/s2, "
+            "gal, mm/s2, mg, %g, ft/s2 or in/s2)");
 }
 
 }  // namespace

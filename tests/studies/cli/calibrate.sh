@@ -18,8 +18,9 @@ grep -q "^left out: trials/pull_6.csv: .* units: is the displacement a thousandt
 calibrate 0 '"name": "static_friction"' trials --json
 calibrate 0 "calibrated/R100_on_polyflor_mystique.toml" trials -o calibrated
 grep -q "</svg>" calibrated/calibration.svg || complain "no figure"
-expect 0 "has no mistakes" "$gurney" equipment check calibrated/R100_on_polyflor_mystique.toml
+expect 0 "is valid" "$gurney" equipment check calibrated/R100_on_polyflor_mystique.toml
 calibrate 1 "calibration.txt: exists already" trials -o calibrated
+[ -s stdout ] && complain "it computes before it refuses to overwrite"
 calibrate 0 "calibrated/calibration.json" trials -o calibrated --overwrite
 calibrate 1 "'R200': unknown caster; did you mean" trials --base R200 -o other
 
@@ -29,7 +30,7 @@ mkdir one
 sed 's/^# caster = R100/# caster = mine/' trials/pull_1.csv > one/mine.csv
 calibrate 0 "mine: the catalogue has no caster 'mine'" one
 calibrate 0 "mine_on_polyflor_mystique.toml" one --base R100 -o mine
-expect 0 "has no mistakes" "$gurney" equipment check mine/mine_on_polyflor_mystique.toml
+expect 0 "is valid" "$gurney" equipment check mine/mine_on_polyflor_mystique.toml
 mkdir empty
 calibrate 1 "empty: has no .csv file of a trial" empty
 calibrate 1 "none.csv: cannot be read" none.csv

@@ -25,6 +25,31 @@ expect 2 "JOB is required" "$gurney" run
 expect 1 "missing.toml" "$gurney" run missing.toml
 files ""
 
+# An item file is no job, and errors are JSON where JSON is asked for.
+item=$2/equipment/items/icu_ventilator.toml
+expect 1 "the file is an item, not a job" "$gurney" run "$item"
+expect 1 "the command for it is: gurney equipment check $item" "$gurney" check "$item"
+printf 'schema = "gurney-job/1"\n[item]\nequipment = "icu_ventilator"\nbrake = true\n' > bad.toml
+for command in run check; do
+  expect 1 '"errors": [' "$gurney" "$command" bad.toml --json
+  python3 - stdout << 'PYTHON' || complain "gurney $command: the errors are not a list"
+import json, sys
+(error,) = json.load(open(sys.argv[1]))["errors"]
+assert error == {"file": "bad.toml", "line": 4, "column": 1, "key": "item.brake",
+                 "message": "item.brake: unknown key; did you mean 'brakes'?"}, error
+PYTHON
+done
+expect 1 "has no use for -j;" "$gurney" run "$job" -j 2
+expect 1 "has no use for --resume;" "$gurney" run "$job" --resume
+"$gurney" help > /dev/full 2> stderr && complain "help on a full disk ends with 0"
+for command in run check replay show fragility export compare pulling measures sensitivity converge \
+    "records floor" "equipment check" calibrate verify; do
+  # shellcheck disable=SC2086
+  expect 0 "Examples:" "$gurney" $command --help
+done
+rm -f bad.toml
+files ""
+
 expect 0 "residual velocity" "$gurney" run "$job"
 files icu_ventilator_shake.{h5,log,svg}
 expect 1 "out/icu_ventilator_shake.h5: exists already" "$gurney" run "$job"

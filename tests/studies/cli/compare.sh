@@ -45,6 +45,11 @@ expect 1 "a configuration of each file must be named" "$gurney" compare a.h5 b.h
 expect 1 "did you mean 'peak_tilt'?" "$gurney" compare a.h5 --demand peak_tlt
 expect 1 "no intensity measure 'PGA h2'" "$gurney" compare a.h5 --measure "PGA h2"
 expect 1 "missing.h5" "$gurney" compare missing.h5
+for command in "compare a.h5 --demand peak_tilt" "fragility a.h5" \
+    "sensitivity a.h5 --configuration false"; do
+  # shellcheck disable=SC2086
+  expect 2 "the name must end in .svg" "$gurney" $command --figure c.pdf
+done
 expect 0 "c.svg" "$gurney" compare a.h5 --demand peak_tilt --figure c.svg
 expect 1 "c.svg: exists already" "$gurney" compare a.h5 --demand peak_tilt --figure c.svg
 "$gurney" compare a.h5 --json > once

@@ -33,14 +33,27 @@ grep -q "</svg>" plan.svg || complain "no figure"
 equipment 1 "plan.svg: exists already" show icu_ventilator --figure plan.svg
 equipment 0 "ICU" show icu_ventilator --figure plan.svg --overwrite
 
-equipment 0 "item 'ICU ventilator on cart' has no mistakes" check "$2/equipment/items/icu_ventilator.toml"
+equipment 0 "item 'ICU ventilator on cart' is valid" check "$2/equipment/items/icu_ventilator.toml"
 sed 's/^value = 30$/value = -30/; s/^name = "front left"/nome = "front left"/' \
   "$2/equipment/items/icu_ventilator.toml" > bad.toml
 equipment 1 "bad.toml:9:9: chassis.mass_kg.value = -30" check bad.toml "$2/equipment/casters/R100.toml"
-grep -q "nome: unknown key; did you mean 'name'?" stderr || complain "not all mistakes are told"
-grep -q "caster 'R100' has no mistakes" stdout || complain "the others are not looked at"
+grep -q "nome: unknown key; did you mean 'name'?" stderr || complain "not all errors are reported"
+grep -q "caster 'R100' is valid" stdout || complain "the others are not looked at"
 printf 'schema = "gurney-job/1"\n' > job.toml
 equipment 1 "gurney-item/1" check job.toml
+equipment 1 'job.toml:1:10: schema = "gurney-job/1": the file is a job' check job.toml
+grep -q "the command for it is: gurney check job.toml" stderr || complain "no command is named"
+equipment 1 '"message": ' check bad.toml --json
+[ -s stderr ] && complain "errors of --json are printed twice"
+python3 - stdout << 'PYTHON' || complain "the errors are not a list"
+import json, sys
+(file,) = json.load(open(sys.argv[1]))["files"]
+first = file["errors"][0]
+assert (first["line"], first["column"], first["key"]) == (9, 9, "chassis.mass_kg.value"), first
+assert first["file"] == "bad.toml" and "must be" in first["message"], first
+PYTHON
+equipment 2 "the name must end in .svg" show icu_ventilator --figure plan.pdf
+[ -e plan.pdf ] && complain "SVG was written as PDF"
 equipment 1 "none.toml" check none.toml
 equipment 0 '"warnings": []' check "$2/equipment/floors/linoleum.toml" --json
 

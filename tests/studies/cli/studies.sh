@@ -191,10 +191,10 @@ grep -qE "^runs +48$" stdout || complain "no runs"
 grep -qE "^time +about .* with 1 threads \(two runs were made: " stdout || complain "no time"
 grep -qE "^disk +about .*bytes a run" stdout || complain "no disk"
 expect 0 '"runs": 48' "$gurney" check small.toml --json
-expect 0 "a single run without mistakes" "$gurney" check "$2/studies/jobs/icu_ventilator_shake.toml"
+expect 0 "a valid single run" "$gurney" check "$2/studies/jobs/icu_ventilator_shake.toml"
 sed 's/equipment = .*/equipment = "xu_troley"/; s/values = .*/values = [false, 2]/; s/draws = 4/draws = 0/' small.toml > bad.toml
 expect 1 "bad.toml:15:9: study.draws = 0" "$gurney" check bad.toml
-grep -q "^bad.toml:3:13: item.equipment = .xu_troley.: " stderr || complain "mistakes of the job are hidden"
+grep -q "^bad.toml:3:13: item.equipment = .xu_troley.: " stderr || complain "errors of the job are hidden"
 printf '{"schema": "gurney-job/1", "item": {"equipment": "xu_trolley", "yaw_deg": "x"}}' > bad.json
 expect 1 "bad.json:/item/yaw_deg: item.yaw_deg = \"x\"" "$gurney" check bad.json
 rm -f stdout stderr bad.toml bad.json item.toml

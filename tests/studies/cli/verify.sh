@@ -11,6 +11,9 @@ expect 0 "tolerance: one step to change, one to be told of it: 2 dt" "$gurney" v
 expect 0 "12 cases" "$gurney" verify alignment -j 2
 expect 0 "skid_to_roll/draw_8 " "$gurney" verify skid_to_roll --draw 7 --count 2
 expect 1 "no case, family or group is named 'alignmnt'; did you mean 'alignment'?" "$gurney" verify alignmnt
+expect 1 "gurney verify --list lists them" "$gurney" verify nosuchcase
+[ "$(wc -c < stderr)" -lt 200 ] || complain "all names on one line"
+expect 0 "skid_to_roll (" "$gurney" verify --list
 expect 2 "--draw" "$gurney" verify --count 3
 # pulling is a group of closed forms and a command.
 expect 0 "checks: all passed" "$gurney" verify pulling

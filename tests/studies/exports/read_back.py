@@ -106,6 +106,11 @@ def check_tables():
         assert float(row[names.index("intensity")]) == level * G  # exactly
     names, _, *rows = table("tables/failures.csv")
     assert rows == [["0", str(FAILED), 'did not converge, "badly"']]
+    # Drawn numbers have the unit of their key, not that of the column.
+    names, units, *rows = table("tables/drawn.csv")
+    assert units[names.index("value")] == "see unit", units
+    assert {(row[names.index("variable")], row[names.index("unit")]) for row in rows} == {
+        ("tread.patch_width_mm", "mm")}, rows[:2]
     names, _, *rows = table("tables/items.csv")
     assert len(rows) == 2 * RECORDS * LEVELS - 1
     assert rows[0][names.index("direction_of_overturning")] == ""
@@ -118,6 +123,7 @@ def check_responses():
     assert [row[0] for row in rows] == [str(i) for i in range(RECORDS * LEVELS)]
     moved = names.index("ICU bed.residual_displacement")
     assert units[moved] == "m" and units[names.index("PGA larger")] == "m/s2"
+    assert units[names.index("tread.patch_width_mm")] == "mm"
     _, _, *items = table("tables/items.csv")
     column = table("tables/items.csv")[0].index("residual_displacement")
     by_run = {row[1]: row[column] for row in items}

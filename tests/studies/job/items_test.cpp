@@ -179,21 +179,27 @@ name = "floor"
             "a.toml:2:8: item = [1]: must be an array of tables [[item]]");
 }
 
-/// The brakes of the second are wrong only once it is put together.
+/// The casters of the second are wrong only once it is put together.
 TEST(BadItems, WhatCannotBePutTogetherIsNamedBesideTheMistakesOfOthers) {
   const std::string text = mistakes(R"([[item]]
 equipment = "icu_bed"
 yaw = 3
 headings_deg = "any"
 [[item]]
-equipment = "mobile_xray"
 position_m = [4, 0]
-swivel_locks = true
+[item.inline]
+name = "cart"
+chassis = { mass_kg = 30, center_of_mass_mm = [0, 0, 400], inertia_box_mm = [600, 400, 800] }
+shape = [{ center_mm = [0, 0, 400], size_mm = [600, 400, 800] }]
+caster = [
+  { type = "R100", position_mm = [250, 150, 0] },
+  { type = "R125", position_mm = [250, -150, 0] },
+  { type = "R100", position_mm = [-250, 0, 0] },
+]
 )");
   EXPECT_THAT(text, testing::HasSubstr("a.toml:4:1: item[0].yaw: unknown key"));
   EXPECT_THAT(text, testing::HasSubstr("a.toml:5:16: item[0].headings_deg = \"any\""));
-  EXPECT_THAT(text, testing::HasSubstr("a.toml:7:13: item[1].equipment: caster '"));
-  EXPECT_THAT(text, testing::HasSubstr("': the swivel is locked, but caster"));
+  EXPECT_THAT(text, testing::HasSubstr("a.toml:14:34: caster 'caster 2': its base plate would be"));
 }
 
 }  // namespace

@@ -51,6 +51,21 @@ TEST(Motion, NeedsAWordAboutAMissingComponent) {
   EXPECT_EQ(motion.facts.pga.z(), 0);
 }
 
+TEST(Motion, StatesAMissingUnitAndAMissingComponentTogether) {
+  const TempFolder folder;
+  folder.write("a.csv", "0 1 2\n0.01 -1 -2\n0.02 1 2\n0.03 0 0\n");
+  const auto errors = [&](const std::string& more) {
+    return error_text([&] {
+      motion_of(
+          request(folder, "record = { file = \"a.csv\", columns = \"time, h1, h2\"" + more + " }"));
+    });
+  };
+  EXPECT_THAT(errors(""), testing::AllOf(HasSubstr("does not state its unit"),
+                                         HasSubstr("has no z (vertical) component")));
+  EXPECT_THAT(errors(", use = \"xy\""), testing::Not(HasSubstr("component")));
+  EXPECT_THAT(errors(", unit = \"gal\""), testing::Not(HasSubstr("its unit")));
+}
+
 TEST(Motion, ScalesToAnIntensityAndSaysSo) {
   const TempFolder folder;
   record_file(folder);

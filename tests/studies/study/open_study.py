@@ -27,14 +27,16 @@ with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
     job = os.path.join(source, "studies/jobs/brakes_study.toml")
     subprocess.run([gurney, "run", job, "-o", "study.h5"], check=True)
-    known = {}
+    known, values = {}, []
     for block in blocks:
         *lines, last = block.strip().split("\n")
         exec("\n".join(lines), known)
-        value = eval(last, known)
+        values.append(eval(last, known))
+    by_level, value = values
     table = known["table"]
+    assert list(by_level.index) == ["false", "true"], by_level  # texts, and names of the levels
     assert len(table["runs"]) == 2 * 3 * 2, len(table["runs"])
-    assert (table["runs"]["outcome"] != b"diverged").all()
+    assert (table["runs"]["outcome"] != "diverged").all()
     assert float(value) == table["items"]["peak_displacement"].max() > 0
     assert known["items"].item.values[0] == b"xu_trolley", known["items"].item.values
     known["items"].close()

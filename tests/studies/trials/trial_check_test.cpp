@@ -17,7 +17,8 @@ std::string judged(const Trial& trial) {
   if (!phases) return fault.text();
   const auto averages = averages_of(trial, *phases, fault);
   if (!averages) return fault.text();
-  if (const auto wrong = check_averages(*averages)) return wrong->text();
+  if (const auto wrong = check_averages(*averages, !trial.signals.displacement.empty()))
+    return wrong->text();
   const auto wrong = check_phases(trial, *phases);
   return wrong ? wrong->text() : "";
 }
@@ -67,23 +68,37 @@ TEST(TrialCheck, NamesSwappedUnits) {
   const Trial good = make_pull({});
   Trial trial = good;
   for (double& x : trial.signals.displacement) x *= 1000;
-  EXPECT_THAT(judged(trial), HasSubstr("of the force, must be 1: units: is the displacement "
-                                       "(acceleration) a thousand times too large"));
+  EXPECT_THAT(judged(trial), HasSubstr("units: is the displacement a thousand times too large"));
   trial = good;
   for (double& f : trial.signals.force) f /= 1000;
   EXPECT_THAT(judged(trial), HasSubstr("or the force in kN in a column of N?"));
   trial = good;
   for (double& f : trial.signals.force) f /= kStandardGravity;  // kg
-  EXPECT_THAT(judged(trial), HasSubstr("units: is an acceleration in m/s2 in a column of g"));
+  EXPECT_THAT(judged(trial), HasSubstr("units: is the force in kg in a column of N?"));
   trial = good;
   for (double& t : trial.signals.time) t *= 1000;
   EXPECT_NE(judged(trial), "");
   trial = good;
   trial.setup.mass = 120;  // somebody forgot what lay on it
-  EXPECT_THAT(judged(trial), HasSubstr("must be 1: mass, force or clock are wrong"));
+  EXPECT_THAT(judged(trial), HasSubstr("must be 1: is the mass of 120 kg right ("));
+  EXPECT_THAT(judged(trial), HasSubstr(" kg would give 1)? Or: mass, force or clock are wrong"));
   trial = good;
   trial.setup.drop_mass = 7;
   EXPECT_THAT(judged(trial), HasSubstr("the force in phase I is 47."));
+}
+
+/// A typo in the mass is nearly the ratio of m/s2 to g, in a trial that has no acceleration.
+TEST(TrialCheck, BlamesOnlyColumnsThatAreThere) {
+  const Trial good = make_pull({});
+  Trial trial = good;
+  trial.setup.mass *= 10;
+  EXPECT_THAT(judged(trial), HasSubstr("is the mass of"));
+  EXPECT_THAT(judged(trial), testing::Not(HasSubstr("acceleration in")));
+  for (const double ratio : {1e3, 1e-3, kStandardGravity, 1 / kStandardGravity}) {
+    EXPECT_THAT(cause_of_ratio(ratio, 1.2, true), testing::Not(HasSubstr("acceleration")));
+    EXPECT_THAT(cause_of_ratio(ratio, 1.2, false), testing::Not(HasSubstr("displacement")));
+  }
+  EXPECT_THAT(cause_of_ratio(1e6, 1.2, false), HasSubstr("mass, force or clock"));
 }
 
 TEST(TrialCheck, NamesPhasesThatAreTooShort) {

@@ -1,0 +1,97 @@
+#include "studies/cli/command_help.h"
+
+#include <array>
+#include <sstream>
+#include <string>
+
+namespace gurney {
+namespace {
+
+struct CommandHelp {
+  const char *command, *description, *examples;  ///< examples: one a line
+};
+
+constexpr std::array kCommands = {
+    CommandHelp{"run", "Run a job: a single run or a study",
+                "gurney run studies/jobs/icu_ventilator_shake.toml -o shake.h5\n"
+                "gurney run studies/jobs/icu_ventilator_fragility.toml -o ventilator.h5 --resume"},
+    CommandHelp{"check", "Validate a job and estimate its cost (dry run)",
+                "gurney check studies/jobs/icu_ventilator_fragility.toml\n"
+                "gurney check job.toml --json"},
+    CommandHelp{"replay", "Re-run one case of a study with full output",
+                "gurney replay ventilator.h5 12"},
+    CommandHelp{"show", "Summarize a results file", "gurney show ventilator.h5"},
+    CommandHelp{"fragility", "Fit fragility functions and confidence bands",
+                "gurney fragility ventilator.h5 --figure ventilator.svg\n"
+                "gurney fragility ventilator.h5 --limit overturned --measure \"Sa(1) RotD50\""},
+    CommandHelp{"export", "Export results to the formats of other programs",
+                "gurney export ventilator.h5 --to csv\n"
+                "gurney export ventilator.h5 --to pelicun -o pelicun"},
+    CommandHelp{"compare", "Compare configurations pairwise",
+                "gurney compare ventilator.h5 --configurations off,on\n"
+                "gurney compare first.h5 second.h5"},
+    CommandHelp{"pulling", "Evaluate the simulated pulling tests of a study",
+                "gurney pulling pulling_tests.h5 -o figures"},
+    CommandHelp{"measures", "Compare intensity measures: efficiency and sufficiency",
+                "gurney measures ventilator.h5"},
+    CommandHelp{"sensitivity", "Rank uncertain parameters by their influence on a demand",
+                "gurney sensitivity ventilator.h5 --demand peak_displacement"},
+    CommandHelp{"converge", "Time-step, solver and stiffness convergence of a job",
+                "gurney converge studies/jobs/pulling_test.toml --figure converge.svg"},
+    CommandHelp{"records", "Inspect, convert, generate and scale ground motions",
+                "gurney records ls groundmotions/records"},
+    CommandHelp{"records floor", "Compute floor motions from a ground motion and a building model",
+                "gurney records floor groundmotions/records/synthetic_3c.csv \\\n"
+                "  --building groundmotions/buildings/lead_rubber_hospital.toml --floor roof "
+                "-o roof.csv"},
+    CommandHelp{"records plot", "Plot histories and response spectra of records",
+                "gurney records plot groundmotions/records/synthetic_3c.csv -o record.svg"},
+    CommandHelp{"equipment", "List, inspect and validate equipment", "gurney equipment ls"},
+    CommandHelp{"equipment ls", "List items, casters, floor coverings, rooms and tethers",
+                "gurney equipment ls\ngurney equipment ls --json"},
+    CommandHelp{"equipment show",
+                "Mass, inertia, support, tilt, wheel loads and resistance of an item",
+                "gurney equipment show icu_bed --brakes on --figure bed.svg"},
+    CommandHelp{"equipment check",
+                "Validate files of items, casters, floor coverings, rooms and tethers",
+                "gurney equipment check my_cart.toml my_caster.toml"},
+    CommandHelp{"calibrate", "Estimate caster parameters from measured pulls and impacts",
+                "gurney calibrate studies/calibration/example -o calibrated"},
+    CommandHelp{
+        "verify", "Verify the engine against closed-form solutions",
+        "gurney verify\ngurney verify --list\ngurney verify skid_to_roll --draw 7 --count 3"}};
+
+CLI::App* at(CLI::App& app, const std::string& command) {
+  CLI::App* found = &app;
+  std::istringstream words(command);
+  for (std::string word; words >> word;) found = found->get_subcommand(word);
+  return found;
+}
+
+std::string indented(const char* lines) {
+  std::string text = "Examples:";
+  std::istringstream all(lines);
+  for (std::string line; std::getline(all, line);) text += "\n  " + line;
+  return text;
+}
+
+/// A command has its own footer, not that of the program.
+void clear_footers(CLI::App& app) {
+  for (CLI::App* command : app.get_subcommands(nullptr)) {
+    command->footer("");
+    clear_footers(*command);
+  }
+}
+
+}  // namespace
+
+void describe_commands(CLI::App& app) {
+  clear_footers(app);
+  for (const CommandHelp& help : kCommands) {
+    CLI::App* const command = at(app, help.command);
+    command->description(help.description);
+    command->footer(indented(help.examples));
+  }
+}
+
+}  // namespace gurney

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace gurney {
+
+/// First line and examples of every command's --help.
+void describe_commands(CLI::App& app);
+
+}  // namespace gurney

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace gurney {
+
+/// The option --figure of a command. Figures are SVG: another ending than .svg is a wrong usage.
+void add_figure_option(CLI::App& command, std::string& path, const std::string& description);
+
+}  // namespace gurney
