@@ -68,8 +68,13 @@ Findings stand(const Standing& c, const Runner& runner) {
   const double deflection = (force - 2 * hold) / (2 * k), slipped = deflection - hold / k;
   // Sway and rocking are springs in series; a rise in kRise sets them swinging by 2 (pi / T w)^2.
   const double soft = 1 / (1 / (4 * k) + std::pow(c.height / c.width, 2) / (4 * kStiffness));
-  const double swing = 2 * std::pow(std::numbers::pi / kRise, 2) * c.mass / soft * deflection;
-  const char* const rise = "what a rise and fall in T leave swinging, 2 (pi / (T w))^2 of it";
+  const double rising = 2 * std::pow(std::numbers::pi / kRise, 2) * c.mass / soft * deflection;
+  // Where corners begin to slip the rate of the others jumps, by what they had or less, x' / w.
+  const double jump = std::numbers::pi / (2 * kRise) * deflection * std::sqrt(c.mass / soft);
+  const double swing = rising + (slipped > 1e-12 ? jump : 0);
+  const char* const rise =
+      "what a rise and fall in T leave swinging, 2 (pi / (T w))^2 of it; where corners slip, pi / "
+      "(2 T w) of it: their rate jumps";
   auto& checks = findings.checks;
   checks.push_back(
       {"displacement while the floor accelerates", "m", at(1.4), -deflection, swing, rise});
