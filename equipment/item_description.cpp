@@ -28,6 +28,7 @@ void read_chassis(Quantities in, ItemDescription& item) {
     in.table().note("inertia_box_mm", ": must not go with inertia_kg_m2; one of them states it");
   if (!box && !in.table().has("inertia_kg_m2")) {
     in.table().note("inertia_box_mm", ": missing; must be given, or inertia_kg_m2 in its place");
+    in.table().has("inertia_products_kg_m2");  // is known, though useless alone
     return;
   }
   if (box) {

@@ -59,11 +59,20 @@ std::string tick_label(double value, double step) {
 
 double step_of(const std::vector<double>& at) { return at.size() > 1 ? at[1] - at[0] : 1; }
 
+std::vector<double> x_ticks_of(const Panel& panel, const Range& x, int wanted) {
+  std::vector<double> at = panel.x_ticks;
+  if (at.empty()) return panel.log_x ? decade_ticks(x) : ticks(x, wanted);
+  if (panel.log_x)
+    for (double& value : at) value = std::log10(value);
+  return at;
+}
+
 void draw_axes(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& scaling,
                const Range& x, const Range& y) {
   const double right = frame.x + frame.width, bottom = frame.y + frame.height;
-  const auto x_ticks = panel.log_x ? decade_ticks(x) : ticks(x, static_cast<int>(frame.width / 70));
-  const auto y_ticks = ticks(y, std::max(3, static_cast<int>(frame.height / 26)));
+  const auto x_ticks = x_ticks_of(panel, x, static_cast<int>(frame.width / 70));
+  const auto y_ticks =
+      panel.log_y ? decade_ticks(y) : ticks(y, std::max(3, static_cast<int>(frame.height / 26)));
   for (const double value : x_ticks) {
     const double at = scaling.x(value);
     svg.line(at, frame.y, at, bottom, kGrid);
@@ -77,7 +86,9 @@ void draw_axes(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& 
     const double at = scaling.y(value);
     svg.line(frame.x, at, right, at, kGrid);
     svg.line(frame.x - kTick, at, frame.x, at, kAxis);
-    svg.text(frame.x - 7, at + 3.5, tick_label(value, step_of(y_ticks)),
+    svg.text(frame.x - 7, at + 3.5,
+             panel.log_y ? fmt::format("{:.3g}", std::pow(10, value))
+                         : tick_label(value, step_of(y_ticks)),
              {.size = 10, .anchor = Anchor::kEnd});
   }
   if (panel.zero_line && y.low < 0 && y.high > 0)
@@ -160,6 +171,9 @@ Scaling draw(Svg& svg, const Frame& frame, const Panel& given) {
   if (panel.log_x)
     for (Curve& curve : panel.curves)
       for (double& value : curve.x) value = std::log10(value);
+  if (panel.log_y)
+    for (Curve& curve : panel.curves)
+      for (double& value : curve.y) value = std::log10(value);
   Range x = panel.x_range, y = panel.y_range;
   if (!(x.span() > 0)) x = range_of(panel.curves, &Curve::x);
   if (!(y.span() > 0)) y = padded(range_of(panel.curves, &Curve::y));

@@ -35,7 +35,9 @@ struct Panel {
   bool log_x = false;                ///< decades along x; values must be > 0
   bool equal_scales = false;         ///< a plan: one metre is as long on both axes
   int legend_columns = 0;            ///< 0: no legend
-  Range x_range = {}, y_range = {};  ///< span 0: from the curves
+  Range x_range = {}, y_range = {};  ///< span 0: from the curves; log10 on an axis of decades
+  bool log_y = false;                ///< as log_x
+  std::vector<double> x_ticks = {};  ///< empty: round numbers
 };
 
 /// Where in the picture a panel stands: the rectangle of its axes, without labels [px].
@@ -56,7 +58,7 @@ class Scaling {
 };
 
 /// Draws the panel and returns the scaling of its axes, for what else belongs into it; with log_x
-/// it takes log10 of x.
+/// it takes log10 of x, with log_y of y.
 Scaling draw(Svg& svg, const Frame& frame, const Panel& panel);
 
 /// Colour-blind safe colours (Okabe & Ito 2008), repeated after the seventh.

@@ -10,6 +10,9 @@
 namespace gurney {
 namespace {
 
+/// Parts that are all drawn.
+std::vector<bool> all(std::size_t parts) { return std::vector<bool>(parts, true); }
+
 using config::Document;
 using config::Range;
 
@@ -171,26 +174,28 @@ lock = { value = false, distribution = { kind = "discrete", values = [0, 1], pro
   const Draw draw(1, 1);
   std::vector<Assumption> assumptions;
   Quantities as_they_are(document.root(), assumptions);
-  EXPECT_EQ(as_they_are.numbers("heading_deg", Range::any(), 2), (std::vector<double>{0, 0}));
-  EXPECT_EQ(as_they_are.flags("brakes", 3), (std::vector<bool>{true, false, true}));
+  EXPECT_EQ(as_they_are.numbers("heading_deg", Range::any(), all(2)), (std::vector<double>{0, 0}));
+  EXPECT_EQ(as_they_are.flags("brakes", all(3)), (std::vector<bool>{true, false, true}));
   EXPECT_FALSE(as_they_are.flag("lock", true));
   EXPECT_TRUE(as_they_are.flag("absent", true));
-  EXPECT_EQ(as_they_are.flags("absent", 3), std::vector<bool>{});
+  EXPECT_EQ(as_they_are.flags("absent", all(3)), std::vector<bool>{});
   ASSERT_EQ(assumptions.size(), 2u);
   EXPECT_EQ(assumptions[0].choice, "0, 0");
   EXPECT_EQ(assumptions[1].choice, "1, 0, 1");
 
   document.set_draw(draw);
   Quantities drawn(document.root(), assumptions);
-  EXPECT_EQ(drawn.numbers("heading_deg", Range::any(), 2),
+  EXPECT_EQ(drawn.numbers("heading_deg", Range::any(), all(2)),
             (std::vector<double>{360 * draw.probability("heading_deg[0]"),
                                  360 * draw.probability("heading_deg[1]")}));
+  EXPECT_EQ(drawn.numbers("heading_deg", Range::any(), {false, true}),
+            (std::vector<double>{0, 360 * draw.probability("heading_deg[1]")}));
   const bool braked = draw.probability("", {"brakes", 1}) > 0.5;
-  EXPECT_EQ(drawn.flags("brakes", 3), std::vector<bool>(3, braked));
+  EXPECT_EQ(drawn.flags("brakes", all(3)), std::vector<bool>(3, braked));
   std::vector<bool> locks;
   for (const char* lock : {"locks[0]", "locks[1]", "locks[2]", "locks[3]"})
     locks.push_back(draw.probability(lock) > 0.5);
-  EXPECT_EQ(drawn.flags("locks", 4), locks);
+  EXPECT_EQ(drawn.flags("locks", all(4)), locks);
   EXPECT_EQ(drawn.flag("lock", false), draw.probability("lock") > 0.01);
   document.finish();
 }
@@ -217,7 +222,7 @@ TEST(Uncertainty, PartsOutsideTheirDistributionAreNotedOnce) {
         "'s' } }",
         "a.toml");
     std::vector<Assumption> assumptions;
-    Quantities(document.root(), assumptions).numbers("yaw_deg", Range::any(), 4);
+    Quantities(document.root(), assumptions).numbers("yaw_deg", Range::any(), all(4));
     document.finish();
   });
   EXPECT_EQ(text,

@@ -150,8 +150,7 @@ stiffness_n_per_m = 2e6
   std::string job = small_job("draws = 2\nsampling = \"saltelli\"\n");
   job.replace(job.find("xu_trolley"), 10, folder.file("cabinet.toml"));
   EXPECT_ERROR(SmallStudy{job},
-               "a.toml: study.sampling = \"saltelli\" needs a number that is drawn; none has a "
-               "distribution");
+               "study.draws: has no effect: no number of the job has a distribution");
 }
 
 }  // namespace
