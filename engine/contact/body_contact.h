@@ -29,8 +29,8 @@ struct BodyContact {
   int other = 0;  ///< 0: the floor; i + 1: room shape i; kItem: `other_side`, of a later item
   Side other_side;
   Vector3 normal = Vector3::UnitZ();  ///< unit, towards `side`, floor axes
-  double offset = 0;                  ///< of floor and room shapes: gap = normal . point - offset; of
-                                      ///< two items: gap = normal . (point - other point) - offset [m]
+  double offset = 0;  ///< of floor and room shapes: gap = normal . point - offset; of
+                      ///< two items: gap = normal . (point - other point) - offset [m]
 
   bool between_items() const { return other == kItem; }
   /// Whether both are the same point before the same plane at two times. 1e-6 m of a point and

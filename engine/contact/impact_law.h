@@ -41,7 +41,7 @@ class ImpactLaw {
     Vector3 force = Vector3::Zero();
     Vector2 deflection = Vector2::Zero();  ///< at the end of the stage [m]
     double compression = 0;
-    bool sliding = false;  ///< friction at its limit
+    bool sliding = false;      ///< friction at its limit
     double sliding_power = 0;  ///< [W]
     double damping_power = 0;  ///< [W]
     double spring_rates = 0;   ///< sum of k x'^2 [W/s]

@@ -9,7 +9,7 @@ namespace {
 /// Normals that may be the true one of a guess: cosine of the angle.
 constexpr double kNear = 0.866;
 constexpr double kSameFace = 1 - 1e-9;  // cosine of the angle
-constexpr int kBisections = 40;  // of at most 180 degrees: to 3e-12 rad
+constexpr int kBisections = 40;         // of at most 180 degrees: to 3e-12 rad
 
 }  // namespace
 

@@ -98,8 +98,7 @@ std::vector<BodyContactState> remembered(const std::vector<BodyContact>& contact
   for (std::size_t i = 0; i < contacts.size(); ++i)
     for (std::size_t k = 0; k < before.size(); ++k)
       if (before[k].contact.same_pair(contacts[i]))
-        matches.push_back(
-            {(before[k].contact.side.local - contacts[i].side.local).norm(), i, k});
+        matches.push_back({(before[k].contact.side.local - contacts[i].side.local).norm(), i, k});
   std::ranges::stable_sort(matches, {}, &Match::distance);
   std::vector<BodyContactState> memories(contacts.size());
   std::vector<bool> found(contacts.size()), taken(before.size());

@@ -72,7 +72,9 @@ std::string equipment_list() {
                         sheet.stability.base / sheet.stability.height,
                         sheet.stability.tilt / kRadiansPerDegree, item.model.casters.size(),
                         item.assumptions.size());
-  text += "b/h and tilt: free swivels turned the worst way, locked ones as locked; without casters on its "
+  text +=
+      "b/h and tilt: free swivels turned the worst way, locked ones as locked; without casters on "
+      "its "
       "feet\n";
   text += fmt::format("\n{:<24} {:>9} {:>9} {:>8} {:>7} {:>13} {:>10}\n", "caster", "wheel [mm]",
                       "high [mm]", "trail", "Cr / R", "friction mu_s", "brake [N m]");

@@ -33,6 +33,6 @@ calibrate 0 "mine_on_polyflor_mystique.toml" one --base R100 -o mine
 expect 0 "is valid" "$gurney" equipment check mine/mine_on_polyflor_mystique.toml
 mkdir empty
 calibrate 1 "empty: has no .csv file of a trial" empty
-calibrate 1 "none.csv: cannot be read" none.csv
+calibrate 1 "none.csv: no such file" none.csv
 
 exit $((failures > 0))

@@ -70,7 +70,7 @@ expect 1 "out/full.h5: cannot be written, nothing was kept: File too large" full
 files icu_ventilator_shake.{h5,log,svg} second.{h5,log}
 
 # A run long enough to be interrupted; nothing of it may stay.
-sed 's/^\[settings\]/[settings]\nduration_s = 1e5/' "$job" > long.toml
+sed -e 's/^\[settings\]/[settings]\nduration_s = 7200/' -e 's/^time_step_s = .*/time_step_s = 0.0005/' "$job" > long.toml
 sed -i "s|file = \"../../|file = \"$2/|" long.toml
 for pair in INT:130 TERM:143; do
   "$gurney" run long.toml -o out/long.h5 > stdout 2> stderr &
