@@ -118,11 +118,13 @@ TEST(Determinism, SkippedCollisionPassesChangeNoBit) {
     const Response every = run(job);
     expect_same_bits(skipping, every);
     EXPECT_GT(every.quality.collision_passes, skipping.quality.collision_passes);
-    // One pass for each time step; what contacts need between is solved with the same contacts.
-    EXPECT_EQ(every.quality.collision_passes,
-              std::lround(job.settings.duration / job.settings.time_step));
+    // One pass for each time step, more only in a room, where fast wheels are searched for at least
+    // every 20 mm; what contacts need between is solved with the same contacts.
+    const auto steps = std::lround(job.settings.duration / job.settings.time_step);
+    EXPECT_GE(every.quality.collision_passes, steps);
+    if (job.scene.room.empty()) EXPECT_EQ(every.quality.collision_passes, steps);
+    EXPECT_LE(every.quality.collision_passes, every.quality.steps);
     ASSERT_EQ(every.quality.subdivided_steps, 0);
-    EXPECT_EQ(every.quality.collision_passes, every.quality.steps - every.quality.event_steps);
   }
 }
 

@@ -249,7 +249,7 @@ TEST(ShippedRooms, Load) {
 TEST(ShippedTethers, Load) {
   for (const std::string& name : catalogue_names(DataKind::kTether)) {
     const TetherType type = load_tether_type(find_data(DataKind::kTether, name, ""));
-    EXPECT_EQ(type.assumptions.size(), 3u) << name;
+    EXPECT_EQ(type.assumptions.size(), 4u) << name;  // stiffness, damping, strength, slack pull
     EXPECT_GT(type.strength, 0) << name;
   }
   // A line parts before a plug leaves its socket, and this before a gas probe its outlet.

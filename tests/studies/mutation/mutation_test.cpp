@@ -227,7 +227,7 @@ TEST_F(Mutation, StudyResults) {
 
 TEST_F(Mutation, Parts) {
   {
-    PartFolder parts(path("seed"), "identity\n", false);
+    PartFolder parts(path("seed"), "identity\n", 8, PartFolder::Start::kNew);
     parts.add({{3, "three"}, {0, ""}, {7, std::string(300, 'x')}});
   }
   survive("00000001.part", {contents_of(path("seed") + "/00000001.part")}, true,
@@ -236,7 +236,7 @@ TEST_F(Mutation, Parts) {
             fs::create_directory(path("parts"));
             std::ofstream(path("parts") + "/study") << "identity\n";
             fs::copy_file(file, path("parts") + "/00000001.part");
-            const PartFolder parts(path("parts"), "identity\n", true);
+            const PartFolder parts(path("parts"), "identity\n", 8, PartFolder::Start::kResume);
             for (const std::size_t unit : {0, 3, 7})
               if (parts.has(unit)) parts.read(unit);
           });
