@@ -50,7 +50,7 @@ class SteppedFloor {
     Excitation excitation;
     excitation.floor = scenes::floor_motion(kSample, end, Vector3::UnitX(),
                                             [&](double t) { return step(t) - step(t - pause); });
-    SimulationSettings settings = blocks::run_for(end + 10 / block_.p, 0.002, 0);
+    SimulationSettings settings = blocks::run_for(end + 10 / block_.p, 0.0005, 0);
     settings.follow_overturning = false;
     return runner_(findings_, scene_, excitation, settings).outcome == Outcome::kOverturned;
   }

@@ -109,7 +109,7 @@ TEST_F(StudySensitivityTest, LevelsAreAnInputUnlessOneIsChosen) {
   second.level = 1;
   const StudySensitivity one = study_sensitivity({&study, 0}, second);
   EXPECT_EQ(one.runs, 100);
-  EXPECT_EQ(one.level, "PGA h1 = 2 m/s2");
+  EXPECT_EQ(one.level, "PGA h1 = 0.2039 g");
   EXPECT_THAT(one.inputs[0].names, ElementsAre("big"));
   second.level = 2;
   EXPECT_ERROR(study_sensitivity({&study, 0}, second), "has no level 3; it has 1 to 2");
