@@ -186,7 +186,7 @@ bool says_where(const FoundComponent& channel) {
   return channel.vertical || channel.azimuth || !channel.site.empty();
 }
 
-/// Two sensors at one station have files of like names; the place tells them apart.
+/// Two sensors at one station have files of like names; the place distinguishes them.
 void name_apart(std::vector<Group>& groups, std::vector<SuiteRecord>& records) {
   std::map<std::string, int> count;
   for (const SuiteRecord& record : records) ++count[record.name];
