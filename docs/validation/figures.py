@@ -168,7 +168,7 @@ def long_period(results, figures):
     figure = Figure(3, width=330)
     for panel, item in enumerate(("bed", "dialysis", "ultrasound")):
         place = figure.axes(panel, item, ("brakes, and period of the floor [s]", 0, 9, [], False),
-                            ("largest displacement [m]", 0.001, 20, [0.001, 0.01, 0.1, 1, 3, 10], True))
+                            ("largest displacement [m]", 0.001, 40, [0.001, 0.01, 0.1, 1, 3, 10], True))
         figure.line([place(0, 3), place(9, 3)], "#888", 1, "4 3")
         for i, brakes in enumerate(("off", "half", "on")):
             for j, period in enumerate(("2 s", "3 s", "4 s")):
@@ -178,7 +178,7 @@ def long_period(results, figures):
                 for _, row in rows.iterrows():
                     figure.dot(*place(x, row.peak_displacement), COLORS[i], 3, hollow=bool(row.fell))
                 figure.text(place(x, 1)[0], figure.height - 34, period[0], 11)
-            figure.text(place(3 * i + 1.5, 1)[0], place(1, 12)[1], brakes, 12, color=COLORS[i])
+            figure.text(place(3 * i + 1.5, 1)[0], place(1, 28)[1], brakes, 12, color=COLORS[i])
     figure.save(f"{figures}/validation_long_period.svg")
 
 

@@ -55,6 +55,12 @@ double drawn_value(const Job& job, const std::string& key) {
   return 0;
 }
 
+std::size_t braked(const Job& job) {
+  const auto& casters = job.scene.items[0].model.casters;
+  return static_cast<std::size_t>(std::count_if(
+      casters.begin(), casters.end(), [](const Caster& each) { return each.brake_torque > 0; }));
+}
+
 TEST(JobDraw, WithoutItEveryNumberHasItsValue) {
   const Job job = job_of(kUncertain);
   EXPECT_FALSE(job.draw);
@@ -94,8 +100,47 @@ TEST(JobDraw, ReachesTheItemItsCastersItsFloorAndItsPlace) {
     EXPECT_EQ(item.casters[i].tread.static_friction,
               drawn_value(job, "front left/tread.static_friction"));
   }
-  // mass, three of the centre of mass; y, yaw, slope; for each caster heading, brake and four.
-  EXPECT_EQ(drawn_in(job).size(), 4u + 3 + 4 * 6);
+  // mass, three of the centre of mass; y, yaw, slope; for each caster heading, brake and nine, and
+  // the torque of a brake that is on.
+  EXPECT_EQ(job.scene.cross_slope, 0);
+  EXPECT_EQ(drawn_in(job).size(), 4u + 3 + 4 * 11 + braked(job));
+}
+
+TEST(JobDraw, TakesTheFloorOutOfLevelUnlessTheJobStatesASlope) {
+  const std::string draw = "[uncertainty]\nseed = 5\ndraw = 2\n";
+  const Distribution slope = Distribution::normal(0, 0.0017, -0.005, 0.005);
+  const Job drawn = job_of(draw);
+  EXPECT_EQ(drawn.scene.slope, slope.quantile(Draw(5, 2).probability("floor/slope")));
+  EXPECT_EQ(drawn.scene.cross_slope, slope.quantile(Draw(5, 2).probability("floor/cross_slope")));
+  for (const char* stated : {"[floor]\nslope = 0\n", "[floor]\ncross_slope = 0\n"}) {
+    EXPECT_EQ(job_of(draw + stated).scene.slope, 0);
+    EXPECT_EQ(job_of(draw + stated).scene.cross_slope, 0);
+  }
+  const Job level = job_of("");
+  EXPECT_EQ(level.scene.slope, 0);
+  EXPECT_EQ(level.scene.cross_slope, 0);
+}
+
+TEST(JobDraw, BrakesOfAnItemAreAlikeAndNotTheSame) {
+  const Job job = job_of("brakes = true\n[uncertainty]\ndraw = 2\n");
+  const auto& casters = job.scene.items[0].model.casters;
+  const Distribution torque = Distribution::lognormal(10, 0.6, 2.5, 30);
+  for (const Caster& caster : casters)
+    EXPECT_EQ(caster.brake_torque, torque.quantile(Draw(1, 2).probability(
+                                       caster.name + "/brake_torque_n_m", {"brake torque", 0.8})));
+  EXPECT_NE(casters[0].brake_torque, casters[1].brake_torque);
+}
+
+TEST(JobDraw, StreamsAreThoseOfWhatIsUsed) {
+  const auto uses = [](const std::string& text, const std::string& stream) {
+    for (const Assumption& each : job_of(text + "[uncertainty]\ndraw = 2\n").assumptions)
+      if (each.streams.contains(stream)) return true;
+    return false;
+  };
+  EXPECT_TRUE(uses("brakes = true\n", "group brake torque"));
+  EXPECT_TRUE(uses("brakes = true\n", "variable rear left/brake_torque_n_m"));
+  EXPECT_FALSE(uses("brakes = false\n", "group brake torque"));
+  EXPECT_TRUE(uses("brakes = false\n", "variable floor/cross_slope"));
 }
 
 TEST(JobDraw, ReplacedCastersAreDrawnForEachPlace) {
@@ -181,8 +226,9 @@ TEST(JobDraw, GoesIntoTheFactsOfTheRun) {
 
 TEST(ShippedJob, DrawsTheVentilator) {
   const Job job = read_job(GURNEY_SOURCE_DIR "/studies/jobs/icu_ventilator_draw.toml");
-  // mass, three of the centre of mass; yaw; for each caster heading, brake and four constants.
-  EXPECT_EQ(drawn_in(job).size(), 4u + 1 + 4 * 6);
+  // mass, three of the centre of mass; yaw; two of the slope; for each caster heading, brake and
+  // nine constants, and the torque of a brake that is on.
+  EXPECT_EQ(drawn_in(job).size(), 4u + 1 + 2 + 4 * 11 + braked(job));
   for (const Caster& caster : job.scene.items[0].model.casters)
     EXPECT_EQ(caster.brake_torque > 0, job.scene.items[0].model.casters[0].brake_torque > 0);
 }
