@@ -107,6 +107,8 @@ name = "block"
 chassis = { mass_kg = 30, center_of_mass_mm = [0, 0, 400], inertia_box_mm = [600, 400, 800] }
 shape = [{ center_mm = [0, 0, 400], size_mm = [600, 400, 800] }]
 contact = { material = "wood", friction = 0.4, stiffness_n_per_m = 1e6, restitution = 0.3 }
+[floor]
+slope = 0  # its usual values have a distribution
 )";
   const auto single = [&](const std::string& text) {
     return error_text([&] {
@@ -116,9 +118,9 @@ contact = { material = "wood", friction = 0.4, stiffness_n_per_m = 1e6, restitut
   };
   EXPECT_EQ(single(""), "(no error)");
   EXPECT_EQ(single("[uncertainty]\ndraw = 2\n"),
-            "a.toml:7:1: uncertainty: has no effect: no number of the job has a distribution");
+            "a.toml:9:1: uncertainty: has no effect: no number of the job has a distribution");
   EXPECT_EQ(error_text([&] { StudyJob(block + "[study]\ndraws = 3\n", "a.toml"); }),
-            "a.toml:8:9: study.draws: has no effect: no number of the job has a distribution");
+            "a.toml:10:9: study.draws: has no effect: no number of the job has a distribution");
 }
 
 }  // namespace
