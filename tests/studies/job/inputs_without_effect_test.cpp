@@ -43,6 +43,19 @@ TEST(InputsWithoutEffect, WarnsWhereADurationEndsTheRun) {
   EXPECT_EQ(errors("[settings]\nduration_s = 3\nsettle_time_s = 0\n"), "(no error)");
 }
 
+TEST(InputsWithoutEffect, AFactorOnTheRotationOfFloorsThatStayLevel) {
+  const auto job = [](const std::string& building) {
+    return "[excitation]\nrecord.synthetic.kind = \"ac156\"\n[excitation.building]\n"
+           "kind = \"shear\"\nstoreys = 2\nperiod_s = 0.5\ndamping_ratio = 0.05\n"
+           "floor = \"roof\"\nrotation_factor = 2\n" +
+           building;
+  };
+  EXPECT_EQ(errors(job("")),
+            "a.toml:12:19: excitation.building.rotation_factor: has no effect on a floor that does "
+            "not rotate: the building has no floor_rotation");
+  EXPECT_EQ(errors(job("floor_rotation = { height_m = 8, bending_share = 1 }\n")), "(no error)");
+}
+
 TEST(InputsWithoutEffect, TheSpacingOfHistoriesThatAreNotKept) {
   EXPECT_EQ(errors("[output]\nhistories = false\nhistory_step_s = 0.02\n"),
             "a.toml:6:18: output.history_step_s: has no effect with histories = false");
