@@ -196,8 +196,8 @@ void Recorder::observe_points(const Stepper::Step& step, const Matrix3& rotation
     PointSample& point = current_.points[i];
     point.displacement = to.position + r - point_starts_[i];
     point.velocity = v + w.cross(r);
-    point.absolute_acceleration =
-        a.head<3>() + a.tail<3>().cross(r) + w.cross(w.cross(r)) + step.floor_acceleration;
+    point.absolute_acceleration = a.head<3>() + a.tail<3>().cross(r) + w.cross(w.cross(r)) +
+                                  step.floor.acceleration_at(to.position + r);
     PointDemands& d = demands_.points[i];
     d.peak_displacement = std::max(d.peak_displacement, horizontal(point.displacement));
     const double acceleration = point.absolute_acceleration.norm();

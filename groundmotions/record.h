@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/floor_motion.h"
+
 namespace gurney {
 
 /// The place of a component in a record: two horizontals at right angles and the vertical (up).
@@ -36,7 +38,9 @@ struct Component {
 struct Record {
   std::string name;
   std::array<std::optional<Component>, 3> components;  ///< indexed by Direction; at least one
-  std::vector<std::string> warnings;                   ///< of the files and of their assembly
+  /// Of a floor: about h1 and h2, right-handed, as many samples as the components.
+  std::optional<FloorRotation> rotation;
+  std::vector<std::string> warnings;    ///< of the files and of their assembly
   std::vector<std::string> processing;  ///< what was done to the samples since, step by step
 
   const std::optional<Component>& operator[](Direction direction) const {

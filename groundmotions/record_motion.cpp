@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -28,7 +29,11 @@ FloorMotion floor_motion(const Record& record, double scale, double angle,
   Eigen::Matrix3Xd floor = own;
   floor.row(0) = std::cos(angle) * own.row(0) - std::sin(angle) * own.row(1);
   floor.row(1) = std::sin(angle) * own.row(0) + std::cos(angle) * own.row(1);
-  return FloorMotion(record.time_step(), std::move(floor), record.name);
+  FloorMotion motion(record.time_step(), std::move(floor), record.name);
+  if (!record.rotation) return motion;
+  const Eigen::Matrix2d turn = scale * Eigen::Rotation2Dd(angle).toRotationMatrix();
+  return motion.with_rotation(
+      {turn * record.rotation->angle, turn * record.rotation->acceleration});
 }
 
 }  // namespace gurney

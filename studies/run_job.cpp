@@ -42,8 +42,7 @@ PreparedRun prepare_run(const Job& job, std::optional<Motion> motion) {
   }
   if (!motion) return run;
 
-  facts.floor = motion->floor;
-  run.excitation.floor = std::move(motion->floor);
+  facts.floor = run.excitation.floor = motion->floor.with_rotation_times(job.rotation_factor);
   facts.record = std::move(motion->facts);
   facts.seed = motion->seed;
   append(facts.warnings, motion->warnings);

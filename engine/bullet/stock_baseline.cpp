@@ -41,6 +41,9 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
   require(free && excitation.drop_weights.empty() && excitation.blocks.empty(),
           "the stock Bullet baselines know no drop weights, blocks or fixtures; use solver = "
           "\"star\" for this job");
+  require(!excitation.floor.rotates(),
+          "the stock Bullet baselines know no rotation of the floor; use solver = \"star\" for this "
+          "job");
   const Assembly assembly(scene, excitation);
   const Mechanism& mechanism = assembly.items[0];
   SceneState scene_state{{mechanism.placed(scene.items[0].initial)}, {}};
@@ -65,12 +68,13 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
   double sampled_at = state.time;
   while (clock.next(state.time)) {
     const double duration = clock.target() - state.time;
-    const Vector3 floor =
+    FloorStage floor;
+    floor.acceleration = floor.translation =
         (excitation.floor.velocity_at(clock.target()) - excitation.floor.velocity_at(state.time)) /
         duration;
     const Loads::Stage stage{duration, state.time, clock.target(), true, &state.loads};
     mechanism.loads.evaluate(stage, state.pose(), state.velocity.chassis, rows);
-    world->step(duration, mechanism.gravity - floor, rows, state, next.items[0]);
+    world->step(duration, mechanism.gravity - floor.acceleration, rows, state, next.items[0]);
     fill(duration, world->normal_forces(), state, next.items[0], output.items[0]);
     ++response.quality.steps;
     if (!next.items[0].position.allFinite()) {

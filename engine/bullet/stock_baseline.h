@@ -15,9 +15,8 @@ namespace gurney {
 ///
 /// Limits: rigid treads (no compliance, damping or scrub); no energy account beyond kinetic and
 /// gravitational energy.
-/// @throws Error for drop weights, blocks and fixtures, which it does not know; the paper's model
-/// for
-///         brakes and locks too.
+/// @throws Error for drop weights, blocks, fixtures and a floor that rotates, which it does not
+///         know; the paper's model for brakes and locks too.
 Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitation,
                                   const SimulationSettings& settings);
 

@@ -23,4 +23,7 @@ struct Building {
   }
 };
 
+/// Whether a floor turns as the building deforms.
+bool rotates(const Building& building, int floor);
+
 }  // namespace gurney

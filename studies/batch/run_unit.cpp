@@ -82,7 +82,8 @@ RunCase case_of(const Batch& batch, const Unit& unit, const Job& job, double sca
   RunCase run{job.scene, job.excitation, job.settings, {}};
   run.excitation.floor =
       batch.motions.set_of(unit.configuration)
-          .floor(unit.record, scale, batch.job.study().angles[unit.angle], run.warnings);
+          .floor(unit.record, scale, batch.job.study().angles[unit.angle], run.warnings)
+          .with_rotation_times(job.rotation_factor);
   return run;
 }
 

@@ -132,6 +132,18 @@ std::optional<FloorCovering> read_floor(Table& root, std::vector<Assumption>& as
   return read_floor_covering(*table);
 }
 
+/// On the rotation of the building's floors.
+void read_rotation_factor(Table& excitation, Job& job) {
+  auto building = excitation.table("building");
+  if (!building) return;
+  Quantities in(*building, job.assumptions);
+  job.rotation_factor = in.number("rotation_factor", Range::not_negative(), 1.0);
+  if (job.record && job.record->building &&
+      !rotates(job.record->building->building, job.record->building->floor))
+    note_without_effect(*building, {"rotation_factor"},
+                        "on a floor that does not rotate: the building has no floor_rotation", job);
+}
+
 std::optional<Draw> read_draw(Table& root) {
   constexpr int kMost = std::numeric_limits<int>::max();
   auto table = root.table("uncertainty");
@@ -160,6 +172,7 @@ Job read(config::Document& document, const std::optional<Draw>& draw) {
   read_tethers(root, room.points, job);
   if (auto table = root.table("excitation")) {
     job.record = read_record_request(*table);
+    read_rotation_factor(*table, job);
     read_loads(*table, job.assumptions, job.excitation);
   }
   if (auto table = root.table("fixture"))

@@ -59,6 +59,7 @@ struct Job {
   Excitation excitation;  ///< without the floor's motion
   SimulationSettings settings;
   std::optional<RecordRequest> record;
+  double rotation_factor = 1;           ///< on the rotation of the floor that the building gives
   std::optional<Draw> draw;             ///< of every uncertain number; none: as their values
   std::vector<Assumption> assumptions;  ///< every unsourced or drawn number in use
   std::vector<std::string> warnings;

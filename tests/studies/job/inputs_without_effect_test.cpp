@@ -43,6 +43,19 @@ TEST(InputsWithoutEffect, WarnsWhereADurationEndsTheRun) {
   EXPECT_EQ(errors("[settings]\nduration_s = 3\nsettle_time_s = 0\n"), "(no error)");
 }
 
+TEST(InputsWithoutEffect, AFactorOnTheRotationOfFloorsThatStayLevel) {
+  const auto job = [](const std::string& building) {
+    return "[excitation]\nrecord.synthetic.kind = \"ac156\"\n[excitation.building]\n"
+           "kind = \"shear\"\nstoreys = 2\nperiod_s = 0.5\ndamping_ratio = 0.05\n"
+           "floor = \"roof\"\nrotation_factor = 2\n" +
+           building;
+  };
+  EXPECT_EQ(errors(job("")),
+            "a.toml:12:19: excitation.building.rotation_factor: has no effect on a floor that does "
+            "not rotate: the building has no floor_rotation");
+  EXPECT_EQ(errors(job("floor_rotation = { height_m = 8, bending_share = 1 }\n")), "(no error)");
+}
+
 TEST(InputsWithoutEffect, TheSpacingOfHistoriesThatAreNotKept) {
   EXPECT_EQ(errors("[output]\nhistories = false\nhistory_step_s = 0.02\n"),
             "a.toml:6:18: output.history_step_s: has no effect with histories = false");
@@ -107,6 +120,8 @@ name = "block"
 chassis = { mass_kg = 30, center_of_mass_mm = [0, 0, 400], inertia_box_mm = [600, 400, 800] }
 shape = [{ center_mm = [0, 0, 400], size_mm = [600, 400, 800] }]
 contact = { material = "wood", friction = 0.4, stiffness_n_per_m = 1e6, restitution = 0.3 }
+[floor]
+slope = 0  # its usual values have a distribution
 )";
   const auto single = [&](const std::string& text) {
     return error_text([&] {
@@ -116,9 +131,9 @@ contact = { material = "wood", friction = 0.4, stiffness_n_per_m = 1e6, restitut
   };
   EXPECT_EQ(single(""), "(no error)");
   EXPECT_EQ(single("[uncertainty]\ndraw = 2\n"),
-            "a.toml:7:1: uncertainty: has no effect: no number of the job has a distribution");
+            "a.toml:9:1: uncertainty: has no effect: no number of the job has a distribution");
   EXPECT_EQ(error_text([&] { StudyJob(block + "[study]\ndraws = 3\n", "a.toml"); }),
-            "a.toml:8:9: study.draws: has no effect: no number of the job has a distribution");
+            "a.toml:10:9: study.draws: has no effect: no number of the job has a distribution");
 }
 
 }  // namespace

@@ -71,6 +71,8 @@ storeys = 3
 period_s = 0.5
 damping_ratio = 0.05
 floor = 2
+rotation_factor = 0.5
+floor_rotation = { height_m = 10, bending_share = 0.5 }
 [[excitation.force]]
 point_m = [0, 0, 1]
 direction = [0, 2, 0]
@@ -195,6 +197,8 @@ TEST(Job, ReadsTheRecordRequest) {
   ASSERT_TRUE(job.record->building);
   EXPECT_EQ(job.record->building->floor, 2);
   EXPECT_EQ(job.record->building->building.storeys, 3);
+  EXPECT_TRUE(rotates(job.record->building->building, 2));
+  EXPECT_EQ(job.rotation_factor, 0.5);
   EXPECT_DOUBLE_EQ(job.record->angle, 45 * kRadiansPerDegree);
   EXPECT_EQ(job.record->options.unit, "cm/s2");
   EXPECT_EQ(job.record->options.time_step, 0.01);
@@ -376,7 +380,8 @@ TEST(JobPage, HasEveryKeyTheReaderKnowsAndNoOther) {
            key.starts_with("excitation.record.synthetic.") ||
            (key.starts_with("room.") && key != "room.file") ||
            (key.starts_with("excitation.building.") && key != "excitation.building.file" &&
-            key != "excitation.building.floor");  // on pages of their own
+            key != "excitation.building.floor" &&
+            key != "excitation.building.rotation_factor");  // on pages of their own
   });
   asked.erase("item.payloads.load");
   asked.insert("item.payloads.NAME");

@@ -166,5 +166,24 @@ TEST(Motion, ExplainsMistakesOfTheRequest) {
               HasSubstr("did you mean 'ricker'?"));
 }
 
+TEST(Motion, FloorsOfABuildingRotate) {
+  const TempFolder folder;
+  record_file(folder);
+  const auto floor = [&](const std::string& more) {
+    return motion_of(request(folder, R"(record = { file = "r.csv", use = "xy" }
+building = { kind = "shear", storeys = 2, period_s = 0.4, damping_ratio = 0.05, floor = "roof")" +
+                                         more + " }"))
+        .floor;
+  };
+  const FloorMotion level = floor("");
+  const FloorMotion rotating = floor(", floor_rotation = { height_m = 8, bending_share = 0.5 }");
+  EXPECT_FALSE(level.rotates());
+  ASSERT_TRUE(rotating.rotates());
+  EXPECT_EQ(rotating.acceleration(), level.acceleration());
+  // Towards x twice as far as towards y, as the record.
+  const Vector2 peak = rotating.rotation().angle.cwiseAbs().rowwise().maxCoeff();
+  EXPECT_NEAR(peak.y() / peak.x(), 2, 0.1);
+}
+
 }  // namespace
 }  // namespace gurney

