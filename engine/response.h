@@ -34,7 +34,8 @@ struct EnergyAccount {
   double elastic = 0;        ///< stored in treads, stuck bearings, guides, blocks, cables
   double weight_energy = 0;  ///< kinetic and gravitational energy of drop weights and pulleys
 
-  double work_of_floor = 0;  ///< of the floor's inertia forces and of gravity that its rotation tilts
+  double work_of_floor =
+      0;  ///< of the floor's inertia forces and of gravity that its rotation tilts
   double work_of_forces = 0;    ///< of point forces and string potentiometers
   double work_of_fixtures = 0;  ///< of guides with prescribed motion and guides that hold
   /// Of contacts between items, at the later item's side: what it gives, the earlier one takes.

@@ -41,9 +41,10 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
   require(free && excitation.drop_weights.empty() && excitation.blocks.empty(),
           "the stock Bullet baselines know no drop weights, blocks or fixtures; use solver = "
           "\"star\" for this job");
-  require(!excitation.floor.rotates(),
-          "the stock Bullet baselines know no rotation of the floor; use solver = \"star\" for this "
-          "job");
+  require(
+      !excitation.floor.rotates(),
+      "the stock Bullet baselines know no rotation of the floor; use solver = \"star\" for this "
+      "job");
   const Assembly assembly(scene, excitation);
   const Mechanism& mechanism = assembly.items[0];
   SceneState scene_state{{mechanism.placed(scene.items[0].initial)}, {}};
