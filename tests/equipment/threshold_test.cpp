@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 #include "equipment/stability.h"
 
@@ -51,27 +53,60 @@ double energy_at_start(const EquipmentModel& model, double speed) {
   return inertia * speed * speed / 2;
 }
 
-/// Speed at which an item trips whose front wheels are stopped at their axles (Mallet 1862): it
-/// turns about them with w = M v h' / I, and its centre must rise from h' to r, so that
-/// v = sqrt(2 g (r - h') I / M) / h', with b from the axles to the centre, h' above them,
+/// Restitution of a mass on springs k with dampers c that at most double or cancel their force
+/// (docs/theory/tread.md), from the touch to the end of the force, in steps of 1/2000 of its phase.
+double rebound(double mass, double k, double c) {
+  const double omega = std::sqrt(k / mass), h = 5e-4 / omega;
+  double depth = 0, speed = 1;
+  do {
+    const double elastic = k * depth;
+    speed -= h / mass * (elastic + std::clamp(c * speed, -elastic, elastic));
+    depth += h * speed;
+  } while (depth > 0 && k * depth + c * speed > 0);
+  return std::max(0.0, -speed);
+}
+
+/// An item whose front wheels are stopped at their axles (Mallet 1862) turns about them with w = M v
+/// h' / I and keeps the share kappa = h'^2 M / I of its energy; its centre must rise from h' to r, so
+/// that v = sqrt(2 g (r - h') I / M) / h', with b from the axles to the centre, h' above them,
 /// r^2 = b^2 + h'^2 and I about the axles.
+///
+/// That is an impact without rebound. Treads are springs: the rest of the energy, 1 - kappa of it,
+/// is stored in those of the front wheels, at the kerb and on the floor, and they give back the
+/// share e^2 of it, e being largest for the mode of the largest mass, M. What an item has then must
+/// still lift its centre:
+///
+///     v^2 (kappa + e^2 (1 - kappa)) >= kappa v_Mallet^2
+///
+/// A tall item keeps most of its energy anyhow and needs 0.7 to 0.88 of Mallet's speed at least; a
+/// hospital bed keeps an eighth, and half comes back: it is thrown up and turns over its rear.
 struct Tripping {
   double speed = 0, b = 0, height = 0, radius = 0;  // of the item, radius of its front wheels
+  double least = 0;                                 // speed below which it cannot fall
 };
 
 Tripping tripping(const EquipmentModel& model) {
   const MassProperties whole = whole_item(model);
   Tripping result;
-  double front = -1e9;
+  const auto axle = [](const Caster& c) { return c.mount.x() - c.trail * std::cos(c.heading); };
+  double front = -1e9, stiffness = 0, damping = 0;
   for (const Caster& c : model.casters) {
-    front = std::max(front, c.mount.x() - c.trail * std::cos(c.heading));
+    front = std::max(front, axle(c));
     result.radius = std::max(result.radius, c.wheel_radius);
   }
+  for (const Caster& c : model.casters)
+    if (axle(c) > front - c.wheel_radius) {
+      stiffness += c.tread.normal_stiffness;
+      damping += c.tread.normal_damping;
+    }
   result.b = front - whole.center_of_mass.x();
   result.height = whole.center_of_mass.z() - result.radius;
   const double r = std::hypot(result.b, result.height);
   const double inertia = whole.inertia(1, 1) / whole.mass + r * r;
   result.speed = std::sqrt(2 * kStandardGravity * (r - result.height) * inertia) / result.height;
+  const double kappa = result.height * result.height / inertia;
+  const double e = rebound(whole.mass, stiffness, damping);
+  result.least = result.speed * std::sqrt(kappa / (kappa + e * e * (1 - kappa)));
   return result;
 }
 
@@ -151,22 +186,39 @@ TEST(OverAThreshold, AShorterStepSaysTheSame) {
     }
 }
 
-// Against a kerb as high as the axles. Forks swing and treads give some speed back, for which 25 %
-// are left: all fall at 1.05 of the speed already, and the hospital bed, which would have to come
-// with 8 m/s, from between 0.75 and 0.8 on (its tilt is the same within 0.2 degrees at 2, 1 and
-// 0.5 ms); the others stand at 0.85. Beds and the X-ray unit are longer than high and would have to
-// come with 4 m/s and more.
+bool trips(Trial run) {
+  const Response response = simulate(run.scene, run.excitation, settings(0.002));
+  EXPECT_LT(response.quality.energy_closure, 0.01);
+  return verdict(run, response) == Verdict::kFalls;
+}
+
+// Against a kerb as high as the axles. Found by bisection, items fall from 0.86 to 1.03 of Mallet's
+// speed on, the hospital bed from 0.78; the bounds are 0.70 to 0.88 (X-ray unit and the other bed 0.53 and 0.56) and 0.41. Above, forks that
+// swing and wheels that leave the kerb are not in the formula: 15 % are left for them. Beds and the
+// X-ray unit are longer than high and would have to come with 4 m/s and more.
 TEST_P(OverAThreshold, TripsAtAKerbFromMalletsSpeedOn) {
   const Tripping item = tripping(trial(GetParam(), kLow, false).scene.items[0].model);
-  const auto falls = [&](double speed) {
-    const Trial run = trial(GetParam(), {item.radius, speed}, false);
-    const Response response = simulate(run.scene, run.excitation, settings(0.002));
-    EXPECT_LT(response.quality.energy_closure, 0.01);
-    return verdict(run, response) == Verdict::kFalls;
-  };
-  EXPECT_FALSE(falls(0.75 * item.speed)) << item.speed;
+  EXPECT_FALSE(trips(trial(GetParam(), {item.radius, 0.99 * item.least}, false))) << item.least;
   if (item.b > item.height) return;
-  EXPECT_TRUE(falls(1.15 * item.speed)) << item.speed;
+  EXPECT_TRUE(trips(trial(GetParam(), {item.radius, 1.15 * item.speed}, false))) << item.speed;
+}
+
+// It is the treads that let the bed fall below Mallet's speed: it does from 0.78 of it on, and not at
+// that speed itself where treads are damped so that they give nothing back.
+TEST(OverAThreshold, TreadsThatGiveNothingBackMakeTheBedTripAtMalletsSpeed) {
+  const auto bed = [](double share, double damping) {
+    Trial run = trial("hospital_bed", kLow, false);
+    EquipmentModel& model = run.scene.items[0].model;
+    for (Caster& c : model.casters) c.tread.normal_damping *= damping;
+    const Tripping item = tripping(model);
+    const std::vector<Caster> casters = model.casters;
+    run = trial("hospital_bed", {item.radius, share * item.speed}, false);
+    run.scene.items[0].model.casters = casters;
+    return run;
+  };
+  EXPECT_FALSE(trips(bed(0.7, 1)));
+  EXPECT_TRUE(trips(bed(0.85, 1)));
+  EXPECT_FALSE(trips(bed(1, 80)));
 }
 
 // The push holds the speed of the test before the obstruction, within its last 5 %, against the
