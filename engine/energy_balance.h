@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/response.h"
+#include "engine/energy_account.h"
 
 namespace gurney {
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/error.h"
 #include "engine/bullet/bullet_world.h"
-#include "engine/bullet/stock_baseline.h"
 #include "engine/impact_log.h"
 #include "engine/recorder.h"
 #include "engine/run_clock.h"
@@ -35,8 +35,15 @@ std::string miss_of(const std::string& item, double error) {
       item.empty() ? "the item" : item, error, EnergyBalance::kTrusted);
 }
 
-Response simulate_with_star(const Scene& scene, const Excitation& excitation,
-                            const SimulationSettings& settings) {
+}  // namespace
+
+Response simulate(const Scene& scene, const Excitation& excitation,
+                  const SimulationSettings& settings) {
+  validate(scene);
+  validate(excitation);
+  validate(settings);
+  require(settings.solver == Solver::kStar,
+          "settings.solver names a baseline, which simulate() does not run");
   const Assembly assembly(scene, excitation);
   const std::size_t count = assembly.items.size();
   SceneState state = start_of(scene, assembly, excitation);
@@ -110,17 +117,6 @@ Response simulate_with_star(const Scene& scene, const Excitation& excitation,
   for (std::size_t i = 0; i < count; ++i)
     recorders[i].finish(state, stepper.accounts()[i], clock.overturned_at(i), response);
   return response;
-}
-
-}  // namespace
-
-Response simulate(const Scene& scene, const Excitation& excitation,
-                  const SimulationSettings& settings) {
-  validate(scene);
-  validate(excitation);
-  validate(settings);
-  return settings.solver == Solver::kStar ? simulate_with_star(scene, excitation, settings)
-                                          : simulate_on_stock_bullet(scene, excitation, settings);
 }
 
 }  // namespace gurney

@@ -32,6 +32,9 @@ void fill(double duration, const std::vector<double>& normal, const State& befor
 
 Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitation,
                                   const SimulationSettings& settings) {
+  validate(scene);
+  validate(excitation);
+  validate(settings);
   bool free = true;
   for (const Guide& guide : excitation.fixture.guides) free &= guide.kind == Guide::Kind::kFree;
   require(scene.room.empty() && scene.tethers.empty() && scene.zones.empty() &&

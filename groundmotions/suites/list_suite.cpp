@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "engine/base/config/nearest_name.h"
+#include "engine/base/number_text.h"
 #include "groundmotions/acceleration_unit.h"
 #include "groundmotions/formats/mistakes.h"
-#include "groundmotions/formats/numbers.h"
 #include "groundmotions/suites/csv_row.h"
 #include "groundmotions/time_step_range.h"
 

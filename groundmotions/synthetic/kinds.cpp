@@ -8,7 +8,7 @@
 #include "engine/base/config/document.h"
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
-#include "groundmotions/formats/numbers.h"
+#include "engine/base/number_text.h"
 #include "groundmotions/synthetic/component.h"
 
 namespace gurney {

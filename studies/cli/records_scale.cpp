@@ -11,7 +11,7 @@
 
 #include "engine/base/config/document.h"
 #include "engine/base/error.h"
-#include "groundmotions/formats/numbers.h"
+#include "engine/base/number_text.h"
 #include "groundmotions/measures/combined_spectrum.h"
 #include "groundmotions/measures/response_spectrum.h"
 #include "groundmotions/scaling/suite_scaling.h"

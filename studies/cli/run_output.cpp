@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-#include "engine/simulate.h"
+#include "engine/bullet/any_solver.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/signals.h"
 #include "studies/report/figure.h"
@@ -60,7 +60,7 @@ void check_output(const RunOutput& output) {
 
 Response run_and_write(const PreparedRun& run, const RunOutput& output) {
   const auto start = Clock::now();
-  Response response = simulate(run.facts.scene, run.excitation, run.facts.settings);
+  Response response = simulate_with_any_solver(run.facts.scene, run.excitation, run.facts.settings);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   {
     const SignalsHeld until_written;

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "engine/base/error.h"
-#include "engine/simulate.h"
+#include "engine/bullet/any_solver.h"
 #include "studies/convergence/judge.h"
 #include "studies/limit_states/response_values.h"
 #include "studies/results/columns.h"
@@ -36,7 +36,7 @@ Outcomes outcomes_of(const RunCase& run, const std::vector<LimitState>& states) 
   Outcomes found;
   Response response;
   try {
-    response = simulate(run.scene, run.excitation, run.settings);
+    response = simulate_with_any_solver(run.scene, run.excitation, run.settings);
     if (is_failure(response.outcome)) found.failure = response.cause;
   } catch (const Error& error) {
     found.failure = error.what();

@@ -13,6 +13,7 @@
 #include "studies/run_job.h"
 #include "studies/study/data_files.h"
 #include "studies/study_results/run_tables.h"
+#include "studies/study_results/study_reader.h"
 
 namespace gurney {
 namespace {

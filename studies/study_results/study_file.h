@@ -7,9 +7,6 @@
 
 namespace gurney {
 
-/// Version of the layout of study files (docs/formats/study_file.md).
-inline constexpr int kStudyFormatVersion = 2;
-
 /// What the merge counted.
 struct StudyCounts {
   std::size_t runs = 0, failed = 0, untrusted = 0, overturned = 0;

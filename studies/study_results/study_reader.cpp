@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "engine/base/error.h"
-#include "studies/study_results/study_file.h"
 
 namespace gurney {
 

@@ -9,6 +9,9 @@
 
 namespace gurney {
 
+/// Version of the layout of study files (docs/formats/study_file.md).
+inline constexpr int kStudyFormatVersion = 2;
+
 /// The tables of a study file, column by column.
 class StudyReader {
  public:

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "engine/simulate.h"
+#include "engine/bullet/any_solver.h"
 #include "studies/verification/scenes/scenes.h"
 #include "tests/support/error_text.h"
 
@@ -40,7 +40,7 @@ struct Pull {
   Response run(Solver solver, double step) const {
     SimulationSettings settings = run_for(stop + 1, step, step);
     settings.solver = solver;
-    return simulate(scene, excitation, settings);
+    return simulate_with_any_solver(scene, excitation, settings);
   }
   static double at_release(const Response& response) {
     for (const Sample& s : response.items[0].history)

@@ -1,0 +1,14 @@
+#include "engine/bullet/any_solver.h"
+
+#include "engine/bullet/stock_baseline.h"
+#include "engine/simulate.h"
+
+namespace gurney {
+
+Response simulate_with_any_solver(const Scene& scene, const Excitation& excitation,
+                                  const SimulationSettings& settings) {
+  return settings.solver == Solver::kStar ? simulate(scene, excitation, settings)
+                                          : simulate_on_stock_bullet(scene, excitation, settings);
+}
+
+}  // namespace gurney
