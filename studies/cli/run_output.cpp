@@ -5,13 +5,13 @@
 
 #include <chrono>
 
-#include "engine/bullet/any_solver.h"
+#include "engine/baselines/any_solver.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/signals.h"
 #include "studies/report/figure.h"
 #include "studies/report/summary.h"
-#include "studies/results/output_files.h"
-#include "studies/results/results_file.h"
+#include "studies/study/results/output_files.h"
+#include "studies/study/results/results_file.h"
 
 namespace gurney {
 namespace {

@@ -1,6 +1,6 @@
 #include "studies/verification/runner.h"
 
-#include "engine/bullet/any_solver.h"
+#include "engine/baselines/any_solver.h"
 
 namespace gurney::verification {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/bullet/any_solver.h"
+#include "engine/baselines/any_solver.h"
 #include "tests/benchmark/sections.h"
 #include "tests/benchmark/workload.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "engine/bullet/any_solver.h"
+#include "engine/baselines/any_solver.h"
 #include "studies/verification/scenes/small_scenes.h"
 
 // The same job by two programs that share no line of mechanics: ours in the rigid limit, and stock

@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "engine/bullet/any_solver.h"
+#include "engine/baselines/any_solver.h"
 #include "studies/verification/scenes/scenes.h"
 #include "tests/support/error_text.h"
 
-// The baseline that is the model of Xu, Ma & Kurata 2022 (engine/bullet/paper_model.h) on a pull
+// The baseline that is the model of Xu, Ma & Kurata 2022 (engine/baselines/paper_model.h) on a pull
 // with a constant force, against Newton's law (pulling_test.cpp). Its errors are numbers that
 // docs/pulling_tests.md tells; a baseline that got better or worse by itself would be another one.
 namespace gurney {

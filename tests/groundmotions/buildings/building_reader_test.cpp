@@ -84,7 +84,7 @@ TEST(BuildingReader, ReadsIsolation) {
 }
 
 TEST(BuildingReader, ShippedBuildingsAreRead) {
-  const std::string folder = std::string(SOURCE_DIR) + "/groundmotions/buildings/";
+  const std::string folder = std::string(GURNEY_SOURCE_DIR) + "/groundmotions/buildings/";
   const Building fixed = building_from_file(folder + "concrete_hospital.toml");
   EXPECT_EQ(fixed.storeys, 4);
   EXPECT_NEAR(2 * pi / fixed[Direction::kH1][0].omega, 0.565, 1e-3);
@@ -183,7 +183,7 @@ std::set<std::string> asked(const std::string& text) {
 }
 
 TEST(BuildingReader, EveryKeyIsDocumented) {
-  const std::string page = std::string(SOURCE_DIR) + "/docs/formats/building_file.md";
+  const std::string page = std::string(GURNEY_SOURCE_DIR) + "/docs/formats/building_file.md";
   const auto documented = [&](std::initializer_list<const char*> sections) {
     std::set<std::string> keys;
     for (const char* section : sections) keys.merge(documented_keys(page, section));
