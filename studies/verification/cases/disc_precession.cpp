@@ -68,11 +68,10 @@ Findings precess(const Precession& c, const Runner& runner) {
   const Lead lead(c, steady);
   findings.checks.push_back({"height of the axle 1 s later, of the equation integrated", "",
                              lead.height, steady, 1e-6, "it is steady"});
-  Excitation excitation;
-  excitation.forces = {lead.x, lead.y};
   const Disc disc = c.disc();
-  const Response response = runner(findings, rolling_disc(disc, c.speed, c.yaw_rate), excitation,
-                                   disc_settings(2.5e-4, kLed + 1, 40));
+  Scene scene = rolling_disc(disc, c.speed, c.yaw_rate);
+  scene.items[0].loads = {lead.x, lead.y};
+  const Response response = runner(findings, scene, {}, disc_settings(2.5e-4, kLed + 1, 40));
   const double C = disc.C(), A = disc.A(), r = disc.radius, mgr = disc.m() * kG * r;
   const double mr2 = disc.m() * r * r;
   const double nutation = 10 * mgr / (kDiscTread * r * r);

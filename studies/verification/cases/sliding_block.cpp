@@ -18,11 +18,10 @@ Scene SlidingBlock::scene(const Vector3& velocity) const {
 }
 
 Response slide(Findings& findings, const Runner& runner, const Scene& scene, double travel,
-               const Excitation& excitation, double closure) {
+               double closure) {
   constexpr double kStep = 0.004;
   const double speed = scene.items[0].initial.velocity.norm();
-  Response response =
-      runner(findings, scene, excitation, blocks::run_for(travel / speed, kStep, kStep));
+  Response response = runner(findings, scene, {}, blocks::run_for(travel / speed, kStep, kStep));
   findings.checks.push_back(
       {"closure of the energy account", "", response.quality.energy_closure, 0, closure,
        "a few times (pi/32)^4: a method of second order with 32 steps in "

@@ -29,7 +29,7 @@ inline constexpr double kWayToImpact = 0.1;  ///< of the block before it touches
 /// Runs for the time that the block takes for `travel`. Adds the check of the energy account and of
 /// the number of impacts, one.
 Response slide(Findings& findings, const Runner& runner, const Scene& scene, double travel,
-               const Excitation& excitation = {}, double closure = kImpactClosure);
+               double closure = kImpactClosure);
 
 /// Of the last history step [rad/s].
 double yaw_rate_at_end(const Response& response, std::size_t item = 0);
