@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "engine/base/error.h"
+#include "groundmotions/measures/integrate.h"
 #include "groundmotions/measures/peaks.h"
-#include "groundmotions/processing/integrate.h"
 
 namespace gurney {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "groundmotions/oscillator.h"
+#include "groundmotions/measures/oscillator.h"
 
 namespace gurney {
 

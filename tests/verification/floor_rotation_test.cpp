@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "engine/base/units.h"
-#include "engine/energy_balance.h"
-#include "engine/simulate.h"
+#include "engine/run/energy_balance.h"
+#include "engine/run/simulate.h"
 #include "studies/verification/scenes/scenes.h"
 #include "studies/verification/scenes/small_scenes.h"
 #include "tests/support/error_text.h"

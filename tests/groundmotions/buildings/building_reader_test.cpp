@@ -84,7 +84,7 @@ TEST(BuildingReader, ReadsIsolation) {
 }
 
 TEST(BuildingReader, ShippedBuildingsAreRead) {
-  const std::string folder = std::string(SOURCE_DIR) + "/groundmotions/buildings/";
+  const std::string folder = std::string(GURNEY_SOURCE_DIR) + "/groundmotions/buildings/";
   const Building fixed = building_from_file(folder + "concrete_hospital.toml");
   EXPECT_EQ(fixed.storeys, 4);
   EXPECT_NEAR(2 * pi / fixed[Direction::kH1][0].omega, 0.565, 1e-3);
@@ -179,7 +179,7 @@ TEST(BuildingReader, ReadsRotationOfTheFloors) {
       "kind = 'modal'\nstoreys = 2\nh1 = [{ period_s = 0.5, damping_ratio = 0.05, effective_shape "
       "= [0.7, 1.2], effective_rotation_rad_per_m = [0.1, 0.15] }]\n");
   EXPECT_EQ(modal[Direction::kH1][0].effective_rotation, Eigen::Vector3d(0, 0.1, 0.15));
-  const std::string folder = std::string(SOURCE_DIR) + "/groundmotions/buildings/";
+  const std::string folder = std::string(GURNEY_SOURCE_DIR) + "/groundmotions/buildings/";
   EXPECT_TRUE(rotates(building_from_file(folder + "wall_hospital.toml"), 6));
 }
 
@@ -222,7 +222,7 @@ std::set<std::string> asked(const std::string& text) {
 }
 
 TEST(BuildingReader, EveryKeyIsDocumented) {
-  const std::string page = std::string(SOURCE_DIR) + "/docs/formats/building_file.md";
+  const std::string page = std::string(GURNEY_SOURCE_DIR) + "/docs/formats/building_file.md";
   const auto documented = [&](std::initializer_list<const char*> sections) {
     std::set<std::string> keys;
     for (const char* section : sections) keys.merge(documented_keys(page, section));

@@ -8,7 +8,7 @@
 
 #include "groundmotions/buildings/generic_building.h"
 #include "groundmotions/buildings/shear_building.h"
-#include "groundmotions/record_motion.h"
+#include "groundmotions/record/record_motion.h"
 #include "groundmotions/synthetic/clough_penzien.h"
 #include "tests/support/expect_error.h"
 
