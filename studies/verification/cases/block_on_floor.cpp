@@ -21,11 +21,9 @@ ContactConstants floor_of(double friction, double stiffness) {
 
 Response shake(const Scene& scene, const FloorMotion& floor, double duration, double step,
                const Runner& runner, Findings& findings) {
-  Excitation excitation;
-  excitation.floor = floor;
   SimulationSettings settings = blocks::run_for(duration, step, 0.1);
   settings.follow_overturning = false;
-  return runner(findings, scene, excitation, settings);
+  return runner(findings, scene, floor, settings);
 }
 
 /// A slow rise holds no shock: half a cosine in `rise`, then held.
