@@ -148,7 +148,7 @@ void PartFolder::take_over(std::uint32_t part) {
   const std::string damage = damage_of(part, bytes);
   if (damage.empty()) return;
   fs::rename(path, fs::path(path).replace_extension(".damaged"));
-  warnings_.push_back(fmt::format("{}: is damaged ({} bytes, {}): its runs are made again",
+  warnings_.push_back(fmt::format("{}: is damaged ({} bytes, {}): its runs are repeated",
                                   path.string(), bytes.size(), damage));
 }
 

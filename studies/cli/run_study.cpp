@@ -120,7 +120,7 @@ std::string resume_hint(const RunOptions& options, const Paths& paths, const Par
   if (!folder.holds())
     return fmt::format("{}: the finished runs are lost with it; start again", paths.parts.string());
   return fmt::format(
-      "{} of {} analysis cases are finished and kept in {}\ngo on with: gurney run {} -o {} "
+      "{} of {} analysis cases are finished and kept in {}\ncontinue with: gurney run {} -o {} "
       "--resume{}{}{}",
       folder.size(), units, paths.parts.string(), shell_word(options.job),
       shell_word(paths.results.string()), options.overwrite ? " --overwrite" : "",

@@ -39,14 +39,14 @@ std::string stability_text(const EquipmentFacts& facts) {
   if (facts.model.casters.empty()) {
     text += fmt::format("  {:<28} {:.2f}; slenderness h / b {:.1f}\n", "b / h", sheet.tipping_share,
                         1 / sheet.tipping_share);
-    text += fmt::format("  {:<28} {:.1f} deg towards {:.0f} deg\n", "falls at a tilt of", tilt,
+    text += fmt::format("  {:<28} {:.1f} deg towards {:.0f} deg\n", "overturns at a tilt of", tilt,
                         degrees(stability.direction));
     text += fmt::format("  {:<28} 5 deg of what is not mobile: {}\n", "IEC 60601-1",
                         tilt >= kOtherTilt ? "met" : "not met");
   } else {
     text += fmt::format("  {:<28} {:.2f}, wheels as placed; {:.2f}, swivels at their worst\n",
                         "b / h", sheet.tipping_share, stability.base / stability.height);
-    text += fmt::format("  {:<28} {:.1f} deg, wheels as placed\n", "falls at a tilt of",
+    text += fmt::format("  {:<28} {:.1f} deg, wheels as placed\n", "overturns at a tilt of",
                         degrees(stability.tilt_as_placed));
     text += fmt::format("  {:<28} {:.1f} deg towards {:.0f} deg, swivels at their worst\n", "",
                         tilt, degrees(stability.direction));
@@ -56,7 +56,7 @@ std::string stability_text(const EquipmentFacts& facts) {
   }
   const bool rolls = !facts.model.casters.empty();
   text += rolls ? "\n  tilt towards     as placed   at worst      towards   as placed   at worst\n"
-                : "\n  tilt towards          falls      towards       falls\n";
+                : "\n  tilt towards      overturns      towards   overturns\n";
   const std::size_t half = sheet.tilts.size() / 2;
   const auto cells = [&](const TiltTowards& t) {
     if (!rolls)

@@ -134,7 +134,7 @@ gone a.h5.parts
 echo old > a.h5
 begin --overwrite
 interrupt
-grep -qx "go on with: gurney run long.toml -o a.h5 --resume --overwrite -j 1" stderr || complain "does not say how to go on"
+grep -qx "continue with: gurney run long.toml -o a.h5 --resume --overwrite -j 1" stderr || complain "does not say how to go on"
 holds a.h5 old
 study 1 "a.h5" long.toml -o a.h5 --resume
 holds a.h5 old

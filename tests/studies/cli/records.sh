@@ -30,7 +30,7 @@ records 1 "must be key=value" info "$record" --step "high_pass 0.1"
 mkdir mixed
 cp "$record" mixed/a.csv
 printf 'hello\n' > mixed/notes.txt
-records 0 "1 record, 1 left out" ls mixed
+records 0 "1 record, 1 skipped" ls mixed
 grep -q 'mixed/notes.txt:1:1: not a record in a known format' stderr || complain "no reason for notes.txt"
 records 1 "not a record in a known format" ls mixed/notes.txt "$record"
 

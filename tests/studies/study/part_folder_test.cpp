@@ -139,10 +139,9 @@ TEST_F(Parts, ThatAreDamagedAreSetAsideAndTold) {
     EXPECT_TRUE(parts.has(5));
     EXPECT_EQ(contents_of(part("00000001.damaged")), bytes);
     EXPECT_EQ(parts.warnings(),
-              std::vector<std::string>{part("00000001.part") + ": is damaged (" +
-                                       std::to_string(bytes.size()) +
-                                       " bytes, its checksum does not match): its runs are made "
-                                       "again"});
+              std::vector<std::string>{
+                  part("00000001.part") + ": is damaged (" + std::to_string(bytes.size()) +
+                  " bytes, its checksum does not match): its runs are repeated"});
   }
 }
 
