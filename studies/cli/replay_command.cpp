@@ -117,7 +117,7 @@ int replay_command(const ReplayOptions& options) {
   if (!differs.empty()) {
     const std::string changed = changed_files(file, study);
     print_error(
-        "{}: run {} gives other results now: {}\nit was made by gurney {} {} on CPU class {}, "
+        "{}: run {} gives other results now: {}\nit was computed by gurney {} {} on CPU class {}, "
         "this is {} {} on {}; {}\n",
         options.file, options.run, differs, file.text_attribute("program_version"),
         file.text_attribute("git_commit"), file.text_attribute("cpu_class"),

@@ -120,7 +120,7 @@ sed -i 's/^duration_s = 31/duration_s = 30/' long.toml
 fresh
 begin
 echo precious > a.h5
-ends 1 "a.h5: was made by somebody else meanwhile; it was left alone; the finished results are in a.h5.parts/results.h5"
+ends 1 "a.h5: was created by another process in the meantime and is kept; the finished results are in a.h5.parts/results.h5"
 holds a.h5 precious
 same whole.h5 a.h5.parts/results.h5
 study 1 "a.h5" long.toml -o a.h5 --resume
@@ -168,7 +168,7 @@ mkdir a.h5.parts
 echo mine > a.h5.parts/notes.txt
 for how in "" --overwrite --resume; do
   # shellcheck disable=SC2086
-  study 1 "a.h5.parts: is somebody's folder, it holds 'notes.txt'; it was left alone" long.toml -o a.h5 $how
+  study 1 "a.h5.parts: is not a folder of parts, it contains 'notes.txt'; it is kept" long.toml -o a.h5 $how
 done
 holds a.h5.parts/notes.txt mine
 [ "$(ls a.h5.parts)" = notes.txt ] || complain "the folder of somebody else holds $(ls a.h5.parts)"

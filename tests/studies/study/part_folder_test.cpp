@@ -176,11 +176,11 @@ TEST_F(Parts, OnAFullDiskKeepWhatWasThere) {
 TEST_F(Parts, NeedAFolderThatCanBeMade) {
   EXPECT_THAT(
       error_text([&] { PartFolder(temp_.file("none/a.parts"), kIdentity, kUnits, Start::kNew); }),
-      HasSubstr("none/a.parts: cannot be made: No such file or directory"));
+      HasSubstr("none/a.parts: cannot be created: No such file or directory"));
   temp_.write("file.parts", "");
   EXPECT_THAT(
       error_text([&] { PartFolder(temp_.file("file.parts"), kIdentity, kUnits, Start::kResume); }),
-      HasSubstr("file.parts: cannot be made: "));
+      HasSubstr("file.parts: cannot be created: "));
 }
 
 TEST_F(Parts, AreUsedByOneProcessAtATime) {
@@ -259,8 +259,8 @@ TEST_F(Parts, LeaveWhatOthersPutThere) {
   temp_.write("a.h5.parts/notes.txt", "mine");
   EXPECT_EQ(error_text([&] { open(Start::kReplace); }),
             folder() +
-                ": is somebody's folder, it holds 'notes.txt'; it was left alone. Give "
-                "another name with -o");
+                ": is not a folder of parts, it contains 'notes.txt'; it is kept. Give another "
+                "name with -o");
   std::filesystem::remove(part("notes.txt"));
   fill();
   temp_.write("a.h5.parts/notes.txt", "mine");
