@@ -60,8 +60,7 @@ FloorMotion FloorMotion::with_rotation(const FloorRotation& rotation) const {
 
 FloorMotion FloorMotion::with_rotation_times(double factor) const {
   if (!rotates() || factor == 1) return *this;
-  return with_rotation(
-      {factor * angle_.topRows<2>(), factor * angular_acceleration_.topRows<2>()});
+  return with_rotation({factor * angle_.topRows<2>(), factor * angular_acceleration_.topRows<2>()});
 }
 
 FloorRotation FloorMotion::rotation() const {

@@ -61,8 +61,8 @@ class FloorMotion {
 
   double time_step_ = 0;
   Eigen::Matrix3Xd acceleration_;
-  Eigen::Matrix3Xd velocity_;      ///< exact integral at the samples
-  Eigen::Matrix3Xd displacement_;  ///< exact double integral at the samples
+  Eigen::Matrix3Xd velocity_;                      ///< exact integral at the samples
+  Eigen::Matrix3Xd displacement_;                  ///< exact double integral at the samples
   Eigen::Matrix3Xd angle_, angular_acceleration_;  ///< empty unless the floor rotates
   Eigen::Matrix3Xd angle_integral_, angular_velocity_;
   std::string name_;

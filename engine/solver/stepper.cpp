@@ -216,8 +216,7 @@ bool Stepper::attempt(const Island& island, const SceneState& from, double durat
   input_.tau = tau;
   input_.loads = {tau, time, time + duration, true, nullptr};
 
-  const auto [floor_first, floor_second] =
-      floor_stages(floor_, assembly_.gravity, time, duration);
+  const auto [floor_first, floor_second] = floor_stages(floor_, assembly_.gravity, time, duration);
   floor_second_ = floor_second;
 
   input_.start = &from;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/floor_motion.h"
+#include "engine/response/quality.h"
 #include "engine/scene/settings.h"
 #include "engine/solver/slip_reversal.h"
 #include "engine/solver/stage_solver.h"

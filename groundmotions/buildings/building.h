@@ -6,7 +6,7 @@
 
 #include "groundmotions/buildings/isolation.h"
 #include "groundmotions/buildings/modal_building.h"
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

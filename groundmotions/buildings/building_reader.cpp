@@ -160,9 +160,8 @@ ModalAxis read_modes(Table& table, const std::string& key, int storeys) {
       if (key == name_of(Direction::kVertical))
         in.note("effective_rotation_rad_per_m", ": must go with a mode of h1 or h2");
       mode.effective_rotation = Eigen::VectorXd::Zero(storeys + 1);
-      mode.effective_rotation.tail(storeys) =
-          vector(in.numbers("effective_rotation_rad_per_m", Range::any(),
-                            static_cast<std::size_t>(storeys)));
+      mode.effective_rotation.tail(storeys) = vector(in.numbers(
+          "effective_rotation_rad_per_m", Range::any(), static_cast<std::size_t>(storeys)));
     }
     mass += mode.effective_mass;
     if (!axis.empty() && !(mode.omega > axis.back().omega))

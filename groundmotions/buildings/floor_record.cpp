@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "engine/base/error.h"
+#include "groundmotions/measures/integrate.h"
 #include "groundmotions/measures/peaks.h"
-#include "groundmotions/processing/integrate.h"
 
 namespace gurney {
 
@@ -168,8 +168,7 @@ IsolatedHistory run_isolated(const Ground& ground, const Building& building, int
 
 /// Largest difference of two horizontal motions over the peaks of the second.
 double change(const IsolatedHistory& coarse, const IsolatedHistory& fine) {
-  const std::size_t samples =
-      std::min(coarse.history.floor.size(), fine.history.floor.size());
+  const std::size_t samples = std::min(coarse.history.floor.size(), fine.history.floor.size());
   double acceleration = 0, peak = 0, displacement = 0;
   for (std::size_t i = 0; i < samples; ++i) {
     const auto column = static_cast<Eigen::Index>(i);

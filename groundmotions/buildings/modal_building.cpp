@@ -105,9 +105,8 @@ double ModalResponse::rotation_acceleration(double base) const {
   for (std::size_t i = 0; i < axis_.size(); ++i) {
     const Mode& mode = axis_[i];
     const Oscillator& q = oscillators_[i];
-    result -= rotation_of(mode, floor_) *
-              (base + 2 * mode.damping * mode.omega * q.velocity() +
-               mode.omega * mode.omega * q.displacement());
+    result -= rotation_of(mode, floor_) * (base + 2 * mode.damping * mode.omega * q.velocity() +
+                                           mode.omega * mode.omega * q.displacement());
   }
   return result;
 }

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "groundmotions/oscillator.h"
+#include "groundmotions/measures/oscillator.h"
 
 namespace gurney {
 
@@ -70,8 +70,8 @@ class ModalResponse {
   double step(double base0, double base1);
 
   /// Rotation of the floor now, and its second derivative under a base acceleration.
-  double rotation() const;                             ///< [rad]
-  double rotation_acceleration(double base) const;     ///< [rad/s2]
+  double rotation() const;                          ///< [rad]
+  double rotation_acceleration(double base) const;  ///< [rad/s2]
 
   /// The floor's acceleration at rest under a sudden acceleration of the base: that of the modes
   /// left out [m/s2].

@@ -3,7 +3,7 @@
 #include <array>
 #include <functional>
 
-#include "engine/response.h"
+#include "engine/response/response.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
 

@@ -77,8 +77,9 @@ TEST(FloorMotion, RotationIsLinearBetweenSamplesAndItsIntegralsAreExact) {
 
 TEST(FloorMotion, RefusesWhatIsNoRotation) {
   FloorRotation rotation{Eigen::Matrix2Xd::Zero(2, 4), Eigen::Matrix2Xd::Zero(2, 3)};
-  EXPECT_EQ(error_text([&] { ramp().with_rotation(rotation); }),
-            "the rotation of a floor must have as many samples as its acceleration, 4, got 4 and 3");
+  EXPECT_EQ(
+      error_text([&] { ramp().with_rotation(rotation); }),
+      "the rotation of a floor must have as many samples as its acceleration, 4, got 4 and 3");
   rotation.acceleration = Eigen::Matrix2Xd::Constant(2, 4, std::nan(""));
   EXPECT_EQ(error_text([&] { ramp().with_rotation(rotation); }),
             "the rotation of a floor must be finite at every sample");

@@ -84,7 +84,7 @@ TEST(BuildingReader, ReadsIsolation) {
 }
 
 TEST(BuildingReader, ShippedBuildingsAreRead) {
-  const std::string folder = std::string(SOURCE_DIR) + "/groundmotions/buildings/";
+  const std::string folder = std::string(GURNEY_SOURCE_DIR) + "/groundmotions/buildings/";
   const Building fixed = building_from_file(folder + "concrete_hospital.toml");
   EXPECT_EQ(fixed.storeys, 4);
   EXPECT_NEAR(2 * pi / fixed[Direction::kH1][0].omega, 0.565, 1e-3);
@@ -179,16 +179,17 @@ TEST(BuildingReader, ReadsRotationOfTheFloors) {
       "kind = 'modal'\nstoreys = 2\nh1 = [{ period_s = 0.5, damping_ratio = 0.05, effective_shape "
       "= [0.7, 1.2], effective_rotation_rad_per_m = [0.1, 0.15] }]\n");
   EXPECT_EQ(modal[Direction::kH1][0].effective_rotation, Eigen::Vector3d(0, 0.1, 0.15));
-  const std::string folder = std::string(SOURCE_DIR) + "/groundmotions/buildings/";
+  const std::string folder = std::string(GURNEY_SOURCE_DIR) + "/groundmotions/buildings/";
   EXPECT_TRUE(rotates(building_from_file(folder + "wall_hospital.toml"), 6));
 }
 
 TEST(BuildingReader, RefusesRotationsWithTheirPlace) {
   const std::string table = kShear + "[floor_rotation]\n";
   EXPECT_EQ(mistakes(table + "height_m = 12\nbending_share = 1.5\n"),
-            "b.toml:7:17: floor_rotation.bending_share = 1.5: must be a number in [0, 1]");
+            "b.toml:7:17: floor_rotation.bending_share = 1.5: must be a finite number "
+            ">= 0 and <= 1");
   EXPECT_EQ(mistakes(table + "height_m = -3\nbending_share = 1\n"),
-            "b.toml:6:12: floor_rotation.height_m = -3: must be a number > 0");
+            "b.toml:6:12: floor_rotation.height_m = -3: must be a finite number > 0");
   EXPECT_THAT(mistakes(table + "bending_share = 1\n"),
               HasSubstr("floor_rotation.height_m: missing"));
   EXPECT_THAT(mistakes(table + "height_m = 12\nbending_share = 1\nbend_share = 1\n"),
@@ -196,9 +197,10 @@ TEST(BuildingReader, RefusesRotationsWithTheirPlace) {
   EXPECT_THAT(mistakes("kind = 'generic'\nstoreys = 3\ndamping_ratio = 0.05\nframe = 'other'\n"
                        "height_m = 9\n[floor_rotation]\nheight_m = 9\nbending_share = 1\n"),
               HasSubstr("floor_rotation.height_m: must not be given with the height_m of a frame"));
-  EXPECT_THAT(mistakes("kind = 'modal'\nstoreys = 1\nvertical = [{ period_s = 0.5, damping_ratio = "
-                       "0.05, effective_shape = [1], effective_rotation_rad_per_m = [1] }]\n"),
-              HasSubstr("vertical[0].effective_rotation_rad_per_m: must go with a mode of h1 or h2"));
+  EXPECT_THAT(
+      mistakes("kind = 'modal'\nstoreys = 1\nvertical = [{ period_s = 0.5, damping_ratio = "
+               "0.05, effective_shape = [1], effective_rotation_rad_per_m = [1] }]\n"),
+      HasSubstr("vertical[0].effective_rotation_rad_per_m: must go with a mode of h1 or h2"));
   EXPECT_THAT(mistakes("kind = 'modal'\nstoreys = 2\nh1 = [{ period_s = 0.5, damping_ratio = "
                        "0.05, effective_shape = [1, 1], effective_rotation_rad_per_m = [1] }]\n"),
               HasSubstr("h1[0].effective_rotation_rad_per_m"));
@@ -220,7 +222,7 @@ std::set<std::string> asked(const std::string& text) {
 }
 
 TEST(BuildingReader, EveryKeyIsDocumented) {
-  const std::string page = std::string(SOURCE_DIR) + "/docs/formats/building_file.md";
+  const std::string page = std::string(GURNEY_SOURCE_DIR) + "/docs/formats/building_file.md";
   const auto documented = [&](std::initializer_list<const char*> sections) {
     std::set<std::string> keys;
     for (const char* section : sections) keys.merge(documented_keys(page, section));
@@ -233,11 +235,14 @@ TEST(BuildingReader, EveryKeyIsDocumented) {
   shear.merge(
       asked("kind = 'shear'\nstorey_stiffness_h1_n_per_m = [1]\n"
             "[isolation]\nkind = 'lead_rubber'\n"));
-  EXPECT_EQ(shear, documented({"All buildings", "Shear", "Floor rotation", "Vertical", "Isolation"}));
+  EXPECT_EQ(shear,
+            documented({"All buildings", "Shear", "Floor rotation", "Vertical", "Isolation"}));
   std::set<std::string> generic = asked("kind = 'generic'\nframe = 'other'\n" + isolation);
   generic.merge(asked("kind = 'generic'\n[isolation]\nkind = 'lead_rubber'\n"));
-  EXPECT_EQ(generic, documented({"All buildings", "Generic", "Floor rotation", "Vertical", "Isolation"}));
-  const std::set<std::string> modal = asked("kind = 'modal'\nh1 = [{ period_s = 1, effective_rotation_rad_per_m = [] }]\n");
+  EXPECT_EQ(generic,
+            documented({"All buildings", "Generic", "Floor rotation", "Vertical", "Isolation"}));
+  const std::set<std::string> modal =
+      asked("kind = 'modal'\nh1 = [{ period_s = 1, effective_rotation_rad_per_m = [] }]\n");
   EXPECT_EQ(modal, documented({"All buildings", "Modal"}));
 }
 

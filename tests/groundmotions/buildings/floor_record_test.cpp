@@ -8,7 +8,7 @@
 
 #include "groundmotions/buildings/generic_building.h"
 #include "groundmotions/buildings/shear_building.h"
-#include "groundmotions/record_motion.h"
+#include "groundmotions/record/record_motion.h"
 #include "groundmotions/synthetic/clough_penzien.h"
 #include "tests/support/expect_error.h"
 
@@ -229,8 +229,7 @@ TEST(FloorRecord, RotatesWithTheModes) {
   double velocity = 0;
   for (Eigen::Index i = 0; i < below.size(); ++i) {
     EXPECT_NEAR(10 * acceleration[i], above[i] - below[i], 1e-12 * peak) << i;
-    if (i > 0)
-      velocity += floor.time_step() / 2 * 10 * (acceleration[i - 1] + acceleration[i]);
+    if (i > 0) velocity += floor.time_step() / 2 * 10 * (acceleration[i - 1] + acceleration[i]);
     const double u = 10 * floor.rotation->angle(1, i);
     // Error of the rule, (w dt)^2 / 12 = 3e-4 of a velocity of the peak over w, at 5 ms.
     EXPECT_NEAR(w * w * u, -above[i] - 2 * 0.05 * w * velocity, 1e-3 * peak) << i;
@@ -277,7 +276,7 @@ TEST(FloorRecord, RefusesAFloorThatIsNotThere) {
   EXPECT_ERROR(floor_record(ground(), two_storeys(), 3),
                "building 'House' has no floor 3; floors are 0 (the base) to 2 (the roof)");
   EXPECT_ERROR(floor_record(ground(), two_storeys(), -1), "has no floor -1");
-  EXPECT_ERROR(floor_record(Record{"empty", {}, {}, {}}, two_storeys(), 1),
+  EXPECT_ERROR(floor_record(Record{"empty", {}, {}, {}, {}}, two_storeys(), 1),
                "record 'empty' has no component");
 }
 

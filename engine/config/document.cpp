@@ -1,0 +1,128 @@
+#include "engine/config/document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "engine/config/file_snapshot.h"
+#include "engine/config/json_reader.h"
+#include "engine/config/nearest_name.h"
+#include "engine/config/table.h"
+#include "engine/config/toml_reader.h"
+
+namespace gurney::config {
+namespace {
+
+/// No TOML begins with a brace; a job that results keep has lost the name of its file.
+bool is_json(const std::string& text, const std::string& path) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  return path.ends_with(".json") || (first != std::string::npos && text[first] == '{');
+}
+
+std::string joined(const std::string& path, const std::string& key) {
+  return path.empty() ? key : path + '.' + key;
+}
+
+void collect_keys(const Node& node, const std::string& path, std::set<std::string>& keys) {
+  for (const std::string& key : node.asked) keys.insert(joined(path, key));
+  const bool array = node.kind == Node::Kind::kArray;
+  for (const Node& element : node.elements)
+    collect_keys(element, array ? path + "[]" : joined(path, element.key), keys);
+}
+
+}  // namespace
+
+Document::Document(const std::string& path) : Document(FileSnapshot::bytes_of(path), path) {}
+
+Document::Document(const std::string& text, const std::string& path) : path_(path), text_(text) {
+  if (is_json(text, path)) {
+    JsonTree json = read_json(text, path);
+    tree_ = std::move(json.root);
+    pointers_ = std::move(json.pointers);
+  } else {
+    tree_ = read_toml(text, path);
+  }
+}
+
+Document::Document(Node tree, const Document& origin)
+    : path_(origin.path_),
+      text_(origin.text_),
+      pointers_(origin.pointers_),
+      tree_(std::move(tree)),
+      draw_(origin.draw_) {}
+
+std::optional<Node> Document::take(const std::string& key) {
+  const auto found = std::find_if(tree_.elements.begin(), tree_.elements.end(),
+                                  [&](const Node& element) { return element.key == key; });
+  if (found == tree_.elements.end()) return {};
+  std::optional<Node> taken(std::move(*found));
+  tree_.elements.erase(found);
+  return taken;
+}
+
+Table Document::root() { return Table(*this, tree_, ""); }
+
+void Document::set_draw_of(const std::string& element, const std::optional<Draw>& draw) {
+  draw_ = draw;
+  drawn_element_ = element;
+}
+
+std::string Document::variable_name(const std::string& path) const {
+  if (drawn_element_.empty() || !path.starts_with(drawn_element_ + '.')) return path;
+  return drawn_element_.substr(0, drawn_element_.rfind('[')) + path.substr(drawn_element_.size());
+}
+
+std::string Document::where(Place place) const {
+  if (!pointers_.empty()) {
+    const std::string& pointer = pointers_.at(static_cast<std::size_t>(place.line) - 1);
+    return fmt::format("{}:{}", path_, pointer.empty() ? "/" : pointer);
+  }
+  return fmt::format("{}:{}:{}", path_, place.line, place.column);
+}
+
+void Document::note(Place place, const std::string& message) {
+  problems_.push_back({place, message});
+}
+
+void Document::note(const Error& error) { foreign_.push_back(error.what()); }
+
+void Document::finish() {
+  note_unread(tree_, "");
+  if (clean()) return;
+  std::stable_sort(problems_.begin(), problems_.end(), [](const Problem& a, const Problem& b) {
+    return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
+  });
+  std::string lines;
+  const auto add = [&](const std::string& line) {
+    if (!lines.empty()) lines += "\n";
+    lines += line;
+  };
+  for (const Problem& problem : problems_) add(where(problem.place) + ": " + problem.message);
+  for (const std::string& text : foreign_) add(text);
+  throw Error(lines);
+}
+
+std::vector<std::string> Document::asked_keys() const {
+  std::set<std::string> keys;
+  collect_keys(tree_, "", keys);
+  return {keys.begin(), keys.end()};
+}
+
+void Document::note_unread(const Node& node, const std::string& path) {
+  for (std::size_t i = 0; i < node.elements.size(); ++i) {
+    const Node& element = node.elements[i];
+    const bool in_table = node.kind == Node::Kind::kTable;
+    const std::string name = in_table ? joined(path, element.key) : fmt::format("{}[{}]", path, i);
+    if (in_table && !element.read) {
+      const std::vector<std::string> known(node.asked.begin(), node.asked.end());
+      note(element.key_place, name + ": unknown key" + suggestion(element.key, known));
+    } else {
+      note_unread(element, name);
+    }
+  }
+}
+
+}  // namespace gurney::config

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/error.h"
+#include "engine/base/random/draw.h"
+#include "engine/config/node.h"
+
+namespace gurney::config {
+
+class Table;
+
+/// One configuration file, read strictly.
+///
+///     Document document("trolley.toml");
+///     const double mass = document.root().number("mass_kg", Range::positive());
+///     document.finish();  // throws one Error with every mistake, unread keys included
+///
+/// A getter that meets a mistake notes it and gives a harmless value, so that one pass finds all;
+/// nothing read may be used before `finish`. A file whose name ends in .json is JSON, any other
+/// TOML.
+class Document {
+ public:
+  /// @throws Error if the file is missing, is a folder, cannot be read, or is not TOML (JSON).
+  explicit Document(const std::string& path);
+
+  /// From text already in memory; `path` is for messages and relative names.
+  Document(const std::string& text, const std::string& path);
+
+  /// From another document's tree, changed.
+  Document(Node tree, const Document& origin);
+
+  Document(const Document&) = delete;
+  Document& operator=(const Document&) = delete;
+
+  Table root();
+  const Node& tree() const { return tree_; }
+  const std::string& path() const { return path_; }
+  const std::string& text() const { return text_; }
+
+  /// Takes an element out of the root, which then knows nothing of it.
+  std::optional<Node> take(const std::string& key);
+
+  /// By which numbers with a distribution are drawn; none: they have their values.
+  const std::optional<Draw>& draw() const { return draw_; }
+  void set_draw(const std::optional<Draw>& draw) { draw_ = draw; }
+
+  /// From here on numbers are drawn for one element of an array of tables, `item[1]`: by `draw`, a
+  /// part of its own, and by names that begin with `item`, so that its index does not matter.
+  void set_draw_of(const std::string& element, const std::optional<Draw>& draw);
+  std::string variable_name(const std::string& path) const;  ///< of the number at `path`
+
+  std::string where(Place place) const;  ///< `path:line:column`; of JSON `path:/item/0/name`
+
+  void note(Place place, const std::string& message);
+  void note(const Error& error);  ///< mistakes of another file that this one names
+  std::size_t mistakes() const { return problems_.size() + foreign_.size(); }
+  bool clean() const { return mistakes() == 0; }
+
+  /// @throws Error with every noted mistake and every key nobody asked for, sorted by line.
+  void finish();
+
+  /// Every key asked for so far: `item.headings_deg`, `excitation.force[].name`.
+  std::vector<std::string> asked_keys() const;
+
+ private:
+  struct Problem {
+    Place place;
+    std::string message;
+  };
+
+  void note_unread(const Node& table, const std::string& path);
+
+  std::string path_, text_;
+  std::vector<std::string> pointers_;  ///< of JSON: see JsonTree
+  Node tree_;
+  std::optional<Draw> draw_;
+  std::string drawn_element_;
+  std::vector<Problem> problems_;
+  std::vector<std::string> foreign_;
+};
+
+}  // namespace gurney::config

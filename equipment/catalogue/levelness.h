@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/base/random/draw.h"
+#include "equipment/catalogue/assumption.h"
+
+namespace gurney {
+
+/// How far a floor is out of level: rise over run along x and y.
+struct Levelness {
+  double slope = 0, cross_slope = 0;
+  std::vector<Assumption> assumptions;
+};
+
+/// That of equipment/catalogue/levelness.toml.
+/// @throws Error with every error of the file.
+Levelness usual_levelness(const std::optional<Draw>& draw = {});
+
+}  // namespace gurney
