@@ -80,7 +80,7 @@ void print_facts(const Building& building, int floor, const Record& ground,
                peak.acceleration / kStandardGravity, below.velocity, peak.velocity);
   }
   if (response.floor.rotation)
-    fmt::print("  floor dips by up to {:.2g} rad along h1, {:.2g} rad along h2\n",
+    fmt::print("  floor rotates by up to {:.2g} rad along h1, {:.2g} rad along h2\n",
                peak_dip(*response.floor.rotation, Direction::kH1),
                peak_dip(*response.floor.rotation, Direction::kH2));
   if (response.isolators)
