@@ -81,7 +81,7 @@ bool is_complete(const RunOptions& options, const Paths& paths, const Batch& bat
   if (has_parts)
     PartFolder(paths.parts, identity_of(batch), batch.plan.units(), PartFolder::Start::kResume)
         .remove();
-  fmt::print("results  {} (complete already)\n", paths.results.string());
+  fmt::print("results  {} (already complete)\n", paths.results.string());
   return true;
 }
 

@@ -97,7 +97,7 @@ same whole.h5 a.h5
 printf 'name, h1, unit, time_step_s, scale\nfirst, a.txt, m/s2, 0.01, 1.5\n' > list.csv
 for i in $(seq 400); do echo "$((i * 7 % 5 - 2))"; done > a.txt
 cp "$item" item.toml
-study 0 "a.h5 (complete already)" long.toml -o a.h5 --resume
+study 0 "a.h5 (already complete)" long.toml -o a.h5 --resume
 
 # The results of another study are not these.
 sed -i 's/value = 96.5/value = 93.5/' item.toml
@@ -146,7 +146,7 @@ fresh
 begin
 interrupt
 cp whole.h5 a.h5
-study 0 "a.h5 (complete already)" long.toml -o a.h5 --resume
+study 0 "a.h5 (already complete)" long.toml -o a.h5 --resume
 gone a.h5.parts
 
 # Counts and percent after --resume are those of the whole study.

@@ -78,7 +78,7 @@ for threads in 2 7; do
 done
 study 1 "one.h5: exists already" small.toml -o one.h5
 study 0 '"runs": 48' small.toml -o one.h5 --overwrite --json
-study 0 "one.h5 (complete already)" small.toml -o one.h5 --resume
+study 0 "one.h5 (already complete)" small.toml -o one.h5 --resume
 study 0 "runs     48" small.toml -o fresh.h5 --resume
 same one.h5 fresh.h5
 
@@ -112,9 +112,9 @@ for pair in INT:130 TERM:143; do
     complain "does not say what is kept"
   grep -qx "continue with: gurney run long.toml -o stopped.h5 --resume -j 1" stderr || complain "does not say how to go on"
   gone stopped.h5
-  study 1 "stopped.h5.parts: holds runs of a study that was interrupted; go on with --resume" long.toml -o stopped.h5
+  study 1 "stopped.h5.parts: contains runs of an interrupted study; continue with --resume" long.toml -o stopped.h5
   sed 's/levels = .*/levels = [0.1, 0.2]/' long.toml > other.toml
-  study 1 "holds runs of another study: study.intensity.levels: there '[0.1, 0.3]', here '[0.1, 0.2]' (in the job)" \
+  study 1 "contains runs of another study: study.intensity.levels: there '[0.1, 0.3]', here '[0.1, 0.2]' (in the job)" \
     other.toml -o stopped.h5 --resume
   echo '# edited' >> item.toml
   study 1 "item.toml: there '$unedited', here '$(sha256sum item.toml | cut -d' ' -f1)'" long.toml -o stopped.h5 --resume

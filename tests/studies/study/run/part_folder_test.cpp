@@ -103,7 +103,7 @@ TEST_F(Parts, OfAnInterruptedStudyAreKeptUnlessResumed) {
   fill();
   EXPECT_EQ(error_text([&] { open(Start::kNew); }),
             folder() +
-                ": holds runs of a study that was interrupted; go on with --resume, or start again "
+                ": contains runs of an interrupted study; continue with --resume, or start again "
                 "with --overwrite");
   EXPECT_EQ(open(Start::kResume).size(), 3u);
 }
@@ -111,17 +111,18 @@ TEST_F(Parts, OfAnInterruptedStudyAreKeptUnlessResumed) {
 TEST_F(Parts, OfAnotherStudyAreRefusedWithBothValues) {
   fill();
   EXPECT_EQ(error_text([&] { open(Start::kResume, "a.toml = bbb\nunits = 7\n"); }),
-            folder() + ": holds runs of another study: a.toml: there 'aaa', here 'bbb'");
+            folder() + ": contains runs of another study: a.toml: there 'aaa', here 'bbb'");
   EXPECT_EQ(error_text([&] { open(Start::kResume, "a.toml = aaa\n"); }),
-            folder() + ": holds runs of another study: units: there '7', here nothing");
+            folder() + ": contains runs of another study: units: there '7', here nothing");
 }
 
 TEST_F(Parts, WithoutTheirIdentityAreRefused) {
   fill();
   std::filesystem::remove(part("study"));
-  EXPECT_EQ(
-      error_text([&] { open(Start::kResume); }),
-      folder() + ": holds runs, but no file 'study' that says whose; start again with --overwrite");
+  EXPECT_EQ(error_text([&] { open(Start::kResume); }),
+            folder() +
+                ": contains runs, but no file 'study' that identifies them; start again with "
+                "--overwrite");
 }
 
 TEST_F(Parts, ThatAreDamagedAreSetAsideAndTold) {
