@@ -40,8 +40,7 @@ void print(const RunOutput& output, const PreparedRun& run, const Response& resp
     return;
   }
   fmt::print("{}\n", summary(run.facts, response));
-  if (seconds > 0)
-    fmt::print("speed    {:.0f} simulated seconds per second\n", response.end_time / seconds);
+  if (seconds > 0) fmt::print("speed    {:.0f} x real time\n", response.end_time / seconds);
   fmt::print("results  {}\n", output.results.string());
   if (!output.no_figure) fmt::print("figure   {}\n", output.figure().string());
 }
