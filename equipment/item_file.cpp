@@ -35,9 +35,9 @@ class Mistakes {
   std::string text_;
 };
 
-ItemDescription read(Document& document, const std::string& remark, Mistakes& mistakes) {
+Uncertain<ItemDescription> read(Document& document, const std::string& remark, Mistakes& mistakes) {
   document.root().choice("schema", {"gurney-item/1"});
-  ItemDescription item = read_item(document.root());
+  Uncertain<ItemDescription> item = read_item(document.root());
   try {
     document.finish();
   } catch (const Error& error) {
@@ -47,8 +47,9 @@ ItemDescription read(Document& document, const std::string& remark, Mistakes& mi
 }
 
 /// The item with these variants over it, in their order.
-ItemDescription read_changed(const Node& tree, const Document& origin,
-                             const std::vector<const Node*>& variants, Mistakes& mistakes) {
+Uncertain<ItemDescription> read_changed(const Node& tree, const Document& origin,
+                                        const std::vector<const Node*>& variants,
+                                        Mistakes& mistakes) {
   Node changed = tree;
   Document notes(Node(), origin);
   std::string names;
@@ -106,24 +107,25 @@ std::string unknown_variant(const std::vector<std::string>& wanted,
   return "";
 }
 
-ItemDescription load_item_description(const std::string& file, const ItemSelection& selection) {
+Uncertain<ItemDescription> load_item_description(const std::string& file,
+                                                 const std::vector<std::string>& variants) {
   Document document(file);
-  document.set_draw(selection.draw);
-  const std::vector<Node> variants = take_variants(document);
-  const std::string unknown = unknown_variant(selection.variants, names_of(variants));
+  const std::vector<Node> known = take_variants(document);
+  const std::string unknown = unknown_variant(variants, names_of(known));
   require(unknown.empty(), file + ": " + unknown);
 
   const Node tree = document.tree();
   Mistakes mistakes;
-  ItemDescription item = read(document, "", mistakes);
-  for (const Node& variant : variants) read_changed(tree, document, {&variant}, mistakes);
+  Uncertain<ItemDescription> item = read(document, "", mistakes);
+  for (const Node& variant : known) read_changed(tree, document, {&variant}, mistakes);
   std::vector<const Node*> selected;
-  for (const std::string& name : selection.variants)
-    for (const Node& variant : variants)
+  for (const std::string& name : variants)
+    for (const Node& variant : known)
       if (variant.key == name) selected.push_back(&variant);
   if (!selected.empty()) item = read_changed(tree, document, selected, mistakes);
   mistakes.finish();
-  item.variants = names_of(variants);
+  item.add(
+      [names = names_of(known)](ItemDescription& of_draw, Sampler&) { of_draw.variants = names; });
   return item;
 }
 

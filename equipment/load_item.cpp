@@ -151,8 +151,8 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
 }
 
 LoadedItem load_item(const std::string& file, const ItemOptions& options,
-                     const ItemSelection& selection) {
-  return assemble_item(load_item_description(file, selection), options);
+                     const std::vector<std::string>& variants) {
+  return assemble_item(load_item_description(file, variants).stated(), options);
 }
 
 }  // namespace gurney

@@ -1,20 +1,16 @@
 #pragma once
 
-#include <vector>
-
 #include "engine/base/config/table.h"
-#include "engine/scene/scene.h"
-#include "equipment/assumption.h"
-#include "studies/job/job.h"
+#include "studies/job/job_parts.h"
 
 namespace gurney {
 
 /// Each reader notes mistakes in its table's document.
 
-/// [[excitation.force]], drop weights, string potentiometers and blocks, appended to `loads`.
-void read_loads(config::Table& excitation, std::vector<Assumption>& assumptions, Excitation& loads);
+/// [[excitation.force]], drop weights, string potentiometers and blocks.
+void read_loads(config::Table& excitation, JobReading& job);
 
 /// [fixture]
-Fixture read_fixture(config::Table& fixture, std::vector<Assumption>& assumptions);
+void read_fixture(config::Table& fixture, JobReading& job);
 
 }  // namespace gurney

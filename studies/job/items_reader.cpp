@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
+#include <utility>
 
 #include "studies/job/item_reader.h"
 
@@ -52,39 +54,84 @@ std::vector<std::string> read_names(std::vector<Table>& items, UniqueNames& name
   return result;
 }
 
+/// What a step needs of one item's table.
+struct ItemStep {
+  std::size_t index = 0;
+  bool several = false;
+  config::Spot description{};
+  Remarks remarks{};
+};
+
+template <typename T>
+void append(std::vector<T>& list, const std::vector<T>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+bool has_a_place(const std::string& line, const ItemDescription& description) {
+  return std::ranges::any_of(description.casters, [&](const CasterPlace& caster) {
+    return !caster.where.empty() && line.starts_with(caster.where);
+  });
+}
+
+/// Mistakes in how an item is put together: at its casters, else where the job names it.
+void note_lines(const Error& error, const ItemDescription& description, const config::Spot& spot,
+                Sampler& of) {
+  std::istringstream lines(error.what());
+  for (std::string line; std::getline(lines, line);)
+    if (has_a_place(line, description))
+      of.error(Error(line));
+    else
+      of.error(spot, ": " + line);
+}
+
+void place(JobItem item, const ItemStep& step, JobParts& job, Sampler& of) {
+  PlacedItem& placed = job.scene.items[step.index];
+  append(job.warnings, step.remarks.warnings);
+  item.options.floor = job.covering;
+  try {
+    LoadedItem loaded = assemble_item(item.description, item.options);
+    if (loaded.states_contact)
+      for (const MaterialPair& pair : loaded.pairs)
+        job.item_contacts[step.index].push_back(pair.constants);
+    placed.model = std::move(loaded.model);
+    for (const std::string& warning : loaded.warnings)
+      job.warnings.push_back(step.several ? placed.name + ": " + warning : warning);
+    add_assumptions(job.assumptions, loaded.assumptions);
+  } catch (const Error& error) {
+    note_lines(error, item.description, step.description, of);
+  }
+}
+
+void read_one(Table& table, ItemStep step, JobReading& job) {
+  config::Document& document = table.document();
+  const std::size_t mistakes = document.mistakes();
+  const Uncertain<JobItem> item = read_job_item(table, step.remarks);
+  step.description = description_spot(table);
+  const bool complete = document.mistakes() == mistakes;
+  job.add(document, [item, step, complete](JobParts& of_draw, Sampler& of) {
+    PlacedItem& placed = of_draw.scene.items[step.index];
+    JobItem sampled = item.sample(
+        step.several ? of.of_element(fmt::format("item[{}]", step.index), placed.name) : of);
+    placed.initial = sampled.initial;
+    append(of_draw.without_effect, step.remarks.without_effect);
+    if (complete) place(std::move(sampled), step, of_draw, of);
+  });
+}
+
 }  // namespace
 
-std::vector<JobItem> read_items(Table& root, const std::optional<FloorCovering>& covering,
-                                UniqueNames& names, Job& job) {
+std::vector<Table> read_items(Table& root, UniqueNames& names, JobReading& job) {
   std::vector<Table> tables = item_tables(root);
+  job.add([item_names = read_names(tables, names)](JobParts& of_draw, Sampler&) {
+    of_draw.scene.items.resize(std::max<std::size_t>(1, item_names.size()));
+    of_draw.item_contacts.resize(of_draw.scene.items.size());
+    for (std::size_t i = 0; i < item_names.size(); ++i) of_draw.scene.items[i].name = item_names[i];
+  });
+  const std::size_t mistakes = root.document().mistakes();
   const bool several = root.is_array("item");
-  const std::vector<std::string> item_names = read_names(tables, names);
-  job.scene.items.resize(std::max<std::size_t>(1, tables.size()));
-  std::vector<JobItem> items;
-  for (std::size_t i = 0; i < tables.size(); ++i) {
-    PlacedItem& placed = job.scene.items[i];
-    placed.name = item_names[i];
-    if (several && job.draw)
-      root.document().set_draw_of(fmt::format("item[{}]", i), job.draw->of_part(placed.name));
-    ItemOptions options;
-    options.floor = covering;
-    Remarks remarks;
-    std::optional<LoadedItem> item =
-        read_job_item(tables[i], options, placed.initial, job.assumptions, remarks);
-    job.warnings.insert(job.warnings.end(), remarks.warnings.begin(), remarks.warnings.end());
-    job.without_effect.insert(job.without_effect.end(), remarks.without_effect.begin(),
-                              remarks.without_effect.end());
-    if (!item) continue;
-    JobItem& of_job = items.emplace_back(JobItem{tables[i], {}});
-    if (item->states_contact)
-      for (const MaterialPair& pair : item->pairs) of_job.contacts.push_back(pair.constants);
-    placed.model = std::move(item->model);
-    for (const std::string& warning : item->warnings)
-      job.warnings.push_back(several ? placed.name + ": " + warning : warning);
-    add_assumptions(job.assumptions, item->assumptions);
-  }
-  root.document().set_draw_of("", job.draw);
-  return items.size() == tables.size() ? items : std::vector<JobItem>{};
+  for (std::size_t i = 0; i < tables.size(); ++i)
+    read_one(tables[i], {.index = i, .several = several}, job);
+  return root.document().mistakes() == mistakes ? tables : std::vector<Table>{};
 }
 
 }  // namespace gurney

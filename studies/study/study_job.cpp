@@ -167,7 +167,9 @@ StudyJob::StudyJob(std::unique_ptr<FileSnapshot> files, std::unique_ptr<Document
   InputsWithoutEffect without_effect;
   for (std::size_t i = 0; i < configurations_.size(); ++i)
     collect(mistakes, [&] {
-      const Job each = job(i, {});
+      const FileSnapshot::Scope scope(*files_);
+      Document tree(configurations_[i].tree, *document_);
+      const Job& each = models_.emplace_back(tree).stated();
       without_effect.meet(each.without_effect);
       if (!clean) return;
       refuse_contradictions(*document_, each, study_);
@@ -192,9 +194,7 @@ bool StudyJob::draws_anything() const {
 }
 
 Job StudyJob::job(std::size_t configuration, const std::optional<Draw>& draw) const {
-  const FileSnapshot::Scope scope(*files_);
-  Document document(configurations_.at(configuration).tree, *document_);
-  return read_study_job(document, draw);
+  return sample(models_.at(configuration), draw);
 }
 
 bool has_study(const std::string& path) { return Document(path).tree().find("study") != nullptr; }

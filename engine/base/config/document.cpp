@@ -51,8 +51,7 @@ Document::Document(Node tree, const Document& origin)
     : path_(origin.path_),
       text_(origin.text_),
       pointers_(origin.pointers_),
-      tree_(std::move(tree)),
-      draw_(origin.draw_) {}
+      tree_(std::move(tree)) {}
 
 std::optional<Node> Document::take(const std::string& key) {
   const auto found = std::find_if(tree_.elements.begin(), tree_.elements.end(),
@@ -65,16 +64,6 @@ std::optional<Node> Document::take(const std::string& key) {
 
 Table Document::root() { return Table(*this, tree_, ""); }
 
-void Document::set_draw_of(const std::string& element, const std::optional<Draw>& draw) {
-  draw_ = draw;
-  drawn_element_ = element;
-}
-
-std::string Document::variable_name(const std::string& path) const {
-  if (drawn_element_.empty() || !path.starts_with(drawn_element_ + '.')) return path;
-  return drawn_element_.substr(0, drawn_element_.rfind('[')) + path.substr(drawn_element_.size());
-}
-
 std::string Document::where(Place place) const {
   if (!pointers_.empty()) {
     const std::string& pointer = pointers_.at(static_cast<std::size_t>(place.line) - 1);
@@ -85,6 +74,10 @@ std::string Document::where(Place place) const {
 
 void Document::note(Place place, const std::string& message) {
   problems_.push_back({place, message});
+}
+
+void Document::note(const Spot& spot, const std::string& message) {
+  note(spot.place, spot.name + message);
 }
 
 void Document::note(const Error& error) { foreign_.push_back(error.what()); }
