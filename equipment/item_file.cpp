@@ -6,6 +6,7 @@
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/config/overlay.h"
 #include "engine/base/config/table.h"
+#include "engine/base/diagnostics.h"
 
 namespace gurney {
 namespace {
@@ -13,35 +14,14 @@ namespace {
 using config::Document;
 using config::Node;
 
-/// Mistakes of several readings of one file, each line once.
-class Mistakes {
- public:
-  void add(const std::string& text, const std::string& remark) {
-    for (std::size_t begin = 0; begin < text.size();) {
-      const std::size_t end = std::min(text.find('\n', begin), text.size());
-      const std::string line = text.substr(begin, end - begin);
-      if (std::find(plain_.begin(), plain_.end(), line) == plain_.end()) {
-        plain_.push_back(line);
-        text_ += (text_.empty() ? "" : "\n") + line + remark;
-      }
-      begin = end + 1;
-    }
-  }
-
-  void finish() const { require(text_.empty(), text_); }
-
- private:
-  std::vector<std::string> plain_;
-  std::string text_;
-};
-
-Uncertain<ItemDescription> read(Document& document, const std::string& remark, Mistakes& mistakes) {
+Uncertain<ItemDescription> read(Document& document, const std::string& remark,
+                                Diagnostics& errors) {
   document.root().choice("schema", {"gurney-item/1"});
   Uncertain<ItemDescription> item = read_item(document.root());
   try {
     document.finish();
   } catch (const Error& error) {
-    mistakes.add(error.what(), remark);
+    errors.add_new(error.what(), remark);
   }
   return item;
 }
@@ -49,7 +29,7 @@ Uncertain<ItemDescription> read(Document& document, const std::string& remark, M
 /// The item with these variants over it, in their order.
 Uncertain<ItemDescription> read_changed(const Node& tree, const Document& origin,
                                         const std::vector<const Node*>& variants,
-                                        Mistakes& mistakes) {
+                                        Diagnostics& errors) {
   Node changed = tree;
   Document notes(Node(), origin);
   std::string names;
@@ -61,10 +41,10 @@ Uncertain<ItemDescription> read_changed(const Node& tree, const Document& origin
   try {
     notes.finish();
   } catch (const Error& error) {
-    mistakes.add(error.what(), "");
+    errors.add_new(error.what());
   }
   Document document(std::move(changed), origin);
-  return read(document, remark, mistakes);
+  return read(document, remark, errors);
 }
 
 /// Takes the tables [variant.NAME] from a document and leaves those that are tables.
@@ -115,15 +95,15 @@ Uncertain<ItemDescription> load_item_description(const std::string& file,
   require(unknown.empty(), file + ": " + unknown);
 
   const Node tree = document.tree();
-  Mistakes mistakes;
-  Uncertain<ItemDescription> item = read(document, "", mistakes);
-  for (const Node& variant : known) read_changed(tree, document, {&variant}, mistakes);
+  Diagnostics errors;  // of several readings of one file, each line once
+  Uncertain<ItemDescription> item = read(document, "", errors);
+  for (const Node& variant : known) read_changed(tree, document, {&variant}, errors);
   std::vector<const Node*> selected;
   for (const std::string& name : variants)
     for (const Node& variant : known)
       if (variant.key == name) selected.push_back(&variant);
-  if (!selected.empty()) item = read_changed(tree, document, selected, mistakes);
-  mistakes.finish();
+  if (!selected.empty()) item = read_changed(tree, document, selected, errors);
+  errors.raise();
   item.add(
       [names = names_of(known)](ItemDescription& of_draw, Sampler&) { of_draw.variants = names; });
   return item;

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <tuple>
 #include <utility>
+
+#include "engine/base/diagnostics.h"
 
 namespace gurney {
 
@@ -23,15 +23,14 @@ void SampleErrors::note_in(config::Document& document) const {
 }
 
 void SampleErrors::raise() const {
-  std::vector<Entry> sorted = entries_;  // as a document's: by place, and then those without one
-  std::ranges::stable_sort(sorted, {}, [](const Entry& entry) {
-    return entry.spot ? std::tuple(0, entry.spot->place.line, entry.spot->place.column)
-                      : std::tuple(1, 0, 0);
-  });
-  std::string lines;
-  for (const auto& [spot, message] : sorted)
-    lines += (lines.empty() ? "" : "\n") + (spot ? spot->where + ": " + spot->name : "") + message;
-  require(lines.empty(), lines);
+  Diagnostics errors;
+  for (const auto& [spot, message] : entries_)
+    if (spot)
+      errors.add(spot->place.line, spot->place.column, spot->where + ": " + spot->name + message);
+    else
+      errors.add(message);
+  errors.sort();
+  errors.raise();
 }
 
 Sampler::Sampler(std::vector<Assumption>& list, SampleErrors& errors, std::optional<Draw> draw)

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "engine/base/config/file_snapshot.h"
@@ -12,6 +11,7 @@
 #include "engine/base/config/nearest_name.h"
 #include "engine/base/config/table.h"
 #include "engine/base/config/toml_reader.h"
+#include "engine/base/diagnostics.h"
 
 namespace gurney::config {
 namespace {
@@ -84,18 +84,12 @@ void Document::note(const Error& error) { foreign_.push_back(error.what()); }
 
 void Document::finish() {
   note_unread(tree_, "");
-  if (clean()) return;
-  std::stable_sort(problems_.begin(), problems_.end(), [](const Problem& a, const Problem& b) {
-    return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
-  });
-  std::string lines;
-  const auto add = [&](const std::string& line) {
-    if (!lines.empty()) lines += "\n";
-    lines += line;
-  };
-  for (const Problem& problem : problems_) add(where(problem.place) + ": " + problem.message);
-  for (const std::string& text : foreign_) add(text);
-  throw Error(lines);
+  Diagnostics errors;
+  for (const auto& [place, message] : problems_)
+    errors.add(place.line, place.column, where(place) + ": " + message);
+  for (const std::string& text : foreign_) errors.add(text);
+  errors.sort();
+  errors.raise();
 }
 
 std::vector<std::string> Document::asked_keys() const {
