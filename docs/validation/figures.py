@@ -4,52 +4,12 @@ usage: python3 docs/validation/figures.py FOLDER_OF_RESULTS FOLDER_OF_FIGURES
 needs python3-h5py and python3-pandas; `rsvg-convert -o A.png A.svg` makes a PNG.
 """
 
-import json
 import math
-import subprocess
 import sys
 
-import h5py
-import pandas
+from results import clopper_pearson, fragilities, runs_of
 
 COLORS = ["#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#555555"]
-
-
-def runs_of(path):
-    """One row for each run of a study with one item: demands, run and levels of the factors."""
-    with h5py.File(path) as file:
-        tables = {}
-        for name in ("runs", "items", "configurations"):
-            columns = {}
-            for key, data in file[name].items():
-                values = data[:]
-                columns[key] = [v.decode().rstrip("\0") for v in values] if values.dtype.kind == "S" else values
-            tables[name] = pandas.DataFrame(columns)
-    levels = tables["configurations"].drop(columns="name").add_prefix("level ")
-    table = tables["items"].merge(tables["runs"], on="run")
-    table = table.merge(levels, left_on="configuration", right_on="level row")
-    table["fell"] = table.time_of_overturning >= 0
-    return table
-
-
-def binomial_cdf(k, n, p):
-    return sum(math.comb(n, i) * p**i * (1 - p) ** (n - i) for i in range(k + 1))
-
-
-def clopper_pearson(k, n, level=0.95):
-    """Interval of a probability from k of n (Clopper & Pearson 1934)."""
-
-    def root(f):
-        low, high = 0.0, 1.0
-        for _ in range(60):
-            middle = (low + high) / 2
-            low, high = (middle, high) if f(middle) > 0 else (low, middle)
-        return low
-
-    tail = (1 - level) / 2
-    low = 0.0 if k == 0 else root(lambda p: tail - (1 - binomial_cdf(k - 1, n, p)))
-    high = 1.0 if k == n else root(lambda p: binomial_cdf(k, n, p) - tail)
-    return low, high
 
 
 class Figure:
@@ -126,7 +86,7 @@ def b_over_h(results, figures):
             points = []
             chosen = table[(table["level floor"] == floor) & (table["level locks"] == locks)]
             for ratio, group in chosen.groupby("level b over h"):
-                x, k, n = float(ratio) + shift, int(group.fell.sum()), len(group)
+                x, k, n = float(ratio) + shift, int(group.overturned.sum()), len(group)
                 low, high = clopper_pearson(k, n)
                 figure.line([place(x, low), place(x, high)], color, 1)
                 figure.dot(*place(x, k / n), color)
@@ -176,7 +136,7 @@ def long_period(results, figures):
                              & (table["level period"] == period)]
                 x = 3 * i + 0.6 + 0.9 * j
                 for _, row in rows.iterrows():
-                    figure.dot(*place(x, row.peak_displacement), COLORS[i], 3, hollow=bool(row.fell))
+                    figure.dot(*place(x, row.peak_displacement), COLORS[i], 3, hollow=bool(row.overturned))
                 figure.text(place(x, 1)[0], figure.height - 34, period[0], 11)
             figure.text(place(3 * i + 1.5, 1)[0], place(1, 28)[1], brakes, 12, color=COLORS[i])
     figure.save(f"{figures}/validation_long_period.svg")
@@ -195,7 +155,7 @@ def ultrasound(results, figures):
             rows = table[(table["level locks"] == locks) & (table["level building"] == building)]
             for _, row in rows.iterrows():
                 figure.dot(*place(free[tuple(row[keys])], max(row.peak_displacement, 1e-4)), color, 2.2,
-                           hollow=bool(row.fell))
+                           hollow=bool(row.overturned))
         if panel == 0:
             figure.legend(*place(0.007, 3), list(zip(("casters locked", "wheels braked, forks free", "all locked"),
                                                      COLORS)))
@@ -211,9 +171,7 @@ P58 = {  # FEMA P-58: depth and height [in], median [m/s]
 
 
 def p58(results, figures):
-    made = subprocess.run(["gurney", "fragility", f"{results}/validation_p58.h5", "--limit", "overturned", "--json"],
-                          capture_output=True, check=True)
-    curves = {each["configuration"]: each for each in json.loads(made.stdout)["fragilities"]}
+    curves = fragilities(f"{results}/validation_p58.h5", "overturned")
     figure = Figure(2)
     for panel, floor in enumerate(("ground", "building of 1 s")):
         place = figure.axes(panel, f"floor motion: {floor}",

@@ -2,7 +2,8 @@
 
 namespace gurney {
 
-Assembly::Assembly(const Scene& scene, const Excitation& excitation) : laws(scene) {
+Assembly::Assembly(const Scene& scene, const Excitation& excitation)
+    : laws(scene), gravity(gravity_on_slope(scene.gravity, scene.slope, scene.cross_slope)) {
   for (std::size_t i = 0; i < scene.items.size(); ++i) items.emplace_back(scene, i, excitation);
 }
 

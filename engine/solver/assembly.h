@@ -13,6 +13,7 @@ struct Assembly {
 
   std::vector<Mechanism> items;  ///< as Scene::items
   ContactLaws laws;
+  Vector3 gravity;  ///< floor axes: the floor may slope
 
   /// Where a contact's first side is, relative to its chassis' centre, floor axes [m].
   Vector3 point(const BodyContact& contact, const SceneState& state) const;

@@ -20,7 +20,9 @@ void ItemStage::update_geometry(const Input& input, const Velocity& v, bool firs
   predicted_ = v;
   pose_.position = start.position + tau * v.chassis.head<3>();
   pose_.rotation = rotated(tau * v.chassis.tail<3>(), start.rotation).toRotationMatrix();
-  const Vector3 gravity = mechanism_.gravity - input.floor_acceleration;
+  const Vector3 gravity = mechanism_.gravity - input.floor.acceleration;
+  carried_ << input.floor.angular_acceleration.cross(pose_.position),
+      input.floor.angular_acceleration;
 
   const auto& chassis = mechanism_.chassis;
   const Matrix3 inertia = pose_.rotation * chassis.inertia * pose_.rotation.transpose();
@@ -58,7 +60,8 @@ void ItemStage::begin_forces(const Input& input, const Velocity& v) {
   const State& start = *input.start;
   const double tau = input.tau;
   force_ = -bias_;
-  const Vector6 chassis_change = v.chassis - start.velocity.chassis;
+  Vector6 chassis_change = v.chassis - start.velocity.chassis;
+  if (input.floor.rotates) chassis_change += tau * carried_;
   momentum_ = mass_ * chassis_change;
   for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
     const Leg& leg = mechanism_.legs[i];

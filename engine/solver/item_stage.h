@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "engine/solver/floor_stage.h"
 #include "engine/solver/mechanism.h"
 
 namespace gurney {
@@ -23,7 +24,7 @@ class ItemStage {
   struct Input {
     const State* start = nullptr;  ///< pose, velocity and memory the stage starts from
     double tau = 0;
-    Vector3 floor_acceleration = Vector3::Zero();
+    FloorStage floor;
     Loads::Stage loads;
   };
 
@@ -85,6 +86,9 @@ class ItemStage {
   bool constrained(int dof) const;
 
  private:
+  /// Of the chassis and what it carries, linear and about its centre.
+  Vector6 all_momentum(const Velocity& v) const;
+
   const Mechanism& mechanism_;
   std::array<LegWork, kMaxLegs> legs_;
   std::vector<Loads::Row> load_rows_;
@@ -92,6 +96,7 @@ class ItemStage {
   Pose pose_;           // predicted end of the stage
   Velocity predicted_;  // the velocity that leads there
   Matrix6 mass_, matrix_;
+  Vector6 carried_;  // acceleration that a rotating floor gives the chassis
   Vector6 bias_, momentum_, force_, residual_, right_side_;
   std::array<double, 6> reaction_{};  // of guides, impulse
 };

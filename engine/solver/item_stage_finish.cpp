@@ -4,6 +4,13 @@
 
 namespace gurney {
 
+Vector6 ItemStage::all_momentum(const Velocity& v) const {
+  Vector6 momentum = mass_ * v.chassis;
+  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i)
+    momentum += legs_[i].g.mass_coupling * v.joints[i];
+  return momentum;
+}
+
 void ItemStage::finish(const Input& input, const Velocity& v, State& end, Output& out) const {
   const State& start = *input.start;
   const double tau = input.tau;
@@ -57,7 +64,8 @@ void ItemStage::finish(const Input& input, const Velocity& v, State& end, Output
              leg.axle_friction().stiffness * axle_wind_rate * axle_wind_rate +
              leg.tread().spring_rates(work.tread, work.rates, tread);
   }
-  power.work_of_floor = -input.floor_acceleration.dot(momentum);
+  power.work_of_floor = -input.floor.acceleration.dot(momentum);
+  if (input.floor.rotates) power.work_of_floor -= carried_.dot(all_momentum(v));
   for (int dof = 0; dof < 6; ++dof) {
     const Guide& guide = mechanism_.fixture.guides[dof];
     if (guide.kind == Guide::Kind::kVelocity)

@@ -27,8 +27,7 @@ StageSolver::StageSolver(const Assembly& assembly, const Settings& settings)
 }
 
 ItemStage::Input StageSolver::item_input(const Input& input, std::size_t item) const {
-  ItemStage::Input of_item{&input.start->items[item], input.tau, input.floor_acceleration,
-                           input.loads};
+  ItemStage::Input of_item{&input.start->items[item], input.tau, input.floor, input.loads};
   of_item.loads.start = &of_item.start->loads;
   return of_item;
 }

@@ -32,7 +32,7 @@ class StageSolver {
     const SceneState* start = nullptr;
     const Island* island = nullptr;
     double tau = 0;
-    Vector3 floor_acceleration = Vector3::Zero();
+    FloorStage floor;
     Loads::Stage loads;           ///< `start` aside
     std::vector<Velocity> guess;  ///< of the velocity at the end; as Scene::items
   };

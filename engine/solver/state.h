@@ -7,7 +7,6 @@
 #include "engine/base/vector.h"
 #include "engine/caster/leg.h"
 #include "engine/contact/body_contact.h"
-#include "engine/response.h"
 #include "engine/scene/equipment_model.h"
 
 namespace gurney {

@@ -216,19 +216,12 @@ bool Stepper::attempt(const Island& island, const SceneState& from, double durat
   input_.tau = tau;
   input_.loads = {tau, time, time + duration, true, nullptr};
 
-  Vector3 floor_first = Vector3::Zero();
-  floor_second_.setZero();
-  if (!floor_.at_rest() && time < floor_.duration()) {
-    const Vector3 v0 = floor_.velocity_at(time);
-    const Vector3 v1 = floor_.velocity_at(time + 2 * tau);
-    const Vector3 v2 = floor_.velocity_at(time + duration);
-    floor_first = (v1 - v0) / (2 * tau);
-    floor_second_ = ((v2 - v0) / duration - (1 - kSdirkGamma) * floor_first) / kSdirkGamma;
-  }
+  const auto [floor_first, floor_second] = floor_stages(floor_, assembly_.gravity, time, duration);
+  floor_second_ = floor_second;
 
   input_.start = &from;
-  input_.floor_acceleration = floor_first;
-  input_.loads.floor_acceleration_up = floor_first.z();
+  input_.floor = floor_first;
+  input_.loads.floor_acceleration_up = floor_first.acceleration.z();
   for (std::size_t i : island.items) {
     const Velocity& v = from.items[i].velocity;
     input_.guess[i] = predictions_[i].known ? advanced(v, tau, predictions_[i].acceleration,
@@ -241,8 +234,8 @@ bool Stepper::attempt(const Island& island, const SceneState& from, double durat
 
   extrapolate(island, from, duration);
   input_.start = &between_;
-  input_.floor_acceleration = floor_second_;
-  input_.loads.floor_acceleration_up = floor_second_.z();
+  input_.floor = floor_second_;
+  input_.loads.floor_acceleration_up = floor_second_.acceleration.z();
   for (std::size_t i : island.items)
     input_.guess[i] = advanced(between_.items[i].velocity, tau, first_.items[i].acceleration,
                                assembly_.items[i].legs.size());
@@ -263,7 +256,7 @@ void Stepper::accept(const Island& island, SceneState& state, double duration,
     add_power(first.power, (1 - kSdirkGamma) * duration, accounts_[i]);
     add_power(second.power, kSdirkGamma * duration, accounts_[i]);
     accounts_[i].numerical_loss += 0.5 * tau * tau * (second.spring_rates - first.spring_rates);
-    predictions_[i] = {second.acceleration, floor_second_, true};
+    predictions_[i] = {second.acceleration, floor_second_.acceleration, true};
     const Tethers& tethers = assembly_.items[i].tethers;
     if (!tethers.empty()) accounts_[i].damper_loss += tethers.give_way(second_.end.items[i]);
   }
@@ -355,7 +348,8 @@ double Stepper::end_of_step(const Island& island, const SceneState& state, doubl
   const double longest = latest - time;
   double until = longest;
   for (int i = 0; i < kReversalPasses; ++i) {
-    const Vector3 change = floor_.velocity_at(time + until) - floor_.velocity_at(time);
+    const Vector3 change = apparent_floor_velocity(floor_, assembly_.gravity, time + until) -
+                           apparent_floor_velocity(floor_, assembly_.gravity, time);
     until = std::min(longest, reversals_.first(change / until));
     if (until < kReversalTolerance * longest) return latest;
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/floor_motion.h"
+#include "engine/response/quality.h"
 #include "engine/scene/settings.h"
 #include "engine/solver/slip_reversal.h"
 #include "engine/solver/stage_solver.h"
@@ -31,7 +32,7 @@ class Stepper {
     const SceneState* to;
     const StageSolver::Output* first;  ///< the first stage; its weight is 1 - gamma
     const StageSolver::Output* end;    ///< the second stage, at the end of the step; weight gamma
-    Vector3 floor_acceleration;        ///< in that stage
+    FloorStage floor;                  ///< in that stage
   };
   using Observer = std::function<void(const Step&)>;
 
@@ -79,7 +80,7 @@ class Stepper {
   StageSolver::Output first_, second_;
   SceneState between_;  // start of the second stage
   std::vector<Island> islands_;
-  Vector3 floor_second_ = Vector3::Zero();
+  FloorStage floor_second_;
   std::vector<SlipReversals::Course> predictions_;
   SlipReversals reversals_;
   std::vector<EnergyAccount> accounts_;

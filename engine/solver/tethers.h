@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/caster/leg.h"
-#include "engine/response.h"
+#include "engine/response/energy_account.h"
 #include "engine/scene/scene.h"
 #include "engine/solver/loads.h"
 #include "engine/solver/state.h"

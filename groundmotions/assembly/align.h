@@ -1,6 +1,6 @@
 #pragma once
 
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "groundmotions/formats/format.h"
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

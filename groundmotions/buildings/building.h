@@ -6,7 +6,7 @@
 
 #include "groundmotions/buildings/isolation.h"
 #include "groundmotions/buildings/modal_building.h"
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 
@@ -22,5 +22,8 @@ struct Building {
     return axes[static_cast<std::size_t>(direction)];
   }
 };
+
+/// Whether a floor turns as the building deforms.
+bool rotates(const Building& building, int floor);
 
 }  // namespace gurney

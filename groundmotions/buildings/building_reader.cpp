@@ -116,7 +116,8 @@ std::array<ModalAxis, 2> read_shear(Table& table, int storeys) {
   return axes;
 }
 
-std::array<ModalAxis, 2> read_generic(Table& table, int storeys) {
+/// @param height  is set where the building's keys state it
+std::array<ModalAxis, 2> read_generic(Table& table, int storeys, std::optional<double>& height) {
   const Damper damper(table, storeys);
   const std::size_t before = table.document().mistakes();
   std::array<double, 2> period;
@@ -125,8 +126,8 @@ std::array<ModalAxis, 2> read_generic(Table& table, int storeys) {
     std::vector<std::string> names;
     for (const FrameKind& frame : kFrameKinds) names.emplace_back(frame.name);
     const FrameKind& frame = kFrameKinds[table.choice("frame", names)];
-    const double height = table.number("height_m", Range::positive());
-    if (height > 0) period.fill(approximate_period(frame, height));
+    height = table.number("height_m", Range::positive());
+    if (*height > 0) period.fill(approximate_period(frame, *height));
   } else {
     exclude(table, "height_m", "period_s; it is for the period of a `frame`");
     period = read_pair(table, "period_s", Range::positive());
@@ -155,6 +156,13 @@ ModalAxis read_modes(Table& table, const std::string& key, int storeys) {
     mode.effective_shape.tail(storeys) =
         vector(in.numbers("effective_shape", Range::any(), static_cast<std::size_t>(storeys)));
     mode.effective_mass = in.number("effective_mass_ratio", Range::within(0, 1), 0.0);
+    if (in.has("effective_rotation_rad_per_m")) {
+      if (key == name_of(Direction::kVertical))
+        in.note("effective_rotation_rad_per_m", ": must go with a mode of h1 or h2");
+      mode.effective_rotation = Eigen::VectorXd::Zero(storeys + 1);
+      mode.effective_rotation.tail(storeys) = vector(in.numbers(
+          "effective_rotation_rad_per_m", Range::any(), static_cast<std::size_t>(storeys)));
+    }
     mass += mode.effective_mass;
     if (!axis.empty() && !(mode.omega > axis.back().omega))
       in.note("period_s", fmt::format(" = {}: must be shorter than that of the mode before, {}",
@@ -181,6 +189,20 @@ ModalAxis read_vertical(Table in, int storeys) {
   return vertical_modes(storeys, floors);
 }
 
+/// Rotation of the floors of a shear or generic building.
+/// @param height  of a building whose keys state it
+void read_rotation(Table in, std::optional<double> height, std::array<ModalAxis, 3>& axes) {
+  const std::size_t before = in.document().mistakes();
+  if (height)
+    exclude(in, "height_m", "the height_m of a frame");
+  else
+    height = in.number("height_m", Range::positive());
+  const double share = in.number("bending_share", Range::within(0, 1));
+  if (in.document().mistakes() > before) return;
+  for (const Direction direction : {Direction::kH1, Direction::kH2})
+    set_rotation(axes[static_cast<std::size_t>(direction)], *height, share);
+}
+
 /// An isolated building moves its base by the effective masses of its modes.
 void check_masses(Table& table, const Building& building) {
   for (const Direction direction : {Direction::kH1, Direction::kH2})
@@ -204,11 +226,14 @@ Building read_building(Table& table, const std::string& name) {
       building.axes[static_cast<std::size_t>(direction)] =
           read_modes(table, name_of(direction), building.storeys);
   } else {
-    const auto axes =
-        kind == 0 ? read_shear(table, building.storeys) : read_generic(table, building.storeys);
+    std::optional<double> height;
+    const auto axes = kind == 0 ? read_shear(table, building.storeys)
+                                : read_generic(table, building.storeys, height);
     building.axes = {axes[0], axes[1], {}};
     if (auto vertical = table.table("vertical"))
       building.axes[2] = read_vertical(*vertical, building.storeys);
+    if (auto rotation = table.table("floor_rotation"))
+      read_rotation(*rotation, height, building.axes);
   }
   if (auto isolation = table.table("isolation")) {
     building.isolation = read_isolation(*isolation);

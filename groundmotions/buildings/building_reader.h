@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/base/config/table.h"
+#include "engine/config/table.h"
 #include "groundmotions/buildings/building.h"
 
 namespace gurney {

@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "engine/base/error.h"
+#include "groundmotions/measures/integrate.h"
 #include "groundmotions/measures/peaks.h"
-#include "groundmotions/processing/integrate.h"
 
 namespace gurney {
 
@@ -27,6 +27,7 @@ constexpr double kAccuracy = 1e-3;            ///< of the peaks, at a halving of
 constexpr double kVisibleDrift = 0.01;        ///< after the ground's end; an assumption [m]
 constexpr double kShareOfPeak = 0.1;          ///< and of the peak displacement; an assumption
 constexpr const char* kBaselineStep = "\"baseline kind=end_at_rest\"";
+constexpr double kLargestRotation = 0.05;  ///< sin and cos are 1 and 0 within 0.13 % [rad]
 constexpr int kMaxHalvings = 10;
 constexpr double kMostSteps = 1.5e7;      ///< of one pass; some ten seconds in all
 constexpr double kEnergyAccuracy = 1e-6;  ///< of the largest input
@@ -93,33 +94,38 @@ class Quiet {
   Vector3 peak_ = Vector3::Zero();
 };
 
+/// The floor at one time.
+struct FloorSample {
+  Vector3 acceleration;
+  Vector2 dip = Vector2::Zero(), dip_acceleration = Vector2::Zero();  ///< towards h1 and h2
+};
+
 struct History {
-  std::vector<Vector3> acceleration;
+  std::vector<FloorSample> floor;
   bool quiet = true;
 };
 
-using FloorStep = std::function<Vector3(const Vector3& ground0, const Vector3& ground1)>;
+using FloorStep = std::function<FloorSample(const Vector3& ground0, const Vector3& ground1)>;
 
-History run(const Ground& ground, double time_step, double window, const Vector3& first,
+History run(const Ground& ground, double time_step, double window, const FloorSample& first,
             const FloorStep& step) {
   History history;
-  history.acceleration.push_back(first);
+  history.floor.push_back(first);
   Quiet quiet(window);
   const double end = static_cast<double>(ground.steps()) * time_step;
   for (Eigen::Index i = 0;; ++i) {
     const double time = static_cast<double>(i) * time_step;
     if (i >= ground.steps() && quiet.reached(time)) return history;
     if (time - end >= kLongestTail) break;
-    const Vector3 floor = step(ground.at(i), ground.at(i + 1));
-    history.acceleration.push_back(floor);
-    quiet.see(time + time_step, floor);
+    history.floor.push_back(step(ground.at(i), ground.at(i + 1)));
+    quiet.see(time + time_step, history.floor.back().acceleration);
   }
   history.quiet = false;
   return history;
 }
 
 struct IsolatedHistory {
-  History floor;
+  History history;
   IsolatorResponse isolators;
   bool lifted = false;
 };
@@ -141,10 +147,11 @@ IsolatedHistory run_isolated(const Ground& ground, const Building& building, int
     largest_input = std::max(largest_input, std::abs(energy.input));
     largest_closure = std::max(largest_closure, std::abs(energy.closure()));
     const Vector2 level = motion.floor_acceleration(floor);
-    return Vector3(level.x(), level.y(), vertical.step(ground0.z(), ground1.z()));
+    const Vector3 moved(level.x(), level.y(), vertical.step(ground0.z(), ground1.z()));
+    return FloorSample{moved, motion.floor_dip(floor), motion.floor_dip_acceleration(floor)};
   };
-  const Vector3 first(0, 0, vertical.at_rest(ground.at(0).z()));
-  result.floor = run(ground, time_step, window, first, step);
+  const FloorSample first{Vector3(0, 0, vertical.at_rest(ground.at(0).z()))};
+  result.history = run(ground, time_step, window, first, step);
 
   IsolatorResponse& isolators = result.isolators;
   isolators.displacement.resize(2, static_cast<Eigen::Index>(displacement.size()));
@@ -161,13 +168,12 @@ IsolatedHistory run_isolated(const Ground& ground, const Building& building, int
 
 /// Largest difference of two horizontal motions over the peaks of the second.
 double change(const IsolatedHistory& coarse, const IsolatedHistory& fine) {
-  const std::size_t samples =
-      std::min(coarse.floor.acceleration.size(), fine.floor.acceleration.size());
+  const std::size_t samples = std::min(coarse.history.floor.size(), fine.history.floor.size());
   double acceleration = 0, peak = 0, displacement = 0;
   for (std::size_t i = 0; i < samples; ++i) {
     const auto column = static_cast<Eigen::Index>(i);
-    const Vector2 a = coarse.floor.acceleration[i].head<2>();
-    const Vector2 b = fine.floor.acceleration[i].head<2>();
+    const Vector2 a = coarse.history.floor[i].acceleration.head<2>();
+    const Vector2 b = fine.history.floor[i].acceleration.head<2>();
     acceleration = std::max(acceleration, (a - b).norm());
     peak = std::max(peak, b.norm());
     displacement = std::max(displacement, (coarse.isolators.displacement.col(column) -
@@ -198,7 +204,7 @@ IsolatedHistory solve_isolated(const Ground& ground, const Building& building, i
     substeps *= 2;
     IsolatedHistory fine = solve();
     fine.isolators.change = change(coarse, fine);
-    const double next = 2.0 * substeps * static_cast<double>(fine.floor.acceleration.size());
+    const double next = 2.0 * substeps * static_cast<double>(fine.history.floor.size());
     if (fine.isolators.change <= kAccuracy || halving + 1 == kMaxHalvings || next > kMostSteps)
       return fine;
     coarse = std::move(fine);
@@ -208,16 +214,46 @@ IsolatedHistory solve_isolated(const Ground& ground, const Building& building, i
 History solve_fixed(const Ground& ground, const Building& building, int floor, double time_step,
                     double window) {
   std::vector<ModalResponse> axes;
-  Vector3 first;
+  FloorSample first;
   for (const Direction direction : kDirections) {
     axes.emplace_back(building[direction], floor, time_step);
     const int row = static_cast<int>(direction);
-    first[row] = axes.back().at_rest(ground.at(0)[row]);
+    first.acceleration[row] = axes.back().at_rest(ground.at(0)[row]);
+    if (row < 2) first.dip_acceleration[row] = axes.back().rotation_acceleration(ground.at(0)[row]);
   }
   return run(ground, time_step, window, first, [&](const Vector3& a, const Vector3& b) {
-    return Vector3(axes[0].step(a.x(), b.x()), axes[1].step(a.y(), b.y()),
-                   axes[2].step(a.z(), b.z()));
+    FloorSample sample{Vector3(axes[0].step(a.x(), b.x()), axes[1].step(a.y(), b.y()),
+                               axes[2].step(a.z(), b.z()))};
+    for (int row = 0; row < 2; ++row) {
+      const ModalResponse& axis = axes[static_cast<std::size_t>(row)];
+      sample.dip[row] = axis.rotation();
+      sample.dip_acceleration[row] = axis.rotation_acceleration(b[row]);
+    }
+    return sample;
   });
+}
+
+/// A floor that dips towards h1 turns about h2; one that dips towards h2, against h1.
+FloorRotation rotation_of(const std::vector<FloorSample>& floor) {
+  const auto samples = static_cast<Eigen::Index>(floor.size());
+  FloorRotation rotation{Eigen::Matrix2Xd(2, samples), Eigen::Matrix2Xd(2, samples)};
+  for (Eigen::Index i = 0; i < samples; ++i) {
+    const FloorSample& sample = floor[static_cast<std::size_t>(i)];
+    rotation.angle.col(i) << -sample.dip.y(), sample.dip.x();
+    rotation.acceleration.col(i) << -sample.dip_acceleration.y(), sample.dip_acceleration.x();
+  }
+  return rotation;
+}
+
+void report_rotation(Record& floor) {
+  const Vector2 peak = floor.rotation->angle.cwiseAbs().rowwise().maxCoeff();
+  floor.processing.push_back(fmt::format(
+      "the floor rotates: peak {:.3g} rad about h1, {:.3g} rad about h2", peak.x(), peak.y()));
+  if (peak.maxCoeff() > kLargestRotation)
+    floor.warnings.push_back(
+        fmt::format("the floor rotates by {:.3g} rad; the engine takes rotations as small, up to "
+                    "{:g} rad, and a building would not stay linear",
+                    peak.maxCoeff(), kLargestRotation));
 }
 
 std::string period_text(const ModalAxis& axis) {
@@ -280,6 +316,13 @@ void report_drift(const Record& ground, double tail, Record& floor) {
 
 }  // namespace
 
+bool rotates(const Building& building, int floor) {
+  for (const ModalAxis& axis : horizontal(building))
+    for (const Mode& mode : axis)
+      if (rotation_of(mode, floor) != 0) return true;
+  return false;
+}
+
 BuildingResponse building_response(const Record& ground, const Building& building, int floor) {
   require(ground.samples() > 1, fmt::format("record '{}' has no component", ground.name));
   require(floor >= 0 && floor <= building.storeys,
@@ -304,12 +347,12 @@ BuildingResponse building_response(const Record& ground, const Building& buildin
     IsolatedHistory isolated = solve_isolated(motion, building, floor, time_step, window);
     report_isolators(isolated, *building.isolation, record);
     response.isolators = std::move(isolated.isolators);
-    history = std::move(isolated.floor);
+    history = std::move(isolated.history);
   } else {
     history = solve_fixed(motion, building, floor, time_step, window);
   }
 
-  const auto samples = static_cast<Eigen::Index>(history.acceleration.size());
+  const auto samples = static_cast<Eigen::Index>(history.floor.size());
   record.processing.push_back(
       fmt::format("{:.4g} s of vibration after the ground's last sample; samples every {:.6g} s",
                   static_cast<double>(samples - 1 - motion.steps()) * time_step, time_step));
@@ -323,7 +366,11 @@ BuildingResponse building_response(const Record& ground, const Building& buildin
     component->acceleration.resize(samples);
     for (Eigen::Index i = 0; i < samples; ++i)
       component->acceleration[i] =
-          history.acceleration[static_cast<std::size_t>(i)][static_cast<int>(direction)];
+          history.floor[static_cast<std::size_t>(i)].acceleration[static_cast<int>(direction)];
+  }
+  if (rotates(building, floor)) {
+    record.rotation = rotation_of(history.floor);
+    report_rotation(record);
   }
   report_drift(ground, static_cast<double>(samples - 1 - motion.steps()) * time_step, record);
   return response;

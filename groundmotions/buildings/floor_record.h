@@ -6,7 +6,7 @@
 
 #include "groundmotions/buildings/building.h"
 #include "groundmotions/buildings/isolated_motion.h"
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

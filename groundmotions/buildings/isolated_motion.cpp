@@ -27,7 +27,9 @@ IsolatedMotion::IsolatedMotion(const Isolation& isolation, const std::array<Moda
     free_mass_[axis] = 1;
     for (const Mode& mode : axes[axis]) {
       const double mass = (1 - isolation.base_mass_ratio) * mode.effective_mass;
-      modes_[axis].push_back({mode.omega, mode.damping, mass, mode.effective_shape});
+      Eigen::VectorXd rotation = mode.effective_rotation;
+      if (rotation.size() == 0) rotation = Eigen::VectorXd::Zero(mode.effective_shape.size());
+      modes_[axis].push_back({mode.omega, mode.damping, mass, mode.effective_shape, rotation});
       free_mass_[axis] -= mass;
     }
     assert(free_mass_[axis] > 0);
@@ -145,6 +147,23 @@ Vector2 IsolatedMotion::floor_acceleration(Eigen::Index floor) const {
     for (const ModeState& mode : modes)
       result[axis] += mode.shape[floor] * (mode.absolute_acceleration() - base);
   }
+  return result;
+}
+
+Vector2 IsolatedMotion::floor_dip(Eigen::Index floor) const {
+  Vector2 dip = Vector2::Zero();
+  for (int axis = 0; axis < 2; ++axis)
+    for (const ModeState& mode : modes_[static_cast<std::size_t>(axis)])
+      dip[axis] += mode.rotation[floor] * mode.q;
+  return dip;
+}
+
+Vector2 IsolatedMotion::floor_dip_acceleration(Eigen::Index floor) const {
+  const Vector2 base = floor_acceleration(0);
+  Vector2 result = Vector2::Zero();
+  for (int axis = 0; axis < 2; ++axis)
+    for (const ModeState& mode : modes_[static_cast<std::size_t>(axis)])
+      result[axis] += mode.rotation[floor] * (mode.absolute_acceleration() - base[axis]);
   return result;
 }
 

@@ -59,13 +59,16 @@ class IsolatedMotion {
   const Vector2& hysteresis() const { return z_; }       ///< z [-]
   Vector2 force() const;                                 ///< f [m/s2]
   Vector2 floor_acceleration(Eigen::Index floor) const;  ///< absolute; 0: base floor [m/s2]
+  /// How far a floor dips towards h1 and h2, and the second derivative [rad], [rad/s2].
+  Vector2 floor_dip(Eigen::Index floor) const;
+  Vector2 floor_dip_acceleration(Eigen::Index floor) const;
   bool lifted() const { return lifted_; }  ///< the vertical motion took all load off at some time
   IsolationEnergy energy() const;
 
  private:
   struct ModeState {
     double omega, damping, mass;
-    Eigen::VectorXd shape;
+    Eigen::VectorXd shape, rotation;  ///< rotation: at every floor
     double q = 0, w = 0;
 
     double absolute_acceleration() const { return -(2 * damping * w + omega * q) * omega; }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/base/config/table.h"
+#include "engine/config/table.h"
 #include "groundmotions/buildings/isolation.h"
 
 namespace gurney {

@@ -41,6 +41,32 @@ void set_damping(ModalAxis& axis, double ratio) {
   for (Mode& mode : axis) mode.damping = ratio;
 }
 
+namespace {
+
+/// Slope of the parabola through a floor and its two neighbours, or the two floors next to the roof.
+Eigen::VectorXd slopes(const Eigen::VectorXd& shape, double storey) {
+  const Eigen::Index roof = shape.size() - 1;
+  Eigen::VectorXd slope = Eigen::VectorXd::Zero(shape.size());
+  for (Eigen::Index i = 1; i < roof; ++i) slope[i] = (shape[i + 1] - shape[i - 1]) / (2 * storey);
+  // Below the base the shape of a clamped building is even about it.
+  const double below = roof > 1 ? shape[roof - 2] : shape[1];
+  slope[roof] = (3 * shape[roof] - 4 * shape[roof - 1] + below) / (2 * storey);
+  return slope;
+}
+
+}  // namespace
+
+double rotation_of(const Mode& mode, Eigen::Index floor) {
+  return mode.effective_rotation.size() > 0 ? mode.effective_rotation[floor] : 0.0;
+}
+
+void set_rotation(ModalAxis& axis, double height, double share) {
+  for (Mode& mode : axis) {
+    const auto storeys = static_cast<double>(mode.effective_shape.size() - 1);
+    mode.effective_rotation = share * slopes(mode.effective_shape, height / storeys);
+  }
+}
+
 void set_rayleigh_damping(ModalAxis& axis, double ratio, std::size_t first, std::size_t second) {
   const double a = axis.at(first).omega, b = axis.at(second).omega;
   for (Mode& mode : axis) mode.damping = ratio / (a + b) * (a * b / mode.omega + mode.omega);
@@ -65,6 +91,24 @@ double ModalResponse::step(double base0, double base1) {
                                                     mode.omega * mode.omega * q.displacement());
   }
   return acceleration;
+}
+
+double ModalResponse::rotation() const {
+  double angle = 0;
+  for (std::size_t i = 0; i < axis_.size(); ++i)
+    angle += rotation_of(axis_[i], floor_) * oscillators_[i].displacement();
+  return angle;
+}
+
+double ModalResponse::rotation_acceleration(double base) const {
+  double result = 0;
+  for (std::size_t i = 0; i < axis_.size(); ++i) {
+    const Mode& mode = axis_[i];
+    const Oscillator& q = oscillators_[i];
+    result -= rotation_of(mode, floor_) * (base + 2 * mode.damping * mode.omega * q.velocity() +
+                                           mode.omega * mode.omega * q.displacement());
+  }
+  return result;
 }
 
 }  // namespace gurney

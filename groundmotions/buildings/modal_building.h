@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "groundmotions/oscillator.h"
+#include "groundmotions/measures/oscillator.h"
 
 namespace gurney {
 
@@ -15,7 +15,10 @@ struct Mode {
   double omega = 0;                 ///< > 0 [rad/s]
   double damping = 0;               ///< zeta in [0, 1)
   Eigen::VectorXd effective_shape;  ///< Gamma phi at floors 0 (the base: 0) to n [-]
-  double effective_mass = 0;        ///< Gamma phi' M 1 as a share of the building's mass, in [0, 1]
+  /// Gamma theta: rotation of the floors as the building deforms, positive where a floor dips towards
+  /// its displacement, at floors 0 to n [rad/m]; empty: floors stay level.
+  Eigen::VectorXd effective_rotation;
+  double effective_mass = 0;  ///< Gamma phi' M 1 as a share of the building's mass, in [0, 1]
 };
 
 /// A linear building along one direction, by its modes in rising order; without modes it is rigid.
@@ -37,6 +40,15 @@ void scale_to_period(ModalAxis& axis, double period);
 
 void set_damping(ModalAxis& axis, double ratio);
 
+/// Effective rotation at a floor; 0 without any [rad/m].
+double rotation_of(const Mode& mode, Eigen::Index floor);
+
+/// Floors that rotate by `share` of the slope of the mode shapes: all of it where plane sections of
+/// the building stay plane and normal to its axis (a cantilever in bending), none of it where storeys
+/// shear. Floors are equally high.
+/// @param height  of the roof above the base, > 0 [m]
+void set_rotation(ModalAxis& axis, double height, double share);
+
 /// Rayleigh damping, zeta_i = alpha / (2 omega_i) + beta omega_i / 2, with `ratio` at the two modes
 /// (Chopra, section 11.4.1).
 /// @param first, second  indices of modes with different frequencies
@@ -56,6 +68,10 @@ class ModalResponse {
   /// Moves on by one time step; the floor's absolute acceleration at its end [m/s2].
   /// @param base0, base1  acceleration of the base at the begin and the end of the step [m/s2]
   double step(double base0, double base1);
+
+  /// Rotation of the floor now, and its second derivative under a base acceleration.
+  double rotation() const;                          ///< [rad]
+  double rotation_acceleration(double base) const;  ///< [rad/s2]
 
   /// The floor's acceleration at rest under a sudden acceleration of the base: that of the modes
   /// left out [m/s2].

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "groundmotions/acceleration_unit.h"
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/source_file.h"
+#include "groundmotions/record/acceleration_unit.h"
 
 namespace gurney {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/base/config/nearest_name.h"
 #include "engine/base/units.h"
+#include "engine/config/nearest_name.h"
 #include "groundmotions/formats/columns_csv_facts.h"
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"

@@ -5,7 +5,7 @@
 
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/source_file.h"
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

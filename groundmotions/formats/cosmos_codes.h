@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "groundmotions/acceleration_unit.h"
+#include "groundmotions/record/acceleration_unit.h"
 
 namespace gurney {
 

@@ -7,7 +7,6 @@
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
-#include "groundmotions/acceleration_unit.h"
 #include "groundmotions/formats/bbp.h"
 #include "groundmotions/formats/bhrc.h"
 #include "groundmotions/formats/columns_csv.h"
@@ -29,7 +28,8 @@
 #include "groundmotions/formats/usc_blocks.h"
 #include "groundmotions/formats/usc_volume.h"
 #include "groundmotions/formats/usgs_smc.h"
-#include "groundmotions/time_step_range.h"
+#include "groundmotions/record/acceleration_unit.h"
+#include "groundmotions/record/time_step_range.h"
 
 namespace gurney {
 

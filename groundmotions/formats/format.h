@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "groundmotions/formats/source_file.h"
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

@@ -1,26 +1,16 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "engine/base/number_text.h"
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/source_file.h"
 
 namespace gurney {
-
-/// The longest number at the start of `text`, which is shortened by it; nothing if there is none.
-/// Decimal only, whatever the locale; Fortran's D is an E (`1.5D-03`); a leading '+' is fine; NaN,
-/// infinities and numbers beyond the range of double are not numbers.
-std::optional<double> take_number(std::string_view& text);
-
-/// The number that `text` is, blanks around it apart.
-std::optional<double> number(std::string_view text);
-
-std::string_view trimmed(std::string_view text);
 
 /// `values` times `factor`.
 Eigen::VectorXd scaled(const std::vector<double>& values, double factor);

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

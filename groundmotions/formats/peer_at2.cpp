@@ -6,7 +6,6 @@
 #include <cctype>
 #include <cmath>
 
-#include "groundmotions/acceleration_unit.h"
 #include "groundmotions/formats/end_mark.h"
 #include "groundmotions/formats/header_text.h"
 #include "groundmotions/formats/mistakes.h"
@@ -15,6 +14,7 @@
 #include "groundmotions/formats/plain_rows.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/words.h"
+#include "groundmotions/record/acceleration_unit.h"
 
 namespace gurney {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/base/config/nearest_name.h"
+#include "engine/config/nearest_name.h"
 #include "groundmotions/formats/numbers.h"
 
 namespace gurney {

@@ -8,12 +8,12 @@
 #include <cstring>
 
 #include "engine/base/units.h"
-#include "groundmotions/acceleration_unit.h"
 #include "groundmotions/formats/calendar.h"
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/stated.h"
+#include "groundmotions/record/acceleration_unit.h"
 
 namespace gurney {
 

@@ -3,10 +3,10 @@
 #include <optional>
 #include <string_view>
 
-#include "groundmotions/acceleration_unit.h"
 #include "groundmotions/formats/format.h"
 #include "groundmotions/formats/mistakes.h"
-#include "groundmotions/time_step_range.h"
+#include "groundmotions/record/acceleration_unit.h"
+#include "groundmotions/record/time_step_range.h"
 
 /// What a file says of itself, checked against the user's options and against its samples. Lines
 /// are counted from 1.

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "groundmotions/formats/numbers.h"
-#include "groundmotions/time_step_range.h"
+#include "groundmotions/record/time_step_range.h"
 
 namespace gurney {
 

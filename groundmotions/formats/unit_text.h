@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "groundmotions/acceleration_unit.h"
+#include "groundmotions/record/acceleration_unit.h"
 
 namespace gurney {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
+#include "engine/config/nearest_name.h"
 #include "groundmotions/measures/combined_spectrum.h"
 #include "groundmotions/measures/peaks.h"
 #include "groundmotions/measures/plain_name.h"

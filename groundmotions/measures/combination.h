@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "groundmotions/measures/measure.h"
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "groundmotions/measures/combination.h"
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
+#include "engine/base/number_text.h"
 #include "engine/base/units.h"
-#include "groundmotions/formats/numbers.h"
+#include "engine/config/nearest_name.h"
 #include "groundmotions/measures/cumulative.h"
 #include "groundmotions/measures/fiv3.h"
 #include "groundmotions/measures/frequency_content.h"

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "groundmotions/oscillator.h"
+#include "groundmotions/measures/oscillator.h"
 
 namespace gurney {
 

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "groundmotions/processing/integrate.h"
+#include "groundmotions/measures/integrate.h"
 
 namespace gurney {
 

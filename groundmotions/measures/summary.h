@@ -6,7 +6,7 @@
 
 #include "groundmotions/measures/combination.h"
 #include "groundmotions/measures/measure.h"
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

@@ -5,7 +5,7 @@
 #include <Eigen/QR>
 
 #include "engine/base/error.h"
-#include "groundmotions/processing/integrate.h"
+#include "groundmotions/measures/integrate.h"
 
 namespace gurney {
 

@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "engine/base/error.h"
+#include "groundmotions/measures/integrate.h"
+#include "groundmotions/measures/residual.h"
 #include "groundmotions/processing/baseline.h"
-#include "groundmotions/processing/integrate.h"
 #include "groundmotions/processing/resample.h"
 #include "groundmotions/processing/rotate.h"
 #include "groundmotions/processing/taper.h"
-#include "groundmotions/residual.h"
 
 namespace gurney {
 

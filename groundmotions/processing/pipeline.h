@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "groundmotions/processing/step.h"
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

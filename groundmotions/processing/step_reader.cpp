@@ -5,8 +5,8 @@
 #include <array>
 #include <utility>
 
-#include "engine/base/config/nearest_name.h"
 #include "engine/base/units.h"
+#include "engine/config/nearest_name.h"
 #include "groundmotions/processing/baseline.h"
 
 namespace gurney {

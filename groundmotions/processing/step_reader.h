@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/config/table.h"
+#include "engine/config/table.h"
 #include "groundmotions/processing/step.h"
 
 namespace gurney {

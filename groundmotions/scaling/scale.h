@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

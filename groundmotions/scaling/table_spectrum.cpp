@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/base/number_text.h"
 #include "engine/base/units.h"
 #include "groundmotions/formats/mistakes.h"
-#include "groundmotions/formats/numbers.h"
 #include "groundmotions/scaling/target_spectrum.h"
 
 namespace gurney {

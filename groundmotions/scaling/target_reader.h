@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "engine/base/config/table.h"
+#include "engine/config/table.h"
 #include "groundmotions/scaling/target_spectrum.h"
 
 namespace gurney {

@@ -1,6 +1,6 @@
 #include "groundmotions/suites/csv_row.h"
 
-#include "groundmotions/formats/numbers.h"
+#include "engine/base/number_text.h"
 
 namespace gurney {
 

@@ -7,12 +7,12 @@
 #include <sstream>
 #include <utility>
 
-#include "engine/base/config/nearest_name.h"
-#include "groundmotions/acceleration_unit.h"
+#include "engine/base/number_text.h"
+#include "engine/config/nearest_name.h"
 #include "groundmotions/formats/mistakes.h"
-#include "groundmotions/formats/numbers.h"
+#include "groundmotions/record/acceleration_unit.h"
+#include "groundmotions/record/time_step_range.h"
 #include "groundmotions/suites/csv_row.h"
-#include "groundmotions/time_step_range.h"
 
 namespace gurney {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "engine/base/config/file_snapshot.h"
 #include "engine/base/error.h"
+#include "engine/config/file_snapshot.h"
 #include "groundmotions/suites/folder_suite.h"
 #include "groundmotions/suites/glob.h"
 #include "groundmotions/suites/list_suite.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

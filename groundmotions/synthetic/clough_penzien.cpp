@@ -9,7 +9,7 @@
 #include "engine/base/random/normal_draw.h"
 #include "engine/base/units.h"
 #include "groundmotions/formats/columns_csv.h"
-#include "groundmotions/oscillator.h"
+#include "groundmotions/measures/oscillator.h"
 #include "groundmotions/synthetic/end_state.h"
 
 namespace gurney {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <numbers>
 
-#include "groundmotions/processing/integrate.h"
+#include "groundmotions/measures/integrate.h"
 
 namespace gurney {
 

@@ -5,10 +5,10 @@
 #include <limits>
 #include <sstream>
 
-#include "engine/base/config/document.h"
-#include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
-#include "groundmotions/formats/numbers.h"
+#include "engine/base/number_text.h"
+#include "engine/config/document.h"
+#include "engine/config/nearest_name.h"
 #include "groundmotions/synthetic/component.h"
 
 namespace gurney {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/config/range.h"
-#include "engine/base/config/table.h"
-#include "groundmotions/record.h"
+#include "engine/config/range.h"
+#include "engine/config/table.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

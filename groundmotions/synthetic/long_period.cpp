@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "engine/base/error.h"
+#include "groundmotions/measures/integrate.h"
 #include "groundmotions/measures/peaks.h"
-#include "groundmotions/processing/integrate.h"
 #include "groundmotions/synthetic/clough_penzien.h"
 #include "groundmotions/synthetic/component.h"
 #include "groundmotions/synthetic/end_state.h"

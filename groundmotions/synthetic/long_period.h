@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "groundmotions/record.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney {
 

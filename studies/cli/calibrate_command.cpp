@@ -6,10 +6,10 @@
 #include <memory>
 
 #include "engine/base/error.h"
-#include "studies/calibration/caster_file.h"
+#include "studies/calibration/fit/caster_file.h"
 #include "studies/cli/signals.h"
 #include "studies/report/calibration_report.h"
-#include "studies/results/output_files.h"
+#include "studies/study/results/output_files.h"
 
 namespace gurney {
 namespace {

@@ -9,14 +9,14 @@
 #include <thread>
 
 #include "engine/base/units.h"
-#include "studies/batch/declared_ranges.h"
-#include "studies/batch/estimate.h"
 #include "studies/cli/json_errors.h"
 #include "studies/cli/study_size.h"
 #include "studies/report/scale_factors_json.h"
 #include "studies/report/wrapped.h"
-#include "studies/run_job.h"
-#include "studies/study/stages.h"
+#include "studies/study/plan/stages.h"
+#include "studies/study/prepare/run_job.h"
+#include "studies/study/run/declared_ranges.h"
+#include "studies/study/run/estimate.h"
 
 namespace gurney {
 namespace {

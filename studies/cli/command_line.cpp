@@ -11,9 +11,9 @@
 #include <memory>
 #include <new>
 
-#include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
 #include "engine/base/printable.h"
+#include "engine/config/nearest_name.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/calibrate_command.h"
 #include "studies/cli/check_command.h"

@@ -9,7 +9,7 @@
 #include "studies/cli/figure_option.h"
 #include "studies/cli/records_output.h"
 #include "studies/report/convergence_report.h"
-#include "studies/results/output_files.h"
+#include "studies/study/results/output_files.h"
 
 namespace gurney {
 namespace {

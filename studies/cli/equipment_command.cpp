@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/error.h"
-#include "equipment/catalogue.h"
-#include "equipment/check_file.h"
-#include "equipment/implausible.h"
-#include "equipment/load_item.h"
+#include "equipment/catalogue/catalogue.h"
+#include "equipment/catalogue/check_file.h"
+#include "equipment/catalogue/implausible.h"
+#include "equipment/catalogue/load_item.h"
 #include "studies/cli/figure_option.h"
 #include "studies/cli/json_errors.h"
 #include "studies/cli/records_output.h"

@@ -7,16 +7,16 @@
 #include <string>
 
 #include "engine/base/error.h"
-#include "studies/analysis/overview.h"
+#include "studies/calibration/pulling/trials.h"
 #include "studies/cli/new_folder.h"
 #include "studies/cli/standard_error.h"
-#include "studies/exports/csv_tables.h"
-#include "studies/exports/nrml.h"
-#include "studies/exports/pelicun.h"
-#include "studies/exports/response_csv.h"
-#include "studies/exports/trials.h"
-#include "studies/exports/xdmf.h"
-#include "studies/results/output_files.h"
+#include "studies/study/analysis/overview.h"
+#include "studies/study/exports/csv_tables.h"
+#include "studies/study/exports/nrml.h"
+#include "studies/study/exports/pelicun.h"
+#include "studies/study/exports/response_csv.h"
+#include "studies/study/exports/xdmf.h"
+#include "studies/study/results/output_files.h"
 
 namespace gurney {
 namespace {

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <memory>
 
-#include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
+#include "engine/config/nearest_name.h"
 #include "studies/cli/figure_option.h"
 #include "studies/cli/records_output.h"
-#include "studies/limit_states/limit_state_reader.h"
 #include "studies/report/fragility_report.h"
 #include "studies/report/vector_report.h"
+#include "studies/study/limit_states/limit_state_reader.h"
 
 namespace gurney {
 namespace {

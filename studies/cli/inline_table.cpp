@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "engine/base/error.h"
-#include "groundmotions/formats/numbers.h"
+#include "engine/base/number_text.h"
 
 namespace gurney {
 namespace {

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "engine/base/error.h"
-#include "studies/limit_states/limit_state_reader.h"
 #include "studies/report/measure_report.h"
+#include "studies/study/limit_states/limit_state_reader.h"
 
 namespace gurney {
 namespace {

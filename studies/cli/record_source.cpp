@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <optional>
 
-#include "engine/base/config/document.h"
-#include "engine/base/config/table.h"
 #include "engine/base/error.h"
-#include "groundmotions/acceleration_unit.h"
+#include "engine/config/document.h"
+#include "engine/config/table.h"
 #include "groundmotions/processing/pipeline.h"
 #include "groundmotions/processing/step_reader.h"
+#include "groundmotions/record/acceleration_unit.h"
 #include "studies/cli/inline_table.h"
 #include "studies/cli/standard_error.h"
 #include "studies/report/record_report.h"

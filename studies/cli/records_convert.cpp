@@ -7,16 +7,16 @@
 #include <memory>
 #include <optional>
 
-#include "engine/base/config/document.h"
 #include "engine/base/error.h"
 #include "engine/base/units.h"
+#include "engine/config/document.h"
 #include "groundmotions/formats/at2_text.h"
 #include "studies/cli/inline_table.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"
 #include "studies/cli/signals.h"
-#include "studies/job/scale_reader.h"
-#include "studies/results/output_files.h"
+#include "studies/study/job/scale_reader.h"
+#include "studies/study/results/output_files.h"
 
 namespace gurney {
 namespace {

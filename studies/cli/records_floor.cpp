@@ -37,6 +37,11 @@ int floor_of(const std::string& text, const Building& building) {
   return floor;
 }
 
+/// How far the floor dips along a horizontal direction: its rotation about the other one [rad].
+double peak_dip(const FloorRotation& rotation, Direction direction) {
+  return rotation.angle.row(direction == Direction::kH1 ? 1 : 0).cwiseAbs().maxCoeff();
+}
+
 /// PGA and PGV, PFA and PFV of the components.
 nlohmann::ordered_json facts_json(const Building& building, int floor, const Record& ground,
                                   const BuildingResponse& response) {
@@ -51,6 +56,8 @@ nlohmann::ordered_json facts_json(const Building& building, int floor, const Rec
                                  {"pgv_m_per_s", below.velocity},
                                  {"pfa_m_per_s2", peak.acceleration},
                                  {"pfv_m_per_s", peak.velocity}};
+    if (response.floor.rotation && direction != Direction::kVertical)
+      facts[name_of(direction)]["peak_dip_rad"] = peak_dip(*response.floor.rotation, direction);
   }
   if (response.isolators)
     facts["isolators"] = {{"peak_m", response.isolators->peak},
@@ -72,6 +79,10 @@ void print_facts(const Building& building, int floor, const Record& ground,
                name_of(direction), below.acceleration / kStandardGravity,
                peak.acceleration / kStandardGravity, below.velocity, peak.velocity);
   }
+  if (response.floor.rotation)
+    fmt::print("  floor dips by up to {:.2g} rad along h1, {:.2g} rad along h2\n",
+               peak_dip(*response.floor.rotation, Direction::kH1),
+               peak_dip(*response.floor.rotation, Direction::kH2));
   if (response.isolators)
     fmt::print("  isolators {:.3g} m, {:.2g} m left at the end\n", response.isolators->peak,
                response.isolators->residual.norm());

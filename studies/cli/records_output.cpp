@@ -9,7 +9,7 @@
 #include "engine/base/error.h"
 #include "groundmotions/formats/columns_csv.h"
 #include "studies/cli/signals.h"
-#include "studies/results/output_files.h"
+#include "studies/study/results/output_files.h"
 
 namespace gurney {
 

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "engine/base/config/document.h"
 #include "engine/base/error.h"
-#include "groundmotions/formats/numbers.h"
+#include "engine/base/number_text.h"
+#include "engine/config/document.h"
 #include "groundmotions/measures/combined_spectrum.h"
 #include "groundmotions/measures/response_spectrum.h"
 #include "groundmotions/scaling/suite_scaling.h"
@@ -23,7 +23,7 @@
 #include "studies/cli/signals.h"
 #include "studies/cli/standard_error.h"
 #include "studies/report/suite_figure.h"
-#include "studies/results/output_files.h"
+#include "studies/study/results/output_files.h"
 
 namespace gurney {
 namespace {

@@ -9,14 +9,14 @@
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
 #include "engine/base/input_file.h"
-#include "studies/batch/run_unit.h"
-#include "studies/batch/study_identity.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/run_output.h"
 #include "studies/cli/standard_error.h"
-#include "studies/results/columns.h"
-#include "studies/study/data_files.h"
-#include "studies/study_results/study_reader.h"
+#include "studies/study/plan/data_files.h"
+#include "studies/study/results/columns.h"
+#include "studies/study/results/study_reader.h"
+#include "studies/study/run/run_unit.h"
+#include "studies/study/run/study_identity.h"
 
 namespace gurney {
 namespace {

@@ -7,7 +7,7 @@
 #include "engine/base/error.h"
 #include "studies/cli/run_output.h"
 #include "studies/cli/run_study.h"
-#include "studies/study/study_job.h"
+#include "studies/study/plan/study_job.h"
 
 namespace gurney {
 namespace {

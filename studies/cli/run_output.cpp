@@ -5,13 +5,13 @@
 
 #include <chrono>
 
-#include "engine/simulate.h"
+#include "engine/baselines/any_solver.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/signals.h"
 #include "studies/report/figure.h"
 #include "studies/report/summary.h"
-#include "studies/results/output_files.h"
-#include "studies/results/results_file.h"
+#include "studies/study/results/output_files.h"
+#include "studies/study/results/results_file.h"
 
 namespace gurney {
 namespace {
@@ -60,7 +60,7 @@ void check_output(const RunOutput& output) {
 
 Response run_and_write(const PreparedRun& run, const RunOutput& output) {
   const auto start = Clock::now();
-  Response response = simulate(run.facts.scene, run.excitation, run.facts.settings);
+  Response response = simulate_with_any_solver(run.facts.scene, run.excitation, run.facts.settings);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   {
     const SignalsHeld until_written;

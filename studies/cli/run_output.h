@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
-#include "engine/response.h"
-#include "studies/run_job.h"
+#include "engine/response/response.h"
+#include "studies/study/prepare/run_job.h"
 
 namespace gurney {
 

@@ -12,9 +12,6 @@
 #include <thread>
 
 #include "engine/base/error.h"
-#include "studies/batch/declared_ranges.h"
-#include "studies/batch/run_batch.h"
-#include "studies/batch/study_identity.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/signals.h"
 #include "studies/cli/standard_error.h"
@@ -23,9 +20,12 @@
 #include "studies/report/failed_runs.h"
 #include "studies/report/scale_factors_json.h"
 #include "studies/report/wrapped.h"
-#include "studies/results/output_files.h"
-#include "studies/study_results/complete_study.h"
-#include "studies/study_results/study_file.h"
+#include "studies/study/results/output_files.h"
+#include "studies/study/run/complete_study.h"
+#include "studies/study/run/declared_ranges.h"
+#include "studies/study/run/run_batch.h"
+#include "studies/study/run/study_file.h"
+#include "studies/study/run/study_identity.h"
 
 namespace gurney {
 namespace {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "studies/analysis/overview.h"
 #include "studies/report/overview_report.h"
+#include "studies/study/analysis/overview.h"
 
 namespace gurney {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/batch/run_batch.h"
+#include "studies/study/run/run_batch.h"
 
 namespace gurney {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "engine/base/error.h"
-#include "studies/batch/estimate.h"
+#include "studies/study/run/estimate.h"
 
 namespace gurney {
 

@@ -10,7 +10,7 @@
 
 #include "studies/report/verification_figure.h"
 #include "studies/report/verification_report.h"
-#include "studies/results/output_files.h"
+#include "studies/study/results/output_files.h"
 #include "studies/verification/cases.h"
 #include "studies/verification/verify.h"
 

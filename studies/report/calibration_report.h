@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "studies/calibration/calibration.h"
+#include "studies/calibration/fit/calibration.h"
 
 namespace gurney {
 

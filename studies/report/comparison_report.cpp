@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studies/analysis/curve_audit.h"
-#include "studies/analysis/report_unit.h"
+#include "studies/study/analysis/curve_audit.h"
+#include "studies/study/analysis/report_unit.h"
 
 namespace gurney {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "studies/analysis/input_differences.h"
-#include "studies/analysis/study_comparison.h"
+#include "studies/study/analysis/input_differences.h"
+#include "studies/study/analysis/study_comparison.h"
 
 namespace gurney {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studies/convergence/judge.h"
 #include "studies/report/convergence_report.h"
 #include "studies/report/panel.h"
+#include "studies/study/convergence/judge.h"
 
 namespace gurney {
 namespace {

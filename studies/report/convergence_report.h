@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "studies/convergence/convergence.h"
+#include "studies/study/convergence/convergence.h"
 
 namespace gurney {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "equipment/support.h"
+#include "equipment/catalogue/support.h"
 #include "studies/report/equipment_report.h"
 #include "studies/report/panel.h"
 

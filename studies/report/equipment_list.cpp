@@ -5,13 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/units.h"
-#include "equipment/caster_type.h"
-#include "equipment/catalogue.h"
-#include "equipment/floor_covering.h"
-#include "equipment/item_sheet.h"
-#include "equipment/load_item.h"
-#include "equipment/room_description.h"
-#include "equipment/tether_type.h"
+#include "equipment/catalogue/caster_type.h"
+#include "equipment/catalogue/catalogue.h"
+#include "equipment/catalogue/floor_covering.h"
+#include "equipment/catalogue/item_sheet.h"
+#include "equipment/catalogue/load_item.h"
+#include "equipment/catalogue/room_description.h"
+#include "equipment/catalogue/tether_type.h"
 
 namespace gurney {
 namespace {

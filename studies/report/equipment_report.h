@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "engine/scene/contact_pair.h"
-#include "equipment/assumption.h"
-#include "equipment/item_sheet.h"
+#include "equipment/catalogue/assumption.h"
+#include "equipment/catalogue/item_sheet.h"
 
 namespace gurney {
 

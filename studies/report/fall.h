@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/response.h"
-#include "studies/results/run_facts.h"
+#include "engine/response/response.h"
+#include "studies/study/results/run_facts.h"
 
 namespace gurney {
 

@@ -8,7 +8,7 @@
 #include "engine/base/units.h"
 #include "studies/report/panel.h"
 #include "studies/report/plan_view.h"
-#include "studies/results/names.h"
+#include "studies/study/results/names.h"
 
 namespace gurney {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "engine/response.h"
-#include "studies/results/run_facts.h"
+#include "engine/response/response.h"
+#include "studies/study/results/run_facts.h"
 
 namespace gurney {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/response.h"
+#include "engine/response/response.h"
 #include "engine/scene/scene.h"
 
 namespace gurney {

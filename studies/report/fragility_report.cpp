@@ -6,8 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "studies/analysis/performance.h"
 #include "studies/report/scale_factors_json.h"
+#include "studies/study/analysis/performance.h"
 
 namespace gurney {
 namespace {

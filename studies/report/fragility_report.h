@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/analysis/fragility_result.h"
+#include "studies/study/analysis/fragility_result.h"
 
 namespace gurney {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/analysis/measure_choice.h"
+#include "studies/study/analysis/measure_choice.h"
 
 namespace gurney {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "studies/analysis/overview.h"
+#include "studies/study/analysis/overview.h"
 
 namespace gurney {
 

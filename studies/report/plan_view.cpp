@@ -7,7 +7,7 @@
 
 #include "engine/base/units.h"
 #include "studies/report/footprint.h"
-#include "studies/results/names.h"
+#include "studies/study/results/names.h"
 
 namespace gurney {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/response.h"
+#include "engine/response/response.h"
 #include "engine/scene/scene.h"
 #include "studies/report/panel.h"
 

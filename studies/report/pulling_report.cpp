@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "studies/trials/setup_reader.h"
+#include "studies/calibration/trials/setup_reader.h"
 
 namespace gurney {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "studies/pulling/measured_trial.h"
-#include "studies/pulling/method_check.h"
+#include "studies/calibration/pulling/measured_trial.h"
+#include "studies/calibration/pulling/method_check.h"
 
 /// The pulling tests of a study as the figures of Xu, Ma & Kurata 2022 (docs/pulling_tests.md).
 namespace gurney {

@@ -7,8 +7,8 @@
 
 #include "engine/base/units.h"
 #include "groundmotions/measures/combined_spectrum.h"
+#include "groundmotions/measures/integrate.h"
 #include "groundmotions/measures/response_spectrum.h"
-#include "groundmotions/processing/integrate.h"
 #include "studies/report/panel.h"
 
 namespace gurney {

@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/units.h"
+#include "groundmotions/measures/integrate.h"
 #include "groundmotions/measures/summary.h"
-#include "groundmotions/processing/integrate.h"
 #include "studies/report/record_report.h"
 
 namespace gurney {

@@ -8,10 +8,10 @@
 
 #include "engine/base/units.h"
 #include "groundmotions/assembly/plausibility.h"
+#include "groundmotions/measures/integrate.h"
+#include "groundmotions/measures/residual.h"
 #include "groundmotions/measures/summary.h"
-#include "groundmotions/processing/integrate.h"
-#include "groundmotions/record_motion.h"
-#include "groundmotions/residual.h"
+#include "groundmotions/record/record_motion.h"
 
 namespace gurney {
 namespace {

@@ -9,7 +9,7 @@
 #include "engine/base/hash/sha256.h"
 #include "engine/base/units.h"
 #include "groundmotions/measures/combination.h"
-#include "groundmotions/processing/integrate.h"
+#include "groundmotions/measures/integrate.h"
 #include "studies/report/record_report.h"
 
 namespace gurney {

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "studies/analysis/scale_factors.h"
+#include "studies/study/analysis/scale_factors.h"
 
 namespace gurney {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studies/analysis/report_unit.h"
 #include "studies/report/panel.h"
 #include "studies/report/sensitivity_report.h"
+#include "studies/study/analysis/report_unit.h"
 
 namespace gurney {
 namespace {

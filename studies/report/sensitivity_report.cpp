@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "studies/analysis/report_unit.h"
+#include "studies/study/analysis/report_unit.h"
 
 namespace gurney {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/analysis/study_sensitivity.h"
+#include "studies/study/analysis/study_sensitivity.h"
 
 namespace gurney {
 

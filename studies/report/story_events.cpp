@@ -7,7 +7,7 @@
 #include "studies/report/fall.h"
 #include "studies/report/footprint.h"
 #include "studies/report/story.h"
-#include "studies/results/names.h"
+#include "studies/study/results/names.h"
 
 namespace gurney {
 namespace {

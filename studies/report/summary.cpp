@@ -10,8 +10,8 @@
 #include "engine/base/units.h"
 #include "studies/report/story.h"
 #include "studies/report/wrapped.h"
-#include "studies/results/columns.h"
-#include "studies/results/names.h"
+#include "studies/study/results/columns.h"
+#include "studies/study/results/names.h"
 
 namespace gurney {
 namespace {

@@ -4,8 +4,8 @@
 #include "studies/report/fall.h"
 #include "studies/report/story.h"
 #include "studies/report/summary.h"
-#include "studies/results/columns.h"
-#include "studies/results/names.h"
+#include "studies/study/results/columns.h"
+#include "studies/study/results/names.h"
 
 namespace gurney {
 namespace {

@@ -59,6 +59,11 @@ Family order_heave();
 Family order_turning();
 Family determinism();
 
+// rotation of the floor
+Family tilted_floor();
+Family rocking_floor();
+Family rocking_floor_loads();
+
 // impacts
 Family wall_rebound();
 Family wall_spring();

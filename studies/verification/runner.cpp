@@ -1,13 +1,13 @@
 #include "studies/verification/runner.h"
 
-#include "engine/simulate.h"
+#include "engine/baselines/any_solver.h"
 
 namespace gurney::verification {
 
 Response Runner::operator()(Findings& findings, const Scene& scene, const Excitation& excitation,
                             SimulationSettings settings) const {
   settings.solver = solver_;
-  Response response = simulate(scene, excitation, settings);
+  Response response = simulate_with_any_solver(scene, excitation, settings);
   if (is_failure(response.outcome))
     findings.checks.push_back({"runs that failed", "", 1, 0, 0, response.cause});
   if (const auto steps = static_cast<double>(response.quality.unconverged_steps); steps > 0)

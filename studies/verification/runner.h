@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/response.h"
+#include "engine/response/response.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
 #include "studies/verification/check.h"
@@ -17,7 +17,7 @@ class Runner {
   Response operator()(Findings& findings, const Scene& scene, const Excitation& excitation,
                       SimulationSettings settings) const;
 
-  /// Stock Bullet knows no fixtures (engine/bullet/stock_baseline.h): a case leaves them out.
+  /// Stock Bullet knows no fixtures (engine/baselines/stock_baseline.h): a case leaves them out.
   bool stock() const { return solver_ != Solver::kStar; }
 
  private:

@@ -6,8 +6,8 @@
 #include <chrono>
 #include <exception>
 
-#include "engine/base/config/nearest_name.h"
 #include "engine/base/error.h"
+#include "engine/config/nearest_name.h"
 
 namespace gurney::verification {
 namespace {

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "engine/base/units.h"
-#include "equipment/catalogue.h"
-#include "equipment/load_item.h"
-#include "groundmotions/record_motion.h"
+#include "equipment/catalogue/catalogue.h"
+#include "equipment/catalogue/load_item.h"
+#include "groundmotions/record/record_motion.h"
 #include "groundmotions/synthetic/clough_penzien.h"
 
 namespace gurney::benchmark {

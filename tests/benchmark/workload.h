@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/simulate.h"
+#include "engine/run/simulate.h"
 
 /// What the benchmarks run: the shipped pulling-test trolley under synthetic three-component
 /// motions.

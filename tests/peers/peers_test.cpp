@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/simulate.h"
+#include "engine/run/simulate.h"
 #include "tests/benchmark/workload.h"
 #include "tests/peers/cross_check.h"
 

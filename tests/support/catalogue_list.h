@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "equipment/catalogue.h"
+#include "equipment/catalogue/catalogue.h"
 
 namespace gurney {
 

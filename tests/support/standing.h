@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/scene/scene.h"
-#include "equipment/load_item.h"
+#include "equipment/catalogue/load_item.h"
 
 namespace gurney {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "engine/base/units.h"
-#include "engine/simulate.h"
+#include "engine/run/simulate.h"
 #include "studies/verification/scenes/scenes.h"
 
 // What must be kept whatever happens: momentum (impulse of all forces) and energy. The losses of

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/simulate.h"
+#include "engine/run/simulate.h"
 #include "studies/verification/scenes/small_scenes.h"
 
 // The observed order is in studies/verification/cases/order.cpp.

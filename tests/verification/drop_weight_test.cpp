@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/simulate.h"
+#include "engine/run/simulate.h"
 #include "studies/verification/cases/drop_weight_rig.h"
 
 // What the closed forms of studies/verification/cases/drop_weight.cpp do not say.

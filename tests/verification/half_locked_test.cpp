@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "engine/base/units.h"
-#include "engine/simulate.h"
+#include "engine/run/simulate.h"
 #include "studies/verification/scenes/scenes.h"
 
 // The thresholds of such a cart are in studies/verification/cases/half_locked.cpp.

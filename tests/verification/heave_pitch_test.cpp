@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/simulate.h"
+#include "engine/run/simulate.h"
 #include "studies/verification/scenes/small_scenes.h"
 
 // The linear model of small vibrations is in studies/verification/cases/heave_pitch.cpp.

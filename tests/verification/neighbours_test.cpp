@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "engine/simulate.h"
+#include "engine/run/simulate.h"
 #include "studies/verification/scenes/blocks.h"
 #include "studies/verification/scenes/small_scenes.h"
 

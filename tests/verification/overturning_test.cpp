@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "engine/base/units.h"
-#include "engine/simulate.h"
+#include "engine/run/simulate.h"
 #include "studies/verification/scenes/scenes.h"
 #include "studies/verification/scenes/small_scenes.h"
 

@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "engine/simulate.h"
+#include "engine/baselines/any_solver.h"
 #include "studies/verification/scenes/scenes.h"
 #include "tests/support/error_text.h"
 
-// The baseline that is the model of Xu, Ma & Kurata 2022 (engine/bullet/paper_model.h) on a pull
+// The baseline that is the model of Xu, Ma & Kurata 2022 (engine/baselines/paper_model.h) on a pull
 // with a constant force, against Newton's law (pulling_test.cpp). Its errors are numbers that
 // docs/pulling_tests.md tells; a baseline that got better or worse by itself would be another one.
 namespace gurney {
@@ -40,7 +40,7 @@ struct Pull {
   Response run(Solver solver, double step) const {
     SimulationSettings settings = run_for(stop + 1, step, step);
     settings.solver = solver;
-    return simulate(scene, excitation, settings);
+    return simulate_with_any_solver(scene, excitation, settings);
   }
   static double at_release(const Response& response) {
     for (const Sample& s : response.items[0].history)

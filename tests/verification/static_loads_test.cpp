@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/base/units.h"
-#include "engine/simulate.h"
+#include "engine/run/simulate.h"
 #include "studies/verification/scenes/small_scenes.h"
 #include "tests/support/error_text.h"
 

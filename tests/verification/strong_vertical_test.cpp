@@ -2,15 +2,15 @@
 #include <cmath>
 #include <tuple>
 
-#include "engine/simulate.h"
-#include "equipment/catalogue.h"
-#include "equipment/load_item.h"
+#include "engine/run/simulate.h"
+#include "equipment/catalogue/catalogue.h"
+#include "equipment/catalogue/load_item.h"
 #include "groundmotions/assembly/read_record.h"
 #include "groundmotions/processing/pipeline.h"
-#include "groundmotions/record_motion.h"
+#include "groundmotions/record/record_motion.h"
 #include "studies/verification/scenes/blocks.h"
-#include "tests/groundmotions/real_records.h"
 #include "tests/support/standing.h"
+#include "tests/system/records/real_records.h"
 
 // Real records whose floor falls faster than gravity: Kaikoura 2016 at Te Mara Farm, Waiau (WTMC)
 // and Christchurch 2011 at Heathcote Valley (HVPS).

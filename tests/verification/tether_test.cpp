@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "engine/simulate.h"
+#include "engine/run/simulate.h"
 #include "studies/verification/scenes/blocks.h"
 
 // What cords do is a case of `gurney verify cord weak_cord`.

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/simulate.h"
+#include "engine/run/simulate.h"
 #include "studies/verification/scenes/blocks.h"
 
 // What a run tells of a block that hits a wall. The numbers are cases of `gurney verify impacts`.

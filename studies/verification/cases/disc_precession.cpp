@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "engine/base/units.h"
 #include "studies/verification/cases.h"
@@ -9,7 +10,7 @@ namespace gurney::verification {
 namespace {
 
 constexpr double kG = kStandardGravity;
-constexpr double kLed = 0.4, kSample = 1e-3;  // [s]
+constexpr double kLed = 0.4, kSample = 1e-3, kStep = 1.25e-4;  // [s]
 
 struct Precession {
   double mass, radius, axial, speed, yaw_rate;  // [kg], [m], C / (m r^2), [m/s], [rad/s]
@@ -62,29 +63,46 @@ double steady_height(const Precession& c) {
   return steady;
 }
 
+Response roll(const Precession& c, const Lead& lead, double step, double tread,
+              const Runner& runner, Findings& findings) {
+  Excitation excitation;
+  excitation.forces = {lead.x, lead.y};
+  return runner(findings, rolling_disc(c.disc(), c.speed, c.yaw_rate, tread), excitation,
+                disc_settings(step, kLed + 1, static_cast<int>(std::lround(0.01 / step))));
+}
+
+/// Of the axle's height once it is left alone.
+double largest(const Response& a, const Response& b) {
+  double most = 0;
+  const auto &first = a.items[0].history, &second = b.items[0].history;
+  for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i)
+    if (first[i].time > kLed - 1e-6)
+      most = std::max(most, std::abs(disc_axle(first[i]).z() - disc_axle(second[i]).z()));
+  return most;
+}
+
 Findings precess(const Precession& c, const Runner& runner) {
   Findings findings;
   const double steady = steady_height(c);
   const Lead lead(c, steady);
   findings.checks.push_back({"height of the axle 1 s later, of the equation integrated", "",
                              lead.height, steady, 1e-6, "it is steady"});
-  Excitation excitation;
-  excitation.forces = {lead.x, lead.y};
+  const auto rolled = [&](double step, double tread) {
+    return roll(c, lead, step, tread, runner, findings);
+  };
+  const Response fine = rolled(kStep, kDiscTread);
+  const double nutation = largest(rolled(2 * kStep, kDiscTread), fine) / 2 +
+                          2 * largest(rolled(kStep, kDiscTread / 2), fine);
   const Disc disc = c.disc();
-  const Response response = runner(findings, rolling_disc(disc, c.speed, c.yaw_rate), excitation,
-                                   disc_settings(2.5e-4, kLed + 1, 40));
   const double C = disc.C(), A = disc.A(), r = disc.radius, mgr = disc.m() * kG * r;
   const double mr2 = disc.m() * r * r;
-  const double nutation = 10 * mgr / (kDiscTread * r * r);
-  Track height("height of the axle", "",
-               "a nutation of ten times what the tread sinks in, m g / k, over r");
-  Track moment(
-      "moment that is left", "N m",
-      "a nutation changes the yaw rate by C w3 / A = 2 w3 times its size: that share of m g "
-      "r cos(theta)");
+  Track height("height of the axle", "", std::string("a nutation of ") + kDiscTolerance);
+  Track moment("moment that is left", "N m",
+               "a nutation of the height's tolerance changes the yaw rate by C w3 / A = 2 w3 times "
+               "its size: that share of m g r cos(theta)");
   Track middle("way of the circle's middle", "m",
                "that share of its radius, at both ends of the way");
-  const auto& history = response.items[0].history;
+  const auto& history = fine.items[0].history;
   Vector2 first = Vector2::Zero();
   bool begun = false;
   for (std::size_t i = 1; i < history.size(); ++i) {

@@ -128,7 +128,6 @@ struct Reference {
 struct Run {
   std::vector<Vector3> top;
   std::vector<double> time;
-  int fewest = 4;
 };
 
 Run run(const Feet& c, double step, const Runner& runner, Findings& findings) {
@@ -145,9 +144,6 @@ Run run(const Feet& c, double step, const Runner& runner, Findings& findings) {
   for (const Sample& s : response.items[0].history) {
     run.time.push_back(s.time);
     run.top.push_back(s.points[0].displacement);
-    int down = 0;
-    for (std::size_t i = 0; i < 4; ++i) down += s.wheels[i].normal_force > 0;
-    run.fewest = std::min(run.fewest, down);
   }
   return run;
 }
@@ -159,10 +155,11 @@ double largest(const std::vector<Vector3>& a, const std::vector<Vector3>& b) {
   return most;
 }
 
-constexpr const char* kFirstOrder =
-    "c h, a method of first order where feet land inside steps, c the larger of twice the "
-    "differences between 4 and 2 and between 2 and 1 ms over the longer step; and what the "
-    "reference changes by with its own step, 20 and 40 us";
+constexpr const char* kSecondOrder =
+    "c h^2, a method of second order, c twice the larger of what the differences between 4 "
+    "and 2 "
+    "and between 2 and 1 ms say of it, over 12 and 3 ms^2, as each landing of a foot inside a step "
+    "adds its own; and what the reference changes by with its own step, 20 and 40 us";
 
 Findings rock(const Feet& c, const Runner& runner) {
   Findings findings;
@@ -171,25 +168,24 @@ Findings rock(const Feet& c, const Runner& runner) {
   const Run coarse = run(c, 0.004, runner, findings), middle = run(c, 0.002, runner, findings),
             fine = run(c, 0.001, runner, findings);
   const double own = largest(exact.top, rough.top);
-  // Errors of order p at steps h and h / 2 differ by (1 - 2^-p) of the larger one: half of it for
-  // p = 1, to which the steps in which a foot lands may bring the method. With p = 1 the error is
-  // c h, and the larger c that two differences show holds for both.
-  const double per_step = std::max(2 * largest(coarse.top, middle.top) / 0.004,
-                                   2 * largest(middle.top, fine.top) / 0.002);
-  const auto bound = [&](double step) { return per_step * step + own; };
+  // Errors c h^2 at 4, 2 and 1 ms differ by c times 12 and 3 ms^2. But of each landing inside a step
+  // the method misses anything up to gamma^2 / 2 of its phase squared, to either side
+  // (sliding_block.h), by where in the step it is: c is another at each step. Twice the larger one
+  // is allowed for.
+  const double per_square = 2 * std::max(largest(coarse.top, middle.top) / 12,
+                                         largest(middle.top, fine.top) / 3);  // [m/ms^2]
+  const auto bound = [&](double ms) { return per_square * ms * ms + own; };
   const char* const axes[] = {"x", "y", "z"};
   for (int i = 0; i < 3; ++i) {
-    Track track(std::string("displacement of the top, ") + axes[i], "m", kFirstOrder);
+    Track track(std::string("displacement of the top, ") + axes[i], "m", kSecondOrder);
     for (std::size_t k = 0; k < std::min(coarse.top.size(), exact.top.size()); ++k)
-      track.add(coarse.time[k], coarse.top[k][i], exact.top[k][i], bound(0.004));
+      track.add(coarse.time[k], coarse.top[k][i], exact.top[k][i], bound(4));
     track.report(findings);
   }
   findings.checks.push_back(
-      {"largest error at 2 ms", "m", largest(middle.top, exact.top), 0, bound(0.002), kFirstOrder});
+      {"largest error at 2 ms", "m", largest(middle.top, exact.top), 0, bound(2), kSecondOrder});
   findings.checks.push_back(
-      {"largest error at 1 ms", "m", largest(fine.top, exact.top), 0, bound(0.001), kFirstOrder});
-  findings.checks.push_back({"feet on the floor, fewest", "", static_cast<double>(coarse.fewest),
-                             static_cast<double>(exact.fewest), 0, "it lifts off alike"});
+      {"largest error at 1 ms", "m", largest(fine.top, exact.top), 0, bound(1), kSecondOrder});
   return findings;
 }
 
@@ -220,7 +216,9 @@ Family rocking_feet() {
        {"slippery", {0.4, 1.5, 0.6, 60, 0.5, 0.4, 0.3}},
        {"tall", {0.3, 2, 0.75, 80}}},
       rock, rocks);
-  family.drawn = false;  // convergence, which most motions have left for chaos before 3 s
+  // Not drawn: of 30 drawn sets a third had left the asymptotic regime for chaos before 3 s, where
+  // errors at 4, 2 and 1 ms are of one size and say nothing of each other.
+  family.drawn = false;
   return family;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "engine/base/units.h"
 #include "studies/verification/cases.h"
@@ -106,58 +107,61 @@ struct Turning {
   }
 };
 
-struct Miss {
-  double axle = 0, path = 0;  ///< largest, of the axle's direction and the centre over r
-  double energy = 0;          ///< closure of the account
-  /// Largest of the reference: the contact's direction turns by w over the cosine of the lean.
-  double rate = 0;  // [rad/s]
+/// Each 0.01 s: the axle's direction and the way of the centre over r.
+struct Path {
+  std::vector<Vector3> axle, way;
+  double closure = 0;  ///< of the energy account
 };
 
-Miss miss(const Turning& c, double step, const Runner& runner, Findings& findings) {
-  DiscReference reference = c.reference();
+Path run(const Turning& c, double step, double tread, const Runner& runner, Findings& findings) {
   const int stride = static_cast<int>(std::lround(0.01 / step));
-  const Response response = runner(findings, rolling_disc(c.disc(), c.speed, c.yaw_rate), {},
+  const Response response = runner(findings, rolling_disc(c.disc(), c.speed, c.yaw_rate, tread), {},
                                    disc_settings(step, 1, stride));
-  Miss worst;
-  worst.energy = response.quality.energy_closure;
-  double time = 0;
+  Path path;
+  path.closure = response.quality.energy_closure;
   for (const Sample& sample : response.items[0].history) {
-    if (sample.time > time) reference.advance(sample.time - time);
-    time = sample.time;
-    const double sine = reference.axle().z();
-    worst.rate =
-        std::max(worst.rate, reference.angular_velocity().norm() / std::sqrt(1 - sine * sine));
-    worst.axle = std::max(worst.axle, (disc_axle(sample) - reference.axle()).norm());
-    worst.path =
-        std::max(worst.path, (sample.points[0].displacement - reference.moved()).norm() / c.radius);
+    path.axle.push_back(disc_axle(sample));
+    path.way.push_back(sample.points[0].displacement / c.radius);
   }
-  return worst;
+  return path;
+}
+
+Path integrated(const Turning& c, std::size_t samples) {
+  DiscReference reference = c.reference();
+  Path path;
+  for (std::size_t i = 0; i < samples; ++i) {
+    if (i > 0) reference.advance(0.01);
+    path.axle.push_back(reference.axle());
+    path.way.push_back(reference.moved() / c.radius);
+  }
+  return path;
+}
+
+double largest(const std::vector<Vector3>& a, const std::vector<Vector3>& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    most = std::max(most, (a[i] - b[i]).norm());
+  return most;
 }
 
 Findings turn(const Turning& c, const Runner& runner) {
   Findings findings;
   constexpr double kStep = 5e-4;
-  const Miss coarse = miss(c, 2 * kStep, runner, findings), fine = miss(c, kStep, runner, findings);
-  const Disc disc = c.disc();
-  const double sink = 10 * disc.m() * kG / (kDiscTread * disc.radius);
-  const double largest = std::pow(kStep * fine.rate, 2) * fine.rate + sink;
+  const Path coarse = run(c, 2 * kStep, kDiscTread, runner, findings),
+             fine = run(c, kStep, kDiscTread, runner, findings),
+             soft = run(c, kStep, kDiscTread / 2, runner, findings),
+             exact = integrated(c, fine.axle.size());
   auto& checks = findings.checks;
-  const char* const method =
-      "(h w)^2 of the angle w t that the direction of the contact turns in 1 s, and ten times what "
-      "the tread sinks in, m g / k, over r";
-  const char* const order =
-      "a third of that with the double step, for a method of second order; and ten sinks over r";
-  checks.push_back({"axle's direction", "rad", fine.axle, 0, largest, method});
-  checks.push_back({"way of the centre, over r", "", fine.path, 0, largest, method});
-  checks.push_back({"closure of the energy account", "", fine.energy, 0,
-                    std::pow(kStep * fine.rate, 2), "(h w)^2 of the energy"});
-  checks.push_back({"closure of the energy account, half the step", "", fine.energy, 0,
-                    coarse.energy / 3 + 1e-9,
-                    "a third of that with the double step; rounding, 1e-9"});
-  checks.push_back(
-      {"axle's direction, half the step", "rad", fine.axle, 0, coarse.axle / 3 + sink, order});
-  checks.push_back(
-      {"way of the centre over r, half the step", "", fine.path, 0, coarse.path / 3 + sink, order});
+  const auto check = [&](const char* quantity, const char* unit, std::vector<Vector3> Path::*of) {
+    checks.push_back({quantity, unit, largest(fine.*of, exact.*of), 0,
+                      largest(coarse.*of, fine.*of) / 2 + 2 * largest(soft.*of, fine.*of),
+                      kDiscTolerance});
+  };
+  check("axle's direction", "rad", &Path::axle);
+  check("way of the centre, over r", "", &Path::way);
+  checks.push_back({"closure of the energy account", "", fine.closure, 0, coarse.closure / 3 + 1e-9,
+                    "a third of that with the double step, for a method of second order; rounding, "
+                    "1e-9"});
   return findings;
 }
 

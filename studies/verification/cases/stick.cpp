@@ -1,3 +1,4 @@
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -24,48 +25,6 @@ struct Slope {
   double mass = 96.5;
 };
 
-/// How far casters at odd headings let the trolley go before their wheels hold it [m].
-///
-/// A wheel stands at L u from its mount. Carried by D along a unit vector e it rolls by
-/// D + L e.(u - u0) or more, whatever its path. Of the slope's work M g sin(a) D e_down rolling
-/// takes (Cr/R) N times that, so with s = 0.9 Cr/R and equal loads
-///
-///     D (1 - 0.9 e_down) <= L e.mean(u0 - u)
-///
-/// A mean wheel that moves by L, and the height of the centre of mass, load one wheel by
-/// L/a + L/b + h s/a more than the mean (a, b: half of wheelbase and track); a yaw moves the mean
-/// mount by L |yaw| at most.
-/// @param swing  bound of e.mean(u0 - u), with the yaw
-double farthest(const ItemOptions& options, double slope, double swing) {
-  const double trail = options.caster.trail;
-  const double load = 1 + trail / options.half_wheelbase + trail / options.half_track +
-                      options.chassis_center.z() * slope / options.half_wheelbase;
-  return trail * load * swing / (1 - kShare);
-}
-
-/// It comes to stand no further away than the trails let it.
-void odd_way(const ItemOptions& options, const ItemResponse& item, double slope,
-             Findings& findings) {
-  const Sample& end = item.history.back();
-  const double yaw = item.demands.peak_yaw;
-  double swing = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto from_mount = [](double heading) {
-      return Vector2(-std::cos(heading), -std::sin(heading));
-    };
-    const Vector2 u0 = from_mount(options.headings[i]);
-    swing += (from_mount(end.wheels[i].swivel_angle + end.yaw) - u0).norm() / 4;
-  }
-  const std::string loads =
-      " (1 + L/a + L/b + h s/a): what trails swing is not rolled, and "
-      "rolling takes 1 / 0.9 of the slope's work";
-  findings.checks.push_back({"way that odd casters let it go", "m",
-                             item.demands.residual_displacement, 0,
-                             farthest(options, slope, swing + yaw),
-                             "10 L (mean|u - u0| + |yaw|)" + loads +
-                                 ", u from mounts to wheels, at the end and the start"});
-}
-
 Findings hold(const Slope& c, const Runner& runner) {
   Findings findings;
   ItemOptions options;
@@ -88,10 +47,7 @@ Findings hold(const Slope& c, const Runner& runner) {
   findings.checks.push_back({"creep from 30 s to 60 s", "m", crept, 0, 1e-9 + 1000 * residual,
                              "1e-9 m, and a thousand times 1e-9 M g on the springs of the treads: "
                              "no step's residual adds to the last"});
-  if (c.odd != 0) {
-    odd_way(options, item, c.slope, findings);
-    return findings;
-  }
+  if (c.odd != 0) return findings;  // it goes some way first, until its casters hold it
   findings.checks.push_back({"peak displacement in 60 s", "m", item.demands.peak_displacement, 0,
                              1e-9, "a run starts from equilibrium: 1e-9 m"});
   findings.checks.push_back({"rolling loss", "J", item.energy.rolling_loss, 0, 0, "nothing rolls"});
@@ -101,8 +57,13 @@ Findings hold(const Slope& c, const Runner& runner) {
   return findings;
 }
 
-// Below the threshold (Cr / R) g a harmonic floor only sways the trolley on its treads, x = A / w^2
-// with w^2 = k / M, k = n k_t 10 / 11; an envelope keeps the treads from ringing.
+// Below the threshold (Cr / R) g a harmonic floor only sways the trolley on its treads; an envelope
+// keeps them from ringing. X is the way of the axles, P the pitch on the treads about them, d the
+// height of the centre of mass over the axles:
+//
+//     (k - M w^2) X - M d w^2 P = M A,   -M d w^2 X + (k_p - (I + M d^2) w^2) P = M d A
+//
+// with k = n k_t 10/11 and k_p = n k_n b^2; the item's origin, on the floor, goes X - R P.
 struct Harmonic {
   double amplitude, frequency;  // [g], [Hz]
   double stiffness = 1e5, mass = 96.5;
@@ -132,6 +93,23 @@ double quickness(const Harmonic& c) {
          (1 / k + h * h / (4 * Tread().normal_stiffness * kBase * kBase));
 }
 
+struct Sway {
+  double origin, pitch;  // [m], [rad]
+};
+
+Sway steady(const Harmonic& c) {
+  ItemOptions options;
+  options.total_mass = c.mass;
+  const MassProperties whole = whole_item(trolley(options));
+  const double w2 = std::pow(2 * std::numbers::pi * c.frequency, 2), R = Caster().wheel_radius;
+  const double M = c.mass, d = whole.center_of_mass.z() - R;
+  Matrix2 matrix;
+  matrix << 4 * c.stiffness * 10 / 11 - M * w2, -M * d * w2, -M * d * w2,
+      4 * Tread().normal_stiffness * kBase * kBase - (whole.inertia(1, 1) + M * d * d) * w2;
+  const Vector2 found = matrix.inverse() * (M * c.amplitude * kG * Vector2(1, d));
+  return {found[0] - R * found[1], found[1]};
+}
+
 /// No wheel rolls by itself: the one with the least load, on a base a trail behind the centre of
 /// mass, carries its share of 0.9 of the threshold.
 bool holds_on_every_wheel(const Harmonic& c) {
@@ -143,15 +121,20 @@ Findings sway_below(const Harmonic& c, const Runner& runner) {
   Findings findings;
   const Response response = shaken(c, c.amplitude / 0.9, runner, findings);
   const ItemResponse& item = response.items[0];
-  // The item's origin is on the floor; the item pitches on its treads about wheels that stick.
-  const double h = ItemOptions().chassis_center.z();
-  const double static_sway = c.amplitude * kG * c.mass / (4 * c.stiffness * 10 / 11);
-  const double pitch =
-      c.amplitude * kG * c.mass * h / (4 * Tread().normal_stiffness * kBase * kBase);
-  findings.checks.push_back({"peak sway", "m", item.demands.peak_displacement, static_sway,
-                             2 * quickness(c) * static_sway + pitch * 0.05 + 0.02 * static_sway,
-                             "inertia of the sway itself, 2 (w/w_t)^2 of it; pitch on the treads, "
-                             "M a h / k_p, at the height of the axles; 2 % for the envelope"});
+  const double w = 2 * std::numbers::pi * c.frequency, k = 4 * c.stiffness * 10 / 11;
+  const double omega = std::sqrt(k / c.mass);
+  const Sway sway = steady(c);
+  // A change of the envelope's rate, 1/5 per second, rings with 1 / (5 omega).
+  const double share = 1 / (5 * omega) + std::pow(0.004 * w, 2) / 8;
+  const double leaning = c.mass * kG * ItemOptions().chassis_center.z() /
+                         (4 * Tread().normal_stiffness * kBase * kBase);
+  findings.checks.push_back(
+      {"peak sway", "m", item.demands.peak_displacement, sway.origin,
+       share * sway.origin +
+           (leaning + std::pow(Caster().trail / kBase, 2)) * sway.pitch * Caster().wheel_radius,
+       "1 / (5 s omega) of it, with which the envelope's kinks ring, and (w dt)^2 / 8 for samples "
+       "of the floor; of R P the share M g h / k_p by which the weight helps to pitch, and (L/b)^2 "
+       "for wheels a trail behind"});
   findings.checks.push_back(
       {"rolling loss", "J", item.energy.rolling_loss, 0, 1e-15, "nothing rolls: rounding"});
   findings.checks.push_back({"displacement left", "m", item.demands.residual_displacement, 0, 1e-8,
@@ -188,7 +171,9 @@ Family sway() {
   return make_family<Harmonic>(
       {"sway", "standing",
        "Below its threshold a shaken trolley sways on its treads and goes nowhere",
-       "x = A M / k, k = n k_t 10/11, while A < (Cr/R) g", "statics of springs in series"},
+       "(k - M w^2) X - M d w^2 P = M A, -M d w^2 X + (k_p - (I + M d^2) w^2) P = M d A, k = n k_t "
+       "10/11, while A < (Cr/R) g",
+       "Newton's law for two oscillators"},
       {{{"amplitude", "g", 0.003, 0.01}, &Harmonic::amplitude},
        {{"frequency", "Hz", 0.3, 1}, &Harmonic::frequency},
        {{"stiffness", "N/m", 8e4, 4e5}, &Harmonic::stiffness},

@@ -25,19 +25,21 @@ Findings meet(const Glance& c, const Runner& runner) {
                    {.restitution = c.restitution, .friction = c.friction});
   Excitation excitation;
   for (int dof : {3, 4, 5}) excitation.fixture.guides[dof].kind = Guide::Kind::kHeld;
+  const ImpactSteps steps = block.front_steps();
+  const double error = steps.speed_error();
   const double total = std::hypot(c.speed, c.along);
   const double work = (c.along * c.along - std::pow(c.along - c.taken(), 2)) / (total * total);
-  // Sliding begins and ends inside a step: half of one part in 32 of its work may be missing.
-  const Response response = slide(findings, runner, scene, 2 * kWayToImpact * total / c.speed,
-                                  excitation, kImpactClosure + work / kStepsInImpact / 2);
+  const Response response =
+      slide(findings, runner, scene, 2 * kWayToImpact * total / c.speed, steps, excitation, work);
   const Vector3& after = response.items[0].history.back().velocity;
-  findings.checks.push_back({"speed of the rebound", "m/s", -after.x(), c.restitution * c.speed,
-                             kImpactError * c.speed,
-                             "2 (pi/32)^2 / 12 of the speed: 32 steps in half a period"});
   findings.checks.push_back(
-      {"speed that friction takes", "m/s", c.along - after.y(), c.taken(),
-       c.friction * 2 * kImpactError * c.speed,
-       "mu times the tolerance of the impulse, twice that of the speed of the rebound"});
+      {"speed of the rebound", "m/s", -after.x(), c.restitution * c.speed,
+       c.restitution * error * c.speed,
+       "e gamma^2 phi^2 of the speed, phi the phase of a step: where the wall "
+       "touches and parts inside steps"});
+  findings.checks.push_back({"speed that friction takes", "m/s", c.along - after.y(), c.taken(),
+                             c.friction * 2 * error * c.speed,
+                             "mu times twice gamma^2 phi^2 of the speed, of the normal impulse"});
   return findings;
 }
 

@@ -33,28 +33,30 @@ Findings meet(const Rebound& c, const Runner& runner) {
                    {.restitution = c.restitution, .friction = 0});
   scene.room.back().rotation = Quaternion(Eigen::AngleAxisd(yaw, Vector3::UnitZ()));
   scene.room.back().position = turned(yaw, scene.room.back().position);
-  const Response response = slide(findings, runner, scene, 2 * kWayToImpact);
+  const Response response = slide(findings, runner, scene, 2 * kWayToImpact, block.front_steps());
+  const double share = c.restitution * block.front_steps().speed_error();
   const Vector3 after = turned(-yaw, response.items[0].history.back().velocity);
   const char* const phase =
-      "2 (pi/32)^2 / 12 of the speed: 32 steps of a second-order method in half a period of the "
-      "contact's spring, and as much for the touch and the end inside steps";
+      "e gamma^2 phi^2 of the speed: the kinks of the force where it touches and parts inside "
+      "steps "
+      "of the phase phi, pi/32 of a corner's mass on all points";
   const char* const residual = "1e-6 of the speed: what 1000 steps may leave, 1e-9 g dt each";
   auto& checks = findings.checks;
   checks.push_back(
-      {"speed of the rebound", "m/s", -after.x(), c.restitution * v, kImpactError * v, phase});
+      {"speed of the rebound", "m/s", -after.x(), c.restitution * v, share * v, phase});
   checks.push_back({"speed along the wall", "m/s", after.y(), 0, 1e-6 * v, residual});
   checks.push_back({"yaw rate", "rad/s", yaw_rate_at_end(response), 0, 1e-6, residual});
   if (response.impacts.empty()) return findings;
   const Impact& impact = response.impacts[0];
   checks.push_back({"impulse", "N s", impact.impulse, c.mass * (1 + c.restitution) * v,
-                    kImpactError * c.mass * v, std::string("the mass times ") + phase});
+                    share * c.mass * v, std::string("the mass times ") + phase});
   checks.push_back(
       {"approach speed of the impact", "m/s", impact.approach_speed, v, 1e-6 * v, residual});
   const ContactConstants constants;
   const double stiffness = 4 * constants.stiffness * (1 + ImpactLaw::damping_number(c.restitution));
   checks.push_back({"time of the impact", "s", impact.time, kWayToImpact / v,
-                    std::numbers::pi * std::sqrt(c.mass / stiffness) / kStepsInImpact,
-                    "the step in which it touches, pi sqrt(m / (4 k (1 + x))) / 32"});
+                    block.front_steps().phase * std::sqrt(c.mass / stiffness),
+                    "the step in which it touches, phi sqrt(m / (4 k (1 + x)))"});
   checks.push_back({"normal of the impact, along the wall's", "", turned(-yaw, impact.normal).x(),
                     -1, 1e-9, "rounding"});
   // The block slides freely but for the wall: whatever accelerates it is numerical.

@@ -26,35 +26,39 @@ Findings meet(const Spring& c, const Runner& runner) {
                     .damping = 2 * c.damping * c.stiffness / omega,
                     .friction = 0});
   const CappedDamping exact(omega, c.damping);
+  const ImpactSteps steps = block.front_steps();
   const double touch = kWayToImpact + v * exact.duration;  // way and time in contact
-  const Response response = slide(findings, runner, scene, touch + 0.5 * kWayToImpact);
-  const double step = std::numbers::pi / omega / kStepsInImpact;
+  const Response response = slide(findings, runner, scene, touch + 0.5 * kWayToImpact, steps);
   const PointDemands& point = response.items[0].demands.points[0];
-  // The force of the damper jumps in rate where its cap begins and ends: a step of the method is
-  // of first order there, phi^2 / 2 of the speed, twice.
-  const double kinks = c.damping > 0 ? kPhase * kPhase / 2 : 0;
+  // With a damper the force has two kinks more, where its cap begins and ends.
+  const double error = (c.damping > 0 ? 2 : 1) * steps.speed_error();
   auto& checks = findings.checks;
   checks.push_back({"speed of the rebound", "m/s", -response.items[0].history.back().velocity.x(),
-                    exact.restitution * v, (kImpactError + kinks) * v,
-                    "of the speed, with phi = pi/32 the phase of a step: 2 phi^2 / 12 of a "
-                    "second-order method; with damping phi^2 / 2 for the steps with a kink of the "
-                    "force"});
+                    exact.restitution * v, error * v,
+                    "gamma^2 phi^2 of the speed, phi the phase of a step: half for each kink of "
+                    "the force, where it touches and parts, and with damping where the cap begins "
+                    "and ends"});
   if (response.impacts.empty()) return findings;
   const Impact& impact = response.impacts[0];
-  checks.push_back({"duration of the contact", "s", impact.duration, exact.duration, 1.5 * step,
-                    "half a step for the touch and one for the end, of pi sqrt(m / 4 k) / 32"});
+  checks.push_back({"duration of the contact", "s", impact.duration, exact.duration,
+                    1.5 * steps.phase / omega,
+                    "half a step for the touch and one for the end, of phi sqrt(m / 4 k)"});
   const double peak = c.mass * v * exact.peak;
   // From zeta = 1/sqrt(8) on the force is largest where the cap ends, and rises with omega /
   // (2 zeta) of it until then.
   const bool pointed = 8 * c.damping * c.damping > 1;
-  const double share = kPhase * kPhase + (pointed ? kPhase / 2 / (2 * c.damping) : 0);
+  const auto share = [&](double apart) {
+    const double phase = apart * steps.phase;
+    return error + phase * phase / 2 + (pointed ? phase / (2 * c.damping) : 0);
+  };
+  const double force = share(0.5), acceleration = share(1);
   const char* const sampled =
-      "phi^2 of it, phi = pi/32: a stage ends up to half a step off the peak, phi^2 / 2 below, "
-      "and as much for the touch inside a step; phi / (4 zeta) where the peak is a point, from "
-      "zeta = 0.354 on";
-  checks.push_back({"peak force", "N", impact.peak_force, peak, share * peak, sampled});
+      "of it that of the speed, and phi^2 / 2 for the phase phi by which it is sampled off the "
+      "peak: half a step for the force, of two stages, and a step for the acceleration at its "
+      "end; phi / (2 zeta) where the peak is a point, from zeta = 0.354 on";
+  checks.push_back({"peak force", "N", impact.peak_force, peak, force * peak, sampled});
   checks.push_back({"peak acceleration", "m/s2", point.peak_absolute_acceleration, peak / c.mass,
-                    share * peak / c.mass, sampled});
+                    acceleration * peak / c.mass, sampled});
   checks.push_back({"peak acceleration booked as an impact's", "m/s2", point.impact_acceleration,
                     point.peak_absolute_acceleration, 0, "the same number"});
   checks.push_back({"peak force among the demands", "N",

@@ -17,7 +17,8 @@ inline Scene block(double mass, const Vector3& size, const ContactConstants& flo
   scene.items[0].model.chassis_inertia = solid_box_inertia(mass, size);
   scene.items[0].model.shape = {{{0, 0, 0.5 * size.z()}, size}};
   scene.items[0].model.material = "steel";
-  scene.items[0].model.marked_points = {{"center", {0, 0, 0.5 * size.z()}}};
+  scene.items[0].model.marked_points = {{"center", {0, 0, 0.5 * size.z()}},
+                                        {"ahead", {1, 0, 0.5 * size.z()}}};
   scene.floor_material = "concrete";
   scene.pairs = {{"steel", "concrete", floor}};
   return scene;

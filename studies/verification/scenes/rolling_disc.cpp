@@ -82,7 +82,7 @@ void DiscReference::advance_led(double duration,
   integrate(duration, [&](double t, const State& y) { return push_for(y, height_rate2(t)); });
 }
 
-Scene rolling_disc(const Disc& d, double speed, double yaw_rate) {
+Scene rolling_disc(const Disc& d, double speed, double yaw_rate, double stiffness) {
   Scene scene;
   EquipmentModel& item = scene.items[0].model;
   item.name = "disc";
@@ -91,7 +91,7 @@ Scene rolling_disc(const Disc& d, double speed, double yaw_rate) {
   item.chassis_inertia = item.chassis_mass * std::pow(gyration(d), 2) * Matrix3::Identity();
   item.shape = {{{0, 0, d.radius}, 0.01 * d.radius * Vector3::Ones()}};
   item.marked_points = {{"centre", {0, 0, d.radius}}};
-  Tread tread = small::bare_tread(kDiscTread, kDiscTread);
+  Tread tread = small::bare_tread(stiffness, stiffness);
   tread.relaxation_length = 1e9;
   tread.static_friction = tread.kinetic_friction = 5;
   Caster wheel = small::caster({0, 0, 1.001 * d.radius}, 0, tread, 0);

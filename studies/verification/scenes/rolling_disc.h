@@ -3,7 +3,7 @@
 #include <array>
 #include <functional>
 
-#include "engine/response.h"
+#include "engine/response/response.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
 
@@ -64,14 +64,21 @@ class DiscReference {
   double time_ = 0;
 };
 
+inline constexpr double kDiscTread = 1e7;  // normal and tangential stiffness [N/m]
+
 /// The disc as the wheel of one rigid caster without trail, upright at the origin, rolling along x
 /// at `speed` and turning at `yaw_rate`. Its chassis has the mass of a crumb at the wheel's centre
 /// and an inertia equal in all directions: it takes part in m and A and not in C, and without
 /// friction on the axle never turns about it. Marked point: the centre.
-Scene rolling_disc(const Disc& disc, double speed, double yaw_rate);
+/// @param tread  its normal and tangential stiffness [N/m]
+Scene rolling_disc(const Disc& disc, double speed, double yaw_rate, double tread = kDiscTread);
 
-/// Normal and tangential stiffness of its tread [N/m].
-inline constexpr double kDiscTread = 1e7;
+/// An error that goes with the square of the step is a third of what halving the step changed, and
+/// one that goes with the compliance of the tread what doubling that changes. Both are taken with
+/// half as much again or more.
+inline constexpr const char* kDiscTolerance =
+    "half of what halving the step changed, of which a method of second order leaves a third; "
+    "twice what a tread half as stiff changes, as much as the tread itself";
 
 /// Runs it for exactly `duration`; keeps every `stride`-th step. The chassis, which does not turn
 /// about the axle, pitches as the disc turns on a circle: what the engine says of its tilt and of

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "engine/response.h"
+#include "engine/response/response.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/base/floor_motion.h"
-#include "engine/response.h"
+#include "engine/response/response.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
 

@@ -54,6 +54,37 @@ TEST(FloorMotion, RestIsRest) {
   EXPECT_EQ(motion.acceleration_at(3).norm(), 0);
 }
 
+TEST(FloorMotion, RotationIsLinearBetweenSamplesAndItsIntegralsAreExact) {
+  FloorRotation rotation{Eigen::Matrix2Xd(2, 4), Eigen::Matrix2Xd(2, 4)};
+  rotation.angle << 0, 0.2, 0.2, 0, 0, 0, 0, 0.4;
+  rotation.acceleration << 1, 1, 1, 1, 0, 2, 0, 0;
+  const FloorMotion motion = ramp().with_rotation(rotation);
+  EXPECT_TRUE(motion.rotates());
+  EXPECT_FALSE(ramp().rotates());
+  EXPECT_EQ(motion.acceleration(), ramp().acceleration());
+  EXPECT_EQ(motion.velocity_at(0.7), ramp().velocity_at(0.7));
+  // 0.2 (0.25)^2 / (2 * 0.5) of the ramp, then 0.05 at 0.5 s and 0.2 a second
+  EXPECT_NEAR(motion.integral_of_angle_at(0.25).x(), 0.0125, 1e-16);
+  EXPECT_NEAR(motion.integral_of_angle_at(0.75).x(), 0.05 + 0.05, 1e-16);
+  EXPECT_NEAR(motion.integral_of_angle_at(9).y(), 0.1, 1e-16);
+  EXPECT_NEAR(motion.angular_velocity_at(9).x(), 1.5, 1e-15);
+  EXPECT_NEAR(motion.angular_velocity_at(1).y(), 1, 1e-15);
+  EXPECT_EQ(motion.angular_velocity_at(1).z(), 0);
+  EXPECT_EQ(motion.with_rotation_times(3).rotation().angle, 3 * rotation.angle);
+  EXPECT_EQ(motion.with_rotation_times(3).rotation().acceleration, 3 * rotation.acceleration);
+  EXPECT_FALSE(ramp().with_rotation_times(3).rotates());
+}
+
+TEST(FloorMotion, RefusesWhatIsNoRotation) {
+  FloorRotation rotation{Eigen::Matrix2Xd::Zero(2, 4), Eigen::Matrix2Xd::Zero(2, 3)};
+  EXPECT_EQ(
+      error_text([&] { ramp().with_rotation(rotation); }),
+      "the rotation of a floor must have as many samples as its acceleration, 4, got 4 and 3");
+  rotation.acceleration = Eigen::Matrix2Xd::Constant(2, 4, std::nan(""));
+  EXPECT_EQ(error_text([&] { ramp().with_rotation(rotation); }),
+            "the rotation of a floor must be finite at every sample");
+}
+
 TEST(FloorMotion, RefusesWhatIsNoMotion) {
   Eigen::Matrix3Xd a = Eigen::Matrix3Xd::Zero(3, 3);
   EXPECT_EQ(error_text([&] { FloorMotion(0, a); }),

@@ -84,7 +84,7 @@ TEST(BuildingReader, ReadsIsolation) {
 }
 
 TEST(BuildingReader, ShippedBuildingsAreRead) {
-  const std::string folder = std::string(SOURCE_DIR) + "/groundmotions/buildings/";
+  const std::string folder = std::string(GURNEY_SOURCE_DIR) + "/groundmotions/buildings/";
   const Building fixed = building_from_file(folder + "concrete_hospital.toml");
   EXPECT_EQ(fixed.storeys, 4);
   EXPECT_NEAR(2 * pi / fixed[Direction::kH1][0].omega, 0.565, 1e-3);
@@ -167,6 +167,45 @@ TEST(BuildingReader, RefusesImpossibleValues) {
               HasSubstr("h1: effective_mass_ratio must be > 0 for each mode of an isolated"));
 }
 
+TEST(BuildingReader, ReadsRotationOfTheFloors) {
+  const Building building = read(kShear + "[floor_rotation]\nheight_m = 12\nbending_share = 0.5\n");
+  const Mode& mode = building[Direction::kH2][0];
+  ASSERT_EQ(mode.effective_rotation.size(), 4);
+  EXPECT_NEAR(mode.effective_rotation[1], 0.5 * mode.effective_shape[2] / 8, 1e-15);
+  EXPECT_TRUE(rotates(building, 3));
+  EXPECT_FALSE(rotates(building, 0));
+  EXPECT_FALSE(rotates(read(kShear), 3));
+  const Building modal = read(
+      "kind = 'modal'\nstoreys = 2\nh1 = [{ period_s = 0.5, damping_ratio = 0.05, effective_shape "
+      "= [0.7, 1.2], effective_rotation_rad_per_m = [0.1, 0.15] }]\n");
+  EXPECT_EQ(modal[Direction::kH1][0].effective_rotation, Eigen::Vector3d(0, 0.1, 0.15));
+  const std::string folder = std::string(GURNEY_SOURCE_DIR) + "/groundmotions/buildings/";
+  EXPECT_TRUE(rotates(building_from_file(folder + "wall_hospital.toml"), 6));
+}
+
+TEST(BuildingReader, RefusesRotationsWithTheirPlace) {
+  const std::string table = kShear + "[floor_rotation]\n";
+  EXPECT_EQ(mistakes(table + "height_m = 12\nbending_share = 1.5\n"),
+            "b.toml:7:17: floor_rotation.bending_share = 1.5: must be a finite number "
+            ">= 0 and <= 1");
+  EXPECT_EQ(mistakes(table + "height_m = -3\nbending_share = 1\n"),
+            "b.toml:6:12: floor_rotation.height_m = -3: must be a finite number > 0");
+  EXPECT_THAT(mistakes(table + "bending_share = 1\n"),
+              HasSubstr("floor_rotation.height_m: missing"));
+  EXPECT_THAT(mistakes(table + "height_m = 12\nbending_share = 1\nbend_share = 1\n"),
+              HasSubstr("did you mean 'bending_share'?"));
+  EXPECT_THAT(mistakes("kind = 'generic'\nstoreys = 3\ndamping_ratio = 0.05\nframe = 'other'\n"
+                       "height_m = 9\n[floor_rotation]\nheight_m = 9\nbending_share = 1\n"),
+              HasSubstr("floor_rotation.height_m: must not be given with the height_m of a frame"));
+  EXPECT_THAT(
+      mistakes("kind = 'modal'\nstoreys = 1\nvertical = [{ period_s = 0.5, damping_ratio = "
+               "0.05, effective_shape = [1], effective_rotation_rad_per_m = [1] }]\n"),
+      HasSubstr("vertical[0].effective_rotation_rad_per_m: must go with a mode of h1 or h2"));
+  EXPECT_THAT(mistakes("kind = 'modal'\nstoreys = 2\nh1 = [{ period_s = 0.5, damping_ratio = "
+                       "0.05, effective_shape = [1, 1], effective_rotation_rad_per_m = [1] }]\n"),
+              HasSubstr("h1[0].effective_rotation_rad_per_m"));
+}
+
 TEST(BuildingReader, UnknownKeysAreMistakes) {
   EXPECT_THAT(mistakes(kShear + "storey = 3\n"), HasSubstr("storey"));
   EXPECT_THAT(mistakes(kShear + "dampin_ratio = 3\n"), HasSubstr("did you mean 'damping_ratio'?"));
@@ -183,23 +222,27 @@ std::set<std::string> asked(const std::string& text) {
 }
 
 TEST(BuildingReader, EveryKeyIsDocumented) {
-  const std::string page = std::string(SOURCE_DIR) + "/docs/formats/building_file.md";
+  const std::string page = std::string(GURNEY_SOURCE_DIR) + "/docs/formats/building_file.md";
   const auto documented = [&](std::initializer_list<const char*> sections) {
     std::set<std::string> keys;
     for (const char* section : sections) keys.merge(documented_keys(page, section));
     return keys;
   };
   const std::string isolation =
-      "[isolation]\nkind = 'friction_pendulum'\n[vertical]\nfloor_frequency_hz = 10\n";
+      "[isolation]\nkind = 'friction_pendulum'\n[vertical]\nfloor_frequency_hz = 10\n"
+      "[floor_rotation]\nbending_share = 1\n";
   std::set<std::string> shear = asked("kind = 'shear'\nperiod_s = 1\n" + isolation);
   shear.merge(
       asked("kind = 'shear'\nstorey_stiffness_h1_n_per_m = [1]\n"
             "[isolation]\nkind = 'lead_rubber'\n"));
-  EXPECT_EQ(shear, documented({"All buildings", "Shear", "Vertical", "Isolation"}));
+  EXPECT_EQ(shear,
+            documented({"All buildings", "Shear", "Floor rotation", "Vertical", "Isolation"}));
   std::set<std::string> generic = asked("kind = 'generic'\nframe = 'other'\n" + isolation);
   generic.merge(asked("kind = 'generic'\n[isolation]\nkind = 'lead_rubber'\n"));
-  EXPECT_EQ(generic, documented({"All buildings", "Generic", "Vertical", "Isolation"}));
-  const std::set<std::string> modal = asked("kind = 'modal'\nh1 = [{ period_s = 1 }]\n");
+  EXPECT_EQ(generic,
+            documented({"All buildings", "Generic", "Floor rotation", "Vertical", "Isolation"}));
+  const std::set<std::string> modal =
+      asked("kind = 'modal'\nh1 = [{ period_s = 1, effective_rotation_rad_per_m = [] }]\n");
   EXPECT_EQ(modal, documented({"All buildings", "Modal"}));
 }
 

@@ -8,7 +8,7 @@
 
 #include "groundmotions/buildings/generic_building.h"
 #include "groundmotions/buildings/shear_building.h"
-#include "groundmotions/record_motion.h"
+#include "groundmotions/record/record_motion.h"
 #include "groundmotions/synthetic/clough_penzien.h"
 #include "tests/support/expect_error.h"
 
@@ -203,11 +203,80 @@ TEST(FloorRecord, UnloadedPendulumsWarn) {
   EXPECT_THAT(floor.warnings, testing::Contains(HasSubstr("takes all load off (below -1 g)")));
 }
 
+/// A modal building of one mode along h1 whose only floor moves as the mode and dips 0.1 rad/m.
+Building one_mode() {
+  Mode mode;
+  mode.omega = 2 * pi / 0.5;
+  mode.damping = 0.05;
+  mode.effective_shape = Eigen::Vector2d(0, 1);
+  mode.effective_rotation = Eigen::Vector2d(0, 0.1);
+  mode.effective_mass = 0.9;
+  return {"Pole", 1, {ModalAxis{mode}, {}, {}}, {}};
+}
+
+// The floor's acceleration without the ground's is u'', the rotation 0.1 u about h2 (a floor that
+// dips towards +h1 turns from the vertical towards h1). Of the equation of the mode,
+// u'' + 2 zeta w u' + w^2 u = -a, u' is the integral of u'' (its samples by the trapezoidal rule).
+TEST(FloorRecord, RotatesWithTheModes) {
+  const Record floor = floor_record(ground(), one_mode(), 1);
+  ASSERT_TRUE(floor.rotation.has_value());
+  EXPECT_EQ(floor.rotation->angle.row(0).cwiseAbs().maxCoeff(), 0);
+  const auto acceleration = floor.rotation->acceleration.row(1);
+  const Eigen::VectorXd& above = samples(floor, Direction::kH1);
+  const Eigen::VectorXd& below = samples(ground(), Direction::kH1);
+  const double peak = above.cwiseAbs().maxCoeff(), w = 2 * pi / 0.5;
+  ASSERT_EQ(floor.time_step(), ground().time_step());
+  double velocity = 0;
+  for (Eigen::Index i = 0; i < below.size(); ++i) {
+    EXPECT_NEAR(10 * acceleration[i], above[i] - below[i], 1e-12 * peak) << i;
+    if (i > 0) velocity += floor.time_step() / 2 * 10 * (acceleration[i - 1] + acceleration[i]);
+    const double u = 10 * floor.rotation->angle(1, i);
+    // Error of the rule, (w dt)^2 / 12 = 3e-4 of a velocity of the peak over w, at 5 ms.
+    EXPECT_NEAR(w * w * u, -above[i] - 2 * 0.05 * w * velocity, 1e-3 * peak) << i;
+  }
+  EXPECT_THAT(floor.processing.back(), HasSubstr("the floor rotates: peak 0 rad about h1, "));
+}
+
+TEST(FloorRecord, RotationIsTurnedWithTheRecord) {
+  const Record floor = floor_record(ground(), one_mode(), 1);
+  const FloorRotation half = floor_motion(floor, 2, pi / 6).rotation();
+  // h2 lies 30 deg beyond the y axis: (-1/2, sqrt(3)/2), times the scale of 2.
+  const auto about_h2 = floor.rotation->angle.row(1);
+  EXPECT_LT((half.angle.row(0) + about_h2).norm(), 1e-12);
+  EXPECT_LT((half.angle.row(1) - std::sqrt(3) * about_h2).norm(), 1e-12);
+}
+
+// On stiff isolators the building above moves as on the ground: the layer gives way by
+// (w_b / w_i)^2 = 1e-4 of the building's own displacement, which changes its period by as much.
+TEST(FloorRecord, FloorsOfIsolatedBuildingsRotate) {
+  Building building = one_mode();
+  const Record fixed = floor_record(ground(), building, 1);
+  building.isolation = linear_isolation(0.005, 0.05);
+  building.isolation->base_mass_ratio = 0.3;
+  const Record stiff = floor_record(ground(), building, 1);
+  ASSERT_TRUE(stiff.rotation.has_value());
+  const double peak = fixed.rotation->angle.cwiseAbs().maxCoeff();
+  EXPECT_NEAR(stiff.rotation->angle.row(1).cwiseAbs().maxCoeff() / peak, 1, 0.01);
+}
+
+TEST(FloorRecord, ALevelBuildingHasNoRotation) {
+  EXPECT_FALSE(floor_record(ground(), two_storeys(), 2).rotation.has_value());
+  EXPECT_FALSE(floor_record(ground(), one_mode(), 0).rotation.has_value());
+  EXPECT_FALSE(floor_motion(floor_record(ground(), two_storeys(), 2)).rotates());
+}
+
+TEST(FloorRecord, WarnsOfRotationsThatAreNotSmall) {
+  Building building = one_mode();
+  building.axes[0][0].effective_rotation *= 100;
+  EXPECT_THAT(floor_record(ground(), building, 1).warnings,
+              testing::Contains(HasSubstr("the engine takes rotations as small, up to 0.05 rad")));
+}
+
 TEST(FloorRecord, RefusesAFloorThatIsNotThere) {
   EXPECT_ERROR(floor_record(ground(), two_storeys(), 3),
                "building 'House' has no floor 3; floors are 0 (the base) to 2 (the roof)");
   EXPECT_ERROR(floor_record(ground(), two_storeys(), -1), "has no floor -1");
-  EXPECT_ERROR(floor_record(Record{"empty", {}, {}, {}}, two_storeys(), 1),
+  EXPECT_ERROR(floor_record(Record{"empty", {}, {}, {}, {}}, two_storeys(), 1),
                "record 'empty' has no component");
 }
 

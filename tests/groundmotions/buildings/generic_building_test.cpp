@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "groundmotions/buildings/shear_building.h"
+
 namespace gurney {
 namespace {
 
@@ -69,6 +71,31 @@ TEST(GenericBuilding, StiffSlabsRideOnTheColumns) {
   double sum = 0;
   for (const Mode& mode : axis) sum += mode.effective_shape[2];
   EXPECT_NEAR(sum, 1, 1e-9);
+}
+
+// First mode of a uniform cantilever, cosh - cos - s (sinh - sin) of b z / H with b = 1.8751 and
+// s = 0.7341 (Blevins 1979, Table 8-1): slope over displacement at the free end,
+// b (sinh + sin - s (cosh - cos)) / (cosh - cos - s (sinh - sin)) = 1.3765 / H. The n lumped floors
+// put half a storey's mass too much at the top and differ by O(1 / n): the error halves with n.
+TEST(GenericBuilding, RoofOfACantileverDipsAsTheClosedForm) {
+  const double b = 1.87510407, s = 0.73409551, height = 20;
+  const double exact = b * (std::sinh(b) + std::sin(b) - s * (std::cosh(b) - std::cos(b))) /
+                       (std::cosh(b) - std::cos(b) - s * (std::sinh(b) - std::sin(b)));
+  EXPECT_NEAR(exact, 1.3765, 1e-4);
+  const auto error = [&](int n) {
+    ModalAxis axis = modes_of(Eigen::VectorXd::Ones(n), shear_flexure_stiffness(n, 0));
+    set_rotation(axis, height, 1);
+    return axis[0].effective_rotation[n] / axis[0].effective_shape[n] * height / exact - 1;
+  };
+  EXPECT_LT(std::abs(error(40)), 1.0 / 40);
+  EXPECT_LT(std::abs(error(80)), 0.6 * std::abs(error(40)) + 1e-6);
+}
+
+TEST(GenericBuilding, FloorsRotateByTheSlopeOfTheModeShape) {
+  ModalAxis axis = modes_of(Eigen::VectorXd::Ones(3), shear_flexure_stiffness(3, 2));
+  axis[0].effective_shape = Eigen::Vector4d(0, 1, 4, 9);  // a parabola, 1 a square storey
+  set_rotation(axis, 6, 0.5);
+  EXPECT_LT((axis[0].effective_rotation - Eigen::Vector4d(0, 0.5, 1, 1.5)).norm(), 1e-15);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "groundmotions/formats/format.h"
-#include "tests/groundmotions/format_samples.h"
+#include "tests/groundmotions/formats/format_samples.h"
 #include "tests/support/error_text.h"
 
 namespace gurney {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "tests/groundmotions/format_samples.h"
+#include "tests/groundmotions/formats/format_samples.h"
 #include "tests/support/error_text.h"
 
 namespace gurney {

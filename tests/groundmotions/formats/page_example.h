@@ -8,7 +8,7 @@ namespace gurney {
 
 /// The indented lines that follow the line `title`, up to the next line of text.
 inline std::string page_example(const std::string& page, const std::string& title) {
-  std::ifstream stream(std::filesystem::path(SOURCE_DIR) / "docs/formats" / page);
+  std::ifstream stream(std::filesystem::path(GURNEY_SOURCE_DIR) / "docs/formats" / page);
   std::string text, line;
   while (std::getline(stream, line) && line != title) {
   }

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "engine/base/units.h"
+#include "groundmotions/measures/integrate.h"
 #include "groundmotions/processing/baseline.h"
-#include "groundmotions/processing/integrate.h"
 #include "groundmotions/processing/resample.h"
 #include "groundmotions/processing/rotate.h"
 #include "groundmotions/processing/taper.h"

@@ -148,7 +148,7 @@ TEST(StepReader, RefusesWhatDoesNotFit) {
 
 // The page has a section for each step and in it the keys that the reader asks for.
 TEST(ProcessingPage, HasEveryKeyTheReaderKnowsAndNoOther) {
-  const std::string page = SOURCE_DIR "/docs/formats/processing.md";
+  const std::string page = GURNEY_SOURCE_DIR "/docs/formats/processing.md";
   const auto section_is_complete = [&](const std::string& step,
                                        const std::vector<std::string>& variants) {
     std::set<std::string> asked;

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "engine/base/units.h"
+#include "groundmotions/measures/oscillator.h"
 #include "groundmotions/measures/peaks.h"
-#include "groundmotions/oscillator.h"
 #include "groundmotions/synthetic/end_state.h"
 #include "tests/support/expect_error.h"
 

@@ -10,13 +10,13 @@
 #include "engine/base/units.h"
 #include "groundmotions/assembly/read_record.h"
 #include "groundmotions/measures/peaks.h"
-#include "groundmotions/record_motion.h"
-#include "groundmotions/residual.h"
+#include "groundmotions/measures/residual.h"
+#include "groundmotions/record/record_motion.h"
 
 namespace gurney {
 namespace {
 
-const std::filesystem::path kShipped = SOURCE_DIR "/groundmotions/records/synthetic_3c.csv";
+const std::filesystem::path kShipped = GURNEY_SOURCE_DIR "/groundmotions/records/synthetic_3c.csv";
 
 TEST(Synthetic, HasItsPeaksAndEndsAtRest) {
   const SyntheticMotion motion = shipped_synthetic_motion();

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "groundmotions/processing/integrate.h"
+#include "groundmotions/measures/integrate.h"
 
 namespace gurney {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include "engine/base/config/document.h"
 #include "engine/base/units.h"
+#include "engine/config/document.h"
 #include "groundmotions/measures/peaks.h"
-#include "groundmotions/record_motion.h"
+#include "groundmotions/record/record_motion.h"
 #include "groundmotions/synthetic/clough_penzien.h"
 #include "tests/support/expect_error.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/studies/fabricated_ward.h"
+#include "tests/support/fabricated_ward.h"
 
 namespace gurney {
 namespace {

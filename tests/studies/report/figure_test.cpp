@@ -7,8 +7,8 @@
 #include <fstream>
 
 #include "studies/report/panel.h"
-#include "tests/studies/fabricated_run.h"
-#include "tests/studies/fabricated_ward.h"
+#include "tests/support/fabricated_run.h"
+#include "tests/support/fabricated_ward.h"
 
 namespace gurney {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/studies/fabricated_run.h"
-#include "tests/studies/fabricated_ward.h"
+#include "tests/support/fabricated_run.h"
+#include "tests/support/fabricated_ward.h"
 
 namespace gurney {
 namespace {

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/studies/fabricated_run.h"
-#include "tests/studies/fabricated_ward.h"
+#include "tests/support/fabricated_run.h"
+#include "tests/support/fabricated_ward.h"
 
 namespace gurney {
 namespace {

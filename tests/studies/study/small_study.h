@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "studies/batch/run_unit.h"
+#include "studies/study/run/run_unit.h"
 
 namespace gurney {
 

@@ -1,0 +1,298 @@
+"""Writes the tables of docs/shipped_studies.md and docs/validation.md from the results files of their studies.
+
+usage: python3 docs/validation/tables.py FOLDER_OF_RESULTS [NAME...]
+A table follows the line <!-- tables.py NAME --> of its page; its rows are replaced, its head stays.
+needs python3-h5py and python3-pandas, and gurney in the PATH or in the environment variable GURNEY.
+"""
+
+import math
+import pathlib
+import re
+import sys
+
+import numpy
+
+from results import clopper_pearson, fragilities, gurney, items_of, joined, runs_of, tables_of
+
+PAGES = [pathlib.Path(__file__).parent.parent / name for name in ("shipped_studies.md", "validation.md")]
+
+
+def chosen(table, **levels):
+    """The rows with these levels of the factors; `b_over_h` stands for the factor `b over h`."""
+    for name, level in levels.items():
+        table = table[table["level " + name.replace("_", " ")] == level]
+    return table
+
+
+def at(table, intensity):
+    return table[numpy.isclose(table.intensity, intensity)]
+
+
+def median(values, digits=2):
+    return f"{values.median():.{digits}f}"
+
+
+def spread(values, digits=2):
+    return f"{values.median():.{digits}f} ({values.min():.{digits}f} to {values.max():.{digits}f})"
+
+
+def neonatal_unit(results):
+    table = runs_of(f"{results}/neonatal_unit.h5")
+    for shaking in ("short", "long"):
+        for building in ("fixed", "lead rubber", "friction pendulum"):
+            for floor in ("first", "fourth"):
+                rows = chosen(table, shaking=shaking, building=building, floor=floor)
+                medians = [median(at(chosen(rows, brakes=brakes), level).peak_displacement)
+                           for brakes in ("off", "half on", "on") for level in (0.2, 0.4, 0.8)]
+                yield [shaking, building, floor, *medians, f"{rows.peak_displacement.max():.2f}"]
+
+
+def operating_theatre(results):
+    tables = tables_of(f"{results}/operating_theatre.h5")
+    items, tethers = items_of(tables), joined(tables, "tethers")
+    broken = tethers[(tethers.tether == "cord") & (tethers.time_broken >= 0)].run
+    for brakes in ("off", "on"):
+        for level in sorted(items.intensity.unique()):
+            rows = at(chosen(items, brakes=brakes), level)
+            yield [brakes, f"{level:g}", (rows.residual_displacement > 0.02).sum(), (rows.impacts > 0).sum(),
+                   (rows.largest_approach_speed > 0.8).sum(), rows.run.isin(broken).sum(),
+                   median(rows.peak_displacement)]
+
+
+def ward_corridor(results):
+    tables = tables_of(f"{results}/ward_corridor.h5")
+    items, zones = items_of(tables), joined(tables, "zones")
+    for beds in ("braked", "free"):
+        for carts in ("braked", "free"):
+            for level in (0.2, 0.4, 0.6):
+                rows = at(chosen(items, beds=beds, carts=carts), level)
+                here = zones[zones.run.isin(rows.run)]
+                way, door = here[here.zone == "corridor"], here[here.zone == "room door"]
+                farthest = [rows[rows.item.str.contains(kind)].groupby("run").peak_displacement.max()
+                            for kind in ("bed", "cart")]
+                yield [beds, carts, f"{level:g}",
+                       f"{way.free_width_at_end.median():.2f} ({way.free_width_at_end.min():.2f})",
+                       (way.free_width_at_end < 1.02).sum(), (way.free_width_at_end < 0.8).sum(),
+                       (way.least_free_width < 0.6).sum(), (door.occupied_at_end > 0).sum(),
+                       (rows.groupby("run").largest_approach_speed.max() > 0.4).sum(),
+                       ", ".join(median(each) for each in farthest)]
+
+
+def trolley_orientation(results):
+    table = runs_of(f"{results}/trolley_orientation.h5")
+    for period in ("0.5", "1", "2", "4"):
+        for level in (0.2, 0.4, 0.8):
+            cells = []
+            for brakes in ("off", "on", "total lock"):
+                rows = at(chosen(table, period=period, brakes=brakes), level)
+                overturned = rows.overturned.sum()
+                cells.append(f"{rows.peak_displacement.min():.3f} to {rows.peak_displacement.max():.3f}"
+                             + (f"; {overturned} overturned" if overturned else ""))
+            yield [period, f"{level:g}", *cells]
+
+
+def theta_and_beta(curve):
+    """Cells `theta (interval)`, `beta (interval)` of a fitted curve, else why there is none."""
+    if curve["curve"] is None:
+        return ["none overturned" if curve["exceeded"] == 0 else curve["status"].split(":")[0], ""]
+    cells = []
+    for name in ("theta", "beta"):
+        low, high = curve[name + "_interval"]
+        high = "no upper bound" if high is None else f"{high:.2f}"
+        cells.append(f"{curve['curve'][name]:.2f} ({low:.2f} to {high})")
+    return cells
+
+
+def icu_ventilator_fragility(results):
+    path = f"{results}/icu_ventilator_fragility.h5"
+    table = runs_of(path)
+    exceeds = {
+        "displaced": ("displaced > 0.3 m", table.peak_displacement > 0.3),
+        "hit": ("hit at > 0.4 m/s", table.largest_approach_speed > 0.4),
+        "overturned": ("overturned", table.overturned),
+    }
+    for limit_state, (words, exceeded) in exceeds.items():
+        curves = fragilities(path, limit_state)
+        for brakes in ("off", "on"):
+            rows = chosen(table[exceeded], brakes=brakes)
+            counts = [len(at(rows, level)) for level in sorted(table.intensity.unique())]
+            yield [f"{brakes}, {words}", *counts, *theta_and_beta(curves[brakes])]
+
+
+def icu_ventilator_ida(results):
+    path = f"{results}/icu_ventilator_ida.h5"
+    table = runs_of(path)
+    for brakes, curve in fragilities(path, "overturned").items():
+        rows = chosen(table, brakes=brakes)
+        capacities = rows[rows.overturned].groupby("record").intensity.min()
+        yield [brakes, len(rows), *theta_and_beta(curve), f"{capacities.min():.2f}", f"{capacities.max():.1f}"]
+
+
+def long_period(results):
+    table = runs_of(f"{results}/validation_long_period.h5")
+    for period, brakes, digits in (("2 s", "off", 1), ("3 s", "off", 1), ("4 s", "off", 1), ("3 s", "half", 2),
+                                   ("3 s", "on", 2)):
+        rows = chosen(table, period=period, brakes=brakes)
+        cells = [spread(chosen(rows, item=item).peak_displacement, digits)
+                 for item in ("bed", "dialysis", "ultrasound")]
+        yield [period, brakes.replace("half", "on one diagonal"), *cells,
+               f"{(rows.peak_displacement > 3).sum()} of {len(rows)}"]
+
+
+PAIR = ["level building", "level floor", "record", "angle", "intensity"]
+
+
+def farther(table, locks):
+    """Pairs of the same record, angle and intensity in which the locked machine moves farther than the free one."""
+    free = chosen(table, locks="free").set_index(PAIR).peak_displacement
+    locked = chosen(table, locks=locks).set_index(PAIR)
+    return locked[locked.peak_displacement > free.reindex(locked.index)].reset_index()
+
+
+def ultrasound_pairs(results):
+    table = runs_of(f"{results}/validation_ultrasound.h5")
+    for building in ("fixed", "lead rubber", "friction pendulum"):
+        for floor in ("first", "fourth"):
+            counts = [len(chosen(farther(table, locks), building=building, floor=floor))
+                      for locks in ("casters", "wheel brakes", "all wheels")]
+            yield [f"{building}, {floor} floor".replace("fixed,", "fixed base,"), *counts]
+
+
+def difference(path, a, b):
+    """Mean of A, mean of B, their difference with its interval, and p by Holm."""
+    mean = gurney("compare", path, "--configurations", f"{a},{b}", "--demand", "peak_displacement")["means"][0]
+    low, high = mean["interval"]
+    return (f"{mean['a']:.2f}", f"{mean['b']:.2f}", f"{mean['difference']:.2f} ({low:.2f} to {high:.2f})",
+            f"{mean['p_holm']:.3f}")
+
+
+def ultrasound_means(results):
+    for building in ("fixed", "lead rubber", "friction pendulum"):
+        yield [building, *difference(f"{results}/validation_ultrasound.h5", f"{building}, fourth, free",
+                                     f"{building}, fourth, casters")]
+
+
+def isolation(results):
+    path = f"{results}/validation_isolation.h5"
+    table = runs_of(path)
+    keys = ["record", "intensity"]
+    for item in ("dialysis", "ultrasound"):
+        for building in ("lead rubber", "friction pendulum", "fixed"):
+            rows = chosen(table, building=building, item=item)
+            free = chosen(rows, brakes="off").set_index(keys).peak_displacement
+            cells = []
+            for brakes in ("half", "on"):
+                off, braked, change, p = difference(path, f"{building}, {item}, off", f"{building}, {item}, {brakes}")
+                pairs = chosen(rows, brakes=brakes).set_index(keys).peak_displacement
+                cells += [braked, f"{change}, {p}", (pairs > free.reindex(pairs.index)).sum()]
+            yield [building, item, off, *cells]
+
+
+def b_over_h(results):
+    table = runs_of(f"{results}/validation_b_over_h.h5")
+    for ratio in sorted(table["level b over h"].unique(), key=float):
+        cells = []
+        for floor in ("ground", "building of 0.6 s"):
+            for locks in ("none", "half", "all"):
+                rows = chosen(table, floor=floor, locks=locks, b_over_h=ratio)
+                k, n = int(rows.overturned.sum()), len(rows)
+                cells.append(f"{k}" if locks != "all" else "{} ({:.2f} to {:.2f})".format(k, *clopper_pearson(k, n)))
+        yield [f"{ratio} ({2 * float(ratio):g})", *cells]
+
+
+def b_over_h_height(results):
+    table = runs_of(f"{results}/validation_b_over_h_height.h5")
+    for height in ("0.5", "0.75", "1"):
+        yield [f"{height} m", *(chosen(table, h_and_b_over_h=f"{height} m, {ratio}").overturned.sum()
+                                for ratio in ("0.3", "0.35", "0.4", "0.5"))]
+
+
+G = 9.80665
+
+
+def slide_of_rigid_cart(amplitude, period):
+    """How far the rigid cart of validation_half_locked slides in one cycle of its floor [m]: Newmark's block that resists with k g.
+
+    mu 0.6, c = Cr / R 0.02; contacts 0.216 m before and 0.217 m behind the centre of mass, which is 0.645 m high;
+    the two wheels that roll add 2 I / R^2 = 0.25 kg to 110 kg.
+    """
+    before, behind, height, mu, c = 0.216, 0.217, 0.645, 0.6, 0.02
+    wheelbase = before + behind
+    k = (mu * behind + c * before) / wheelbase / (1 + (mu - c) * height / wheelbase)
+    if amplitude <= k:
+        return 0.0
+    frequency = 2 * math.pi / period
+    start = math.asin(k / amplitude)  # phases: sliding starts, and ends where the velocity is 0 again
+
+    def velocity(phase):
+        return G / frequency * (amplitude * (math.cos(start) - math.cos(phase)) - k * (phase - start))
+
+    low, high = math.pi - start, start + 2 * math.pi
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if velocity(middle) > 0 else (low, middle)
+    width = low - start
+    rigid = G / frequency**2 * (amplitude * (width * math.cos(start) - math.sin(low) + math.sin(start)) - k * width**2 / 2)
+    return rigid * 110 / 110.25
+
+
+def half_locked(results):
+    table = runs_of(f"{results}/validation_half_locked.h5")
+    for period in (2, 3, 5):
+        for level in (0.1, 0.2, 0.25, 0.3):
+            rows = at(table, level * G)
+            drift = {(locks, cycles): -chosen(rows, locks=locks, shaking=f"{period} s, {cycles} cycles")
+                     .residual_displacement_x.iloc[0] for locks in ("front", "none", "all") for cycles in (10, 20)}
+            cycle = (drift["front", 20] - drift["front", 10]) / 10
+            final = [f"{drift[locks, 20] + 0:.2f}".replace("-0.00", "0.00") for locks in ("front", "none", "all")]
+            yield [f"{period} s", f"{level:g} g", f"{1000 * slide_of_rigid_cart(level, period):.0f}",
+                   f"{abs(1000 * cycle):.0f}", *final]
+
+
+def p58(results):
+    curves = fragilities(f"{results}/validation_p58.h5", "overturned")
+    from figures import P58
+    for name, (depth, height, published) in P58.items():
+        cells = []
+        for friction in ("does not slide", "0.2 to 0.6"):
+            for floor in ("ground", "building of 1 s"):
+                curve = curves[f"{floor}, {friction}, {name}"]
+                theta, _ = theta_and_beta(curve)
+                fitted = curve["curve"] is not None
+                cells.append(f"{theta}, {curve['curve']['beta']:.2f}" if fitted else theta)
+                if friction == "does not slide":
+                    cells.append(f"{curve['curve']['theta'] / published:.2f}" if fitted else "")
+        yield [name, f"{depth / height:.3f}", f"{published:.3f}", *cells]
+
+
+TABLES = [neonatal_unit, operating_theatre, ward_corridor, trolley_orientation, icu_ventilator_fragility,
+          icu_ventilator_ida, long_period, ultrasound_pairs, ultrasound_means, isolation, b_over_h,
+          b_over_h_height, half_locked, p58]
+
+
+def replaced(page, name, rows):
+    """The page with these rows in the table below the mark of this name."""
+    body = "".join("| " + " | ".join(str(cell) for cell in row) + " |\n" for row in rows).replace("|  |", "| |")
+    pattern = rf"(<!-- tables\.py {name} -->\n\|[^\n]*\n\| ---[^\n]*\n)(?:\|[^\n]*\n)*"
+    return re.sub(pattern, lambda found: found.group(1) + body, page)
+
+
+def main(results, names):
+    for table in TABLES:
+        if names and table.__name__ not in names:
+            continue
+        rows = list(table(results))
+        found = False
+        for path in PAGES:
+            before = path.read_text()
+            if f"<!-- tables.py {table.__name__} -->" in before:
+                path.write_text(replaced(before, table.__name__, rows))
+                found = True
+        if not found:
+            raise SystemExit(f"no page has a table {table.__name__}")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        raise SystemExit(__doc__)
+    main(sys.argv[1], sys.argv[2:])

@@ -1,0 +1,60 @@
+#include "engine/base/number_text.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <charconv>
+
+namespace gurney {
+
+namespace {
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_sign(char c) { return c == '+' || c == '-'; }
+
+/// The number of a mantissa that ends before the D of its exponent, `-03` of `1.5D-03`; `rest`
+/// begins with the D and is shortened. Nothing if there is no such exponent.
+std::optional<double> with_d_exponent(std::string_view mantissa, std::string_view& rest) {
+  if (rest.empty() || (rest[0] != 'D' && rest[0] != 'd')) return {};
+  if (mantissa.find_first_of("eE") != std::string_view::npos) return {};
+  std::size_t end = rest.size() > 1 && is_sign(rest[1]) ? 2 : 1;
+  const std::size_t digits = end;
+  while (end < rest.size() && is_digit(rest[end])) ++end;
+  if (end == digits) return {};
+  const std::string text = fmt::format("{}e{}", mantissa, rest.substr(1, end - 1));
+  double value = 0;
+  if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc()) return {};
+  rest.remove_prefix(end);
+  return value;
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(kNumberBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kNumberBlanks) - first + 1);
+}
+
+std::optional<double> take_number(std::string_view& text) {
+  std::string_view digits = text;
+  if (!digits.empty() && is_sign(digits[0])) digits.remove_prefix(1);
+  // from_chars would take "inf", "nan" and a second minus.
+  if (digits.empty() || !(is_digit(digits[0]) || digits[0] == '.')) return {};
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc()) return {};
+  const bool negative = text[0] == '-';
+  const auto length = static_cast<std::size_t>(end - digits.data());
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  value = with_d_exponent(digits.substr(0, length), text).value_or(value);
+  return negative ? -value : value;
+}
+
+std::optional<double> number(std::string_view text) {
+  text = trimmed(text);
+  const auto value = take_number(text);
+  return text.empty() ? value : std::nullopt;
+}
+
+}  // namespace gurney

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/response/response.h"
+#include "engine/scene/scene.h"
+#include "engine/scene/settings.h"
+
+namespace gurney {
+
+/// Runs one scene with the solver that its settings name: simulate(), or a baseline on stock
+/// Bullet.
+/// @throws Error as these do
+Response simulate_with_any_solver(const Scene& scene, const Excitation& excitation,
+                                  const SimulationSettings& settings);
+
+}  // namespace gurney

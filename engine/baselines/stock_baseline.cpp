@@ -1,0 +1,109 @@
+#include "engine/baselines/stock_baseline.h"
+
+#include <cmath>
+#include <memory>
+
+#include "engine/base/error.h"
+#include "engine/baselines/paper_model.h"
+#include "engine/baselines/stock_multibody.h"
+#include "engine/run/recorder.h"
+#include "engine/run/run_clock.h"
+
+namespace gurney {
+namespace {
+
+/// What the recorder reads of a step.
+void fill(double duration, const std::vector<double>& normal, const State& before,
+          const State& after, ItemStage::Output& output) {
+  output.acceleration.chassis = (after.velocity.chassis - before.velocity.chassis) / duration;
+  for (std::size_t i = 0; i < normal.size(); ++i) {
+    TreadLaw::Result& tread = output.treads[i];
+    tread = TreadLaw::Result();
+    tread.force[2] = normal[i];
+    tread.compression = normal[i] > 0 ? 1e-6 : -1e-6;
+    tread.end.rolling = true;
+    const Matrix3 rotation = after.rotation.toRotationMatrix();
+    const double yaw = std::atan2(rotation(1, 0), rotation(0, 0)) + after.legs[i].swivel_angle;
+    output.heading[i] = {std::cos(yaw), std::sin(yaw)};
+  }
+}
+
+}  // namespace
+
+Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitation,
+                                  const SimulationSettings& settings) {
+  validate(scene);
+  validate(excitation);
+  validate(settings);
+  bool free = true;
+  for (const Guide& guide : excitation.fixture.guides) free &= guide.kind == Guide::Kind::kFree;
+  require(scene.room.empty() && scene.tethers.empty() && scene.zones.empty() &&
+              scene.items.size() == 1 && !scene.items[0].model.casters.empty(),
+          "the stock Bullet baselines know one item on casters and no room; use solver = "
+          "\"star\" for this job");
+  require(free && excitation.drop_weights.empty() && excitation.blocks.empty(),
+          "the stock Bullet baselines know no drop weights, blocks or fixtures; use solver = "
+          "\"star\" for this job");
+  require(
+      !excitation.floor.rotates(),
+      "the stock Bullet baselines know no rotation of the floor; use solver = \"star\" for this "
+      "job");
+  const Assembly assembly(scene, excitation);
+  const Mechanism& mechanism = assembly.items[0];
+  SceneState scene_state{{mechanism.placed(scene.items[0].initial)}, {}};
+  State& state = scene_state.items[0];
+  mechanism.set_in_motion(scene.items[0].initial, state);
+  Recorder recorder(scene, assembly, 0, scene_state);
+  RunClock clock(excitation, mechanism.loads.breakpoints(), settings);
+  const bool paper =
+      settings.solver == Solver::kBulletPaper || settings.solver == Solver::kBulletPaperDantzig;
+  const std::unique_ptr<StockModel> world =
+      paper ? make_paper_model(scene, mechanism, settings.solver == Solver::kBulletPaperDantzig)
+            : make_stock_multibody(scene, mechanism, settings.solver);
+  world->place(state);
+  Response response;
+  const EnergyAccount account;
+  StageSolver::Output output;
+  output.items.resize(1);
+  const Island alone{{0}, 0, 0};
+  std::vector<Loads::Row> rows;
+  SceneState next = scene_state;
+  recorder.sample(scene_state, account, clock.keeps_history());
+  double sampled_at = state.time;
+  while (clock.next(state.time)) {
+    const double duration = clock.target() - state.time;
+    FloorStage floor;
+    floor.acceleration = floor.translation =
+        (excitation.floor.velocity_at(clock.target()) - excitation.floor.velocity_at(state.time)) /
+        duration;
+    const Loads::Stage stage{duration, state.time, clock.target(), true, &state.loads};
+    mechanism.loads.evaluate(stage, state.pose(), state.velocity.chassis, rows);
+    world->step(duration, mechanism.gravity - floor.acceleration, rows, state, next.items[0]);
+    fill(duration, world->normal_forces(), state, next.items[0], output.items[0]);
+    ++response.quality.steps;
+    if (!next.items[0].position.allFinite()) {
+      clock.stop(Outcome::kDiverged, "the position is not finite");
+      break;
+    }
+    recorder.observe({&alone, state.time, duration, &scene_state, &next, &output, &output, floor},
+                     {});
+    state = next.items[0];
+    state.time = clock.target();
+    if (clock.sample_due()) {
+      recorder.sample(scene_state, account, clock.keeps_history());
+      sampled_at = state.time;
+    }
+    clock.observe(state.time, {recorder.motion()});
+    if (clock.overturned_at(0) == state.time) recorder.overturned();
+  }
+  if (sampled_at != state.time) recorder.sample(scene_state, account, clock.keeps_history());
+  response.outcome = clock.outcome();
+  response.cause = clock.cause();
+  response.end_time = state.time;
+  response.items.clear();
+  recorder.finish(scene_state, account, clock.overturned_at(0), response);
+  response.quality.energy_closure = response.quality.numerical_loss = 0;
+  return response;
+}
+
+}  // namespace gurney

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "engine/response/response.h"
+#include "engine/scene/scene.h"
+#include "engine/scene/settings.h"
+
+namespace gurney {
+
+/// The identical scene on stock Bullet, set up as well as it allows: what `solver = "bullet"`,
+/// `"bullet-dantzig"`, `"bullet-paper"` and `"bullet-paper-dantzig"` run, so that their error and
+/// cost are numbers.
+///
+/// The floor's acceleration is the exact mean of each step in gravity. What differs is the item:
+/// stock_multibody.h of `bullet` and `bullet-dantzig`, paper_model.h of the others.
+///
+/// Limits: rigid treads (no compliance, damping or scrub); no energy account beyond kinetic and
+/// gravitational energy.
+/// @throws Error for drop weights, blocks, fixtures and a floor that rotates, which it does not
+///         know; the paper's model for brakes and locks too.
+Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitation,
+                                  const SimulationSettings& settings);
+
+}  // namespace gurney

@@ -1,0 +1,85 @@
+#include "engine/config/nearest_name.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace gurney::config {
+
+int edit_distance(const std::string& a, const std::string& b) {
+  const std::size_t rows = a.size() + 1, columns = b.size() + 1;
+  std::vector<int> cost(rows * columns);
+  const auto at = [&](std::size_t i, std::size_t j) -> int& { return cost[i * columns + j]; };
+  for (std::size_t i = 0; i < rows; ++i) at(i, 0) = static_cast<int>(i);
+  for (std::size_t j = 0; j < columns; ++j) at(0, j) = static_cast<int>(j);
+  for (std::size_t i = 1; i < rows; ++i)
+    for (std::size_t j = 1; j < columns; ++j) {
+      const int substitution = a[i - 1] == b[j - 1] ? 0 : 1;
+      at(i, j) = std::min({at(i - 1, j) + 1, at(i, j - 1) + 1, at(i - 1, j - 1) + substitution});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
+    }
+  return cost.back();
+}
+
+namespace {
+
+std::string in_lower_case(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return name;
+}
+
+/// `PU 125` and `pu_125` are one word.
+std::string plain(const std::string& name) {
+  std::string letters = in_lower_case(name);
+  std::erase_if(letters, [](char c) { return c == '_' || c == '-' || c == ' ' || c == '.'; });
+  return letters;
+}
+
+/// `mass` for `mass_kg`, `timestep` for `time_step_s`.
+bool is_beginning(const std::string& name, const std::string& known) {
+  constexpr std::size_t kFewestLetters = 3;
+  return name.size() >= kFewestLetters && plain(known).starts_with(plain(name));
+}
+
+/// A third of the letters wrong is still a typo; more is another word.
+int largest_distance(const std::string& name) {
+  const int letters = static_cast<int>(name.size());
+  return std::min(std::max(2, letters / 3), letters - 1);
+}
+
+/// The same word spelt otherwise, then one letter wrong, then a forgotten unit, then a typo:
+/// `swivel` is `swivels` and not the beginning of `swivel_lock`.
+const std::string* nearest(const std::string& name, const std::vector<std::string>& known) {
+  const auto found = [&](auto is_it) -> const std::string* {
+    const auto at = std::ranges::find_if(known, is_it);
+    return at == known.end() ? nullptr : &*at;
+  };
+  const std::string lower = in_lower_case(name);
+  const auto distance = [&](const std::string& each) {
+    return edit_distance(lower, in_lower_case(each));
+  };
+  if (const auto* same = found([&](const auto& each) { return plain(each) == plain(name); }))
+    return same;
+  const std::string& closest = *std::ranges::min_element(known, {}, distance);
+  if (distance(closest) <= std::min(1, largest_distance(name))) return &closest;
+  if (const auto* longer = found([&](const auto& each) { return is_beginning(name, each); }))
+    return longer;
+  return distance(closest) <= largest_distance(name) ? &closest : nullptr;
+}
+
+}  // namespace
+
+std::string suggestion(const std::string& name, const std::vector<std::string>& known) {
+  if (known.empty()) return "";
+  if (const std::string* near = nearest(name, known)) return "; did you mean '" + *near + "'?";
+  std::string list;
+  for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
+  return "; known: " + list;
+}
+
+std::string near_name(const std::string& name, const std::vector<std::string>& known) {
+  const std::string* near = known.empty() ? nullptr : nearest(name, known);
+  return near == nullptr ? "" : "; did you mean '" + *near + "'?";
+}
+
+}  // namespace gurney::config

@@ -1,0 +1,19 @@
+#pragma once
+
+namespace gurney {
+
+/// What the numbers of a run are worth.
+struct Quality {
+  double energy_closure =
+      0;  ///< largest |closure| over the largest energy in play (stored, work or loss) [-]
+  double numerical_loss = 0;    ///< numerical_loss over the same energy [-]
+  double largest_residual = 0;  ///< worst accepted momentum residual, as a fraction of M g dt
+  long steps = 0;
+  long subdivided_steps = 0;   ///< steps that had to be cut because their solve did not converge
+  long unconverged_steps = 0;  ///< accepted with a residual above the setting
+  long event_steps = 0;        ///< extra steps that end at a located event or resolve an impact
+  long newton_iterations = 0;
+  long collision_passes = 0;  ///< of Bullet
+};
+
+}  // namespace gurney

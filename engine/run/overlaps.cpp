@@ -1,0 +1,46 @@
+#include "engine/run/overlaps.h"
+
+#include <algorithm>
+
+#include "engine/bullet/bullet_world.h"
+#include "engine/solver/assembly.h"
+
+namespace gurney {
+namespace {
+
+constexpr double kLeastDepth = 1e-3;  // [m]
+
+}  // namespace
+
+std::vector<Overlap> find_overlaps(const Scene& scene) {
+  validate(scene);
+  const Assembly assembly(scene, {});
+  SceneState state;
+  for (std::size_t i = 0; i < scene.items.size(); ++i)
+    state.items.push_back(assembly.items[i].placed(scene.items[i].initial));
+  std::vector<Overlap> overlaps;
+  const auto note = [&](const BodyContact& contact, double depth) {
+    const Overlap here{contact.side.item,
+                       contact.between_items() ? static_cast<int>(contact.other_side.item) : -1,
+                       contact.between_items() ? -1 : contact.other - 1, depth};
+    for (Overlap& known : overlaps)
+      if (known.item == here.item && known.other_item == here.other_item &&
+          known.shape == here.shape) {
+        known.depth = std::max(known.depth, depth);
+        return;
+      }
+    overlaps.push_back(here);
+  };
+  constexpr double kNoTime = 1e-6;  // [s]
+  BulletWorld(scene, assembly, false)
+      .step(kNoTime, state, [&](double, const std::vector<BodyContact>& contacts) {
+        for (const BodyContact& contact : contacts) {
+          const double depth = -assembly.gap(contact, state);
+          if (contact.other != 0 && depth > kLeastDepth) note(contact, depth);
+        }
+        return false;
+      });
+  return overlaps;
+}
+
+}  // namespace gurney

@@ -1,0 +1,259 @@
+#include "engine/run/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/solver/quadrature.h"
+
+namespace gurney {
+namespace {
+
+double yaw_of(const Matrix3& rotation) { return std::atan2(rotation(1, 0), rotation(0, 0)); }
+
+double tilt_of(const Matrix3& rotation) { return std::acos(std::clamp(rotation(2, 2), -1.0, 1.0)); }
+
+double horizontal(const Vector3& v) { return v.head<2>().norm(); }
+
+WheelMode mode_of(const Leg& leg, const TreadLaw::Result& tread, bool axle_slips) {
+  if (tread.force[2] <= 0) return WheelMode::kLifted;
+  if (tread.end.sliding) return WheelMode::kSkids;
+  if (leg.braked() && !axle_slips) return WheelMode::kBraked;
+  return tread.end.rolling ? WheelMode::kRolls : WheelMode::kSticks;
+}
+
+}  // namespace
+
+Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t item,
+                   const SceneState& at_start)
+    : assembly_(assembly),
+      item_(item),
+      mechanism_(assembly.items[item]),
+      origin_(-mechanism_.chassis.center_of_mass) {
+  const Mechanism& mechanism = mechanism_;
+  const State& start = at_start.items[item];
+  const EquipmentModel& model = scene.items[item].model;
+  const Matrix3 rotation = start.rotation.toRotationMatrix();
+  for (const auto& point : model.marked_points) {
+    points_.push_back(point.position + origin_);
+    point_starts_.push_back(start.position + rotation * points_.back());
+  }
+  origin_start_ = start.position + rotation * origin_;
+  yaw_start_ = yaw_ = yaw_of(rotation);
+  for (const auto& caster : model.casters) trails_.push_back(caster.trail);
+  gaps_.resize(mechanism.legs.size());
+  demands_.wheels.resize(mechanism.legs.size());
+  demands_.points.resize(points_.size());
+  current_.points.resize(points_.size());
+  gravitational_start_ = mechanism.gravitational_energy(start);
+  stored_start_ = complete(at_start, {}).stored();
+  sampled_ = checked_ = EnergyBalance(stored_start_);
+  current_.velocity =
+      start.velocity.chassis.head<3>() + start.velocity.chassis.tail<3>().cross(rotation * origin_);
+  current_.tilt = demands_.peak_tilt = tilt_of(rotation);
+  current_.orientation = start.rotation;
+  current_.cable_tension = mechanism.loads.cable_tension(start.loads);
+  current_.pull_force =
+      mechanism.loads.pull_force(start.time, start.pose(), start.velocity.chassis);
+  demands_.peak_velocity = horizontal(current_.velocity);
+  for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
+    Leg::Geometry g;
+    mechanism.legs[i].evaluate(start.pose(), start.legs[i].swivel_angle, start.velocity.chassis,
+                               start.velocity.joints[i], Vector3::Zero(), g);
+    gaps_[i] = {g.height, 0, g.height >= 0, start.time};
+    WheelSample& wheel = current_.wheels[i];
+    wheel.swivel_angle = start.legs[i].swivel_angle;
+    wheel.swivel_rate = start.velocity.joints[i][0];
+    wheel.wheel_rate = start.velocity.joints[i][1];
+    wheel.normal_force = mechanism.legs[i].tread().static_force(-g.height);
+    wheel.mode = wheel.normal_force > 0 ? WheelMode::kSticks : WheelMode::kLifted;
+    demands_.wheels[i].peak_normal_force = wheel.normal_force;
+    demands_.peak_normal_force = std::max(demands_.peak_normal_force, wheel.normal_force);
+  }
+}
+
+void Recorder::observe(const Stepper::Step& step, const ImpactLog::Kinds& impacts) {
+  const State& to = step.to->items[item_];
+  const Matrix3 rotation = to.rotation.toRotationMatrix();
+  const Vector3 v = to.velocity.chassis.head<3>(), w = to.velocity.chassis.tail<3>();
+  const Vector6& a = step.end->items[item_].acceleration.chassis;
+  const Vector3 r = rotation * origin_;
+  const Vector3 before = current_.displacement;
+  current_.time = to.time;
+  current_.displacement = to.position + r - origin_start_;
+  current_.velocity = v + w.cross(r);
+  current_.acceleration = a.head<3>() + a.tail<3>().cross(r) + w.cross(w.cross(r));
+  const double yaw = yaw_of(rotation);
+  yaw_ += std::remainder(yaw - yaw_, 2 * std::numbers::pi);
+  current_.yaw = yaw_ - yaw_start_;
+  current_.tilt = tilt_of(rotation);
+  current_.orientation = to.rotation;
+
+  Demands& d = demands_;
+  d.path_length += horizontal(current_.displacement - before);
+  const double distance = horizontal(current_.displacement);
+  if (distance > d.peak_displacement) {
+    d.peak_displacement = distance;
+    d.time_of_peak_displacement = to.time;
+  }
+  d.peak_displacement_x = std::max(d.peak_displacement_x, std::abs(current_.displacement.x()));
+  d.peak_displacement_y = std::max(d.peak_displacement_y, std::abs(current_.displacement.y()));
+  d.peak_velocity = std::max(d.peak_velocity, horizontal(current_.velocity));
+  d.peak_yaw = std::max(d.peak_yaw, std::abs(current_.yaw));
+  if (current_.tilt > d.peak_tilt) {
+    d.peak_tilt = current_.tilt;
+    d.time_of_peak_tilt = to.time;
+  }
+  speed_ = body_speed_ = v.norm() + w.norm() * mechanism_.reach;
+  observe_wheels(step);
+  observe_points(step, rotation, impacts);
+}
+
+void Recorder::overturned() {
+  const Vector3 up = current_.orientation * Vector3::UnitZ();
+  demands_.direction_of_overturning = std::atan2(up.y(), up.x());
+  for (std::size_t i = 0; i < gaps_.size(); ++i)
+    if (gaps_[i].lifted) demands_.wheels[i].liftoff_before_overturning = gaps_[i].since;
+}
+
+void Recorder::observe_wheels(const Stepper::Step& step) {
+  const State& to = step.to->items[item_];
+  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
+    const Leg& leg = mechanism_.legs[i];
+    const TreadLaw::Result& tread = step.end->items[item_].treads[i];
+    const Eigen::Vector2d& rates = to.velocity.joints[i];
+    WheelSample& wheel = current_.wheels[i];
+    wheel.swivel_angle = to.legs[i].swivel_angle;
+    wheel.swivel_rate = rates[0];
+    wheel.wheel_rate = rates[1];
+    wheel.normal_force = tread.force[2];
+    const Vector2 tangential = tread.force.head<2>();
+    const Vector2& heading = step.end->items[item_].heading[i];
+    wheel.longitudinal_force = heading.dot(tangential);
+    wheel.lateral_force = heading.x() * tangential.y() - heading.y() * tangential.x();
+    wheel.scrub_torque = leg.tread().spin_radius() * tread.force[3];
+    wheel.rolling_resistance = tread.force[4] / leg.wheel_radius();
+    wheel.mode = mode_of(leg, tread, step.end->items[item_].axle_slips[i]);
+    // A wheel in the air may spin on a free axle for ever; that is no motion of the item.
+    const double spin = wheel.mode == WheelMode::kLifted ? 0 : std::abs(rates[1]);
+    speed_ = std::max({speed_, std::abs(rates[0]) * (trails_[i] + leg.wheel_radius()),
+                       spin * leg.wheel_radius()});
+
+    WheelDemands& d = demands_.wheels[i];
+    d.peak_normal_force = std::max(d.peak_normal_force, wheel.normal_force);
+    d.peak_tangential_force = std::max(d.peak_tangential_force, tangential.norm());
+    d.skid_distance +=
+        step.duration * ((1 - kSdirkGamma) * step.first->items[item_].treads[i].slip_speed +
+                         kSdirkGamma * tread.slip_speed);
+    demands_.peak_normal_force = std::max(demands_.peak_normal_force, wheel.normal_force);
+  }
+  observe_lift(step);
+  current_.cable_tension = mechanism_.loads.cable_tension(to.loads);
+  current_.pull_force = mechanism_.loads.pull_force(to.time, to.pose(), to.velocity.chassis);
+}
+
+void Recorder::observe_lift(const Stepper::Step& step) {
+  const double h = step.duration;
+  bool near = false;
+  std::array<Gap, kMaxLegs> now;
+  for (std::size_t i = 0; i < gaps_.size(); ++i) {
+    const TreadLaw::Result& tread = step.end->items[item_].treads[i];
+    now[i] = {-tread.compression, -tread.compression_rate, tread.compression <= 0,
+              gaps_[i].lifted ? gaps_[i].since : step.time + h};
+    near |= gaps_[i].height + h * std::max(gaps_[i].rate, 0.0) > 0 ||
+            now[i].height + h * std::max(-now[i].rate, 0.0) > 0;
+  }
+  // The gap between the ends of the step is the cubic through its heights and rates there.
+  constexpr int kParts = 16;
+  for (int part = 0; near && part < kParts; ++part) {
+    const double s = (part + 0.5) / kParts, r = 1 - s;
+    int lifted = 0;
+    for (std::size_t i = 0; i < gaps_.size(); ++i) {
+      const Gap& a = gaps_[i];
+      const Gap& b = now[i];
+      const double height = a.height * r * r * (1 + 2 * s) + b.height * s * s * (1 + 2 * r) +
+                            h * s * r * (a.rate * r - b.rate * s);
+      if (height < 0) continue;
+      ++lifted;
+      demands_.wheels[i].lifted_time += h / kParts;
+    }
+    if (lifted > 0) demands_.lifted_time += h / kParts;
+    demands_.most_wheels_lifted = std::max(demands_.most_wheels_lifted, lifted);
+  }
+  for (std::size_t i = 0; i < gaps_.size(); ++i) {
+    if (now[i].lifted && !gaps_[i].lifted) ++demands_.wheels[i].liftoffs;
+    gaps_[i] = now[i];
+  }
+}
+
+void Recorder::observe_points(const Stepper::Step& step, const Matrix3& rotation,
+                              const ImpactLog::Kinds& impacts) {
+  const State& to = step.to->items[item_];
+  const Vector3 v = to.velocity.chassis.head<3>(), w = to.velocity.chassis.tail<3>();
+  const Vector6& a = step.end->items[item_].acceleration.chassis;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Vector3 r = rotation * points_[i];
+    PointSample& point = current_.points[i];
+    point.displacement = to.position + r - point_starts_[i];
+    point.velocity = v + w.cross(r);
+    point.absolute_acceleration = a.head<3>() + a.tail<3>().cross(r) + w.cross(w.cross(r)) +
+                                  step.floor.acceleration_at(to.position + r);
+    PointDemands& d = demands_.points[i];
+    d.peak_displacement = std::max(d.peak_displacement, horizontal(point.displacement));
+    const double acceleration = point.absolute_acceleration.norm();
+    if (impacts.restitution) {
+      d.numerical_acceleration = std::fmax(d.numerical_acceleration, acceleration);
+      continue;
+    }
+    d.peak_absolute_acceleration = std::max(d.peak_absolute_acceleration, acceleration);
+    if (impacts.compliant) d.impact_acceleration = std::fmax(d.impact_acceleration, acceleration);
+  }
+}
+
+EnergyAccount Recorder::complete(const SceneState& scene, const EnergyAccount& account) const {
+  const State& state = scene.items[item_];
+  EnergyAccount energy = account;
+  energy.kinetic = mechanism_.kinetic_energy(state);
+  energy.gravitational = mechanism_.gravitational_energy(state) - gravitational_start_;
+  energy.elastic = mechanism_.elastic_energy(state) + assembly_.contact_energy(item_, scene);
+  energy.weight_energy = mechanism_.loads.weight_energy(state.loads);
+  return energy;
+}
+
+void Recorder::sample(const SceneState& state, const EnergyAccount& account, bool keep) {
+  current_.energy = complete(state, account);
+  sampled_.observe(current_.energy);
+  if (keep) history_.push_back(current_);
+}
+
+void Recorder::check(const SceneState& state, const EnergyAccount& account) {
+  checked_.observe(complete(state, account));
+}
+
+void Recorder::finish(const SceneState& state, const EnergyAccount& account, double overturned_at,
+                      Response& response) const {
+  ItemResponse item;
+  Demands& d = item.demands = demands_;
+  d.time_of_overturning = overturned_at;
+  d.residual_displacement = horizontal(current_.displacement);
+  d.residual_displacement_x = current_.displacement.x();
+  d.residual_displacement_y = current_.displacement.y();
+  d.residual_yaw = current_.yaw;
+  for (const Impact& impact : response.impacts) {
+    if (impact.item != item_ && impact.other_item != static_cast<int>(item_)) continue;
+    ++d.impacts;
+    d.largest_approach_speed = std::max(d.largest_approach_speed, impact.approach_speed);
+    d.largest_impulse = std::max(d.largest_impulse, impact.impulse);
+    d.peak_impact_force = std::fmax(d.peak_impact_force, impact.peak_force);
+  }
+  item.energy = complete(state, account);
+  item.stored_energy_at_start = stored_start_;
+  item.history = history_;
+  Quality& q = response.quality;
+  q.energy_closure = std::max(q.energy_closure, sampled_.closure());
+  const double numerical = sampled_.numerical_loss();
+  if (std::abs(numerical) > std::abs(q.numerical_loss)) q.numerical_loss = numerical;
+  response.items.push_back(std::move(item));
+}
+
+}  // namespace gurney

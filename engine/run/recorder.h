@@ -1,0 +1,74 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/response/response.h"
+#include "engine/run/energy_balance.h"
+#include "engine/run/impact_log.h"
+#include "engine/run/run_clock.h"
+#include "engine/scene/scene.h"
+#include "engine/scene/settings.h"
+#include "engine/solver/assembly.h"
+#include "engine/solver/stepper.h"
+
+namespace gurney {
+
+/// Turns the accepted steps of one item into demands, histories and the energy account.
+class Recorder {
+ public:
+  Recorder(const Scene& scene, const Assembly& assembly, std::size_t item, const SceneState& start);
+
+  /// Every accepted step of the item's group.
+  /// @param impacts  the item is in after the step
+  void observe(const Stepper::Step& step, const ImpactLog::Kinds& impacts);
+
+  /// Notes which way the item fell and which wheels were in the air, at the last step.
+  void overturned();
+
+  /// Checks the energy account at `state` and, when `keep`, appends a sample to the history.
+  void sample(const SceneState& state, const EnergyAccount& account, bool keep);
+
+  /// Checks it for the verdict on the run, which must not depend on the history's spacing.
+  void check(const SceneState& state, const EnergyAccount& account);
+  /// [-]
+  double energy_error() const { return checked_.error(); }
+
+  /// At the last step.
+  RunClock::ItemMotion motion() const { return {speed_, body_speed_, current_.tilt}; }
+
+  /// Adds the item to `response`, whose impacts are there, and its energy errors to the quality.
+  void finish(const SceneState& state, const EnergyAccount& account, double overturned_at,
+              Response& response) const;
+
+ private:
+  EnergyAccount complete(const SceneState& state, const EnergyAccount& account) const;
+  void observe_wheels(const Stepper::Step& step);
+  void observe_lift(const Stepper::Step& step);
+  void observe_points(const Stepper::Step& step, const Matrix3& rotation,
+                      const ImpactLog::Kinds& impacts);
+
+  const Assembly& assembly_;
+  std::size_t item_;
+  const Mechanism& mechanism_;
+  std::vector<Vector3> points_;  // marked points relative to the chassis' centre, chassis axes
+  std::vector<Vector3> point_starts_;
+  std::vector<double> trails_;
+  struct Gap {
+    double height = 0;  // of the tread above the floor [m]
+    double rate = 0;    // [m/s]
+    bool lifted = false;
+    double since = 0;  // when it was lifted [s]
+  };
+  std::vector<Gap> gaps_;
+  Vector3 origin_;  // the item's origin relative to the chassis' centre, chassis axes
+  Vector3 origin_start_;
+  double yaw_start_, yaw_;
+  double gravitational_start_, stored_start_;
+  EnergyBalance sampled_, checked_;
+  double speed_ = 0, body_speed_ = 0;
+  Sample current_;
+  Demands demands_;
+  std::vector<Sample> history_;
+};
+
+}  // namespace gurney

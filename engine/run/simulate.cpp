@@ -1,0 +1,122 @@
+#include "engine/run/simulate.h"
+
+#include <fmt/format.h>
+
+#include "engine/base/error.h"
+#include "engine/bullet/bullet_world.h"
+#include "engine/run/impact_log.h"
+#include "engine/run/recorder.h"
+#include "engine/run/run_clock.h"
+#include "engine/run/tether_log.h"
+#include "engine/run/zone_log.h"
+#include "engine/solver/assembly.h"
+#include "engine/solver/equilibrium.h"
+#include "engine/solver/stepper.h"
+
+namespace gurney {
+namespace {
+
+/// Everything placed, settled and set in motion.
+SceneState start_of(const Scene& scene, const Assembly& assembly, const Excitation& excitation) {
+  SceneState state;
+  for (std::size_t i = 0; i < scene.items.size(); ++i)
+    state.items.push_back(assembly.items[i].placed(scene.items[i].initial));
+  for (std::size_t i = 0; i < scene.items.size(); ++i) {
+    settle(assembly, scene, i, excitation, state);
+    assembly.items[i].set_in_motion(scene.items[i].initial, state.items[i]);
+  }
+  return state;
+}
+
+std::string miss_of(const std::string& item, double error) {
+  return fmt::format(
+      "the energy balance of {} is off by {:.2g} of the largest energy in play, above the limit of "
+      "{:g}; a shorter settings.time_step_s may resolve its contacts",
+      item.empty() ? "the item" : item, error, EnergyBalance::kTrusted);
+}
+
+}  // namespace
+
+Response simulate(const Scene& scene, const Excitation& excitation,
+                  const SimulationSettings& settings) {
+  validate(scene);
+  validate(excitation);
+  validate(settings);
+  require(settings.solver == Solver::kStar,
+          "settings.solver names a baseline, which simulate() does not run");
+  const Assembly assembly(scene, excitation);
+  const std::size_t count = assembly.items.size();
+  SceneState state = start_of(scene, assembly, excitation);
+  const double& time = state.items.front().time;
+
+  Stepper stepper(assembly, excitation.floor, settings);
+  BulletWorld world(scene, assembly, settings.skip_clear_collision_passes);
+  std::vector<Recorder> recorders;
+  for (std::size_t i = 0; i < count; ++i) recorders.emplace_back(scene, assembly, i, state);
+  ImpactLog impacts(scene, assembly);
+  TetherLog tethers(assembly, scene.tethers.size());
+  ZoneLog zones(scene, assembly);
+  RunClock clock(excitation, assembly.items.front().loads.breakpoints(), settings);
+  const Stepper::Observer observer = [&](const Stepper::Step& step) {
+    impacts.observe(step);
+    tethers.observe(step);
+    for (std::size_t i : step.island->items) recorders[i].observe(step, impacts.impacts_of(i));
+  };
+  std::optional<std::string> cause;
+  const BulletWorld::Solve solve = [&](double until, const std::vector<BodyContact>& contacts) {
+    stepper.set_contacts(contacts, state);
+    cause = stepper.advance(state, until, observer);
+    return !cause;
+  };
+  const auto sample = [&] {
+    for (std::size_t i = 0; i < count; ++i)
+      recorders[i].sample(state, stepper.accounts()[i], clock.keeps_history());
+    return time;
+  };
+
+  const auto check = [&] {
+    for (std::size_t i = 0; i < count; ++i) recorders[i].check(state, stepper.accounts()[i]);
+  };
+
+  double sampled_at = sample();
+  check();
+  zones.observe(time, 0, state);
+  std::vector<RunClock::ItemMotion> motions(count);
+  while (clock.next(time)) {
+    const double began = time;
+    if (!world.step(clock.target(), state, solve)) {
+      clock.stop(Outcome::kDiverged, *cause);
+      break;
+    }
+    if (clock.at_breakpoint()) stepper.change_loads(state);
+    zones.observe(time, clock.target() - began, state);
+    if (clock.sample_due()) sampled_at = sample();
+    if (clock.check_due()) check();
+    for (std::size_t i = 0; i < count; ++i) motions[i] = recorders[i].motion();
+    clock.observe(time, motions);
+    for (std::size_t i = 0; i < count; ++i)
+      if (clock.overturned_at(i) == time) recorders[i].overturned();
+  }
+  if (sampled_at != time) sample();
+  check();
+  if (clock.outcome() != Outcome::kDiverged)
+    for (std::size_t i = 0; i < count; ++i)
+      if (const double error = recorders[i].energy_error(); !(error <= EnergyBalance::kTrusted))
+        clock.stop(Outcome::kUntrusted, miss_of(scene.items[i].name, error));
+
+  Response response;
+  response.outcome = clock.outcome();
+  response.cause = clock.cause();
+  response.end_time = time;
+  response.quality = stepper.quality();
+  response.quality.collision_passes = world.collision_passes();
+  response.impacts = impacts.finish(time);
+  response.tethers = tethers.outcomes();
+  response.zones = zones.outcomes();
+  response.items.clear();
+  for (std::size_t i = 0; i < count; ++i)
+    recorders[i].finish(state, stepper.accounts()[i], clock.overturned_at(i), response);
+  return response;
+}
+
+}  // namespace gurney

@@ -1,0 +1,26 @@
+#include "engine/run/tether_log.h"
+
+#include <algorithm>
+
+namespace gurney {
+
+void TetherLog::observe(const Stepper::Step& step) {
+  const double time = step.time + step.duration;
+  for (std::size_t item : step.island->items) {
+    const Tethers& tethers = assembly_.items[item].tethers;
+    const State& from = step.from->items[item];
+    const State& to = step.to->items[item];
+    for (std::size_t i = 0; i < tethers.indices().size(); ++i) {
+      TetherOutcome& outcome = outcomes_[tethers.indices()[i]];
+      const bool breaks = ((to.broken_tethers ^ from.broken_tethers) >> i & 1u) != 0;
+      State whole = to;
+      if (breaks) whole.broken_tethers = from.broken_tethers;
+      const double tension = tethers.tension(i, whole);
+      outcome.peak_tension = std::max(outcome.peak_tension, tension);
+      if (tension > 0 && outcome.time_taut < 0) outcome.time_taut = time;
+      if (breaks) outcome.time_broken = time;
+    }
+  }
+}
+
+}  // namespace gurney

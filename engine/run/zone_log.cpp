@@ -1,0 +1,91 @@
+#include "engine/run/zone_log.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gurney {
+namespace {
+
+/// Part of a zone's width that the convex hull of points (x along it, y across) takes within its
+/// length; low > high: none.
+///
+/// The hull's part in the strip |x| <= l is spanned by the points in it and by where the segments
+/// between any two points cross x = +-l.
+template <typename Span>
+Span across(const std::array<Vector2, 8>& points, double half_length) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Span span{kFar, -kFar};
+  const auto add = [&](double y) {
+    span.low = std::min(span.low, y);
+    span.high = std::max(span.high, y);
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (std::abs(points[i].x()) <= half_length) add(points[i].y());
+    for (std::size_t j = 0; j < i; ++j)
+      for (double edge : {-half_length, half_length}) {
+        const double a = points[i].x() - edge, b = points[j].x() - edge;
+        if (a * b < 0) add(points[i].y() + (points[j].y() - points[i].y()) * a / (a - b));
+      }
+  }
+  return span;
+}
+
+}  // namespace
+
+ZoneLog::ZoneLog(const Scene& scene, const Assembly& assembly) : zones_(scene.zones) {
+  for (std::size_t i = 0; i < scene.items.size(); ++i) {
+    auto& corners = boxes_.emplace_back();
+    for (const Box& box : scene.items[i].model.shape) {
+      std::array<Vector3, 8>& of_box = corners.emplace_back();
+      for (std::size_t k = 0; k < 8; ++k) {
+        const Vector3 side(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+        of_box[k] = box.center + 0.5 * side.cwiseProduct(box.size) -
+                    assembly.items[i].chassis.center_of_mass;
+      }
+    }
+  }
+  for (const Zone& zone : zones_) {
+    outcomes_.emplace_back();
+    outcomes_.back().least_free_width = outcomes_.back().free_width_at_end = zone.width;
+  }
+}
+
+double ZoneLog::free_width(const Zone& zone, std::vector<Span> taken) const {
+  std::sort(taken.begin(), taken.end(), [](Span a, Span b) { return a.low < b.low; });
+  double widest = 0, free_from = -0.5 * zone.width;
+  for (const Span& span : taken) {
+    widest = std::max(widest, span.low - free_from);
+    free_from = std::max(free_from, span.high);
+  }
+  return std::max(widest, 0.5 * zone.width - free_from);
+}
+
+void ZoneLog::observe(double time, double duration, const SceneState& state) {
+  for (std::size_t z = 0; z < zones_.size(); ++z) {
+    const Zone& zone = zones_[z];
+    const Eigen::Rotation2Dd to_zone(-zone.angle);
+    std::vector<Span> taken;
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+      for (const auto& corners : boxes_[i]) {
+        std::array<Vector2, 8> points;
+        for (std::size_t k = 0; k < 8; ++k) {
+          const Vector3 corner = state.items[i].position + state.items[i].rotation * corners[k];
+          points[k] = to_zone * (corner.head<2>() - zone.center);
+        }
+        const Span span = across<Span>(points, 0.5 * zone.length);
+        if (span.low < 0.5 * zone.width && span.high > -0.5 * zone.width) taken.push_back(span);
+      }
+    ZoneOutcome& outcome = outcomes_[z];
+    outcome.occupied_at_end = !taken.empty();
+    if (!taken.empty()) {
+      outcome.occupied_time += duration;
+      if (outcome.time_of_entry < 0) outcome.time_of_entry = time;
+    }
+    outcome.free_width_at_end = free_width(zone, std::move(taken));
+    outcome.least_free_width = std::min(outcome.least_free_width, outcome.free_width_at_end);
+  }
+}
+
+}  // namespace gurney

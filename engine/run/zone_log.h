@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/response/response.h"
+#include "engine/scene/scene.h"
+#include "engine/solver/assembly.h"
+
+namespace gurney {
+
+/// What stands in each zone of the room, and how wide a way it leaves.
+class ZoneLog {
+ public:
+  ZoneLog(const Scene& scene, const Assembly& assembly);
+
+  /// The scene at the end of `duration`.
+  void observe(double time, double duration, const SceneState& state);
+  const std::vector<ZoneOutcome>& outcomes() const { return outcomes_; }
+
+ private:
+  struct Span {
+    double low, high;  // across the zone [m]
+  };
+  double free_width(const Zone& zone, std::vector<Span> taken) const;
+
+  std::vector<Zone> zones_;
+  std::vector<std::vector<std::array<Vector3, 8>>> boxes_;  // corners, of each item
+  std::vector<ZoneOutcome> outcomes_;
+};
+
+}  // namespace gurney

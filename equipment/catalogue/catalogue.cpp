@@ -1,0 +1,83 @@
+#include "equipment/catalogue/catalogue.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "engine/base/error.h"
+#include "engine/config/file_snapshot.h"
+#include "engine/config/nearest_name.h"
+
+namespace gurney {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct KindNames {
+  const char* folder;
+  const char* noun;
+};
+
+KindNames names_of(DataKind kind) {
+  switch (kind) {
+    case DataKind::kItem:
+      return {"items", "item of equipment"};
+    case DataKind::kCaster:
+      return {"casters", "caster"};
+    case DataKind::kFloor:
+      return {"floors", "floor covering"};
+    case DataKind::kRoom:
+      return {"rooms", "room"};
+    case DataKind::kTether:
+      break;
+  }
+  return {"tethers", "kind of tether"};
+}
+
+fs::path folder_of(DataKind kind) {
+  return fs::path(data_folder()) / "equipment" / names_of(kind).folder;
+}
+
+}  // namespace
+
+std::string data_folder() {
+  const char* set = std::getenv("GURNEY_DATA");
+  return set != nullptr && *set != '\0' ? set : GURNEY_DATA_DIR;
+}
+
+std::vector<std::string> catalogue_names(DataKind kind) {
+  const fs::path folder = folder_of(kind);
+  std::error_code problem;
+  fs::directory_iterator files(folder, problem);
+  require(!problem, folder.string() +
+                        ": the catalogue is not there; the environment variable GURNEY_DATA names "
+                        "the folder that holds equipment/");
+  std::vector<std::string> names;
+  for (const fs::directory_entry& file : files)
+    if (file.path().extension() == ".toml") names.push_back(file.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string find_data(DataKind kind, const std::string& name, const std::string& named_in) {
+  const std::string noun = names_of(kind).noun;
+  if (name.find('/') != std::string::npos || fs::path(name).extension() == ".toml") {
+    const fs::path path = (fs::path(named_in).parent_path() / name).lexically_normal();
+    std::error_code ignored;
+    const bool there = config::FileSnapshot::exists(path) && !fs::is_directory(path, ignored);
+    require(there, "no such file: " + path.string());
+    return path.string();
+  }
+  const std::string file = (folder_of(kind) / (name + ".toml")).string();
+  if (config::FileSnapshot::exists(file)) return file;
+  const std::vector<std::string> names = catalogue_names(kind);
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    std::string list;
+    for (const std::string& each : names) list += (list.empty() ? "" : ", ") + each;
+    throw Error("unknown " + noun + config::near_name(name, names) + " (the catalogue has " + list +
+                ")");
+  }
+  return file;
+}
+
+}  // namespace gurney

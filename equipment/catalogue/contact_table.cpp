@@ -1,0 +1,80 @@
+#include "equipment/catalogue/contact_table.h"
+
+#include <set>
+
+#include "equipment/catalogue/catalogue.h"
+#include "equipment/catalogue/contact_constants.h"
+
+namespace gurney {
+namespace {
+
+using config::Table;
+
+void read_materials(Table& table, MaterialContact& contact) {
+  const std::vector<std::string> names = table.texts("materials");
+  if (names.size() == 2) {
+    contact.one = names[0];
+    contact.other = names[1];
+  } else if (!table.has("materials")) {
+    table.note("materials", ": missing; must be an array of 2 texts");
+  } else {
+    table.note("materials", ": must be an array of 2 texts");
+  }
+}
+
+/// What an assumption is about: `equipment-concrete/contact.friction`, drawn or not.
+void name_assumptions(const std::string& path, const std::string& part,
+                      std::vector<Assumption>& assumptions) {
+  for (Assumption& each : assumptions)
+    if (each.key.starts_with(path)) each.key = part + "/contact" + each.key.substr(path.size());
+}
+
+}  // namespace
+
+ContactTable read_contacts(Table& parent) {
+  ContactTable contacts;
+  for (Table& table : parent.tables("contact")) {
+    const std::string path =
+        parent.name_of("contact") + "[" + std::to_string(contacts.stated().size()) + "]";
+    MaterialContact fixed;
+    read_materials(table, fixed);
+    if (!fixed.one.empty() && find_contact(contacts.stated(), fixed.one, fixed.other) != nullptr)
+      table.note("materials",
+                 ": the pair of '" + fixed.one + "' and '" + fixed.other + "' is there already");
+    const std::string part = fixed.one + "-" + fixed.other;
+    Uncertain<MaterialContact> contact(fixed);
+    contact.set(&MaterialContact::constants, read_contact_constants(Quantities(table)));
+    contact.add([path, part](MaterialContact& of_draw, Sampler&) {
+      name_assumptions(path, part, of_draw.assumptions);
+    });
+    contacts.add([contact, path, part](std::vector<MaterialContact>& list, Sampler& of) {
+      list.push_back(contact.sample(of.of_element(path, part)));
+    });
+  }
+  return contacts;
+}
+
+ContactTable usual_contacts() {
+  config::Document document(data_folder() + "/equipment/contacts.toml");
+  Table root = document.root();
+  root.choice("schema", {"gurney-contacts/1"});
+  ContactTable contacts = read_contacts(root);
+  document.finish();
+  return contacts;
+}
+
+const MaterialContact* find_contact(const std::vector<MaterialContact>& contacts,
+                                    const std::string& one, const std::string& other) {
+  for (const MaterialContact& each : contacts)
+    if ((each.one == one && each.other == other) || (each.one == other && each.other == one))
+      return &each;
+  return nullptr;
+}
+
+std::vector<std::string> materials_in(const std::vector<MaterialContact>& contacts) {
+  std::set<std::string> names;
+  for (const MaterialContact& each : contacts) names.insert({each.one, each.other});
+  return {names.begin(), names.end()};
+}
+
+}  // namespace gurney

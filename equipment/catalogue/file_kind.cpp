@@ -1,0 +1,46 @@
+#include "equipment/catalogue/file_kind.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "engine/config/table.h"
+
+namespace gurney {
+namespace {
+
+struct FileKind {
+  const char *schema, *name, *command;
+};
+
+constexpr const char* kCheck = "gurney equipment check";
+constexpr std::array kKinds = {FileKind{"gurney-job/1", "a job", "gurney check"},
+                               FileKind{"gurney-item/1", "an item", kCheck},
+                               FileKind{"gurney-caster/1", "a caster", kCheck},
+                               FileKind{"gurney-floor/1", "a floor covering", kCheck},
+                               FileKind{"gurney-room/1", "a room", kCheck},
+                               FileKind{"gurney-tether/1", "a kind of tether", kCheck},
+                               FileKind{"gurney-building/1", "a building",
+                                        "gurney records floor RECORD --floor roof --building"}};
+
+}  // namespace
+
+void refuse_other_kind(config::Document& document, const std::string& wanted) {
+  config::Table root = document.root();
+  if (!root.is_text("schema")) return;
+  const std::string schema = root.text("schema");
+  const auto* const kind = std::ranges::find(
+      kKinds, schema, [](const FileKind& each) { return std::string(each.schema); });
+  if (kind == kKinds.end() || schema == wanted) return;
+  if (wanted.empty() && std::string(kind->command) == kCheck) return;
+  throw Error(
+      fmt::format("{}: schema = \"{}\": the file is {}, not {}; the command for it is: {} {}",
+                  root.where("schema"), schema, kind->name,
+                  wanted.empty() ? "an item, caster, floor covering, room or kind of tether "
+                                   "(\"gurney-item/1\" and so on)"
+                                 : "a job (\"" + wanted + "\")",
+                  kind->command, document.path()));
+}
+
+}  // namespace gurney

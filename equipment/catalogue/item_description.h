@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/config/table.h"
+#include "engine/scene/equipment_model.h"
+#include "equipment/catalogue/assumption.h"
+#include "equipment/catalogue/caster_type.h"
+#include "equipment/catalogue/item_contact.h"
+#include "equipment/catalogue/uncertain.h"
+
+namespace gurney {
+
+/// One place for a caster on the base plate.
+struct CasterPlace {
+  std::string name;
+  std::string where;  ///< `file:line:column`; empty: not from a file
+  CasterType type;
+  Vector3 mount = Vector3::Zero();  ///< of the swivel axis, base axes [m]
+  double heading = 0;               ///< initial [rad]
+  double stated_heading = 0;        ///< before any draw [rad]
+  bool swivels = true;
+  bool brake_on = false;
+  bool swivel_locked = false;
+};
+
+/// Something an item can carry, stacked upwards from `position`.
+struct PayloadKind {
+  std::string name;
+  double mass = 0;                     ///< of one [kg]
+  Vector3 size = Vector3::Zero();      ///< of one, a uniform box [m]
+  Vector3 position = Vector3::Zero();  ///< middle of the underside of the lowest, base axes [m]
+  int count = 0;                       ///< unless a job says otherwise
+  std::vector<Assumption> assumptions;
+};
+
+/// An item as its file describes it (docs/formats/equipment_file.md), in base axes: x forward,
+/// y left, z up from the underside of the base plate, which rests on the casters, or on the lowest
+/// boxes of its shape where it has none.
+struct ItemDescription {
+  std::string name;
+  std::string description;
+  std::string file;
+  double chassis_mass = 0;                           ///< without casters and payloads [kg]
+  Vector3 chassis_center_of_mass = Vector3::Zero();  ///< [m]
+  Matrix3 chassis_inertia = Matrix3::Zero();         ///< about its centre of mass [kg m2]
+  std::string material;                              ///< of its chassis; empty: not said
+  std::vector<Box> shape;
+  std::vector<CasterPlace> casters;  ///< none: it stands on the lowest faces of its boxes
+  ItemContact contact;
+  std::vector<PayloadKind> payloads;
+  std::vector<MarkedPoint> marked_points;
+  std::vector<std::string> variants;    ///< names of all the file has, sorted
+  std::vector<Assumption> assumptions;  ///< besides those of casters and payloads
+};
+
+/// Reads an item from its own file's root or from a table of a job. Mistakes are noted in the
+/// table's document; the result is for use only after its `finish`.
+Uncertain<ItemDescription> read_item(config::Table table);
+
+}  // namespace gurney

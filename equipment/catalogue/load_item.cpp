@@ -1,0 +1,156 @@
+#include "equipment/catalogue/load_item.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "engine/base/diagnostics.h"
+#include "engine/base/units.h"
+#include "equipment/catalogue/stability.h"
+
+namespace gurney {
+namespace {
+
+constexpr double kHeightTolerance = 1e-6;  // [m] mounts are stated in mm
+
+const CasterType& type_at(const CasterPlace& place, const ItemOptions& options) {
+  return options.caster ? *options.caster : place.type;
+}
+
+double base_height(const CasterPlace& place, const ItemOptions& options) {
+  return type_at(place, options).properties.height - place.mount.z();
+}
+
+/// How high the base plate is above the floor [m].
+double base_height(const ItemDescription& item, const ItemOptions& options) {
+  if (!item.casters.empty()) return base_height(item.casters[0], options);
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Box& box : item.shape) lowest = std::min(lowest, box.center.z() - box.size.z() / 2);
+  return -lowest;
+}
+
+/// `value[i]` of an option that may be empty.
+template <typename T>
+T option_at(const std::vector<T>& values, std::size_t i, T otherwise) {
+  assert(values.empty() || i < values.size());
+  return values.empty() ? otherwise : T(values[i]);
+}
+
+void check(const ItemDescription& item, const ItemOptions& options) {
+  Diagnostics errors;
+  for (std::size_t i = 0; i < item.casters.size(); ++i) {
+    const CasterPlace& place = item.casters[i];
+    const auto add = [&](const std::string& line) {
+      errors.add(place.where + (place.where.empty() ? "" : ": ") + line);
+    };
+    const CasterType& type = type_at(place, options);
+    if (option_at(options.brakes, i, place.brake_on) && type.brake_torque == 0)
+      add(fmt::format("caster '{}': the brake is on, but caster {} has no brake_torque_n_m",
+                      place.name, type.name));
+    if (option_at(options.swivel_locks, i, place.swivel_locked) && type.swivel_lock_torque == 0)
+      add(fmt::format(
+          "caster '{}': the swivel is locked, but caster {} has no swivel_lock_torque_n_m",
+          place.name, type.name));
+    const double first = base_height(item.casters[0], options);
+    const double height = base_height(place, options);
+    if (!(std::abs(height - first) <= kHeightTolerance))
+      add(
+          fmt::format("caster '{}': its base plate would be {:.6g} mm above the floor, that of "
+                      "caster '{}' {:.6g} mm: must be equal (height_mm minus z of position_mm)",
+                      place.name, height * kMillimetersPerMeter, item.casters[0].name,
+                      first * kMillimetersPerMeter));
+  }
+  errors.raise();
+}
+
+Caster make_caster(const CasterPlace& place, std::size_t i, const ItemOptions& options,
+                   std::vector<Assumption>& assumptions) {
+  const CasterType& type = type_at(place, options);
+  add_assumptions(assumptions, type.assumptions);
+  Caster caster = type.properties;
+  caster.name = place.name;
+  caster.mount = Vector3(place.mount.x(), place.mount.y(), caster.height);
+  caster.heading = option_at(options.headings, i, place.heading);
+  caster.swivels = place.swivels;
+  if (option_at(options.brakes, i, place.brake_on)) {
+    caster.brake_torque = type.brake_torque;
+    add_assumptions(assumptions, type.brake_assumptions);
+  }
+  if (option_at(options.swivel_locks, i, place.swivel_locked)) {
+    caster.swivel_lock_torque = type.swivel_lock_torque;
+    add_assumptions(assumptions, type.lock_assumptions);
+  }
+  if (options.floor) {
+    caster.tread.rolling_resistance *= options.floor->rolling_resistance_factor;
+    caster.tread.static_friction *= options.floor->friction_factor;
+    caster.tread.kinetic_friction *= options.floor->friction_factor;
+  }
+  return caster;
+}
+
+void add_payloads(const PayloadKind& kind, const ItemOptions& options, const Vector3& base,
+                  LoadedItem& loaded) {
+  const auto wanted = options.payloads.find(kind.name);
+  const int count = wanted == options.payloads.end() ? kind.count : wanted->second;
+  for (int i = 0; i < count; ++i) {
+    const Vector3 center = base + kind.position + Vector3(0, 0, (i + 0.5) * kind.size.z());
+    loaded.model.payloads.push_back(
+        {count == 1 ? kind.name : fmt::format("{} {}", kind.name, i + 1), kind.mass, center,
+         solid_box_inertia(kind.mass, kind.size)});
+  }
+  if (count > 0) add_assumptions(loaded.assumptions, kind.assumptions);
+}
+
+void add_contact(const ItemContact& contact, const ItemOptions& options, LoadedItem& loaded) {
+  loaded.states_contact = !contact.material.empty();
+  if (loaded.states_contact) loaded.model.material = contact.material;
+  const std::string& material = loaded.model.material;
+  loaded.pairs = {{material, "", contact.constants}};
+  if (options.floor) {
+    MaterialPair pair{material, options.floor->name, contact.constants};
+    pair.constants.friction *= options.floor->friction_factor;
+    loaded.floor_material = pair.other;
+    loaded.pairs.push_back(pair);
+  }
+  add_assumptions(loaded.assumptions, contact.assumptions);
+}
+
+}  // namespace
+
+const ContactConstants& floor_contact(const LoadedItem& item) {
+  return item.pairs.back().constants;
+}
+
+LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options) {
+  check(item, options);
+  LoadedItem loaded;
+  loaded.assumptions = item.assumptions;
+  EquipmentModel& model = loaded.model;
+  const Vector3 base(0, 0, base_height(item, options));
+  model.name = item.name;
+  model.material = item.material;
+  model.chassis_mass = item.chassis_mass;
+  model.chassis_center_of_mass = base + item.chassis_center_of_mass;
+  model.chassis_inertia = item.chassis_inertia;
+  for (const Box& box : item.shape) model.shape.push_back({base + box.center, box.size});
+  for (const PayloadKind& kind : item.payloads) add_payloads(kind, options, base, loaded);
+  for (std::size_t i = 0; i < item.casters.size(); ++i)
+    model.casters.push_back(make_caster(item.casters[i], i, options, loaded.assumptions));
+  for (const MarkedPoint& point : item.marked_points)
+    model.marked_points.push_back({point.name, base + point.position});
+  add_contact(item.contact, options, loaded);
+  if (options.floor) add_assumptions(loaded.assumptions, options.floor->assumptions);
+  validate(model);
+  loaded.warnings = stability_of(model).warnings;
+  return loaded;
+}
+
+LoadedItem load_item(const std::string& file, const ItemOptions& options,
+                     const std::vector<std::string>& variants) {
+  return assemble_item(load_item_description(file, variants).stated(), options);
+}
+
+}  // namespace gurney

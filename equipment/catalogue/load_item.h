@@ -1,0 +1,54 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scene/contact_pair.h"
+#include "engine/scene/equipment_model.h"
+#include "equipment/catalogue/assumption.h"
+#include "equipment/catalogue/floor_covering.h"
+#include "equipment/catalogue/item_file.h"
+
+namespace gurney {
+
+/// What a job may change of an item. Empty: as the item's file has it.
+struct ItemOptions {
+  std::optional<CasterType> caster;     ///< at every place
+  std::optional<FloorCovering> floor;   ///< none: the casters' constants as they are
+  std::vector<double> headings;         ///< one for each caster [rad]
+  std::vector<bool> brakes;             ///< one for each caster, true: on
+  std::vector<bool> swivel_locks;       ///< one for each caster, true: locked
+  std::map<std::string, int> payloads;  ///< how many of each kind the item knows
+};
+
+/// An item ready for the engine, with what its numbers rest on.
+struct LoadedItem {
+  EquipmentModel model;
+  /// Against what has no material of its own, and last against `floor_material` where there is a
+  /// covering: its factor is on the friction. These are all a scene without further materials
+  /// needs.
+  std::vector<MaterialPair> pairs;
+  bool states_contact = false;          ///< `pairs` are those of its file
+  std::string floor_material;           ///< name of the covering; empty: none
+  std::vector<Assumption> assumptions;  ///< those in use: brakes that are off count for nothing
+  std::vector<std::string> warnings;    ///< of equipment/catalogue/stability.h
+};
+
+/// Base axes become item axes: the base plate is as high as its casters, or where there are none as
+/// high as it stands on its lowest boxes.
+/// @throws Error with a line for each mistake (a brake that is on but does not exist, base heights
+///         that differ between casters, constants outside the engine's ranges), with the place of a
+///         caster that was read from a file.
+LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options = {});
+
+/// Constants of the item's chassis, or its feet, against the floor.
+const ContactConstants& floor_contact(const LoadedItem& item);
+
+/// Every number at its value.
+/// @throws Error for mistakes of the file and of `assemble_item`.
+LoadedItem load_item(const std::string& file, const ItemOptions& options = {},
+                     const std::vector<std::string>& variants = {});
+
+}  // namespace gurney

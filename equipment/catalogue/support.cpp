@@ -1,0 +1,124 @@
+#include "equipment/catalogue/support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace gurney {
+namespace {
+
+double reach(const std::vector<Support>& supports, const Vector2& n) {
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const Support& support : supports)
+    largest = std::max(largest, support.center.dot(n) - support.radius);
+  return largest;
+}
+
+Vector2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// Directions in which two supports reach equally far.
+std::vector<double> ties(const std::vector<Support>& supports) {
+  std::vector<double> angles;
+  for (std::size_t i = 0; i < supports.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vector2 d = supports[i].center - supports[j].center;
+      const double cosine = (supports[i].radius - supports[j].radius) / d.norm();
+      if (!(std::abs(cosine) <= 1)) continue;
+      const double middle = std::atan2(d.y(), d.x()), half = std::acos(cosine);
+      angles.push_back(middle + half);
+      angles.push_back(middle - half);
+    }
+  return angles;
+}
+
+double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+std::vector<Support> corners_on_floor(const std::vector<Box>& shape) {
+  constexpr double kLevel = 1e-6;  // [m] sizes are stated in mm
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Box& box : shape) lowest = std::min(lowest, box.center.z() - box.size.z() / 2);
+  std::vector<Support> corners;
+  for (const Box& box : shape) {
+    if (!(box.center.z() - box.size.z() / 2 <= lowest + kLevel)) continue;
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.5, 0.5})
+        corners.push_back({box.center.head<2>() + Vector2(x * box.size.x(), y * box.size.y()), 0});
+  }
+  return corners;
+}
+
+}  // namespace
+
+std::vector<Support> supports_of(const EquipmentModel& item, Swivels swivels) {
+  if (item.casters.empty()) return corners_on_floor(item.shape);
+  std::vector<Support> supports;
+  for (const Caster& caster : item.casters) {
+    const bool turns = caster.swivels && caster.swivel_lock_torque == 0;
+    if (turns && swivels == Swivels::kAnywhere)
+      supports.push_back({caster.mount.head<2>(), caster.trail});
+    else
+      supports.push_back({caster.mount.head<2>() - caster.trail * unit(caster.heading), 0});
+  }
+  return supports;
+}
+
+Margin smallest_margin(const std::vector<Support>& supports, const Vector2& point) {
+  std::vector<double> candidates = ties(supports);
+  candidates.push_back(0);
+  for (const Support& support : supports) {  // the bottom of its sinusoid
+    const Vector2 away = point - support.center;
+    candidates.push_back(std::atan2(away.y(), away.x()));
+  }
+  Margin smallest{std::numeric_limits<double>::infinity(), 0};
+  for (const double angle : candidates) {
+    const Vector2 n = unit(angle);
+    const double distance = reach(supports, n) - point.dot(n);
+    if (distance < smallest.distance)
+      smallest = {distance, std::remainder(angle, 2 * std::numbers::pi)};
+  }
+  return smallest;
+}
+
+// With m at the angle phi from the direction and u = tan phi, margin / cos phi is the largest of
+// A_i + B_i u - r_i sqrt(1 + u^2), each concave in u: it is smallest where two of them tie. Fewer
+// than three wheels may have no such tie; then the direction itself tells where their ends are.
+double reach_towards(const std::vector<Support>& supports, const Vector2& point, double direction) {
+  constexpr double kSideways = 1e-9;  // edges along the direction never stop the point
+  std::vector<double> candidates = ties(supports);
+  candidates.push_back(direction);
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const double angle : candidates) {
+    const Vector2 m = unit(angle);
+    const double cosine = m.dot(unit(direction));
+    if (cosine > kSideways)
+      smallest = std::min(smallest, (reach(supports, m) - point.dot(m)) / cosine);
+  }
+  return smallest;
+}
+
+// Andrew's monotone chain (1979, Information Processing Letters 9(5), 216-219).
+std::vector<Vector2> hull_of(const std::vector<Support>& supports) {
+  std::vector<Vector2> points;
+  for (const Support& support : supports) points.push_back(support.center);
+  std::ranges::sort(points, [](const Vector2& a, const Vector2& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  });
+  if (points.size() < 3) return points;
+  std::vector<Vector2> hull;
+  const auto chain = [&](auto begin, auto end) {
+    const std::size_t first = hull.size();
+    for (auto point = begin; point != end; ++point) {
+      while (hull.size() >= first + 2 &&
+             cross(hull.back() - hull[hull.size() - 2], *point - hull.back()) <= 0)
+        hull.pop_back();
+      hull.push_back(*point);
+    }
+    hull.pop_back();
+  };
+  chain(points.begin(), points.end());
+  chain(points.rbegin(), points.rend());
+  return hull;
+}
+
+}  // namespace gurney

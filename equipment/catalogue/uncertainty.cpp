@@ -1,0 +1,141 @@
+#include "equipment/catalogue/uncertainty.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace gurney {
+namespace {
+
+using config::Range;
+using config::Table;
+
+constexpr double kInfinity = Distribution::kInfinity;
+
+Distribution read_normal(Table& in) {
+  const double mean = in.number("mean", Range::any());
+  if (in.has("sd") == in.has("cov"))
+    in.note("sd", ": must be given, or cov (sd over |mean|), not both");
+  const double sd = in.has("cov") ? in.number("cov", Range::positive()) * std::abs(mean)
+                                  : in.number("sd", Range::positive(), 1.0);
+  const double low = in.number("low", Range::any(), -kInfinity);
+  const double high = in.number("high", Range::any(), kInfinity);
+  return Distribution::normal(mean, sd, low, high);
+}
+
+Distribution read_lognormal(Table& in) {
+  const double median = in.number("median", Range::positive());
+  const double beta = in.number("beta", Range::positive());
+  const double low = in.number("low", Range::not_negative(), 0.0);
+  const double high = in.number("high", Range::positive(), kInfinity);
+  return Distribution::lognormal(median, beta, low, high);
+}
+
+Distribution read_uniform(Table& in) {
+  const double low = in.number("low", Range::any());
+  return Distribution::uniform(low, in.number("high", Range::any()));
+}
+
+Distribution read_discrete(Table& in) {
+  std::vector<double> values = in.numbers("values", Range::any());
+  return Distribution::discrete(std::move(values), in.numbers("probabilities", Range::positive()));
+}
+
+Distribution read_table(Table& in) {
+  if (in.has("samples") == in.has("values"))
+    in.note("values", ": must be given with cumulative, or samples, not both");
+  if (in.has("samples")) return Distribution::samples(in.numbers("samples", Range::any()));
+  std::vector<double> values = in.numbers("values", Range::any());
+  return Distribution::table(std::move(values), in.numbers("cumulative", Range::within(0, 1)));
+}
+
+CorrelationGroup read_group(Table& in) {
+  CorrelationGroup group;
+  group.name = in.text("group", "");
+  if (in.has("group") && group.name.empty()) in.note("group", ": must have a name");
+  group.correlation = in.number("correlation", Range::within(-1, 1), 1.0);
+  if (in.has("correlation") && !in.has("group"))
+    in.note("correlation", ": needs the group it is with");
+  return group;
+}
+
+bool stays_within(const Distribution& distribution, const Range& range) {
+  if (distribution.values().empty())
+    return range.contains_between(distribution.low(), distribution.high());
+  for (const double value : distribution.values())
+    if (!range.contains(value)) return false;
+  return true;
+}
+
+}  // namespace
+
+std::optional<Uncertainty> read_uncertainty(Table& parent, const std::string& key,
+                                            const Range& range) {
+  using Reader = Distribution (*)(Table&);
+  static const std::vector<std::string> kKinds = {"normal", "lognormal", "uniform", "discrete",
+                                                  "table"};
+  static constexpr std::array<Reader, 5> kReaders = {read_normal, read_lognormal, read_uniform,
+                                                     read_discrete, read_table};
+  std::optional<Table> found = parent.table(key);
+  if (!found) return {};
+  Table& in = *found;
+  const config::Document& document = in.document();
+  const std::size_t before = document.mistakes();
+  const std::size_t kind = in.choice("kind", kKinds);
+  if (document.mistakes() > before) {
+    for (const std::string& each : in.keys()) in.has(each);  // whose they are is not known
+    return {};
+  }
+  CorrelationGroup group = read_group(in);
+  const std::string source = in.text("source", ""), reason = in.text("assumption", "");
+  if (source.empty() && reason.empty())
+    parent.note(key, ": must have a source, an assumption, or both");
+  const std::size_t before_numbers = document.mistakes();
+  const auto numbers_are_right = [&] { return document.mistakes() == before_numbers; };
+  try {
+    Distribution distribution = kReaders[kind](in);
+    if (numbers_are_right() && !stays_within(distribution, range))
+      parent.note(key, fmt::format(": {} gives numbers from {:g} to {:g}: each must be {}",
+                                   distribution.text(), distribution.low(), distribution.high(),
+                                   range.text()));
+    if (document.mistakes() == before)
+      return Uncertainty{std::move(distribution), std::move(group), reason};
+  } catch (const Error& error) {
+    if (numbers_are_right()) parent.note(key, std::string(": ") + error.what());
+  }
+  return {};
+}
+
+std::string unit_of_key(const std::string& key) {
+  struct Unit {
+    const char* ending;
+    const char* unit;
+  };
+  // An ending stands before those it ends with.
+  static constexpr std::array<Unit, 16> kUnits = {{{"_n_m_s_per_rad", "N m s/rad"},
+                                                   {"_n_s_per_m", "N s/m"},
+                                                   {"_n_per_m", "N/m"},
+                                                   {"_m_per_s2", "m/s2"},
+                                                   {"_m_per_s", "m/s"},
+                                                   {"_deg_per_s", "deg/s"},
+                                                   {"_kg_m2", "kg m2"},
+                                                   {"_n_m", "N m"},
+                                                   {"_mm", "mm"},
+                                                   {"_kg", "kg"},
+                                                   {"_hz", "Hz"},
+                                                   {"_deg", "deg"},
+                                                   {"_m", "m"},
+                                                   {"_s", "s"},
+                                                   {"_n", "N"},
+                                                   {"_j", "J"}}};
+  std::string name = key;
+  if (name.ends_with(']')) name.erase(name.rfind('['));
+  if (name.size() > 2 && name[name.size() - 2] == '.') name.erase(name.size() - 2);  // an axis
+  for (const Unit& each : kUnits)
+    if (name.ends_with(each.ending)) return each.unit;
+  return "1";
+}
+
+}  // namespace gurney

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "studies/calibration/trials/trial.h"
+
+namespace gurney {
+
+/// Of one impact.
+struct Rebound {
+  double approach = 0, leaving = 0;  ///< speeds at the impact, > 0 [m/s]
+  double slowing = 0;                ///< deceleration before [m/s2]
+  double restitution = 0;            ///< e
+  double error = 0;                  ///< standard error of e
+  double time = 0;                   ///< of the impact [s]
+};
+
+/// The impact is where the displacement is largest. Quadratics over 0.25 s on either side, 0.03 s
+/// away from it, give the speeds at that time. e is leaving / approach, or that of
+/// contact_restitution() where the trial names its item.
+/// @return nothing, and a fault in `fault`, where the record is too short on one side, the approach
+///         is not within 0.02 to 5 m/s, it slows down by more than 1 m/s2 (a Cr / R
+///         of 0.1), e is not within (0, 1],
+///         or the item is not known
+std::optional<Rebound> rebound_of(const Trial& trial, TrialFault& fault);
+
+}  // namespace gurney

@@ -1,0 +1,120 @@
+#include "studies/calibration/fit/trial_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/error.h"
+#include "engine/run/simulate.h"
+#include "studies/calibration/fit/trial_item.h"
+#include "studies/calibration/trials/average_method.h"
+
+namespace gurney {
+namespace {
+
+constexpr double kTimeStep = 1.0 / 240;  // [s]
+constexpr std::size_t kFewest = 12;
+constexpr double kFalls = 1e-6;  // [s]
+constexpr double kEarly = 0.5;   // the cable swings, the casters swivel [s]
+constexpr double kHeld = 0.3;    // before the start, to come to rest [s]
+
+/// Between two samples by the cubic of places and speeds.
+double between(double share, double step, double y0, double v0, double y1, double v1) {
+  const double s = share, s2 = s * s, s3 = s2 * s;
+  return (2 * s3 - 3 * s2 + 1) * y0 + (s3 - 2 * s2 + s) * step * v0 + (3 * s2 - 2 * s3) * y1 +
+         (s3 - s2) * step * v1;
+}
+
+}  // namespace
+
+TrialModel::TrialModel(const Trial& trial, const Phases& phases)
+    : trial_(trial),
+      phases_(phases),
+      settled_(phases.start + std::min(kEarly, (phases.release - phases.start) / 2)) {
+  Span steady = settled_of_pull(trial, phases);
+  const std::vector<double>& t = trial.signals.time;
+  steady.begin = static_cast<std::size_t>(std::ranges::lower_bound(t, settled_) - t.begin());
+  require(steady.size() >= kFewest, "phase II is too short");
+  force_ = fit_polynomial(trial.signals.time, trial.signals.force, steady, 1);
+  scene_.items[0].model = item_of(trial.setup);
+}
+
+TrialModel::Unknowns TrialModel::usual() const {
+  const Caster& caster = scene_.items[0].model.casters[0];
+  return {caster.tread.rolling_resistance / caster.wheel_radius, caster.tread.patch_width, 0, 0, 0};
+}
+
+double TrialModel::friction() const {
+  return scene_.items[0].model.casters[0].tread.static_friction;
+}
+
+double TrialModel::swivel_coulomb() const {
+  return scene_.items[0].model.casters[0].swivel.coulomb;
+}
+
+double TrialModel::load_of_wheel() const {
+  const EquipmentModel& model = scene_.items[0].model;
+  return whole_item(model).mass * scene_.gravity / static_cast<double>(model.casters.size());
+}
+
+TrialModel::Motion TrialModel::run(const Unknowns& unknowns) const {
+  // The engine's clock is 0 at kHeld before the motion, so that blocks go at the end of a step.
+  const double held = std::ceil(kHeld / kTimeStep) * kTimeStep;
+  const double zero = phases_.start + unknowns.shift - held;
+  const TrialSignals& s = trial_.signals;
+  Scene scene = scene_;
+  for (Caster& caster : scene.items[0].model.casters) {
+    caster.tread.rolling_resistance = unknowns.resistance * caster.wheel_radius;
+    caster.tread.patch_width = unknowns.patch_width;
+  }
+  const std::vector<double>& at = trial_.setup.pull_point;
+  const Vector3 point(at[0], at[1], at[2]);
+  Excitation excitation;
+  PointForce pull{"pull", point, Vector3::UnitX(), {}, {}};
+  const double release = phases_.release + unknowns.release;
+  const auto add = [&](double time, double force) {
+    pull.time.push_back(time - zero);
+    pull.force.push_back(force);
+  };
+  const double start = phases_.start + unknowns.shift;
+  double held_force = 0;
+  for (std::size_t i = phases_.held.begin; i < phases_.held.end; ++i)
+    held_force += s.force[i] / static_cast<double>(phases_.held.size());
+  add(zero, held_force);
+  add(start - kFalls, held_force);
+  const auto first =
+      static_cast<std::size_t>(std::ranges::upper_bound(s.time, start) - s.time.begin());
+  add(start, s.force[first] + unknowns.force);
+  for (std::size_t i = first; i < s.time.size() && s.time[i] < settled_; ++i)
+    add(s.time[i], s.force[i] + unknowns.force);
+  add(settled_, force_.value(settled_) + unknowns.force);
+  add(release, force_.value(release) + unknowns.force);
+  add(release + kFalls, 0);
+  excitation.forces = {std::move(pull)};
+  excitation.blocks = {Blocks{{point.x(), 0, point.z()}, 1e7, 1e4, held}};
+  if (trial_.setup.string_tension > 0)
+    excitation.string_potentiometers = {{point, -Vector3::UnitX(), trial_.setup.string_tension}};
+  SimulationSettings settings;
+  settings.time_step = settings.history_step = kTimeStep;
+  settings.duration = phases_.stop - zero + 2 * kTimeStep;
+  const Response response = simulate(scene, excitation, settings);
+  const std::vector<Sample>& history = response.items[0].history;
+
+  Motion motion;
+  for (const double t : s.time) {
+    const double place =
+        std::clamp((t - zero) / kTimeStep, 0.0, static_cast<double>(history.size()) - 1.000001);
+    const auto i = static_cast<std::size_t>(place);
+    const double share = place - static_cast<double>(i);
+    const Sample &a = history[i], &b = history[i + 1];
+    const auto along = [&](Eigen::Index axis) {
+      return between(share, kTimeStep, a.displacement[axis], a.velocity[axis], b.displacement[axis],
+                     b.velocity[axis]);
+    };
+    motion.displacement.push_back(along(0));
+    motion.lateral.push_back(along(1));
+    motion.yaw.push_back(a.yaw + share * (b.yaw - a.yaw));
+  }
+  return motion;
+}
+
+}  // namespace gurney

@@ -1,0 +1,79 @@
+#include "studies/calibration/pulling/method_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gurney {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+MeanAndScatter of(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  double sum = 0, squares = 0;
+  for (const double value : values) sum += value;
+  for (const double value : values) squares += (value - sum / n) * (value - sum / n);
+  return {sum / n, n > 1 ? std::sqrt(squares / (n - 1)) : kNaN};
+}
+
+double displacement_at(const TrialSignals& s, double time) {
+  const auto after = std::ranges::lower_bound(s.time, time) - s.time.begin();
+  const auto i = static_cast<std::size_t>(after);
+  if (i == 0 || i >= s.time.size()) return kNaN;
+  const double share = (time - s.time[i - 1]) / (s.time[i] - s.time[i - 1]);
+  return s.displacement[i - 1] + share * (s.displacement[i] - s.displacement[i - 1]);
+}
+
+}  // namespace
+
+std::vector<AlignmentBias> bias_by_alignment(const std::vector<SimulatedTrial>& trials) {
+  std::vector<AlignmentBias> rows;
+  for (const Alignment alignment :
+       {Alignment::kAligned, Alignment::kCrosswise, Alignment::kReversed}) {
+    std::vector<double> pulled, coasting, mean;
+    for (const SimulatedTrial& trial : trials) {
+      if (trial.alignment != alignment || !trial.averages) continue;
+      pulled.push_back(trial.bias_pulled());
+      coasting.push_back(trial.bias_coasting());
+      mean.push_back(trial.bias_mean());
+    }
+    if (!pulled.empty())
+      rows.push_back({alignment, pulled.size(), of(pulled), of(coasting), of(mean)});
+  }
+  return rows;
+}
+
+std::vector<CasterFit> fits_by_caster(const std::vector<SimulatedTrial>& trials) {
+  std::vector<CasterFit> fits;
+  std::vector<double> squares;
+  for (const SimulatedTrial& trial : trials) {
+    if (trial.alignment != Alignment::kAligned || !trial.averages) continue;
+    const std::string& caster = trial.trial.setup.caster;
+    auto fit = std::ranges::find(fits, caster, &CasterFit::caster);
+    if (fit == fits.end()) {
+      fits.push_back({caster, trial.trial.setup.wheel_radius});
+      squares.push_back(0);
+      fit = fits.end() - 1;
+    }
+    const double n = trial.theory.normal_force;
+    ++fit->trials;
+    fit->found += mean_resistance(*trial.averages) * n;
+    fit->known += trial.theory.resistance * n;
+    squares[static_cast<std::size_t>(fit - fits.begin())] += n * n;
+  }
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    fits[i].found /= squares[i];
+    fits[i].known /= squares[i];
+  }
+  return fits;
+}
+
+TheoryError theory_error(const SimulatedTrial& trial) {
+  const PullTheory& theory = trial.theory;
+  const TrialSignals& s = trial.trial.signals;
+  return {displacement_at(s, theory.release) / theory.release_displacement - 1,
+          trial.left_flooring ? kNaN : s.displacement.back() / theory.rest_displacement - 1};
+}
+
+}  // namespace gurney

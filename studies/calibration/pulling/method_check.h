@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "studies/calibration/pulling/simulated_trial.h"
+
+/// What the paper's method finds in simulated trials, against what went in (docs/pulling_tests.md).
+namespace gurney {
+
+struct MeanAndScatter {
+  double mean = 0, deviation = 0;  ///< standard deviation over trials; NaN of fewer than 2
+};
+
+/// Bias of f_r as a fraction of the f_r that went in, over the trials of one alignment.
+struct AlignmentBias {
+  Alignment alignment = Alignment::kAligned;
+  std::size_t trials = 0;
+  MeanAndScatter pulled, coasting, mean;
+};
+
+/// Of each alignment that there is, of trials with averages.
+std::vector<AlignmentBias> bias_by_alignment(const std::vector<SimulatedTrial>& trials);
+
+/// The paper's Figure 6: f_r = (Cr / R) N through the origin, by least squares over the aligned
+/// trials of a caster: sum f N / sum N^2.
+struct CasterFit {
+  std::string caster;
+  double wheel_radius = 0;  ///< [m]
+  std::size_t trials = 0;
+  double found = 0, known = 0;  ///< Cr / R [-]
+};
+std::vector<CasterFit> fits_by_caster(const std::vector<SimulatedTrial>& trials);
+
+/// Simulated against closed-form displacement, as fractions of the latter.
+struct TheoryError {
+  double release = 0;  ///< at the time at which the pull ends in theory
+  double rest = 0;     ///< at the end; NaN where the trial left the flooring
+};
+TheoryError theory_error(const SimulatedTrial& trial);
+
+}  // namespace gurney

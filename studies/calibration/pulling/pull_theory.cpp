@@ -1,0 +1,104 @@
+#include "studies/calibration/pulling/pull_theory.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/error.h"
+
+namespace gurney {
+namespace {
+
+bool along_x(const Vector3& direction) { return std::abs(direction.normalized().x()) > 1 - 1e-9; }
+
+void add_item(const Scene& scene, PullTheory& theory) {
+  const EquipmentModel& item = scene.items[0].model;
+  theory.mass = whole_item(item).mass;
+  theory.normal_force = theory.mass * scene.gravity;
+  const double each = theory.normal_force / static_cast<double>(item.casters.size());
+  for (const Caster& c : item.casters) {
+    theory.added_mass += c.wheel_axial_inertia / (c.wheel_radius * c.wheel_radius);
+    theory.resistance += c.tread.rolling_resistance / c.wheel_radius * each;
+  }
+}
+
+void add_drop_weight(const Scene& scene, const Excitation& excitation, PullTheory& theory) {
+  const DropWeight& weight = excitation.drop_weights[0];
+  const double pulley = weight.pulley_inertia / (weight.pulley_radius * weight.pulley_radius);
+  theory.drop_mass = weight.mass;
+  theory.start = excitation.blocks[0].release_time;
+  theory.held_force = weight.mass * scene.gravity - weight.potentiometer_tension;
+  theory.acceleration = (theory.held_force - theory.resistance - theory.string_tension) /
+                        (theory.mass + theory.added_mass + weight.mass + pulley);
+  theory.force = theory.held_force - (weight.mass + pulley) * theory.acceleration;
+  theory.release = theory.start + std::sqrt(2 * weight.drop_height / theory.acceleration);
+}
+
+void add_force(const PointForce& force, PullTheory& theory) {
+  theory.start = force.time.front();
+  theory.release = force.time.back();
+  theory.force = force.force.front();
+  theory.acceleration = (theory.force - theory.resistance - theory.string_tension) /
+                        (theory.mass + theory.added_mass);
+}
+
+bool is_constant(const PointForce& force) {
+  return force.time.size() >= 2 && std::isinf(force.speed_limit) &&
+         std::ranges::all_of(force.force, [&](double f) { return f == force.force[0]; });
+}
+
+}  // namespace
+
+double PullTheory::displacement_at(double time) const {
+  const double pull = std::clamp(time, start, release) - start;
+  const double coast = std::clamp(time, release, stop) - release;
+  return acceleration * pull * pull / 2 + release_velocity * coast -
+         deceleration * coast * coast / 2;
+}
+
+double PullTheory::velocity_at(double time) const {
+  return acceleration * (std::clamp(time, start, release) - start) -
+         deceleration * (std::clamp(time, release, stop) - release);
+}
+
+double PullTheory::acceleration_at(double time) const {
+  if (time < start || time >= stop) return 0;
+  return time < release ? acceleration : -deceleration;
+}
+
+double PullTheory::force_at(double time) const {
+  if (time < start) return held_force;
+  return time < release ? force : 0;
+}
+
+PullTheory theory_of(const Scene& scene, const Excitation& excitation) {
+  const bool dropped = excitation.drop_weights.size() == 1 && excitation.forces.empty() &&
+                       !excitation.blocks.empty() && along_x(excitation.drop_weights[0].direction);
+  const bool forced = excitation.drop_weights.empty() && excitation.forces.size() == 1 &&
+                      is_constant(excitation.forces[0]) && along_x(excitation.forces[0].direction);
+  require(scene.items.size() == 1 && !scene.items[0].model.casters.empty() && (dropped || forced),
+          "is no pulling test: one item on casters must be pulled along x by one drop weight that "
+          "blocks hold, or by one constant force");
+  PullTheory theory;
+  add_item(scene, theory);
+  for (const StringPotentiometer& string : excitation.string_potentiometers) {
+    require(along_x(string.direction), "string potentiometers must pull along x");
+    theory.string_tension -= string.tension * string.direction.normalized().x();
+  }
+  if (dropped)
+    add_drop_weight(scene, excitation, theory);
+  else
+    add_force(excitation.forces[0], theory);
+  theory.deceleration =
+      (theory.resistance + theory.string_tension) / (theory.mass + theory.added_mass);
+  require(theory.acceleration > 0 && theory.deceleration > 0,
+          "is no pulling test: the pull must move the item, which must come to rest after it");
+  const double pull = theory.release - theory.start;
+  theory.release_velocity = theory.acceleration * pull;
+  theory.release_displacement = theory.release_velocity * pull / 2;
+  const double coast = theory.release_velocity / theory.deceleration;
+  theory.stop = theory.release + coast;
+  theory.rest_displacement = theory.release_displacement + theory.release_velocity * coast / 2;
+  return theory;
+}
+
+}  // namespace gurney

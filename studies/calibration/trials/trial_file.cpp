@@ -1,0 +1,211 @@
+#include "studies/calibration/trials/trial_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "engine/base/error.h"
+#include "engine/base/units.h"
+#include "engine/config/nearest_name.h"
+#include "engine/config/unit_limit.h"
+#include "studies/calibration/trials/setup_reader.h"
+
+namespace gurney {
+namespace {
+
+using config::Range;
+
+constexpr const char* kTrialSchema = "gurney-trial/1";
+constexpr const char* kAveragesSchema = "gurney-trial-averages/1";
+
+struct Column {
+  const char* name;
+  std::vector<double> TrialSignals::*series;
+  double unit;  ///< SI for one of the column's
+};
+
+const std::array<Column, 14>& columns() {
+  using S = TrialSignals;
+  static const std::array<Column, 14> table = {{
+      {"time_s", &S::time, 1},
+      {"time_ms", &S::time, 1e-3},
+      {"force_n", &S::force, 1},
+      {"force_kn", &S::force, 1e3},
+      {"displacement_m", &S::displacement, 1},
+      {"displacement_cm", &S::displacement, 1e-2},
+      {"displacement_mm", &S::displacement, 1 / kMillimetersPerMeter},
+      {"lateral_m", &S::lateral, 1},
+      {"lateral_cm", &S::lateral, 1e-2},
+      {"lateral_mm", &S::lateral, 1 / kMillimetersPerMeter},
+      {"acceleration_mps2", &S::acceleration, 1},
+      {"acceleration_g", &S::acceleration, kStandardGravity},
+      {"yaw_deg", &S::yaw, kRadiansPerDegree},
+      {"yaw_rad", &S::yaw, 1},
+  }};
+  return table;
+}
+
+std::vector<std::string> column_names() {
+  std::vector<std::string> names;
+  for (const Column& column : columns()) names.push_back(column.name);
+  return names;
+}
+
+/// The columns of the header; nullptr for those that are unknown.
+std::vector<const Column*> find_columns(const CsvText& text, CsvMistakes& mistakes) {
+  std::vector<const Column*> found;
+  for (const TextCell& cell : text.header) {
+    const auto column =
+        std::ranges::find_if(columns(), [&](const Column& each) { return each.name == cell.text; });
+    if (column == columns().end()) {
+      mistakes.note(cell, fmt::format("{}: unknown column{}", cell.text,
+                                      config::suggestion(cell.text, column_names())));
+      found.push_back(nullptr);
+      continue;
+    }
+    for (const Column* other : found)
+      if (other != nullptr && other->series == column->series)
+        mistakes.note(cell, fmt::format("{}: {} has it already", cell.text, other->name));
+    found.push_back(&*column);
+  }
+  return found;
+}
+
+void require_columns(const Trial& trial, const CsvText& text, CsvMistakes& mistakes) {
+  const TrialSignals& s = trial.signals;
+  const auto missing = [&](const char* names) {
+    mistakes.note(text.header[0], std::string(names) + ": column missing");
+  };
+  if (s.time.empty()) missing("time_s or time_ms");
+  if (s.force.empty() && trial.kind != TrialKind::kImpact) missing("force_n or force_kn");
+  const bool acceleration = trial.kind == TrialKind::kPull && !s.acceleration.empty();
+  if (s.displacement.empty() && !acceleration)
+    missing(trial.kind == TrialKind::kPull ? "displacement_mm (_cm, _m) or acceleration_mps2 (_g)"
+                                           : "displacement_mm (_cm, _m)");
+}
+
+void read_samples(const CsvText& text, Trial& trial, CsvMistakes& mistakes) {
+  const std::vector<const Column*> found = find_columns(text, mistakes);
+  for (const std::vector<TextCell>& row : text.rows) {
+    trial.lines.push_back(row[0].line);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (found[i] == nullptr) continue;
+      const std::optional<double> value = number_in(row[i].text);
+      if (!value && !row[i].text.empty())
+        mistakes.note(row[i], not_a_number(found[i]->name, row[i].text));
+      if (const std::string allowed =
+              config::beyond_unit(found[i]->name, Range::any(), value.value_or(0));
+          !allowed.empty())
+        mistakes.note(row[i],
+                      fmt::format("{} = {}: must be {}", found[i]->name, row[i].text, allowed));
+      (trial.signals.*(found[i]->series))
+          .push_back(value ? *value * found[i]->unit : std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  if (text.rows.empty())
+    mistakes.note(text.header[0], "no samples below the names of the columns");
+  else
+    require_columns(trial, text, mistakes);
+}
+
+void note_unknown(const TextCell& cell, const char* what, std::vector<std::string> known,
+                  CsvMistakes& mistakes) {
+  if (std::ranges::find(known, cell.text) != known.end()) return;
+  mistakes.note(
+      cell, fmt::format("{}: unknown {}{}", cell.text, what, config::suggestion(cell.text, known)));
+}
+
+void note_unknown_facts(const CsvText& text, std::vector<std::string> known,
+                        CsvMistakes& mistakes) {
+  known.push_back("note");
+  for (const CsvFact& fact : text.facts) note_unknown(fact.key, "key", known, mistakes);
+}
+
+TrialAverages read_average(Facts& facts) {
+  TrialAverages average;
+  average.name = facts.text("trial");
+  average.setup = read_setup(facts, TrialKind::kPull);
+  average.pull_force = facts.number("pull_force_n", Range::positive());
+  average.pull_acceleration = facts.number("a2_mps2", Range::positive());
+  average.coast_deceleration = facts.number("a3_mps2", Range::positive());
+  average.pull_speed = average.coast_speed = facts.number("speed_mps", Range::not_negative(), 0.0);
+  return average;
+}
+
+void read_averages(const CsvText& text, TrialSet& set, CsvMistakes& mistakes) {
+  std::vector<std::string> known;
+  for (const std::vector<TextCell>& row : text.rows) {
+    Facts facts(mistakes, row[0]);
+    for (const CsvFact& fact : text.facts) facts.add(fact.key.text, fact.value);
+    for (std::size_t i = 0; i < row.size(); ++i) facts.add(text.header[i].text, row[i]);
+    facts.text("schema");
+    set.averages.push_back(read_average(facts));
+    set.averages.back().file = text.file;
+    set.averages.back().line = row[0].line;
+    known = facts.asked();
+  }
+  if (text.rows.empty()) {
+    mistakes.note(text.header[0], "no trials below the names of the columns");
+    return;
+  }
+  note_unknown_facts(text, known, mistakes);
+  for (const TextCell& cell : text.header) note_unknown(cell, "column", known, mistakes);
+}
+
+void read_trial(const CsvText& text, TrialSet& set, CsvMistakes& mistakes) {
+  Facts facts(mistakes, {"", 1, 1});
+  for (const CsvFact& fact : text.facts) facts.add(fact.key.text, fact.value);
+  facts.text("schema");
+  Trial trial;
+  trial.file = text.file;
+  trial.name = std::filesystem::path(text.file).stem().string();
+  trial.kind = static_cast<TrialKind>(facts.choice("kind", names_of_kinds()));
+  trial.setup = read_setup(facts, trial.kind);
+  note_unknown_facts(text, facts.asked(), mistakes);
+  read_samples(text, trial, mistakes);
+  set.trials.push_back(std::move(trial));
+}
+
+}  // namespace
+
+TrialSet read_trial_file(const std::string& file) {
+  CsvMistakes mistakes(file);
+  const CsvText text = read_csv_text(file, mistakes);
+  Facts facts(mistakes, {"", 1, 1});
+  for (const CsvFact& fact : text.facts) facts.add(fact.key.text, fact.value);
+  TrialSet set;
+  const std::size_t before = mistakes.count();
+  const std::size_t schema = facts.choice("schema", {kTrialSchema, kAveragesSchema});
+  if (mistakes.count() == before) (schema == 0 ? read_trial : read_averages)(text, set, mistakes);
+  mistakes.finish();
+  return set;
+}
+
+TrialSet read_trials(const std::string& path) {
+  if (!std::filesystem::is_directory(path)) return read_trial_file(path);
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(path))
+    if (entry.is_regular_file() && entry.path().extension() == ".csv")
+      files.push_back(entry.path().string());
+  require(!files.empty(), path + ": has no .csv file of a trial");
+  std::ranges::sort(files);
+  TrialSet all;
+  std::string mistakes;
+  for (const std::string& file : files) {
+    try {
+      TrialSet set = read_trial_file(file);
+      std::ranges::move(set.trials, std::back_inserter(all.trials));
+      std::ranges::move(set.averages, std::back_inserter(all.averages));
+    } catch (const Error& error) {
+      mistakes += (mistakes.empty() ? "" : "\n") + std::string(error.what());
+    }
+  }
+  require(mistakes.empty(), mistakes);
+  return all;
+}
+
+}  // namespace gurney

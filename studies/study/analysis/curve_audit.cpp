@@ -1,0 +1,62 @@
+#include "studies/study/analysis/curve_audit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gurney {
+namespace {
+
+std::string in(const ReportUnit& unit, double value) {
+  return fmt::format("{:.3g}{}{}", value / unit.in_si, unit.name == "1" ? "" : " ",
+                     unit.name == "1" ? "" : unit.name);
+}
+
+std::string extrapolation(const CurveAudit& audit, const ReportUnit& unit) {
+  const bool above = *audit.theta > audit.highest;
+  return fmt::format("theta {} is extrapolated {} the {} intensity of the runs, {}",
+                     in(unit, *audit.theta), above ? "beyond" : "below",
+                     above ? "highest" : "lowest", in(unit, above ? audit.highest : audit.lowest));
+}
+
+}  // namespace
+
+std::vector<std::string> cautions(const CurveAudit& audit, const ReportUnit& unit) {
+  std::vector<std::string> all;
+  const char* const what = audit.of_records ? "records" : "runs";
+  if (audit.theta && (*audit.theta > audit.highest || *audit.theta < audit.lowest))
+    all.push_back(extrapolation(audit, unit));
+  const std::size_t rarer = std::min(audit.exceeded, audit.outcomes - audit.exceeded);
+  if (audit.theta && !audit.of_records && rarer < kFewOutcomes)
+    all.push_back(fmt::format("only {} of {} {} {}; fewer than {} leave theta and beta uncertain",
+                              rarer, audit.outcomes, what,
+                              rarer == audit.exceeded ? "exceed" : "do not exceed", kFewOutcomes));
+  if (audit.factors.any() && (audit.factors.above() > 0 || audit.factors.below() > 0))
+    all.push_back("scale factors " + audit.factors.text());
+  if (audit.of_records && audit.overturned > 0)
+    all.push_back(fmt::format(
+        "{} runs of the IDA overturned; rocking is chaotic, so the capacity of a single record "
+        "depends on the time step and on the intensities tried: prefer multiple stripes",
+        audit.overturned));
+  return all;
+}
+
+std::string median_text(FragilityStatus status, const MedianBounds& median,
+                        const ReportUnit& unit) {
+  if (!median.known()) return {};
+  const char* const about = status == FragilityStatus::kQuasiSeparated ? "about " : "";
+  if (median.low == median.high) return fmt::format("median about {}", in(unit, median.low));
+  if (median.low == 0) return fmt::format("median below {}{}", about, in(unit, median.high));
+  if (std::isinf(median.high)) return fmt::format("median above {}{}", about, in(unit, median.low));
+  return fmt::format("median between {:.3g} and {}", median.low / unit.in_si,
+                     in(unit, median.high));
+}
+
+std::string no_curve_text(FragilityStatus status, const MedianBounds& median,
+                          const ReportUnit& unit) {
+  const std::string known = median_text(status, median, unit);
+  return text(status) + (known.empty() ? "" : ": " + known);
+}
+
+}  // namespace gurney

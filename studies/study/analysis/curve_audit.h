@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/statistics/fragility.h"
+#include "studies/study/analysis/report_unit.h"
+#include "studies/study/analysis/scale_factors.h"
+
+namespace gurney {
+
+/// Fewer runs that exceed, or that do not, than ten a parameter of interest do not determine a
+/// regression of outcomes (Peduzzi, Concato, Kemper, Holford & Feinstein 1996, Journal of Clinical
+/// Epidemiology 49(12), 1373-1379).
+inline constexpr std::size_t kFewOutcomes = 10;
+
+/// What a user of a fragility curve has to know of the runs behind it.
+struct CurveAudit {
+  std::optional<double> theta;             ///< none: there is no curve
+  double lowest = 0, highest = 0;          ///< im of the runs
+  bool of_records = false;                 ///< outcomes are those of records: capacities
+  std::size_t outcomes = 0, exceeded = 0;  ///< of runs, or of records
+  std::size_t overturned = 0;              ///< runs of an IDA
+  ScaleFactors factors;
+};
+
+/// A sentence for each reason not to use the curve as it stands, or with care.
+std::vector<std::string> cautions(const CurveAudit& audit, const ReportUnit& unit);
+
+/// `no run exceeds: median above 1.2 g`
+std::string no_curve_text(FragilityStatus status, const MedianBounds& median,
+                          const ReportUnit& unit);
+
+/// `median above about 1.2 g`; empty where nothing is known of it.
+std::string median_text(FragilityStatus status, const MedianBounds& median, const ReportUnit& unit);
+
+}  // namespace gurney

@@ -1,0 +1,57 @@
+#include "studies/study/analysis/fitted_curve.h"
+
+#include <algorithm>
+
+#include "engine/response/response.h"
+
+namespace gurney {
+namespace {
+
+bool has_capacities(const StudyData& data, std::size_t state, const std::string& measure) {
+  const IntensityPlan& plan = data.study().intensity;
+  return plan.kind == IntensityPlan::Kind::kHunt && plan.until == state &&
+         measure == data.file().text_attribute("intensity_measure");
+}
+
+std::size_t overturned(const StudyData& data, std::size_t configuration) {
+  const std::vector<std::string> outcomes = data.file().strings("runs/outcome");
+  return static_cast<std::size_t>(std::ranges::count_if(
+      data.runs_of(configuration),
+      [&](std::size_t run) { return outcomes[run] == name_of(Outcome::kOverturned); }));
+}
+
+CurveAudit audit_of(const StudyData& data, std::size_t configuration, const FittedCurve& fitted) {
+  CurveAudit audit;
+  if (const auto curve = fitted.curve()) audit.theta = curve->theta;
+  if (!fitted.observations.empty()) {
+    const auto [low, high] = std::ranges::minmax(fitted.observations, {}, &Observation::im);
+    audit.lowest = low.im;
+    audit.highest = high.im;
+  }
+  audit.outcomes = fitted.fit.runs;
+  audit.exceeded = fitted.fit.exceeded;
+  audit.factors = scale_factors(data, configuration);
+  if (!fitted.capacities) return audit;
+  audit.of_records = true;
+  audit.outcomes = fitted.brackets.size();
+  audit.exceeded = audit.outcomes - static_cast<std::size_t>(fitted.capacities->censored);
+  audit.overturned = overturned(data, configuration);
+  return audit;
+}
+
+}  // namespace
+
+FittedCurve fitted_curve(const StudyData& data, std::size_t state, std::size_t configuration,
+                         const RunMeasure& measure) {
+  FittedCurve fitted;
+  fitted.observations = data.observations(state, configuration, measure);
+  fitted.fit = fit_fragility(fitted.observations);
+  if (has_capacities(data, state, measure.name)) {
+    fitted.brackets = ida_capacities(fitted.observations);
+    fitted.capacities = fit_capacities(fitted.brackets);
+  }
+  fitted.audit = audit_of(data, configuration, fitted);
+  return fitted;
+}
+
+}  // namespace gurney

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/statistics/bands.h"
+#include "studies/statistics/cloud.h"
+#include "studies/statistics/hazard.h"
+#include "studies/study/analysis/fitted_curve.h"
+#include "studies/study/analysis/study_data.h"
+
+namespace gurney {
+
+/// What a fragility is asked of.
+struct FragilityRequest {
+  std::size_t state = 0, configuration = 0;
+  std::string measure = {};  ///< of StudyData::measures(); empty: the study's own
+  double confidence = 0.95;  ///< of intervals and bands
+};
+
+/// How likely a limit state is, given an intensity. Intensities are SI.
+struct FragilityResult : FittedCurve {
+  std::string configuration, state, words;  ///< words: what the state says
+  RunMeasure measure;                       ///< without its values
+  std::size_t runs = 0, exceeded = 0, records = 0, failed = 0;
+
+  FragilityBand band;      ///< of curve(), at `im`
+  std::vector<double> im;  ///< grid over the intensities of the runs, logarithmic
+  std::vector<Stripe> stripes;
+  std::optional<ProfileIntervals> profile;  ///< of stripes; capacities have no others
+  std::optional<double> p_of_fit;           ///< small: a lognormal curve fits badly
+  std::vector<double> isotonic;             ///< at the stripes
+
+  std::optional<CloudFit> cloud;  ///< where the state is a demand above a limit
+  std::optional<LognormalCurve> cloud_curve;
+
+  std::optional<MeanRate> rate;  ///< with the study's hazard
+};
+
+/// @throws Error for a measure that the file lacks
+FragilityResult fragility_of(const StudyData& data, const FragilityRequest& request);
+
+}  // namespace gurney

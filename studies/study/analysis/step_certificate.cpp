@@ -1,0 +1,120 @@
+#include "studies/study/analysis/step_certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "studies/statistics/quantiles.h"
+#include "studies/study/results/columns.h"
+
+namespace gurney {
+namespace {
+
+using Rows = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// Rows of /items and of /half_step that are the same item of the same run.
+struct Pair {
+  std::size_t run, full, half;
+};
+
+std::vector<Pair> pairs_of(const Rows& full, const Rows& half) {
+  std::vector<Pair> pairs;
+  for (std::size_t run = 0; run < half.size(); ++run)
+    for (std::size_t i = 0; i < half[run].second - half[run].first; ++i)
+      if (full[run].first + i < full[run].second)
+        pairs.push_back({run, full[run].first + i, half[run].first + i});
+  return pairs;
+}
+
+double relative_change(double full, double half) {
+  const double size = std::max(std::abs(full), std::abs(half));
+  return size > 0 ? std::abs(half - full) / size : 0;
+}
+
+StepChange change_of(const StudyReader& file, const TableColumn<Demands>& column,
+                     const std::vector<Pair>& pairs) {
+  const std::vector<double> full = file.numbers(std::string("items/") + column.name);
+  const std::vector<double> half = file.numbers(std::string("half_step/") + column.name);
+  StepChange change{column.name};
+  std::vector<double> changes;
+  for (const Pair& pair : pairs) {
+    if (column.is_missing(full[pair.full]) || column.is_missing(half[pair.half])) continue;
+    const double value = relative_change(full[pair.full], half[pair.half]);
+    if (value > change.largest) {
+      change.largest = value;
+      change.largest_run = pair.run;
+    }
+    changes.push_back(value);
+  }
+  change.compared = changes.size();
+  if (!changes.empty()) change.median = quantile_of(changes, 0.5);
+  return change;
+}
+
+bool of_items(const std::vector<LimitState>& states, std::size_t index) {
+  const LimitState& state = states[index];
+  if (state.kind == LimitState::Kind::kAbove || state.kind == LimitState::Kind::kBelow)
+    return state.quantity.of == Quantity::Of::kItem;
+  return std::ranges::all_of(state.parts, [&](std::size_t part) { return of_items(states, part); });
+}
+
+/// Demands of the items of runs from a table like /items.
+class ItemTable {
+ public:
+  ItemTable(const StudyReader& file, std::string table)
+      : file_(file), table_(std::move(table)), rows_(file.rows_of_runs(table_)) {
+    items_ = file.strings(table_ + "/item");
+  }
+
+  const Rows& rows() const { return rows_; }
+
+  Values of_run(std::size_t run) {
+    return [this, run](const Quantity& quantity) {
+      std::vector<double>& column = columns_[quantity.column];
+      if (column.empty()) column = file_.numbers(table_ + "/" + quantity.column);
+      std::vector<double> values;
+      for (std::size_t row = rows_[run].first; row < rows_[run].second; ++row)
+        if (quantity.item.empty() || items_[row] == quantity.item) values.push_back(column[row]);
+      return values;
+    };
+  }
+
+ private:
+  const StudyReader& file_;
+  std::string table_;
+  Rows rows_;
+  std::vector<std::string> items_;
+  std::map<std::string, std::vector<double>> columns_;
+};
+
+}  // namespace
+
+std::optional<StepCertificate> step_certificate(const StudyData& data) {
+  if (!data.file().has("half_step")) return {};
+  ItemTable full(data.file(), "items"), half(data.file(), "half_step");
+  StepCertificate certificate;
+  std::vector<std::size_t> runs;
+  for (std::size_t run = 0; run < half.rows().size(); ++run)
+    if (half.rows()[run].second > half.rows()[run].first) runs.push_back(run);
+  certificate.runs = runs.size();
+  const std::vector<Pair> pairs = pairs_of(full.rows(), half.rows());
+  for (const TableColumn<Demands>& column : demand_columns())
+    certificate.changes.push_back(change_of(data.file(), column, pairs));
+  const std::vector<LimitState>& states = data.limit_states();
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (!of_items(states, i)) {
+      certificate.unjudged.push_back(states[i].name);
+      continue;
+    }
+    StateChange change{states[i].name, {}};
+    for (const std::size_t run : runs)
+      if (exceeded(states, i, full.of_run(run)) != exceeded(states, i, half.of_run(run)))
+        change.runs.push_back(run);
+    certificate.states.push_back(change);
+  }
+  return certificate;
+}
+
+}  // namespace gurney

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/study/analysis/study_data.h"
+
+namespace gurney {
+
+/// How much a demand changes where the time step is halved.
+struct StepChange {
+  std::string demand;
+  std::size_t compared = 0;  ///< items of runs that have the demand at both steps
+
+  /// |half - full| / max(|half|, |full|), 0 where both are 0.
+  double median = 0, largest = 0;
+  std::size_t largest_run = 0;
+};
+
+/// Runs whose outcome at a limit state is another one at half the step.
+struct StateChange {
+  std::string state;
+  std::vector<std::size_t> runs;
+};
+
+/// What the runs that were repeated with half the time step say of the others.
+struct StepCertificate {
+  std::size_t runs = 0;
+  std::vector<StepChange> changes;
+  std::vector<StateChange> states;    ///< those that ask for demands of items only
+  std::vector<std::string> unjudged;  ///< the others: the repetition keeps items alone
+};
+
+/// None where the study asked for no certificate.
+std::optional<StepCertificate> step_certificate(const StudyData& data);
+
+}  // namespace gurney

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "studies/statistics/cloud.h"
+#include "studies/statistics/stripes.h"
+#include "studies/study/analysis/file_values.h"
+#include "studies/study/plan/study.h"
+#include "studies/study/results/study_reader.h"
+
+namespace gurney {
+
+/// An intensity measure as a study file has it for each run.
+struct RunMeasure {
+  std::string name;   ///< "PGA geomean", "pfv"
+  std::string units;  ///< SI
+  std::vector<double> values;
+};
+
+/// A study file with what its job says of it, for statistics. Failed runs are never counted.
+class StudyData {
+ public:
+  /// @throws Error unless it is the results file of a study
+  explicit StudyData(const std::string& path);
+
+  const StudyReader& file() const { return *file_; }
+  const Study& study() const { return study_; }
+  const std::vector<LimitState>& limit_states() const { return study_.limit_states; }
+
+  const std::vector<std::string>& configurations() const { return configurations_; }
+
+  /// Runs of a configuration that did not fail, in order.
+  const std::vector<std::size_t>& runs_of(std::size_t configuration) const {
+    return runs_[configuration];
+  }
+  std::size_t failed(std::size_t configuration) const { return failed_[configuration]; }
+
+  std::size_t record_of(std::size_t run) const { return record_[run]; }
+
+  /// Names of what measure() takes: the study's own measure first.
+  std::vector<std::string> measures() const;
+
+  /// @param name  of measures(); empty: the study's own
+  /// @throws Error with the nearest name
+  RunMeasure measure(const std::string& name) const;
+
+  /// For each of the runs: does it exceed the state?
+  std::vector<bool> exceedances(std::size_t state, const std::vector<std::size_t>& runs) const;
+
+  /// One observation for each run of a configuration. The group is the record.
+  std::vector<Observation> observations(std::size_t state, std::size_t configuration,
+                                        const RunMeasure& measure) const;
+
+  /// The demand of a simple state above a limit, run by run: the largest over its items. Runs that
+  /// overturned are at least at the limit or at their demand, whichever is more; runs that moved
+  /// less than `floor` are at most there.
+  /// @throws Error for other kinds of states, and for events, which have no size
+  std::vector<CloudPoint> cloud(std::size_t state, std::size_t configuration,
+                                const RunMeasure& measure, double floor) const;
+
+ private:
+  std::unique_ptr<StudyReader> file_;
+  mutable FileValues values_;
+  Study study_;
+  std::vector<std::string> configurations_;
+  std::vector<std::vector<std::size_t>> runs_;
+  std::vector<std::size_t> failed_, record_;
+};
+
+}  // namespace gurney

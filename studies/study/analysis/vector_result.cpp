@@ -1,0 +1,40 @@
+#include "studies/study/analysis/vector_result.h"
+
+#include <fmt/format.h>
+
+#include "engine/base/error.h"
+
+namespace gurney {
+
+VectorResult vector_of(const StudyData& data, std::size_t state, std::size_t configuration,
+                       const MeasurePair& measures) {
+  VectorResult result;
+  result.configuration = data.configurations().at(configuration);
+  result.state = data.limit_states().at(state).name;
+  result.words = data.limit_states()[state].words;
+  result.failed = data.failed(configuration);
+  result.measures = {data.measure(measures[0]), data.measure(measures[1])};
+  require(result.measures[0].name != result.measures[1].name,
+          fmt::format("{}: the second measure must not be the first, {}", data.file().path(),
+                      result.measures[0].name));
+  const std::vector<std::size_t>& runs = data.runs_of(configuration);
+  const std::vector<bool> exceeds = data.exceedances(state, runs);
+  std::array<std::vector<Observation>, 2> alone;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const double first = result.measures[0].values[runs[i]];
+    const double second = result.measures[1].values[runs[i]];
+    if (!(first > 0 && second > 0)) {
+      ++result.left_out;
+      continue;
+    }
+    const std::size_t record = data.record_of(runs[i]);
+    result.runs.push_back({first, second, exceeds[i], record});
+    alone[0].push_back({first, exceeds[i], record});
+    alone[1].push_back({second, exceeds[i], record});
+  }
+  result.fit = fit_vector(result.runs);
+  for (const std::size_t i : {0, 1}) result.alone[i] = fit_fragility(alone[i]);
+  return result;
+}
+
+}  // namespace gurney

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "studies/statistics/lognormal.h"
+#include "studies/study/analysis/curve_audit.h"
+#include "studies/study/analysis/study_data.h"
+
+namespace gurney {
+
+/// What of a study is exported; an empty text: all configurations, all limit states, the study's
+/// own measure.
+struct ExportChoice {
+  std::string configuration{}, measure{}, limit{};
+};
+
+/// Indices of the configurations that are chosen.
+/// @throws Error with the nearest name
+std::vector<std::size_t> chosen_configurations(const StudyData& data, const ExportChoice& choice);
+
+/// A fragility curve that may be exported.
+struct ChosenCurve {
+  std::string configuration;
+  LimitState state;
+  LognormalCurve curve;  ///< im in SI
+  std::size_t records = 0, failed = 0;
+  CurveAudit audit;
+};
+
+struct ChosenCurves {
+  RunMeasure measure;
+  std::vector<ChosenCurve> curves;    ///< in order of configurations, then of limit states
+  std::vector<std::string> left_out;  ///< those without a curve, and why: a line each
+};
+
+/// `capacities of 20 records, of which 18 exceed`
+std::string basis_text(const ChosenCurve& curve);
+
+/// ` Caution: ...` for each.
+std::string caution_text(const ChosenCurve& curve, const ReportUnit& unit);
+
+/// @throws Error for unknown names, and where no curve is left
+ChosenCurves chosen_curves(const StudyData& data, const ExportChoice& choice);
+
+}  // namespace gurney

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "studies/study/exports/export.h"
+
+namespace gurney {
+
+/// Every table of a results file, of a study or of one run, as a CSV file: names, units, rows. A
+/// column with more dimensions than rows becomes one for each place in them:
+/// `displacement.Trolley.x`. Numbers read back exactly; a number that does not exist is empty.
+/// @throws Error for other files
+void export_tables(const std::string& path, const TakeFile& take);
+
+}  // namespace gurney

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "engine/config/table.h"
+#include "engine/scene/loads.h"
+#include "equipment/catalogue/load_item.h"
+#include "equipment/catalogue/uncertain.h"
+#include "studies/study/job/remarks.h"
+
+namespace gurney {
+
+/// Which item, what is changed on it, where it stands.
+struct JobItem {
+  InitialMotion initial;  ///< position and yaw
+  ItemDescription description;
+  ItemOptions options;
+};
+
+/// A table [item] or [[item]] of a job. Mistakes are noted in the document; then the description
+/// and options are not for use.
+/// @param remarks  on options that reach no caster, or not all
+Uncertain<JobItem> read_job_item(config::Table& item, Remarks& remarks);
+
+}  // namespace gurney

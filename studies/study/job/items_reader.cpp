@@ -1,0 +1,137 @@
+#include "studies/study/job/items_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <utility>
+
+#include "studies/study/job/item_reader.h"
+
+namespace gurney {
+namespace {
+
+using config::Table;
+
+std::vector<Table> item_tables(Table& root) {
+  if (root.is_array("item")) {
+    const std::size_t mistakes = root.document().mistakes();
+    std::vector<Table> tables = root.tables("item");
+    if (tables.empty() && root.document().mistakes() == mistakes)
+      root.note("item", ": must be tables [[item]], 1 or more");
+    return tables;
+  }
+  if (auto table = root.table("item")) return {*table};
+  if (!root.has("item"))
+    root.note("item", ": missing; must be a table [item], or tables [[item]] for several");
+  return {};
+}
+
+/// The equipment's name in the catalogue, or that of its file.
+std::string equipment_name(Table& item) {
+  if (item.is_table("inline")) {
+    Table table = *item.table("inline");
+    return table.is_text("name") ? table.text("name") : "item";
+  }
+  return item.is_text("equipment") ? std::filesystem::path(item.text("equipment")).stem().string()
+                                   : "item";
+}
+
+/// Stated names come first: a name made from the equipment's gives way to them.
+std::vector<std::string> read_names(std::vector<Table>& items, UniqueNames& names) {
+  std::vector<std::string> result(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (items[i].has("name")) names.take(items[i], result[i] = items[i].text("name"));
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i].has("name")) continue;
+    const std::string base = equipment_name(items[i]);
+    result[i] = base;
+    for (int number = 2; names.has(result[i]); ++number)
+      result[i] = fmt::format("{} {}", base, number);
+    names.take(items[i], result[i]);
+  }
+  return result;
+}
+
+/// What a step needs of one item's table.
+struct ItemStep {
+  std::size_t index = 0;
+  bool several = false;
+  config::Spot description{};
+  Remarks remarks{};
+};
+
+template <typename T>
+void append(std::vector<T>& list, const std::vector<T>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+bool has_a_place(const std::string& line, const ItemDescription& description) {
+  return std::ranges::any_of(description.casters, [&](const CasterPlace& caster) {
+    return !caster.where.empty() && line.starts_with(caster.where);
+  });
+}
+
+/// Mistakes in how an item is put together: at its casters, else where the job names it.
+void note_lines(const Error& error, const ItemDescription& description, const config::Spot& spot,
+                Sampler& of) {
+  std::istringstream lines(error.what());
+  for (std::string line; std::getline(lines, line);)
+    if (has_a_place(line, description))
+      of.error(Error(line));
+    else
+      of.error(spot, ": " + line);
+}
+
+void place(JobItem item, const ItemStep& step, JobParts& job, Sampler& of) {
+  PlacedItem& placed = job.scene.items[step.index];
+  append(job.warnings, step.remarks.warnings);
+  item.options.floor = job.covering;
+  try {
+    LoadedItem loaded = assemble_item(item.description, item.options);
+    if (loaded.states_contact)
+      for (const MaterialPair& pair : loaded.pairs)
+        job.item_contacts[step.index].push_back(pair.constants);
+    placed.model = std::move(loaded.model);
+    for (const std::string& warning : loaded.warnings)
+      job.warnings.push_back(step.several ? placed.name + ": " + warning : warning);
+    add_assumptions(job.assumptions, loaded.assumptions);
+  } catch (const Error& error) {
+    note_lines(error, item.description, step.description, of);
+  }
+}
+
+void read_one(Table& table, ItemStep step, JobReading& job) {
+  config::Document& document = table.document();
+  const std::size_t mistakes = document.mistakes();
+  const Uncertain<JobItem> item = read_job_item(table, step.remarks);
+  step.description = description_spot(table);
+  const bool complete = document.mistakes() == mistakes;
+  job.add(document, [item, step, complete](JobParts& of_draw, Sampler& of) {
+    PlacedItem& placed = of_draw.scene.items[step.index];
+    JobItem sampled = item.sample(
+        step.several ? of.of_element(fmt::format("item[{}]", step.index), placed.name) : of);
+    placed.initial = sampled.initial;
+    append(of_draw.without_effect, step.remarks.without_effect);
+    if (complete) place(std::move(sampled), step, of_draw, of);
+  });
+}
+
+}  // namespace
+
+std::vector<Table> read_items(Table& root, UniqueNames& names, JobReading& job) {
+  std::vector<Table> tables = item_tables(root);
+  job.add([item_names = read_names(tables, names)](JobParts& of_draw, Sampler&) {
+    of_draw.scene.items.resize(std::max<std::size_t>(1, item_names.size()));
+    of_draw.item_contacts.resize(of_draw.scene.items.size());
+    for (std::size_t i = 0; i < item_names.size(); ++i) of_draw.scene.items[i].name = item_names[i];
+  });
+  const std::size_t mistakes = root.document().mistakes();
+  const bool several = root.is_array("item");
+  for (std::size_t i = 0; i < tables.size(); ++i)
+    read_one(tables[i], {.index = i, .several = several}, job);
+  return root.document().mistakes() == mistakes ? tables : std::vector<Table>{};
+}
+
+}  // namespace gurney

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/config/table.h"
+#include "equipment/catalogue/unique_names.h"
+#include "studies/study/job/job_parts.h"
+
+namespace gurney {
+
+/// The tables [item] or [[item]] of a job. Each of [[item]] is drawn as a part with its name.
+/// Mistakes are noted in the document.
+/// @param names  takes the name of each
+/// @return as Scene::items; empty where there is a mistake in them
+std::vector<config::Table> read_items(config::Table& root, UniqueNames& names, JobReading& job);
+
+}  // namespace gurney

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/scene/scene.h"
+#include "equipment/catalogue/sampler.h"
+
+namespace gurney {
+
+/// Notes each item that stands in another one or in the room.
+/// @param positions  where they are stated, as Scene::items
+void check_overlaps(const std::vector<config::Spot>& positions, const Scene& scene, Sampler& of);
+
+}  // namespace gurney

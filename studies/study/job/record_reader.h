@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/config/table.h"
+#include "studies/study/job/job.h"
+
+namespace gurney {
+
+/// [excitation.record], if it is there; the files it names exist. Mistakes are noted in the table's
+/// document.
+std::optional<RecordRequest> read_record_request(config::Table& excitation);
+
+}  // namespace gurney

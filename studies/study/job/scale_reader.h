@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+
+#include "engine/config/table.h"
+#include "studies/study/job/job.h"
+
+namespace gurney {
+
+/// A measure that records can be scaled to, and the unit in which its values are stated.
+struct ScalingTarget {
+  Measure measure;
+  Combination combination = Combination::kGeometricMean;
+  std::string unit;
+  double unit_in_si = 1;
+};
+
+/// Reads the keys `measure`, `component` and `unit`. Mistakes are noted in the table's document.
+ScalingTarget read_scaling_target(config::Table& table);
+
+/// Reads the keys `measure` and `component`.
+Measure read_measure(config::Table& table);
+Combination read_combination(config::Table& table, const Measure& measure);
+
+/// Reads the key `vertical`.
+VerticalScaling read_vertical_scaling(config::Table& table);
+
+/// Reads `scale_to` of a record, such as
+/// `{ measure = "Sa(1.0)", component = "RotD50", value = 0.6, unit = "g" }`. Mistakes are noted in
+/// the table's document.
+ScaleTo read_scale_to(config::Table& table);
+
+/// The measure of a record, by which it is scaled.
+ScalingMeasure scaling_measure(const Measure& measure, Combination combination);
+
+/// The record scaled so that the measure has the value.
+/// @throws Error for a measure that is zero or that scaling does not change.
+Record scaled_to(const Record& record, const ScaleTo& request);
+
+}  // namespace gurney

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "engine/response/response.h"
+#include "engine/scene/scene.h"
+#include "studies/study/limit_states/limit_state.h"
+
+namespace gurney {
+
+/// The values of a run that was just made.
+Values values_of(const Scene& scene, const Response& response);
+
+/// Complains of items, points, zones and tethers that a scene does not have.
+/// @throws Error with the nearest name
+void check_names(const LimitState& state, const Scene& scene);
+
+}  // namespace gurney

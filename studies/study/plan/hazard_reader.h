@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/config/table.h"
+#include "studies/statistics/hazard.h"
+#include "studies/study/plan/study.h"
+
+namespace gurney {
+
+/// Reads the table [study.hazard]: rates at which the study's measure is exceeded at the site, as
+/// `im` and `rate_per_year` or as `k0` and `k`. Mistakes are noted in its document.
+std::optional<HazardCurve> read_hazard(config::Table& hazard, const IntensityPlan& intensity);
+
+}  // namespace gurney

@@ -1,0 +1,185 @@
+#include "studies/study/plan/study_motions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <functional>
+#include <limits>
+#include <new>
+#include <utility>
+
+#include "engine/base/error.h"
+#include "groundmotions/assembly/plausibility.h"
+#include "groundmotions/suites/suite.h"
+#include "studies/study/job/scale_reader.h"
+
+namespace gurney {
+namespace {
+
+/// A tree as text: two trees that are read alike have the same.
+void write(const config::Node& node, std::string& text) {
+  if (node.elements.empty()) text += describe(node);
+  for (const config::Node& each : node.elements) {
+    text += each.key + '{';
+    write(each, text);
+    text += '}';
+  }
+}
+
+std::string excitation_text(const config::Node& job) {
+  std::string text;
+  if (const config::Node* excitation = job.find("excitation")) write(*excitation, text);
+  return text;
+}
+
+Suite suite_of(const RecordRequest& request) {
+  if (request.suite.empty()) return {};
+  Suite suite = read_suite(request.suite, request.options);
+  std::string refused;
+  for (const Refusal& each : suite.refused)
+    refused += fmt::format("{}{}: {}", refused.empty() ? "" : "\n", request.where, text_of(each));
+  require(refused.empty(), refused);
+  require(!suite.records.empty(), request.where + ": the suite has no records");
+  return suite;
+}
+
+double or_none(const std::function<double()>& value) {
+  try {
+    return value();
+  } catch (const Error&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+}  // namespace
+
+MotionSet::MotionSet(const Job& job, const Study& study)
+    : request_(job.record), intensity_(study.intensity), kept_(study.measures) {
+  if (!request_) {
+    names_ = {""};
+  } else if (study.synthetic_records > 0) {
+    for (int seed = 1; seed <= study.synthetic_records; ++seed)
+      names_.push_back(fmt::format("{} {}", request_->synthetic->kind->name, seed));
+  } else {
+    Suite suite = suite_of(*request_);
+    suite_ = std::move(suite.records);
+    notes_ = std::move(suite.notes);
+    for (const SuiteRecord& record : suite_) names_.push_back(record.name);
+    if (suite_.empty()) names_ = {ground_record(*request_).name};
+  }
+  slots_ = std::make_unique<Slot[]>(names_.size());
+}
+
+const GroundMotion& MotionSet::ground(std::size_t record) const {
+  Slot& slot = slots_[record];
+  std::call_once(slot.once, [&] { slot.motion = read(record); });
+  return slot.motion;
+}
+
+GroundMotion MotionSet::read(std::size_t record) const {
+  GroundMotion motion;
+  if (!request_) {
+    motion.measures.assign(kept_.size(), std::numeric_limits<double>::quiet_NaN());
+    return motion;
+  }
+  RecordRequest request = *request_;
+  double scale = request.scale;
+  request.suite.clear();
+  if (!suite_.empty()) {
+    request.files = suite_[record].files;
+    request.options = suite_[record].options;
+    scale *= suite_[record].scale;
+  } else if (names_.size() > 1) {
+    request.synthetic->values["seed"] = static_cast<double>(record + 1);
+  }
+  motion.record = ground_record(request);
+  motion.record.name = names_[record];
+  if (request.scale_to) motion.record = scaled_to(motion.record, *request.scale_to);
+  if (scale != 1) motion.record = scaled(std::move(motion.record), scale);
+  motion.warnings = motion.record.warnings;
+  if (record == 0) motion.warnings.insert(motion.warnings.end(), notes_.begin(), notes_.end());
+  const std::vector<std::string> findings = implausible(motion.record);
+  require(!request.refuse_implausible || findings.empty(),
+          fmt::format("{}: record '{}' is not plausible, and plausibility = \"refuse\":\n{}",
+                      request.where, names_[record], fmt::join(findings, "\n")));
+  motion.warnings.insert(motion.warnings.end(), findings.begin(), findings.end());
+  for (const KeptMeasure& kept : kept_)
+    motion.measures.push_back(
+        or_none([&] { return value_of(kept.measure, kept.combination, motion.record); }));
+  if (!scaled_by_measure()) return motion;
+  try {
+    motion.intensity = value_of(intensity_.measure, intensity_.combination, motion.record);
+  } catch (const Error& error) {
+    throw Error(request.where + ": " + error.what());
+  }
+  require(motion.intensity > 0,
+          fmt::format("{}: record '{}' cannot be scaled: its {} is {:g}", request.where,
+                      names_[record], name_of(intensity_.measure), motion.intensity));
+  return motion;
+}
+
+double MotionSet::scale_for(std::size_t record, double value) const {
+  return std::pow(value / ground(record).intensity, 1 / scaling_power(intensity_.measure));
+}
+
+Record MotionSet::floor_record(std::size_t record, double scale) const {
+  const Record& ground = this->ground(record).record;
+  return floor_record_of(scale == 1 ? ground : scaled(ground, scale, intensity_.vertical),
+                         *request_);
+}
+
+FloorMotion MotionSet::floor(std::size_t record, double scale, double angle,
+                             std::vector<std::string>& warnings) const {
+  if (!request_) return {};
+  const Record floor = floor_record(record, scale);
+  const std::vector<std::string>& of_ground = ground(record).record.warnings;
+  for (const std::string& warning : floor.warnings)
+    if (std::ranges::find(of_ground, warning) == of_ground.end()) warnings.push_back(warning);
+  return in_floor_axes(floor, *request_, request_->angle + angle);
+}
+
+std::optional<Motion> MotionSet::motion(std::size_t record, double scale, double angle) const {
+  if (!request_) return {};
+  return as_motion(floor_record(record, scale), *request_, request_->angle + angle);
+}
+
+StudyMotions::StudyMotions(const StudyJob& job) {
+  const config::FileSnapshot::Scope scope(job.files());
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < job.configurations().size(); ++i) {
+    const std::string text = excitation_text(job.configurations()[i].tree);
+    std::size_t found = 0;
+    while (found < texts.size() && texts[found] != text) ++found;
+    if (found == texts.size()) {
+      texts.push_back(text);
+      sets_.push_back(std::make_unique<MotionSet>(job.job(i, {}), job.study()));
+    }
+    of_configuration_.push_back(found);
+  }
+}
+
+void StudyMotions::read_all(int threads) const {
+  std::vector<std::pair<const MotionSet*, std::size_t>> all;
+  for (const auto& set : sets_)
+    for (std::size_t i = 0; i < set->size(); ++i) all.emplace_back(set.get(), i);
+  std::vector<std::string> mistakes(all.size());
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    try {
+      all[i].first->ground(all[i].second);
+    } catch (const std::bad_alloc&) {
+      mistakes[i] = "not enough memory for the records";
+    } catch (const std::exception& error) {
+      mistakes[i] = error.what();
+    }
+  }
+  std::string text;
+  for (const std::string& each : mistakes)
+    if (!each.empty() && text.find(each) == std::string::npos)
+      text += (text.empty() ? "" : "\n") + each;
+  require(text.empty(), text);
+}
+
+}  // namespace gurney

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/scene/scene.h"
+#include "equipment/catalogue/assumption.h"
+#include "studies/study/job/job.h"
+#include "studies/study/prepare/motion.h"
+#include "studies/study/results/run_facts.h"
+
+namespace gurney {
+
+/// An assumption as results and summaries tell it.
+AssumptionFacts facts_of(const Assumption& assumption);
+
+/// A job with its record read: simulate(facts.scene, excitation, facts.settings) runs it.
+struct PreparedRun {
+  RunFacts facts;
+  Excitation excitation;
+};
+
+/// @param motion  of the floor; none: it rests
+PreparedRun prepare_run(const Job& job, std::optional<Motion> motion);
+
+/// Reads a job file and the record it asks for.
+/// @throws Error with every mistake found in the job, its data files and its record.
+PreparedRun prepare_run(const std::string& job_path);
+
+}  // namespace gurney

@@ -1,0 +1,279 @@
+#include "studies/study/results/hdf5_reader.h"
+
+#include <fmt/format.h>
+#include <hdf5_hl.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "engine/base/error.h"
+#include "engine/base/input_file.h"
+#include "engine/base/printable.h"
+#include "studies/study/results/hdf5_checks.h"
+#include "studies/study/results/hdf5_handle.h"
+
+namespace gurney {
+
+using hdf5::checked;
+using hdf5::Handle;
+using hdf5::silence_printing;
+
+namespace {
+
+constexpr std::uint64_t kMostProbed = std::uint64_t{1} << 22;  // values of one dataset
+
+std::vector<std::string> take_strings(hid_t type, hid_t space, std::vector<char*>& raw) {
+  std::vector<std::string> result;
+  for (const char* text : raw) result.push_back(printable(text ? text : ""));
+  checked(H5Dvlen_reclaim(type, space, H5P_DEFAULT, raw.data()), "release text");
+  return result;
+}
+
+std::vector<std::string> cut_strings(const std::string& flat, std::size_t width) {
+  std::vector<std::string> result;
+  for (std::size_t at = 0; at < flat.size(); at += width) {
+    const std::string_view padded = std::string_view(flat).substr(at, width);
+    result.push_back(printable(padded.substr(0, padded.find('\0'))));
+  }
+  return result;
+}
+
+/// The texts of a dataset or an attribute, of fixed or of any length; HDF5 turns no ASCII into
+/// UTF-8, so they are read as they are stored.
+/// @param read  takes a type in memory and where to put the values
+template <class Read>
+std::vector<std::string> texts(hid_t stored, hid_t space, const std::string& what, Read read) {
+  const auto count = static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), what));
+  if (count == 0) return {};
+  if (checked(H5Tis_variable_str(stored), what) > 0) {
+    std::vector<char*> raw(count);
+    checked(read(stored, static_cast<void*>(raw.data())), what);
+    return take_strings(stored, space, raw);
+  }
+  const std::size_t width = H5Tget_size(stored);
+  std::string flat(width * count, '\0');
+  checked(read(stored, static_cast<void*>(flat.data())), what);
+  return cut_strings(flat, width);
+}
+
+/// An attribute whose values are few enough to be in the file.
+class Attribute {
+ public:
+  Attribute(hid_t object, const std::string& name)
+      : what_("read attribute '" + name + "'"),
+        id_(H5Aopen(object, name.c_str(), H5P_DEFAULT), what_),
+        space_(H5Aget_space(id_), what_),
+        type_(H5Aget_type(id_), what_) {
+    hsize_t file_size = 0;
+    checked(H5Fget_filesize(Handle(H5Iget_file_id(id_), what_), &file_size), what_);
+    require(static_cast<double>(count()) * static_cast<double>(H5Tget_size(type_)) <=
+                static_cast<double>(file_size),
+            "attribute '" + name + "' states more values than the file has bytes");
+  }
+
+  hssize_t count() const { return checked(H5Sget_simple_extent_npoints(space_), what_); }
+  H5T_class_t type() const { return H5Tget_class(type_); }
+
+  std::vector<std::string> texts() const {
+    return gurney::texts(type_, space_, what_,
+                         [&](hid_t type, void* to) { return H5Aread(id_, type, to); });
+  }
+  std::int64_t whole() const {
+    std::int64_t value = 0;
+    checked(H5Aread(id_, H5T_NATIVE_INT64, &value), what_);
+    return value;
+  }
+
+ private:
+  std::string what_;
+  Handle id_, space_, type_;
+};
+
+std::vector<std::string> texts_of(hid_t object, const std::string& name) {
+  if (checked(H5Aexists(object, name.c_str()), "look for attribute " + name) == 0) return {};
+  const Attribute attribute(object, name);
+  require(attribute.type() == H5T_STRING, "attribute '" + name + "' must be text");
+  return attribute.texts();
+}
+
+std::string text_of(hid_t object, const std::string& name) {
+  const std::vector<std::string> texts = texts_of(object, name);
+  return texts.empty() ? "" : texts.front();
+}
+
+std::string type_name(hid_t dataset) {
+  const Handle type(H5Dget_type(dataset), "read a type");
+  const auto bits = std::to_string(8 * H5Tget_size(type));
+  switch (H5Tget_class(type)) {
+    case H5T_FLOAT:
+      return "float" + bits;
+    case H5T_INTEGER:
+      return (H5Tget_sign(type) == H5T_SGN_NONE ? "uint" : "int") + bits;
+    case H5T_STRING:
+      return "string";
+    default:
+      return "other";
+  }
+}
+
+std::vector<std::uint64_t> shape_of(hid_t dataset, const std::string& path) {
+  const Handle space(H5Dget_space(dataset), "read the shape of " + path);
+  hsize_t extent[H5S_MAX_RANK];
+  const int rank = checked(H5Sget_simple_extent_dims(space, extent, nullptr), "size " + path);
+  return {extent, extent + rank};
+}
+
+std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+/// H5DSget_scale_name() frees twice over damaged files. No exception may pass through HDF5.
+herr_t take_scale_name(hid_t, unsigned, hid_t scale, void* names) {
+  try {
+    static_cast<std::vector<std::string>*>(names)->push_back(text_of(scale, "NAME"));
+    return 1;
+  } catch (const std::exception&) {
+    return -1;
+  }
+}
+
+herr_t take_dataset_path(hid_t, const char* name, const H5O_info_t* info, void* paths) {
+  if (info->type == H5O_TYPE_DATASET)
+    static_cast<std::vector<std::string>*>(paths)->push_back(std::string("/") + name);
+  return 0;
+}
+
+Hdf5Dataset describe(hid_t file, const std::string& path) {
+  const Handle dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), "open dataset " + path);
+  hdf5::check_storage(dataset, "dataset " + path);
+  Hdf5Dataset found{path, type_name(dataset),        shape_of(dataset, path),
+                    {},   text_of(dataset, "units"), text_of(dataset, "long_name")};
+  if (text_of(dataset, "CLASS") == "DIMENSION_SCALE")
+    found.scales = {last_part(path)};
+  else
+    for (unsigned i = 0; i < found.shape.size(); ++i)
+      H5DSiterate_scales(dataset, i, nullptr, take_scale_name, &found.scales);
+  return found;
+}
+
+std::vector<Hdf5Dataset> datasets_of(hid_t file) {
+  std::vector<std::string> paths;
+  checked(H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, take_dataset_path, &paths, H5O_INFO_BASIC),
+          "list datasets");
+  std::vector<Hdf5Dataset> result;
+  for (const std::string& path : paths) result.push_back(describe(file, path));
+  return result;
+}
+
+std::uint64_t size_of(const Hdf5Dataset& dataset) {
+  std::uint64_t size = 1;
+  for (const std::uint64_t length : dataset.shape) size *= length;
+  return size;
+}
+
+}  // namespace
+
+Hdf5Reader::Hdf5Reader(const std::string& path) : Hdf5Reader(path, Probed::kNo) {}
+
+Hdf5Reader::Hdf5Reader(const std::string& path, Probed probed) : path_(path) {
+  silence_printing();
+  if (probed == Probed::kNo) {
+    require_regular_file(path);
+    require(H5Fis_hdf5(path.c_str()) > 0,
+            path + ": is not a results file of gurney (no HDF5 file)");
+    hdf5::check_seal(path);
+    hdf5::probe(path, [&] { Hdf5Reader(path, Probed::kYes).read_all(); });
+  }
+  file_ = checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open " + path);
+  try {
+    hdf5::refuse_links(file_, path);
+    datasets_ = named([&] { return datasets_of(file_); });
+  } catch (...) {
+    H5Fclose(file_);
+    throw;
+  }
+}
+
+Hdf5Reader::~Hdf5Reader() { H5Fclose(file_); }
+
+void Hdf5Reader::read_all() const {
+  for (const std::string& name : attributes())
+    if (Attribute(file_, name).type() == H5T_STRING) text_attributes(name);
+  for (const Hdf5Dataset& each : datasets_) {
+    if (each.type == "string")
+      strings(each.path);
+    else if (each.type != "other" && size_of(each) <= kMostProbed)
+      numbers(each.path);
+  }
+}
+
+std::vector<std::string> Hdf5Reader::attributes() const {
+  std::vector<std::string> result;
+  const auto take_name = [](hid_t, const char* name, const H5A_info_t*, void* names) -> herr_t {
+    static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+    return 0;
+  };
+  checked(H5Aiterate2(file_, H5_INDEX_NAME, H5_ITER_INC, nullptr, take_name, &result),
+          "list attributes");
+  return result;
+}
+
+std::string Hdf5Reader::text_attribute(const std::string& name) const {
+  return named([&] { return text_of(file_, name); });
+}
+
+std::vector<std::string> Hdf5Reader::text_attributes(const std::string& name) const {
+  return named([&] { return texts_of(file_, name); });
+}
+
+std::int64_t Hdf5Reader::whole_attribute(const std::string& name) const {
+  if (checked(H5Aexists(file_, name.c_str()), "look for attribute " + name) == 0) return 0;
+  return named([&] {
+    const Attribute attribute(file_, name);
+    require(attribute.type() == H5T_INTEGER && attribute.count() == 1,
+            "attribute '" + name + "' must be one whole number");
+    return attribute.whole();
+  });
+}
+
+const Hdf5Dataset& Hdf5Reader::dataset(const std::string& path) const {
+  for (const Hdf5Dataset& each : datasets_)
+    if (each.path == path) return each;
+  throw Error(path_ + ": has no dataset " + path);
+}
+
+std::vector<double> Hdf5Reader::numbers(const std::string& path) const {
+  const Hdf5Dataset& found = dataset(path);
+  require(found.type.starts_with("float") || found.type.find("int") != std::string::npos,
+          fmt::format("{}: dataset {} must hold numbers", path_, path));
+  return named([&] {
+    const Handle dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), "open dataset " + path);
+    std::vector<double> values(size_of(found));
+    checked(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+            "read " + path);
+    return values;
+  });
+}
+
+std::vector<std::string> Hdf5Reader::strings(const std::string& path) const {
+  require(dataset(path).type == "string",
+          fmt::format("{}: dataset {} must hold texts", path_, path));
+  return named([&] {
+    const Handle dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), "open dataset " + path);
+    const Handle space(H5Dget_space(dataset), "read the shape of " + path);
+    const Handle stored(H5Dget_type(dataset), "read the type of " + path);
+    return texts(stored, space, "read " + path, [&](hid_t type, void* to) {
+      return H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, to);
+    });
+  });
+}
+
+void Hdf5Reader::require_length(const std::vector<std::string>& paths, std::uint64_t length) const {
+  for (const std::string& path : paths) {
+    const Hdf5Dataset& found = dataset(path);
+    require(!found.shape.empty() && found.shape[0] == length &&
+                size_of(found) % std::max<std::uint64_t>(length, 1) == 0,
+            fmt::format("{}: dataset {} has {} rows; must have {}", path_, path,
+                        found.shape.empty() ? 1 : found.shape[0], length));
+  }
+}
+
+}  // namespace gurney

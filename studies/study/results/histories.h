@@ -1,0 +1,12 @@
+#pragma once
+
+#include "engine/response/response.h"
+#include "engine/scene/scene.h"
+#include "studies/study/results/hdf5_writer.h"
+
+namespace gurney {
+
+/// The group /histories: samples of all items at common times.
+void add_histories(Hdf5Writer& file, const Scene& scene, const Response& response);
+
+}  // namespace gurney

@@ -1,0 +1,102 @@
+#include "studies/study/results/study_reader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/base/error.h"
+
+namespace gurney {
+
+namespace {
+
+constexpr double kMostDraws = 2147483648.0;
+
+/// "items" of "/items/peak_displacement"
+std::string table_of(const std::string& path) { return path.substr(1, path.rfind('/') - 1); }
+
+}  // namespace
+
+StudyReader::StudyReader(const std::string& path) : path_(path), file_(path) {
+  const std::string type = text_attribute("filetype");
+  require(type == "gurney-study",
+          path + ": is no results file of a study" +
+              (type.empty() ? "" : " but '" + type + "', which one run leaves"));
+  const std::int64_t version = file_.whole_attribute("format_version");
+  require(version == kStudyFormatVersion,
+          fmt::format("{}: is a study file of format_version {}, made by gurney {} ({}); this "
+                      "program reads version {}: run the study again, or use that program",
+                      path, version, text_attribute("program_version"),
+                      text_attribute("git_commit"), kStudyFormatVersion));
+  check_tables();
+  runs_ = numbers("runs/run").size();
+  check_indices();
+}
+
+void StudyReader::check_tables() {
+  const std::vector<Hdf5Dataset> datasets = file_.datasets();
+  for (const Hdf5Dataset& each : datasets)
+    if (each.path.ends_with("/row") && each.shape.size() == 1)
+      rows_[table_of(each.path)] = each.shape[0];
+  for (const Hdf5Dataset& each : datasets) {
+    columns_.insert(each.path.substr(1));
+    const auto table = rows_.find(table_of(each.path));
+    require(table != rows_.end() && each.shape.size() == 1 && each.shape[0] == table->second,
+            fmt::format("{}: dataset {} must be a column as long as its table", path_, each.path));
+  }
+}
+
+void StudyReader::check_indices() const {
+  const auto check = [&](const std::string& column, double low, double end) {
+    if (!columns_.contains(column)) return;
+    const std::vector<double> values = numbers(column);
+    for (std::size_t row = 0; row < values.size(); ++row)
+      require(values[row] >= low && values[row] < end && values[row] == std::floor(values[row]),
+              fmt::format("{}: /{}[{}] = {}: must be a whole number >= {} and < {}", path_, column,
+                          row, values[row], low, end));
+  };
+  const auto rows = [&](const std::string& table) {  // nobody can look up one that is absent
+    const auto found = rows_.find(table);
+    return found == rows_.end() ? kMostDraws : static_cast<double>(found->second);
+  };
+  for (const auto& [table, length] : rows_) check(table + "/run", 0, rows("runs"));
+  for (const char* table : {"runs", "drawn"}) {
+    check(table + std::string("/configuration"), 0, rows("configurations"));
+    check(table + std::string("/draw"), -1, kMostDraws);
+  }
+  check("runs/motion", 0, rows("motions"));
+  for (const char* table : {"runs", "motions"})
+    check(table + std::string("/record"), 0, rows("records"));
+  check("motions/set", 0, kMostDraws);
+  for (const char* column : {"runs/scale", "runs/intensity", "runs/angle"}) {
+    if (!columns_.contains(column)) continue;
+    for (const double value : numbers(column))
+      require(std::isfinite(value), fmt::format("{}: /{} must be finite", path_, column));
+  }
+}
+
+bool StudyReader::has(const std::string& table) const { return rows_.contains(table); }
+
+std::vector<double> StudyReader::numbers(const std::string& column) const {
+  require(columns_.contains(column), path_ + ": has no column " + column);
+  return file_.numbers("/" + column);
+}
+
+std::vector<std::string> StudyReader::strings(const std::string& column) const {
+  require(columns_.contains(column), path_ + ": has no column " + column);
+  return file_.strings("/" + column);
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> StudyReader::rows_of_runs(
+    const std::string& table) const {
+  std::vector<std::pair<std::size_t, std::size_t>> rows(runs_, {0, 0});
+  const std::vector<double> run = numbers(table + "/run");
+  for (std::size_t row = 0; row < run.size(); ++row) {
+    auto& [first, last] = rows[static_cast<std::size_t>(run[row])];
+    if (last == 0) first = row;
+    last = row + 1;
+  }
+  return rows;
+}
+
+}  // namespace gurney

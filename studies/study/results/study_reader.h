@@ -1,0 +1,49 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "studies/study/results/hdf5_reader.h"
+
+namespace gurney {
+
+/// Version of the layout of study files (docs/formats/study_file.md).
+inline constexpr int kStudyFormatVersion = 2;
+
+/// The tables of a study file, column by column.
+class StudyReader {
+ public:
+  /// @throws Error unless it is a results file of a study, of a version this program knows, whose
+  /// columns are as long as their tables and whose indices lead to rows that exist.
+  explicit StudyReader(const std::string& path);
+
+  const std::string& path() const { return path_; }
+  std::string text_attribute(const std::string& name) const { return file_.text_attribute(name); }
+  std::string job_text() const { return text_attribute("job_text"); }
+
+  bool has(const std::string& table) const;
+
+  /// A column, such as "items/peak_displacement".
+  /// @throws Error where there is none
+  std::vector<double> numbers(const std::string& column) const;
+  std::vector<std::string> strings(const std::string& column) const;
+
+  std::size_t runs() const { return runs_; }
+
+  /// For each run the rows of a table that are its own: first and one past the last.
+  std::vector<std::pair<std::size_t, std::size_t>> rows_of_runs(const std::string& table) const;
+
+ private:
+  std::string path_;
+  Hdf5Reader file_;
+  void check_tables();
+  void check_indices() const;
+
+  std::map<std::string, std::uint64_t> rows_;  ///< of each table
+  std::set<std::string> columns_;              ///< such as "items/peak_displacement"
+  std::size_t runs_ = 0;
+};
+
+}  // namespace gurney

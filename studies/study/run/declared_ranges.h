@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "studies/study/plan/undrawn_ranges.h"
+#include "studies/study/run/run_unit.h"
+
+namespace gurney {
+
+/// An assumption of a configuration with every number at its value.
+struct StatedAssumption {
+  std::size_t configuration = 0;
+  Assumption assumption;
+  bool drawn = false;  ///< the study draws it
+};
+
+std::vector<StatedAssumption> stated_assumptions(const Batch& batch);
+
+UndrawnRanges undrawn_ranges(const Batch& batch);
+
+}  // namespace gurney

@@ -1,0 +1,152 @@
+#include "studies/study/run/run_batch.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include "studies/study/run/stage_levels.h"
+
+namespace gurney {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+using Part = std::map<std::size_t, std::string>;  ///< bytes of units
+
+void count(const UnitResult& result, BatchProgress& progress) {
+  for (const StudyRun& run : result.runs) {
+    progress.failed += is_failure(run.response.outcome);
+    progress.untrusted += run.response.outcome == Outcome::kUntrusted;
+    progress.overturned += run.response.outcome == Outcome::kOverturned;
+  }
+  progress.runs += result.runs.size();
+  ++progress.done;
+}
+
+BatchProgress done_before(const Batch& batch, const PartFolder& folder) {
+  BatchProgress progress;
+  progress.units = batch.plan.units();
+  for (std::size_t unit = 0; unit < progress.units; ++unit)
+    if (folder.has(unit)) count(unit_from_bytes(folder.read(unit)), progress);
+  return progress;
+}
+
+/// Collects finished units into parts: soon at first, later after 2 % of the time the batch has
+/// run, so that parts stay few and little is lost.
+class Collector {
+ public:
+  Collector(const std::function<void(const BatchProgress&)>& report, const BatchProgress& before)
+      : report_(report), progress_(before) {}
+
+  /// @return a part that is due to be written; else empty
+  Part add(UnitResult result) {
+    count(result, progress_);
+    progress_.runs_now += result.runs.size();
+    ++progress_.units_now;
+    const std::size_t unit = result.unit;
+    bytes_ += (waiting_[unit] = to_bytes(result)).size();
+    progress_.seconds = since(start_);
+    if (since(reported_) > 0.5) {
+      report_(progress_);
+      reported_ = Clock::now();
+    }
+    const bool due = since(taken_) > std::max(1.0, 0.02 * progress_.seconds) || bytes_ > kMostBytes;
+    return due ? take() : Part();
+  }
+
+  Part take() {
+    bytes_ = 0;
+    taken_ = Clock::now();
+    return std::exchange(waiting_, {});
+  }
+
+  BatchProgress finish() {
+    progress_.seconds = since(start_);
+    report_(progress_);
+    return progress_;
+  }
+
+ private:
+  static constexpr std::size_t kMostBytes = 8 << 20;
+
+  static double since(Clock::time_point time) {
+    return std::chrono::duration<double>(Clock::now() - time).count();
+  }
+
+  const std::function<void(const BatchProgress&)>& report_;
+  BatchProgress progress_;
+  Part waiting_;
+  std::size_t bytes_ = 0;
+  Clock::time_point start_ = Clock::now(), taken_ = start_, reported_ = start_;
+};
+
+/// Units of the stage that the folder lacks.
+std::vector<std::size_t> missing_units(const Batch& batch, std::size_t stage,
+                                       const PartFolder& folder) {
+  const std::size_t units = batch.plan.units_of_stage();
+  std::vector<std::size_t> missing;
+  for (std::size_t unit = stage * units; unit < (stage + 1) * units; ++unit)
+    if (!folder.has(unit)) missing.push_back(unit);
+  return missing;
+}
+
+/// What the threads of a batch share.
+struct Work {
+  const Batch& batch;
+  PartFolder& folder;
+  const CrashLog& crashes;
+  Collector& collector;
+  const std::function<bool()>& go_on;
+};
+
+void run_units(const Work& work, const std::vector<std::size_t>& units, const StageLevels& levels,
+               int threads) {
+  std::mutex collecting, writing;  // a thread that waits for the disk holds up no other
+  std::exception_ptr problem;
+  std::atomic<bool> broken = false;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    if (broken || !work.go_on()) continue;
+    try {
+      const Unit unit = work.batch.plan.unit(units[i]);
+      UnitResult result = run_unit(work.batch, units[i], work.go_on, work.crashes.given_up(),
+                                   &levels.of(unit.configuration));
+      Part part;
+      {
+        const std::lock_guard lock(collecting);
+        if (!result.runs.empty()) part = work.collector.add(std::move(result));
+      }
+      const std::lock_guard lock(writing);
+      work.folder.add(part);
+    } catch (...) {
+      const std::lock_guard lock(collecting);
+      if (!problem) problem = std::current_exception();
+      broken = true;
+    }
+  }
+  if (problem) std::rethrow_exception(problem);
+  work.folder.add(work.collector.take());
+}
+
+}  // namespace
+
+BatchProgress run_batch(const Batch& batch, PartFolder& folder, const CrashLog& crashes,
+                        int threads, const std::function<bool()>& go_on,
+                        const std::function<void(const BatchProgress&)>& progress) {
+  Collector collector(progress, done_before(batch, folder));
+  const Work work{batch, folder, crashes, collector, go_on};
+  StageLevels levels(batch);
+  run_units(work, missing_units(batch, 0, folder), levels, threads);
+  while (levels.stage() + 1 < batch.plan.stages() && go_on()) {
+    if (!missing_units(batch, levels.stage(), folder).empty()) break;
+    levels.advance([&](std::size_t unit) { return unit_from_bytes(folder.read(unit)); });
+    run_units(work, missing_units(batch, levels.stage(), folder), levels, threads);
+  }
+  return collector.finish();
+}
+
+}  // namespace gurney

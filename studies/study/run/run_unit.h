@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "studies/study/plan/plan.h"
+#include "studies/study/run/crash_log.h"
+#include "studies/study/run/unit_result.h"
+
+namespace gurney {
+
+/// What the units of a study share; constant while they run.
+struct Batch {
+  const StudyJob& job;
+  const StudyMotions& motions;
+  const Plan& plan;
+};
+
+/// What simulate() is given for one run.
+struct RunCase {
+  Scene scene;
+  Excitation excitation;
+  SimulationSettings settings;
+  std::vector<std::string> warnings;  ///< of the building under this motion
+};
+
+/// @param job    of the unit's configuration and draw
+/// @param scale  on the ground motion
+RunCase case_of(const Batch& batch, const Unit& unit, const Job& job, double scale);
+
+/// Makes the runs of one unit: the same numbers in any thread, process and order.
+/// @param go_on  asked before each run; false: the unit is dropped
+/// @param crashed  runs that fail without being tried
+/// @param levels   of its configuration in its stage; null: the first
+/// @return no runs when it was dropped
+UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<bool()>& go_on,
+                    const CrashedRuns& crashed = {}, const std::vector<double>* levels = nullptr);
+
+}  // namespace gurney

@@ -1,0 +1,35 @@
+#include "studies/study/run/stage_levels.h"
+
+#include "studies/study/plan/stages.h"
+
+namespace gurney {
+
+StageLevels::StageLevels(const Batch& batch)
+    : batch_(batch),
+      levels_(batch.job.configurations().size(), batch.job.study().intensity.levels),
+      stripes_(levels_.size()) {
+  for (std::size_t i = 0; i < levels_.size(); ++i)
+    for (const double level : levels_[i]) stripes_[i][level].im = level;
+}
+
+void StageLevels::advance(const std::function<UnitResult(std::size_t)>& read) {
+  const std::size_t units = batch_.plan.units_of_stage();
+  for (std::size_t index = stage_ * units; index < (stage_ + 1) * units; ++index) {
+    auto& stripes = stripes_[batch_.plan.unit(index).configuration];
+    for (const StudyRun& run : read(index).runs) {
+      if (is_failure(run.response.outcome)) continue;
+      Stripe& stripe = stripes[run.intensity];
+      stripe.im = run.intensity;
+      stripe.runs += 1;
+      stripe.exceeded += run.until;
+    }
+  }
+  for (std::size_t i = 0; i < levels_.size(); ++i) {
+    std::vector<Stripe> made;
+    for (const auto& [im, stripe] : stripes_[i]) made.push_back(stripe);
+    levels_[i] = next_levels(made, batch_.job.study().intensity.unit_in_si);
+  }
+  ++stage_;
+}
+
+}  // namespace gurney

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "studies/statistics/stripes.h"
+#include "studies/study/run/run_unit.h"
+
+namespace gurney {
+
+/// The levels of each configuration in one stage after the other. They rest on the outcomes of all
+/// units of the stages before, in the order of the units, and on nothing else.
+class StageLevels {
+ public:
+  explicit StageLevels(const Batch& batch);
+
+  std::size_t stage() const { return stage_; }
+  const std::vector<double>& of(std::size_t configuration) const { return levels_[configuration]; }
+
+  /// The next stage; all units of this one are done.
+  /// @param read  gives a unit's result
+  void advance(const std::function<UnitResult(std::size_t)>& read);
+
+ private:
+  const Batch& batch_;
+  std::size_t stage_ = 0;
+  std::vector<std::vector<double>> levels_;
+  std::vector<std::map<double, Stripe>> stripes_;  ///< of each configuration, by intensity
+};
+
+}  // namespace gurney

@@ -1,0 +1,129 @@
+#include "studies/study/run/study_identity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+#include "engine/base/hash/sha256.h"
+#include "engine/config/document.h"
+#include "studies/build_info/build_info.h"
+#include "studies/study/plan/data_files.h"
+#include "studies/study/plan/flat_tree.h"
+
+namespace gurney {
+namespace {
+
+using Entries = std::map<std::string, std::string>;
+
+constexpr const char* kJob = "job_sha256";
+constexpr std::size_t kMostShown = 3;
+
+std::string input_lines(const Batch& batch) {
+  std::string lines;
+  for (std::size_t set = 0; set < batch.motions.sets(); ++set)
+    for (std::size_t i = 0; i < batch.motions.set(set).size(); ++i)
+      lines += record_line(std::to_string(set), batch.motions.set(set).name(i),
+                           files_of(batch.motions.set(set).ground(i).record));
+  for (const auto& [name, hash] : data_files(batch.job)) lines += data_file_line(name, hash);
+  return lines;
+}
+
+/// Without the job's text.
+Entries entries_of(const std::string& identity) {
+  Entries entries;
+  std::istringstream stream(identity);
+  for (std::string line; std::getline(stream, line) && !line.empty();) {
+    const auto cut = std::min(line.find(" = "), line.size());
+    entries[line.substr(0, cut)] = cut < line.size() ? line.substr(cut + 3) : "";
+  }
+  return entries;
+}
+
+std::string job_text_in(const std::string& identity) {
+  const auto end = identity.find("\n\n");
+  return end == std::string::npos ? std::string() : identity.substr(end + 2);
+}
+
+std::string value_in(const Entries& entries, const std::string& key) {
+  const auto found = entries.find(key);
+  return found == entries.end() ? "nothing" : "'" + found->second + "'";
+}
+
+std::string differences(const Entries& theirs, const Entries& ours) {
+  Entries all = theirs;
+  all.insert(ours.begin(), ours.end());
+  std::string text;
+  std::size_t count = 0;
+  for (const auto& [key, ignored] : all) {
+    const std::string there = value_in(theirs, key), here = value_in(ours, key);
+    if (there == here || ++count > kMostShown) continue;
+    text += fmt::format("{}{}: there {}, here {}", count > 1 ? "; " : "", key, there, here);
+  }
+  return text + (count > kMostShown ? fmt::format("; and {} more", count - kMostShown) : "");
+}
+
+Entries keys_of_job(const std::string& text) {
+  Entries entries;
+  flatten(config::Document(text, "the job").tree(), "", entries);
+  return entries;
+}
+
+}  // namespace
+
+std::string record_line(const std::string& set, const std::string& name, const std::string& files) {
+  std::string on_one_line = files;
+  std::ranges::replace(on_one_line, '\n', ',');
+  return fmt::format("record {}{} = {}\n", name, set == "0" ? "" : " of set " + set, on_one_line);
+}
+
+std::string data_file_line(const std::string& name, const std::string& sha256) {
+  return fmt::format("{} = {}\n", name, sha256);
+}
+
+std::string files_of(const Record& record) {
+  std::string text;
+  for (const auto& component : record.components) {
+    if (!component || component->sha256.empty()) continue;
+    const std::string line = fmt::format(
+        "{} {}", component->sha256, std::filesystem::path(component->file).filename().string());
+    if (text.find(line) == std::string::npos) text += (text.empty() ? "" : "\n") + line;
+  }
+  return text;
+}
+
+std::string inputs_from(const std::string& lines, const std::string& job_text) {
+  return fmt::format("{} = {}\n{}\n{}", kJob, sha256(job_text), lines, job_text);
+}
+
+std::string inputs_of(const Batch& batch) {
+  return inputs_from(input_lines(batch), batch.job.text());
+}
+
+std::string identity_of(const Batch& batch) {
+  const BuildInfo build = build_info();
+  return inputs_from(
+      fmt::format("{}units = {}\nprogram = {} {}\ncpu_class = {}\n", input_lines(batch),
+                  batch.plan.units(), build.program_version, build.git_commit, build.cpu_class),
+      batch.job.text());
+}
+
+std::string job_difference(const std::string& theirs, const std::string& ours) {
+  return differences(keys_of_job(theirs), keys_of_job(ours));
+}
+
+std::string difference(const std::string& theirs, const std::string& ours) {
+  Entries there = entries_of(theirs), here = entries_of(ours);
+  const std::string job_there = job_text_in(theirs), job_here = job_text_in(ours);
+  if (!job_there.empty() && !job_here.empty() && there[kJob] != here[kJob]) {
+    const std::string keys = job_difference(job_there, job_here);
+    if (!keys.empty()) return keys + " (in the job)";
+    return fmt::format("the comments or the layout of the job ({})",
+                       differences({{kJob, there[kJob]}}, {{kJob, here[kJob]}}));
+  }
+  return differences(there, here);
+}
+
+}  // namespace gurney

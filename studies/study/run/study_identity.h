@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "studies/study/run/run_unit.h"
+
+namespace gurney {
+
+/// What decides a study's numbers, as text: lines `key = value` for the job, each record and each
+/// data file, an empty line, and the job itself.
+std::string inputs_of(const Batch& batch);
+
+/// The same with the program that makes the runs: what must be equal for runs to belong together.
+std::string identity_of(const Batch& batch);
+
+/// From the parts of inputs_of(), such as those that results keep.
+/// @param lines  `key = value`
+std::string inputs_from(const std::string& lines, const std::string& job_text);
+
+std::string record_line(const std::string& set, const std::string& name, const std::string& files);
+std::string data_file_line(const std::string& name, const std::string& sha256);
+
+/// SHA-256 and name of each file of a record, one a line.
+std::string files_of(const Record& record);
+
+/// How two identities differ: `item.toml: there '1', here '2'`, of a job by the keys that differ.
+std::string difference(const std::string& theirs, const std::string& ours);
+
+/// The same of two jobs; empty: they differ in nothing that is read.
+std::string job_difference(const std::string& theirs, const std::string& ours);
+
+}  // namespace gurney

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/response/response.h"
+
+namespace gurney {
+
+/// One finished run of a study.
+struct StudyRun {
+  double scale = 1;      ///< factor on the ground motion
+  double intensity = 0;  ///< the study's measure of it [SI]; of scales: 0
+  double pfa = 0;        ///< peak horizontal resultant of the floor's acceleration [m/s2]
+  double pfv = 0;        ///< and velocity [m/s]
+  bool until = false;    ///< it exceeds IntensityPlan::until
+  std::vector<std::string> warnings;  ///< of the building, and of a repeat that failed
+  Response response;                  ///< histories only where the study keeps them
+  /// Of a run repeated at half the step; else empty: the demands of its items.
+  std::vector<Demands> at_half_step;
+};
+
+/// A finished unit: its runs in the order they were made.
+struct UnitResult {
+  std::size_t unit = 0;
+  std::vector<double> drawn;  ///< as drawn_variables() of its job
+  std::vector<StudyRun> runs;
+};
+
+std::string to_bytes(UnitResult& result);
+
+/// @throws Error for bytes that to_bytes() did not make
+UnitResult unit_from_bytes(std::string_view bytes);
+
+}  // namespace gurney

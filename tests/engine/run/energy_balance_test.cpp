@@ -1,0 +1,51 @@
+#include "engine/run/energy_balance.h"
+
+#include <gtest/gtest.h>
+
+namespace gurney {
+namespace {
+
+TEST(EnergyBalance, MissesNothingWhereWorkIsStoredAndLost) {
+  EnergyBalance balance(2);
+  balance.observe({.kinetic = 6, .elastic = 2, .work_of_floor = 10, .sliding_loss = 4});
+  EXPECT_EQ(balance.error(), 0);
+}
+
+TEST(EnergyBalance, MissesWhatNoWorkPaidFor) {
+  EnergyBalance balance(0);
+  balance.observe({.kinetic = 10, .work_of_floor = 8});
+  EXPECT_DOUBLE_EQ(balance.error(), 0.2);
+}
+
+// The account closes: the made energy is booked as a negative loss.
+TEST(EnergyBalance, ALossThatGivesEnergyBackHidesNothing) {
+  EnergyBalance balance(0);
+  balance.observe({.kinetic = 2, .work_of_floor = 10, .contact_loss = 8});
+  balance.observe({.kinetic = 10, .work_of_floor = 10});
+  EXPECT_EQ(balance.closure(), 0);
+  EXPECT_DOUBLE_EQ(balance.error(), 0.8);
+}
+
+TEST(EnergyBalance, CountsWhatTheIntegrationAdded) {
+  EnergyBalance balance(0);
+  balance.observe({.kinetic = 10, .work_of_floor = 9, .numerical_loss = -1});
+  EXPECT_DOUBLE_EQ(balance.error(), 0.1);
+  EnergyBalance damped(0);
+  damped.observe({.kinetic = 9, .work_of_floor = 10, .numerical_loss = 1});
+  EXPECT_EQ(damped.error(), 0);
+}
+
+// Relaxation alone may swing: what it gives the same patch takes by sliding and damping.
+TEST(EnergyBalance, WhatAPatchTakesIsOneLoss) {
+  EnergyBalance balance(0);
+  balance.observe({.kinetic = 10, .work_of_floor = 12, .relaxation_loss = 1, .tread_loss = 1});
+  balance.observe({.kinetic = 10,
+                   .work_of_floor = 12,
+                   .sliding_loss = 0.5,
+                   .relaxation_loss = 0,
+                   .tread_loss = 1.5});
+  EXPECT_EQ(balance.error(), 0);
+}
+
+}  // namespace
+}  // namespace gurney

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "studies/study/results/study_reader.h"
+#include "studies/study/run/study_file.h"
+#include "tests/support/temp_folder.h"
+
+namespace gurney {
+
+/// Runs a job of pulling tests into `path`.
+inline void run_pulling_tests(const std::string& text, const std::string& path) {
+  const StudyJob job(text, "a.toml");
+  const StudyMotions motions(job);
+  const Plan plan(job, motions);
+  const Batch batch{job, motions, plan};
+  write_study_file(path, batch,
+                   [&](std::size_t unit) { return run_unit(batch, unit, [] { return true; }); });
+}
+
+inline std::string shipped_pulling_tests() {
+  return contents_of(GURNEY_SOURCE_DIR "/studies/jobs/pulling_tests.toml");
+}
+
+/// The shipped job with other rows of `combinations`.
+inline std::string pulling_tests_of(const std::string& rows) {
+  std::string text = shipped_pulling_tests();
+  const auto from = text.find("combinations = ["), to = text.find("\n]\n", from);
+  return text.replace(from, to - from, "combinations = [\n" + rows);
+}
+
+}  // namespace gurney

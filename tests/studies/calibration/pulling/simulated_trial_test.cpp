@@ -1,0 +1,167 @@
+#include "studies/calibration/pulling/simulated_trial.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "studies/calibration/pulling/measured_trial.h"
+#include "studies/calibration/pulling/method_check.h"
+#include "studies/calibration/pulling/trials.h"
+#include "studies/calibration/trials/trial_file.h"
+#include "tests/studies/calibration/pulling/pulling_study.h"
+#include "tests/support/error_text.h"
+
+namespace gurney {
+namespace {
+
+/// The shipped study, run once.
+class PullingTests : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    // Each test may be a process of its own, beside others.
+    path() = testing::TempDir() + "gurney_pulling_tests_" + std::to_string(getpid()) + ".h5";
+    run_pulling_tests(shipped_pulling_tests(), path());
+    trials() = simulated_trials(StudyReader(path()));
+  }
+  static void TearDownTestSuite() { std::filesystem::remove(path()); }
+
+  static std::string& path() {
+    static std::string path;
+    return path;
+  }
+  static std::vector<SimulatedTrial>& trials() {
+    static std::vector<SimulatedTrial> trials;
+    return trials;
+  }
+};
+
+TEST_F(PullingTests, AreFiftyOverCastersFloorsLoadsAndAlignments) {
+  ASSERT_EQ(trials().size(), 50u);
+  const auto count = [](auto holds) { return std::ranges::count_if(trials(), holds); };
+  for (const char* caster : {"R100", "R125", "P100"})
+    EXPECT_GE(count([&](const auto& t) { return t.trial.setup.caster == caster; }), 12) << caster;
+  for (const char* floor : {"polyflor_mystique", "polyflor_forest_fx"})
+    EXPECT_GE(count([&](const auto& t) { return t.trial.setup.floor == floor; }), 18) << floor;
+  for (int pavers = 0; pavers <= 4; ++pavers)
+    EXPECT_GE(count([&](const auto& t) { return t.trial.setup.payload_count == pavers; }), 3);
+  EXPECT_EQ(count([](const auto& t) { return t.alignment == Alignment::kCrosswise; }), 7);
+  EXPECT_EQ(count([](const auto& t) { return t.alignment == Alignment::kReversed; }), 7);
+  EXPECT_GE(count([](const auto& t) { return t.left_flooring; }), 5);
+}
+
+TEST_F(PullingTests, AreSampledAt120HzAndHaveFourPhases) {
+  for (const SimulatedTrial& trial : trials()) {
+    SCOPED_TRACE(trial.configuration);
+    const std::vector<double>& time = trial.trial.signals.time;
+    for (std::size_t i = 1; i < time.size(); ++i)
+      ASSERT_NEAR(time[i] - time[i - 1], 1.0 / 120, 1e-9);
+    ASSERT_TRUE(trial.phases) << trial.fault;
+    ASSERT_TRUE(trial.averages) << trial.fault;
+    EXPECT_NEAR(trial.phases->start, 0.5, 0.02) << "as the blocks go";
+    EXPECT_EQ(trial.phases->end == Phases::End::kRested, !trial.left_flooring);
+    EXPECT_EQ(trial.trial.signals.force.back(), 0) << "the weight lies on the floor";
+  }
+}
+
+// The closed form has rigid wheels on a rigid floor. What ours has besides is transient: the swing
+// of the treads and cable after the release dies away, and f_r is a mean over seconds. 0.1 % of f_r
+// is 0.02 N of 58 N.
+TEST_F(PullingTests, TheMethodFindsWhatWentIntoAlignedTrials) {
+  for (const SimulatedTrial& trial : trials()) {
+    if (trial.alignment != Alignment::kAligned) continue;
+    SCOPED_TRACE(trial.configuration);
+    EXPECT_NEAR(trial.bias_pulled(), 0, 1e-3);
+    EXPECT_NEAR(trial.bias_coasting(), 0, 1e-3);
+  }
+  for (const CasterFit& fit : fits_by_caster(trials())) {
+    EXPECT_NEAR(fit.known, 0.001 / fit.wheel_radius, 1e-12) << fit.caster << ": Cr is 1 mm";
+    EXPECT_NEAR(fit.found, fit.known, 1e-3 * fit.known) << fit.caster;
+  }
+}
+
+// Casters that turn into line take energy from phase II, by scrub and by their way round, and none
+// from phase III: the method's bias is there, grows with the angle and is above zero.
+TEST_F(PullingTests, CastersThatTurnBiasPhaseTwoOnly) {
+  const auto rows = bias_by_alignment(trials());
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].trials, 36u);
+  EXPECT_GT(rows[1].pulled.mean, 0.01);
+  EXPECT_GT(rows[2].pulled.mean, 2 * rows[1].pulled.mean);
+  for (const AlignmentBias& row : rows)
+    EXPECT_NEAR(row.coasting.mean, 0, 1e-3) << name_of(row.alignment);
+}
+
+// Energy decides where an aligned trolley rests, and the weight always falls 1 m.
+TEST_F(PullingTests, RestWhereTheClosedFormSays) {
+  for (const SimulatedTrial& trial : trials()) {
+    if (trial.alignment != Alignment::kAligned) continue;
+    SCOPED_TRACE(trial.configuration);
+    const TheoryError error = theory_error(trial);
+    EXPECT_EQ(std::isnan(error.rest), trial.left_flooring);
+    if (!trial.left_flooring) {
+      EXPECT_NEAR(error.rest, 0, 1e-3);
+    }
+    EXPECT_NEAR(error.release, 0, 1e-2) << "treads wind up before they resist";
+  }
+}
+
+// W_F = E_KT + W_R + what treads, swivels and scrub take: 1 % where the casters are in line.
+TEST_F(PullingTests, KeepTheirEnergyAccount) {
+  const SimulatedTrial& trial = trials()[0];
+  ASSERT_EQ(trial.work.size(), trial.trial.signals.time.size());
+  for (std::size_t i = 0; i < trial.work.size(); ++i)
+    EXPECT_NEAR(trial.work[i], trial.kinetic[i] + trial.rolling_loss[i], 0.01 * trial.work.back());
+  const double expected = trial.theory.held_force - trial.theory.string_tension;
+  EXPECT_LT(trial.work.back(), expected) << "the weight keeps what it has when it lands";
+  EXPECT_GT(trial.work.back(), 0.8 * expected);
+}
+
+TEST_F(PullingTests, WrittenAsTrialsReadBackAsMeasured) {
+  const TempFolder folder;
+  std::size_t files = 0;
+  export_trials(path(), [&](const std::string& name, std::string_view bytes) {
+    folder.write(name, std::string(bytes));
+    ++files;
+  });
+  ASSERT_EQ(files, 50u);
+  const std::string text = contents_of(folder.file("trial_36.csv"));
+  EXPECT_NE(text.find("# note = SYNTHETIC: run 36 of job a by gurney "), std::string::npos)
+      << text.substr(0, 300);
+  EXPECT_NE(text.find("# origin = simulated\n"), std::string::npos);
+  EXPECT_NE(text.find("# kind = crosswise_pull\n"), std::string::npos);
+  const std::vector<MeasuredTrial> measured = measured_trials(folder.path());
+  ASSERT_EQ(measured.size(), 50u);
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    SCOPED_TRACE(trials()[i].configuration);
+    ASSERT_EQ(measured[i].fault, "");
+    EXPECT_EQ(measured[i].trial.name, trials()[i].trial.name);
+    EXPECT_NEAR(mean_resistance(*measured[i].averages), mean_resistance(*trials()[i].averages),
+                0.01)
+        << "rounded to 0.1 um";
+  }
+  EXPECT_EQ(like(trials()[40], measured), &measured[40]);
+}
+
+TEST(SimulatedTrials, RefuseStudiesThatAreNoPullingTests) {
+  const TempFolder folder;
+  const std::string row = "[\"R100\", \"polyflor_mystique\", 0, \"6 kg\", \"aligned\"]";
+  const auto mistake = [&](std::string text) {
+    run_pulling_tests(text, folder.file("a.h5"));
+    return error_text([&] { simulated_trials(StudyReader(folder.file("a.h5"))); });
+  };
+  std::string job = pulling_tests_of(row);
+  job.replace(job.find("histories = \"all\""), 17, "histories = \"none\"");
+  EXPECT_EQ(mistake(job), folder.file("a.h5") +
+                              ": keeps no histories; the job needs\n[study.keep]\n"
+                              "histories = \"all\"");
+  job = pulling_tests_of(row);
+  job.replace(job.find("direction = [1, 0, 0]"), 21, "direction = [0, 1, 0]");
+  EXPECT_EQ(mistake(job).substr(0, folder.file("a.h5").size() + 72),
+            folder.file("a.h5") +
+                ": run 0 (R100, polyflor_mystique, 0, 6 kg, aligned): is no pulling test:");
+}
+
+}  // namespace
+}  // namespace gurney

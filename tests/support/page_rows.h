@@ -1,0 +1,66 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "studies/study/results/hdf5_reader.h"
+
+namespace gurney {
+
+/// The rows `| name | ... |` of a page whose first cell is a name in backquotes.
+inline std::map<std::string, std::vector<std::string>> table_rows(const std::string& path) {
+  std::ifstream page(path);
+  std::map<std::string, std::vector<std::string>> rows;
+  for (std::string line; std::getline(page, line);) {
+    if (line.rfind("| `", 0) != 0) continue;
+    std::vector<std::string> cells;
+    std::string cell;
+    for (const char c : line.substr(1)) {
+      if (c == '|' && !(cell.size() > 0 && cell.back() == '\\')) {
+        cells.push_back(std::regex_replace(cell, std::regex("^ +| +$|`"), ""));
+        cell.clear();
+      } else {
+        if (c == '|')
+          cell.back() = c;
+        else
+          cell += c;
+      }
+    }
+    rows[cells.at(0)] = {cells.begin() + 1, cells.end()};
+  }
+  return rows;
+}
+
+inline std::string joined(const std::vector<std::string>& names) {
+  std::string result;
+  for (const std::string& name : names) result += (result.empty() ? "" : " x ") + name;
+  return result;
+}
+
+/// Compares the datasets and attributes of a file with the tables of its page, both ways.
+inline void expect_as_on_page(const Hdf5Reader& file, const std::string& page) {
+  auto rows = table_rows(page);
+  std::string should;
+  for (const Hdf5Dataset& dataset : file.datasets()) {
+    const std::vector<std::string> cells{dataset.type, joined(dataset.scales), dataset.units,
+                                         dataset.long_name};
+    EXPECT_EQ(rows[dataset.path], cells) << dataset.path;
+    if (rows[dataset.path] != cells)
+      should += "| `" + dataset.path + "` | " + cells[0] + " | " + cells[1] + " | " + cells[2] +
+                " | " + std::regex_replace(cells[3], std::regex("\\|"), "\\|") + " |\n";
+    rows.erase(dataset.path);
+  }
+  for (const std::string& name : file.attributes()) {
+    EXPECT_EQ(rows.count(name), 1u) << "attribute " << name << " is not on the page";
+    rows.erase(name);
+  }
+  for (const auto& [name, cells] : rows) ADD_FAILURE() << "the file has no " << name;
+  EXPECT_EQ(should, "") << "lines for the page:\n" << should;
+}
+
+}  // namespace gurney

@@ -1,0 +1,31 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tests/system/validation/small_runs.h"
+
+// docs/validation.md and the studies it tells of.
+namespace gurney {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Every validation_*.toml has its row `| name | runs |`, with the number of its runs.
+TEST(ValidationPage, TellsTheRunsOfEachStudy) {
+  std::ifstream stream(GURNEY_SOURCE_DIR "/docs/validation.md");
+  const std::string page{std::istreambuf_iterator<char>(stream), {}};
+  int studies = 0;
+  for (const auto& entry : fs::directory_iterator(GURNEY_SOURCE_DIR "/studies/jobs")) {
+    const std::string name = entry.path().stem().string();
+    if (!name.starts_with("validation_")) continue;
+    ++studies;
+    const std::string row = fmt::format("| `{}` | {} |", name, SmallRuns(name).count());
+    EXPECT_NE(page.find(row), std::string::npos) << "docs/validation.md has no row " << row;
+  }
+  EXPECT_EQ(studies, 7);
+}
+
+}  // namespace
+}  // namespace gurney
