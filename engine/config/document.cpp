@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "engine/config/file_snapshot.h"
@@ -12,6 +11,7 @@
 #include "engine/config/nearest_name.h"
 #include "engine/config/table.h"
 #include "engine/config/toml_reader.h"
+#include "engine/base/diagnostics.h"
 
 namespace gurney::config {
 namespace {
@@ -51,8 +51,7 @@ Document::Document(Node tree, const Document& origin)
     : path_(origin.path_),
       text_(origin.text_),
       pointers_(origin.pointers_),
-      tree_(std::move(tree)),
-      draw_(origin.draw_) {}
+      tree_(std::move(tree)) {}
 
 std::optional<Node> Document::take(const std::string& key) {
   const auto found = std::find_if(tree_.elements.begin(), tree_.elements.end(),
@@ -64,16 +63,6 @@ std::optional<Node> Document::take(const std::string& key) {
 }
 
 Table Document::root() { return Table(*this, tree_, ""); }
-
-void Document::set_draw_of(const std::string& element, const std::optional<Draw>& draw) {
-  draw_ = draw;
-  drawn_element_ = element;
-}
-
-std::string Document::variable_name(const std::string& path) const {
-  if (drawn_element_.empty() || !path.starts_with(drawn_element_ + '.')) return path;
-  return drawn_element_.substr(0, drawn_element_.rfind('[')) + path.substr(drawn_element_.size());
-}
 
 std::string Document::where(Place place) const {
   if (!pointers_.empty()) {
@@ -87,22 +76,20 @@ void Document::note(Place place, const std::string& message) {
   problems_.push_back({place, message});
 }
 
+void Document::note(const Spot& spot, const std::string& message) {
+  note(spot.place, spot.name + message);
+}
+
 void Document::note(const Error& error) { foreign_.push_back(error.what()); }
 
 void Document::finish() {
   note_unread(tree_, "");
-  if (clean()) return;
-  std::stable_sort(problems_.begin(), problems_.end(), [](const Problem& a, const Problem& b) {
-    return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
-  });
-  std::string lines;
-  const auto add = [&](const std::string& line) {
-    if (!lines.empty()) lines += "\n";
-    lines += line;
-  };
-  for (const Problem& problem : problems_) add(where(problem.place) + ": " + problem.message);
-  for (const std::string& text : foreign_) add(text);
-  throw Error(lines);
+  Diagnostics errors;
+  for (const auto& [place, message] : problems_)
+    errors.add(place.line, place.column, where(place) + ": " + message);
+  for (const std::string& text : foreign_) errors.add(text);
+  errors.sort();
+  errors.raise();
 }
 
 std::vector<std::string> Document::asked_keys() const {

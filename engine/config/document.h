@@ -4,13 +4,20 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/error.h"
-#include "engine/base/random/draw.h"
 #include "engine/config/node.h"
+#include "engine/base/error.h"
 
 namespace gurney::config {
 
 class Table;
+
+/// A key of a file for messages that come when its Document is gone.
+struct Spot {
+  Place place;
+  std::string file;
+  std::string where;  ///< `file:line:column` of its value
+  std::string name;   ///< with the path before it
+};
 
 /// One configuration file, read strictly.
 ///
@@ -43,18 +50,10 @@ class Document {
   /// Takes an element out of the root, which then knows nothing of it.
   std::optional<Node> take(const std::string& key);
 
-  /// By which numbers with a distribution are drawn; none: they have their values.
-  const std::optional<Draw>& draw() const { return draw_; }
-  void set_draw(const std::optional<Draw>& draw) { draw_ = draw; }
-
-  /// From here on numbers are drawn for one element of an array of tables, `item[1]`: by `draw`, a
-  /// part of its own, and by names that begin with `item`, so that its index does not matter.
-  void set_draw_of(const std::string& element, const std::optional<Draw>& draw);
-  std::string variable_name(const std::string& path) const;  ///< of the number at `path`
-
   std::string where(Place place) const;  ///< `path:line:column`; of JSON `path:/item/0/name`
 
   void note(Place place, const std::string& message);
+  void note(const Spot& spot, const std::string& message);  ///< its name and then the message
   void note(const Error& error);  ///< mistakes of another file that this one names
   std::size_t mistakes() const { return problems_.size() + foreign_.size(); }
   bool clean() const { return mistakes() == 0; }
@@ -76,8 +75,6 @@ class Document {
   std::string path_, text_;
   std::vector<std::string> pointers_;  ///< of JSON: see JsonTree
   Node tree_;
-  std::optional<Draw> draw_;
-  std::string drawn_element_;
   std::vector<Problem> problems_;
   std::vector<std::string> foreign_;
 };

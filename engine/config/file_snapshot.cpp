@@ -24,7 +24,6 @@ FileSnapshot::Scope::~Scope() { current = before_; }
 
 std::string FileSnapshot::bytes_of(const std::string& path) {
   if (current == nullptr) return read_input_file(path);
-  const std::lock_guard lock(current->mutex_);
   const std::string key = key_of(path);
   const auto known = current->files_.find(key);
   if (known != current->files_.end()) return known->second;
@@ -34,7 +33,6 @@ std::string FileSnapshot::bytes_of(const std::string& path) {
 bool FileSnapshot::exists(const std::string& path) {
   std::error_code ignored;
   if (current == nullptr) return fs::exists(path, ignored);
-  const std::lock_guard lock(current->mutex_);
   const std::string key = key_of(path);
   if (current->files_.contains(key) || current->seen_.contains(key)) return true;
   const bool there = fs::exists(path, ignored);
@@ -44,13 +42,7 @@ bool FileSnapshot::exists(const std::string& path) {
 
 void FileSnapshot::note(const std::string& path, const std::string& bytes) {
   if (current == nullptr) return;
-  const std::lock_guard lock(current->mutex_);
   current->files_.try_emplace(key_of(path), bytes);
-}
-
-std::map<std::string, std::string> FileSnapshot::files() const {
-  const std::lock_guard lock(mutex_);
-  return files_;
 }
 
 }  // namespace gurney::config

@@ -1,14 +1,14 @@
 #pragma once
 
 #include <map>
-#include <mutex>
 #include <set>
 #include <string>
 
 namespace gurney::config {
 
 /// The files that one study is made from, as they were when each was first read. Later reads give
-/// the same bytes, whatever happened to the files meanwhile.
+/// the same bytes, whatever happened to the files meanwhile. Its scopes are those of one thread at a
+/// time.
 class FileSnapshot {
  public:
   /// While one exists, files that this thread reads go through the snapshot.
@@ -37,10 +37,9 @@ class FileSnapshot {
   static void note(const std::string& path, const std::string& bytes);
 
   /// By absolute path.
-  std::map<std::string, std::string> files() const;
+  const std::map<std::string, std::string>& files() const { return files_; }
 
  private:
-  mutable std::mutex mutex_;
   std::map<std::string, std::string> files_;
   std::set<std::string> seen_;  ///< there, but not read through the snapshot
 };

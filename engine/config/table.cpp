@@ -182,9 +182,12 @@ std::string Table::name_of(const std::string& key) const {
   return path_.empty() ? key : path_ + '.' + key;
 }
 
-std::string Table::where(const std::string& key) const {
+std::string Table::where(const std::string& key) const { return spot(key).where; }
+
+Spot Table::spot(const std::string& key) const {
   const Node* node = node_->find(key);
-  return document_->where(node == nullptr ? node_->place : node->place);
+  const Place place = node == nullptr ? node_->place : node->place;
+  return {place, document_->path(), document_->where(place), name_of(key)};
 }
 
 const Node* Table::find(const std::string& key) {

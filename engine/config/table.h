@@ -57,6 +57,7 @@ class Table {
 
   std::string name_of(const std::string& key) const;  ///< with the path before it
   std::string where(const std::string& key) const;    ///< `file:line:column` of its value
+  Spot spot(const std::string& key) const;
   Document& document() { return *document_; }
 
  private:

@@ -2,57 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "engine/base/error.h"
+#include "engine/scene/problems.h"
 
 namespace gurney {
 namespace {
 
 constexpr double kRelativeTolerance = 1e-9;  // of inertias, for rounding
 constexpr double kMountTolerance = 1e-9;     // [m]
-
-/// Collects one line for each constant outside its range.
-class Problems {
- public:
-  void check(bool holds, const std::string& name, double value, const char* allowed) {
-    if (!holds) add(fmt::format("{} = {}: must be {}", name, value, allowed));
-  }
-  void positive(const std::string& name, double value) {
-    check(value > 0 && std::isfinite(value), name, value, "> 0 and finite");
-  }
-  void not_negative(const std::string& name, double value) {
-    check(value >= 0 && std::isfinite(value), name, value, ">= 0 and finite");
-  }
-  void finite(const std::string& name, const Vector3& v) {
-    if (!v.allFinite())
-      add(fmt::format("{} = ({}, {}, {}): must be finite", name, v.x(), v.y(), v.z()));
-  }
-
-  /// A rigid body has a symmetric inertia whose largest principal moment is at most the sum of the
-  /// other two.
-  void inertia(const std::string& name, const Matrix3& value, bool positive) {
-    if (!value.allFinite()) return add(name + ": must be finite");
-    const double tolerance = kRelativeTolerance * value.norm();
-    if ((value - value.transpose()).norm() > tolerance) return add(name + ": must be symmetric");
-    const Vector3 moments =
-        Eigen::SelfAdjointEigenSolver<Matrix3>(value, Eigen::EigenvaluesOnly).eigenvalues();
-    const std::string text = fmt::format("{} with principal moments {}, {}, {} kg m2", name,
-                                         moments.x(), moments.y(), moments.z());
-    if (positive ? !(moments.x() > 0) : !(moments.x() >= -tolerance))
-      add(text + (positive ? ": each must be > 0" : ": each must be >= 0"));
-    else if (!(moments.z() <= moments.x() + moments.y() + tolerance))
-      add(text + ": the largest must not exceed the sum of the others");
-  }
-
-  void add(const std::string& line) { text_ += (text_.empty() ? "" : "\n") + prefix_ + line; }
-  void set_prefix(const std::string& prefix) { prefix_ = prefix; }
-  const std::string& text() const { return text_; }
-
- private:
-  std::string prefix_, text_;
-};
 
 void check_tread(const Tread& tread, Problems& problems) {
   problems.positive("tread.normal_stiffness", tread.normal_stiffness);
@@ -177,7 +135,7 @@ void validate(const EquipmentModel& item) {
     problems.set_prefix(owner + "marked point '" + point.name + "': ");
     problems.finite("position", point.position);
   }
-  require(problems.text().empty(), problems.text());
+  problems.finish();
 }
 
 }  // namespace gurney

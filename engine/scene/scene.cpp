@@ -6,36 +6,11 @@
 #include <utility>
 
 #include "engine/base/error.h"
+#include "engine/scene/problems.h"
 #include "engine/scene/validate_room.h"
 
 namespace gurney {
 namespace {
-
-class Problems {
- public:
-  void check(bool holds, const std::string& name, double value, const char* allowed) {
-    if (holds) return;
-    text_ +=
-        fmt::format("{}{} = {:g}: must be {}", text_.empty() ? "" : "\n", name, value, allowed);
-  }
-  void positive(const std::string& name, double value) {
-    check(value > 0 && std::isfinite(value), name, value, "> 0 and finite");
-  }
-  void not_negative(const std::string& name, double value) {
-    check(value >= 0 && std::isfinite(value), name, value, ">= 0 and finite");
-  }
-  void finite(const std::string& name, const Vector3& value) {
-    for (int k = 0; k < 3; ++k) check(std::isfinite(value[k]), name, value[k], "finite");
-  }
-  void direction(const std::string& name, const Vector3& value) {
-    finite(name, value);
-    check(value.norm() > 0, name, value.norm(), "of some length");
-  }
-  void finish() const { require(text_.empty(), text_); }
-
- private:
-  std::string text_;
-};
 
 void check(const PointForce& force, Problems& problems) {
   problems.finite("force.point", force.point);

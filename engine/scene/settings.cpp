@@ -1,20 +1,17 @@
 #include "engine/scene/settings.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 
-#include "engine/base/error.h"
+#include "engine/scene/problems.h"
 
 namespace gurney {
 
 void validate(const SimulationSettings& settings) {
-  std::string problems;
+  Problems problems;
+  problems.set_prefix("settings: ");
   const auto check = [&](bool holds, const char* name, double value, const char* allowed) {
-    if (holds) return;
-    problems += fmt::format("{}settings: {} = {}: must be {}", problems.empty() ? "" : "\n", name,
-                            value, allowed);
+    problems.check(holds, name, value, allowed);
   };
   const SimulationSettings& s = settings;
   check(s.time_step > 0 && s.time_step <= 0.02, "time_step", s.time_step, "> 0 and <= 0.02 s");
@@ -34,7 +31,7 @@ void validate(const SimulationSettings& settings) {
         s.overturn_tilt, "> 0 and < pi/2 rad");
   check(s.history_step >= 0 && std::isfinite(s.history_step), "history_step", s.history_step,
         ">= 0 s and finite");
-  require(problems.empty(), problems);
+  problems.finish();
 }
 
 }  // namespace gurney

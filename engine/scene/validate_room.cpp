@@ -6,30 +6,10 @@
 #include <cmath>
 #include <set>
 
-#include "engine/base/error.h"
+#include "engine/scene/problems.h"
 
 namespace gurney {
 namespace {
-
-class Problems {
- public:
-  void check(bool holds, const std::string& text) {
-    if (!holds) text_ += (text_.empty() ? "" : "\n") + text;
-  }
-  void number(bool holds, const std::string& name, double value, const char* allowed) {
-    check(holds, fmt::format("{} = {:g}: must be {}", name, value, allowed));
-  }
-  void positive(const std::string& name, double value) {
-    number(value > 0 && std::isfinite(value), name, value, "> 0 and finite");
-  }
-  void not_negative(const std::string& name, double value) {
-    number(value >= 0 && std::isfinite(value), name, value, ">= 0 and finite");
-  }
-  void finish() const { require(text_.empty(), text_); }
-
- private:
-  std::string text_;
-};
 
 bool spans_a_volume(const std::vector<Vector3>& points) {
   if (points.size() < 4) return false;
@@ -45,7 +25,7 @@ void check_shape(const RoomShape& shape, Problems& problems) {
                  owner + "the name must not be empty or 'floor'");
   problems.check(shape.position.allFinite(), owner + "position: must be finite");
   const double norm = shape.rotation.norm();
-  problems.number(std::abs(norm - 1) < 1e-9, owner + "norm of rotation", norm, "1");
+  problems.check(std::abs(norm - 1) < 1e-9, owner + "norm of rotation", norm, "1");
   if (const auto* box = std::get_if<RoomBox>(&shape.shape)) {
     for (int k = 0; k < 3; ++k) problems.positive(owner + "size", box->size[k]);
   } else if (const auto* column = std::get_if<RoomColumn>(&shape.shape)) {
@@ -73,7 +53,7 @@ void check_tether(const Scene& scene, const Tether& tether, Problems& problems) 
   problems.positive(owner + "stiffness", tether.stiffness);
   problems.not_negative(owner + "damping", tether.damping);
   problems.not_negative(owner + "slack_pull", tether.slack_pull);
-  problems.number(tether.strength > 0, owner + "strength", tether.strength, "> 0");
+  problems.check(tether.strength > 0, owner + "strength", tether.strength, "> 0");
   problems.check(tether.point.allFinite() && tether.anchor.allFinite(),
                  owner + "point and anchor: must be finite");
   if (tether.item >= scene.items.size())
@@ -105,9 +85,8 @@ void check_items(const Scene& scene, Problems& problems) {
                    "item '" + name + "': the name must be given and not be taken");
     std::size_t tethers = 0;
     for (const Tether& tether : scene.tethers) tethers += tether.item == i;
-    problems.number(tethers <= EquipmentModel::kMaxTethers,
-                    "item '" + name + "': number of tethers", static_cast<double>(tethers),
-                    "32 at most");
+    problems.check(tethers <= EquipmentModel::kMaxTethers, "item '" + name + "': number of tethers",
+                   static_cast<double>(tethers), "32 at most");
   }
 }
 
@@ -121,8 +100,8 @@ void validate_room(const Scene& scene) {
     problems.positive(owner + "stiffness", c.stiffness);
     problems.not_negative(owner + "damping", c.damping);
     problems.not_negative(owner + "friction", c.friction);
-    problems.number(c.restitution >= 0.01 && c.restitution <= 1, owner + "restitution",
-                    c.restitution, "in 0.01..1");
+    problems.check(c.restitution >= 0.01 && c.restitution <= 1, owner + "restitution",
+                   c.restitution, "in 0.01..1");
   }
   for (const RoomShape& shape : scene.room) check_shape(shape, problems);
   for (const Zone& zone : scene.zones) check_zone(zone, problems);

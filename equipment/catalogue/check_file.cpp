@@ -31,10 +31,10 @@ void append(std::vector<std::string>& list, const std::vector<std::string>& more
 CheckedFile check_item(const std::string& file) {
   CheckedFile result{DataKind::kItem, {}, {}};
   const auto check = [&](const std::string& variant) {
-    const ItemSelection selection{
-        variant.empty() ? std::vector<std::string>{} : std::vector<std::string>{variant}, {}};
+    const auto variants =
+        variant.empty() ? std::vector<std::string>{} : std::vector<std::string>{variant};
     try {
-      const LoadedItem item = load_item(file, {}, selection);
+      const LoadedItem item = load_item(file, {}, variants);
       if (variant.empty()) result.name = item.model.name;
       std::vector<std::string> warnings = item.warnings;
       append(warnings, implausible(item.model));
@@ -57,20 +57,20 @@ CheckedFile check_data_file(const std::string& file) {
     case DataKind::kItem:
       return check_item(file);
     case DataKind::kCaster: {
-      const CasterType caster = load_caster_type(file);
+      const CasterType caster = load_caster_type(file).stated();
       return {DataKind::kCaster, caster.name, implausible(caster)};
     }
     case DataKind::kFloor:
-      return {DataKind::kFloor, load_floor_covering(file).name, {}};
+      return {DataKind::kFloor, load_floor_covering(file).stated().name, {}};
     case DataKind::kRoom: {
       RoomNames names;
-      RoomDescription room;
-      return {DataKind::kRoom, load_room(file, {}, names, room), {}};
+      Uncertain<RoomDescription> room;
+      return {DataKind::kRoom, load_room(file, names, room), {}};
     }
     case DataKind::kTether:
       break;
   }
-  return {DataKind::kTether, load_tether_type(file).name, {}};
+  return {DataKind::kTether, load_tether_type(file).stated().name, {}};
 }
 
 }  // namespace gurney

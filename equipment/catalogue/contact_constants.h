@@ -2,11 +2,12 @@
 
 #include "engine/scene/contact_pair.h"
 #include "equipment/catalogue/quantity.h"
+#include "equipment/catalogue/uncertain.h"
 
 namespace gurney {
 
 /// The keys of a contact's constants: friction, and restitution, with a numerical stiffness if
 /// wanted, or stiffness and damping of a compliant contact. Mistakes are noted in the document.
-ContactConstants read_contact_constants(Quantities in);
+Uncertain<ContactConstants> read_contact_constants(Quantities in);
 
 }  // namespace gurney

@@ -31,34 +31,34 @@ void name_assumptions(const std::string& path, const std::string& part,
 
 }  // namespace
 
-std::vector<MaterialContact> read_contacts(Table& parent) {
-  std::vector<MaterialContact> contacts;
-  config::Document& document = parent.document();
-  const std::optional<Draw> draw = document.draw();
+ContactTable read_contacts(Table& parent) {
+  ContactTable contacts;
   for (Table& table : parent.tables("contact")) {
     const std::string path =
-        parent.name_of("contact") + "[" + std::to_string(contacts.size()) + "]";
-    MaterialContact contact;
-    read_materials(table, contact);
-    const std::string part = contact.one + "-" + contact.other;
-    if (draw) document.set_draw_of(path, draw->of_part(part));
-    contact.constants = read_contact_constants(Quantities(table, contact.assumptions));
-    name_assumptions(path, part, contact.assumptions);
-    if (!contact.one.empty() && find_contact(contacts, contact.one, contact.other) != nullptr)
-      table.note("materials", ": the pair of '" + contact.one + "' and '" + contact.other +
-                                  "' is there already");
-    contacts.push_back(std::move(contact));
+        parent.name_of("contact") + "[" + std::to_string(contacts.stated().size()) + "]";
+    MaterialContact fixed;
+    read_materials(table, fixed);
+    if (!fixed.one.empty() && find_contact(contacts.stated(), fixed.one, fixed.other) != nullptr)
+      table.note("materials",
+                 ": the pair of '" + fixed.one + "' and '" + fixed.other + "' is there already");
+    const std::string part = fixed.one + "-" + fixed.other;
+    Uncertain<MaterialContact> contact(fixed);
+    contact.set(&MaterialContact::constants, read_contact_constants(Quantities(table)));
+    contact.add([path, part](MaterialContact& of_draw, Sampler&) {
+      name_assumptions(path, part, of_draw.assumptions);
+    });
+    contacts.add([contact, path, part](std::vector<MaterialContact>& list, Sampler& of) {
+      list.push_back(contact.sample(of.of_element(path, part)));
+    });
   }
-  document.set_draw_of("", draw);
   return contacts;
 }
 
-std::vector<MaterialContact> usual_contacts(const std::optional<Draw>& draw) {
+ContactTable usual_contacts() {
   config::Document document(data_folder() + "/equipment/contacts.toml");
-  document.set_draw(draw);
   Table root = document.root();
   root.choice("schema", {"gurney-contacts/1"});
-  std::vector<MaterialContact> contacts = read_contacts(root);
+  ContactTable contacts = read_contacts(root);
   document.finish();
   return contacts;
 }

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/config/table.h"
 #include "engine/scene/contact_pair.h"
-#include "equipment/catalogue/assumption.h"
+#include "equipment/catalogue/uncertain.h"
 
 namespace gurney {
 
@@ -17,13 +16,15 @@ struct MaterialContact {
   std::vector<Assumption> assumptions;
 };
 
+using ContactTable = Uncertain<std::vector<MaterialContact>>;
+
 /// The tables [[contact]] of `parent`. Each is drawn as a part with the names of its materials.
 /// Mistakes are noted in the document.
-std::vector<MaterialContact> read_contacts(config::Table& parent);
+ContactTable read_contacts(config::Table& parent);
 
 /// Those of equipment/contacts.toml.
 /// @throws Error with every mistake of the file.
-std::vector<MaterialContact> usual_contacts(const std::optional<Draw>& draw = {});
+ContactTable usual_contacts();
 
 /// The first of the two materials, in either order; nullptr if there is none.
 const MaterialContact* find_contact(const std::vector<MaterialContact>& contacts,

@@ -4,22 +4,23 @@
 
 namespace gurney {
 
-FloorCovering read_floor(config::Table table) {
-  FloorCovering floor;
-  floor.name = table.text("name");
+Uncertain<FloorCovering> read_floor(config::Table table) {
+  FloorCovering fixed;
+  fixed.name = table.text("name");
   table.text("description", "");
-  Quantities in(table, floor.assumptions);
-  floor.rolling_resistance_factor =
-      in.number("rolling_resistance_factor", config::Range::not_negative());
-  floor.friction_factor = in.number("friction_factor", config::Range::not_negative());
+  Uncertain<FloorCovering> floor(fixed);
+  Quantities in(table);
+  floor.set(&FloorCovering::rolling_resistance_factor,
+            in.number("rolling_resistance_factor", config::Range::not_negative()));
+  floor.set(&FloorCovering::friction_factor,
+            in.number("friction_factor", config::Range::not_negative()));
   return floor;
 }
 
-FloorCovering load_floor_covering(const std::string& file, const std::optional<Draw>& draw) {
+Uncertain<FloorCovering> load_floor_covering(const std::string& file) {
   config::Document document(file);
-  document.set_draw(draw);
   document.root().choice("schema", {"gurney-floor/1"});
-  FloorCovering floor = read_floor(document.root());
+  Uncertain<FloorCovering> floor = read_floor(document.root());
   document.finish();
   return floor;
 }

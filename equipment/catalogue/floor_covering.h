@@ -1,11 +1,10 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/config/table.h"
-#include "equipment/catalogue/assumption.h"
+#include "equipment/catalogue/uncertain.h"
 
 namespace gurney {
 
@@ -18,10 +17,9 @@ struct FloorCovering {
 };
 
 /// Notes mistakes in the table's document; the result is for use only after its `finish`.
-FloorCovering read_floor(config::Table table);
+Uncertain<FloorCovering> read_floor(config::Table table);
 
-/// @param draw  of its uncertain numbers; none: as their values
 /// @throws Error with every mistake of the file.
-FloorCovering load_floor_covering(const std::string& file, const std::optional<Draw>& draw = {});
+Uncertain<FloorCovering> load_floor_covering(const std::string& file);
 
 }  // namespace gurney

@@ -4,11 +4,12 @@
 
 namespace gurney {
 
-ItemContact read_item_contact(config::Table table) {
-  ItemContact contact;
-  contact.material = table.text("material");
-  if (contact.material.empty()) table.note("material", " = \"\": must be the name of a material");
-  contact.constants = read_contact_constants(Quantities(table, contact.assumptions));
+Uncertain<ItemContact> read_item_contact(config::Table table) {
+  ItemContact fixed;
+  fixed.material = table.text("material");
+  if (fixed.material.empty()) table.note("material", " = \"\": must be the name of a material");
+  Uncertain<ItemContact> contact(fixed);
+  contact.set(&ItemContact::constants, read_contact_constants(Quantities(table)));
   return contact;
 }
 

@@ -5,7 +5,7 @@
 
 #include "engine/config/table.h"
 #include "engine/scene/contact_pair.h"
-#include "equipment/catalogue/assumption.h"
+#include "equipment/catalogue/uncertain.h"
 
 namespace gurney {
 
@@ -18,6 +18,6 @@ struct ItemContact {
 
 /// Reads a table [contact]: restitution, or damping for a compliant contact, not both. Mistakes are
 /// noted in the table's document; the result is for use only after its `finish`.
-ItemContact read_item_contact(config::Table table);
+Uncertain<ItemContact> read_item_contact(config::Table table);
 
 }  // namespace gurney

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
-#include <set>
+#include <memory>
+#include <utility>
 
 #include "engine/base/units.h"
 #include "equipment/catalogue/catalogue.h"
@@ -19,10 +19,10 @@ using config::Table;
 
 constexpr int kMostPayloads = 100;
 
-void read_chassis(Quantities in, ItemDescription& item) {
-  item.material = in.table().text("material", "");
-  item.chassis_mass = in.number("mass_kg", Range::positive());
-  item.chassis_center_of_mass = in.vector_mm("center_of_mass_mm", Range::any());
+void read_chassis(Quantities in, Uncertain<ItemDescription>& item) {
+  item.set(&ItemDescription::chassis_mass, in.number("mass_kg", Range::positive()));
+  item.set(&ItemDescription::chassis_center_of_mass,
+           in.vector_mm("center_of_mass_mm", Range::any()));
   const bool box = in.table().has("inertia_box_mm");
   if (box && in.table().has("inertia_kg_m2"))
     in.table().note("inertia_box_mm", ": must not go with inertia_kg_m2; one of them states it");
@@ -32,92 +32,101 @@ void read_chassis(Quantities in, ItemDescription& item) {
     return;
   }
   if (box) {
-    item.chassis_inertia =
-        solid_box_inertia(item.chassis_mass, in.vector_mm("inertia_box_mm", Range::positive()));
+    item.add([size = in.vector_mm("inertia_box_mm", Range::positive())](ItemDescription& of_draw,
+                                                                        Sampler& of) {
+      of_draw.chassis_inertia = solid_box_inertia(of_draw.chassis_mass, of(size));
+    });
     return;
   }
-  const Vector3 moments = in.vector("inertia_kg_m2", Range::positive(), Vector3::Ones());
-  const Vector3 products = in.vector("inertia_products_kg_m2", Range::any(), Vector3::Zero());
-  Matrix3& inertia = item.chassis_inertia;
-  inertia = moments.asDiagonal();
-  inertia(0, 1) = inertia(1, 0) = products[0];
-  inertia(0, 2) = inertia(2, 0) = products[1];
-  inertia(1, 2) = inertia(2, 1) = products[2];
+  item.add([moments = in.vector("inertia_kg_m2", Range::positive(), Vector3::Ones()),
+            products = in.vector("inertia_products_kg_m2", Range::any(), Vector3::Zero())](
+               ItemDescription& of_draw, Sampler& of) {
+    Matrix3& inertia = of_draw.chassis_inertia;
+    inertia = of(moments).asDiagonal();
+    const Vector3 off_diagonal = of(products);
+    inertia(0, 1) = inertia(1, 0) = off_diagonal[0];
+    inertia(0, 2) = inertia(2, 0) = off_diagonal[1];
+    inertia(1, 2) = inertia(2, 1) = off_diagonal[2];
+  });
 }
 
-/// Casters named in one item. Mistakes of a file are noted once; a file is read once, or in a draw
-/// for each place, which is a part of its own.
+/// Casters named in one item. A file is read once, and its mistakes are noted once.
 class CasterTypes {
  public:
-  CasterType read(Table& place, const std::string& place_name) {
-    const bool inline_type = place.has("inline");
-    if (inline_type == place.has("type"))
-      place.note("type", ": must name a caster, or a table 'inline' must describe it, not both");
+  /// Into the place's type. One from a file is a part of its own in a draw, with the place's name.
+  void read(Table& table, Uncertain<CasterPlace>& place) {
+    const bool inline_type = table.has("inline");
+    if (inline_type == table.has("type"))
+      table.note("type", ": must name a caster, or a table 'inline' must describe it, not both");
     if (inline_type) {
-      auto table = place.table("inline");
-      return table ? read_caster_type(*table) : CasterType{};
+      if (auto described = table.table("inline"))
+        place.set(&CasterPlace::type, read_caster_type(*described));
+      return;
     }
-    if (!place.has("type")) return {};
-    std::vector<Assumption> choice;
-    const std::string name = Quantities(place, choice).text("type");
-    CasterType type = load(place, name, place_name);
-    add_assumptions(type.assumptions, choice);
-    return type;
+    if (!table.has("type")) return;
+    const StatedText name = Quantities(table).text("type");
+    place.add(
+        [type = load(table, name.text), choice = name.choice](CasterPlace& of_draw, Sampler& of) {
+          of_draw.type = type->sample(of.of_part(of_draw.name));
+          if (!choice.reason.empty()) add_assumptions(of_draw.type.assumptions, {choice});
+        });
   }
 
  private:
-  CasterType load(Table& place, const std::string& name, const std::string& place_name) {
+  using Type = std::shared_ptr<const Uncertain<CasterType>>;
+
+  Type load(Table& place, const std::string& name) {
+    static const Type kNone = std::make_shared<Uncertain<CasterType>>();
     std::string file;
     try {
       file = find_data(DataKind::kCaster, name, place.document().path());
     } catch (const Error& error) {
       place.note("type", " = \"" + name + "\": " + error.what());
-      return {};
+      return kNone;
     }
-    std::optional<Draw> draw = place.document().draw();
-    if (draw) draw = draw->of_part(place_name);
-    const std::string part = draw ? draw->full_name(file) : file;
-    const auto known = types_.find(part);
+    const auto known = types_.find(file);
     if (known != types_.end()) return known->second;
-    CasterType type;
+    Type type = kNone;
     try {
-      type = load_caster_type(file, draw);
+      type = std::make_shared<Uncertain<CasterType>>(load_caster_type(file));
     } catch (const Error& error) {
-      if (mistakes_.insert(error.what()).second) place.document().note(error);
+      place.document().note(error);
     }
-    return types_[part] = type;
+    return types_[file] = type;
   }
 
-  std::map<std::string, CasterType> types_;
-  std::set<std::string> mistakes_;
+  std::map<std::string, Type> types_;
 };
 
-CasterPlace read_place(Table table, std::size_t index, CasterTypes& types,
-                       std::vector<Assumption>& assumptions) {
-  CasterPlace place;
-  Quantities in(table, assumptions);
-  place.name = table.text("name", fmt::format("caster {}", index + 1));
-  place.type = types.read(table, place.name);
-  place.where = table.where("position_mm");
-  place.mount = in.vector_mm("position_mm", Range::any());
-  place.heading = in.number("heading_deg", Range::any(), 0.0) * kRadiansPerDegree;
-  place.stated_heading = in.stated("heading_deg") * kRadiansPerDegree;
-  place.swivels = table.boolean("swivels", true);
-  place.brake_on = in.flag("brake", false);
-  place.swivel_locked = in.flag("swivel_lock", false);
-  if (!place.swivels && (place.swivel_locked || table.is_table("swivel_lock")))
+Uncertain<CasterPlace> read_place(Table table, std::size_t index, CasterTypes& types) {
+  CasterPlace fixed;
+  fixed.name = table.text("name", fmt::format("caster {}", index + 1));
+  fixed.where = table.where("position_mm");
+  fixed.swivels = table.boolean("swivels", true);
+  Quantities in(table);
+  const StatedQuantity heading = in.angle_deg("heading_deg", Range::any(), 0.0);
+  fixed.stated_heading = heading.si(heading.value);
+  Uncertain<CasterPlace> place(std::move(fixed));
+  types.read(table, place);
+  place.set(&CasterPlace::mount, in.vector_mm("position_mm", Range::any()));
+  place.set(&CasterPlace::heading, heading);
+  place.set(&CasterPlace::brake_on, in.flag("brake", false));
+  place.set(&CasterPlace::swivel_locked, in.flag("swivel_lock", false));
+  const CasterPlace& stated = place.stated();
+  if (!stated.swivels && (stated.swivel_locked || table.is_table("swivel_lock")))
     table.note("swivel_lock", ": has no effect: the caster does not swivel (swivels = false)");
   return place;
 }
 
-PayloadKind read_payload(Table table) {
-  PayloadKind payload;
-  Quantities in(table, payload.assumptions);
-  payload.name = table.text("name");
-  payload.mass = in.number("mass_kg", Range::positive());
-  payload.size = in.vector_mm("size_mm", Range::positive());
-  payload.position = in.vector_mm("position_mm", Range::any());
-  payload.count = table.integer("count", 0, kMostPayloads, 0);
+Uncertain<PayloadKind> read_payload(Table table) {
+  PayloadKind fixed;
+  fixed.name = table.text("name");
+  fixed.count = table.integer("count", 0, kMostPayloads, 0);
+  Uncertain<PayloadKind> payload(std::move(fixed));
+  Quantities in(table);
+  payload.set(&PayloadKind::mass, in.number("mass_kg", Range::positive()));
+  payload.set(&PayloadKind::size, in.vector_mm("size_mm", Range::positive()));
+  payload.set(&PayloadKind::position, in.vector_mm("position_mm", Range::any()));
   return payload;
 }
 
@@ -133,42 +142,49 @@ void check_names(const std::vector<Part>& parts, const std::string& key, Table& 
 
 }  // namespace
 
-ItemDescription read_item(Table table) {
-  ItemDescription item;
-  item.file = table.document().path();
-  item.name = table.text("name");
-  item.description = table.text("description", "");
-  if (auto chassis = table.table("chassis"))
-    read_chassis(Quantities(*chassis, item.assumptions), item);
-  else if (!table.has("chassis"))
+Uncertain<ItemDescription> read_item(Table table) {
+  ItemDescription fixed;
+  fixed.file = table.document().path();
+  fixed.name = table.text("name");
+  fixed.description = table.text("description", "");
+  auto chassis = table.table("chassis");
+  if (chassis) fixed.material = chassis->text("material", "");
+  if (!chassis && !table.has("chassis"))
     table.note("chassis", ": missing; must be a table [" + table.name_of("chassis") + "]");
+  Uncertain<ItemDescription> item(std::move(fixed));
+  const ItemDescription& stated = item.stated();
+  if (chassis) read_chassis(Quantities(*chassis), item);
 
   for (Table& box : table.tables("shape")) {
-    Quantities in(box, item.assumptions);
-    item.shape.push_back(
-        {in.vector_mm("center_mm", Range::any()), in.vector_mm("size_mm", Range::positive())});
+    Quantities in(box);
+    Uncertain<Box> shape;
+    shape.set(&Box::center, in.vector_mm("center_mm", Range::any()));
+    shape.set(&Box::size, in.vector_mm("size_mm", Range::positive()));
+    item.append(&ItemDescription::shape, std::move(shape));
   }
-  if (item.shape.empty()) table.note("shape", ": must have at least one box [[shape]]");
+  if (stated.shape.empty()) table.note("shape", ": must have at least one box [[shape]]");
 
   CasterTypes types;
   for (Table& place : table.tables("caster"))
-    item.casters.push_back(read_place(place, item.casters.size(), types, item.assumptions));
-  if (item.casters.size() > EquipmentModel::kMaxCasters)
+    item.append(&ItemDescription::casters, read_place(place, stated.casters.size(), types));
+  if (stated.casters.size() > EquipmentModel::kMaxCasters)
     table.note("caster", fmt::format(": {} casters; must be 0 to {} tables [[caster]]",
-                                     item.casters.size(), EquipmentModel::kMaxCasters));
+                                     stated.casters.size(), EquipmentModel::kMaxCasters));
   if (auto contact = table.table("contact"))
-    item.contact = read_item_contact(*contact);
-  else if (!table.has("contact") && item.casters.empty())
+    item.set(&ItemDescription::contact, read_item_contact(*contact));
+  else if (!table.has("contact") && stated.casters.empty())
     table.note("contact", ": missing; an item without casters needs a table [" +
                               table.name_of("contact") + "], how it meets the floor");
-  for (Table& payload : table.tables("payload")) item.payloads.push_back(read_payload(payload));
+  for (Table& payload : table.tables("payload"))
+    item.append(&ItemDescription::payloads, read_payload(payload));
   for (Table& point : table.tables("marked_point")) {
-    Quantities in(point, item.assumptions);
-    item.marked_points.push_back({point.text("name"), in.vector_mm("position_mm", Range::any())});
+    Uncertain<MarkedPoint> marked(MarkedPoint{point.text("name"), Vector3::Zero()});
+    marked.set(&MarkedPoint::position, Quantities(point).vector_mm("position_mm", Range::any()));
+    item.append(&ItemDescription::marked_points, std::move(marked));
   }
-  check_names(item.casters, "caster", table);
-  check_names(item.payloads, "payload", table);
-  check_names(item.marked_points, "marked_point", table);
+  check_names(stated.casters, "caster", table);
+  check_names(stated.payloads, "payload", table);
+  check_names(stated.marked_points, "marked_point", table);
   return item;
 }
 

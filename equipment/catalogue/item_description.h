@@ -8,6 +8,7 @@
 #include "equipment/catalogue/assumption.h"
 #include "equipment/catalogue/caster_type.h"
 #include "equipment/catalogue/item_contact.h"
+#include "equipment/catalogue/uncertain.h"
 
 namespace gurney {
 
@@ -56,6 +57,6 @@ struct ItemDescription {
 
 /// Reads an item from its own file's root or from a table of a job. Mistakes are noted in the
 /// table's document; the result is for use only after its `finish`.
-ItemDescription read_item(config::Table table);
+Uncertain<ItemDescription> read_item(config::Table table);
 
 }  // namespace gurney

@@ -6,6 +6,7 @@
 #include "engine/config/nearest_name.h"
 #include "engine/config/overlay.h"
 #include "engine/config/table.h"
+#include "engine/base/diagnostics.h"
 
 namespace gurney {
 namespace {
@@ -13,42 +14,22 @@ namespace {
 using config::Document;
 using config::Node;
 
-/// Mistakes of several readings of one file, each line once.
-class Mistakes {
- public:
-  void add(const std::string& text, const std::string& remark) {
-    for (std::size_t begin = 0; begin < text.size();) {
-      const std::size_t end = std::min(text.find('\n', begin), text.size());
-      const std::string line = text.substr(begin, end - begin);
-      if (std::find(plain_.begin(), plain_.end(), line) == plain_.end()) {
-        plain_.push_back(line);
-        text_ += (text_.empty() ? "" : "\n") + line + remark;
-      }
-      begin = end + 1;
-    }
-  }
-
-  void finish() const { require(text_.empty(), text_); }
-
- private:
-  std::vector<std::string> plain_;
-  std::string text_;
-};
-
-ItemDescription read(Document& document, const std::string& remark, Mistakes& mistakes) {
+Uncertain<ItemDescription> read(Document& document, const std::string& remark,
+                                Diagnostics& errors) {
   document.root().choice("schema", {"gurney-item/1"});
-  ItemDescription item = read_item(document.root());
+  Uncertain<ItemDescription> item = read_item(document.root());
   try {
     document.finish();
   } catch (const Error& error) {
-    mistakes.add(error.what(), remark);
+    errors.add_new(error.what(), remark);
   }
   return item;
 }
 
 /// The item with these variants over it, in their order.
-ItemDescription read_changed(const Node& tree, const Document& origin,
-                             const std::vector<const Node*>& variants, Mistakes& mistakes) {
+Uncertain<ItemDescription> read_changed(const Node& tree, const Document& origin,
+                                        const std::vector<const Node*>& variants,
+                                        Diagnostics& errors) {
   Node changed = tree;
   Document notes(Node(), origin);
   std::string names;
@@ -60,10 +41,10 @@ ItemDescription read_changed(const Node& tree, const Document& origin,
   try {
     notes.finish();
   } catch (const Error& error) {
-    mistakes.add(error.what(), "");
+    errors.add_new(error.what());
   }
   Document document(std::move(changed), origin);
-  return read(document, remark, mistakes);
+  return read(document, remark, errors);
 }
 
 /// Takes the tables [variant.NAME] from a document and leaves those that are tables.
@@ -106,24 +87,25 @@ std::string unknown_variant(const std::vector<std::string>& wanted,
   return "";
 }
 
-ItemDescription load_item_description(const std::string& file, const ItemSelection& selection) {
+Uncertain<ItemDescription> load_item_description(const std::string& file,
+                                                 const std::vector<std::string>& variants) {
   Document document(file);
-  document.set_draw(selection.draw);
-  const std::vector<Node> variants = take_variants(document);
-  const std::string unknown = unknown_variant(selection.variants, names_of(variants));
+  const std::vector<Node> known = take_variants(document);
+  const std::string unknown = unknown_variant(variants, names_of(known));
   require(unknown.empty(), file + ": " + unknown);
 
   const Node tree = document.tree();
-  Mistakes mistakes;
-  ItemDescription item = read(document, "", mistakes);
-  for (const Node& variant : variants) read_changed(tree, document, {&variant}, mistakes);
+  Diagnostics errors;  // of several readings of one file, each line once
+  Uncertain<ItemDescription> item = read(document, "", errors);
+  for (const Node& variant : known) read_changed(tree, document, {&variant}, errors);
   std::vector<const Node*> selected;
-  for (const std::string& name : selection.variants)
-    for (const Node& variant : variants)
+  for (const std::string& name : variants)
+    for (const Node& variant : known)
       if (variant.key == name) selected.push_back(&variant);
-  if (!selected.empty()) item = read_changed(tree, document, selected, mistakes);
-  mistakes.finish();
-  item.variants = names_of(variants);
+  if (!selected.empty()) item = read_changed(tree, document, selected, errors);
+  errors.raise();
+  item.add(
+      [names = names_of(known)](ItemDescription& of_draw, Sampler&) { of_draw.variants = names; });
   return item;
 }
 

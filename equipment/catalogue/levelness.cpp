@@ -5,16 +5,15 @@
 
 namespace gurney {
 
-Levelness usual_levelness(const std::optional<Draw>& draw) {
+Uncertain<Levelness> usual_levelness() {
   using config::Range;
   config::Document document(data_folder() + "/equipment/levelness.toml");
-  document.set_draw(draw);
   config::Table root = document.root();
   root.choice("schema", {"gurney-levelness/1"});
-  Levelness floor;
-  Quantities in(root, floor.assumptions);
-  floor.slope = in.number("slope", Range::within(-1, 1));
-  floor.cross_slope = in.number("cross_slope", Range::within(-1, 1));
+  Uncertain<Levelness> floor;
+  Quantities in(root);
+  floor.set(&Levelness::slope, in.number("slope", Range::within(-1, 1)));
+  floor.set(&Levelness::cross_slope, in.number("cross_slope", Range::within(-1, 1)));
   document.finish();
   return floor;
 }

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
-#include "engine/base/random/draw.h"
-#include "equipment/catalogue/assumption.h"
+#include "equipment/catalogue/uncertain.h"
 
 namespace gurney {
 
@@ -16,6 +14,6 @@ struct Levelness {
 
 /// That of equipment/levelness.toml.
 /// @throws Error with every error of the file.
-Levelness usual_levelness(const std::optional<Draw>& draw = {});
+Uncertain<Levelness> usual_levelness();
 
 }  // namespace gurney

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/base/error.h"
+#include "engine/base/diagnostics.h"
 #include "engine/base/units.h"
 #include "equipment/catalogue/stability.h"
 
@@ -39,13 +39,12 @@ T option_at(const std::vector<T>& values, std::size_t i, T otherwise) {
   return values.empty() ? otherwise : T(values[i]);
 }
 
-std::string find_problems(const ItemDescription& item, const ItemOptions& options) {
-  std::string problems;
+void check(const ItemDescription& item, const ItemOptions& options) {
+  Diagnostics errors;
   for (std::size_t i = 0; i < item.casters.size(); ++i) {
     const CasterPlace& place = item.casters[i];
     const auto add = [&](const std::string& line) {
-      problems += problems.empty() ? "" : "\n";
-      problems += place.where + (place.where.empty() ? "" : ": ") + line;
+      errors.add(place.where + (place.where.empty() ? "" : ": ") + line);
     };
     const CasterType& type = type_at(place, options);
     if (option_at(options.brakes, i, place.brake_on) && type.brake_torque == 0)
@@ -64,7 +63,7 @@ std::string find_problems(const ItemDescription& item, const ItemOptions& option
                       place.name, height * kMillimetersPerMeter, item.casters[0].name,
                       first * kMillimetersPerMeter));
   }
-  return problems;
+  errors.raise();
 }
 
 Caster make_caster(const CasterPlace& place, std::size_t i, const ItemOptions& options,
@@ -126,8 +125,7 @@ const ContactConstants& floor_contact(const LoadedItem& item) {
 }
 
 LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options) {
-  const std::string problems = find_problems(item, options);
-  require(problems.empty(), problems);
+  check(item, options);
   LoadedItem loaded;
   loaded.assumptions = item.assumptions;
   EquipmentModel& model = loaded.model;
@@ -151,8 +149,8 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
 }
 
 LoadedItem load_item(const std::string& file, const ItemOptions& options,
-                     const ItemSelection& selection) {
-  return assemble_item(load_item_description(file, selection), options);
+                     const std::vector<std::string>& variants) {
+  return assemble_item(load_item_description(file, variants).stated(), options);
 }
 
 }  // namespace gurney

@@ -46,8 +46,9 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
 /// Constants of the item's chassis, or its feet, against the floor.
 const ContactConstants& floor_contact(const LoadedItem& item);
 
+/// Every number at its value.
 /// @throws Error for mistakes of the file and of `assemble_item`.
 LoadedItem load_item(const std::string& file, const ItemOptions& options = {},
-                     const ItemSelection& selection = {});
+                     const std::vector<std::string>& variants = {});
 
 }  // namespace gurney

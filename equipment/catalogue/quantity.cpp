@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "engine/base/units.h"
 
@@ -17,24 +18,32 @@ namespace {
 constexpr std::array kAxes = {"x", "y", "z"};
 constexpr int kOrderChecks = 1000;
 
+/// A value that nothing but its distribution backs rests on that.
+void rest_on_distribution(StatedQuantity& quantity) {
+  quantity.reason = quantity.uncertainty->reason;
+  quantity.low = quantity.uncertainty->distribution.low();
+  quantity.high = quantity.uncertainty->distribution.high();
+}
+
 bool moves_with(const CorrelationGroup& a, const CorrelationGroup& b) {
   return !a.name.empty() && a.name == b.name && a.correlation == 1 && b.correlation == 1;
 }
 
 }  // namespace
 
-double Quantities::number(const std::string& key, const Range& range,
-                          std::optional<double> fallback) {
-  if (!table_.is_table(key)) return stated_[key] = table_.number(key, range, fallback);
+StatedQuantity Quantities::number(const std::string& key, const Range& range,
+                                  std::optional<double> fallback) {
+  if (!table_.is_table(key)) return plain(key, table_.number(key, range, fallback), "");
   Table quantity = *table_.table(key);
   const std::size_t mistakes = table_.document().mistakes();
-  const double value = stated_[key] = quantity.number("value", range);
+  const double value = quantity.number("value", range);
   const Provenance found = provenance(quantity, key);
-  Basis basis{found.reason, value, value};
+  StatedQuantity stated = plain(key, value, "");
+  stated.reason = found.reason;
   if (found.has_range || !found.reason.empty()) {
     const std::vector<double> ends = quantity.numbers("range", range, 2);
-    basis.low = ends[0];
-    basis.high = ends[1];
+    stated.low = ends[0];
+    stated.high = ends[1];
     if (table_.document().mistakes() == mistakes &&
         !(ends[0] <= value && value <= ends[1] && ends[0] < ends[1]))
       quantity.note("range",
@@ -43,37 +52,48 @@ double Quantities::number(const std::string& key, const Range& range,
   }
   std::optional<Uncertainty> uncertainty;
   if (quantity.has("distribution")) uncertainty = read_uncertainty(quantity, "distribution", range);
-  if (table_.document().mistakes() > mistakes) return value;
-  if (uncertainty) {
-    note_outside(key, *uncertainty, value);
-    if (!found.given)
-      basis = {uncertainty->reason, uncertainty->distribution.low(),
-               uncertainty->distribution.high()};
-    uncertain_.insert_or_assign(key, *uncertainty);
-  }
-  return settle(key, value, uncertainty, basis);
+  if (table_.document().mistakes() > mistakes || !uncertainty) return stated;
+  stated.uncertainty = std::move(uncertainty);
+  note_outside(key, *stated.uncertainty, value);
+  if (!found.given) rest_on_distribution(stated);
+  return stated;
 }
 
-Vector3 Quantities::vector(const std::string& key, const Range& range,
-                           std::optional<Vector3> fallback) {
+std::array<StatedQuantity, 3> Quantities::vector(const std::string& key, const Range& range,
+                                                 std::optional<Vector3> fallback) {
   std::optional<std::vector<double>> list;
   if (fallback) list = std::vector<double>(fallback->begin(), fallback->end());
-  const std::vector<double> values = components(key, range, 3, list);
-  return Vector3(values[0], values[1], values[2]);
+  return components<3>(key, range, list);
 }
 
-std::vector<double> Quantities::plane(const std::string& key, const Range& range,
-                                      const std::vector<double>& fallback) {
-  return components(key, range, 2, fallback);
+std::array<StatedQuantity, 2> Quantities::plane(const std::string& key, const Range& range) {
+  return components<2>(key, range, std::vector<double>{0, 0});
 }
 
-std::vector<double> Quantities::components(const std::string& key, const Range& range,
-                                           std::size_t size,
-                                           std::optional<std::vector<double>> fallback) {
-  if (!table_.is_table(key)) return table_.numbers(key, range, size, fallback);
+template <std::size_t size>
+std::array<StatedQuantity, size> Quantities::components(
+    const std::string& key, const Range& range, std::optional<std::vector<double>> fallback) {
+  std::vector<StatedQuantity> list = read_components(key, range, size, std::move(fallback));
+  std::array<StatedQuantity, size> result;
+  std::move(list.begin(), list.end(), result.begin());
+  return result;
+}
+
+std::vector<StatedQuantity> Quantities::read_components(
+    const std::string& key, const Range& range, std::size_t size,
+    std::optional<std::vector<double>> fallback) {
+  std::vector<StatedQuantity> all;
+  const auto add_plain = [&](const std::vector<double>& values) {
+    for (std::size_t i = 0; i < size; ++i) all.push_back(plain(key, values[i], kAxes[i]));
+  };
+  if (!table_.is_table(key)) {
+    add_plain(table_.numbers(key, range, size, fallback));
+    return all;
+  }
   Table quantity = *table_.table(key);
   const std::size_t mistakes = table_.document().mistakes();
-  std::vector<double> values = quantity.numbers("value", range, size);
+  const std::vector<double> values = quantity.numbers("value", range, size);
+  add_plain(values);
   const Provenance found = provenance(quantity, key);
   std::vector<double> low = values, high = values;
   if (!found.reason.empty()) {
@@ -95,88 +115,81 @@ std::vector<double> Quantities::components(const std::string& key, const Range& 
         quantity.note("distribution", std::string(".") + kAxes[i] +
                                           ": missing; the value needs a source or an assumption");
     }
-  if (table_.document().mistakes() > mistakes) return values;
+  if (table_.document().mistakes() > mistakes) return all;
   for (std::size_t i = 0; i < size; ++i) {
-    Basis basis{low[i] < high[i] ? found.reason : "", low[i], high[i]};
-    const std::string name = fmt::format("{}.{}", key, kAxes[i]);
-    if (uncertainty[i]) {
-      note_outside(key, *uncertainty[i], values[i]);
-      if (!found.given)
-        basis = {uncertainty[i]->reason, uncertainty[i]->distribution.low(),
-                 uncertainty[i]->distribution.high()};
-    }
-    values[i] = settle(name, values[i], uncertainty[i], basis);
+    all[i].reason = low[i] < high[i] ? found.reason : "";
+    all[i].low = low[i];
+    all[i].high = high[i];
+    if (!uncertainty[i]) continue;
+    all[i].uncertainty = std::move(uncertainty[i]);
+    note_outside(key, *all[i].uncertainty, values[i]);
+    if (!found.given) rest_on_distribution(all[i]);
   }
-  return values;
+  return all;
 }
 
-std::string Quantities::text(const std::string& key, std::optional<std::string> fallback) {
-  if (!table_.is_table(key)) return table_.text(key, fallback);
+StatedText Quantities::text(const std::string& key) {
+  if (!table_.is_table(key)) return {table_.text(key)};
   Table quantity = *table_.table(key);
   const std::string value = quantity.text("value");
   if (quantity.has("distribution")) quantity.note("distribution", ": a text cannot be drawn");
-  choose(key, value, provenance(quantity, key).reason);
-  return value;
+  return {value, choice(key, value, provenance(quantity, key).reason)};
 }
 
-bool Quantities::flag(const std::string& key, bool fallback) {
-  if (!table_.is_table(key)) return table_.boolean(key, fallback);
+QuantityList Quantities::flag(const std::string& key, bool fallback) {
+  const auto number = [](bool value) { return value ? 1.0 : 0.0; };
+  if (!table_.is_table(key)) return plain(key, {number(table_.boolean(key, fallback))});
   Table quantity = *table_.table(key);
-  const bool value = quantity.boolean("value");
-  return parts(key, quantity, Range::any(), {value ? 1.0 : 0.0}, {true}, true)[0] != 0;
+  return parts(key, quantity, Range::any(), {number(quantity.boolean("value"))}, {true}, true);
 }
 
-std::vector<double> Quantities::numbers(const std::string& key, const Range& range,
-                                        const std::vector<bool>& drawn) {
+QuantityList Quantities::numbers(const std::string& key, const Range& range,
+                                 const std::vector<bool>& drawn) {
   const std::size_t size = drawn.size();
-  if (table_.is_array(key)) return table_.numbers(key, range, size);
+  if (table_.is_array(key)) return plain(key, table_.numbers(key, range, size));
   if (!table_.has(key)) return {};
-  if (!table_.is_table(key)) return std::vector<double>(size, table_.number(key, range));
+  if (!table_.is_table(key))
+    return plain(key, std::vector<double>(size, table_.number(key, range)));
   Table quantity = *table_.table(key);
-  std::vector<double> values = quantity.is_array("value")
-                                   ? quantity.numbers("value", range, size)
-                                   : std::vector<double>(size, quantity.number("value", range));
-  return parts(key, quantity, range, std::move(values), drawn, false);
+  const std::vector<double> values =
+      quantity.is_array("value") ? quantity.numbers("value", range, size)
+                                 : std::vector<double>(size, quantity.number("value", range));
+  return parts(key, quantity, range, values, drawn, false);
 }
 
-std::vector<bool> Quantities::flags(const std::string& key, const std::vector<bool>& drawn) {
+QuantityList Quantities::flags(const std::string& key, const std::vector<bool>& drawn) {
   const std::size_t size = drawn.size();
-  if (table_.is_array(key)) return table_.booleans(key, size);
+  const auto numbers = [](const std::vector<bool>& flags) {
+    return std::vector<double>(flags.begin(), flags.end());
+  };
+  if (table_.is_array(key)) return plain(key, numbers(table_.booleans(key, size)));
   if (!table_.has(key)) return {};
-  if (!table_.is_table(key)) return std::vector<bool>(size, table_.boolean(key));
+  if (!table_.is_table(key)) return plain(key, std::vector<double>(size, table_.boolean(key)));
   Table quantity = *table_.table(key);
   const std::vector<bool> flags = quantity.is_array("value")
                                       ? quantity.booleans("value", size)
                                       : std::vector<bool>(size, quantity.boolean("value"));
-  const std::vector<double> values = parts(
-      key, quantity, Range::any(), std::vector<double>(flags.begin(), flags.end()), drawn, true);
-  std::vector<bool> settled;
-  for (const double value : values) settled.push_back(value != 0);
-  return settled;
+  return parts(key, quantity, Range::any(), numbers(flags), drawn, true);
 }
 
 bool Quantities::is_one_for_all(const std::string& key) {
   return !table_.is_array(key) && !(table_.is_table(key) && table_.table(key)->is_array("value"));
 }
 
-double Quantities::stated(const std::string& key) const {
-  const auto found = stated_.find(key);
-  return found == stated_.end() ? 0 : found->second;
-}
-
 /// Parts of one quantity, each drawn by itself; what the values rest on is one entry for all.
-std::vector<double> Quantities::parts(const std::string& key, Table& quantity, const Range& range,
-                                      std::vector<double> values, const std::vector<bool>& drawn,
-                                      bool flags) {
+QuantityList Quantities::parts(const std::string& key, Table& quantity, const Range& range,
+                               const std::vector<double>& values, const std::vector<bool>& drawn,
+                               bool flags) {
   const std::size_t mistakes = table_.document().mistakes();
   const Provenance found = provenance(quantity, key);
   std::optional<Uncertainty> uncertainty;
   if (quantity.has("distribution")) uncertainty = read_uncertainty(quantity, "distribution", range);
-  if (table_.document().mistakes() > mistakes) return values;
-  if (!uncertainty || !table_.document().draw())
-    choose(key, fmt::format("{}", fmt::join(values, ", ")),
-           found.given ? found.reason : uncertainty->reason);
-  if (!uncertainty) return values;
+  QuantityList list = plain(key, values);
+  if (table_.document().mistakes() > mistakes) return list;
+  list.choice = choice(key, fmt::format("{}", fmt::join(values, ", ")),
+                       found.given ? found.reason : uncertainty->reason);
+  if (!uncertainty) return list;
+  list.chosen_in_draws = false;
   const std::vector<double>& choices = uncertainty->distribution.values();
   const auto is_flag = [](double x) { return x == 0 || x == 1; };
   if (flags && !(choices.size() > 0 && std::all_of(choices.begin(), choices.end(), is_flag)))
@@ -184,38 +197,48 @@ std::vector<double> Quantities::parts(const std::string& key, Table& quantity, c
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!drawn[i]) continue;
     if (table_.document().mistakes() == mistakes) note_outside(key, *uncertainty, values[i]);
-    const std::string name = values.size() == 1 ? key : fmt::format("{}[{}]", key, i);
-    values[i] = settle(name, values[i], uncertainty, {});
+    list.quantities[i].uncertainty = uncertainty;
   }
-  return values;
+  return list;
 }
 
-double Quantities::length_mm(const std::string& key, const Range& range,
-                             std::optional<double> fallback) {
-  return number(key, range, fallback) / kMillimetersPerMeter;
+StatedQuantity Quantities::length_mm(const std::string& key, const Range& range,
+                                     std::optional<double> fallback) {
+  StatedQuantity stated = number(key, range, fallback);
+  stated.divisor = kMillimetersPerMeter;
+  return stated;
 }
 
-Vector3 Quantities::vector_mm(const std::string& key, const Range& range,
-                              std::optional<Vector3> fallback) {
-  return vector(key, range, fallback) / kMillimetersPerMeter;
+std::array<StatedQuantity, 3> Quantities::vector_mm(const std::string& key, const Range& range) {
+  std::array<StatedQuantity, 3> stated = vector(key, range);
+  for (StatedQuantity& each : stated) each.divisor = kMillimetersPerMeter;
+  return stated;
 }
 
-void Quantities::keep_order(const std::string& lower_key, double lower,
-                            const std::string& upper_key, double upper) {
-  if (!(lower <= upper)) {
-    table_.note(lower_key, fmt::format(" = {}: must be <= {}, {}", lower, upper_key, upper));
+StatedQuantity Quantities::angle_deg(const std::string& key, const Range& range,
+                                     std::optional<double> fallback) {
+  StatedQuantity stated = number(key, range, fallback);
+  stated.factor = kRadiansPerDegree;
+  return stated;
+}
+
+void Quantities::keep_order(const std::string& lower_key, const StatedQuantity& lower,
+                            const std::string& upper_key, const StatedQuantity& upper) {
+  if (!(lower.value <= upper.value)) {
+    table_.note(lower_key,
+                fmt::format(" = {}: must be <= {}, {}", lower.value, upper_key, upper.value));
     return;
   }
-  const auto low = uncertain_.find(lower_key), high = uncertain_.find(upper_key);
-  const Distribution* below = low == uncertain_.end() ? nullptr : &low->second.distribution;
-  const Distribution* above = high == uncertain_.end() ? nullptr : &high->second.distribution;
-  if (below == nullptr && above == nullptr) return;
-  bool ordered = (below ? below->high() : lower) <= (above ? above->low() : upper);
-  if (!ordered && below && above && moves_with(low->second.group, high->second.group)) {
+  const auto& low = lower.uncertainty;
+  const auto& high = upper.uncertainty;
+  if (!low && !high) return;
+  bool ordered = (low ? low->distribution.high() : lower.value) <=
+                 (high ? high->distribution.low() : upper.value);
+  if (!ordered && low && high && moves_with(low->group, high->group)) {
     ordered = true;
     for (int i = 1; i < kOrderChecks; ++i) {
       const double p = static_cast<double>(i) / kOrderChecks;
-      ordered = ordered && below->quantile(p) <= above->quantile(p);
+      ordered = ordered && low->distribution.quantile(p) <= high->distribution.quantile(p);
     }
   }
   if (!ordered)
@@ -241,32 +264,30 @@ void Quantities::note_outside(const std::string& key, const Uncertainty& uncerta
                                  value, distribution.text()));
 }
 
-double Quantities::settle(const std::string& name, double value,
-                          const std::optional<Uncertainty>& uncertainty, const Basis& basis) {
-  const std::optional<Draw>& draw = table_.document().draw();
-  const std::string path = table_.name_of(name), file = table_.document().path();
-  if (uncertainty && draw) {
-    const Distribution& distribution = uncertainty->distribution;
-    const std::string variable = table_.document().variable_name(path);
-    value = distribution.quantile(draw->probability(variable, uncertainty->group));
-    assumptions_->push_back({draw->full_name(variable), "", value, distribution.low(),
-                             distribution.high(), uncertainty->reason, file, distribution.text(),
-                             draw->streams_of(variable, uncertainty->group)});
-  } else if (!basis.reason.empty()) {
-    assumptions_->push_back({path, "", value, basis.low, basis.high, basis.reason, file, ""});
-  }
-  return value;
+StatedQuantity Quantities::plain(const std::string& key, double value,
+                                 const std::string& component) const {
+  StatedQuantity stated{.value = value, .low = value, .high = value, .spot = table_.spot(key)};
+  if (!component.empty()) stated.spot.name += '.' + component;
+  return stated;
 }
 
-void Quantities::choose(const std::string& key, const std::string& choice,
-                        const std::string& reason) {
-  if (reason.empty()) return;
+QuantityList Quantities::plain(const std::string& key, const std::vector<double>& values) const {
+  QuantityList list;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    list.quantities.push_back(plain(key, values[i], ""));
+    if (values.size() > 1) list.quantities.back().spot.name += fmt::format("[{}]", i);
+  }
+  return list;
+}
+
+Assumption Quantities::choice(const std::string& key, const std::string& text,
+                              const std::string& reason) const {
   Assumption assumption;
   assumption.key = table_.name_of(key);
-  assumption.choice = choice;
+  assumption.choice = text;
   assumption.reason = reason;
-  assumption.file = table_.document().path();
-  assumptions_->push_back(assumption);
+  assumption.file = table_.spot(key).file;
+  return assumption;
 }
 
 }  // namespace gurney

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,12 +33,11 @@ struct RoomNames {
 
 /// Appends the keys of a room. Mistakes are noted in the table's document; the result is for use
 /// only after its `finish`.
-void read_room(config::Table table, RoomNames& names, RoomDescription& room);
+void read_room(config::Table table, RoomNames& names, Uncertain<RoomDescription>& room);
 
 /// Appends a file of its own, drawn as the part "room".
-/// @throws Error with every mistake of the file.
+/// @throws Error with every mistake of the file; what could be read is there.
 /// @return its name
-std::string load_room(const std::string& file, const std::optional<Draw>& draw, RoomNames& names,
-                      RoomDescription& room);
+std::string load_room(const std::string& file, RoomNames& names, Uncertain<RoomDescription>& room);
 
 }  // namespace gurney

@@ -9,19 +9,24 @@ namespace gurney {
 using config::Range;
 using config::Table;
 
-Vector2 read_plan_point(Quantities& in, const std::string& key) {
+std::array<StatedQuantity, 2> read_plan_point(Quantities& in, const std::string& key) {
   if (!in.table().has(key)) in.table().note(key, ": missing; must be an array of 2 numbers");
-  const std::vector<double> values = in.plane(key, Range::any(), {0, 0});
-  return {values[0], values[1]};
+  return in.plane(key, Range::any());
 }
 
-PlanLine read_plan_line(Quantities& in) {
-  const std::size_t mistakes = in.table().document().mistakes();
-  PlanLine line{read_plan_point(in, "from_m"), read_plan_point(in, "to_m")};
-  if (in.table().document().mistakes() == mistakes && line.length() > 0) return line;
-  if (in.table().document().mistakes() == mistakes)
-    in.table().note("to_m", ": must differ from from_m");
-  return {};
+Uncertain<PlanLine> read_plan_line(Quantities& in) {
+  config::Document& document = in.table().document();
+  const std::size_t mistakes = document.mistakes();
+  Uncertain<PlanLine> line;
+  line.set(&PlanLine::from, read_plan_point(in, "from_m"));
+  line.set(&PlanLine::to, read_plan_point(in, "to_m"));
+  if (document.mistakes() > mistakes) return Uncertain<PlanLine>();
+  line.add(document, [to = in.table().spot("to_m")](PlanLine& of_draw, Sampler& of) {
+    if (of_draw.length() > 0) return;
+    of.error(to, ": must differ from from_m");
+    of_draw = PlanLine();
+  });
+  return line;
 }
 
 RoomShape box_along(const PlanLine& line, double begin, double end, double width, double low,

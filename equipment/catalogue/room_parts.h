@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "engine/scene/room.h"
@@ -9,7 +10,7 @@
 namespace gurney {
 
 /// A point in plan, x and y [m]; noted where it is missing.
-Vector2 read_plan_point(Quantities& in, const std::string& key);
+std::array<StatedQuantity, 2> read_plan_point(Quantities& in, const std::string& key);
 
 /// A line in plan from `from_m` to `to_m`; one of no length is noted.
 struct PlanLine {
@@ -17,7 +18,7 @@ struct PlanLine {
   Vector2 to = Vector2::UnitX();
   double length() const { return (to - from).norm(); }
 };
-PlanLine read_plan_line(Quantities& in);
+Uncertain<PlanLine> read_plan_line(Quantities& in);
 
 /// The box along part of a line, `begin` to `end` from its start, `low` to `high` above the floor.
 RoomShape box_along(const PlanLine& line, double begin, double end, double width, double low,
@@ -30,6 +31,6 @@ std::string read_material(config::Table& table, const std::vector<MaterialContac
 /// The tables [[wall]] of a room with their doors, as boxes beside and above them.
 /// @param known  contacts whose materials a wall may have
 void read_walls(config::Table& room, const std::vector<MaterialContact>& known, RoomNames& names,
-                RoomDescription& result);
+                Uncertain<RoomDescription>& result);
 
 }  // namespace gurney

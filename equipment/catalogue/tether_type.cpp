@@ -4,20 +4,20 @@
 
 namespace gurney {
 
-TetherType load_tether_type(const std::string& file, const std::optional<Draw>& draw) {
+Uncertain<TetherType> load_tether_type(const std::string& file) {
   using config::Range;
   config::Document document(file);
-  document.set_draw(draw);
   config::Table root = document.root();
   root.choice("schema", {"gurney-tether/1"});
-  TetherType type;
-  type.name = root.text("name");
+  TetherType fixed;
+  fixed.name = root.text("name");
   root.text("description", "");
-  Quantities in(root, type.assumptions);
-  type.axial_stiffness = in.number("axial_stiffness_n", Range::positive());
-  type.damping = in.number("damping_n_s_per_m", Range::not_negative());
-  type.strength = in.number("strength_n", Range::positive().with_infinity());
-  type.slack_pull = in.number("slack_pull_n", Range::not_negative(), 0.0);
+  Uncertain<TetherType> type(fixed);
+  Quantities in(root);
+  type.set(&TetherType::axial_stiffness, in.number("axial_stiffness_n", Range::positive()));
+  type.set(&TetherType::damping, in.number("damping_n_s_per_m", Range::not_negative()));
+  type.set(&TetherType::strength, in.number("strength_n", Range::positive().with_infinity()));
+  type.set(&TetherType::slack_pull, in.number("slack_pull_n", Range::not_negative(), 0.0));
   document.finish();
   return type;
 }

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "engine/base/random/draw.h"
-#include "equipment/catalogue/assumption.h"
+#include "equipment/catalogue/uncertain.h"
 
 namespace gurney {
 
@@ -21,6 +19,6 @@ struct TetherType {
 };
 
 /// @throws Error with every mistake of the file.
-TetherType load_tether_type(const std::string& file, const std::optional<Draw>& draw = {});
+Uncertain<TetherType> load_tether_type(const std::string& file);
 
 }  // namespace gurney

@@ -6,24 +6,16 @@
 
 namespace gurney {
 
-constexpr std::size_t kShown = 20;
-
 void Mistakes::add(std::size_t line, std::size_t column, const std::string& message) {
-  keep(fmt::format("{}:{}:{}: {}", file_, line_in_file(line), column, message));
+  errors_.add(fmt::format("{}:{}:{}: {}", file_, line_in_file(line), column, message));
 }
 
-void Mistakes::add(const std::string& message) { keep(fmt::format("{}: {}", file_, message)); }
-
-void Mistakes::keep(std::string line) {
-  if (++count_ <= kShown) lines_.push_back(std::move(line));
+void Mistakes::add(const std::string& message) {
+  errors_.add(fmt::format("{}: {}", file_, message));
 }
 
 void Mistakes::throw_if_any() const {
-  if (!any()) return;
-  std::string message = fmt::format("{}", fmt::join(lines_, "\n"));
-  if (count_ > kShown)
-    message += fmt::format("\n{}: and {} more of the kind", file_, count_ - kShown);
-  throw Error(message);
+  errors_.raise(kShown, file_ + ": and ", " more of the kind");
 }
 
 void refuse_spectra(const std::string& file, const std::string& what, const std::string& instead) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "engine/base/diagnostics.h"
 #include "groundmotions/formats/source_file.h"
 
 namespace gurney {
@@ -10,7 +10,8 @@ namespace gurney {
 /// Collects what is wrong with one file, so that one Error tells all of it.
 class Mistakes {
  public:
-  explicit Mistakes(const SourceFile& file) : file_(file.name()), before_(file.blank_lines()) {}
+  explicit Mistakes(const SourceFile& file)
+      : file_(file.name()), before_(file.blank_lines()), errors_(kShown) {}
 
   /// The number in the file of a line of SourceFile::lines(), both counted from 1.
   std::size_t line_in_file(std::size_t line) const { return line + before_; }
@@ -21,18 +22,17 @@ class Mistakes {
   /// A mistake of the whole file.
   void add(const std::string& message);
 
-  bool any() const { return count_ > 0; }
+  bool any() const { return !errors_.none(); }
 
   /// @throws Error with one line for each mistake, the first 20 in full.
   void throw_if_any() const;
 
  private:
-  void keep(std::string line);
+  static constexpr std::size_t kShown = 20;
 
   std::string file_;
   std::size_t before_;  ///< blank lines before the first
-  std::vector<std::string> lines_;
-  std::size_t count_ = 0;
+  Diagnostics errors_;
 };
 
 /// @param what     the file is: "volume 3"

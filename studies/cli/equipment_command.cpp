@@ -29,7 +29,7 @@ struct ShowOptions {
 ItemOptions item_options(const ShowOptions& options, const ItemDescription& item) {
   ItemOptions result;
   if (!options.floor.empty())
-    result.floor = load_floor_covering(find_data(DataKind::kFloor, options.floor, ""));
+    result.floor = load_floor_covering(find_data(DataKind::kFloor, options.floor, "")).stated();
   require(options.brakes.empty() || !item.casters.empty(),
           "--brakes: " + item.name + " has no casters");
   if (!options.brakes.empty())
@@ -40,7 +40,7 @@ ItemOptions item_options(const ShowOptions& options, const ItemDescription& item
 
 int show(const ShowOptions& options) {
   const std::string file = find_data(DataKind::kItem, options.item, "");
-  const ItemDescription item = load_item_description(file, {options.variants, {}});
+  const ItemDescription item = load_item_description(file, options.variants).stated();
   const LoadedItem loaded = assemble_item(item, item_options(options, item));
   const ContactConstants& floor = floor_contact(loaded);
   EquipmentFacts facts{loaded.model,   item_sheet(loaded.model, floor),

@@ -33,11 +33,11 @@ std::vector<ListedItem> items() {
 }
 
 CasterType caster(const std::string& key) {
-  return load_caster_type(find_data(DataKind::kCaster, key, ""));
+  return load_caster_type(find_data(DataKind::kCaster, key, "")).stated();
 }
 
 FloorCovering floor(const std::string& key) {
-  return load_floor_covering(find_data(DataKind::kFloor, key, ""));
+  return load_floor_covering(find_data(DataKind::kFloor, key, "")).stated();
 }
 
 struct ListedRoom {
@@ -49,15 +49,15 @@ std::vector<ListedRoom> rooms() {
   std::vector<ListedRoom> result;
   for (const std::string& key : catalogue_names(DataKind::kRoom)) {
     RoomNames names;
-    ListedRoom listed{key, {}, {}};
-    listed.name = load_room(find_data(DataKind::kRoom, key, ""), {}, names, listed.room);
-    result.push_back(std::move(listed));
+    Uncertain<RoomDescription> room;
+    const std::string name = load_room(find_data(DataKind::kRoom, key, ""), names, room);
+    result.push_back({key, name, room.stated()});
   }
   return result;
 }
 
 TetherType tether(const std::string& key) {
-  return load_tether_type(find_data(DataKind::kTether, key, ""));
+  return load_tether_type(find_data(DataKind::kTether, key, "")).stated();
 }
 
 }  // namespace

@@ -111,7 +111,9 @@ std::string plain_text(const Constant& c, bool simulated) {
 class Maker {
  public:
   Maker(const Calibration& calibration, const std::string& file)
-      : document_(file), type_(load_caster_type(file)), simulated_(calibration.simulated > 0) {}
+      : document_(file),
+        type_(load_caster_type(file).stated()),
+        simulated_(calibration.simulated > 0) {}
 
   void add(const Constant& c) {
     const double mm = kMillimetersPerMeter;
@@ -223,7 +225,7 @@ std::string why_not(const std::string& caster, const std::string& base, double r
         "{}: the catalogue has no caster '{}'; --base says which one has the numbers "
         "that no trial gives",
         caster, base);
-  const CasterType type = load_caster_type(find_data(DataKind::kCaster, base, ""));
+  const CasterType type = load_caster_type(find_data(DataKind::kCaster, base, "")).stated();
   const double mm = 2 * kMillimetersPerMeter;
   if (radius > 0 && std::abs(radius / type.properties.wheel_radius - 1) > kSameWheel)
     return fmt::format("{}: its wheels have {:.4g} mm in the trials, but {:.4g} mm in {}", caster,

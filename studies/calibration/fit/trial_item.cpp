@@ -27,10 +27,10 @@ std::string found(DataKind kind, const std::string& name) {
 EquipmentModel item_of(const TrialSetup& setup) {
   ItemOptions options;
   if (!setup.caster.empty())
-    options.caster = load_caster_type(found(DataKind::kCaster, setup.caster));
+    options.caster = load_caster_type(found(DataKind::kCaster, setup.caster)).stated();
   const std::vector<std::string> floors = catalogue_names(DataKind::kFloor);
   if (std::ranges::find(floors, setup.floor) != floors.end())
-    options.floor = load_floor_covering(find_data(DataKind::kFloor, setup.floor, ""));
+    options.floor = load_floor_covering(find_data(DataKind::kFloor, setup.floor, "")).stated();
   if (!setup.payload_name.empty()) options.payloads = {{setup.payload_name, setup.payload_count}};
   options.headings = setup.headings;
   if (setup.headings.size() == 1)

@@ -90,21 +90,13 @@ void CsvMistakes::note(const TextCell& at, const std::string& message) {
 }
 
 void CsvMistakes::note(int line, int column, const std::string& message) {
-  problems_.push_back({line, column, message});
+  errors_.add(line, column, fmt::format("{}:{}:{}: {}", file_, line, column, message));
 }
 
 void CsvMistakes::finish() const {
-  if (problems_.empty()) return;
-  std::vector<Problem> sorted = problems_;
-  std::ranges::stable_sort(sorted, {},
-                           [](const Problem& p) { return std::pair(p.line, p.column); });
-  std::string text;
-  for (std::size_t i = 0; i < std::min(sorted.size(), kMostMistakes); ++i)
-    text += fmt::format("{}{}:{}:{}: {}", i > 0 ? "\n" : "", file_, sorted[i].line,
-                        sorted[i].column, sorted[i].message);
-  if (sorted.size() > kMostMistakes)
-    text += fmt::format("\n{}: and {} more errors", file_, sorted.size() - kMostMistakes);
-  throw Error(text);
+  Diagnostics errors = errors_;
+  errors.sort();
+  errors.raise(kMostMistakes, file_ + ": and ", " more errors");
 }
 
 CsvText read_csv_text(const std::string& file, CsvMistakes& mistakes) {

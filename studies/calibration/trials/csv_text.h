@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/diagnostics.h"
+
 namespace gurney {
 
 /// A cell, or the value of a key, with its place.
@@ -31,18 +33,14 @@ class CsvMistakes {
 
   void note(const TextCell& at, const std::string& message);
   void note(int line, int column, const std::string& message);
-  std::size_t count() const { return problems_.size(); }
+  std::size_t count() const { return errors_.count(); }
 
   /// @throws Error with the mistakes by line, the first 20 in full.
   void finish() const;
 
  private:
-  struct Problem {
-    int line, column;
-    std::string message;
-  };
   std::string file_;
-  std::vector<Problem> problems_;
+  Diagnostics errors_;
 };
 
 /// Reads what a spreadsheet exports: cells apart by commas, decimal points, any line ends, a byte

@@ -31,30 +31,35 @@ bool same_heading(double a, double b) {
   return std::abs(std::remainder(a - b, 2 * std::numbers::pi)) <= kSameHeading;
 }
 
-void read_headings(Quantities& in, const ItemDescription& item, ItemOptions& options,
-                   Remarks& remarks) {
+void read_headings(Quantities& in, Uncertain<JobItem>& result, Remarks& remarks) {
   constexpr const char* kKey = "headings_deg";
+  const ItemDescription& item = result.stated().description;
   const std::vector<bool> swivels =
       casters_that(item, [](const CasterPlace& place) { return place.swivels; });
-  options.headings = in.numbers(kKey, Range::any(), swivels);
-  if (options.headings.size() != swivels.size()) return;
+  const QuantityList headings = in.numbers(kKey, Range::any(), swivels);
+  if (headings.quantities.empty()) return;
   const bool one_for_all = in.is_one_for_all(kKey);
-  for (std::size_t i = 0; i < swivels.size(); ++i) {
+  for (std::size_t i = 0; i < swivels.size() && !one_for_all; ++i) {
     const CasterPlace& place = item.casters[i];
-    double& heading = options.headings[i];
-    heading *= kRadiansPerDegree;
-    if (swivels[i]) continue;
-    if (!one_for_all && !same_heading(heading, place.stated_heading))
-      in.table().note_element(
-          kKey, i,
-          fmt::format(": caster '{}' of {} does not swivel: must be its heading there, {:g}",
-                      place.name, item.name, place.stated_heading / kRadiansPerDegree));
-    heading = place.heading;
+    if (swivels[i] ||
+        same_heading(headings.quantities[i].value * kRadiansPerDegree, place.stated_heading))
+      continue;
+    in.table().note_element(
+        kKey, i,
+        fmt::format(": caster '{}' of {} does not swivel: must be its heading there, {:g}",
+                    place.name, item.name, place.stated_heading / kRadiansPerDegree));
   }
   if (one_for_all && !any(swivels))
     remarks.without_effect.push_back(fmt::format("{}: {}: has no effect: no caster of {} swivels",
                                                  in.table().where(kKey), in.table().name_of(kKey),
                                                  item.name));
+  result.add([headings, swivels](JobItem& of_draw, Sampler& of) {
+    of_draw.options.headings = of(headings);
+    for (std::size_t i = 0; i < swivels.size(); ++i) {
+      double& heading = of_draw.options.headings[i];
+      heading = swivels[i] ? heading * kRadiansPerDegree : of_draw.description.casters[i].heading;
+    }
+  });
 }
 
 /// A flag of a caster, and what a caster needs to have it.
@@ -65,21 +70,19 @@ struct CasterFlag {
   const char* lack;  ///< `has no brake`
 };
 
-std::vector<bool> read_flags(Quantities& in, const CasterFlag& flag, const ItemDescription& item,
-                             Remarks& remarks) {
+void check_flags(Quantities& in, const CasterFlag& flag, const std::vector<bool>& on,
+                 const ItemDescription& item, Remarks& remarks) {
   Table& table = in.table();
-  std::vector<bool> on = in.flags(flag.key, flag.able);
-  if (on.size() != flag.able.size()) return on;
-  const bool drawn = table.is_table(flag.key) && table.table(flag.key)->has("distribution");
   if (!in.is_one_for_all(flag.key)) {
     for (std::size_t i = 0; i < on.size(); ++i)
       if (on[i] && !flag.able[i])
         table.note_element(flag.key, i,
                            fmt::format(": caster '{}' of {} {}: must be false",
                                        item.casters[i].name, item.name, flag.lack));
-    return on;
+    return;
   }
-  if (!any(on) && !drawn) return on;
+  const bool drawn = table.is_table(flag.key) && table.table(flag.key)->has("distribution");
+  if (!any(on) && !drawn) return;
   if (!any(flag.able))
     table.note(flag.key,
                fmt::format(": has no effect: every caster of {} {}", item.name, flag.lack));
@@ -89,33 +92,42 @@ std::vector<bool> read_flags(Quantities& in, const CasterFlag& flag, const ItemD
         remarks.warnings.push_back(fmt::format("{}: no effect on caster '{}', which {}",
                                                table.name_of(flag.key), item.casters[i].name,
                                                flag.lack));
-  for (std::size_t i = 0; i < on.size(); ++i) on[i] = on[i] && flag.able[i];
-  return on;
+}
+
+/// Into `target`; false where the caster cannot have it.
+void read_flags(Quantities& in, const CasterFlag& flag, std::vector<bool> ItemOptions::*target,
+                Uncertain<JobItem>& result, Remarks& remarks) {
+  const QuantityList list = in.flags(flag.key, flag.able);
+  if (list.quantities.empty()) return;
+  std::vector<bool> on;
+  for (const StatedQuantity& each : list.quantities) on.push_back(each.value != 0);
+  check_flags(in, flag, on, result.stated().description, remarks);
+  result.add([list, target, able = flag.able](JobItem& of_draw, Sampler& of) {
+    const std::vector<double> values = of(list);
+    std::vector<bool>& flags = of_draw.options.*target;
+    for (std::size_t i = 0; i < values.size(); ++i) flags.push_back(values[i] != 0 && able[i]);
+  });
 }
 
 }  // namespace
 
-void read_caster_options(Quantities& in, const ItemDescription& item, ItemOptions& options,
-                         Remarks& remarks) {
-  const auto type = [&](const CasterPlace& place) -> const CasterType& {
-    return options.caster ? *options.caster : place.type;
-  };
+void read_caster_options(Quantities& in, Uncertain<JobItem>& result, Remarks& remarks) {
+  const ItemDescription& item = result.stated().description;
   const std::vector<bool> all(item.casters.size(), true);
-  read_headings(in, item, options, remarks);
-  options.brakes = read_flags(
-      in,
-      {"brakes", all,
-       casters_that(item, [&](const auto& place) { return type(place).brake_torque > 0; }),
-       "has no brake (brake_torque_n_m of its caster)"},
-      item, remarks);
-  options.swivel_locks = read_flags(
-      in,
-      {"swivel_locks", casters_that(item, [](const auto& place) { return place.swivels; }),
-       casters_that(
-           item,
-           [&](const auto& place) { return place.swivels && type(place).swivel_lock_torque > 0; }),
-       "does not swivel, or has no lock (swivel_lock_torque_n_m of its caster)"},
-      item, remarks);
+  read_headings(in, result, remarks);
+  read_flags(in,
+             {"brakes", all,
+              casters_that(item, [](const auto& place) { return place.type.brake_torque > 0; }),
+              "has no brake (brake_torque_n_m of its caster)"},
+             &ItemOptions::brakes, result, remarks);
+  read_flags(in,
+             {"swivel_locks", casters_that(item, [](const auto& place) { return place.swivels; }),
+              casters_that(item,
+                           [](const auto& place) {
+                             return place.swivels && place.type.swivel_lock_torque > 0;
+                           }),
+              "does not swivel, or has no lock (swivel_lock_torque_n_m of its caster)"},
+             &ItemOptions::swivel_locks, result, remarks);
 }
 
 }  // namespace gurney

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "equipment/catalogue/load_item.h"
 #include "equipment/catalogue/quantity.h"
+#include "studies/study/job/item_reader.h"
 #include "studies/study/job/remarks.h"
 
 namespace gurney {
@@ -11,8 +11,7 @@ namespace gurney {
 /// One value or distribution for all is meant for the casters that can take it: a heading and a
 /// lock for those that swivel, a brake for those that have one. In an array each caster has its
 /// own value, and one that it cannot take is an error.
-/// @param options  its caster is set; headings, brakes and locks are set here
-void read_caster_options(Quantities& in, const ItemDescription& item, ItemOptions& options,
-                         Remarks& remarks);
+/// @param item  its description is there; headings, brakes and locks are set here
+void read_caster_options(Quantities& in, Uncertain<JobItem>& item, Remarks& remarks);
 
 }  // namespace gurney

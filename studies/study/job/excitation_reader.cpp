@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
+#include <utility>
 
 #include "engine/base/units.h"
 #include "equipment/catalogue/quantity.h"
@@ -14,138 +14,171 @@ namespace {
 using config::Range;
 using config::Table;
 
-Vector3 read_direction(Quantities& in) {
-  const Vector3 direction = in.vector("direction", Range::any());
-  if (direction.norm() > 0) return direction.normalized();
-  in.table().note("direction", " = [0, 0, 0]: must have a length");
-  return Vector3::UnitX();
+/// Point and direction of a load.
+template <typename Load>
+void read_line(Quantities& in, Uncertain<Load>& load) {
+  load.set(&Load::point, in.vector("point_m", Range::any()));
+  load.set(&Load::direction, in.vector("direction", Range::any()));
+  load.add(in.table().document(),
+           [spot = in.table().spot("direction")](Load& of_draw, Sampler& of) {
+             Vector3& direction = of_draw.direction;
+             if (!(direction.norm() > 0)) {
+               of.error(spot, " = [0, 0, 0]: must have a length");
+               direction = Vector3::UnitX();
+             }
+             direction.normalize();
+           });
 }
 
-Vector3 read_point(Quantities& in) { return in.vector("point_m", Range::any()); }
+void read_constant_force(Quantities& in, const Range& allowed, Uncertain<PointForce>& load) {
+  const StatedQuantity force = in.number("force_n", allowed);
+  const StatedQuantity from = in.number("from_s", Range::not_negative(), 0.0);
+  const StatedQuantity until = in.number("until_s", Range::more_than(from.value));
+  load.add([force, from, until](PointForce& of_draw, Sampler& of) {
+    const double newton = of(force), begin = of(from);
+    of.check_drawn(until, Range::more_than(begin));
+    of_draw.force = {newton, newton};
+    of_draw.time = {begin, of(until)};
+  });
+  if (in.table().has("time_s"))
+    in.table().note("time_s", ": must go with an array force_n; a constant force has until_s");
+}
 
-PointForce read_force(Table table, std::size_t index, std::vector<Assumption>& assumptions) {
-  Quantities in(table, assumptions);
-  PointForce load;
-  load.name = table.text("name", fmt::format("force {}", index + 1));
-  load.point = read_point(in);
-  load.direction = read_direction(in);
-  if (table.has("speed_limit_m_per_s"))
-    load.speed_limit = in.number("speed_limit_m_per_s", Range::positive());
-  for (const char* key : {"time_s", "from_s", "until_s"}) table.has(key);
-  const Range allowed = std::isinf(load.speed_limit) ? Range::any() : Range::not_negative();
-  if (!table.is_array("force_n")) {
-    const double force = in.number("force_n", allowed);
-    const double from = in.number("from_s", Range::not_negative(), 0.0);
-    load.time = {from, in.number("until_s", Range::more_than(from))};
-    load.force = {force, force};
-    if (table.has("time_s"))
-      table.note("time_s", ": must go with an array force_n; a constant force has until_s");
-    return load;
-  }
-  load.force = table.numbers("force_n", allowed);
-  load.time = table.numbers("time_s", Range::any(), load.force.size());
-  if (load.force.size() < 2) table.note("force_n", ": must have 2 or more values");
-  for (std::size_t i = 1; i < load.time.size(); ++i)
-    if (!(load.time[i] > load.time[i - 1])) {
+void read_force_table(Table& table, const Range& allowed, Uncertain<PointForce>& load) {
+  const std::vector<double> force = table.numbers("force_n", allowed);
+  const std::vector<double> time = table.numbers("time_s", Range::any(), force.size());
+  if (force.size() < 2) table.note("force_n", ": must have 2 or more values");
+  for (std::size_t i = 1; i < time.size(); ++i)
+    if (!(time[i] > time[i - 1])) {
       table.note("time_s", fmt::format("[{}] = {}: must be more than the time before it, {}", i,
-                                       load.time[i], load.time[i - 1]));
+                                       time[i], time[i - 1]));
       break;
     }
   for (const char* key : {"from_s", "until_s"})
     if (table.has(key)) table.note(key, ": must go with a constant force_n, not with a table");
+  load.add([force, time](PointForce& of_draw, Sampler&) {
+    of_draw.force = force;
+    of_draw.time = time;
+  });
+}
+
+Uncertain<PointForce> read_force(Table table, std::size_t index) {
+  Quantities in(table);
+  PointForce fixed;
+  fixed.name = table.text("name", fmt::format("force {}", index + 1));
+  Uncertain<PointForce> load(std::move(fixed));
+  read_line(in, load);
+  const bool limited = table.has("speed_limit_m_per_s");
+  if (limited)
+    load.set(&PointForce::speed_limit, in.number("speed_limit_m_per_s", Range::positive()));
+  for (const char* key : {"time_s", "from_s", "until_s"}) table.has(key);
+  const Range allowed = limited ? Range::not_negative() : Range::any();
+  if (table.is_array("force_n"))
+    read_force_table(table, allowed, load);
+  else
+    read_constant_force(in, allowed, load);
   return load;
 }
 
-DropWeight read_drop_weight(Quantities in) {
-  DropWeight load;
-  load.point = read_point(in);
-  load.direction = read_direction(in);
-  load.mass = in.number("mass_kg", Range::positive());
-  load.drop_height = in.number("drop_height_m", Range::positive());
-  load.pulley_inertia =
-      in.number("pulley_inertia_kg_m2", Range::not_negative(), load.pulley_inertia);
-  load.pulley_radius = in.number("pulley_radius_m", Range::positive(), load.pulley_radius);
-  load.potentiometer_tension =
-      in.number("potentiometer_tension_n", Range::not_negative(), load.potentiometer_tension);
-  load.cable_stiffness =
-      in.number("cable_stiffness_n_per_m", Range::positive(), load.cable_stiffness);
-  load.cable_damping =
-      in.number("cable_damping_n_s_per_m", Range::not_negative(), load.cable_damping);
+Uncertain<DropWeight> read_drop_weight(Quantities in) {
+  const DropWeight usual;
+  Uncertain<DropWeight> load;
+  read_line(in, load);
+  load.set(&DropWeight::mass, in.number("mass_kg", Range::positive()));
+  load.set(&DropWeight::drop_height, in.number("drop_height_m", Range::positive()));
+  load.set(&DropWeight::pulley_inertia,
+           in.number("pulley_inertia_kg_m2", Range::not_negative(), usual.pulley_inertia));
+  load.set(&DropWeight::pulley_radius,
+           in.number("pulley_radius_m", Range::positive(), usual.pulley_radius));
+  load.set(
+      &DropWeight::potentiometer_tension,
+      in.number("potentiometer_tension_n", Range::not_negative(), usual.potentiometer_tension));
+  load.set(&DropWeight::cable_stiffness,
+           in.number("cable_stiffness_n_per_m", Range::positive(), usual.cable_stiffness));
+  load.set(&DropWeight::cable_damping,
+           in.number("cable_damping_n_s_per_m", Range::not_negative(), usual.cable_damping));
   return load;
 }
 
-StringPotentiometer read_string_potentiometer(Quantities in) {
-  StringPotentiometer load;
-  load.point = read_point(in);
-  load.direction = read_direction(in);
-  load.tension = in.number("tension_n", Range::not_negative());
+Uncertain<StringPotentiometer> read_string_potentiometer(Quantities in) {
+  Uncertain<StringPotentiometer> load;
+  read_line(in, load);
+  load.set(&StringPotentiometer::tension, in.number("tension_n", Range::not_negative()));
   return load;
 }
 
-Blocks read_blocks(Quantities in) {
-  Blocks load;
-  load.point = read_point(in);
-  load.stiffness = in.number("stiffness_n_per_m", Range::positive(), load.stiffness);
-  load.damping = in.number("damping_n_s_per_m", Range::not_negative(), load.damping);
-  load.release_time = in.number("release_time_s", Range::positive());
+Uncertain<Blocks> read_blocks(Quantities in) {
+  const Blocks usual;
+  Uncertain<Blocks> load;
+  load.set(&Blocks::point, in.vector("point_m", Range::any()));
+  load.set(&Blocks::stiffness, in.number("stiffness_n_per_m", Range::positive(), usual.stiffness));
+  load.set(&Blocks::damping, in.number("damping_n_s_per_m", Range::not_negative(), usual.damping));
+  load.set(&Blocks::release_time, in.number("release_time_s", Range::positive()));
   return load;
 }
 
-Guide read_guide(Table& fixture, const std::string& key, bool translation,
-                 std::vector<Assumption>& assumptions) {
-  Guide guide;
+Uncertain<Guide> read_guide(Table& fixture, const std::string& key, bool translation) {
+  Guide fixed;
   if (!fixture.is_table(key)) {
     static const std::vector<std::string> kKinds = {"free", "held"};
-    guide.kind = static_cast<Guide::Kind>(fixture.choice(key, kKinds, 0));
-    return guide;
+    fixed.kind = static_cast<Guide::Kind>(fixture.choice(key, kKinds, 0));
+    return Uncertain<Guide>(fixed);
   }
   Table table = *fixture.table(key);
-  Quantities in(table, assumptions);
-  if (!translation) {
-    guide.kind = Guide::Kind::kVelocity;
-    guide.velocity = in.number("velocity_deg_per_s", Range::any()) * kRadiansPerDegree;
-    return guide;
-  }
-  const bool spring = table.has("stiffness_n_per_m");
-  if (spring == table.has("velocity_m_per_s"))
+  const bool spring = translation && table.has("stiffness_n_per_m");
+  if (translation && spring == table.has("velocity_m_per_s"))
     table.note("velocity_m_per_s", ": must be given, or stiffness_n_per_m, not both");
-  guide.kind = spring ? Guide::Kind::kSpring : Guide::Kind::kVelocity;
+  fixed.kind = spring ? Guide::Kind::kSpring : Guide::Kind::kVelocity;
+  Uncertain<Guide> guide(fixed);
+  Quantities in(table);
   if (spring) {
-    guide.stiffness = in.number("stiffness_n_per_m", Range::not_negative());
-    guide.damping = in.number("damping_n_s_per_m", Range::not_negative(), 0.0);
+    guide.set(&Guide::stiffness, in.number("stiffness_n_per_m", Range::not_negative()));
+    guide.set(&Guide::damping, in.number("damping_n_s_per_m", Range::not_negative(), 0.0));
+  } else if (translation) {
+    guide.set(&Guide::velocity, in.number("velocity_m_per_s", Range::any(), 0.0));
   } else {
-    guide.velocity = in.number("velocity_m_per_s", Range::any(), 0.0);
+    guide.set(&Guide::velocity, in.angle_deg("velocity_deg_per_s", Range::any()));
   }
   return guide;
 }
 
+std::vector<Load>& loads_of_item(PlacedItem& item) { return item.loads; }
+
+/// A member of the initial motion.
+template <class Value>
+auto initial(Value InitialMotion::*member) {
+  return [member](PlacedItem& item) -> Value& { return item.initial.*member; };
+}
+
 }  // namespace
 
-void read_loads(Table& table, std::vector<Assumption>& assumptions, std::vector<Load>& loads) {
-  std::size_t forces = loads_of<PointForce>(loads).size();
+void read_loads(Table& table, Uncertain<PlacedItem>& item) {
+  std::size_t forces = loads_of<PointForce>(item.stated().loads).size();
   for (Table& force : table.tables("force"))
-    loads.push_back(read_force(force, forces++, assumptions));
+    item.append(loads_of_item, read_force(force, forces++));
   for (Table& weight : table.tables("drop_weight"))
-    loads.push_back(read_drop_weight(Quantities(weight, assumptions)));
+    item.append(loads_of_item, read_drop_weight(Quantities(weight)));
   for (Table& string : table.tables("string_potentiometer"))
-    loads.push_back(read_string_potentiometer(Quantities(string, assumptions)));
+    item.append(loads_of_item, read_string_potentiometer(Quantities(string)));
   for (Table& blocks : table.tables("blocks"))
-    loads.push_back(read_blocks(Quantities(blocks, assumptions)));
+    item.append(loads_of_item, read_blocks(Quantities(blocks)));
 }
 
-Fixture read_fixture(Table& fixture, std::vector<Assumption>& assumptions) {
+void read_fixture(Table& fixture, Uncertain<PlacedItem>& item) {
   static constexpr std::array kDegreesOfFreedom = {"x", "y", "z", "roll", "pitch", "yaw"};
-  Fixture result;
   for (std::size_t i = 0; i < kDegreesOfFreedom.size(); ++i)
-    result.guides[i] = read_guide(fixture, kDegreesOfFreedom[i], i < 3, assumptions);
-  return result;
+    item.set([i](PlacedItem& of_draw) -> Guide& { return of_draw.fixture.guides[i]; },
+             read_guide(fixture, kDegreesOfFreedom[i], i < 3));
 }
 
-void read_initial(Table& initial, std::vector<Assumption>& assumptions, InitialMotion& motion) {
-  Quantities in(initial, assumptions);
-  motion.velocity = in.vector("velocity_m_per_s", Range::any(), Vector3::Zero());
-  motion.yaw_rate = in.number("yaw_rate_deg_per_s", Range::any(), 0.0) * kRadiansPerDegree;
-  motion.wheels_roll = initial.boolean("wheels_roll", motion.wheels_roll);
+void read_initial(Table& table, Uncertain<PlacedItem>& item) {
+  Quantities in(table);
+  item.set(initial(&InitialMotion::velocity),
+           in.vector("velocity_m_per_s", Range::any(), Vector3::Zero()));
+  item.set(initial(&InitialMotion::yaw_rate),
+           in.angle_deg("yaw_rate_deg_per_s", Range::any(), 0.0));
+  item.add([roll = table.boolean("wheels_roll", InitialMotion().wheels_roll)](
+               PlacedItem& of_draw, Sampler&) { of_draw.initial.wheels_roll = roll; });
 }
 
 }  // namespace gurney

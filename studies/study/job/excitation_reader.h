@@ -1,24 +1,18 @@
 #pragma once
 
-#include <vector>
-
 #include "engine/config/table.h"
-#include "engine/scene/scene.h"
-#include "equipment/catalogue/assumption.h"
-#include "studies/study/job/job.h"
+#include "studies/study/job/job_parts.h"
 
 namespace gurney {
 
 /// Each reader notes mistakes in its table's document.
 
 /// The forces, drop weights, string potentiometers and blocks of a table [item] or [excitation],
-/// appended to `loads`.
-void read_loads(config::Table& table, std::vector<Assumption>& assumptions,
-                std::vector<Load>& loads);
+/// after those that the item has.
+void read_loads(config::Table& table, Uncertain<PlacedItem>& item);
 
 /// The tables `fixture` and `initial` of an item or a job.
-Fixture read_fixture(config::Table& fixture, std::vector<Assumption>& assumptions);
-void read_initial(config::Table& initial, std::vector<Assumption>& assumptions,
-                  InitialMotion& motion);
+void read_fixture(config::Table& fixture, Uncertain<PlacedItem>& item);
+void read_initial(config::Table& initial, Uncertain<PlacedItem>& item);
 
 }  // namespace gurney

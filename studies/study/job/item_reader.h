@@ -1,26 +1,23 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "engine/config/table.h"
 #include "engine/scene/loads.h"
 #include "equipment/catalogue/load_item.h"
+#include "equipment/catalogue/uncertain.h"
 #include "studies/study/job/remarks.h"
 
 namespace gurney {
 
-/// The covering named in the table [floor] of a job, if any.
-std::optional<FloorCovering> read_floor_covering(config::Table& floor);
+/// Which item, what is changed on it, where it stands.
+struct JobItem {
+  InitialMotion initial;  ///< position and yaw
+  ItemDescription description;
+  ItemOptions options;
+};
 
-/// A table [item] or [[item]] of a job: which item, what is changed on it, where it stands.
-/// Mistakes are noted in the document; the result is empty then.
-///
-/// @param options  with the floor covering; the rest is read here
-/// @param initial  its position and yaw are set
+/// A table [item] or [[item]] of a job. Mistakes are noted in the document; then the description
+/// and options are not for use.
 /// @param remarks  on options that reach no caster, or not all
-std::optional<LoadedItem> read_job_item(config::Table& item, ItemOptions& options,
-                                        InitialMotion& initial,
-                                        std::vector<Assumption>& assumptions, Remarks& remarks);
+Uncertain<JobItem> read_job_item(config::Table& item, Remarks& remarks);
 
 }  // namespace gurney

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
+#include <utility>
 
 #include "studies/study/job/excitation_reader.h"
 #include "studies/study/job/item_reader.h"
@@ -54,10 +56,10 @@ std::vector<std::string> read_names(std::vector<Table>& items, UniqueNames& name
 }
 
 /// What acts on the item, and how it moves at the start.
-void read_acting(Table& item, PlacedItem& placed, std::vector<Assumption>& assumptions) {
-  read_loads(item, assumptions, placed.loads);
-  if (auto fixture = item.table("fixture")) placed.fixture = read_fixture(*fixture, assumptions);
-  if (auto initial = item.table("initial")) read_initial(*initial, assumptions, placed.initial);
+void read_acting(Table& item, Uncertain<PlacedItem>& acting) {
+  read_loads(item, acting);
+  if (auto fixture = item.table("fixture")) read_fixture(*fixture, acting);
+  if (auto initial = item.table("initial")) read_initial(*initial, acting);
 }
 
 /// Notes each of these keys that is there: a job of several items has it with one of them.
@@ -74,57 +76,110 @@ void note_twice(Table& root, Table& item, const char* key) {
     root.note(key, fmt::format(": must not be given beside item.{}", key));
 }
 
-}  // namespace
+/// What a step needs of one item's table.
+struct ItemStep {
+  std::size_t index = 0;
+  bool several = false;
+  config::Spot description{};
+  Remarks remarks{};
+};
 
-std::vector<JobItem> read_items(Table& root, const std::optional<FloorCovering>& covering,
-                                UniqueNames& names, Job& job) {
-  std::vector<Table> tables = item_tables(root);
-  const bool several = root.is_array("item");
-  const std::vector<std::string> item_names = read_names(tables, names);
-  job.scene.items.resize(std::max<std::size_t>(1, tables.size()));
-  std::vector<JobItem> items;
-  for (std::size_t i = 0; i < tables.size(); ++i) {
-    PlacedItem& placed = job.scene.items[i];
-    placed.name = item_names[i];
-    if (several && job.draw)
-      root.document().set_draw_of(fmt::format("item[{}]", i), job.draw->of_part(placed.name));
-    ItemOptions options;
-    options.floor = covering;
-    Remarks remarks;
-    std::optional<LoadedItem> item =
-        read_job_item(tables[i], options, placed.initial, job.assumptions, remarks);
-    job.warnings.insert(job.warnings.end(), remarks.warnings.begin(), remarks.warnings.end());
-    job.without_effect.insert(job.without_effect.end(), remarks.without_effect.begin(),
-                              remarks.without_effect.end());
-    read_acting(tables[i], placed, job.assumptions);
-    if (!item) continue;
-    JobItem& of_job = items.emplace_back(JobItem{tables[i], {}});
-    if (item->states_contact)
-      for (const MaterialPair& pair : item->pairs) of_job.contacts.push_back(pair.constants);
-    placed.model = std::move(item->model);
-    for (const std::string& warning : item->warnings)
-      job.warnings.push_back(several ? placed.name + ": " + warning : warning);
-    add_assumptions(job.assumptions, item->assumptions);
-  }
-  root.document().set_draw_of("", job.draw);
-  if (tables.size() == 1)
-    for (const char* key : {"fixture", "initial"}) note_twice(root, tables.front(), key);
-  return items.size() == tables.size() ? items : std::vector<JobItem>{};
+template <typename T>
+void append(std::vector<T>& list, const std::vector<T>& more) {
+  list.insert(list.end(), more.begin(), more.end());
 }
 
-void read_acting_at_top(Table& root, Job& job) {
-  const bool several = job.scene.items.size() > 1;
-  PlacedItem none;
-  PlacedItem& only = several ? none : job.scene.items.front();
+bool has_a_place(const std::string& line, const ItemDescription& description) {
+  return std::ranges::any_of(description.casters, [&](const CasterPlace& caster) {
+    return !caster.where.empty() && line.starts_with(caster.where);
+  });
+}
+
+/// Mistakes in how an item is put together: at its casters, else where the job names it.
+void note_lines(const Error& error, const ItemDescription& description, const config::Spot& spot,
+                Sampler& of) {
+  std::istringstream lines(error.what());
+  for (std::string line; std::getline(lines, line);)
+    if (has_a_place(line, description))
+      of.error(Error(line));
+    else
+      of.error(spot, ": " + line);
+}
+
+void place(JobItem item, const ItemStep& step, JobParts& job, Sampler& of) {
+  PlacedItem& placed = job.scene.items[step.index];
+  append(job.warnings, step.remarks.warnings);
+  item.options.floor = job.covering;
+  try {
+    LoadedItem loaded = assemble_item(item.description, item.options);
+    if (loaded.states_contact)
+      for (const MaterialPair& pair : loaded.pairs)
+        job.item_contacts[step.index].push_back(pair.constants);
+    placed.model = std::move(loaded.model);
+    for (const std::string& warning : loaded.warnings)
+      job.warnings.push_back(step.several ? placed.name + ": " + warning : warning);
+    add_assumptions(job.assumptions, loaded.assumptions);
+  } catch (const Error& error) {
+    note_lines(error, item.description, step.description, of);
+  }
+}
+
+void read_one(Table& table, ItemStep step, JobReading& job) {
+  config::Document& document = table.document();
+  const std::size_t mistakes = document.mistakes();
+  const Uncertain<JobItem> item = read_job_item(table, step.remarks);
+  step.description = description_spot(table);
+  Uncertain<PlacedItem> acting;
+  read_acting(table, acting);
+  const bool complete = document.mistakes() == mistakes;
+  job.add(document, [item, acting, step, complete](JobParts& of_draw, Sampler& of) {
+    PlacedItem& placed = of_draw.scene.items[step.index];
+    const Sampler own =
+        step.several ? of.of_element(fmt::format("item[{}]", step.index), placed.name) : of;
+    JobItem sampled = item.sample(own);
+    placed.initial = sampled.initial;
+    acting.apply(placed, own);
+    append(of_draw.without_effect, step.remarks.without_effect);
+    if (complete) place(std::move(sampled), step, of_draw, of);
+  });
+}
+
+}  // namespace
+
+std::vector<Table> read_items(Table& root, UniqueNames& names, JobReading& job) {
+  std::vector<Table> tables = item_tables(root);
+  job.add([item_names = read_names(tables, names)](JobParts& of_draw, Sampler&) {
+    of_draw.scene.items.resize(std::max<std::size_t>(1, item_names.size()));
+    of_draw.item_contacts.resize(of_draw.scene.items.size());
+    for (std::size_t i = 0; i < item_names.size(); ++i) of_draw.scene.items[i].name = item_names[i];
+  });
+  const std::size_t mistakes = root.document().mistakes();
+  const bool several = root.is_array("item");
+  for (std::size_t i = 0; i < tables.size(); ++i)
+    read_one(tables[i], {.index = i, .several = several}, job);
+  if (tables.size() == 1)
+    for (const char* key : {"fixture", "initial"}) note_twice(root, tables.front(), key);
+  return root.document().mistakes() == mistakes ? tables : std::vector<Table>{};
+}
+
+void read_acting_at_top(Table& root, JobReading& job) {
+  const bool several = job.stated().scene.items.size() > 1;
+  Uncertain<PlacedItem> only;
   if (auto excitation = root.table("excitation")) {
-    read_loads(*excitation, job.assumptions, only.loads);
+    read_loads(*excitation, only);
     if (several)
       note_without_item(*excitation, {"force", "drop_weight", "string_potentiometer", "blocks"},
                         "[[item.{}]]");
   }
-  if (auto fixture = root.table("fixture")) only.fixture = read_fixture(*fixture, job.assumptions);
-  if (auto initial = root.table("initial")) read_initial(*initial, job.assumptions, only.initial);
-  if (several) note_without_item(root, {"fixture", "initial"}, "[item.{}]");
+  if (auto fixture = root.table("fixture")) read_fixture(*fixture, only);
+  if (auto initial = root.table("initial")) read_initial(*initial, only);
+  if (several) {
+    note_without_item(root, {"fixture", "initial"}, "[item.{}]");
+    return;
+  }
+  job.add([only](JobParts& of_draw, Sampler& of) {
+    only.apply(of_draw.scene.items.front(), of);
+  });
 }
 
 }  // namespace gurney

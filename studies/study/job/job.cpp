@@ -6,15 +6,15 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
+#include <utility>
 
-#include "engine/base/units.h"
 #include "engine/config/table.h"
+#include "engine/base/units.h"
 #include "equipment/catalogue/file_kind.h"
 #include "equipment/catalogue/levelness.h"
 #include "equipment/catalogue/quantity.h"
-#include "studies/study/job/item_reader.h"
 #include "studies/study/job/items_reader.h"
+#include "studies/study/job/load_named.h"
 #include "studies/study/job/overlap_check.h"
 #include "studies/study/job/record_reader.h"
 #include "studies/study/job/room_reader.h"
@@ -31,29 +31,31 @@ constexpr double kMostSteps = 2e7;
 
 /// Notes each of these keys that is there, as one that `reason` leaves without effect.
 void note_without_effect(Table& table, const std::vector<const char*>& keys,
-                         const std::string& reason, Job& job) {
+                         const std::string& reason, JobReading& job) {
   for (const char* key : keys)
     if (table.has(key))
-      job.without_effect.push_back(
-          fmt::format("{}: {}: has no effect {}", table.where(key), table.name_of(key), reason));
+      job.add([line = fmt::format("{}: {}: has no effect {}", table.where(key), table.name_of(key),
+                                  reason)](JobParts& of_draw, Sampler&) {
+        of_draw.without_effect.push_back(line);
+      });
 }
 
 /// The key wheels_roll of items without wheels.
-void note_wheels_roll(Table& root, std::vector<JobItem>& items, Job& job) {
-  const auto note = [&](Table& table, const EquipmentModel& model) {
+void note_wheels_roll(Table& root, std::vector<Table>& items, JobReading& job) {
+  const auto note = [&](Table& table, std::size_t index) {
     auto initial = table.table("initial");
-    if (initial && model.casters.empty())
+    if (initial && job.stated().scene.items[index].model.casters.empty())
       note_without_effect(*initial, {"wheels_roll"}, "on an item without casters", job);
   };
   if (!root.document().clean()) return;
-  for (std::size_t i = 0; i < items.size(); ++i) note(items[i].table, job.scene.items[i].model);
-  note(root, job.scene.items.front().model);
+  for (std::size_t i = 0; i < items.size(); ++i) note(items[i], i);
+  note(root, 0);
 }
 
-void read_settings(Table& root, Job& job) {
+void read_settings(Table& root, JobReading& job) {
   auto found = root.table("settings");
   if (!found) return;
-  SimulationSettings& settings = job.settings;
+  SimulationSettings settings;
   Table& in = *found;
   static const std::vector<std::string> kSolvers = {"star", "bullet", "bullet-dantzig",
                                                     "bullet-paper", "bullet-paper-dantzig"};
@@ -88,15 +90,20 @@ void read_settings(Table& root, Job& job) {
         in,
         {"residual", "max_newton_iterations", "max_subdivisions", "skip_clear_collision_passes"},
         "with the solver \"" + kSolvers[static_cast<std::size_t>(settings.solver)] + "\"", job);
+  std::vector<std::string> warnings;
   for (const char* key : {"settle_time_s", "rest_speed_m_per_s", "rest_hold_s"})
     if (settings.duration > 0 && in.has(key))
-      job.warnings.push_back(in.name_of(key) + ": no effect beside duration_s, which ends the run");
+      warnings.push_back(in.name_of(key) + ": no effect beside duration_s, which ends the run");
+  job.add([settings, warnings](JobParts& of_draw, Sampler&) {
+    of_draw.settings = settings;
+    of_draw.warnings.insert(of_draw.warnings.end(), warnings.begin(), warnings.end());
+  });
 }
 
-void read_output(Table& root, Job& job) {
+void read_output(Table& root, JobReading& job) {
   auto table = root.table("output");
   if (!table) return;
-  SimulationSettings& settings = job.settings;
+  const SimulationSettings& settings = job.stated().settings;
   const bool histories = table->boolean("histories", true);
   const double spacing = table->number("history_step_s", Range::positive(), settings.history_step);
   const double steps = std::max(1.0, std::round(spacing / settings.time_step));
@@ -105,40 +112,54 @@ void read_output(Table& root, Job& job) {
     table->note("history_step_s",
                 fmt::format(" = {:g}: must be a whole number of time steps of {:g} s, such as {:g}",
                             spacing, settings.time_step, whole));
-  settings.history_step = histories ? whole : 0;
+  job.add([step = histories ? whole : 0](JobParts& of_draw, Sampler&) {
+    of_draw.settings.history_step = step;
+  });
   if (!histories) note_without_effect(*table, {"history_step_s"}, "with histories = false", job);
 }
 
-/// How far the floor is out of level where the job does not say.
-void use_levelness(std::optional<Draw> draw, std::vector<Assumption>& assumptions, Scene& scene) {
-  if (draw) draw = draw->of_part("floor");
-  const Levelness usual = usual_levelness(draw);
-  scene.slope = usual.slope;
-  scene.cross_slope = usual.cross_slope;
-  add_assumptions(assumptions, usual.assumptions);
+/// A member of the scene.
+template <class Value>
+auto scene(Value Scene::*member) {
+  return [member](JobParts& job) -> Value& { return job.scene.*member; };
 }
 
-std::optional<FloorCovering> read_floor(Table& root, std::vector<Assumption>& assumptions,
-                                        Scene& scene) {
+/// How far the floor is out of level where the job does not say.
+void use_levelness(JobReading& job) {
+  job.add([usual = usual_levelness()](JobParts& of_draw, Sampler& of) {
+    const Levelness level = usual.sample(of.of_part("floor"));
+    of_draw.scene.slope = level.slope;
+    of_draw.scene.cross_slope = level.cross_slope;
+    add_assumptions(of_draw.assumptions, level.assumptions);
+  });
+}
+
+void read_floor(Table& root, JobReading& job) {
   auto table = root.table("floor");
   const bool stated = table && (table->has("slope") || table->has("cross_slope"));
-  if (!stated) use_levelness(root.document().draw(), assumptions, scene);
-  if (!table) return {};
-  Quantities in(*table, assumptions);
-  scene.slope = in.number("slope", Range::within(-1, 1), scene.slope);
-  scene.cross_slope = in.number("cross_slope", Range::within(-1, 1), scene.cross_slope);
-  scene.gravity = in.number("gravity_m_per_s2", Range::not_negative(), scene.gravity);
-  return read_floor_covering(*table);
+  if (!stated) use_levelness(job);
+  if (!table) return;
+  Quantities in(*table);
+  if (stated) {
+    job.set(scene(&Scene::slope), in.number("slope", Range::within(-1, 1), 0.0));
+    job.set(scene(&Scene::cross_slope), in.number("cross_slope", Range::within(-1, 1), 0.0));
+  }
+  job.set(scene(&Scene::gravity),
+          in.number("gravity_m_per_s2", Range::not_negative(), Scene().gravity));
+  if (auto covering = load_named(*table, "covering", DataKind::kFloor, load_floor_covering))
+    job.add([covering = *std::move(covering)](JobParts& of_draw, Sampler& of) {
+      of_draw.covering = covering.sample(of.of_part("floor"));
+    });
 }
 
 /// On the rotation of the building's floors.
-void read_rotation_factor(Table& excitation, Job& job) {
+void read_rotation_factor(Table& excitation, JobReading& job) {
   auto building = excitation.table("building");
   if (!building) return;
-  Quantities in(*building, job.assumptions);
-  job.rotation_factor = in.number("rotation_factor", Range::not_negative(), 1.0);
-  if (job.record && job.record->building &&
-      !rotates(job.record->building->building, job.record->building->floor))
+  job.set(&JobParts::rotation_factor,
+          Quantities(*building).number("rotation_factor", Range::not_negative(), 1.0));
+  const std::optional<RecordRequest>& record = job.stated().record;
+  if (record && record->building && !rotates(record->building->building, record->building->floor))
     note_without_effect(*building, {"rotation_factor"},
                         "on a floor that does not rotate: the building has no floor_rotation", job);
 }
@@ -152,33 +173,40 @@ std::optional<Draw> read_draw(Table& root) {
               static_cast<std::uint64_t>(table->integer("draw", 0, kMost)));
 }
 
-Job read(config::Document& document, const std::optional<Draw>& draw) {
-  Job job;
-  job.file = document.path();
-  job.text = document.text();
+JobReading read(config::Document& document) {
   refuse_other_kind(document, "gurney-job/1");
   Table root = document.root();
   root.choice("schema", {"gurney-job/1"});
   document.tree().asked.insert("study");  // is read by StudyJob
-  job.title = root.text("title", "");
-  job.draw = draw;
-  document.set_draw(draw);
+  JobParts fixed;
+  fixed.file = document.path();
+  fixed.text = document.text();
+  fixed.title = root.text("title", "");
+  JobReading job(std::move(fixed));
 
-  const std::optional<FloorCovering> covering = read_floor(root, job.assumptions, job.scene);
+  read_floor(root, job);
   RoomNames names;
-  RoomDescription room = read_job_room(root, names);
-  std::vector<JobItem> items = read_items(root, covering, names.shapes, job);
-  read_tethers(root, room.points, job);
+  read_job_room(root, names, job);
+  std::vector<Table> items = read_items(root, names.shapes, job);
+  read_tethers(root, job);
   if (auto table = root.table("excitation")) {
-    job.record = read_record_request(*table);
+    job.add([record = read_record_request(*table)](JobParts& of_draw, Sampler&) {
+      of_draw.record = record;
+    });
     read_rotation_factor(*table, job);
   }
   read_acting_at_top(root, job);
   read_settings(root, job);
   read_output(root, job);
   note_wheels_roll(root, items, job);
-  furnish(root, items, std::move(room), job);
-  if (document.clean()) check_overlaps(items, job.scene);
+  furnish(root, items, job);
+  if (document.clean()) {
+    std::vector<config::Spot> positions;
+    for (const Table& item : items) positions.push_back(item.spot("position_m"));
+    job.add(document, [positions](JobParts& of_draw, Sampler& of) {
+      if (of.clean()) check_overlaps(positions, of_draw.scene, of);
+    });
+  }
   return job;
 }
 
@@ -200,17 +228,34 @@ Job read_job(const std::string& path) {
 
 Job read_job(config::Document& document) {
   Table root = document.root();
-  Job job = read(document, read_draw(root));
+  const JobReading reading = read(document);
+  const std::optional<Draw> draw = read_draw(root);
+  Job job = reading.stated();
   note_lines(document, job.without_effect);
-  if (document.clean() && job.draw && !draws_anything(job))
-    root.note("uncertainty", ": has no effect: no number of the job has a distribution");
+  if (document.clean() && draw) {
+    try {
+      job = sample(reading, draw);
+      if (!draws_anything(job))
+        root.note("uncertainty", ": has no effect: no number of the job has a distribution");
+    } catch (const Error& error) {
+      document.note(error);
+    }
+  }
   document.finish();
+  job.draw = draw;
   return job;
 }
 
-Job read_study_job(config::Document& document, const std::optional<Draw>& draw) {
-  Job job = read(document, draw);
+JobModel::JobModel(config::Document& document)
+    : reading_(std::make_shared<const JobReading>(read(document))) {
   document.finish();
+}
+
+const Job& JobModel::stated() const { return reading_->stated(); }
+
+Job sample(const JobModel& model, const std::optional<Draw>& draw) {
+  Job job = sample(*model.reading_, draw);
+  job.draw = draw;
   return job;
 }
 

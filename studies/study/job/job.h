@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,9 @@
 #include "groundmotions/synthetic/kinds.h"
 
 namespace gurney {
+
+template <class T>
+class Uncertain;
 
 /// An intensity that a record is scaled to.
 struct ScaleTo {
@@ -71,10 +75,26 @@ Job read_job(const std::string& path);
 /// The same from an open document, which it finishes.
 Job read_job(config::Document& document);
 
+struct JobParts;
+
+/// A job as it is read, once, with every number that may be drawn.
+class JobModel {
+ public:
+  /// @throws Error as read_job, but inputs without effect are none: Job::without_effect has them.
+  explicit JobModel(config::Document& document);
+
+  const Job& stated() const;  ///< every number at its value
+
+ private:
+  friend Job sample(const JobModel& model, const std::optional<Draw>& draw);
+  std::shared_ptr<const Uncertain<JobParts>> reading_;
+};
+
+/// The job in a draw; without one, every number at its value.
+/// @throws Error where this draw makes a bad job, such as items that overlap
+Job sample(const JobModel& model, const std::optional<Draw>& draw);
+
 /// Whether a number of a job that was read with a draw has a distribution.
 bool draws_anything(const Job& job);
-
-/// One way a study has a job: with this draw, or with every number at its value.
-Job read_study_job(config::Document& document, const std::optional<Draw>& draw);
 
 }  // namespace gurney

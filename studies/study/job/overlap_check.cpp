@@ -7,7 +7,7 @@
 
 namespace gurney {
 
-void check_overlaps(std::vector<JobItem>& items, const Scene& scene) {
+void check_overlaps(const std::vector<config::Spot>& positions, const Scene& scene, Sampler& of) {
   if (scene.items.size() == 1 && scene.room.empty()) return;
   for (const Overlap& overlap : find_overlaps(scene)) {
     const bool item = overlap.other_item >= 0;
@@ -15,9 +15,9 @@ void check_overlaps(std::vector<JobItem>& items, const Scene& scene) {
     const std::size_t later = item ? static_cast<std::size_t>(overlap.other_item) : overlap.item;
     const std::string& other = item ? scene.items[overlap.item].name
                                     : scene.room[static_cast<std::size_t>(overlap.shape)].name;
-    items[later].table.note(
-        "position_m", fmt::format(": '{}' stands {:.0f} mm deep in '{}'", scene.items[later].name,
-                                  overlap.depth * kMillimetersPerMeter, other));
+    of.error(positions[later],
+             fmt::format(": '{}' stands {:.0f} mm deep in '{}'", scene.items[later].name,
+                         overlap.depth * kMillimetersPerMeter, other));
   }
 }
 

@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "engine/scene/scene.h"
-#include "studies/study/job/items_reader.h"
+#include "equipment/catalogue/sampler.h"
 
 namespace gurney {
 
 /// Notes each item that stands in another one or in the room.
-/// @param items  as Scene::items
-void check_overlaps(std::vector<JobItem>& items, const Scene& scene);
+/// @param positions  where they are stated, as Scene::items
+void check_overlaps(const std::vector<config::Spot>& positions, const Scene& scene, Sampler& of);
 
 }  // namespace gurney

@@ -23,48 +23,48 @@ struct Surface {
   const ContactConstants* own = nullptr;
 };
 
+std::vector<MaterialContact> known_contacts(const JobParts& job) {
+  std::vector<MaterialContact> all = job.room.contacts;
+  all.insert(all.end(), job.usual_contacts.begin(), job.usual_contacts.end());
+  return all;
+}
+
 /// Adds the constants of two materials once: those stated by job and room, else the item's own,
 /// else the usual ones.
 class PairList {
  public:
-  PairList(Job& job, const RoomDescription& room)
-      : job_(&job), stated_(room.contacts), usual_(usual_contacts(job.draw)) {}
+  explicit PairList(JobParts& job) : job_(&job) {}
 
   /// @return false where there are none
   bool add(const Surface& one, const Surface& other) {
     if (!done_.insert(std::minmax(one.name, other.name)).second) return true;
-    const MaterialContact* found = find_contact(stated_, one.known, other.known);
+    const MaterialContact* found = find_contact(job_->room.contacts, one.known, other.known);
     const ContactConstants* own = one.own != nullptr ? one.own : other.own;
-    if (found == nullptr && own == nullptr) found = find_contact(usual_, one.known, other.known);
+    if (found == nullptr && own == nullptr)
+      found = find_contact(job_->usual_contacts, one.known, other.known);
     if (found == nullptr && own == nullptr) return false;
     job_->scene.pairs.push_back({one.name, other.name, found != nullptr ? found->constants : *own});
     if (found != nullptr) add_assumptions(job_->assumptions, found->assumptions);
     return true;
   }
 
-  std::vector<MaterialContact> contacts() const {
-    std::vector<MaterialContact> all = stated_;
-    all.insert(all.end(), usual_.begin(), usual_.end());
-    return all;
-  }
-
  private:
-  Job* job_;
-  std::vector<MaterialContact> stated_, usual_;
+  JobParts* job_;
   std::set<std::pair<std::string, std::string>> done_;
 };
 
 /// Of each item; gives items their materials.
-std::vector<Surface> surfaces_of(const std::vector<JobItem>& items, Scene& scene) {
+std::vector<Surface> surfaces_of(JobParts& job) {
   std::vector<Surface> surfaces;
   std::set<std::string> taken;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    PlacedItem& item = scene.items[i];
+  for (std::size_t i = 0; i < job.scene.items.size(); ++i) {
+    PlacedItem& item = job.scene.items[i];
+    const std::vector<ContactConstants>& own = job.item_contacts[i];
     std::string& material = item.model.material;
     if (material.empty()) material = kUsualItem;
     Surface surface{material, material};
-    if (!items[i].contacts.empty()) {
-      surface.own = &items[i].contacts.front();
+    if (!own.empty()) {
+      surface.own = &own.front();
       if (!taken.insert(material).second) surface.name = material + " of " + item.name;
     }
     material = surface.name;
@@ -73,52 +73,62 @@ std::vector<Surface> surfaces_of(const std::vector<JobItem>& items, Scene& scene
   return surfaces;
 }
 
-}  // namespace
-
-RoomDescription read_job_room(Table& root, RoomNames& names) {
-  RoomDescription room;
-  auto table = root.table("room");
-  if (!table) return room;
-  load_named(*table, "file", DataKind::kRoom, [&](const std::string& file) {
-    return load_room(file, root.document().draw(), names, room);
-  });
-  read_room(*table, names, room);
-  return room;
-}
-
-void furnish(Table& root, std::vector<JobItem>& items, RoomDescription room, Job& job) {
-  Scene& scene = job.scene;
-  PairList pairs(job, room);
-  scene.floor_material = kUsualFloor;
-  if (auto floor = root.table("floor"))
-    scene.floor_material = read_material(*floor, pairs.contacts(), kUsualFloor);
-  const std::vector<Surface> surfaces = surfaces_of(items, scene);
+/// @param spots  where each item is described
+void add_pairs(const std::vector<config::Spot>& spots, JobParts& job, Sampler& of) {
+  const Scene& scene = job.scene;
+  PairList pairs(job);
+  const std::vector<Surface> surfaces = surfaces_of(job);
   const auto add = [&](std::size_t i, const Surface& one, const Surface& other,
                        const std::string& other_name) {
     if (pairs.add(one, other)) return;
-    Table& table = items[i].table;
-    table.note(table.has("inline") ? "inline" : "equipment",
-               fmt::format(": no [[room.contact]] for the materials '{}' of {} and '{}' of {}",
-                           one.known, scene.items[i].name, other.known, other_name));
+    of.error(spots[i],
+             fmt::format(": no [[room.contact]] for the materials '{}' of {} and '{}' of {}",
+                         one.known, scene.items[i].name, other.known, other_name));
   };
-  for (std::size_t i = 0; i < items.size(); ++i) {
+  for (std::size_t i = 0; i < spots.size(); ++i) {
     Surface foot = surfaces[i];
-    if (foot.own != nullptr) foot.own = &items[i].contacts.back();
+    if (foot.own != nullptr) foot.own = &job.item_contacts[i].back();
     add(i, foot, {scene.floor_material, scene.floor_material}, "the floor");
-    for (const RoomShape& shape : room.shapes)
+    for (const RoomShape& shape : job.room.shapes)
       add(i, surfaces[i], {shape.material, shape.material}, shape.name);
     for (std::size_t j = 0; j < i; ++j) add(i, surfaces[i], surfaces[j], scene.items[j].name);
   }
-  const bool more =
-      items.size() > 1 || !room.shapes.empty() || !room.zones.empty() || !scene.tethers.empty();
-  if (more && job.settings.solver != Solver::kStar)
+}
+
+}  // namespace
+
+void read_job_room(Table& root, RoomNames& names, JobReading& job) {
+  auto table = root.table("room");
+  if (!table) return;
+  Uncertain<RoomDescription> room;
+  load_named(*table, "file", DataKind::kRoom,
+             [&](const std::string& file) { return load_room(file, names, room); });
+  read_room(*table, names, room);
+  job.set(&JobParts::room, std::move(room));
+}
+
+void furnish(Table& root, std::vector<Table>& items, JobReading& job) {
+  job.set(&JobParts::usual_contacts, usual_contacts());
+  std::string floor_material = kUsualFloor;
+  if (auto floor = root.table("floor"))
+    floor_material = read_material(*floor, known_contacts(job.stated()), kUsualFloor);
+  std::vector<config::Spot> spots;
+  for (Table& item : items) spots.push_back(description_spot(item));
+  const RoomDescription& room = job.stated().room;
+  const bool more = spots.size() > 1 || !room.shapes.empty() || !room.zones.empty() ||
+                    !job.stated().scene.tethers.empty();
+  if (more && job.stated().settings.solver != Solver::kStar)
     if (auto settings = root.table("settings"))
       settings->note("solver",
                      ": must be \"star\" with a room, tethers or several items; Bullet's "
                      "own solvers are baselines for one item on a floor");
-  add_assumptions(job.assumptions, room.assumptions);
-  scene.room = std::move(room.shapes);
-  scene.zones = std::move(room.zones);
+  job.add(root.document(), [spots, floor_material](JobParts& of_draw, Sampler& of) {
+    of_draw.scene.floor_material = floor_material;
+    add_pairs(spots, of_draw, of);
+    add_assumptions(of_draw.assumptions, of_draw.room.assumptions);
+    of_draw.scene.room = std::move(of_draw.room.shapes);
+    of_draw.scene.zones = std::move(of_draw.room.zones);
+  });
 }
 
 }  // namespace gurney

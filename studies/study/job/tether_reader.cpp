@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "engine/config/nearest_name.h"
 #include "equipment/catalogue/quantity.h"
@@ -27,54 +29,69 @@ std::size_t read_item(Table& table, const std::vector<PlacedItem>& items) {
   return 0;
 }
 
-Vector3 read_anchor(Quantities& in, const std::vector<RoomPoint>& points) {
+/// A place, or the index of a point of the room.
+struct Anchor {
+  std::optional<std::array<StatedQuantity, 3>> place;
+  std::optional<std::size_t> point;
+};
+
+Anchor read_anchor(Quantities& in, const std::vector<RoomPoint>& points) {
   Table& table = in.table();
   if (table.has("anchor") == table.has("anchor_m")) {
     table.note("anchor", ": must name a [[room.point]], or anchor_m must give a place, not both");
-    return Vector3::Zero();
+    return {};
   }
-  if (table.has("anchor_m")) return in.vector("anchor_m", Range::any());
+  if (table.has("anchor_m")) return {in.vector("anchor_m", Range::any()), {}};
   const std::string name = table.text("anchor");
   std::vector<std::string> known;
   for (const RoomPoint& point : points) {
-    if (point.name == name) return point.position;
+    if (point.name == name) return {{}, known.size()};
     known.push_back(point.name);
   }
   if (table.is_text("anchor"))
     table.note("anchor",
                " = \"" + name + "\": the room has no such point" + config::suggestion(name, known));
-  return Vector3::Zero();
+  return {};
 }
 
 /// Constants of the kind, and those the job states in their place.
-void read_constants(Quantities& in, Tether& tether, std::vector<Assumption>& assumptions) {
+struct Constants {
+  std::optional<Uncertain<TetherType>> kind;
+  std::optional<StatedQuantity> stiffness, damping, strength, slack_pull;
+};
+
+Constants read_constants(Quantities& in) {
   Table& table = in.table();
-  const std::optional<Draw>& draw = table.document().draw();
-  const auto type = load_named(table, "kind", DataKind::kTether, [&](const std::string& file) {
-    return load_tether_type(file, draw);
-  });
-  const std::optional<double> none;
+  Constants constants;
+  constants.kind = load_named(table, "kind", DataKind::kTether, load_tether_type);
   const bool known = table.has("kind");  // its mistakes are noted; it is not missing
-  TetherType usual = type.value_or(TetherType{});
-  const auto fallback = [&](double value) { return known ? std::optional<double>(value) : none; };
-  const auto stated = [&](const char* key, const char* of_kind) {
-    if (table.has(key))
-      std::erase_if(usual.assumptions,
-                    [&](const Assumption& each) { return each.key.ends_with(of_kind); });
+  const auto read = [&](const char* key, const Range& range,
+                        std::optional<double> fallback = {}) -> std::optional<StatedQuantity> {
+    if (known && !table.has(key)) return {};
+    return in.number(key, range, fallback);
   };
-  stated("stiffness_n_per_m", "axial_stiffness_n");
-  stated("damping_n_s_per_m", "damping_n_s_per_m");
-  stated("strength_n", "strength_n");
-  stated("slack_pull_n", "slack_pull_n");
-  tether.stiffness = in.number("stiffness_n_per_m", Range::positive(),
-                               fallback(usual.axial_stiffness / tether.slack_length));
-  tether.damping =
-      in.number("damping_n_s_per_m", Range::not_negative(), known ? usual.damping : 0.0);
-  tether.strength =
-      in.number("strength_n", Range::positive().with_infinity(), fallback(usual.strength));
-  tether.slack_pull =
-      in.number("slack_pull_n", Range::not_negative(), known ? usual.slack_pull : 0.0);
-  add_assumptions(assumptions, usual.assumptions);
+  constants.stiffness = read("stiffness_n_per_m", Range::positive());
+  constants.damping = read("damping_n_s_per_m", Range::not_negative(), 0.0);
+  constants.strength = read("strength_n", Range::positive().with_infinity());
+  constants.slack_pull = read("slack_pull_n", Range::not_negative(), 0.0);
+  return constants;
+}
+
+void set_constants(const Constants& constants, Tether& tether, JobParts& job, Sampler& of) {
+  TetherType usual = constants.kind ? constants.kind->sample(of) : TetherType{};
+  const auto choose = [&](const std::optional<StatedQuantity>& stated, double of_kind,
+                          const char* key_of_kind) {
+    if (!stated) return of_kind;
+    std::erase_if(usual.assumptions,
+                  [&](const Assumption& each) { return each.key.ends_with(key_of_kind); });
+    return of(*stated);
+  };
+  tether.stiffness =
+      choose(constants.stiffness, usual.axial_stiffness / tether.slack_length, "axial_stiffness_n");
+  tether.damping = choose(constants.damping, usual.damping, "damping_n_s_per_m");
+  tether.strength = choose(constants.strength, usual.strength, "strength_n");
+  tether.slack_pull = choose(constants.slack_pull, usual.slack_pull, "slack_pull_n");
+  add_assumptions(job.assumptions, usual.assumptions);
 }
 
 double distance_at_start(const Tether& tether, const InitialMotion& start) {
@@ -83,40 +100,51 @@ double distance_at_start(const Tether& tether, const InitialMotion& start) {
   return (point - tether.anchor).norm();
 }
 
-Tether read_tether(Table& table, const std::string& name, const std::vector<RoomPoint>& points,
-                   Job& job) {
-  Tether tether;
-  tether.name = name;
-  const std::size_t mistakes = table.document().mistakes();
-  Quantities in(table, job.assumptions);
-  tether.item = read_item(table, job.scene.items);
-  tether.point = in.vector("point_m", Range::any());
-  tether.anchor = read_anchor(in, points);
-  tether.slack_length = in.number("slack_length_m", Range::positive());
-  const bool clean = table.document().mistakes() == mistakes;
-  read_constants(in, tether, job.assumptions);
-  const double distance = distance_at_start(tether, job.scene.items[tether.item].initial);
-  if (clean && !(tether.slack_length >= distance))
-    table.note("slack_length_m",
-               fmt::format(" = {:g}: must be at least {:.4g}, the distance from '{}' to the anchor "
-                           "at the start",
-                           tether.slack_length, distance, job.scene.items[tether.item].name));
-  return tether;
+void check_length(const Tether& tether, const PlacedItem& item, const config::Spot& spot,
+                  Sampler& of) {
+  const double distance = distance_at_start(tether, item.initial);
+  if (!(tether.slack_length >= distance))
+    of.error(spot, fmt::format(" = {:g}: must be at least {:.4g}, the distance from '{}' to the "
+                               "anchor at the start",
+                               tether.slack_length, distance, item.name));
+}
+
+void read_tether(Table& table, const std::string& element, const std::string& name,
+                 JobReading& job) {
+  config::Document& document = table.document();
+  const std::size_t mistakes = document.mistakes();
+  Quantities in(table);
+  Tether fixed;
+  fixed.name = name;
+  fixed.item = read_item(table, job.stated().scene.items);
+  const auto point = in.vector("point_m", Range::any());
+  const Anchor anchor = read_anchor(in, job.stated().room.points);
+  const StatedQuantity slack = in.number("slack_length_m", Range::positive());
+  const bool clean = document.mistakes() == mistakes;
+  const Constants constants = read_constants(in);
+  job.add(document, [=](JobParts& of_draw, Sampler& of_job) {
+    Sampler of = of_job.of_element(element, name);
+    Tether tether = fixed;
+    tether.point = of(point);
+    if (anchor.place) tether.anchor = of(*anchor.place);
+    if (anchor.point) tether.anchor = of_draw.room.points[*anchor.point].position;
+    tether.slack_length = of(slack);
+    set_constants(constants, tether, of_draw, of);
+    if (clean) check_length(tether, of_draw.scene.items[tether.item], slack.spot, of);
+    of_draw.scene.tethers.push_back(tether);
+  });
 }
 
 }  // namespace
 
-void read_tethers(Table& root, const std::vector<RoomPoint>& points, Job& job) {
+void read_tethers(Table& root, JobReading& job) {
   UniqueNames names;
   std::size_t index = 0;
   for (Table& table : root.tables("tether")) {
     const std::string name = names.read(table, "tether", index);
-    if (job.draw)
-      root.document().set_draw_of(fmt::format("tether[{}]", index), job.draw->of_part(name));
-    job.scene.tethers.push_back(read_tether(table, name, points, job));
+    read_tether(table, fmt::format("tether[{}]", index), name, job);
     ++index;
   }
-  root.document().set_draw_of("", job.draw);
 }
 
 }  // namespace gurney

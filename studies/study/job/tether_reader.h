@@ -1,16 +1,12 @@
 #pragma once
 
-#include <vector>
-
 #include "engine/config/table.h"
-#include "equipment/catalogue/room_description.h"
-#include "studies/study/job/job.h"
+#include "studies/study/job/job_parts.h"
 
 namespace gurney {
 
-/// The tables [[tether]] of a job, into its scene and assumptions; the items must be placed.
-/// Mistakes are noted in the document.
-/// @param points  of the room, where a tether may end
-void read_tethers(config::Table& root, const std::vector<RoomPoint>& points, Job& job);
+/// The tables [[tether]] of a job; the items must be placed and the room read, where a tether may
+/// end. Mistakes are noted in the document.
+void read_tethers(config::Table& root, JobReading& job);
 
 }  // namespace gurney

@@ -8,9 +8,10 @@
 #include <sstream>
 #include <utility>
 
-#include "engine/base/error.h"
 #include "engine/config/overlay.h"
 #include "engine/config/table.h"
+#include "engine/base/diagnostics.h"
+#include "engine/base/error.h"
 #include "studies/study/limit_states/response_values.h"
 #include "studies/study/plan/study_reader.h"
 
@@ -64,9 +65,9 @@ void refuse_contradictions(const Document& document, const Job& job, const Study
     return;
   }
   const RecordRequest& record = *job.record;
-  std::string mistakes;
+  Diagnostics errors;
   const auto refuse = [&](bool wrong, const std::string& message) {
-    if (wrong) mistakes += (mistakes.empty() ? "" : "\n") + record.where + ": " + message;
+    if (wrong) errors.add(record.where + ": " + message);
   };
   refuse(record.scale_to && study.intensity.kind != IntensityPlan::Kind::kScales,
          "scale_to must not go with study.intensity, which scales the records");
@@ -78,23 +79,8 @@ void refuse_contradictions(const Document& document, const Job& job, const Study
   refuse(study.synthetic_records > 0 && record.synthetic &&
              record.synthetic->values.contains("seed") && record.synthetic->values.at("seed") != 1,
          "study.synthetic_records gives the seeds 1, 2, ...; leave the seed out");
-  require(mistakes.empty(), mistakes);
+  errors.raise();
 }
-
-/// One line each, in the order in which they came.
-class Mistakes {
- public:
-  void add(const std::string& lines) {
-    std::istringstream stream(lines);
-    for (std::string line; std::getline(stream, line);)
-      if (seen_.insert(line).second) text_ += (text_.empty() ? "" : "\n") + line;
-  }
-  void raise() const { require(text_.empty(), text_); }
-
- private:
-  std::set<std::string> seen_;
-  std::string text_;
-};
 
 /// Inputs that change nothing in a configuration; they are errors where none needs them.
 class InputsWithoutEffect {
@@ -115,11 +101,11 @@ class InputsWithoutEffect {
 };
 
 template <class Work>
-void collect(Mistakes& mistakes, Work work) {
+void collect(Diagnostics& errors, Work work) {
   try {
     work();
   } catch (const Error& error) {
-    mistakes.add(error.what());
+    errors.add_new(error.what());
   }
 }
 
@@ -146,14 +132,14 @@ StudyJob::StudyJob(const std::string& text, const std::string& path)
 
 StudyJob::StudyJob(std::unique_ptr<FileSnapshot> files, std::unique_ptr<Document> document)
     : files_(std::move(files)), document_(std::move(document)) {
-  Mistakes mistakes;
+  Diagnostics errors;  // of all configurations, each line once
   auto taken = document_->take("study");
   require(taken.has_value(), file() + ": the job has no table [study]");
   Node whole;
   whole.elements.push_back(*taken);
   Document reading(whole, *document_);
   bool clean = false;
-  collect(mistakes, [&] {
+  collect(errors, [&] {
     config::Table root = reading.root();
     if (auto table = root.table("study"))
       study_ = read_study(*table, *reading.tree().find("study"));
@@ -166,16 +152,18 @@ StudyJob::StudyJob(std::unique_ptr<FileSnapshot> files, std::unique_ptr<Document
   });
   InputsWithoutEffect without_effect;
   for (std::size_t i = 0; i < configurations_.size(); ++i)
-    collect(mistakes, [&] {
-      const Job each = job(i, {});
+    collect(errors, [&] {
+      const FileSnapshot::Scope scope(*files_);
+      Document tree(configurations_[i].tree, *document_);
+      const Job& each = models_.emplace_back(tree).stated();
       without_effect.meet(each.without_effect);
       if (!clean) return;
       refuse_contradictions(*document_, each, study_);
       check_limit_states(*taken, each);
     });
   for (const std::string& line : without_effect.everywhere(configurations_.size()))
-    mistakes.add(line);
-  mistakes.raise();
+    errors.add_new(line);
+  errors.raise();
   if (study_.draws > 0 && !draws_anything())
     throw Error(document_->where(taken->find("draws")->place) +
                 ": study.draws: has no effect: no number of the job has a distribution");
@@ -192,9 +180,7 @@ bool StudyJob::draws_anything() const {
 }
 
 Job StudyJob::job(std::size_t configuration, const std::optional<Draw>& draw) const {
-  const FileSnapshot::Scope scope(*files_);
-  Document document(configurations_.at(configuration).tree, *document_);
-  return read_study_job(document, draw);
+  return sample(models_.at(configuration), draw);
 }
 
 bool has_study(const std::string& path) { return Document(path).tree().find("study") != nullptr; }

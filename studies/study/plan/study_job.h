@@ -18,8 +18,8 @@ struct Configuration {
   config::Node tree;                ///< the job with their patches
 };
 
-/// A job file with a table [study], and the jobs that it stands for. Every file it is made from is
-/// read once: an edit while the study runs changes nothing.
+/// A job file with a table [study], and the jobs that it stands for. Each is read once, from files
+/// of which each is opened once: an edit while the study runs changes nothing.
 class StudyJob {
  public:
   /// @throws Error with every mistake: of the study, and of the job in any configuration.
@@ -53,6 +53,7 @@ class StudyJob {
   std::unique_ptr<config::Document> document_;
   Study study_;
   std::vector<Configuration> configurations_;
+  std::vector<JobModel> models_;  ///< as configurations_
 };
 
 /// Whether a job file has a table [study].

@@ -67,8 +67,8 @@ void simulate_case(const Batch& batch, const Unit& unit, const Job& job, bool ch
     RunCase of_run = case_of(batch, unit, job, run.scale);
     if (batch.job.study().keep.histories == Histories::kNone) of_run.settings.history_step = 0;
     run.warnings = of_run.warnings;
-    run.pfa = peak_of(of_run.floor.floor, false);
-    run.pfv = peak_of(of_run.floor.floor, true);
+    run.pfa = peak_of(of_run.floor, false);
+    run.pfv = peak_of(of_run.floor, true);
     run.response = simulate_with_any_solver(of_run.scene, of_run.floor, of_run.settings);
     if (checked) repeat_at_half_step(std::move(of_run), run);
   } catch (const Error& error) {

@@ -22,18 +22,6 @@ std::string mistakes(const std::string& text, Read read) {
   });
 }
 
-TEST(Document, NumbersOfADrawnElementAreKnownWithoutItsIndex) {
-  Document document("item = [{}, {}]\n", "a.toml");
-  document.set_draw_of("item[1]", Draw(1, 2).of_part("bed"));
-  EXPECT_EQ(document.variable_name("item[1].yaw_deg"), "item.yaw_deg");
-  EXPECT_EQ(document.variable_name("item[1].inline.caster[0].brake"),
-            "item.inline.caster[0].brake");
-  EXPECT_EQ(document.variable_name("item[10].yaw_deg"), "item[10].yaw_deg");
-  EXPECT_EQ(document.draw()->full_name("item.yaw_deg"), "bed/item.yaw_deg");
-  document.set_draw_of("", {});
-  EXPECT_EQ(document.variable_name("item[1].yaw_deg"), "item[1].yaw_deg");
-}
-
 TEST(Table, GivesWhatTheFileSays) {
   Document document(R"(
 mass_kg = 3

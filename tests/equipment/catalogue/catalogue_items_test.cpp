@@ -20,7 +20,7 @@ namespace {
 constexpr double kG = kStandardGravity;
 
 ItemDescription describe(const std::string& name) {
-  return load_item_description(find_data(DataKind::kItem, name, ""));
+  return load_item_description(find_data(DataKind::kItem, name, "")).stated();
 }
 
 class EveryItem : public testing::TestWithParam<std::string> {};

@@ -64,9 +64,11 @@ TEST(Catalogue, EveryFileLoads) {
     EXPECT_FALSE(item.assumptions.empty()) << name;
   }
   for (const std::string& name : catalogue_names(DataKind::kCaster))
-    EXPECT_EQ(load_caster_type(find_data(DataKind::kCaster, name, "")).name, name);
+    EXPECT_EQ(load_caster_type(find_data(DataKind::kCaster, name, "")).stated().name, name);
   for (const std::string& name : catalogue_names(DataKind::kFloor))
-    EXPECT_GT(load_floor_covering(find_data(DataKind::kFloor, name, "")).rolling_resistance_factor,
+    EXPECT_GT(load_floor_covering(find_data(DataKind::kFloor, name, ""))
+                  .stated()
+                  .rolling_resistance_factor,
               0);
 }
 

@@ -90,7 +90,7 @@ std::string size_of(const EquipmentModel& item) {
 
 std::string item_row(const std::string& name) {
   const std::string file = find_data(DataKind::kItem, name, "");
-  const ItemDescription description = load_item_description(file);
+  const ItemDescription description = load_item_description(file).stated();
   ItemOptions released;
   released.swivel_locks.assign(description.casters.size(), false);
   const EquipmentModel model = assemble_item(description, released).model;
@@ -105,7 +105,7 @@ std::string torque(double value) { return value > 0 ? fmt::format("{:.0f}", valu
 
 std::string caster_row(const std::string& name) {
   const std::string file = find_data(DataKind::kCaster, name, "");
-  const CasterType type = load_caster_type(file);
+  const CasterType type = load_caster_type(file).stated();
   const Caster& c = type.properties;
   return fmt::format(
       "| `{}` | {:.0f} | {:.0f} | {:.0f} | {:.1f} | {:.3f} | {:.0f} | {} | {} | {} |", name,
@@ -117,7 +117,7 @@ std::string caster_row(const std::string& name) {
 
 std::string floor_row(const std::string& name) {
   const std::string file = find_data(DataKind::kFloor, name, "");
-  const FloorCovering floor = load_floor_covering(file);
+  const FloorCovering floor = load_floor_covering(file).stated();
   return fmt::format("| `{}` | {} | {:.1f} | {:.1f} | {} |", name, text_of(file, "name"),
                      floor.rolling_resistance_factor, floor.friction_factor, provenance_of(file));
 }

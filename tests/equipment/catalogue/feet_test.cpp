@@ -115,7 +115,7 @@ TEST(Feet, ACoveringShortensTheWayThatAnItemSlides) {
 
 TEST(Feet, StandsOnTheFloorOfItsCoveringWithAllItsPairs) {
   ItemOptions options;
-  options.floor = load_floor_covering(find_data(DataKind::kFloor, "rubber", ""));
+  options.floor = load_floor_covering(find_data(DataKind::kFloor, "rubber", "")).stated();
   const Scene scene = standing(load_item(find_data(DataKind::kItem, "bookcase", ""), options));
   EXPECT_NO_THROW(validate(scene));
   EXPECT_DOUBLE_EQ(contact_constants(scene, "coated board", scene.floor_material).friction, 0.36);

@@ -54,8 +54,8 @@ shape = [{ center_mm = [0, 0, 500], size_mm = [600, 500, 1000] }]
 class ItemFile : public testing::Test {
  protected:
   ItemDescription load(const std::vector<std::string>& variants, const std::string& more = "") {
-    return load_item_description(folder_.write("cart.toml", kCart + (kVariants + more)),
-                                 {variants, {}});
+    return load_item_description(folder_.write("cart.toml", kCart + (kVariants + more)), variants)
+        .stated();
   }
 
   /// What is said of these variants, without the file.
@@ -105,9 +105,7 @@ TEST_F(ItemFile, VariantsAddUpInTheirOrder) {
 TEST_F(ItemFile, NamesTheNearestVariant) {
   const std::string file = folder_.write("cart.toml", std::string(kCart) + kVariants);
   EXPECT_EQ(variant_names(file), (std::vector<std::string>{"brakes on", "drawers full", "heavy"}));
-  EXPECT_EQ(error_text([&] {
-              load_item_description(file, {{"drawer full"}, {}});
-            }),
+  EXPECT_EQ(error_text([&] { load_item_description(file, {"drawer full"}); }),
             file + ": the item has no variant 'drawer full'; did you mean 'drawers full'?");
   EXPECT_EQ(unknown_variant({"a"}, {}), "the item has no variant 'a'");
 }
@@ -130,7 +128,7 @@ TEST_F(ItemFile, EveryVariantIsCheckedAtItsOwnLine) {
 TEST_F(ItemFile, EachPlaceDrawsItsOwnWheel) {
   const std::string file = folder_.write("cart.toml", std::string(kCart) + kVariants);
   const Draw draw(1, 4);
-  const ItemDescription item = load_item_description(file, {{}, draw});
+  const ItemDescription item = sample(load_item_description(file), draw);
   const Distribution resistance = Distribution::lognormal(1, 0.3, 0.5, 1.5);
   for (const CasterPlace& place : item.casters) {
     const double p = draw.of_part(place.name)
@@ -142,7 +140,7 @@ TEST_F(ItemFile, EachPlaceDrawsItsOwnWheel) {
   EXPECT_NE(item.casters[0].type.properties.tread.rolling_resistance,
             item.casters[1].type.properties.tread.rolling_resistance);
   // A variant does not change what is drawn.
-  const ItemDescription heavy = load_item_description(file, {{"heavy"}, draw});
+  const ItemDescription heavy = sample(load_item_description(file, {"heavy"}), draw);
   EXPECT_EQ(heavy.casters[2].type.properties.tread.rolling_resistance,
             item.casters[2].type.properties.tread.rolling_resistance);
 }
@@ -182,11 +180,11 @@ TEST_F(ItemFile, NoDrawMayPutKineticAboveStaticFriction) {
 
 // Every shipped item in some draws: all its distributions are read, and no draw is refused.
 TEST(Catalogue, EveryItemCanBeDrawn) {
-  for (const std::string& name : catalogue_names(DataKind::kItem))
-    for (std::uint64_t run = 0; run < 25; ++run) {
-      const ItemSelection selection{{}, Draw(1, run)};
-      EXPECT_NO_THROW(load_item(find_data(DataKind::kItem, name, ""), {}, selection)) << name;
-    }
+  for (const std::string& name : catalogue_names(DataKind::kItem)) {
+    const auto item = load_item_description(find_data(DataKind::kItem, name, ""));
+    for (std::uint64_t run = 0; run < 25; ++run)
+      EXPECT_NO_THROW(assemble_item(sample(item, Draw(1, run)))) << name;
+  }
 }
 
 }  // namespace

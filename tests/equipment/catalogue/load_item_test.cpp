@@ -17,7 +17,7 @@ namespace {
 std::string item_file(const std::string& name) { return find_data(DataKind::kItem, name, ""); }
 
 CasterType caster(const std::string& name) {
-  return load_caster_type(find_data(DataKind::kCaster, name, ""));
+  return load_caster_type(find_data(DataKind::kCaster, name, "")).stated();
 }
 
 bool assumes(const LoadedItem& item, const std::string& key) {
@@ -187,7 +187,7 @@ name = "caster 1"
 
 TEST(LoadItem, RefusesBrakesThatAreNotThereAndUnequalHeights) {
   const TempFolder folder;
-  ItemDescription item = load_item_description(folder.write("cart.toml", kCart));
+  ItemDescription item = load_item_description(folder.write("cart.toml", kCart)).stated();
   item.casters[2].type.brake_torque = 0;
   item.casters[1].swivel_locked = true;
   item.casters[1].type.swivel_lock_torque = 0;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "equipment/catalogue/sampler.h"
 #include "tests/support/error_text.h"
 
 namespace gurney {
@@ -13,8 +14,7 @@ using config::Range;
 std::string mistakes(const std::string& text, bool vector = false) {
   return error_text([&] {
     Document document(text, "a.toml");
-    std::vector<Assumption> assumptions;
-    Quantities in(document.root(), assumptions);
+    Quantities in(document.root());
     if (vector)
       in.vector("x", Range::positive());
     else
@@ -34,15 +34,19 @@ type = { value = "R100", assumption = "likely" }
 )",
                     "a.toml");
   std::vector<Assumption> assumptions;
-  Quantities root(document.root(), assumptions);
-  EXPECT_EQ(root.length_mm("a_mm", Range::positive()), 0.034);
-  EXPECT_EQ(root.length_mm("b_mm", Range::positive()), 0.034);
-  EXPECT_EQ(root.length_mm("absent_mm", Range::positive(), 5.0), 0.005);
+  SampleErrors errors;
+  Sampler as_stated(assumptions, errors);
+  Quantities root(document.root());
+  EXPECT_EQ(as_stated(root.length_mm("a_mm", Range::positive())), 0.034);
+  EXPECT_EQ(as_stated(root.length_mm("b_mm", Range::positive())), 0.034);
+  EXPECT_EQ(as_stated(root.length_mm("absent_mm", Range::positive(), 5.0)), 0.005);
   EXPECT_TRUE(assumptions.empty());
-  Quantities part(*document.root().table("part"), assumptions);
-  EXPECT_EQ(part.length_mm("c_mm", Range::positive()), 0.034);
-  EXPECT_EQ(part.vector_mm("v_mm", Range::positive()), Vector3(0.001, 0.002, 0.003));
-  EXPECT_EQ(part.text("type"), "R100");
+  Quantities part(*document.root().table("part"));
+  EXPECT_EQ(as_stated(part.length_mm("c_mm", Range::positive())), 0.034);
+  EXPECT_EQ(as_stated(part.vector_mm("v_mm", Range::positive())), Vector3(0.001, 0.002, 0.003));
+  const StatedText type = part.text("type");
+  as_stated.note(type.choice);
+  EXPECT_EQ(type.text, "R100");
   document.finish();
   ASSERT_EQ(assumptions.size(), 3u);
   EXPECT_EQ(assumptions[0].key, "part.c_mm");

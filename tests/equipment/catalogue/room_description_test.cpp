@@ -14,10 +14,10 @@ namespace {
 RoomDescription room_of(const std::string& text) {
   config::Document document(text, "a.toml");
   RoomNames names;
-  RoomDescription room;
+  Uncertain<RoomDescription> room;
   read_room(document.root(), names, room);
   document.finish();
-  return room;
+  return room.stated();
 }
 
 std::string mistakes(const std::string& text) {
@@ -195,7 +195,7 @@ material = "foam"
 }
 
 TEST(Contacts, TheUsualOnesAreAssumptionsThroughout) {
-  const std::vector<MaterialContact> usual = usual_contacts();
+  const std::vector<MaterialContact> usual = usual_contacts().stated();
   for (const char* other : {"floor", "equipment", "plasterboard", "concrete", "wood", "steel"}) {
     const MaterialContact* contact = find_contact(usual, "equipment", other);
     ASSERT_NE(contact, nullptr) << other;
@@ -238,8 +238,9 @@ TEST(ShippedRooms, Load) {
   EXPECT_GE(shipped.size(), 3u);
   for (const std::string& name : shipped) {
     RoomNames names;
-    RoomDescription room;
-    load_room(find_data(DataKind::kRoom, name, ""), {}, names, room);
+    Uncertain<RoomDescription> model;
+    load_room(find_data(DataKind::kRoom, name, ""), names, model);
+    const RoomDescription& room = model.stated();
     EXPECT_GE(room.shapes.size(), 4u) << name;
     EXPECT_FALSE(room.zones.empty()) << name;
     EXPECT_FALSE(room.assumptions.empty()) << name;
@@ -248,13 +249,13 @@ TEST(ShippedRooms, Load) {
 
 TEST(ShippedTethers, Load) {
   for (const std::string& name : catalogue_names(DataKind::kTether)) {
-    const TetherType type = load_tether_type(find_data(DataKind::kTether, name, ""));
+    const TetherType type = load_tether_type(find_data(DataKind::kTether, name, "")).stated();
     EXPECT_EQ(type.assumptions.size(), 4u) << name;  // stiffness, damping, strength, slack pull
     EXPECT_GT(type.strength, 0) << name;
   }
   // A line parts before a plug leaves its socket, and this before a gas probe its outlet.
   const auto strength = [](const char* name) {
-    return load_tether_type(find_data(DataKind::kTether, name, "")).strength;
+    return load_tether_type(find_data(DataKind::kTether, name, "")).stated().strength;
   };
   EXPECT_LT(strength("iv_line"), strength("power_cord"));
   EXPECT_LT(strength("power_cord"), strength("gas_hose"));
@@ -269,7 +270,7 @@ TEST(RoomPage, HasEveryKeyTheReaderKnowsAndNoOther) {
                                   constants + " }]\n",
                               "a.toml");
     RoomNames names;
-    RoomDescription room;
+    Uncertain<RoomDescription> room;
     read_room(document.root(), names, room);
     for (const std::string& key : without_provenance(document.asked_keys())) asked.insert(key);
   }

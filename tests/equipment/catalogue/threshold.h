@@ -32,7 +32,7 @@ struct Trial {
 };
 
 inline Trial trial(const std::string& name, const Threshold& threshold, bool pushed) {
-  const ItemDescription item = load_item_description(find_data(DataKind::kItem, name, ""));
+  const ItemDescription item = load_item_description(find_data(DataKind::kItem, name, "")).stated();
   ItemOptions released;
   released.brakes.assign(item.casters.size(), false);
   released.swivel_locks.assign(item.casters.size(), false);

@@ -18,7 +18,7 @@ namespace {
 std::vector<std::string> items_on_casters() {
   std::vector<std::string> names;
   for (const std::string& name : catalogue_names(DataKind::kItem))
-    if (!load_item_description(find_data(DataKind::kItem, name, "")).casters.empty())
+    if (!load_item_description(find_data(DataKind::kItem, name, "")).stated().casters.empty())
       names.push_back(name);
   return names;
 }

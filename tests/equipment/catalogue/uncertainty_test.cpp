@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "equipment/catalogue/quantity.h"
+#include "equipment/catalogue/uncertain.h"
 #include "tests/support/error_text.h"
 
 namespace gurney {
@@ -22,8 +23,7 @@ std::string mistake(const std::string& distribution, const Range& range = Range:
   const std::string text = error_text([&] {
     Document document("x_mm = { value = " + value + ", distribution = { " + distribution + " } }",
                       "a.toml");
-    std::vector<Assumption> assumptions;
-    Quantities(document.root(), assumptions).number("x_mm", range);
+    Quantities(document.root()).number("x_mm", range);
     document.finish();
   });
   return text.substr(std::min(text.size(), text.find(": ") + 2));
@@ -84,23 +84,26 @@ distribution = { y = { kind = "uniform", low = 0, high = 4, assumption = "tilt" 
 )";
 
 struct Read {
-  double a, b, c, d;
-  Vector3 v;
+  double a = 0, b = 0, c = 0, d = 0;
+  Vector3 v = Vector3::Zero();
   std::vector<Assumption> assumptions;
 };
 
-Read read_part(const std::optional<Draw>& draw, const std::string& text = kPart) {
+Uncertain<Read> part_of(const std::string& text = kPart) {
   Document document(text, "a.toml");
-  document.set_draw(draw);
-  Read read;
-  Quantities in(document.root(), read.assumptions);
-  read.a = in.length_mm("a_mm", Range::positive());
-  read.b = in.number("b_kg", Range::positive());
-  read.c = in.number("c", Range::positive());
-  read.d = in.number("d", Range::any());
-  read.v = in.vector_mm("v_mm", Range::any());
+  Uncertain<Read> part;
+  Quantities in(document.root());
+  part.set(&Read::a, in.length_mm("a_mm", Range::positive()));
+  part.set(&Read::b, in.number("b_kg", Range::positive()));
+  part.set(&Read::c, in.number("c", Range::positive()));
+  part.set(&Read::d, in.number("d", Range::any()));
+  part.set(&Read::v, in.vector_mm("v_mm", Range::any()));
   document.finish();
-  return read;
+  return part;
+}
+
+Read read_part(const std::optional<Draw>& draw, const std::string& text = kPart) {
+  return sample(part_of(text), draw);
 }
 
 TEST(Uncertainty, WithoutADrawValuesAreAsTheyAre) {
@@ -116,6 +119,56 @@ TEST(Uncertainty, WithoutADrawValuesAreAsTheyAre) {
   EXPECT_EQ(read.assumptions[1].reason, "both");
   EXPECT_EQ(read.assumptions[1].low, 20);
   for (const Assumption& each : read.assumptions) EXPECT_EQ(each.distribution, "");
+}
+
+TEST(Uncertainty, AModelIsReadOnceAndSampledInAnyOrder) {
+  const Uncertain<Read> part = part_of();
+  EXPECT_EQ(sample(part, {}).assumptions.size(), part.stated().assumptions.size());
+  std::vector<double> forwards, backwards;
+  for (int run = 0; run < 8; ++run) forwards.push_back(sample(part, Draw(7, run)).b);
+  for (int run = 7; run >= 0; --run) backwards.push_back(sample(part, Draw(7, run)).b);
+  EXPECT_EQ(forwards, std::vector<double>(backwards.rbegin(), backwards.rend()));
+  EXPECT_EQ(part.stated().b, 30);
+}
+
+TEST(Uncertainty, NumbersOfADrawnElementAreKnownWithoutItsIndex) {
+  Document document(R"(
+item = [{ x = 1 }, { x = 1, sub = { x = 1 } }]
+)",
+                    "a.toml");
+  const Distribution law = Distribution::uniform(0, 2);
+  const auto drawn = [&](config::Table table) {
+    StatedQuantity x = Quantities(table).number("x", Range::any());
+    x.uncertainty = Uncertainty{law, {}, ""};
+    std::vector<Assumption> list;
+    SampleErrors errors;
+    Sampler(list, errors, Draw(1, 2)).of_element("item[1]", "bed")(x);
+    return list.at(0).key;
+  };
+  std::vector<config::Table> items = document.root().tables("item");
+  EXPECT_EQ(drawn(items[1]), "bed/item.x");
+  EXPECT_EQ(drawn(*items[1].table("sub")), "bed/item.sub.x");
+  EXPECT_EQ(drawn(items[0]), "bed/item[0].x") << "another element";
+}
+
+TEST(Uncertainty, ADrawnNumberBeyondAnotherIsAnErrorAtItsPlace) {
+  Document document(
+      "[sub]\nlow = 1\nhigh = { value = 3, source = 's', distribution = { kind = 'uniform', low = "
+      "0, high = 4, source = 's' } }",
+      "a.toml");
+  Quantities in(*document.root().table("sub"));
+  Uncertain<Read> part;
+  part.add([high = in.number("high", Range::any()), low = in.number("low", Range::any())](
+               Read&, Sampler& of) { of.check_drawn(high, Range::more_than(low.value)); });
+  document.finish();
+  for (int run = 0; run < 8; ++run) {
+    const double high = 4 * Draw(1, run).probability("sub.high");
+    const std::string said = error_text([&] { sample(part, Draw(1, run)); });
+    if (high > 1)
+      EXPECT_EQ(said, "no error)");
+    else
+      EXPECT_TRUE(said.starts_with("a.toml:3:8: sub.high = 0.")) << said;
+  }
 }
 
 TEST(Uncertainty, ADrawGivesTheQuantileAtItsProbability) {
@@ -153,8 +206,7 @@ TEST(Uncertainty, AVectorNeedsProvenanceForEveryAxis) {
         "v = { value = [1, 2, 3], distribution = { y = { kind = 'uniform', low = 0, high = 4, "
         "source = 's' }, w = 1 } }",
         "a.toml");
-    std::vector<Assumption> assumptions;
-    Quantities(document.root(), assumptions).vector("v", Range::any());
+    Quantities(document.root()).vector("v", Range::any());
     document.finish();
   });
   EXPECT_EQ(text,
@@ -173,30 +225,37 @@ lock = { value = false, distribution = { kind = "discrete", values = [0, 1], pro
                     "a.toml");
   const Draw draw(1, 1);
   std::vector<Assumption> assumptions;
-  Quantities as_they_are(document.root(), assumptions);
-  EXPECT_EQ(as_they_are.numbers("heading_deg", Range::any(), all(2)), (std::vector<double>{0, 0}));
-  EXPECT_EQ(as_they_are.flags("brakes", all(3)), (std::vector<bool>{true, false, true}));
-  EXPECT_FALSE(as_they_are.flag("lock", true));
-  EXPECT_TRUE(as_they_are.flag("absent", true));
-  EXPECT_EQ(as_they_are.flags("absent", all(3)), std::vector<bool>{});
+  Quantities in(document.root());
+  SampleErrors errors;
+  Sampler as_stated(assumptions, errors), drawn(assumptions, errors, draw);
+  const auto numbers = [](Sampler& of, const QuantityList& list) { return of(list); };
+  const auto flags = [](Sampler& of, const QuantityList& list) {
+    const std::vector<double> values = of(list);
+    return std::vector<bool>(values.begin(), values.end());
+  };
+  EXPECT_EQ(numbers(as_stated, in.numbers("heading_deg", Range::any(), all(2))),
+            (std::vector<double>{0, 0}));
+  EXPECT_EQ(flags(as_stated, in.flags("brakes", all(3))), (std::vector<bool>{true, false, true}));
+  EXPECT_EQ(flags(as_stated, in.flag("lock", true)), std::vector<bool>{false});
+  EXPECT_EQ(flags(as_stated, in.flag("absent", true)), std::vector<bool>{true});
+  EXPECT_EQ(flags(as_stated, in.flags("absent", all(3))), std::vector<bool>{});
   ASSERT_EQ(assumptions.size(), 2u);
   EXPECT_EQ(assumptions[0].choice, "0, 0");
   EXPECT_EQ(assumptions[1].choice, "1, 0, 1");
 
-  document.set_draw(draw);
-  Quantities drawn(document.root(), assumptions);
-  EXPECT_EQ(drawn.numbers("heading_deg", Range::any(), all(2)),
+  EXPECT_EQ(numbers(drawn, in.numbers("heading_deg", Range::any(), all(2))),
             (std::vector<double>{360 * draw.probability("heading_deg[0]"),
                                  360 * draw.probability("heading_deg[1]")}));
-  EXPECT_EQ(drawn.numbers("heading_deg", Range::any(), {false, true}),
+  EXPECT_EQ(numbers(drawn, in.numbers("heading_deg", Range::any(), {false, true})),
             (std::vector<double>{0, 360 * draw.probability("heading_deg[1]")}));
   const bool braked = draw.probability("", {"brakes", 1}) > 0.5;
-  EXPECT_EQ(drawn.flags("brakes", all(3)), std::vector<bool>(3, braked));
+  EXPECT_EQ(flags(drawn, in.flags("brakes", all(3))), std::vector<bool>(3, braked));
   std::vector<bool> locks;
   for (const char* lock : {"locks[0]", "locks[1]", "locks[2]", "locks[3]"})
     locks.push_back(draw.probability(lock) > 0.5);
-  EXPECT_EQ(drawn.flags("locks", all(4)), locks);
-  EXPECT_EQ(drawn.flag("lock", false), draw.probability("lock") > 0.01);
+  EXPECT_EQ(flags(drawn, in.flags("locks", all(4))), locks);
+  EXPECT_EQ(flags(drawn, in.flag("lock", false)),
+            std::vector<bool>{draw.probability("lock") > 0.01});
   document.finish();
 }
 
@@ -206,8 +265,7 @@ TEST(Uncertainty, AFlagIsFalseOrTrue) {
         "on = { value = true, distribution = { kind = 'uniform', low = 0, high = 1, source = 's' } "
         "}",
         "a.toml");
-    std::vector<Assumption> assumptions;
-    Quantities(document.root(), assumptions).flag("on", false);
+    Quantities(document.root()).flag("on", false);
     document.finish();
   });
   EXPECT_EQ(text,
@@ -221,8 +279,7 @@ TEST(Uncertainty, PartsOutsideTheirDistributionAreNotedOnce) {
         "yaw_deg = { value = 0, distribution = { kind = 'uniform', low = 1, high = 2, source = "
         "'s' } }",
         "a.toml");
-    std::vector<Assumption> assumptions;
-    Quantities(document.root(), assumptions).numbers("yaw_deg", Range::any(), all(4));
+    Quantities(document.root()).numbers("yaw_deg", Range::any(), all(4));
     document.finish();
   });
   EXPECT_EQ(text,
@@ -233,8 +290,7 @@ TEST(Uncertainty, PartsOutsideTheirDistributionAreNotedOnce) {
 TEST(Uncertainty, ATextCannotBeDrawn) {
   const std::string text = error_text([] {
     Document document("type = { value = 'R100', source = 's', distribution = {} }", "a.toml");
-    std::vector<Assumption> assumptions;
-    Quantities(document.root(), assumptions).text("type");
+    Quantities(document.root()).text("type");
     document.finish();
   });
   EXPECT_EQ(text, "a.toml:1:55: type.distribution: a text cannot be drawn");

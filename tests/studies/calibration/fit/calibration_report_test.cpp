@@ -124,14 +124,14 @@ TEST(Calibration, MakesCasterFilesThatLoad) {
     const CheckedFile checked = check_data_file(file);
     EXPECT_TRUE(checked.warnings.empty());
     EXPECT_EQ(each.calibrated, std::vector<std::string>{"tread.rolling_resistance_mm"});
-    const CasterType made = load_caster_type(file);
+    const CasterType made = load_caster_type(file).stated();
     const bool large = each.name.starts_with("R125");
     EXPECT_NEAR(made.properties.tread.rolling_resistance, 1e-3, 5e-5);
     EXPECT_EQ(made.properties.wheel_radius, large ? 0.0625 : 0.05);
     EXPECT_THAT(each.text, HasSubstr("SIMULATED, not measured: gurney calibrate, Cr/R of R1"));
     // All else is the base's.
     const CasterType base =
-        load_caster_type(find_data(DataKind::kCaster, large ? "R125" : "R100", ""));
+        load_caster_type(find_data(DataKind::kCaster, large ? "R125" : "R100", "")).stated();
     EXPECT_EQ(made.properties.tread.patch_width, base.properties.tread.patch_width);
     EXPECT_EQ(made.properties.fork_inertia, base.properties.fork_inertia);
     EXPECT_EQ(made.brake_torque, base.brake_torque);

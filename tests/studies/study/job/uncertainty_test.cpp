@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <optional>
 #include <thread>
 
 #include "engine/base/random/distribution.h"
 #include "engine/base/units.h"
+#include "equipment/catalogue/catalogue.h"
 #include "studies/study/job/job.h"
 #include "studies/study/prepare/run_job.h"
 #include "tests/support/error_text.h"
@@ -104,6 +107,31 @@ TEST(JobDraw, ReachesTheItemItsCastersItsFloorAndItsPlace) {
   // the torque of a brake that is on.
   EXPECT_EQ(job.scene.cross_slope, 0);
   EXPECT_EQ(drawn_in(job).size(), 4u + 3 + 4 * 11 + braked(job));
+}
+
+TEST(JobDraw, AModelIsSampledWithoutItsFiles) {
+  namespace fs = std::filesystem;
+  const std::string draw = "[uncertainty]\nseed = 5\ndraw = 7\n";
+  const Job expected = job_of(std::string(kUncertain) + draw);
+  const TempFolder folder;
+  fs::copy(data_folder() + "/equipment", folder.path() + "/equipment", fs::copy_options::recursive);
+  setenv("GURNEY_DATA", folder.path().c_str(), 1);
+  std::optional<JobModel> model;
+  {
+    config::Document document(std::string(kHead) + kUncertain, "a.toml");
+    model.emplace(document);
+  }
+  fs::remove_all(folder.path() + "/equipment");
+  const Job other = sample(*model, Draw(5, 8)), drawn = sample(*model, Draw(5, 7));
+  unsetenv("GURNEY_DATA");
+  EXPECT_NE(other.scene.items[0].model.chassis_mass, expected.scene.items[0].model.chassis_mass);
+  ASSERT_EQ(drawn.assumptions.size(), expected.assumptions.size());
+  for (std::size_t i = 0; i < drawn.assumptions.size(); ++i) {
+    EXPECT_EQ(drawn.assumptions[i].key, expected.assumptions[i].key);
+    EXPECT_EQ(drawn.assumptions[i].streams, expected.assumptions[i].streams);
+    if (drawn.assumptions[i].choice.empty())
+      EXPECT_EQ(drawn.assumptions[i].value, expected.assumptions[i].value);
+  }
 }
 
 TEST(JobDraw, TakesTheFloorOutOfLevelUnlessTheJobStatesASlope) {
