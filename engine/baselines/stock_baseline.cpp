@@ -9,7 +9,7 @@
 #include "engine/run/recorder.h"
 #include "engine/run/run_clock.h"
 
-namespace gurney {
+namespace gurney::baselines {
 namespace {
 
 /// What the recorder reads of a step.
@@ -106,4 +106,4 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
   return response;
 }
 
-}  // namespace gurney
+}  // namespace gurney::baselines

@@ -3,7 +3,7 @@
 #include "engine/base/units.h"
 #include "equipment/catalogue/quantity.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using config::Range;
@@ -86,4 +86,4 @@ CasterType load_caster_type(const std::string& file, const std::optional<Draw>& 
   return type;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

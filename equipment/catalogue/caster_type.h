@@ -8,7 +8,7 @@
 #include "engine/scene/equipment_model.h"
 #include "equipment/catalogue/assumption.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// A caster as one buys it; docs/formats/equipment_file.md has every key of its file.
 struct CasterType {
@@ -29,4 +29,4 @@ CasterType read_caster_type(config::Table table);
 /// @throws Error with every mistake of the file.
 CasterType load_caster_type(const std::string& file, const std::optional<Draw>& draw = {});
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -3,10 +3,10 @@
 #include "engine/scene/contact_pair.h"
 #include "equipment/catalogue/quantity.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// The keys of a contact's constants: friction, and restitution, with a numerical stiffness if
 /// wanted, or stiffness and damping of a compliant contact. Mistakes are noted in the document.
 ContactConstants read_contact_constants(Quantities in);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -2,7 +2,7 @@
 
 #include "equipment/catalogue/quantity.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 FloorCovering read_floor(config::Table table) {
   FloorCovering floor;
@@ -24,4 +24,4 @@ FloorCovering load_floor_covering(const std::string& file, const std::optional<D
   return floor;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

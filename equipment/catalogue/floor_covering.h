@@ -7,7 +7,7 @@
 #include "engine/config/table.h"
 #include "equipment/catalogue/assumption.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// What a floor covering does to the constants of a caster, which are those on smooth vinyl.
 struct FloorCovering {
@@ -24,4 +24,4 @@ FloorCovering read_floor(config::Table table);
 /// @throws Error with every mistake of the file.
 FloorCovering load_floor_covering(const std::string& file, const std::optional<Draw>& draw = {});
 
-}  // namespace gurney
+}  // namespace gurney::equipment

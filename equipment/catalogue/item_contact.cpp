@@ -2,7 +2,7 @@
 
 #include "equipment/catalogue/contact_constants.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 ItemContact read_item_contact(config::Table table) {
   ItemContact contact;
@@ -12,4 +12,4 @@ ItemContact read_item_contact(config::Table table) {
   return contact;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -9,7 +9,7 @@
 #include "equipment/catalogue/caster_type.h"
 #include "equipment/catalogue/item_contact.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// One place for a caster on the base plate.
 struct CasterPlace {
@@ -58,4 +58,4 @@ struct ItemDescription {
 /// table's document; the result is for use only after its `finish`.
 ItemDescription read_item(config::Table table);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -7,7 +7,7 @@
 #include "engine/config/overlay.h"
 #include "engine/config/table.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using config::Document;
@@ -127,4 +127,4 @@ ItemDescription load_item_description(const std::string& file, const ItemSelecti
   return item;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -7,7 +7,7 @@
 #include "engine/base/random/draw.h"
 #include "equipment/catalogue/item_description.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// Which form of an item is wanted.
 struct ItemSelection {
@@ -28,4 +28,4 @@ std::vector<std::string> variant_names(const std::string& item_file);
 std::string unknown_variant(const std::vector<std::string>& wanted,
                             const std::vector<std::string>& known);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

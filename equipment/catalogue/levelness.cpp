@@ -3,7 +3,7 @@
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/quantity.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 Levelness usual_levelness(const std::optional<Draw>& draw) {
   using config::Range;
@@ -19,4 +19,4 @@ Levelness usual_levelness(const std::optional<Draw>& draw) {
   return floor;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -6,7 +6,7 @@
 #include "engine/base/random/draw.h"
 #include "equipment/catalogue/assumption.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// How far a floor is out of level: rise over run along x and y.
 struct Levelness {
@@ -18,4 +18,4 @@ struct Levelness {
 /// @throws Error with every error of the file.
 Levelness usual_levelness(const std::optional<Draw>& draw = {});
 
-}  // namespace gurney
+}  // namespace gurney::equipment

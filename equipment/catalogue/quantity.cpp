@@ -7,7 +7,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 using config::Range;
 using config::Table;
@@ -269,4 +269,4 @@ void Quantities::choose(const std::string& key, const std::string& choice,
   assumptions_->push_back(assumption);
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -9,7 +9,7 @@
 #include "equipment/catalogue/assumption.h"
 #include "equipment/catalogue/uncertainty.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// Reads numbers that say where they come from. A quantity is a bare number or a table:
 ///
@@ -99,4 +99,4 @@ class Quantities {
   std::vector<Assumption>* assumptions_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::equipment

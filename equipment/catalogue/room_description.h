@@ -10,7 +10,7 @@
 #include "equipment/catalogue/contact_table.h"
 #include "equipment/catalogue/unique_names.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// A named place, such as a socket: where tethers end.
 struct RoomPoint {
@@ -42,4 +42,4 @@ void read_room(config::Table table, RoomNames& names, RoomDescription& room);
 std::string load_room(const std::string& file, const std::optional<Draw>& draw, RoomNames& names,
                       RoomDescription& room);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

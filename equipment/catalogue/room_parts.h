@@ -6,7 +6,7 @@
 #include "equipment/catalogue/quantity.h"
 #include "equipment/catalogue/room_description.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// A point in plan, x and y [m]; noted where it is missing.
 Vector2 read_plan_point(Quantities& in, const std::string& key);
@@ -32,4 +32,4 @@ std::string read_material(config::Table& table, const std::vector<MaterialContac
 void read_walls(config::Table& room, const std::vector<MaterialContact>& known, RoomNames& names,
                 RoomDescription& result);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -2,7 +2,7 @@
 
 #include "equipment/catalogue/quantity.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 TetherType load_tether_type(const std::string& file, const std::optional<Draw>& draw) {
   using config::Range;
@@ -22,4 +22,4 @@ TetherType load_tether_type(const std::string& file, const std::optional<Draw>& 
   return type;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -8,7 +8,7 @@
 #include "engine/base/random/draw.h"
 #include "equipment/catalogue/assumption.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// A kind of cord, hose or line as its file describes it (docs/formats/room_file.md).
 struct TetherType {
@@ -23,4 +23,4 @@ struct TetherType {
 /// @throws Error with every mistake of the file.
 TetherType load_tether_type(const std::string& file, const std::optional<Draw>& draw = {});
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -4,7 +4,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 constexpr std::size_t kShown = 20;
 
@@ -33,4 +33,4 @@ void refuse_spectra(const std::string& file, const std::string& what, const std:
       file, what, instead));
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

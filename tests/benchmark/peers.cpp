@@ -55,12 +55,12 @@ void print_peers() {
     excitation.floor = shaking(record, 0.4);
     settings.solver = Solver::kStar;
     settings.time_step = 6.25e-5;
-    references.push_back(simulate_with_any_solver(scene, excitation, settings));
+    references.push_back(baselines::simulate_with_any_solver(scene, excitation, settings));
     settings.solver = Solver::kBulletDantzig;
     settings.time_step = 2.5e-4;
-    peers_apart = std::max(
-        peers_apart,
-        path_distance(references.back(), simulate_with_any_solver(scene, excitation, settings)));
+    peers_apart =
+        std::max(peers_apart, path_distance(references.back(), baselines::simulate_with_any_solver(
+                                                                   scene, excitation, settings)));
   }
   fmt::print("two independent solvers at their finest step are {:.1f} mm apart\n",
              1e3 * peers_apart);
@@ -84,9 +84,9 @@ void print_peers() {
         excitation.floor = shaking(kRecords[i], 0.4);
         settings.history_step = kSampling;
         const Scene& mine = peer.solver == Solver::kStar ? ours : scene;
-        distance +=
-            path_distance(references[i], simulate_with_any_solver(mine, excitation, settings)) /
-            static_cast<double>(std::size(kRecords));
+        distance += path_distance(references[i],
+                                  baselines::simulate_with_any_solver(mine, excitation, settings)) /
+                    static_cast<double>(std::size(kRecords));
         settings.history_step = 0;
         const Timed run = timed(mine, excitation, settings, 3);
         seconds += run.seconds;

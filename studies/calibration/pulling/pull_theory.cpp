@@ -5,7 +5,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 bool along_x(const Vector3& direction) { return std::abs(direction.normalized().x()) > 1 - 1e-9; }
@@ -101,4 +101,4 @@ PullTheory theory_of(const Scene& scene, const Excitation& excitation) {
   return theory;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

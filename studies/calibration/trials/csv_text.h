@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// A cell, or the value of a key, with its place.
 struct TextCell {
@@ -52,4 +52,4 @@ class CsvMistakes {
 /// @throws Error if the file is missing, cannot be read or has no table.
 CsvText read_csv_text(const std::string& file, CsvMistakes& mistakes);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

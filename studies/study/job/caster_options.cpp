@@ -8,7 +8,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Range;
@@ -17,9 +17,9 @@ using config::Table;
 constexpr double kSameHeading = 1e-9;  // [rad] rounding of degrees, twice
 
 template <typename Able>
-std::vector<bool> casters_that(const ItemDescription& item, Able able) {
+std::vector<bool> casters_that(const equipment::ItemDescription& item, Able able) {
   std::vector<bool> result;
-  for (const CasterPlace& place : item.casters) result.push_back(able(place));
+  for (const equipment::CasterPlace& place : item.casters) result.push_back(able(place));
   return result;
 }
 
@@ -31,16 +31,16 @@ bool same_heading(double a, double b) {
   return std::abs(std::remainder(a - b, 2 * std::numbers::pi)) <= kSameHeading;
 }
 
-void read_headings(Quantities& in, const ItemDescription& item, ItemOptions& options,
-                   Remarks& remarks) {
+void read_headings(equipment::Quantities& in, const equipment::ItemDescription& item,
+                   equipment::ItemOptions& options, Remarks& remarks) {
   constexpr const char* kKey = "headings_deg";
   const std::vector<bool> swivels =
-      casters_that(item, [](const CasterPlace& place) { return place.swivels; });
+      casters_that(item, [](const equipment::CasterPlace& place) { return place.swivels; });
   options.headings = in.numbers(kKey, Range::any(), swivels);
   if (options.headings.size() != swivels.size()) return;
   const bool one_for_all = in.is_one_for_all(kKey);
   for (std::size_t i = 0; i < swivels.size(); ++i) {
-    const CasterPlace& place = item.casters[i];
+    const equipment::CasterPlace& place = item.casters[i];
     double& heading = options.headings[i];
     heading *= kRadiansPerDegree;
     if (swivels[i]) continue;
@@ -65,8 +65,8 @@ struct CasterFlag {
   const char* lack;  ///< `has no brake`
 };
 
-std::vector<bool> read_flags(Quantities& in, const CasterFlag& flag, const ItemDescription& item,
-                             Remarks& remarks) {
+std::vector<bool> read_flags(equipment::Quantities& in, const CasterFlag& flag,
+                             const equipment::ItemDescription& item, Remarks& remarks) {
   Table& table = in.table();
   std::vector<bool> on = in.flags(flag.key, flag.able);
   if (on.size() != flag.able.size()) return on;
@@ -95,9 +95,9 @@ std::vector<bool> read_flags(Quantities& in, const CasterFlag& flag, const ItemD
 
 }  // namespace
 
-void read_caster_options(Quantities& in, const ItemDescription& item, ItemOptions& options,
-                         Remarks& remarks) {
-  const auto type = [&](const CasterPlace& place) -> const CasterType& {
+void read_caster_options(equipment::Quantities& in, const equipment::ItemDescription& item,
+                         equipment::ItemOptions& options, Remarks& remarks) {
+  const auto type = [&](const equipment::CasterPlace& place) -> const equipment::CasterType& {
     return options.caster ? *options.caster : place.type;
   };
   const std::vector<bool> all(item.casters.size(), true);
@@ -118,4 +118,4 @@ void read_caster_options(Quantities& in, const ItemDescription& item, ItemOption
       item, remarks);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

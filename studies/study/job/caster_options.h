@@ -4,7 +4,7 @@
 #include "equipment/catalogue/quantity.h"
 #include "studies/study/job/remarks.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// The keys headings_deg, brakes and swivel_locks of an item with casters.
 ///
@@ -12,7 +12,7 @@ namespace gurney {
 /// lock for those that swivel, a brake for those that have one. In an array each caster has its
 /// own value, and one that it cannot take is an error.
 /// @param options  its caster is set; headings, brakes and locks are set here
-void read_caster_options(Quantities& in, const ItemDescription& item, ItemOptions& options,
-                         Remarks& remarks);
+void read_caster_options(equipment::Quantities& in, const equipment::ItemDescription& item,
+                         equipment::ItemOptions& options, Remarks& remarks);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -8,23 +8,24 @@
 #include "engine/base/units.h"
 #include "equipment/catalogue/quantity.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Range;
 using config::Table;
 
-Vector3 read_direction(Quantities& in) {
+Vector3 read_direction(equipment::Quantities& in) {
   const Vector3 direction = in.vector("direction", Range::any());
   if (direction.norm() > 0) return direction.normalized();
   in.table().note("direction", " = [0, 0, 0]: must have a length");
   return Vector3::UnitX();
 }
 
-Vector3 read_point(Quantities& in) { return in.vector("point_m", Range::any()); }
+Vector3 read_point(equipment::Quantities& in) { return in.vector("point_m", Range::any()); }
 
-PointForce read_force(Table table, std::size_t index, std::vector<Assumption>& assumptions) {
-  Quantities in(table, assumptions);
+PointForce read_force(Table table, std::size_t index,
+                      std::vector<equipment::Assumption>& assumptions) {
+  equipment::Quantities in(table, assumptions);
   PointForce load;
   load.name = table.text("name", fmt::format("force {}", index + 1));
   load.point = read_point(in);
@@ -56,7 +57,7 @@ PointForce read_force(Table table, std::size_t index, std::vector<Assumption>& a
   return load;
 }
 
-DropWeight read_drop_weight(Quantities in) {
+DropWeight read_drop_weight(equipment::Quantities in) {
   DropWeight load;
   load.point = read_point(in);
   load.direction = read_direction(in);
@@ -74,7 +75,7 @@ DropWeight read_drop_weight(Quantities in) {
   return load;
 }
 
-StringPotentiometer read_string_potentiometer(Quantities in) {
+StringPotentiometer read_string_potentiometer(equipment::Quantities in) {
   StringPotentiometer load;
   load.point = read_point(in);
   load.direction = read_direction(in);
@@ -82,7 +83,7 @@ StringPotentiometer read_string_potentiometer(Quantities in) {
   return load;
 }
 
-Blocks read_blocks(Quantities in) {
+Blocks read_blocks(equipment::Quantities in) {
   Blocks load;
   load.point = read_point(in);
   load.stiffness = in.number("stiffness_n_per_m", Range::positive(), load.stiffness);
@@ -92,7 +93,7 @@ Blocks read_blocks(Quantities in) {
 }
 
 Guide read_guide(Table& fixture, const std::string& key, bool translation,
-                 std::vector<Assumption>& assumptions) {
+                 std::vector<equipment::Assumption>& assumptions) {
   Guide guide;
   if (!fixture.is_table(key)) {
     static const std::vector<std::string> kKinds = {"free", "held"};
@@ -100,7 +101,7 @@ Guide read_guide(Table& fixture, const std::string& key, bool translation,
     return guide;
   }
   Table table = *fixture.table(key);
-  Quantities in(table, assumptions);
+  equipment::Quantities in(table, assumptions);
   if (!translation) {
     guide.kind = Guide::Kind::kVelocity;
     guide.velocity = in.number("velocity_deg_per_s", Range::any()) * kRadiansPerDegree;
@@ -121,19 +122,20 @@ Guide read_guide(Table& fixture, const std::string& key, bool translation,
 
 }  // namespace
 
-void read_loads(Table& excitation, std::vector<Assumption>& assumptions, Excitation& loads) {
+void read_loads(Table& excitation, std::vector<equipment::Assumption>& assumptions,
+                Excitation& loads) {
   for (Table& force : excitation.tables("force"))
     loads.forces.push_back(read_force(force, loads.forces.size(), assumptions));
   for (Table& weight : excitation.tables("drop_weight"))
-    loads.drop_weights.push_back(read_drop_weight(Quantities(weight, assumptions)));
+    loads.drop_weights.push_back(read_drop_weight(equipment::Quantities(weight, assumptions)));
   for (Table& string : excitation.tables("string_potentiometer"))
     loads.string_potentiometers.push_back(
-        read_string_potentiometer(Quantities(string, assumptions)));
+        read_string_potentiometer(equipment::Quantities(string, assumptions)));
   for (Table& blocks : excitation.tables("blocks"))
-    loads.blocks.push_back(read_blocks(Quantities(blocks, assumptions)));
+    loads.blocks.push_back(read_blocks(equipment::Quantities(blocks, assumptions)));
 }
 
-Fixture read_fixture(Table& fixture, std::vector<Assumption>& assumptions) {
+Fixture read_fixture(Table& fixture, std::vector<equipment::Assumption>& assumptions) {
   static constexpr std::array kDegreesOfFreedom = {"x", "y", "z", "roll", "pitch", "yaw"};
   Fixture result;
   for (std::size_t i = 0; i < kDegreesOfFreedom.size(); ++i)
@@ -141,4 +143,4 @@ Fixture read_fixture(Table& fixture, std::vector<Assumption>& assumptions) {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

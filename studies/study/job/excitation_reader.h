@@ -7,14 +7,15 @@
 #include "equipment/catalogue/assumption.h"
 #include "studies/study/job/job.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Each reader notes mistakes in its table's document.
 
 /// [[excitation.force]], drop weights, string potentiometers and blocks, appended to `loads`.
-void read_loads(config::Table& excitation, std::vector<Assumption>& assumptions, Excitation& loads);
+void read_loads(config::Table& excitation, std::vector<equipment::Assumption>& assumptions,
+                Excitation& loads);
 
 /// [fixture]
-Fixture read_fixture(config::Table& fixture, std::vector<Assumption>& assumptions);
+Fixture read_fixture(config::Table& fixture, std::vector<equipment::Assumption>& assumptions);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -7,7 +7,7 @@
 
 #include "studies/study/job/item_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Table;
@@ -37,7 +37,7 @@ std::string equipment_name(Table& item) {
 }
 
 /// Stated names come first: a name made from the equipment's gives way to them.
-std::vector<std::string> read_names(std::vector<Table>& items, UniqueNames& names) {
+std::vector<std::string> read_names(std::vector<Table>& items, equipment::UniqueNames& names) {
   std::vector<std::string> result(items.size());
   for (std::size_t i = 0; i < items.size(); ++i)
     if (items[i].has("name")) names.take(items[i], result[i] = items[i].text("name"));
@@ -54,8 +54,9 @@ std::vector<std::string> read_names(std::vector<Table>& items, UniqueNames& name
 
 }  // namespace
 
-std::vector<JobItem> read_items(Table& root, const std::optional<FloorCovering>& covering,
-                                UniqueNames& names, Job& job) {
+std::vector<JobItem> read_items(Table& root,
+                                const std::optional<equipment::FloorCovering>& covering,
+                                equipment::UniqueNames& names, Job& job) {
   std::vector<Table> tables = item_tables(root);
   const bool several = root.is_array("item");
   const std::vector<std::string> item_names = read_names(tables, names);
@@ -66,10 +67,10 @@ std::vector<JobItem> read_items(Table& root, const std::optional<FloorCovering>&
     placed.name = item_names[i];
     if (several && job.draw)
       root.document().set_draw_of(fmt::format("item[{}]", i), job.draw->of_part(placed.name));
-    ItemOptions options;
+    equipment::ItemOptions options;
     options.floor = covering;
     Remarks remarks;
-    std::optional<LoadedItem> item =
+    std::optional<equipment::LoadedItem> item =
         read_job_item(tables[i], options, placed.initial, job.assumptions, remarks);
     job.warnings.insert(job.warnings.end(), remarks.warnings.begin(), remarks.warnings.end());
     job.without_effect.insert(job.without_effect.end(), remarks.without_effect.begin(),
@@ -81,10 +82,10 @@ std::vector<JobItem> read_items(Table& root, const std::optional<FloorCovering>&
     placed.model = std::move(item->model);
     for (const std::string& warning : item->warnings)
       job.warnings.push_back(several ? placed.name + ": " + warning : warning);
-    add_assumptions(job.assumptions, item->assumptions);
+    equipment::add_assumptions(job.assumptions, item->assumptions);
   }
   root.document().set_draw_of("", job.draw);
   return items.size() == tables.size() ? items : std::vector<JobItem>{};
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

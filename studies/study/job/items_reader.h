@@ -8,7 +8,7 @@
 #include "equipment/catalogue/unique_names.h"
 #include "studies/study/job/job.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// What a job says of an item besides the scene's part.
 struct JobItem {
@@ -21,7 +21,8 @@ struct JobItem {
 /// [[item]] is drawn as a part with its name. Mistakes are noted in the document.
 /// @param names  takes the name of each
 /// @return as Scene::items; empty where there is a mistake in them
-std::vector<JobItem> read_items(config::Table& root, const std::optional<FloorCovering>& covering,
-                                UniqueNames& names, Job& job);
+std::vector<JobItem> read_items(config::Table& root,
+                                const std::optional<equipment::FloorCovering>& covering,
+                                equipment::UniqueNames& names, Job& job);
 
-}  // namespace gurney
+}  // namespace gurney::study

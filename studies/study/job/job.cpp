@@ -21,7 +21,7 @@
 #include "studies/study/job/room_reader.h"
 #include "studies/study/job/tether_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Range;
@@ -43,7 +43,7 @@ void read_initial(Table& root, Job& job) {
   auto table = root.table("initial");
   if (!table) return;
   InitialMotion& initial = job.scene.items.front().initial;
-  Quantities in(*table, job.assumptions);
+  equipment::Quantities in(*table, job.assumptions);
   initial.velocity = in.vector("velocity_m_per_s", Range::any(), Vector3::Zero());
   initial.yaw_rate = in.number("yaw_rate_deg_per_s", Range::any(), 0.0) * kRadiansPerDegree;
   initial.wheels_roll = table->boolean("wheels_roll", initial.wheels_roll);
@@ -111,21 +111,23 @@ void read_output(Table& root, Job& job) {
 }
 
 /// How far the floor is out of level where the job does not say.
-void use_levelness(std::optional<Draw> draw, std::vector<Assumption>& assumptions, Scene& scene) {
+void use_levelness(std::optional<Draw> draw, std::vector<equipment::Assumption>& assumptions,
+                   Scene& scene) {
   if (draw) draw = draw->of_part("floor");
-  const Levelness usual = usual_levelness(draw);
+  const equipment::Levelness usual = equipment::usual_levelness(draw);
   scene.slope = usual.slope;
   scene.cross_slope = usual.cross_slope;
-  add_assumptions(assumptions, usual.assumptions);
+  equipment::add_assumptions(assumptions, usual.assumptions);
 }
 
-std::optional<FloorCovering> read_floor(Table& root, std::vector<Assumption>& assumptions,
-                                        Scene& scene) {
+std::optional<equipment::FloorCovering> read_floor(Table& root,
+                                                   std::vector<equipment::Assumption>& assumptions,
+                                                   Scene& scene) {
   auto table = root.table("floor");
   const bool stated = table && (table->has("slope") || table->has("cross_slope"));
   if (!stated) use_levelness(root.document().draw(), assumptions, scene);
   if (!table) return {};
-  Quantities in(*table, assumptions);
+  equipment::Quantities in(*table, assumptions);
   scene.slope = in.number("slope", Range::within(-1, 1), scene.slope);
   scene.cross_slope = in.number("cross_slope", Range::within(-1, 1), scene.cross_slope);
   scene.gravity = in.number("gravity_m_per_s2", Range::not_negative(), scene.gravity);
@@ -136,10 +138,10 @@ std::optional<FloorCovering> read_floor(Table& root, std::vector<Assumption>& as
 void read_rotation_factor(Table& excitation, Job& job) {
   auto building = excitation.table("building");
   if (!building) return;
-  Quantities in(*building, job.assumptions);
+  equipment::Quantities in(*building, job.assumptions);
   job.rotation_factor = in.number("rotation_factor", Range::not_negative(), 1.0);
   if (job.record && job.record->building &&
-      !rotates(job.record->building->building, job.record->building->floor))
+      !groundmotions::rotates(job.record->building->building, job.record->building->floor))
     note_without_effect(*building, {"rotation_factor"},
                         "on a floor that does not rotate: the building has no floor_rotation", job);
 }
@@ -157,7 +159,7 @@ Job read(config::Document& document, const std::optional<Draw>& draw) {
   Job job;
   job.file = document.path();
   job.text = document.text();
-  refuse_other_kind(document, "gurney-job/1");
+  equipment::refuse_other_kind(document, "gurney-job/1");
   Table root = document.root();
   root.choice("schema", {"gurney-job/1"});
   document.tree().asked.insert("study");  // is read by StudyJob
@@ -165,9 +167,10 @@ Job read(config::Document& document, const std::optional<Draw>& draw) {
   job.draw = draw;
   document.set_draw(draw);
 
-  const std::optional<FloorCovering> covering = read_floor(root, job.assumptions, job.scene);
-  RoomNames names;
-  RoomDescription room = read_job_room(root, names);
+  const std::optional<equipment::FloorCovering> covering =
+      read_floor(root, job.assumptions, job.scene);
+  equipment::RoomNames names;
+  equipment::RoomDescription room = read_job_room(root, names);
   std::vector<JobItem> items = read_items(root, covering, names.shapes, job);
   read_tethers(root, room.points, job);
   if (auto table = root.table("excitation")) {
@@ -192,8 +195,9 @@ void note_lines(config::Document& document, const std::vector<std::string>& line
 }  // namespace
 
 bool draws_anything(const Job& job) {
-  return std::ranges::any_of(job.assumptions,
-                             [](const Assumption& each) { return !each.distribution.empty(); });
+  return std::ranges::any_of(job.assumptions, [](const equipment::Assumption& each) {
+    return !each.distribution.empty();
+  });
 }
 
 Job read_job(const std::string& path) {
@@ -217,4 +221,4 @@ Job read_study_job(config::Document& document, const std::optional<Draw>& draw) 
   return job;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -5,7 +5,7 @@
 #include "engine/base/units.h"
 #include "engine/run/overlaps.h"
 
-namespace gurney {
+namespace gurney::study {
 
 void check_overlaps(std::vector<JobItem>& items, const Scene& scene) {
   if (scene.items.size() == 1 && scene.room.empty()) return;
@@ -21,4 +21,4 @@ void check_overlaps(std::vector<JobItem>& items, const Scene& scene) {
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

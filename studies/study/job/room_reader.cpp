@@ -7,7 +7,7 @@
 #include "equipment/catalogue/room_parts.h"
 #include "studies/study/job/load_named.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Table;
@@ -27,30 +27,32 @@ struct Surface {
 /// else the usual ones.
 class PairList {
  public:
-  PairList(Job& job, const RoomDescription& room)
-      : job_(&job), stated_(room.contacts), usual_(usual_contacts(job.draw)) {}
+  PairList(Job& job, const equipment::RoomDescription& room)
+      : job_(&job), stated_(room.contacts), usual_(equipment::usual_contacts(job.draw)) {}
 
   /// @return false where there are none
   bool add(const Surface& one, const Surface& other) {
     if (!done_.insert(std::minmax(one.name, other.name)).second) return true;
-    const MaterialContact* found = find_contact(stated_, one.known, other.known);
+    const equipment::MaterialContact* found =
+        equipment::find_contact(stated_, one.known, other.known);
     const ContactConstants* own = one.own != nullptr ? one.own : other.own;
-    if (found == nullptr && own == nullptr) found = find_contact(usual_, one.known, other.known);
+    if (found == nullptr && own == nullptr)
+      found = equipment::find_contact(usual_, one.known, other.known);
     if (found == nullptr && own == nullptr) return false;
     job_->scene.pairs.push_back({one.name, other.name, found != nullptr ? found->constants : *own});
-    if (found != nullptr) add_assumptions(job_->assumptions, found->assumptions);
+    if (found != nullptr) equipment::add_assumptions(job_->assumptions, found->assumptions);
     return true;
   }
 
-  std::vector<MaterialContact> contacts() const {
-    std::vector<MaterialContact> all = stated_;
+  std::vector<equipment::MaterialContact> contacts() const {
+    std::vector<equipment::MaterialContact> all = stated_;
     all.insert(all.end(), usual_.begin(), usual_.end());
     return all;
   }
 
  private:
   Job* job_;
-  std::vector<MaterialContact> stated_, usual_;
+  std::vector<equipment::MaterialContact> stated_, usual_;
   std::set<std::pair<std::string, std::string>> done_;
 };
 
@@ -75,23 +77,23 @@ std::vector<Surface> surfaces_of(const std::vector<JobItem>& items, Scene& scene
 
 }  // namespace
 
-RoomDescription read_job_room(Table& root, RoomNames& names) {
-  RoomDescription room;
+equipment::RoomDescription read_job_room(Table& root, equipment::RoomNames& names) {
+  equipment::RoomDescription room;
   auto table = root.table("room");
   if (!table) return room;
-  load_named(*table, "file", DataKind::kRoom, [&](const std::string& file) {
-    return load_room(file, root.document().draw(), names, room);
+  load_named(*table, "file", equipment::DataKind::kRoom, [&](const std::string& file) {
+    return equipment::load_room(file, root.document().draw(), names, room);
   });
-  read_room(*table, names, room);
+  equipment::read_room(*table, names, room);
   return room;
 }
 
-void furnish(Table& root, std::vector<JobItem>& items, RoomDescription room, Job& job) {
+void furnish(Table& root, std::vector<JobItem>& items, equipment::RoomDescription room, Job& job) {
   Scene& scene = job.scene;
   PairList pairs(job, room);
   scene.floor_material = kUsualFloor;
   if (auto floor = root.table("floor"))
-    scene.floor_material = read_material(*floor, pairs.contacts(), kUsualFloor);
+    scene.floor_material = equipment::read_material(*floor, pairs.contacts(), kUsualFloor);
   const std::vector<Surface> surfaces = surfaces_of(items, scene);
   const auto add = [&](std::size_t i, const Surface& one, const Surface& other,
                        const std::string& other_name) {
@@ -116,9 +118,9 @@ void furnish(Table& root, std::vector<JobItem>& items, RoomDescription room, Job
       settings->note("solver",
                      ": must be \"star\" with a room, tethers or several items; Bullet's "
                      "own solvers are baselines for one item on a floor");
-  add_assumptions(job.assumptions, room.assumptions);
+  equipment::add_assumptions(job.assumptions, room.assumptions);
   scene.room = std::move(room.shapes);
   scene.zones = std::move(room.zones);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -9,7 +9,7 @@
 #include "equipment/catalogue/tether_type.h"
 #include "studies/study/job/load_named.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Range;
@@ -27,7 +27,7 @@ std::size_t read_item(Table& table, const std::vector<PlacedItem>& items) {
   return 0;
 }
 
-Vector3 read_anchor(Quantities& in, const std::vector<RoomPoint>& points) {
+Vector3 read_anchor(equipment::Quantities& in, const std::vector<equipment::RoomPoint>& points) {
   Table& table = in.table();
   if (table.has("anchor") == table.has("anchor_m")) {
     table.note("anchor", ": must name a [[room.point]], or anchor_m must give a place, not both");
@@ -36,7 +36,7 @@ Vector3 read_anchor(Quantities& in, const std::vector<RoomPoint>& points) {
   if (table.has("anchor_m")) return in.vector("anchor_m", Range::any());
   const std::string name = table.text("anchor");
   std::vector<std::string> known;
-  for (const RoomPoint& point : points) {
+  for (const equipment::RoomPoint& point : points) {
     if (point.name == name) return point.position;
     known.push_back(point.name);
   }
@@ -47,20 +47,21 @@ Vector3 read_anchor(Quantities& in, const std::vector<RoomPoint>& points) {
 }
 
 /// Constants of the kind, and those the job states in their place.
-void read_constants(Quantities& in, Tether& tether, std::vector<Assumption>& assumptions) {
+void read_constants(equipment::Quantities& in, Tether& tether,
+                    std::vector<equipment::Assumption>& assumptions) {
   Table& table = in.table();
   const std::optional<Draw>& draw = table.document().draw();
-  const auto type = load_named(table, "kind", DataKind::kTether, [&](const std::string& file) {
-    return load_tether_type(file, draw);
-  });
+  const auto type =
+      load_named(table, "kind", equipment::DataKind::kTether,
+                 [&](const std::string& file) { return equipment::load_tether_type(file, draw); });
   const std::optional<double> none;
   const bool known = table.has("kind");  // its mistakes are noted; it is not missing
-  TetherType usual = type.value_or(TetherType{});
+  equipment::TetherType usual = type.value_or(equipment::TetherType{});
   const auto fallback = [&](double value) { return known ? std::optional<double>(value) : none; };
   const auto stated = [&](const char* key, const char* of_kind) {
     if (table.has(key))
       std::erase_if(usual.assumptions,
-                    [&](const Assumption& each) { return each.key.ends_with(of_kind); });
+                    [&](const equipment::Assumption& each) { return each.key.ends_with(of_kind); });
   };
   stated("stiffness_n_per_m", "axial_stiffness_n");
   stated("damping_n_s_per_m", "damping_n_s_per_m");
@@ -74,7 +75,7 @@ void read_constants(Quantities& in, Tether& tether, std::vector<Assumption>& ass
       in.number("strength_n", Range::positive().with_infinity(), fallback(usual.strength));
   tether.slack_pull =
       in.number("slack_pull_n", Range::not_negative(), known ? usual.slack_pull : 0.0);
-  add_assumptions(assumptions, usual.assumptions);
+  equipment::add_assumptions(assumptions, usual.assumptions);
 }
 
 double distance_at_start(const Tether& tether, const InitialMotion& start) {
@@ -83,12 +84,12 @@ double distance_at_start(const Tether& tether, const InitialMotion& start) {
   return (point - tether.anchor).norm();
 }
 
-Tether read_tether(Table& table, const std::string& name, const std::vector<RoomPoint>& points,
-                   Job& job) {
+Tether read_tether(Table& table, const std::string& name,
+                   const std::vector<equipment::RoomPoint>& points, Job& job) {
   Tether tether;
   tether.name = name;
   const std::size_t mistakes = table.document().mistakes();
-  Quantities in(table, job.assumptions);
+  equipment::Quantities in(table, job.assumptions);
   tether.item = read_item(table, job.scene.items);
   tether.point = in.vector("point_m", Range::any());
   tether.anchor = read_anchor(in, points);
@@ -106,8 +107,8 @@ Tether read_tether(Table& table, const std::string& name, const std::vector<Room
 
 }  // namespace
 
-void read_tethers(Table& root, const std::vector<RoomPoint>& points, Job& job) {
-  UniqueNames names;
+void read_tethers(Table& root, const std::vector<equipment::RoomPoint>& points, Job& job) {
+  equipment::UniqueNames names;
   std::size_t index = 0;
   for (Table& table : root.tables("tether")) {
     const std::string name = names.read(table, "tether", index);
@@ -119,4 +120,4 @@ void read_tethers(Table& root, const std::vector<RoomPoint>& points, Job& job) {
   root.document().set_draw_of("", job.draw);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -14,7 +14,7 @@
 #include "studies/study/limit_states/response_values.h"
 #include "studies/study/plan/study_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Document;
@@ -184,7 +184,7 @@ StudyJob::StudyJob(std::unique_ptr<FileSnapshot> files, std::unique_ptr<Document
 bool StudyJob::draws_anything() const {
   try {
     for (std::size_t i = 0; i < configurations_.size(); ++i)
-      if (gurney::draws_anything(job(i, Draw(study_.seed, 0)))) return true;
+      if (study::draws_anything(job(i, Draw(study_.seed, 0)))) return true;
     return false;
   } catch (const Error&) {  // the job without a draw is right, so this draw changed it
     return true;
@@ -199,4 +199,4 @@ Job StudyJob::job(std::size_t configuration, const std::optional<Draw>& draw) co
 
 bool has_study(const std::string& path) { return Document(path).tree().find("study") != nullptr; }
 
-}  // namespace gurney
+}  // namespace gurney::study

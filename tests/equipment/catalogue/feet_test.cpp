@@ -10,7 +10,7 @@
 #include "tests/support/standing.h"
 
 // Items of the catalogue without casters, from their files to their motion.
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using std::numbers::pi;
@@ -125,4 +125,4 @@ TEST(Feet, StandsOnTheFloorOfItsCoveringWithAllItsPairs) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

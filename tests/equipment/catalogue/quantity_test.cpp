@@ -4,7 +4,7 @@
 
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using config::Document;
@@ -90,4 +90,4 @@ TEST(Assumptions, AreListedOnce) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

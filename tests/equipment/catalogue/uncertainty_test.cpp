@@ -7,7 +7,7 @@
 #include "equipment/catalogue/quantity.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 /// Parts that are all drawn.
@@ -254,4 +254,4 @@ TEST(Uncertainty, UnitsAreThoseOfTheKey) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

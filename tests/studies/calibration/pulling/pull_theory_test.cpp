@@ -7,7 +7,7 @@
 #include "studies/verification/scenes/scenes.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 using namespace scenes;
@@ -90,4 +90,4 @@ TEST(PullTheory, RefusesWhatItDoesNotDescribe) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::calibration
