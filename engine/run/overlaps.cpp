@@ -14,7 +14,7 @@ constexpr double kLeastDepth = 1e-3;  // [m]
 
 std::vector<Overlap> find_overlaps(const Scene& scene) {
   validate(scene);
-  const Assembly assembly(scene, {});
+  const Assembly assembly(scene);
   SceneState state;
   for (std::size_t i = 0; i < scene.items.size(); ++i)
     state.items.push_back(assembly.items[i].placed(scene.items[i].initial));

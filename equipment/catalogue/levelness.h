@@ -14,7 +14,7 @@ struct Levelness {
   std::vector<Assumption> assumptions;
 };
 
-/// That of equipment/catalogue/levelness.toml.
+/// That of equipment/levelness.toml.
 /// @throws Error with every error of the file.
 Levelness usual_levelness(const std::optional<Draw>& draw = {});
 

@@ -11,7 +11,7 @@ namespace gurney::cli {
 
 void add_records(CLI::App& app, std::function<int()>& act) {
   CLI::App* const records =
-      app.add_subcommand("records", "Look at ground motions, convert, make and transform them");
+      app.add_subcommand("records", "Inspect, convert, generate and scale ground motions");
   records->require_subcommand(1);
   add_records_info(*records, act);
   add_records_plot(*records, act);

@@ -39,9 +39,8 @@ void print(const RunOutput& output, const study::PreparedRun& run, const Respons
     fmt::print("{}", report::summary_json(run.facts, response));
     return;
   }
-  fmt::print("{}\n", report::summary(run.facts, response));
-  if (seconds > 0)
-    fmt::print("speed    {:.0f} simulated seconds per second\n", response.end_time / seconds);
+  fmt::print("{}\n", summary(run.facts, response));
+  if (seconds > 0) fmt::print("speed    {:.0f} x real time\n", response.end_time / seconds);
   fmt::print("results  {}\n", output.results.string());
   if (!output.no_figure) fmt::print("figure   {}\n", output.figure().string());
 }
@@ -60,8 +59,7 @@ void check_output(const RunOutput& output) {
 
 Response run_and_write(const study::PreparedRun& run, const RunOutput& output) {
   const auto start = Clock::now();
-  Response response =
-      baselines::simulate_with_any_solver(run.facts.scene, run.excitation, run.facts.settings);
+  Response response = simulate_with_any_solver(run.facts.scene, run.facts.floor, run.facts.settings);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   {
     const SignalsHeld until_written;

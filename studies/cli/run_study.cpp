@@ -82,7 +82,7 @@ bool is_complete(const RunOptions& options, const Paths& paths, const study::Bat
     study::PartFolder(paths.parts, study::identity_of(batch), batch.plan.units(),
                       study::PartFolder::Start::kResume)
         .remove();
-  fmt::print("results  {} (complete already)\n", paths.results.string());
+  fmt::print("results  {} (already complete)\n", paths.results.string());
   return true;
 }
 
@@ -122,7 +122,7 @@ std::string resume_hint(const RunOptions& options, const Paths& paths,
   if (!folder.holds())
     return fmt::format("{}: the finished runs are lost with it; start again", paths.parts.string());
   return fmt::format(
-      "{} of {} analysis cases are finished and kept in {}\ngo on with: gurney run {} -o {} "
+      "{} of {} analysis cases are finished and kept in {}\ncontinue with: gurney run {} -o {} "
       "--resume{}{}{}",
       folder.size(), units, paths.parts.string(), shell_word(options.job),
       shell_word(paths.results.string()), options.overwrite ? " --overwrite" : "",

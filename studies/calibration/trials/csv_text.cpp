@@ -103,7 +103,7 @@ void CsvMistakes::finish() const {
     text += fmt::format("{}{}:{}:{}: {}", i > 0 ? "\n" : "", file_, sorted[i].line,
                         sorted[i].column, sorted[i].message);
   if (sorted.size() > kMostMistakes)
-    text += fmt::format("\n{}: and {} more mistakes", file_, sorted.size() - kMostMistakes);
+    text += fmt::format("\n{}: and {} more errors", file_, sorted.size() - kMostMistakes);
   throw Error(text);
 }
 

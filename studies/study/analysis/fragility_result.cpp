@@ -4,6 +4,7 @@
 
 #include "studies/statistics/capacity_intervals.h"
 #include "studies/statistics/fit_check.h"
+#include "studies/study/analysis/measure_choice.h"
 
 namespace gurney::study {
 namespace {

@@ -122,17 +122,16 @@ Guide read_guide(Table& fixture, const std::string& key, bool translation,
 
 }  // namespace
 
-void read_loads(Table& excitation, std::vector<equipment::Assumption>& assumptions,
-                Excitation& loads) {
-  for (Table& force : excitation.tables("force"))
-    loads.forces.push_back(read_force(force, loads.forces.size(), assumptions));
-  for (Table& weight : excitation.tables("drop_weight"))
-    loads.drop_weights.push_back(read_drop_weight(equipment::Quantities(weight, assumptions)));
-  for (Table& string : excitation.tables("string_potentiometer"))
-    loads.string_potentiometers.push_back(
-        read_string_potentiometer(equipment::Quantities(string, assumptions)));
-  for (Table& blocks : excitation.tables("blocks"))
-    loads.blocks.push_back(read_blocks(equipment::Quantities(blocks, assumptions)));
+void read_loads(Table& table, std::vector<Assumption>& assumptions, std::vector<Load>& loads) {
+  std::size_t forces = loads_of<PointForce>(loads).size();
+  for (Table& force : table.tables("force"))
+    loads.push_back(read_force(force, forces++, assumptions));
+  for (Table& weight : table.tables("drop_weight"))
+    loads.push_back(read_drop_weight(Quantities(weight, assumptions)));
+  for (Table& string : table.tables("string_potentiometer"))
+    loads.push_back(read_string_potentiometer(Quantities(string, assumptions)));
+  for (Table& blocks : table.tables("blocks"))
+    loads.push_back(read_blocks(Quantities(blocks, assumptions)));
 }
 
 Fixture read_fixture(Table& fixture, std::vector<equipment::Assumption>& assumptions) {
@@ -143,4 +142,11 @@ Fixture read_fixture(Table& fixture, std::vector<equipment::Assumption>& assumpt
   return result;
 }
 
-}  // namespace gurney::study
+void read_initial(Table& initial, std::vector<Assumption>& assumptions, InitialMotion& motion) {
+  Quantities in(initial, assumptions);
+  motion.velocity = in.vector("velocity_m_per_s", Range::any(), Vector3::Zero());
+  motion.yaw_rate = in.number("yaw_rate_deg_per_s", Range::any(), 0.0) * kRadiansPerDegree;
+  motion.wheels_roll = initial.boolean("wheels_roll", motion.wheels_roll);
+}
+
+}  // namespace gurney

@@ -11,11 +11,14 @@ namespace gurney::study {
 
 /// Each reader notes mistakes in its table's document.
 
-/// [[excitation.force]], drop weights, string potentiometers and blocks, appended to `loads`.
-void read_loads(config::Table& excitation, std::vector<equipment::Assumption>& assumptions,
-                Excitation& loads);
+/// The forces, drop weights, string potentiometers and blocks of a table [item] or [excitation],
+/// appended to `loads`.
+void read_loads(config::Table& table, std::vector<Assumption>& assumptions,
+                std::vector<Load>& loads);
 
-/// [fixture]
-Fixture read_fixture(config::Table& fixture, std::vector<equipment::Assumption>& assumptions);
+/// The tables `fixture` and `initial` of an item or a job.
+Fixture read_fixture(config::Table& fixture, std::vector<Assumption>& assumptions);
+void read_initial(config::Table& initial, std::vector<Assumption>& assumptions,
+                  InitialMotion& motion);
 
 }  // namespace gurney::study

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "studies/study/job/excitation_reader.h"
 #include "studies/study/job/item_reader.h"
 
 namespace gurney::study {
@@ -52,6 +53,27 @@ std::vector<std::string> read_names(std::vector<Table>& items, equipment::Unique
   return result;
 }
 
+/// What acts on the item, and how it moves at the start.
+void read_acting(Table& item, PlacedItem& placed, std::vector<Assumption>& assumptions) {
+  read_loads(item, assumptions, placed.loads);
+  if (auto fixture = item.table("fixture")) placed.fixture = read_fixture(*fixture, assumptions);
+  if (auto initial = item.table("initial")) read_initial(*initial, assumptions, placed.initial);
+}
+
+/// Notes each of these keys that is there: a job of several items has it with one of them.
+void note_without_item(Table& table, const std::vector<const char*>& keys, const char* form) {
+  for (const char* key : keys)
+    if (table.has(key))
+      table.note(key, fmt::format(": must be with one of the items, {} below its [[item]]",
+                                  fmt::format(fmt::runtime(form), key)));
+}
+
+/// Notes a table that both the job and its item have.
+void note_twice(Table& root, Table& item, const char* key) {
+  if (root.has(key) && item.has(key))
+    root.note(key, fmt::format(": must not be given beside item.{}", key));
+}
+
 }  // namespace
 
 std::vector<JobItem> read_items(Table& root,
@@ -75,6 +97,7 @@ std::vector<JobItem> read_items(Table& root,
     job.warnings.insert(job.warnings.end(), remarks.warnings.begin(), remarks.warnings.end());
     job.without_effect.insert(job.without_effect.end(), remarks.without_effect.begin(),
                               remarks.without_effect.end());
+    read_acting(tables[i], placed, job.assumptions);
     if (!item) continue;
     JobItem& of_job = items.emplace_back(JobItem{tables[i], {}});
     if (item->states_contact)
@@ -85,7 +108,24 @@ std::vector<JobItem> read_items(Table& root,
     equipment::add_assumptions(job.assumptions, item->assumptions);
   }
   root.document().set_draw_of("", job.draw);
+  if (tables.size() == 1)
+    for (const char* key : {"fixture", "initial"}) note_twice(root, tables.front(), key);
   return items.size() == tables.size() ? items : std::vector<JobItem>{};
 }
 
-}  // namespace gurney::study
+void read_acting_at_top(Table& root, Job& job) {
+  const bool several = job.scene.items.size() > 1;
+  PlacedItem none;
+  PlacedItem& only = several ? none : job.scene.items.front();
+  if (auto excitation = root.table("excitation")) {
+    read_loads(*excitation, job.assumptions, only.loads);
+    if (several)
+      note_without_item(*excitation, {"force", "drop_weight", "string_potentiometer", "blocks"},
+                        "[[item.{}]]");
+  }
+  if (auto fixture = root.table("fixture")) only.fixture = read_fixture(*fixture, job.assumptions);
+  if (auto initial = root.table("initial")) read_initial(*initial, job.assumptions, only.initial);
+  if (several) note_without_item(root, {"fixture", "initial"}, "[item.{}]");
+}
+
+}  // namespace gurney

@@ -25,4 +25,8 @@ std::vector<JobItem> read_items(config::Table& root,
                                 const std::optional<equipment::FloorCovering>& covering,
                                 equipment::UniqueNames& names, Job& job);
 
-}  // namespace gurney::study
+/// What acts on the only item of a job, where it stands at the top of the job: [[excitation.force]]
+/// and the other loads, [fixture], [initial]. In a job of several items each is an error.
+void read_acting_at_top(config::Table& root, Job& job);
+
+}  // namespace gurney

@@ -13,7 +13,6 @@
 #include "equipment/catalogue/file_kind.h"
 #include "equipment/catalogue/levelness.h"
 #include "equipment/catalogue/quantity.h"
-#include "studies/study/job/excitation_reader.h"
 #include "studies/study/job/item_reader.h"
 #include "studies/study/job/items_reader.h"
 #include "studies/study/job/overlap_check.h"
@@ -39,16 +38,16 @@ void note_without_effect(Table& table, const std::vector<const char*>& keys,
           fmt::format("{}: {}: has no effect {}", table.where(key), table.name_of(key), reason));
 }
 
-void read_initial(Table& root, Job& job) {
-  auto table = root.table("initial");
-  if (!table) return;
-  InitialMotion& initial = job.scene.items.front().initial;
-  equipment::Quantities in(*table, job.assumptions);
-  initial.velocity = in.vector("velocity_m_per_s", Range::any(), Vector3::Zero());
-  initial.yaw_rate = in.number("yaw_rate_deg_per_s", Range::any(), 0.0) * kRadiansPerDegree;
-  initial.wheels_roll = table->boolean("wheels_roll", initial.wheels_roll);
-  if (root.document().clean() && job.scene.items.front().model.casters.empty())
-    note_without_effect(*table, {"wheels_roll"}, "on an item without casters", job);
+/// The key wheels_roll of items without wheels.
+void note_wheels_roll(Table& root, std::vector<JobItem>& items, Job& job) {
+  const auto note = [&](Table& table, const EquipmentModel& model) {
+    auto initial = table.table("initial");
+    if (initial && model.casters.empty())
+      note_without_effect(*initial, {"wheels_roll"}, "on an item without casters", job);
+  };
+  if (!root.document().clean()) return;
+  for (std::size_t i = 0; i < items.size(); ++i) note(items[i].table, job.scene.items[i].model);
+  note(root, job.scene.items.front().model);
 }
 
 void read_settings(Table& root, Job& job) {
@@ -176,13 +175,11 @@ Job read(config::Document& document, const std::optional<Draw>& draw) {
   if (auto table = root.table("excitation")) {
     job.record = read_record_request(*table);
     read_rotation_factor(*table, job);
-    read_loads(*table, job.assumptions, job.excitation);
   }
-  if (auto table = root.table("fixture"))
-    job.excitation.fixture = read_fixture(*table, job.assumptions);
-  read_initial(root, job);
+  read_acting_at_top(root, job);
   read_settings(root, job);
   read_output(root, job);
+  note_wheels_roll(root, items, job);
   furnish(root, items, std::move(room), job);
   if (document.clean()) check_overlaps(items, job.scene);
   return job;
