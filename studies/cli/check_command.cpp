@@ -76,7 +76,7 @@ void add_intensity(Answer& answer, const study::IntensityPlan& plan) {
     answer.add("stages", 1 + plan.more_stages,
                fmt::format("{}: these levels, then {} further for each configuration, planned from "
                            "the preceding runs",
-                           1 + plan.more_stages, kLevelsOfAStage));
+                           1 + plan.more_stages, study::kLevelsOfAStage));
 }
 
 /// Of the levels as stated: of an IDA the first, for the others are not known before it runs.

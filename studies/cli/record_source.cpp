@@ -86,10 +86,10 @@ int for_each_record(const RecordSource& source, std::vector<groundmotions::Refus
   const auto steps = steps_of(source);
   ProgressLine progress;
   const std::vector<std::filesystem::path> paths(source.paths.begin(), source.paths.end());
-  const Suite suite = read_suite(paths, source.options, [&](std::size_t done, std::size_t all) {
-    progress.show("reading file", done, all);
-  });
-  std::vector<Refusal> left_out = suite.refused;
+  const groundmotions::Suite suite = groundmotions::read_suite(
+      paths, source.options,
+      [&](std::size_t done, std::size_t all) { progress.show("reading file", done, all); });
+  std::vector<groundmotions::Refusal> left_out = suite.refused;
   std::size_t used = 0;
   bool named = false;
   const auto is_named = [&](const std::string& file) {

@@ -87,8 +87,8 @@ void print_facts(const groundmotions::Building& building, int floor,
   }
   if (response.floor.rotation)
     fmt::print("  floor rotates by up to {:.2g} rad along h1, {:.2g} rad along h2\n",
-               peak_dip(*response.floor.rotation, Direction::kH1),
-               peak_dip(*response.floor.rotation, Direction::kH2));
+               peak_dip(*response.floor.rotation, groundmotions::Direction::kH1),
+               peak_dip(*response.floor.rotation, groundmotions::Direction::kH2));
   if (response.isolators)
     fmt::print("  isolators {:.3g} m, residual {:.2g} m\n", response.isolators->peak,
                response.isolators->residual.norm());

@@ -59,7 +59,8 @@ void check_output(const RunOutput& output) {
 
 Response run_and_write(const study::PreparedRun& run, const RunOutput& output) {
   const auto start = Clock::now();
-  Response response = simulate_with_any_solver(run.facts.scene, run.facts.floor, run.facts.settings);
+  Response response =
+      baselines::simulate_with_any_solver(run.facts.scene, run.facts.floor, run.facts.settings);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   {
     const SignalsHeld until_written;

@@ -25,7 +25,7 @@ int sensitivity(const SensitivityCommand& options) {
   study::SensitivityRequest request{.demand = options.demand, .limit = options.limit, .level = {}};
   if (options.demand.empty() && options.limit.empty()) request.demand = "peak_displacement";
   if (options.level > 0) {
-    require(data.study().intensity.kind != IntensityPlan::Kind::kHunt,
+    require(data.study().intensity.kind != study::IntensityPlan::Kind::kHunt,
             options.file + ": an IDA has no levels common to all records; omit --level");
     request.level = static_cast<std::size_t>(options.level - 1);
   }

@@ -99,10 +99,11 @@ std::string calibration_text(const calibration::Calibration& c) {
   if (c.simulated > 0)
     text +=
         fmt::format("SIMULATED: {} of the trials are not measured, but computed\n", c.simulated);
-  for (const TrialFault& fault : c.left_out) text += "excluded: " + fault.text() + "\n";
+  for (const calibration::TrialFault& fault : c.left_out)
+    text += "excluded: " + fault.text() + "\n";
   text += "\n" + constants_text(c) + tests_text(c) + crosswise_text(c);
   if (!c.outliers.empty()) text += "\nOutliers (kept: examine the trial, then decide)\n";
-  for (const Outlier& each : c.outliers)
+  for (const calibration::Outlier& each : c.outliers)
     text +=
         fmt::format("  {}: {} {:.4g}, p {:.2g}\n", each.trial, each.constant, each.value, each.p);
   return text + validation_text(c);

@@ -81,7 +81,7 @@ std::string verdict(const study::MeasureChoice& choice) {
   if (!ties.empty())
     words += fmt::format(", as good as {}, to which it is proportional", fmt::join(ties, ", "));
   if (std::isnan(choice.lead)) return words + "; there is no other to compare with.\n";
-  const IntensityRow& next = choice.rows[choice.ties + 1];
+  const statistics::IntensityRow& next = choice.rows[choice.ties + 1];
   words += fmt::format(": scatter {:.3g} against {:.3g} of {}, ln likelihood {:.2f} higher",
                        best.efficiency, next.efficiency, next.name, choice.lead);
   if (std::isnan(choice.stays_best))

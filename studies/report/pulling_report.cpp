@@ -43,7 +43,7 @@ std::string bias_text(const PullingReport& report) {
 
 std::string fits_text(const PullingReport& report) {
   std::string text = "\ncaster      aligned   Cr/R found     input   difference (%)\n";
-  for (const CasterFit& fit : fits_by_caster(report.trials))
+  for (const calibration::CasterFit& fit : calibration::fits_by_caster(report.trials))
     text += fmt::format("{:<11} {:>7}   {:>10.5f}   {:>7.5f}   {:>9}\n", fit.caster, fit.trials,
                         fit.found, fit.known, percent(fit.found / fit.known - 1));
   return text;

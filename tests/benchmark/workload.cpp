@@ -16,7 +16,10 @@ namespace gurney::benchmark {
 Scene trolley(const std::vector<double>& headings_deg) {
   equipment::ItemOptions options;
   for (double heading : headings_deg) options.headings.push_back(heading * kRadiansPerDegree);
-  Scene scene = scene_of(load_item(find_data(DataKind::kItem, "xu_trolley", ""), options).model);
+  Scene scene =
+      scene_of(equipment::load_item(
+                   equipment::find_data(equipment::DataKind::kItem, "xu_trolley", ""), options)
+                   .model);
   return scene;
 }
 

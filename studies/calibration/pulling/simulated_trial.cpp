@@ -88,7 +88,7 @@ void add_signals(const HistoryColumns& all, std::size_t first, std::size_t last,
   }
 }
 
-TrialSetup setup_of(const config::Node& tree, const Job& job, const PullTheory& theory) {
+TrialSetup setup_of(const config::Node& tree, const study::Job& job, const PullTheory& theory) {
   const PlacedItem& placed = job.scene.items.front();
   const EquipmentModel& item = placed.model;
   TrialSetup setup;

@@ -122,16 +122,17 @@ Guide read_guide(Table& fixture, const std::string& key, bool translation,
 
 }  // namespace
 
-void read_loads(Table& table, std::vector<Assumption>& assumptions, std::vector<Load>& loads) {
+void read_loads(Table& table, std::vector<equipment::Assumption>& assumptions,
+                std::vector<Load>& loads) {
   std::size_t forces = loads_of<PointForce>(loads).size();
   for (Table& force : table.tables("force"))
     loads.push_back(read_force(force, forces++, assumptions));
   for (Table& weight : table.tables("drop_weight"))
-    loads.push_back(read_drop_weight(Quantities(weight, assumptions)));
+    loads.push_back(read_drop_weight(equipment::Quantities(weight, assumptions)));
   for (Table& string : table.tables("string_potentiometer"))
-    loads.push_back(read_string_potentiometer(Quantities(string, assumptions)));
+    loads.push_back(read_string_potentiometer(equipment::Quantities(string, assumptions)));
   for (Table& blocks : table.tables("blocks"))
-    loads.push_back(read_blocks(Quantities(blocks, assumptions)));
+    loads.push_back(read_blocks(equipment::Quantities(blocks, assumptions)));
 }
 
 Fixture read_fixture(Table& fixture, std::vector<equipment::Assumption>& assumptions) {
@@ -142,11 +143,12 @@ Fixture read_fixture(Table& fixture, std::vector<equipment::Assumption>& assumpt
   return result;
 }
 
-void read_initial(Table& initial, std::vector<Assumption>& assumptions, InitialMotion& motion) {
-  Quantities in(initial, assumptions);
+void read_initial(Table& initial, std::vector<equipment::Assumption>& assumptions,
+                  InitialMotion& motion) {
+  equipment::Quantities in(initial, assumptions);
   motion.velocity = in.vector("velocity_m_per_s", Range::any(), Vector3::Zero());
   motion.yaw_rate = in.number("yaw_rate_deg_per_s", Range::any(), 0.0) * kRadiansPerDegree;
   motion.wheels_roll = initial.boolean("wheels_roll", motion.wheels_roll);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

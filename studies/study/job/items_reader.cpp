@@ -54,7 +54,7 @@ std::vector<std::string> read_names(std::vector<Table>& items, equipment::Unique
 }
 
 /// What acts on the item, and how it moves at the start.
-void read_acting(Table& item, PlacedItem& placed, std::vector<Assumption>& assumptions) {
+void read_acting(Table& item, PlacedItem& placed, std::vector<equipment::Assumption>& assumptions) {
   read_loads(item, assumptions, placed.loads);
   if (auto fixture = item.table("fixture")) placed.fixture = read_fixture(*fixture, assumptions);
   if (auto initial = item.table("initial")) read_initial(*initial, assumptions, placed.initial);
@@ -128,4 +128,4 @@ void read_acting_at_top(Table& root, Job& job) {
   if (several) note_without_item(root, {"fixture", "initial"}, "[item.{}]");
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -29,4 +29,4 @@ std::vector<JobItem> read_items(config::Table& root,
 /// and the other loads, [fixture], [initial]. In a job of several items each is an error.
 void read_acting_at_top(config::Table& root, Job& job);
 
-}  // namespace gurney
+}  // namespace gurney::study

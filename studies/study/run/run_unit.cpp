@@ -53,7 +53,7 @@ bool is_checked(const Study& study, std::size_t unit, std::size_t run) {
 void repeat_at_half_step(RunCase run, StudyRun& result) {
   run.settings.time_step *= 0.5;
   run.settings.history_step = 0;
-  const Response response = simulate_with_any_solver(run.scene, run.floor, run.settings);
+  const Response response = baselines::simulate_with_any_solver(run.scene, run.floor, run.settings);
   if (is_failure(response.outcome)) {
     result.warnings.push_back("the repeat with half the time step failed: " + response.cause);
     return;
@@ -69,7 +69,7 @@ void simulate_case(const Batch& batch, const Unit& unit, const Job& job, bool ch
     run.warnings = of_run.warnings;
     run.pfa = peak_of(of_run.floor.floor, false);
     run.pfv = peak_of(of_run.floor.floor, true);
-    run.response = simulate_with_any_solver(of_run.scene, of_run.floor, of_run.settings);
+    run.response = baselines::simulate_with_any_solver(of_run.scene, of_run.floor, of_run.settings);
     if (checked) repeat_at_half_step(std::move(of_run), run);
   } catch (const Error& error) {
     run.response = failed(error.what());

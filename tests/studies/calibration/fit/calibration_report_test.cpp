@@ -92,7 +92,7 @@ TEST(Calibration, SeesDependences) {
 
 TEST(Calibration, TellsAllInTextAndJson) {
   const Calibration c = calibrate(programme(), "made");
-  const std::string text = calibration_text(c);
+  const std::string text = report::calibration_text(c);
   EXPECT_THAT(text, HasSubstr("made: 30 trials, 1 excluded\nSIMULATED: 30 of the trials"));
   EXPECT_THAT(text, HasSubstr("excluded: made.csv: (M + J)(a_2 + a_3) is "));
   EXPECT_THAT(text, HasSubstr("Cr/R of R100 on mystique"));
@@ -163,7 +163,7 @@ TEST(Calibration, NamesOutliersAndKeepsThem) {
     if (trial.name == "R125_forest_1") trial.setup.string_tension = 8;  // it was 1 N
   const Calibration c = calibrate(set, "made");
   EXPECT_EQ(constant(c, "Cr/R of R125 on forest").trials.size(), 4u);
-  const std::string text = calibration_text(c);
+  const std::string text = report::calibration_text(c);
   EXPECT_THAT(text, HasSubstr("Outliers (kept"));
   EXPECT_THAT(text, HasSubstr("  R125_forest_1: Cr/R of R125 on forest 0.01"));
 }

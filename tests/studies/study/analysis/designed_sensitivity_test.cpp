@@ -120,7 +120,7 @@ TEST_F(DesignedSensitivity, PointsThatAreNotWholeAreLeftOut) {
   const StudySensitivity found = study_sensitivity({&study, 0}, kPeak);
   EXPECT_EQ(found.draws, 99);
   EXPECT_EQ(found.left_out, kMatrices - 1);
-  EXPECT_THAT(sensitivity_text({{"", found, ""}}),
+  EXPECT_THAT(report::sensitivity_text({{"", found, ""}}),
               HasSubstr("4 runs are excluded: they have no such demand, or another run of their "
                         "point has none or failed."));
   for (std::size_t point = 0; point < 81; ++point) runs[point * kMatrices].failed = true;

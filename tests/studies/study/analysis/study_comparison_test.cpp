@@ -211,7 +211,7 @@ TEST_F(StudyComparisonTest, TheReportSaysWhatWasLeftOutAndWhatItMeans) {
   report::ComparisonReport report{{&study, 0}, {&study, 1}, "free", "locked", {}, {}};
   report.inputs = input_differences(report.a, report.b);
   report.found = compare_studies(report.a, report.b, {.demands = {"peak_displacement"}});
-  const std::string text = comparison_text(report);
+  const std::string text = report::comparison_text(report);
   EXPECT_THAT(text, HasSubstr("free: 9 runs paired, 1 excluded because they failed"));
   EXPECT_THAT(text, HasSubstr("locked: 9 runs paired, 1 without a partner"));
   EXPECT_THAT(text, HasSubstr("9 records, each counts once"));

@@ -60,8 +60,8 @@ TEST_F(VectorResultTest, TwoMeasuresThatBothTellMakeOne) {
   EXPECT_THAT(text, HasSubstr("a = PGA h1 [g], b = pfv [m/s]"));
   EXPECT_THAT(text, HasSubstr("moved: each adds information to the other; together they are one "
                               "measure (PGA h1)^"));
-  EXPECT_THAT(vector_json({found}), HasSubstr("\"share\""));
-  const std::string figure = vector_figure(study, {found});
+  EXPECT_THAT(report::vector_json({found}), HasSubstr("\"share\""));
+  const std::string figure = report::vector_figure(study, {found});
   EXPECT_THAT(figure, HasSubstr("up: pfv (m/s)"));
   EXPECT_EQ(figure.find("nan"), std::string::npos);
 }

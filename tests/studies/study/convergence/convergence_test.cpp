@@ -95,7 +95,7 @@ TEST(ConvergenceReportTest, TellsVerdictsAndWhatWasVaried) {
                            .step = StepVerdict::kConverging,
                            .step_needed = 0.0013,
                            .solver_change = 0.03});
-  const std::string text = convergence_text(found);
+  const std::string text = report::convergence_text(found);
   EXPECT_THAT(text, HasSubstr("time step   0.004 s, compared with 0.0005 s"));
   EXPECT_THAT(text, HasSubstr("needs a smaller step (0.0013 s); solver tolerance too loose"));
   const auto json = nlohmann::json::parse(report::convergence_json(found));
