@@ -13,7 +13,7 @@
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -230,4 +230,4 @@ std::vector<Component> read_bbp(const SourceFile& file, const ReadOptions& optio
   return components;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Seismograms of the SCEC Broadband Platform (docs/formats/record_bbp.md): comments with `#` or
 /// `%` that name unit and directions, then rows of time and three components.
@@ -14,4 +14,4 @@ bool recognises_bbp(const SourceFile& file);
 ///         no number and times that are not evenly spaced.
 std::vector<Component> read_bbp(const SourceFile& file, const ReadOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Volume 1 of the Iranian network of the Building and Housing Research Centre (BHRC): a section in
 /// docs/formats/record_csmip.md.
@@ -14,4 +14,4 @@ bool recognises_bhrc(const SourceFile& file);
 /// @throws Error for other volumes, a wrong count, an unknown unit or text among the samples.
 std::vector<Component> read_bhrc(const SourceFile& file, const ReadOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

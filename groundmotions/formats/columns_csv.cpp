@@ -14,7 +14,7 @@
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/time_column.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -197,4 +197,4 @@ std::string columns_csv_text(const Record& record, const std::vector<std::string
   return text;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

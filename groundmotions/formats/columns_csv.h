@@ -5,7 +5,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Gurney's own text format (docs/formats/record_csv.md): `#` comments, a header row such as
 /// `time_s, x_m_per_s2, y_m_per_s2, z_m_per_s2`, then rows of numbers. Some
@@ -24,4 +24,4 @@ std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOption
 std::string columns_csv_text(const Record& record, const std::vector<std::string>& comments,
                              int digits = 5);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

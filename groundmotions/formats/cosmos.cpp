@@ -14,7 +14,7 @@
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -291,4 +291,4 @@ std::vector<Component> read_cosmos(const SourceFile& file, const ReadOptions& op
   return components;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// COSMOS Strong Motion Data Format, version 1.20: stages V0 (raw counts), V1 and V2
 /// (docs/formats/record_cosmos.md).
@@ -16,4 +16,4 @@ bool recognises_cosmos(const SourceFile& file);
 ///         counts without a sensitivity, and samples that are not as many as stated.
 std::vector<Component> read_cosmos(const SourceFile& file, const ReadOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -29,4 +29,4 @@ std::vector<Component> read_csmip(const SourceFile& file, const ReadOptions& opt
   return caltech_components(file, options);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Volumes 1 and 2 of the California Strong Motion Instrumentation Program (CSMIP, also CDMG or
 /// DMG) and RENADIC's volume 1 in the same layout (docs/formats/record_csmip.md).
@@ -14,4 +14,4 @@ bool recognises_csmip(const SourceFile& file);
 /// @throws Error for volume 3 (response spectra) and what caltech_components.h says.
 std::vector<Component> read_csmip(const SourceFile& file, const ReadOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Text files of the Central Weather Bureau (now Administration), Taiwan
 /// (docs/formats/record_cwb.md): lines of `#Key: value`, then rows of time, up, north, east.
@@ -15,4 +15,4 @@ bool recognises_cwb(const SourceFile& file);
 ///         numbers.
 std::vector<Component> read_cwb(const SourceFile& file, const ReadOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

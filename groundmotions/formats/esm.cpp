@@ -14,7 +14,7 @@
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/unit_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -186,4 +186,4 @@ std::vector<Component> read_esm(const SourceFile& file, const ReadOptions& optio
   return {component};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

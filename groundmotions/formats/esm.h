@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// ASCII of ESM, ITACA (old and new header) and AFAD (docs/formats/record_esm.md): one component
 /// under lines `KEY: value`, one value on a line.
@@ -14,4 +14,4 @@ bool recognises_esm(const SourceFile& file);
 ///         that does not match, and a peak far from that of the header.
 std::vector<Component> read_esm(const SourceFile& file, const ReadOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

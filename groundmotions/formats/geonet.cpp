@@ -14,7 +14,7 @@
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -200,4 +200,4 @@ std::vector<Component> read_geonet(const SourceFile& file, const ReadOptions& op
   return components;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Volumes V1A (uncorrected) and V2A (corrected) of GNS Science, New Zealand
 /// (docs/formats/record_geonet.md): three components in one file, each with 16 lines of text, 40
@@ -15,4 +15,4 @@ bool recognises_geonet(const SourceFile& file);
 ///         are no numbers, and a file that ends early or late.
 std::vector<Component> read_geonet(const SourceFile& file, const ReadOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -15,7 +15,7 @@
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -213,4 +213,4 @@ std::vector<Component> read_knet(const SourceFile& file, const ReadOptions& opti
   return {component};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

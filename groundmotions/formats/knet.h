@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// K-NET and KiK-net ASCII (docs/formats/record_knet.md): one component in counts with a scale
 /// factor in gal.
@@ -15,4 +15,4 @@ bool recognises_knet(const SourceFile& file);
 ///         times the sampling frequency, and a peak far from that of the header.
 std::vector<Component> read_knet(const SourceFile& file, const ReadOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -13,7 +13,7 @@
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -138,4 +138,4 @@ std::vector<Component> read_nsmn(const SourceFile& file, const ReadOptions& opti
   return NsmnReader(file, options, mistakes).read();
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

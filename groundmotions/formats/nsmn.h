@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Raw text files of the national strong motion network of Turkey as it gave them out before AFAD
 /// took the layout of ESM (docs/formats/record_nsmn.md): lines `KEY : value`, the names of the
@@ -15,4 +15,4 @@ bool recognises_nsmn(const SourceFile& file);
 ///         and samples that are no numbers.
 std::vector<Component> read_nsmn(const SourceFile& file, const ReadOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -16,7 +16,7 @@
 #include "groundmotions/formats/words.h"
 #include "groundmotions/record/acceleration_unit.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -272,4 +272,4 @@ std::vector<Component> read_peer_at2(const SourceFile& file, const ReadOptions& 
   return {component};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// PEER ground motion files (docs/formats/record_at2.md): a text header that ends with the number
 /// of samples and the time step in one of its spellings, then the samples row by row.
@@ -14,4 +14,4 @@ bool recognises_peer_at2(const SourceFile& file);
 ///         step, text among the numbers, or a count that is not NPTS.
 std::vector<Component> read_peer_at2(const SourceFile& file, const ReadOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -18,7 +18,7 @@
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -276,4 +276,4 @@ std::vector<Component> read_plain_text(const SourceFile& file, const ReadOptions
   return components;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Text of numbers without a layout of its own (docs/formats/record_plain.md): one column, samples
 /// row by row, or a table with or without times; text before and an end mark after the numbers.
@@ -15,4 +15,4 @@ bool recognises_plain_text(const SourceFile& file);
 ///         number, rows of unequal length, and times that are not even.
 std::vector<Component> read_plain_text(const SourceFile& file, const ReadOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The .cor.acc files of SIMBAD and REXEL, which hold records of ITACA (docs/formats/
 /// record_esm.md): one component under lines `Key : value`, five numbers on a line that may stick
@@ -15,4 +15,4 @@ bool recognises_simbad(const SourceFile& file);
 ///         not match, and a peak far from that of the header.
 std::vector<Component> read_simbad(const SourceFile& file, const ReadOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -8,7 +8,7 @@
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -79,4 +79,4 @@ void SourceFile::cut() {
 
 std::string SourceFile::sha256() const { return gurney::sha256(bytes_); }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The standard acceleration file (Archivo Estandar de Aceleracion) of the Mexican strong motion
 /// base (docs/formats/record_unam.md): a Spanish header, then a column for each channel.
@@ -14,4 +14,4 @@ bool recognises_unam(const SourceFile& file);
 ///         that are no numbers. More rows than stated are a warning.
 std::vector<Component> read_unam(const SourceFile& file, const ReadOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Processed files of USC that name their blocks "DATA TYPE=AC", VL and DP.
 bool recognises_usc_blocks(const SourceFile& file);
@@ -13,4 +13,4 @@ bool recognises_usc_blocks(const SourceFile& file);
 /// @throws Error if a block has not the number of samples it states, or no block is acceleration.
 std::vector<Component> read_usc_blocks(const SourceFile& file, const ReadOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The SMC format of the US Geological Survey (docs/formats/record_smc.md): 11 lines of text, 48
 /// integers, 50 reals, comments, then samples or pairs of time and sample in cm/s2.
@@ -14,4 +14,4 @@ bool recognises_smc(const SourceFile& file);
 ///         samples contradict, times that decrease, and a file that ends early or late.
 std::vector<Component> read_smc(const SourceFile& file, const ReadOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

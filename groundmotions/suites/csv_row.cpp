@@ -2,7 +2,7 @@
 
 #include "engine/base/number_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -39,4 +39,4 @@ std::vector<CsvCell> csv_row(std::string_view line) {
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -3,10 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-namespace gurney {
+namespace gurney::cli {
 
 /// Adds `gurney converge` to the program.
 /// @param act  gets what to do when the command is given
 void add_converge(CLI::App& app, std::function<int()>& act);
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-namespace gurney {
+namespace gurney::cli {
 
 /// Adds `gurney fragility` to the program.
 void add_fragility(CLI::App& app, std::function<int()>& act);
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-namespace gurney {
+namespace gurney::cli {
 
 /// Adds `gurney pulling`.
 void add_pulling(CLI::App& app, std::function<int()>& act);
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -7,7 +7,7 @@
 #include "studies/cli/records_plot.h"
 #include "studies/cli/records_scale.h"
 
-namespace gurney {
+namespace gurney::cli {
 
 void add_records(CLI::App& app, std::function<int()>& act) {
   CLI::App* const records =
@@ -21,4 +21,4 @@ void add_records(CLI::App& app, std::function<int()>& act) {
   add_records_floor(*records, act);
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -13,51 +13,52 @@
 #include "equipment/catalogue/room_description.h"
 #include "equipment/catalogue/tether_type.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 struct ListedItem {
   std::string key;
-  LoadedItem item;
-  ItemSheet sheet;
+  equipment::LoadedItem item;
+  equipment::ItemSheet sheet;
 };
 
 std::vector<ListedItem> items() {
   std::vector<ListedItem> result;
-  for (const std::string& key : catalogue_names(DataKind::kItem)) {
-    LoadedItem item = load_item(find_data(DataKind::kItem, key, ""));
-    ItemSheet sheet = item_sheet(item.model, floor_contact(item));
+  for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kItem)) {
+    equipment::LoadedItem item =
+        equipment::load_item(equipment::find_data(equipment::DataKind::kItem, key, ""));
+    equipment::ItemSheet sheet = equipment::item_sheet(item.model, equipment::floor_contact(item));
     result.push_back({key, std::move(item), std::move(sheet)});
   }
   return result;
 }
 
-CasterType caster(const std::string& key) {
-  return load_caster_type(find_data(DataKind::kCaster, key, "")).stated();
+equipment::CasterType caster(const std::string& key) {
+  return equipment::load_caster_type(find_data(equipment::DataKind::kCaster, key, "")).stated();
 }
 
-FloorCovering floor(const std::string& key) {
-  return load_floor_covering(find_data(DataKind::kFloor, key, "")).stated();
+equipment::FloorCovering floor(const std::string& key) {
+  return equipment::load_floor_covering(find_data(equipment::DataKind::kFloor, key, "")).stated();
 }
 
 struct ListedRoom {
   std::string key, name;
-  RoomDescription room;
+  equipment::RoomDescription room;
 };
 
 std::vector<ListedRoom> rooms() {
   std::vector<ListedRoom> result;
-  for (const std::string& key : catalogue_names(DataKind::kRoom)) {
-    RoomNames names;
-    Uncertain<RoomDescription> room;
-    const std::string name = load_room(find_data(DataKind::kRoom, key, ""), names, room);
+  for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kRoom)) {
+    equipment::RoomNames names;
+    equipment::Uncertain<equipment::RoomDescription> room;
+    const std::string name = load_room(find_data(equipment::DataKind::kRoom, key, ""), names, room);
     result.push_back({key, name, room.stated()});
   }
   return result;
 }
 
-TetherType tether(const std::string& key) {
-  return load_tether_type(find_data(DataKind::kTether, key, "")).stated();
+equipment::TetherType tether(const std::string& key) {
+  return equipment::load_tether_type(find_data(equipment::DataKind::kTether, key, "")).stated();
 }
 
 }  // namespace
@@ -78,8 +79,8 @@ std::string equipment_list() {
       "feet\n";
   text += fmt::format("\n{:<24} {:>9} {:>9} {:>8} {:>7} {:>13} {:>10}\n", "caster", "wheel [mm]",
                       "high [mm]", "trail", "Cr / R", "friction mu_s", "brake [N m]");
-  for (const std::string& key : catalogue_names(DataKind::kCaster)) {
-    const CasterType type = caster(key);
+  for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kCaster)) {
+    const equipment::CasterType type = caster(key);
     const Caster& c = type.properties;
     text += fmt::format("{:<24} {:>9.0f} {:>9.0f} {:>8.1f} {:>8.4f} {:>13.2f} {:>10.3g}\n", key,
                         2 * c.wheel_radius * kMillimetersPerMeter, c.height * kMillimetersPerMeter,
@@ -88,8 +89,8 @@ std::string equipment_list() {
   }
   text += fmt::format("\n{:<24} {:<40} {:>12} {:>12}\n", "floor covering", "name", "factor on Cr",
                       "on friction");
-  for (const std::string& key : catalogue_names(DataKind::kFloor)) {
-    const FloorCovering covering = floor(key);
+  for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kFloor)) {
+    const equipment::FloorCovering covering = floor(key);
     text += fmt::format("{:<24} {:<40} {:>12.2f} {:>12.2f}\n", key, covering.name,
                         covering.rolling_resistance_factor, covering.friction_factor);
   }
@@ -100,8 +101,8 @@ std::string equipment_list() {
                         room.zones.size(), room.points.size());
   text +=
       fmt::format("\n{:<24} {:<40} {:>12} {:>12}\n", "tether", "name", "EA [N]", "strength [N]");
-  for (const std::string& key : catalogue_names(DataKind::kTether)) {
-    const TetherType type = tether(key);
+  for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kTether)) {
+    const equipment::TetherType type = tether(key);
     text += fmt::format("{:<24} {:<40} {:>12g} {:>12g}\n", key, type.name, type.axial_stiffness,
                         type.strength);
   }
@@ -121,8 +122,8 @@ std::string equipment_list_json() {
                       {"tilt_rad", sheet.stability.tilt},
                       {"casters", item.model.casters.size()},
                       {"assumptions", item.assumptions.size()}});
-  for (const std::string& key : catalogue_names(DataKind::kCaster)) {
-    const CasterType type = caster(key);
+  for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kCaster)) {
+    const equipment::CasterType type = caster(key);
     const Caster& c = type.properties;
     casters.push_back({{"key", key},
                        {"name", type.name},
@@ -133,8 +134,8 @@ std::string equipment_list_json() {
                        {"static_friction", c.tread.static_friction},
                        {"brake_torque_n_m", type.brake_torque}});
   }
-  for (const std::string& key : catalogue_names(DataKind::kFloor)) {
-    const FloorCovering covering = floor(key);
+  for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kFloor)) {
+    const equipment::FloorCovering covering = floor(key);
     floors.push_back({{"key", key},
                       {"name", covering.name},
                       {"rolling_resistance_factor", covering.rolling_resistance_factor},
@@ -147,8 +148,8 @@ std::string equipment_list_json() {
                             {"zones", room.zones.size()},
                             {"points", room.points.size()},
                             {"assumptions", room.assumptions.size()}});
-  for (const std::string& key : catalogue_names(DataKind::kTether)) {
-    const TetherType type = tether(key);
+  for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kTether)) {
+    const equipment::TetherType type = tether(key);
     tethers.push_back({{"key", key},
                        {"name", type.name},
                        {"axial_stiffness_n", type.axial_stiffness},
@@ -164,4 +165,4 @@ std::string equipment_list_json() {
          "\n";
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -5,14 +5,14 @@
 #include "studies/report/overview_report.h"
 #include "studies/report/scale_factors_json.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json head(const FileOverview& file, const char* filetype) {
+Json head(const study::FileOverview& file, const char* filetype) {
   Json motions = Json::array(), assumptions = Json::array();
   for (const auto& each : file.motions)
     motions.push_back({{"name", each.name}, {"files", each.files}, {"warnings", each.warnings}});
@@ -38,9 +38,9 @@ Json head(const FileOverview& file, const char* filetype) {
           {"energy_closure", number(file.energy_closure)}};
 }
 
-Json counts(const StudyOverview& overview) {
+Json counts(const study::StudyOverview& overview) {
   Json result = Json::array();
-  for (const LevelCounts& each : overview.counts) {
+  for (const study::LevelCounts& each : overview.counts) {
     Json exceeded = Json::object();
     for (std::size_t i = 0; i < overview.states.size(); ++i)
       exceeded[overview.states[i].name] = each.exceeded[i];
@@ -54,9 +54,9 @@ Json counts(const StudyOverview& overview) {
   return result;
 }
 
-Json certificate(const StepCertificate& of) {
+Json certificate(const study::StepCertificate& of) {
   Json demands = Json::array(), states = Json::array();
-  for (const StepChange& each : of.changes) {
+  for (const study::StepChange& each : of.changes) {
     const bool any = each.compared > 0;
     demands.push_back({{"demand", each.demand},
                        {"compared", each.compared},
@@ -64,7 +64,7 @@ Json certificate(const StepCertificate& of) {
                        {"largest_relative_change", any ? Json(each.largest) : Json(nullptr)},
                        {"largest_in_run", any ? Json(each.largest_run) : Json(nullptr)}});
   }
-  for (const StateChange& each : of.states)
+  for (const study::StateChange& each : of.states)
     states.push_back({{"limit_state", each.state}, {"changed_runs", each.runs}});
   return {{"runs", of.runs},
           {"demands", demands},
@@ -74,16 +74,16 @@ Json certificate(const StepCertificate& of) {
 
 }  // namespace
 
-std::string overview_json(const StudyOverview& overview) {
+std::string overview_json(const study::StudyOverview& overview) {
   Json result = head(overview.file, "gurney-study");
   Json factors = Json::array(), angles = Json::array(), states = Json::array(),
        failures = Json::array();
   for (const auto& each : overview.factors)
     factors.push_back({{"name", each.name}, {"levels", each.levels}});
   for (const double angle : overview.angles) angles.push_back(angle / kRadiansPerDegree);
-  for (const LimitState& each : overview.states)
+  for (const study::LimitState& each : overview.states)
     states.push_back({{"name", each.name}, {"words", each.words}, {"origin", each.origin}});
-  for (const FailedRun& each : overview.failures)
+  for (const study::FailedRun& each : overview.failures)
     failures.push_back({{"run", each.run}, {"cause", each.cause}, {"replay", each.command}});
   result["energy_closure_run"] = overview.energy_closure_run;
   result["factors"] = factors;
@@ -107,7 +107,7 @@ std::string overview_json(const StudyOverview& overview) {
   return result.dump(2) + "\n";
 }
 
-std::string overview_json(const RunOverview& overview) {
+std::string overview_json(const study::RunOverview& overview) {
   Json result = head(overview.file, "gurney-results");
   Json items = Json::array();
   for (const auto& each : overview.items)
@@ -127,4 +127,4 @@ std::string overview_json(const RunOverview& overview) {
   return result.dump(2) + "\n";
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -4,7 +4,7 @@
 
 #include "studies/report/verification_report.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using verification::CaseRun;
@@ -98,4 +98,4 @@ std::string verification_markdown(const std::vector<CaseRun>& runs) {
          stock;
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -10,7 +10,7 @@
 #include "engine/base/error.h"
 #include "studies/statistics/quantiles.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -114,4 +114,4 @@ std::optional<LognormalCurve> curve_of_moments(const std::vector<double>& capaci
   return LognormalCurve{std::exp(moments.mean), std::sqrt(moments.variance)};
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

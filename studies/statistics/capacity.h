@@ -7,7 +7,7 @@
 #include "studies/statistics/censored_normal.h"
 #include "studies/statistics/fragility.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// What an incremental dynamic analysis tells of one record's capacity: low < capacity <= high.
 struct Capacity {
@@ -50,4 +50,4 @@ std::vector<CensoredValue> log_capacities(const std::vector<Capacity>& capacitie
 /// @throws Error unless all are > 0 and finite.
 std::optional<LognormalCurve> curve_of_moments(const std::vector<double>& capacities);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -9,7 +9,7 @@
 #include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -142,4 +142,4 @@ ProbitFit fit_logistic(const std::vector<Stripe>& stripes) {
   });
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -9,7 +9,7 @@
 #include "studies/statistics/censored_normal.h"
 #include "studies/statistics/fragility.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// One run of a cloud.
 struct CloudPoint {
@@ -83,4 +83,4 @@ TwoPartCloud fit_two_part_cloud(const std::vector<CloudPoint>& points,
 /// Logistic regression on ln im, statuses as fit_probit(). kFitted and kNotIncreasing have a line.
 ProbitFit fit_logistic(const std::vector<Stripe>& stripes);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -7,7 +7,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 void require_probabilities(const std::vector<double>& probabilities) {
@@ -78,4 +78,4 @@ JointOutcomes joint_outcomes(const std::vector<std::vector<bool>>& failed) {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

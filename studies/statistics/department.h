@@ -5,7 +5,7 @@
 
 #include "studies/statistics/bands.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// P(the level is the worst reached) from P(level or worse) of ordered levels at one im.
 struct LevelProbabilities {
@@ -41,4 +41,4 @@ struct JointOutcomes {
 /// @throws Error unless there is a run and all rows are equally long.
 JointOutcomes joint_outcomes(const std::vector<std::vector<bool>>& failed);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -8,7 +8,7 @@
 #include "engine/base/random/normal_draw.h"
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 double LognormalCurve::probability(double im) const {
   return im > 0 ? normal_cdf(std::log(im / theta) / beta) : 0;
@@ -37,4 +37,4 @@ LognormalCurve lognormal_of_moments(double mean, double standard_deviation) {
   return {mean * std::exp(-beta * beta / 2), beta};
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

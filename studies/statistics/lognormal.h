@@ -1,6 +1,6 @@
 #pragma once
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// A fragility curve P(exceeded | im) = Phi(ln(im / theta) / beta): the lognormal distribution of a
 /// capacity (Kennedy et al. 1980, Nuclear Engineering and Design 59(2), 315-338).
@@ -19,4 +19,4 @@ struct LognormalCurve {
 /// @throws Error unless both are > 0 and finite.
 LognormalCurve lognormal_of_moments(double mean, double standard_deviation);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr bool kWhole = true;
@@ -227,4 +227,4 @@ std::span<const TableColumn<TetherOutcome>> tether_columns() { return kTether; }
 std::span<const TableColumn<Sample>> sample_columns() { return kSample; }
 std::span<const TableColumn<WheelSample>> wheel_sample_columns() { return kWheelSample; }
 
-}  // namespace gurney
+}  // namespace gurney::study

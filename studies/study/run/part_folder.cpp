@@ -12,7 +12,7 @@
 #include "studies/study/results/output_files.h"
 #include "studies/study/run/study_identity.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -195,4 +195,4 @@ void PartFolder::remove() {
   remove_parts(path());
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -6,7 +6,7 @@
 #include "tests/groundmotions/formats/network_samples.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -57,4 +57,4 @@ TEST(Bhrc, RefusesWhatItMust) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -8,7 +8,7 @@
 #include "tests/groundmotions/formats/network_samples.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -200,4 +200,4 @@ TEST(CsmipVolume, RefusesAPeakThatTheSamplesDoNotHave) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

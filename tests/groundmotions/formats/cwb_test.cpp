@@ -7,7 +7,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -72,4 +72,4 @@ TEST(Cwb, ChecksTheHeader) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

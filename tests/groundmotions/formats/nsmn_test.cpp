@@ -7,7 +7,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::HasSubstr;
@@ -59,4 +59,4 @@ TEST(Nsmn, ChecksTheHeader) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 #include "engine/base/units.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::HasSubstr;
@@ -241,4 +241,4 @@ TEST(PeerAt2, RefusesEveryTruncation) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -6,7 +6,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::AllOf;
@@ -211,4 +211,4 @@ TEST(PlainText, RefusesOptionsOutsideTheirRanges) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -9,7 +9,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -95,4 +95,4 @@ TEST(Sac, ReportsTheMeanAndWhatWasNotApplied) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -77,4 +77,4 @@ TEST(Unam, ChecksTheOptions) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -6,7 +6,7 @@
 #include "tests/groundmotions/formats/network_samples.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -91,4 +91,4 @@ TEST(UscVolume, RefusesSpectraAndMissingNumbers) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

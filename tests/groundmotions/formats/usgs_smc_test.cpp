@@ -7,7 +7,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -163,4 +163,4 @@ TEST(UsgsSmc, ChecksTheOptions) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

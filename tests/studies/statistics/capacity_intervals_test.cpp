@@ -9,7 +9,7 @@
 #include "engine/base/random/normal_draw.h"
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -144,4 +144,4 @@ TEST(CapacityCheck, FindsCapacitiesThatAreNotLognormal) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

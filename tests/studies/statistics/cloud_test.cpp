@@ -8,7 +8,7 @@
 #include "tests/studies/statistics/synthetic.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 using Known = CloudPoint::Known;
@@ -137,4 +137,4 @@ TEST(TwoPartCloud, IsTheCloudWithoutCollapses) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -7,7 +7,7 @@
 
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 using testing::DoubleNear;
@@ -57,4 +57,4 @@ TEST(JointOutcomes, CountRunsNotItems) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -7,7 +7,7 @@
 #include "studies/statistics/lognormal.h"
 #include "studies/statistics/stripes.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// Outcomes of runs whose capacity is lognormal: each record at each level.
 ///
@@ -34,4 +34,4 @@ struct SyntheticStudy {
   }
 };
 
-}  // namespace gurney
+}  // namespace gurney::statistics

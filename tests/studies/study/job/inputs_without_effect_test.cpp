@@ -5,7 +5,7 @@
 #include "studies/study/plan/study_job.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr const char* kHead = "schema = \"gurney-job/1\"\n[item]\nequipment = \"icu_ventilator\"\n";
@@ -137,4 +137,4 @@ slope = 0  # its usual values have a distribution
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -4,7 +4,7 @@
 
 #include "studies/study/job/job.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 Job job_of(const std::string& text) {
@@ -25,7 +25,7 @@ TEST(Job, BringsTheContactOfAnItemOnFeetToTheSceneAndItsAssumptions) {
   for (const char* key :
        {"contact.friction", "contact.restitution", "contact.stiffness_n_per_m", "friction_factor"})
     EXPECT_TRUE(std::any_of(job.assumptions.begin(), job.assumptions.end(),
-                            [&](const Assumption& each) { return each.key == key; }))
+                            [&](const equipment::Assumption& each) { return each.key == key; }))
         << key;
 }
 
@@ -41,4 +41,4 @@ TEST(Job, DrawsTheContactOfAnItemOnFeet) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study
