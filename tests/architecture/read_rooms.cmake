@@ -2,7 +2,7 @@
 # room_of(path outcome), "" for a path in no room. Fails for a room that may include one that is not
 # above it in the table, and for a circle of folders.
 if(NOT DEFINED TABLE)
-  set(TABLE ${CMAKE_CURRENT_LIST_DIR}/../../rooms.cmake)
+  set(TABLE ${CMAKE_CURRENT_LIST_DIR}/rooms.cmake)
 endif()
 include(${TABLE})
 set(rooms "")

@@ -46,7 +46,7 @@ expect_failure(include_direction studies/bad.h "#include <vector>")
 # expect_bad_table(line): a room that `line` adds to the table gives an arrow up or a circle
 function(expect_bad_table line)
   file(REMOVE_RECURSE "${tree}")
-  set(table "include(${RULES}/../../rooms.cmake)\nlist(APPEND GURNEY_ROOMS ${line})\n")
+  set(table "include(${RULES}/rooms.cmake)\nlist(APPEND GURNEY_ROOMS ${line})\n")
   file(WRITE "${tree}/table.cmake" "${table}")
   execute_process(COMMAND ${CMAKE_COMMAND} -DROOT=${tree} -DTABLE=${tree}/table.cmake
     -P ${RULES}/include_direction.cmake RESULT_VARIABLE failed ERROR_VARIABLE message)
