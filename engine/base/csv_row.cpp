@@ -1,4 +1,4 @@
-#include "groundmotions/suites/csv_row.h"
+#include "engine/base/csv_row.h"
 
 #include "engine/base/number_text.h"
 
