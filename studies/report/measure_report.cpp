@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "studies/report/json_values.h"
+
 namespace gurney {
 namespace {
 
@@ -48,8 +50,6 @@ std::string sufficiency_text(const MeasureChoice& choice) {
          "\nnot tested: magnitude and distance, which the file does not keep\n";
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json row_json(const IntensityRow& row, const MeasureChoice& choice, std::size_t i) {
   Json json{{"name", row.name},
             {"units", choice.units[i]},
@@ -57,13 +57,13 @@ Json row_json(const IntensityRow& row, const MeasureChoice& choice, std::size_t 
             {"runs", row.runs},
             {"left_out", row.left_out}};
   if (row.status != CloudStatus::kFitted) return json;
-  json["efficiency"] = number(row.efficiency);
-  json["practicality"] = number(row.practicality);
-  json["proficiency"] = number(row.proficiency);
-  json["r_squared"] = number(row.r_squared);
-  json["log_likelihood"] = number(row.log_likelihood);
+  json["efficiency"] = json_number(row.efficiency);
+  json["practicality"] = json_number(row.practicality);
+  json["proficiency"] = json_number(row.proficiency);
+  json["r_squared"] = json_number(row.r_squared);
+  json["log_likelihood"] = json_number(row.log_likelihood);
   for (std::size_t k = 0; k < choice.properties.size(); ++k)
-    json["sufficiency"][choice.properties[k]] = number(row.sufficiency[k]);
+    json["sufficiency"][choice.properties[k]] = json_number(row.sufficiency[k]);
   return json;
 }
 
@@ -131,8 +131,8 @@ std::string measure_json(const std::vector<MeasureReport>& reports) {
                     {"floor", choice.floor},
                     {"measures", rows},
                     {"unknown", choice.unknown},
-                    {"lead_of_log_likelihood", number(choice.lead)},
-                    {"stays_best", number(choice.stays_best)},
+                    {"lead_of_log_likelihood", json_number(choice.lead)},
+                    {"stays_best", json_number(choice.stays_best)},
                     {"verdict", verdict(choice)}});
   }
   return json.dump(2) + "\n";
