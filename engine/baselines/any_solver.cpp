@@ -5,10 +5,10 @@
 
 namespace gurney {
 
-Response simulate_with_any_solver(const Scene& scene, const Excitation& excitation,
+Response simulate_with_any_solver(const Scene& scene, const FloorMotion& floor,
                                   const SimulationSettings& settings) {
-  return settings.solver == Solver::kStar ? simulate(scene, excitation, settings)
-                                          : simulate_on_stock_bullet(scene, excitation, settings);
+  return settings.solver == Solver::kStar ? simulate(scene, floor, settings)
+                                          : simulate_on_stock_bullet(scene, floor, settings);
 }
 
 }  // namespace gurney

@@ -9,7 +9,7 @@ namespace gurney {
 /// Runs one scene with the solver that its settings name: simulate(), or a baseline on stock
 /// Bullet.
 /// @throws Error as these do
-Response simulate_with_any_solver(const Scene& scene, const Excitation& excitation,
+Response simulate_with_any_solver(const Scene& scene, const FloorMotion& floor,
                                   const SimulationSettings& settings);
 
 }  // namespace gurney

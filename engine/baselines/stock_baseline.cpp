@@ -28,33 +28,38 @@ void fill(double duration, const std::vector<double>& normal, const State& befor
   }
 }
 
+bool is_free(const Fixture& fixture) {
+  for (const Guide& guide : fixture.guides)
+    if (guide.kind != Guide::Kind::kFree) return false;
+  return true;
+}
+
 }  // namespace
 
-Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitation,
+Response simulate_on_stock_bullet(const Scene& scene, const FloorMotion& floor,
                                   const SimulationSettings& settings) {
   validate(scene);
-  validate(excitation);
   validate(settings);
-  bool free = true;
-  for (const Guide& guide : excitation.fixture.guides) free &= guide.kind == Guide::Kind::kFree;
   require(scene.room.empty() && scene.tethers.empty() && scene.zones.empty() &&
               scene.items.size() == 1 && !scene.items[0].model.casters.empty(),
           "the stock Bullet baselines know one item on casters and no room; use solver = "
           "\"star\" for this job");
-  require(free && excitation.drop_weights.empty() && excitation.blocks.empty(),
+  const PlacedItem& item = scene.items.front();
+  require(is_free(item.fixture) && loads_of<DropWeight>(item.loads).empty() &&
+              loads_of<Blocks>(item.loads).empty(),
           "the stock Bullet baselines know no drop weights, blocks or fixtures; use solver = "
           "\"star\" for this job");
   require(
-      !excitation.floor.rotates(),
+      !floor.rotates(),
       "the stock Bullet baselines know no rotation of the floor; use solver = \"star\" for this "
       "job");
-  const Assembly assembly(scene, excitation);
+  const Assembly assembly(scene);
   const Mechanism& mechanism = assembly.items[0];
-  SceneState scene_state{{mechanism.placed(scene.items[0].initial)}, {}};
+  SceneState scene_state{{mechanism.placed(item.initial)}, {}};
   State& state = scene_state.items[0];
-  mechanism.set_in_motion(scene.items[0].initial, state);
+  mechanism.set_in_motion(item.initial, state);
   Recorder recorder(scene, assembly, 0, scene_state);
-  RunClock clock(excitation, mechanism.loads.breakpoints(), settings);
+  RunClock clock(floor, mechanism.loads.breakpoints(), settings);
   const bool paper =
       settings.solver == Solver::kBulletPaper || settings.solver == Solver::kBulletPaperDantzig;
   const std::unique_ptr<StockModel> world =
@@ -72,21 +77,20 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
   double sampled_at = state.time;
   while (clock.next(state.time)) {
     const double duration = clock.target() - state.time;
-    FloorStage floor;
-    floor.acceleration = floor.translation =
-        (excitation.floor.velocity_at(clock.target()) - excitation.floor.velocity_at(state.time)) /
-        duration;
+    FloorStage stage_floor;
+    stage_floor.acceleration = stage_floor.translation =
+        (floor.velocity_at(clock.target()) - floor.velocity_at(state.time)) / duration;
     const Loads::Stage stage{duration, state.time, clock.target(), true, &state.loads};
     mechanism.loads.evaluate(stage, state.pose(), state.velocity.chassis, rows);
-    world->step(duration, mechanism.gravity - floor.acceleration, rows, state, next.items[0]);
+    world->step(duration, mechanism.gravity - stage_floor.acceleration, rows, state, next.items[0]);
     fill(duration, world->normal_forces(), state, next.items[0], output.items[0]);
     ++response.quality.steps;
     if (!next.items[0].position.allFinite()) {
       clock.stop(Outcome::kDiverged, "the position is not finite");
       break;
     }
-    recorder.observe({&alone, state.time, duration, &scene_state, &next, &output, &output, floor},
-                     {});
+    recorder.observe(
+        {&alone, state.time, duration, &scene_state, &next, &output, &output, stage_floor}, {});
     state = next.items[0];
     state.time = clock.target();
     if (clock.sample_due()) {
@@ -100,7 +104,6 @@ Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitati
   response.outcome = clock.outcome();
   response.cause = clock.cause();
   response.end_time = state.time;
-  response.items.clear();
   recorder.finish(scene_state, account, clock.overturned_at(0), response);
   response.quality.energy_closure = response.quality.numerical_loss = 0;
   return response;

@@ -17,7 +17,7 @@ namespace gurney {
 /// gravitational energy.
 /// @throws Error for drop weights, blocks, fixtures and a floor that rotates, which it does not
 ///         know; the paper's model for brakes and locks too.
-Response simulate_on_stock_bullet(const Scene& scene, const Excitation& excitation,
+Response simulate_on_stock_bullet(const Scene& scene, const FloorMotion& floor,
                                   const SimulationSettings& settings);
 
 }  // namespace gurney

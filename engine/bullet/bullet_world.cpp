@@ -92,12 +92,11 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
         ~btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD);
   }
 
-  bool step(double until, SceneState& state, const Solve& solve) {
+  bool step(double from, double until, SceneState& state, const Solve& solve) {
     state_ = &state;
     solve_ = &solve;
     solved_ = true;
-    const double& time = state.items.front().time;
-    while (solved_ && time < until) {
+    for (double time = from; solved_ && time < until; time = stop_) {
       stop_ = next_pass(time, until);
       speed_ = approach_speed();
       const double duration = stop_ - time;
@@ -311,8 +310,8 @@ BulletWorld::BulletWorld(const Scene& scene, const Assembly& assembly, bool skip
     : world_(std::make_unique<World>(scene, assembly, skip_clear_passes)) {}
 BulletWorld::~BulletWorld() = default;
 
-bool BulletWorld::step(double until, SceneState& state, const Solve& solve) {
-  return world_->step(until, state, solve);
+bool BulletWorld::step(double from, double until, SceneState& state, const Solve& solve) {
+  return world_->step(from, until, state, solve);
 }
 
 long BulletWorld::collision_passes() const { return world_->passes(); }

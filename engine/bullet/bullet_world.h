@@ -28,10 +28,10 @@ class BulletWorld {
   /// @returns false when the run cannot go on
   using Solve = std::function<bool(double until, const std::vector<BodyContact>& contacts)>;
 
-  /// Advances `state` to `until` with `solve`: in one pass, or in several where parts move so fast
+  /// Advances `state` from `from` to `until` with `solve`: in one pass, or in several where parts move so fast
   /// that they would travel past the margin between two.
   /// @returns false when `solve` did
-  bool step(double until, SceneState& state, const Solve& solve);
+  bool step(double from, double until, SceneState& state, const Solve& solve);
 
   long collision_passes() const;
 

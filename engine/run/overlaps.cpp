@@ -14,7 +14,7 @@ constexpr double kLeastDepth = 1e-3;  // [m]
 
 std::vector<Overlap> find_overlaps(const Scene& scene) {
   validate(scene);
-  const Assembly assembly(scene, {});
+  const Assembly assembly(scene);
   SceneState state;
   for (std::size_t i = 0; i < scene.items.size(); ++i)
     state.items.push_back(assembly.items[i].placed(scene.items[i].initial));
@@ -33,7 +33,7 @@ std::vector<Overlap> find_overlaps(const Scene& scene) {
   };
   constexpr double kNoTime = 1e-6;  // [s]
   BulletWorld(scene, assembly, false)
-      .step(kNoTime, state, [&](double, const std::vector<BodyContact>& contacts) {
+      .step(0, kNoTime, state, [&](double, const std::vector<BodyContact>& contacts) {
         for (const BodyContact& contact : contacts) {
           const double depth = -assembly.gap(contact, state);
           if (contact.other != 0 && depth > kLeastDepth) note(contact, depth);

@@ -12,12 +12,12 @@ constexpr double kAccountStep = 0.1;     // [s]; checks of the energy account
 
 }  // namespace
 
-RunClock::RunClock(const Excitation& excitation, std::vector<double> breakpoints,
+RunClock::RunClock(const FloorMotion& floor, std::vector<double> breakpoints,
                    const SimulationSettings& settings)
     : settings_(settings),
       breakpoints_(std::move(breakpoints)),
       outcome_(settings.duration > 0 ? Outcome::kStopped : Outcome::kStillMoving) {
-  if (!excitation.floor.at_rest()) breakpoints_.push_back(excitation.floor.duration());
+  if (!floor.at_rest()) breakpoints_.push_back(floor.duration());
   std::sort(breakpoints_.begin(), breakpoints_.end());
   excitation_end_ = breakpoints_.empty() ? 0.0 : breakpoints_.back();
   limit_ = settings.duration > 0 ? settings.duration : excitation_end_ + settings.settle_time;

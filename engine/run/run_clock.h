@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/floor_motion.h"
 #include "engine/response/response.h"
-#include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
 
 namespace gurney {
@@ -14,7 +14,7 @@ namespace gurney {
 class RunClock {
  public:
   /// @param breakpoints  times at which a load starts, stops or changes slope
-  RunClock(const Excitation& excitation, std::vector<double> breakpoints,
+  RunClock(const FloorMotion& floor, std::vector<double> breakpoints,
            const SimulationSettings& settings);
 
   /// Moves target() to the next stop after `time`; false when the run is over.

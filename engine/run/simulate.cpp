@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/base/error.h"
 #include "engine/bullet/bullet_world.h"
 #include "engine/run/impact_log.h"
@@ -17,15 +19,20 @@ namespace gurney {
 namespace {
 
 /// Everything placed, settled and set in motion.
-SceneState start_of(const Scene& scene, const Assembly& assembly, const Excitation& excitation) {
+SceneState start_of(const Scene& scene, const Assembly& assembly) {
   SceneState state;
   for (std::size_t i = 0; i < scene.items.size(); ++i)
     state.items.push_back(assembly.items[i].placed(scene.items[i].initial));
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
-    settle(assembly, scene, i, excitation, state);
+    settle(assembly, scene, i, state);
     assembly.items[i].set_in_motion(scene.items[i].initial, state.items[i]);
   }
   return state;
+}
+
+/// That all items have reached, where one could not go on.
+double earliest_time(const SceneState& state) {
+  return std::ranges::min(state.items, {}, &State::time).time;
 }
 
 std::string miss_of(const std::string& item, double error) {
@@ -37,26 +44,25 @@ std::string miss_of(const std::string& item, double error) {
 
 }  // namespace
 
-Response simulate(const Scene& scene, const Excitation& excitation,
+Response simulate(const Scene& scene, const FloorMotion& floor,
                   const SimulationSettings& settings) {
   validate(scene);
-  validate(excitation);
   validate(settings);
   require(settings.solver == Solver::kStar,
           "settings.solver names a baseline, which simulate() does not run");
-  const Assembly assembly(scene, excitation);
+  const Assembly assembly(scene);
   const std::size_t count = assembly.items.size();
-  SceneState state = start_of(scene, assembly, excitation);
-  const double& time = state.items.front().time;
+  SceneState state = start_of(scene, assembly);
+  double time = 0;
 
-  Stepper stepper(assembly, excitation.floor, settings);
+  Stepper stepper(assembly, floor, settings);
   BulletWorld world(scene, assembly, settings.skip_clear_collision_passes);
   std::vector<Recorder> recorders;
   for (std::size_t i = 0; i < count; ++i) recorders.emplace_back(scene, assembly, i, state);
   ImpactLog impacts(scene, assembly);
   TetherLog tethers(assembly, scene.tethers.size());
   ZoneLog zones(scene, assembly);
-  RunClock clock(excitation, assembly.items.front().loads.breakpoints(), settings);
+  RunClock clock(floor, assembly.breakpoints(), settings);
   const Stepper::Observer observer = [&](const Stepper::Step& step) {
     impacts.observe(step);
     tethers.observe(step);
@@ -84,10 +90,12 @@ Response simulate(const Scene& scene, const Excitation& excitation,
   std::vector<RunClock::ItemMotion> motions(count);
   while (clock.next(time)) {
     const double began = time;
-    if (!world.step(clock.target(), state, solve)) {
+    if (!world.step(began, clock.target(), state, solve)) {
+      time = earliest_time(state);
       clock.stop(Outcome::kDiverged, *cause);
       break;
     }
+    time = clock.target();
     if (clock.at_breakpoint()) stepper.change_loads(state);
     zones.observe(time, clock.target() - began, state);
     if (clock.sample_due()) sampled_at = sample();
@@ -113,7 +121,6 @@ Response simulate(const Scene& scene, const Excitation& excitation,
   response.impacts = impacts.finish(time);
   response.tethers = tethers.outcomes();
   response.zones = zones.outcomes();
-  response.items.clear();
   for (std::size_t i = 0; i < count; ++i)
     recorders[i].finish(state, stepper.accounts()[i], clock.overturned_at(i), response);
   return response;

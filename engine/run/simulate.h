@@ -6,12 +6,11 @@
 
 namespace gurney {
 
-/// Runs one scene under one excitation. The only entry point of the engine; keeps no state between
+/// Runs one scene on one floor motion. The only entry point of the engine; keeps no state between
 /// calls and may be called from several threads at once.
 ///
-/// @throws Error for a scene, excitation or settings outside their ranges. Physics or numerics gone
+/// @throws Error for a scene or settings outside their ranges. Physics or numerics gone
 ///         wrong is not an error but an Outcome.
-Response simulate(const Scene& scene, const Excitation& excitation,
-                  const SimulationSettings& settings);
+Response simulate(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings);
 
 }  // namespace gurney

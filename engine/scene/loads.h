@@ -7,7 +7,7 @@
 
 #include "engine/base/vector.h"
 
-/// Loads and test fixtures on the item, besides gravity and the floor's motion.
+/// Loads and test fixtures on an item, besides gravity and the floor's motion.
 namespace gurney {
 
 /// A force of constant direction at a point of the chassis, constant or tabulated. With a speed
@@ -55,6 +55,17 @@ struct Blocks {
   double damping = 1e4;             ///< >= 0 [N s/m]
   double release_time = 0;          ///< > 0 [s]
 };
+
+using Load = std::variant<PointForce, StringPotentiometer, DropWeight, Blocks>;
+
+/// Those of one kind, in their order.
+template <class Kind>
+std::vector<Kind> loads_of(const std::vector<Load>& loads) {
+  std::vector<Kind> result;
+  for (const Load& load : loads)
+    if (const Kind* of_kind = std::get_if<Kind>(&load)) result.push_back(*of_kind);
+  return result;
+}
 
 /// What a fixture does with one degree of freedom of the chassis (floor axes, at its centre of
 /// mass).

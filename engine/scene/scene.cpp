@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "engine/base/error.h"
 #include "engine/scene/problems.h"
@@ -11,7 +12,7 @@
 namespace gurney {
 namespace {
 
-void check_force(const PointForce& force, Problems& problems) {
+void check(const PointForce& force, Problems& problems) {
   problems.finite("force.point", force.point);
   problems.direction("force.direction", force.direction);
   problems.check(force.time.size() == force.force.size() && force.time.size() >= 2, "force.time",
@@ -28,7 +29,7 @@ void check_force(const PointForce& force, Problems& problems) {
                    ">= 0 with a speed limit");
 }
 
-void check_weight(const DropWeight& weight, Problems& problems) {
+void check(const DropWeight& weight, Problems& problems) {
   problems.finite("drop_weight.point", weight.point);
   problems.direction("drop_weight.direction", weight.direction);
   problems.positive("drop_weight.mass", weight.mass);
@@ -38,6 +39,30 @@ void check_weight(const DropWeight& weight, Problems& problems) {
   problems.not_negative("drop_weight.potentiometer_tension", weight.potentiometer_tension);
   problems.positive("drop_weight.cable_stiffness", weight.cable_stiffness);
   problems.not_negative("drop_weight.cable_damping", weight.cable_damping);
+}
+
+void check(const StringPotentiometer& string, Problems& problems) {
+  problems.finite("string_potentiometer.point", string.point);
+  problems.direction("string_potentiometer.direction", string.direction);
+  problems.not_negative("string_potentiometer.tension", string.tension);
+}
+
+void check(const Blocks& blocks, Problems& problems) {
+  problems.finite("blocks.point", blocks.point);
+  problems.positive("blocks.stiffness", blocks.stiffness);
+  problems.not_negative("blocks.damping", blocks.damping);
+  problems.positive("blocks.release_time", blocks.release_time);
+}
+
+void check(const Fixture& fixture, Problems& problems) {
+  for (int dof = 0; dof < 6; ++dof) {
+    const Guide& guide = fixture.guides[dof];
+    problems.check(std::isfinite(guide.velocity), "guide.velocity", guide.velocity, "finite");
+    problems.not_negative("guide.stiffness", guide.stiffness);
+    problems.not_negative("guide.damping", guide.damping);
+    problems.check(guide.kind != Guide::Kind::kSpring || dof < 3, "guide.stiffness",
+                   guide.stiffness, "on x, y or z only");
+  }
 }
 
 std::string name_of(const std::string& material) {
@@ -57,6 +82,12 @@ ContactConstants contact_constants(const Scene& scene, const std::string& item,
   return {};
 }
 
+Scene scene_of(EquipmentModel model) {
+  Scene scene;
+  scene.items.push_back({{}, std::move(model)});
+  return scene;
+}
+
 void validate(const Scene& scene) {
   require(!scene.items.empty(), "a scene needs an item");
   for (const PlacedItem& item : scene.items) validate(item.model);
@@ -64,40 +95,18 @@ void validate(const Scene& scene) {
   problems.not_negative("gravity", scene.gravity);
   problems.check(std::abs(scene.slope) <= 1, "slope", scene.slope, "in -1..1");
   problems.check(std::abs(scene.cross_slope) <= 1, "cross_slope", scene.cross_slope, "in -1..1");
-  for (const auto& [name, model, initial] : scene.items) {
+  for (const PlacedItem& item : scene.items) {
+    const InitialMotion& initial = item.initial;
     problems.finite("initial.position", initial.position);
     problems.finite("initial.velocity", initial.velocity);
     problems.check(std::isfinite(initial.yaw), "initial.yaw", initial.yaw, "finite");
     problems.check(std::isfinite(initial.yaw_rate), "initial.yaw_rate", initial.yaw_rate, "finite");
+    for (const Load& load : item.loads)
+      std::visit([&](const auto& of_kind) { check(of_kind, problems); }, load);
+    check(item.fixture, problems);
   }
   problems.finish();
   validate_room(scene);
-}
-
-void validate(const Excitation& excitation) {
-  Problems problems;
-  for (const PointForce& force : excitation.forces) check_force(force, problems);
-  for (const StringPotentiometer& string : excitation.string_potentiometers) {
-    problems.finite("string_potentiometer.point", string.point);
-    problems.direction("string_potentiometer.direction", string.direction);
-    problems.not_negative("string_potentiometer.tension", string.tension);
-  }
-  for (const DropWeight& weight : excitation.drop_weights) check_weight(weight, problems);
-  for (const Blocks& blocks : excitation.blocks) {
-    problems.finite("blocks.point", blocks.point);
-    problems.positive("blocks.stiffness", blocks.stiffness);
-    problems.not_negative("blocks.damping", blocks.damping);
-    problems.positive("blocks.release_time", blocks.release_time);
-  }
-  for (int dof = 0; dof < 6; ++dof) {
-    const Guide& guide = excitation.fixture.guides[dof];
-    problems.check(std::isfinite(guide.velocity), "guide.velocity", guide.velocity, "finite");
-    problems.not_negative("guide.stiffness", guide.stiffness);
-    problems.not_negative("guide.damping", guide.damping);
-    problems.check(guide.kind != Guide::Kind::kSpring || dof < 3, "guide.stiffness",
-                   guide.stiffness, "on x, y or z only");
-  }
-  problems.finish();
 }
 
 }  // namespace gurney

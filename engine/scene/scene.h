@@ -10,19 +10,21 @@
 
 namespace gurney {
 
-/// One item of the scene and how it stands there.
+/// One item of the scene, how it stands there and what acts on it besides the floor.
 struct PlacedItem {
   std::string name;  ///< in events: unique in a scene of several, not "floor" or of a room shape
   EquipmentModel model;
-  InitialMotion initial;
+  InitialMotion initial = {};
+  std::vector<Load> loads = {};
+  Fixture fixture = {};
 };
 
 /// A flat floor, the room and the items that stand in it.
 struct Scene {
-  std::vector<PlacedItem> items{PlacedItem{}};  ///< 1 or more
-  double gravity = 9.80665;                     ///< >= 0 [m/s2]
-  double slope = 0;                             ///< of the floor: rise over run along x, in [-1, 1]
-  double cross_slope = 0;                       ///< the same along y
+  std::vector<PlacedItem> items;  ///< 1 or more
+  double gravity = 9.80665;       ///< >= 0 [m/s2]
+  double slope = 0;               ///< of the floor: rise over run along x, in [-1, 1]
+  double cross_slope = 0;         ///< the same along y
   std::string floor_material;
   std::vector<RoomShape> room;
   std::vector<Zone> zones;
@@ -30,15 +32,8 @@ struct Scene {
   std::vector<MaterialPair> pairs;  ///< of the items' materials with all they may touch
 };
 
-/// What acts on the scene: the floor's motion on all items, the rest on the first one.
-struct Excitation {
-  FloorMotion floor;
-  std::vector<PointForce> forces;
-  std::vector<StringPotentiometer> string_potentiometers;
-  std::vector<DropWeight> drop_weights;
-  std::vector<Blocks> blocks;
-  Fixture fixture;
-};
+/// A scene of one item on a bare floor.
+Scene scene_of(EquipmentModel model);
 
 /// Constants of a chassis of material `item` against `other`: those of the pair, or the defaults
 /// where both are empty.
@@ -46,8 +41,7 @@ struct Excitation {
 ContactConstants contact_constants(const Scene& scene, const std::string& item,
                                    const std::string& other);
 
-/// @throws Error naming every value outside its range, the item's included.
+/// @throws Error naming every value outside its range, those of the items and their loads included.
 void validate(const Scene& scene);
-void validate(const Excitation& excitation);
 
 }  // namespace gurney

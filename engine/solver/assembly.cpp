@@ -2,9 +2,18 @@
 
 namespace gurney {
 
-Assembly::Assembly(const Scene& scene, const Excitation& excitation)
+Assembly::Assembly(const Scene& scene)
     : laws(scene), gravity(gravity_on_slope(scene.gravity, scene.slope, scene.cross_slope)) {
-  for (std::size_t i = 0; i < scene.items.size(); ++i) items.emplace_back(scene, i, excitation);
+  for (std::size_t i = 0; i < scene.items.size(); ++i) items.emplace_back(scene, i);
+}
+
+std::vector<double> Assembly::breakpoints() const {
+  std::vector<double> times;
+  for (const Mechanism& item : items) {
+    const std::vector<double> of_item = item.loads.breakpoints();
+    times.insert(times.end(), of_item.begin(), of_item.end());
+  }
+  return times;
 }
 
 Vector3 Assembly::point(const BodyContact& contact, const SceneState& state) const {

@@ -9,11 +9,14 @@ namespace gurney {
 
 /// The constants of all items of a scene and of what they do to each other.
 struct Assembly {
-  Assembly(const Scene& scene, const Excitation& excitation);
+  explicit Assembly(const Scene& scene);
 
   std::vector<Mechanism> items;  ///< as Scene::items
   ContactLaws laws;
   Vector3 gravity;  ///< floor axes: the floor may slope
+
+  /// Times at which a load of any item starts, stops or changes slope.
+  std::vector<double> breakpoints() const;
 
   /// Where a contact's first side is, relative to its chassis' centre, floor axes [m].
   Vector3 point(const BodyContact& contact, const SceneState& state) const;

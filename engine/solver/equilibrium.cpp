@@ -62,10 +62,11 @@ void stop_at_zero_rate(Fixture& fixture) {
     if (guide.kind == Guide::Kind::kVelocity) guide = {Guide::Kind::kHeld, 0, 0, 0};
 }
 
-/// The item alone on the bare floor.
+/// The item alone on the bare floor, its guides at rest.
 Scene alone(const Scene& scene, std::size_t item) {
   Scene one = scene;
   one.items = {scene.items[item]};
+  stop_at_zero_rate(one.items[0].fixture);
   one.room.clear();
   one.tethers.clear();
   return one;
@@ -73,26 +74,23 @@ Scene alone(const Scene& scene, std::size_t item) {
 
 }  // namespace
 
-void settle(const Assembly& assembly, const Scene& scene, std::size_t index,
-            const Excitation& excitation, SceneState& all) {
+void settle(const Assembly& assembly, const Scene& scene, std::size_t index, SceneState& all) {
   const Mechanism& mechanism = assembly.items[index];
   State& state = all.items[index];
-  Excitation still;
-  if (index == 0) still.fixture = excitation.fixture;
-  stop_at_zero_rate(still.fixture);
-  Excitation held = still;
-  for (int dof : {0, 1, 5}) held.fixture.guides[dof] = {Guide::Kind::kHeld, 0, 0, 0};
   Scene level = alone(scene, index);
   level.slope = level.cross_slope = 0;
   level.gravity = -mechanism.gravity.z();
+  PlacedItem& held = level.items[0];
+  held.loads.clear();
+  for (int dof : {0, 1, 5}) held.fixture.guides[dof] = {Guide::Kind::kHeld, 0, 0, 0};
   // Nothing pushes sideways: without friction the treads settle without holding each other.
-  for (Caster& caster : level.items[0].model.casters) {
+  for (Caster& caster : held.model.casters) {
     caster.tread.static_friction = caster.tread.kinetic_friction = 0;
     caster.tread.rolling_resistance = 0;
     caster.brake_torque = caster.swivel_lock_torque = std::numeric_limits<double>::infinity();
   }
   stand_on_springs(level, 0);
-  const Assembly standing(level, held);
+  const Assembly standing(level);
   SceneState settled{{state}, {}};
   settled.items[0].loads = standing.items[0].loads.initial_state();
   std::vector<BodyContact> contacts;
@@ -106,7 +104,7 @@ void settle(const Assembly& assembly, const Scene& scene, std::size_t index,
           on_casters ? "the item does not stand on its casters: its centre of mass lies outside "
                        "their support"
                      : "the item does not stand on its base: its centre of mass lies outside it");
-  std::vector<double> loads = state.loads;
+  LoadsState loads = state.loads;
   mechanism.loads.adopt_springs(standing.items[0].loads, there.loads, loads);
   const auto adopt = [&](const SceneState& found) {
     state = found.items[0];
@@ -122,16 +120,10 @@ void settle(const Assembly& assembly, const Scene& scene, std::size_t index,
   const bool is_level = scene.slope == 0 && scene.cross_slope == 0;
   if (is_level && !mechanism.loads.holds_at_start()) return;
 
-  Excitation loaded = index == 0 ? excitation : Excitation();
-  stop_at_zero_rate(loaded.fixture);
-  if (!mechanism.loads.holds_at_start()) {
-    loaded.forces.clear();
-    loaded.string_potentiometers.clear();
-    loaded.drop_weights.clear();
-  }
   Scene sprung = alone(scene, index);
+  if (!mechanism.loads.holds_at_start()) sprung.items[0].loads.clear();
   stand_on_springs(sprung, std::nullopt);
-  const Assembly free(sprung, loaded);
+  const Assembly free(sprung);
   SceneState trial = settled;
   trial.items[0].loads = free.items[0].loads.initial_state();
   if (!relax(free, kPseudoStep, trial)) return;

@@ -11,7 +11,6 @@ namespace gurney {
 /// start, and if they do not (a slope it rolls down) the first state is.
 ///
 /// @throws Error when the item does not stand: its centre of mass is outside the support.
-void settle(const Assembly& assembly, const Scene& scene, std::size_t item,
-            const Excitation& excitation, SceneState& state);
+void settle(const Assembly& assembly, const Scene& scene, std::size_t item, SceneState& state);
 
 }  // namespace gurney

@@ -73,7 +73,7 @@ void ItemStage::finish(const Input& input, const Velocity& v, State& end, Output
   }
 
   if (mechanism_.loads.empty()) {
-    end.loads.clear();
+    end.loads = {};
   } else {
     rates += mechanism_.loads.finish(input.loads, pose_, v.chassis, power, end.loads);
   }

@@ -51,15 +51,34 @@ Share share_at(const PointForce& load, double speed) {
   return {value, 1 / (kFading * load.speed_limit)};
 }
 
-constexpr std::size_t kWeightState = 4;
+double spring_energy(double stiffness, const Vector2& deflection) {
+  return 0.5 * stiffness * (deflection.x() * deflection.x() + deflection.y() * deflection.y());
+}
 
 /// Steps end at releases; rounding of their times must not let blocks go a step early [s].
 constexpr double kReleaseTolerance = 1e-9;
 
 }  // namespace
 
-Loads::Loads(const Excitation& excitation, const Vector3& chassis_center, double gravity)
-    : forces_(excitation.forces), strings_(excitation.string_potentiometers) {
+LoadsState LoadsState::extrapolated(const LoadsState& first, double ratio) const {
+  LoadsState result = *this;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    Weight& weight = result.weights[i];
+    const Weight& at_first = first.weights[i];
+    weight.fall += ratio * (at_first.fall - weight.fall);
+    weight.speed += ratio * (at_first.speed - weight.speed);
+    weight.stretch += ratio * (at_first.stretch - weight.stretch);
+  }
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    result.blocks[i] += ratio * (first.blocks[i] - blocks[i]);
+  for (std::size_t i = 0; i < springs.size(); ++i)
+    result.springs[i] += ratio * (first.springs[i] - springs[i]);
+  return result;
+}
+
+Loads::Loads(const PlacedItem& item, const Vector3& chassis_center, double gravity)
+    : forces_(loads_of<PointForce>(item.loads)),
+      strings_(loads_of<StringPotentiometer>(item.loads)) {
   for (auto& f : forces_) {
     f.point -= chassis_center;
     f.direction.normalize();
@@ -68,30 +87,29 @@ Loads::Loads(const Excitation& excitation, const Vector3& chassis_center, double
     s.point -= chassis_center;
     s.direction.normalize();
   }
-  for (const auto& w : excitation.drop_weights)
+  for (const auto& w : loads_of<DropWeight>(item.loads))
     weights_.push_back({w.point - chassis_center, w.direction.normalized(), w.mass,
                         w.mass + w.pulley_inertia / (w.pulley_radius * w.pulley_radius),
                         w.mass * gravity - w.potentiometer_tension, w.drop_height, gravity,
                         w.cable_stiffness, w.cable_damping, w.potentiometer_tension});
-  for (const auto& b : excitation.blocks)
+  for (const auto& b : loads_of<Blocks>(item.loads))
     blocks_.push_back({b.point - chassis_center, b.stiffness, b.damping, b.release_time});
   for (int dof = 0; dof < 6; ++dof) {
-    const Guide& guide = excitation.fixture.guides[dof];
+    const Guide& guide = item.fixture.guides[dof];
     if (guide.kind == Guide::Kind::kSpring)
       springs_.push_back({dof, guide.stiffness, guide.damping});
   }
-  element_count_ =
-      forces_.size() + strings_.size() + weights_.size() + blocks_.size() + springs_.size();
 }
 
-std::vector<double> Loads::initial_state() const {
-  std::vector<double> state;
+LoadsState Loads::initial_state() const {
+  LoadsState state;
   for (const auto& w : weights_) {
     // Held by blocks, the cable carries the weight; released at once, it starts unstretched.
     const double stretch = blocks_.empty() ? 0.0 : w.force / w.stiffness;
-    state.insert(state.end(), {0, 0, stretch, 0});
+    state.weights.push_back({.fall = 0, .speed = 0, .stretch = stretch, .landed = false});
   }
-  state.insert(state.end(), 2 * blocks_.size() + springs_.size(), 0.0);
+  state.blocks.assign(blocks_.size(), Vector2::Zero());
+  state.springs.assign(springs_.size(), 0.0);
   return state;
 }
 
@@ -102,12 +120,12 @@ std::vector<double> Loads::breakpoints() const {
   return times;
 }
 
-Loads::Cable Loads::cable(const Weight& w, const double* start, double u,
+Loads::Cable Loads::cable(const Weight& w, const LoadsState::Weight& start, double u,
                           const Stage& stage) const {
   const double tau = stage.tau;
   const double pull = w.force + w.weight_mass * stage.floor_acceleration_up;
-  const double speed = start[1], stretch = start[2];
-  const bool landed = start[3] != 0;
+  const double speed = start.speed, stretch = start.stretch;
+  const bool landed = start.landed;
   const double kappa = w.stiffness * tau + w.damping;
   // T = k (s + tau (w - u)) + c (w - u), weight: inertia (w - w0) = tau (force - T).
   const double free_speed = landed ? 0.0 : speed + tau * pull / w.inertia;
@@ -134,30 +152,32 @@ void Loads::evaluate(const Stage& stage, const Pose& pose, const Vector6& veloci
     rows.push_back({row, share.value * force, share.slope * force});
   }
   for (const auto& s : strings_) rows.push_back({row_of(pose, s.point, s.direction), s.tension, 0});
-  const double* state = stage.start->data();
-  for (const auto& w : weights_) {
-    const Vector6 row = row_of(pose, w.point, w.direction);
-    const Cable c = cable(w, state, row.dot(velocity), stage);
+  const LoadsState& state = *stage.start;
+  for (std::size_t i = 0; i < weights_.size(); ++i) {
+    const Vector6 row = row_of(pose, weights_[i].point, weights_[i].direction);
+    const Cable c = cable(weights_[i], state.weights[i], row.dot(velocity), stage);
     rows.push_back({row, c.tension, c.slope});
-    state += kWeightState;
   }
-  for (const auto& b : blocks_) {
-    for (int axis = 0; axis < 2; ++axis, ++state) {
-      if (stage.from >= b.release_time - kReleaseTolerance) continue;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    const Block& b = blocks_[i];
+    if (stage.from >= b.release_time - kReleaseTolerance) continue;
+    for (int axis = 0; axis < 2; ++axis) {
       const Vector6 row = row_of(pose, b.point, Vector3::Unit(axis));
       const double slope = b.stiffness * stage.tau + b.damping;
-      rows.push_back({row, -b.stiffness * *state - slope * row.dot(velocity), slope});
+      const double deflection = state.blocks[i][axis];
+      rows.push_back({row, -b.stiffness * deflection - slope * row.dot(velocity), slope});
     }
   }
-  for (const auto& s : springs_) {
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    const Spring& s = springs_[i];
     const double slope = s.stiffness * stage.tau + s.damping;
-    rows.push_back({Vector6::Unit(s.dof), -s.stiffness * *state - slope * velocity[s.dof], slope});
-    ++state;
+    rows.push_back(
+        {Vector6::Unit(s.dof), -s.stiffness * state.springs[i] - slope * velocity[s.dof], slope});
   }
 }
 
 double Loads::finish(const Stage& stage, const Pose& pose, const Vector6& velocity,
-                     EnergyAccount& power, std::vector<double>& end) const {
+                     EnergyAccount& power, LoadsState& end) const {
   end = *stage.start;
   double spring_rates = 0;
   std::vector<Row> rows;
@@ -165,77 +185,70 @@ double Loads::finish(const Stage& stage, const Pose& pose, const Vector6& veloci
   for (std::size_t i = 0; i < forces_.size() + strings_.size(); ++i)
     power.work_of_forces += rows[i].force * rows[i].direction.dot(velocity);
 
-  double* state = end.data();
-  for (const auto& w : weights_) {
+  for (std::size_t i = 0; i < weights_.size(); ++i) {
+    const Weight& w = weights_[i];
+    LoadsState::Weight& state = end.weights[i];
     const double u = row_of(pose, w.point, w.direction).dot(velocity);
     const Cable c = cable(w, state, u, stage);
-    const bool landed = state[3] != 0;
-    const double acceleration = landed ? 0 : (c.weight_speed - state[1]) / stage.tau;
+    const double acceleration = state.landed ? 0 : (c.weight_speed - state.speed) / stage.tau;
     power.work_of_floor += w.weight_mass * stage.floor_acceleration_up * c.weight_speed;
-    power.work_of_forces += landed ? 0 : -w.tension_on_weight * c.weight_speed;
-    state[0] += stage.tau * c.weight_speed;
-    state[1] = c.weight_speed;
+    power.work_of_forces += state.landed ? 0 : -w.tension_on_weight * c.weight_speed;
+    state.fall += stage.tau * c.weight_speed;
+    state.speed = c.weight_speed;
     // A slack cable hangs through: its stretch stays negative until it is taut again.
-    state[2] += stage.tau * c.stretch_rate;
+    state.stretch += stage.tau * c.stretch_rate;
     if (c.tension > 0) {
-      power.damper_loss += (c.tension - w.stiffness * state[2]) * c.stretch_rate;
+      power.damper_loss += (c.tension - w.stiffness * state.stretch) * c.stretch_rate;
       spring_rates += w.stiffness * c.stretch_rate * c.stretch_rate;
     }
     spring_rates += w.inertia * acceleration * acceleration;
-    state += kWeightState;
   }
-  for (const auto& b : blocks_) {
-    for (int axis = 0; axis < 2; ++axis, ++state) {
-      if (stage.from >= b.release_time - kReleaseTolerance) continue;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    const Block& b = blocks_[i];
+    if (stage.from >= b.release_time - kReleaseTolerance) continue;
+    for (int axis = 0; axis < 2; ++axis) {
       const double u = row_of(pose, b.point, Vector3::Unit(axis)).dot(velocity);
-      *state += stage.tau * u;
+      end.blocks[i][axis] += stage.tau * u;
       power.damper_loss += b.damping * u * u;
       spring_rates += b.stiffness * u * u;
     }
   }
-  for (const auto& s : springs_) {
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    const Spring& s = springs_[i];
     const double u = velocity[s.dof];
-    *state++ += stage.tau * u;
+    end.springs[i] += stage.tau * u;
     power.damper_loss += s.damping * u * u;
     spring_rates += s.stiffness * u * u;
   }
   return spring_rates;
 }
 
-void Loads::adopt_springs(const Loads& other, const std::vector<double>& other_state,
-                          std::vector<double>& state) const {
-  const std::size_t first = state.size() - springs_.size();
-  const std::size_t other_first = other_state.size() - other.springs_.size();
+void Loads::adopt_springs(const Loads& other, const LoadsState& other_state,
+                          LoadsState& state) const {
   for (std::size_t i = 0; i < springs_.size(); ++i)
     for (std::size_t j = 0; j < other.springs_.size(); ++j)
-      if (springs_[i].dof == other.springs_[j].dof) state[first + i] = other_state[other_first + j];
+      if (springs_[i].dof == other.springs_[j].dof) state.springs[i] = other_state.springs[j];
 }
 
-double Loads::stored_energy(const std::vector<double>& state) const {
+double Loads::stored_energy(const LoadsState& state) const {
   double energy = 0;
-  const double* s = state.data();
-  for (const auto& w : weights_) {
-    const double stretch = std::max(s[2], 0.0);
-    energy += 0.5 * w.stiffness * stretch * stretch;
-    s += kWeightState;
+  for (std::size_t i = 0; i < weights_.size(); ++i) {
+    const double stretch = std::max(state.weights[i].stretch, 0.0);
+    energy += 0.5 * weights_[i].stiffness * stretch * stretch;
   }
-  for (const auto& b : blocks_) {
-    energy += 0.5 * b.stiffness * (s[0] * s[0] + s[1] * s[1]);
-    s += 2;
-  }
-  for (const auto& spring : springs_) {
-    energy += 0.5 * spring.stiffness * *s * *s;
-    ++s;
-  }
+  for (std::size_t i = 0; i < blocks_.size(); ++i)
+    energy += spring_energy(blocks_[i].stiffness, state.blocks[i]);
+  for (std::size_t i = 0; i < springs_.size(); ++i)
+    energy += 0.5 * springs_[i].stiffness * state.springs[i] * state.springs[i];
   return energy;
 }
 
-double Loads::weight_energy(const std::vector<double>& state) const {
+double Loads::weight_energy(const LoadsState& state) const {
   double energy = 0;
-  const double* s = state.data();
-  for (const auto& w : weights_) {
-    energy += 0.5 * w.inertia * s[1] * s[1] - w.weight_mass * w.gravity * s[0];
-    s += kWeightState;
+  for (std::size_t i = 0; i < weights_.size(); ++i) {
+    const Weight& w = weights_[i];
+    const LoadsState::Weight& s = state.weights[i];
+    energy += 0.5 * w.inertia * s.speed * s.speed - w.weight_mass * w.gravity * s.fall;
   }
   return energy;
 }
@@ -248,50 +261,41 @@ double Loads::pull_force(double time, const Pose& pose, const Vector6& velocity)
   return sum;
 }
 
-double Loads::cable_tension(const std::vector<double>& state) const {
+double Loads::cable_tension(const LoadsState& state) const {
   double sum = 0;
-  const double* s = state.data();
-  for (const auto& w : weights_) {
-    sum += w.stiffness * std::max(s[2], 0.0);
-    s += kWeightState;
-  }
+  for (std::size_t i = 0; i < weights_.size(); ++i)
+    sum += weights_[i].stiffness * std::max(state.weights[i].stretch, 0.0);
   return sum;
 }
 
-double Loads::penetration(const std::vector<double>& state) const {
+double Loads::penetration(const LoadsState& state) const {
   double deepest = -1;
-  const double* s = state.data();
-  for (const auto& w : weights_) {
-    if (s[3] == 0) deepest = std::max(deepest, s[0] - w.drop_height);
-    s += kWeightState;
-  }
+  for (std::size_t i = 0; i < weights_.size(); ++i)
+    if (!state.weights[i].landed)
+      deepest = std::max(deepest, state.weights[i].fall - weights_[i].drop_height);
   return deepest;
 }
 
-double Loads::land(std::vector<double>& state) const {
+double Loads::land(LoadsState& state) const {
   double lost = 0;
-  double* s = state.data();
-  for (const auto& w : weights_) {
-    if (s[3] == 0 && s[0] >= w.drop_height - 1e-9) {
-      const double stretch = std::max(s[2], 0.0);
-      lost += 0.5 * w.inertia * s[1] * s[1] + 0.5 * w.stiffness * stretch * stretch;
-      s[1] = s[2] = 0;
-      s[3] = 1;
-    }
-    s += kWeightState;
+  for (std::size_t i = 0; i < weights_.size(); ++i) {
+    const Weight& w = weights_[i];
+    LoadsState::Weight& s = state.weights[i];
+    if (s.landed || s.fall < w.drop_height - 1e-9) continue;
+    const double stretch = std::max(s.stretch, 0.0);
+    lost += 0.5 * w.inertia * s.speed * s.speed + 0.5 * w.stiffness * stretch * stretch;
+    s.speed = s.stretch = 0;
+    s.landed = true;
   }
   return lost;
 }
 
-double Loads::release(double time, std::vector<double>& state) const {
+double Loads::release(double time, LoadsState& state) const {
   double lost = 0;
-  double* s = state.data() + kWeightState * weights_.size();
-  for (const auto& b : blocks_) {
-    if (time >= b.release_time - kReleaseTolerance) {
-      lost += 0.5 * b.stiffness * (s[0] * s[0] + s[1] * s[1]);
-      s[0] = s[1] = 0;
-    }
-    s += 2;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (time < blocks_[i].release_time - kReleaseTolerance) continue;
+    lost += spring_energy(blocks_[i].stiffness, state.blocks[i]);
+    state.blocks[i].setZero();
   }
   return lost;
 }

@@ -5,21 +5,21 @@
 #include "engine/caster/leg.h"
 #include "engine/response/energy_account.h"
 #include "engine/scene/scene.h"
+#include "engine/solver/loads_state.h"
 
 namespace gurney {
 
-/// All loads and springs on the chassis, each a force along one generalised direction of the
+/// All loads and springs on one chassis, each a force along one generalised direction of the
 /// chassis: with `row` the direction, u = row . V and the force T(u) row.
 ///
 /// Drop weights are solved with the step: the weight's own equation is eliminated, so that T(u) of
 /// an elastic cable holds its inertia exactly, and a slack cable carries nothing.
 class Loads {
  public:
-  Loads(const Excitation& excitation, const Vector3& chassis_center, double gravity);
+  Loads(const PlacedItem& item, const Vector3& chassis_center, double gravity);
 
-  /// Initial internal state for State::loads: cables taut under the weight when blocks hold the
-  /// item.
-  std::vector<double> initial_state() const;
+  /// Cables are taut under the weight when blocks hold the item.
+  LoadsState initial_state() const;
 
   /// Times at which a load starts, stops or changes slope.
   std::vector<double> breakpoints() const;
@@ -29,7 +29,7 @@ class Loads {
     double tau = 0;
     double from = 0, to = 0;  ///< the step this stage belongs to [s]
     bool first = true;        ///< first or second stage of the step
-    const std::vector<double>* start = nullptr;
+    const LoadsState* start = nullptr;
     double floor_acceleration_up = 0;  ///< acts on drop weights as more gravity [m/s2]
   };
 
@@ -46,28 +46,30 @@ class Loads {
   /// Adds powers (W) to `power`, writes the new state, and returns the sum of k x'^2 of its
   /// springs.
   double finish(const Stage& stage, const Pose& pose, const Vector6& velocity, EnergyAccount& power,
-                std::vector<double>& end) const;
+                LoadsState& end) const;
 
   /// Takes over the deflections of the fixture's springs from a state of other loads.
-  void adopt_springs(const Loads& other, const std::vector<double>& other_state,
-                     std::vector<double>& state) const;
+  void adopt_springs(const Loads& other, const LoadsState& other_state, LoadsState& state) const;
 
-  double stored_energy(const std::vector<double>& state) const;
-  double weight_energy(const std::vector<double>& state) const;
+  double stored_energy(const LoadsState& state) const;
+  double weight_energy(const LoadsState& state) const;
   /// Sum of the point forces (signed magnitudes) [N].
   double pull_force(double time, const Pose& pose, const Vector6& velocity) const;
-  double cable_tension(const std::vector<double>& state) const;
+  double cable_tension(const LoadsState& state) const;
 
   /// How far the first unlanded weight is below its floor (> 0: it has hit); -1 when none falls.
-  double penetration(const std::vector<double>& state) const;
+  double penetration(const LoadsState& state) const;
   /// Ends the fall of every weight that has reached its floor: it stops and its cable goes slack;
   /// returns the energy lost [J].
-  double land(std::vector<double>& state) const;
+  double land(LoadsState& state) const;
   /// Blocks whose time has come let go of what they hold; returns the energy lost [J].
-  double release(double time, std::vector<double>& state) const;
+  double release(double time, LoadsState& state) const;
 
   bool holds_at_start() const { return !blocks_.empty(); }
-  bool empty() const { return element_count_ == 0; }
+  bool empty() const {
+    return forces_.empty() && strings_.empty() && weights_.empty() && blocks_.empty() &&
+           springs_.empty();
+  }
 
  private:
   struct Weight {
@@ -85,14 +87,14 @@ class Loads {
   struct Cable {
     double tension, slope, weight_speed, stretch_rate;
   };
-  Cable cable(const Weight& weight, const double* start, double u, const Stage& stage) const;
+  Cable cable(const Weight& weight, const LoadsState::Weight& start, double u,
+              const Stage& stage) const;
 
   std::vector<PointForce> forces_;
   std::vector<StringPotentiometer> strings_;
-  std::vector<Weight> weights_;  // state: fall, speed, stretch, landed (0 or 1)
-  std::vector<Block> blocks_;    // state: x, y deflection
-  std::vector<Spring> springs_;  // state: deflection
-  std::size_t element_count_ = 0;
+  std::vector<Weight> weights_;
+  std::vector<Block> blocks_;
+  std::vector<Spring> springs_;
 };
 
 }  // namespace gurney

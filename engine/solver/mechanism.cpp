@@ -29,11 +29,11 @@ Vector3 gravity_on_slope(double gravity, double slope, double cross_slope) {
   return {along * (slope / steepest), along * (cross_slope / steepest), -gravity * std::cos(angle)};
 }
 
-Mechanism::Mechanism(const Scene& scene, std::size_t item, const Excitation& excitation)
+Mechanism::Mechanism(const Scene& scene, std::size_t item)
     : chassis(chassis_with_payloads(scene.items[item].model)),
-      loads(item == 0 ? excitation : Excitation(), chassis.center_of_mass, scene.gravity),
+      loads(scene.items[item], chassis.center_of_mass, scene.gravity),
       tethers(scene, item, chassis.center_of_mass),
-      fixture(item == 0 ? excitation.fixture : Fixture()),
+      fixture(scene.items[item].fixture),
       gravity(gravity_on_slope(scene.gravity, scene.slope, scene.cross_slope)),
       total_mass(chassis.mass),
       length(0),

@@ -20,7 +20,7 @@ Vector3 gravity_on_slope(double gravity, double slope, double cross_slope);
 
 /// The constants of one item on its casters under its loads: what a run reads and never changes.
 struct Mechanism {
-  Mechanism(const Scene& scene, std::size_t item, const Excitation& excitation);
+  Mechanism(const Scene& scene, std::size_t item);
 
   MassProperties chassis;  ///< with payloads; item axes
   std::vector<Leg> legs;

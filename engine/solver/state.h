@@ -8,6 +8,7 @@
 #include "engine/caster/leg.h"
 #include "engine/contact/body_contact.h"
 #include "engine/scene/equipment_model.h"
+#include "engine/solver/loads_state.h"
 
 namespace gurney {
 
@@ -37,7 +38,7 @@ struct State {
   Quaternion rotation = Quaternion::Identity();
   Velocity velocity;
   std::array<LegState, kMaxLegs> legs;
-  std::vector<double> loads;         ///< see Loads
+  LoadsState loads;
   std::uint32_t broken_tethers = 0;  ///< bit i: the i-th of Tethers
 
   Pose pose() const { return {position, rotation.toRotationMatrix()}; }

@@ -39,10 +39,12 @@ Velocity advanced(const Velocity& v, double time, const Velocity& acceleration, 
   return result;
 }
 
+/// From the start of a step over the end of its first stage to the start of its second.
+constexpr double kExtrapolation = (1 - kSdirkGamma) / kSdirkGamma;
+
 template <typename T>
 T extrapolated(const T& y, const T& y_first) {
-  constexpr double ratio = (1 - kSdirkGamma) / kSdirkGamma;
-  return y + ratio * (y_first - y);
+  return y + kExtrapolation * (y_first - y);
 }
 
 /// Start of the second stage: y + h (1 - gamma) k, with k = (y_first - y) / (gamma h).
@@ -67,9 +69,7 @@ void extrapolate_item(const State& from, const State& end, const Velocity& accel
     s.tread.rolling = b.tread.rolling;
   }
   start.broken_tethers = from.broken_tethers;
-  start.loads.resize(from.loads.size());
-  for (std::size_t i = 0; i < from.loads.size(); ++i)
-    start.loads[i] = extrapolated(from.loads[i], end.loads[i]);
+  start.loads = from.loads.extrapolated(end.loads, kExtrapolation);
 }
 
 void add_power(const EnergyAccount& power, double time, EnergyAccount& account) {

@@ -68,7 +68,7 @@ Stability stability_of(const EquipmentModel& item) {
   if (!(result.base > 0))
     result.warnings.push_back(fmt::format(
         "{}: the centre of mass can leave the support{}: {}it is {:.0f} mm outside, towards {:.0f} "
-        "degrees; the item can fall by itself",
+        "degrees; the item is statically unstable",
         item.name, rolls ? " of the wheels" : "", turned, -result.base * kMillimetersPerMeter,
         direction));
   else if (result.tilt < asked - kAngleTolerance)

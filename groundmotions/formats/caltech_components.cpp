@@ -55,7 +55,7 @@ class ChannelReader {
     check_peak_of(channel, *series, unit.to_si, component);
     if (!channel.trailing.empty())
       component.warnings.push_back(
-          fmt::format("the last line of the file is no part of the format and was left out: '{}'",
+          fmt::format("the last line of the file is no part of the format and was ignored: '{}'",
                       channel.trailing.substr(0, 60)));
     orient(channel, component);
     state_facts(channel, component);

@@ -128,7 +128,7 @@ class SmcReader {
     if (mistakes_.any() || line == end) return numbers;
     // Digitised files may have one line more than they state.
     if (is_uneven() && line + 1 == end)
-      component.warnings.push_back(more + "; they were left out");
+      component.warnings.push_back(more + "; they were ignored");
     else
       mistakes_.add(line + 1, 1, more);
     return numbers;

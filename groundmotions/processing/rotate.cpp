@@ -61,7 +61,7 @@ Record orthogonal_horizontals(Record record) {
   } else {
     require(std::abs(std::sin(apart)) >= std::sin(kSmallestAngle),
             fmt::format("{} and {}: the horizontals have azimuths of {} and {} degrees, less than "
-                        "{:.0f} degrees from parallel: the motion across them cannot be told",
+                        "{:.0f} degrees from parallel: the motion across them cannot be determined",
                         h1.file, h2.file, degrees(z1), degrees(z2),
                         kSmallestAngle / kRadiansPerDegree));
     // a2 = cos(apart) a1 + sin(apart) a_h2

@@ -71,7 +71,7 @@ void add_calibrate(CLI::App& app, std::function<int()>& act) {
   auto held = std::make_shared<CalibrateOptions>();
   CalibrateOptions& options = *held;
   CLI::App* const command =
-      app.add_subcommand("calibrate", "Constants of casters from measured pulls and impacts");
+      app.add_subcommand("calibrate", "Estimate caster parameters from measured pulls and impacts");
   command
       ->add_option("TRIALS", options.trials,
                    "A file of trials, or a folder of them (docs/formats/trial_file.md)")
@@ -79,7 +79,7 @@ void add_calibrate(CLI::App& app, std::function<int()>& act) {
   command->add_option("-o,--output", options.folder,
                       "A folder for the report, its figure and a file for each caster and floor");
   command->add_option("--base", options.base,
-                      "The caster whose numbers stay where no trial gives one (default: the "
+                      "The caster whose parameters are kept where no trial gives one (default: the "
                       "catalogue's of the same name)");
   command->add_flag("--overwrite", options.overwrite, "Replace files that exist");
   command->add_flag("--json", options.json, "Print JSON, in SI units");

@@ -70,11 +70,12 @@ void add_intensity(Answer& answer, const IntensityPlan& plan) {
                            measure));
   else
     answer.add("hunt", plan.most_runs,
-               fmt::format("at most {} runs a unit, from {:g} {} of {}", plan.most_runs,
+               fmt::format("at most {} runs per analysis case, from {:g} {} of {}", plan.most_runs,
                            plan.first / plan.unit_in_si, plan.unit, measure));
   if (plan.more_stages > 0)
     answer.add("stages", 1 + plan.more_stages,
-               fmt::format("{}: those levels, then {} for each configuration by the runs before",
+               fmt::format("{}: these levels, then {} further for each configuration, planned from "
+                           "the preceding runs",
                            1 + plan.more_stages, kLevelsOfAStage));
 }
 
@@ -141,7 +142,7 @@ void add_plan(Answer& answer, const Batch& batch) {
   add_scale_factors(answer, batch);
   const std::vector<std::string> inputs = batch.plan.inputs();
   answer.add("draws", study.draws,
-             study.draws == 0 ? "none: every number has its value"
+             study.draws == 0 ? "none: every parameter has its value"
              : inputs.empty()
                  ? fmt::format("{} for each record", study.draws)
                  : fmt::format("{} points for each record, each with {} rows of a Saltelli design",
@@ -169,7 +170,7 @@ Answer check_study(const StudyJob& job, int threads) {
   answer.add("units", plan.units(), fmt::format("{}", plan.units()));
   answer.add("runs", needs.runs, fmt::format("{}{}", most, needs.runs));
   answer.add("time_s", needs.seconds(threads),
-             fmt::format("{}about {} with {} threads (two runs were made: {:.2g} s each)", most,
+             fmt::format("{}about {} with {} threads (two runs were timed: {:.2g} s each)", most,
                          duration_text(needs.seconds(threads)), threads, needs.seconds_per_run));
   answer.add("memory_bytes", needs.memory_bytes,
              "about " + size_text(static_cast<double>(needs.memory_bytes)));
@@ -210,10 +211,10 @@ int check_command(const CheckOptions& options) {
 void add_check(CLI::App& app, std::function<int()>& act) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* const check =
-      app.add_subcommand("check", "Tell what a job would run, or all its mistakes; write nothing");
+      app.add_subcommand("check", "Validate a job and estimate its cost (dry run)");
   check->add_option("JOB", options->job, "The job file")->required();
   check->add_flag("--json", options->json, "Print the answer as JSON");
-  check->add_option("-j,--threads", options->threads, "Threads that the study would have")
+  check->add_option("-j,--threads", options->threads, "Threads of the study")
       ->check(CLI::Range(1, 4096));
   check->callback([options, &act] {
     act = [options] {

@@ -40,19 +40,19 @@ std::string version() {
 void add_run(CLI::App& app, std::function<int()>& act) {
   auto held = std::make_shared<RunOptions>();
   RunOptions& options = *held;
-  CLI::App* const run = app.add_subcommand("run", "Run a job: one run, or a study of many");
+  CLI::App* const run = app.add_subcommand("run", "Run a job: a single run or a study");
   run->add_option("JOB", options.job,
                   "The job file, such as studies/jobs/icu_ventilator_shake.toml")
       ->required();
   run->add_option("-o,--output", options.output,
-                  "The results file; the figure and the log stand beside it "
+                  "The results file; the figure and the log are written beside it "
                   "(default: out/<name of the job>.h5)");
   run->add_flag("--overwrite", options.overwrite, "Replace files that exist");
   run->add_flag("--json", options.json, "Print the summary as JSON");
   run->add_flag("--no-figure", options.no_figure, "Draw no figure");
-  run->add_flag("--resume", options.resume, "Go on with a study that was interrupted");
+  run->add_flag("--resume", options.resume, "Continue an interrupted study");
   run->add_option("-j,--threads", options.threads,
-                  "Threads for a study (default: all of the machine)")
+                  "Threads for a study (default: all hardware threads)")
       ->check(CLI::Range(1, 4096));
   run->callback([held, &act] {
     act = [held] { return with_json_errors(held->json, [held] { return run_command(*held); }); };
@@ -63,11 +63,10 @@ void add_replay(CLI::App& app, std::function<int()>& act) {
   auto held = std::make_shared<ReplayOptions>();
   ReplayOptions& options = *held;
   CLI::App* const replay =
-      app.add_subcommand("replay", "Make one run of a study again, with full histories");
+      app.add_subcommand("replay", "Re-run one case of a study with full output");
   replay->add_option("FILE", options.file, "The results file of the study")->required();
   replay->add_option("RUN", options.run, "Index of the run")->required();
-  replay->add_option("--job", options.job,
-                     "The job's file (default: where the study's log says it was)");
+  replay->add_option("--job", options.job, "The job file (default: the path in the study's log)");
   replay->add_option("-o,--output", options.output,
                      "The results file (default: FILE_run_RUN.h5 beside FILE)");
   replay->add_flag("--overwrite", options.overwrite, "Replace files that exist");

@@ -97,15 +97,14 @@ int compare(const CompareOptions& options) {
 void add_compare(CLI::App& app, std::function<int()>& act) {
   auto held = std::make_shared<CompareOptions>();
   CompareOptions& options = *held;
-  CLI::App* const command = app.add_subcommand(
-      "compare", "Compare two studies, or two configurations of one, run by run");
+  CLI::App* const command = app.add_subcommand("compare", "Compare configurations pairwise");
   command->add_option("A", options.a, "The results file of a study")->required();
-  command->add_option("B", options.b, "Another (default: A, two configurations of it)");
+  command->add_option("B", options.b, "A second results file (default: two configurations of A)");
   command
       ->add_option("--configuration,--configurations", options.configurations,
-                   "Configurations: one for both files, or two, apart by a comma")
+                   "Configurations: one for both files, or two, separated by a comma")
       ->allow_extra_args(false);
-  command->add_option("--demand", options.demands, "Demands (default: all that are sizes)")
+  command->add_option("--demand", options.demands, "Demands (default: all non-negative demands)")
       ->allow_extra_args(false);
   command->add_option("--measure", options.measure,
                       "Intensity measure of the curves (default: the studies' own)");

@@ -40,18 +40,16 @@ int converge_command(const ConvergeOptions& options) {
 void add_converge(CLI::App& app, std::function<int()>& act) {
   auto held = std::make_shared<ConvergeOptions>();
   ConvergeOptions& options = *held;
-  CLI::App* const command = app.add_subcommand(
-      "converge", "Whether a job's numbers depend on time step, solver and tread stiffness");
+  CLI::App* const command =
+      app.add_subcommand("converge", "Time-step, solver and stiffness convergence of a job");
   command->add_option("JOB", options.job, "The job file, of one run or of a study")->required();
-  command
-      ->add_option("--runs", options.runs,
-                   "Of a study: how many of its runs are tried (default: 20)")
+  command->add_option("--runs", options.runs, "Number of sampled runs of a study (default: 20)")
       ->check(CLI::Range(1, 1000000));
   command
       ->add_option("--tolerance-percent", options.tolerance_percent,
-                   "Change that counts as none (default: 2)")
+                   "Relative change regarded as converged [%] (default: 2)")
       ->check(CLI::Range(1e-6, 100.0));
-  command->add_option("-j,--threads", options.threads, "Threads (default: all)")
+  command->add_option("-j,--threads", options.threads, "Threads (default: all hardware threads)")
       ->check(CLI::Range(1, 4096));
   add_figure_option(*command, options.figure, "Draw the changes with the time step");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");

@@ -103,7 +103,7 @@ int check(const CheckOptions& options) {
 void add_list(CLI::App& equipment, std::function<int()>& act) {
   auto json = std::make_shared<bool>(false);
   CLI::App* const command =
-      equipment.add_subcommand("ls", "Tables of items, casters, floors, rooms and tethers");
+      equipment.add_subcommand("ls", "List items, casters, floor coverings, rooms and tethers");
   command->add_flag("--json", *json, "Print JSON, in SI units");
   command->callback([json, &act] {
     act = [json] {
@@ -120,13 +120,13 @@ void add_show(CLI::App& equipment, std::function<int()>& act) {
   command->add_option("ITEM", options->item, "A name of the catalogue, or a .toml file")
       ->required();
   command->add_option("--variant", options->variants, "A variant of the item; several in order");
-  command->add_option("--floor", options->floor, "A floor covering (else smooth vinyl)");
+  command->add_option("--floor", options->floor, "A floor covering (default: smooth vinyl)");
   command
       ->add_option("--brakes", options->brakes,
-                   "on: all brakes there are, off: none (else as the file has them)")
+                   "on: all brakes applied, off: none (default: as in the file)")
       ->check(CLI::IsMember({"on", "off"}));
   command->add_flag("--assumptions", options->assumptions,
-                    "List every number in use that has no source");
+                    "List every parameter in use without a source");
   add_figure_option(*command, options->figure, "A figure to write: plan and two sides");
   command->add_flag("--json", options->json, "Print JSON, in SI units");
   command->add_flag("--overwrite", options->overwrite, "Replace a figure that exists");
@@ -136,7 +136,7 @@ void add_show(CLI::App& equipment, std::function<int()>& act) {
 void add_check(CLI::App& equipment, std::function<int()>& act) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* const command = equipment.add_subcommand(
-      "check", "Look for mistakes in files of items, casters, floors, rooms and tethers");
+      "check", "Validate files of items, casters, floor coverings, rooms and tethers");
   command->add_option("FILE", options->files, "Files (docs/formats/equipment_file.md)")->required();
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &act] { act = [options] { return check(*options); }; });
@@ -146,7 +146,7 @@ void add_check(CLI::App& equipment, std::function<int()>& act) {
 
 void add_equipment(CLI::App& app, std::function<int()>& act) {
   CLI::App* const equipment =
-      app.add_subcommand("equipment", "Look at items of equipment, and check your own");
+      app.add_subcommand("equipment", "List, inspect and validate equipment");
   equipment->require_subcommand(1);
   add_list(*equipment, act);
   add_show(*equipment, act);

@@ -33,7 +33,7 @@ void check_choice(const ExportOptions& options) {
   const bool fits = options.format == "pelicun" || options.format == "nrml";
   const auto refuse = [&](const char* option, const std::string& value, bool allowed) {
     require(value.empty() || allowed,
-            fmt::format("{} does not go with --to {}, which writes all there is", option,
+            fmt::format("{} cannot be combined with --to {}, which exports everything", option,
                         options.format));
   };
   refuse("--measure", options.choice.measure, fits);
@@ -85,7 +85,7 @@ int export_command(const ExportOptions& options) {
       });
   files.commit();
   fmt::print("{}", written);
-  for (const std::string& each : left_out) print_error("left out {}\n", each);
+  for (const std::string& each : left_out) print_error("omitted {}\n", each);
   return 0;
 }
 
@@ -95,7 +95,7 @@ void add_export(CLI::App& app, std::function<int()>& act) {
   auto held = std::make_shared<ExportOptions>();
   ExportOptions& options = *held;
   CLI::App* const command =
-      app.add_subcommand("export", "Write results in the formats of other tools");
+      app.add_subcommand("export", "Export results to the formats of other programs");
   command->add_option("FILE", options.file, "The results file")->required();
   command
       ->add_option(

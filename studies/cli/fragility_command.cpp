@@ -86,7 +86,7 @@ void add_fragility(CLI::App& app, std::function<int()>& act) {
   auto held = std::make_shared<FragilityOptions>();
   FragilityOptions& options = *held;
   CLI::App* const command =
-      app.add_subcommand("fragility", "Fit fragility curves to the runs of a study");
+      app.add_subcommand("fragility", "Fit fragility functions and confidence bands");
   command->add_option("FILE", options.file, "The results file of the study")->required();
   command->add_option("--limit", options.states, "Limit states (default: all)");
   command->add_option("--configuration", options.configurations, "Configurations (default: all)");

@@ -43,12 +43,13 @@ int measures(const MeasuresOptions& options) {
 void add_measures(CLI::App& app, std::function<int()>& act) {
   auto held = std::make_shared<MeasuresOptions>();
   MeasuresOptions& options = *held;
-  CLI::App* const command = app.add_subcommand(
-      "measures", "Which intensity measure predicts the demands of a study best");
+  CLI::App* const command =
+      app.add_subcommand("measures", "Compare intensity measures: efficiency and sufficiency");
   command->add_option("FILE", options.file, "The results file of the study")->required();
   command
-      ->add_option("--limit", options.states,
-                   "Limit states whose demand is predicted (default: all that have a size)")
+      ->add_option(
+          "--limit", options.states,
+          "Limit states whose demand is predicted (default: all with a demand above a limit)")
       ->allow_extra_args(false);
   command->add_option("--configuration", options.configurations, "Configurations (default: all)")
       ->allow_extra_args(false);

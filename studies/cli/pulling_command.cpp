@@ -71,8 +71,8 @@ int pulling(const PullingOptions& options) {
 void add_pulling(CLI::App& app, std::function<int()>& act) {
   auto held = std::make_shared<PullingOptions>();
   PullingOptions& options = *held;
-  CLI::App* const command = app.add_subcommand(
-      "pulling", "Pulling tests of a study: the figures and the method of Xu, Ma & Kurata 2022");
+  CLI::App* const command =
+      app.add_subcommand("pulling", "Evaluate the simulated pulling tests of a study");
   command->add_option("FILE", options.file, "The results file of the study, with histories")
       ->required();
   command->add_option("-o,--output", options.folder, "Draw the figures into this folder");

@@ -68,7 +68,7 @@ void add_source_options(CLI::App& command, RecordSource& source) {
   command.add_option("--unit", source.options.unit,
                      fmt::format("Unit of files that do not state it: {}", kAccelerationUnits));
   command.add_option("--time-step", source.options.time_step,
-                     "Time step of files that do not say it [s]");
+                     "Time step of files that do not state it [s]");
   command.add_option("--count", source.options.si_per_count,
                      "Acceleration of one count in files of raw counts [m/s2]");
   command.add_option(
@@ -76,7 +76,7 @@ void add_source_options(CLI::App& command, RecordSource& source) {
       "Columns of plain tables: samples, or names from time, h1, h2, vertical, skip");
   command.add_option("--step", source.steps,
                      "A processing step, such as --step \"high_pass corner_hz=0.1\"; several are "
-                     "done in their order (docs/formats/processing.md)");
+                     "applied in their order (docs/formats/processing.md)");
 }
 
 int for_each_record(const RecordSource& source, std::vector<Refusal>* refused,
@@ -85,7 +85,7 @@ int for_each_record(const RecordSource& source, std::vector<Refusal>* refused,
   ProgressLine progress;
   const std::vector<std::filesystem::path> paths(source.paths.begin(), source.paths.end());
   const Suite suite = read_suite(paths, source.options, [&](std::size_t done, std::size_t all) {
-    progress.show("looking at file", done, all);
+    progress.show("reading file", done, all);
   });
   std::vector<Refusal> left_out = suite.refused;
   std::size_t used = 0;

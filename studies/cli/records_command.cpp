@@ -6,7 +6,7 @@ namespace gurney {
 
 void add_records(CLI::App& app, std::function<int()>& act) {
   CLI::App* const records =
-      app.add_subcommand("records", "Look at ground motions, convert, make and transform them");
+      app.add_subcommand("records", "Inspect, convert, generate and scale ground motions");
   records->require_subcommand(1);
   for (AddCommand* const add : {add_records_info, add_records_plot, add_records_convert,
                                 add_records_scale, add_records_make, add_records_floor})

@@ -80,11 +80,11 @@ void print_facts(const Building& building, int floor, const Record& ground,
                peak.acceleration / kStandardGravity, below.velocity, peak.velocity);
   }
   if (response.floor.rotation)
-    fmt::print("  floor dips by up to {:.2g} rad along h1, {:.2g} rad along h2\n",
+    fmt::print("  floor rotates by up to {:.2g} rad along h1, {:.2g} rad along h2\n",
                peak_dip(*response.floor.rotation, Direction::kH1),
                peak_dip(*response.floor.rotation, Direction::kH2));
   if (response.isolators)
-    fmt::print("  isolators {:.3g} m, {:.2g} m left at the end\n", response.isolators->peak,
+    fmt::print("  isolators {:.3g} m, residual {:.2g} m\n", response.isolators->peak,
                response.isolators->residual.norm());
   for (const std::string& warning : response.floor.warnings)
     if (std::ranges::find(ground.warnings, warning) == ground.warnings.end())  // those were told
@@ -116,7 +116,7 @@ int floor(const FloorOptions& options) {
 void add_records_floor(CLI::App& records, std::function<int()>& act) {
   auto options = std::make_shared<FloorOptions>();
   CLI::App* const command = records.add_subcommand(
-      "floor", "Let a ground motion pass through a building and write the motion of a floor");
+      "floor", "Compute floor motions from a ground motion and a building model");
   add_source_options(*command, options->source);
   command
       ->add_option("--building", options->building,

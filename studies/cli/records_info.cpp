@@ -52,7 +52,7 @@ int list(const InfoOptions& options) {
         std::fflush(stdout);
       });
   fmt::print("{} record{}", count, count == 1 ? "" : "s");
-  if (!refused.empty()) fmt::print(", {} left out", refused.size());
+  if (!refused.empty()) fmt::print(", {} skipped", refused.size());
   fmt::print("\n");
   return code;
 }

@@ -71,7 +71,7 @@ int make(const MakeOptions& options) {
 void add_records_make(CLI::App& records, std::function<int()>& act) {
   auto options = std::make_shared<MakeOptions>();
   CLI::App* const command = records.add_subcommand(
-      "make", "Make a synthetic motion: pulses, sines, noise, AC156, stochastic ground motion");
+      "make", "Generate a synthetic motion: pulses, sines, noise, AC156, stochastic ground motion");
   command->add_option("KIND", options->kind, "Kind of motion; --list shows all");
   command->add_option("KEY=VALUE", options->settings, "Parameters, such as period_s=0.5");
   command->add_option("-o,--output", options->output, "The .csv file to write");

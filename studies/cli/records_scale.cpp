@@ -180,7 +180,7 @@ int scale(const ScaleOptions& options) {
           suite.spectra.push_back(combined_spectrum(combination, record, periods, target.damping));
           suite.records.push_back(entry);
         } catch (const Error& error) {
-          print_error("left out: {}\n", error.what());
+          print_error("skipped: {}\n", error.what());
         }
       });
   require(!suite.records.empty(),
@@ -228,7 +228,7 @@ void add_records_scale(CLI::App& records, std::function<int()>& act) {
                    "\"nzs1170 site_class=C hazard_factor=0.4\", \"ac156 sds_g=1 height_ratio=1\", "
                    "\"table file=FILE.csv\" (docs/theory/scaling.md)")
       ->required();
-  command->add_option("--periods", options->periods, "Range that counts, LOW:HIGH [s]");
+  command->add_option("--periods", options->periods, "Period range of the fit, LOW:HIGH [s]");
   command->add_option("--component", options->component,
                       "Spectrum of a record: RotD50, RotD100, geomean, larger, SRSS, h1, ...");
   command->add_option("--mean", options->mean, "Mean of the suite: arithmetic or geometric")

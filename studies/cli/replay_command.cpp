@@ -43,7 +43,7 @@ std::string job_of(const ReplayOptions& options, const StudyReader& file) {
                               : options.job;
   require(!job.empty() && fs::exists(job),
           fmt::format("{}: the job's file {}; name it with --job", options.file,
-                      job.empty() ? "is not known" : job + " is not there any more"));
+                      job.empty() ? "is not known" : job + " no longer exists"));
   const std::string theirs = file.text_attribute("job_sha256"), text = text_of(job);
   if (theirs == sha256(text)) return job;
   const std::string keys = job_difference(file.job_text(), text);
@@ -117,7 +117,7 @@ int replay_command(const ReplayOptions& options) {
   if (!differs.empty()) {
     const std::string changed = changed_files(file, study);
     print_error(
-        "{}: run {} has other numbers now: {}\nit was made by gurney {} {} on CPU class {}, "
+        "{}: run {} gives other results now: {}\nit was computed by gurney {} {} on CPU class {}, "
         "this is {} {} on {}; {}\n",
         options.file, options.run, differs, file.text_attribute("program_version"),
         file.text_attribute("git_commit"), file.text_attribute("cpu_class"),
@@ -125,7 +125,7 @@ int replay_command(const ReplayOptions& options) {
         changed.empty() ? "a record may have changed, too" : "changed since: " + changed);
     return 1;
   }
-  if (!options.json) fmt::print("replay   the same numbers as in {}\n", options.file);
+  if (!options.json) fmt::print("replay   the same results as in {}\n", options.file);
   return is_failure(response.outcome) ? 3 : 0;
 }
 

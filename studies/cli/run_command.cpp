@@ -19,7 +19,7 @@ void make_default_folder(const RunOptions& options) {
   if (!options.output.empty()) return;
   std::error_code problem;
   fs::create_directory("out", problem);
-  require(!problem, "out: the folder cannot be made: " + problem.message());
+  require(!problem, "out: the folder cannot be created: " + problem.message());
 }
 
 RunOutput output_of(const RunOptions& options) {

@@ -40,8 +40,7 @@ void print(const RunOutput& output, const PreparedRun& run, const Response& resp
     return;
   }
   fmt::print("{}\n", summary(run.facts, response));
-  if (seconds > 0)
-    fmt::print("speed    {:.0f} simulated seconds per second\n", response.end_time / seconds);
+  if (seconds > 0) fmt::print("speed    {:.0f} x real time\n", response.end_time / seconds);
   fmt::print("results  {}\n", output.results.string());
   if (!output.no_figure) fmt::print("figure   {}\n", output.figure().string());
 }
@@ -60,7 +59,7 @@ void check_output(const RunOutput& output) {
 
 Response run_and_write(const PreparedRun& run, const RunOutput& output) {
   const auto start = Clock::now();
-  Response response = simulate_with_any_solver(run.facts.scene, run.excitation, run.facts.settings);
+  Response response = simulate_with_any_solver(run.facts.scene, run.facts.floor, run.facts.settings);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   {
     const SignalsHeld until_written;

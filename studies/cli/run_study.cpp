@@ -81,7 +81,7 @@ bool is_complete(const RunOptions& options, const Paths& paths, const Batch& bat
   if (has_parts)
     PartFolder(paths.parts, identity_of(batch), batch.plan.units(), PartFolder::Start::kResume)
         .remove();
-  fmt::print("results  {} (complete already)\n", paths.results.string());
+  fmt::print("results  {} (already complete)\n", paths.results.string());
   return true;
 }
 
@@ -120,7 +120,7 @@ std::string resume_hint(const RunOptions& options, const Paths& paths, const Par
   if (!folder.holds())
     return fmt::format("{}: the finished runs are lost with it; start again", paths.parts.string());
   return fmt::format(
-      "{} of {} analysis cases are finished and kept in {}\ngo on with: gurney run {} -o {} "
+      "{} of {} analysis cases are finished and kept in {}\ncontinue with: gurney run {} -o {} "
       "--resume{}{}{}",
       folder.size(), units, paths.parts.string(), shell_word(options.job),
       shell_word(paths.results.string()), options.overwrite ? " --overwrite" : "",

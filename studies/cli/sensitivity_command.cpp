@@ -26,7 +26,7 @@ int sensitivity(const SensitivityCommand& options) {
   if (options.demand.empty() && options.limit.empty()) request.demand = "peak_displacement";
   if (options.level > 0) {
     require(data.study().intensity.kind != IntensityPlan::Kind::kHunt,
-            options.file + ": a hunt has no levels that records share; leave --level out");
+            options.file + ": an IDA has no levels common to all records; omit --level");
     request.level = static_cast<std::size_t>(options.level - 1);
   }
   const auto wanted = wanted_configurations(data, options.configurations);
@@ -60,7 +60,7 @@ void add_sensitivity(CLI::App& app, std::function<int()>& act) {
   auto held = std::make_shared<SensitivityCommand>();
   SensitivityCommand& options = *held;
   CLI::App* const command =
-      app.add_subcommand("sensitivity", "Which of the drawn numbers rule a demand");
+      app.add_subcommand("sensitivity", "Rank uncertain parameters by their influence on a demand");
   command->add_option("FILE", options.file, "The results file of a study with draws")->required();
   CLI::Option* const demand = command->add_option(
       "--demand", options.demand, "The demand to explain (default: peak_displacement)");

@@ -31,7 +31,7 @@ int show_command(const ShowOptions& options) {
 
 void add_show(CLI::App& app, std::function<int()>& act) {
   auto held = std::make_shared<ShowOptions>();
-  CLI::App* const show = app.add_subcommand("show", "Tell what a results file holds");
+  CLI::App* const show = app.add_subcommand("show", "Summarize a results file");
   show->add_option("FILE", held->file, "The results file of a study or of one run")->required();
   show->add_flag("--json", held->json, "Print it as JSON");
   show->callback([held, &act] { act = [held] { return show_command(*held); }; });

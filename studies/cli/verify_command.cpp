@@ -95,9 +95,9 @@ void add_verify(CLI::App& app, std::function<int()>& act) {
   auto held = std::make_shared<VerifyOptions>();
   VerifyOptions& options = *held;
   CLI::App* const command =
-      app.add_subcommand("verify", "Hold the engine against closed forms, on this machine");
+      app.add_subcommand("verify", "Verify the engine against closed-form solutions");
   command->add_option("NAME", options.selection.names,
-                      "Groups, families or cases, told in full (default: all)");
+                      "Groups, families or cases to report in full (default: all)");
   command->add_flag("--list", options.list, "Print the names of groups and families");
   command->add_flag("--json", options.json, "Print JSON, with every check");
   command->add_flag("--markdown", options.markdown, "Print the tables of docs/verification.md");
@@ -108,10 +108,11 @@ void add_verify(CLI::App& app, std::function<int()>& act) {
       command->add_option("--draw", options.seed,
                           "Run parameters drawn in the ranges of each closed form with this seed");
   command
-      ->add_option("--count", options.selection.draws, "Seeds, from that of --draw on (default: 1)")
+      ->add_option("--count", options.selection.draws,
+                   "Number of consecutive seeds, starting with that of --draw (default: 1)")
       ->needs(draw)
       ->check(CLI::Range(1, 1000000));
-  command->add_option("-j,--threads", options.threads, "Threads (default: all of the machine)")
+  command->add_option("-j,--threads", options.threads, "Threads (default: all hardware threads)")
       ->check(CLI::Range(1, 4096));
   command->callback([held, draw, &act] {
     const bool drawn = draw->count() > 0;

@@ -64,9 +64,10 @@ void draw_loads(Svg& svg, const Calibration& c) {
                 .width = 0.6,
                 .fill = palette(static_cast<std::size_t>(mine - constants.begin()))});
   }
-  svg.text(kLoads.x, kLoads.y + kLoads.height + 52,
-           "Thin: 95 % interval of the constant; dashed: of one more trial. Each point is a pull.",
-           {.size = 10, .color = "#555555"});
+  svg.text(
+      kLoads.x, kLoads.y + kLoads.height + 52,
+      "Thin: 95 % confidence interval; dashed: 95 % prediction interval. Each point is a pull.",
+      {.size = 10, .color = "#555555"});
 }
 
 std::array<double, 5> borders(const PhasedPull& pull) {
@@ -160,7 +161,7 @@ std::string calibration_figure(const Calibration& c) {
   Svg svg(kWidth, c.pulls.empty() ? kBarsTop : kBarsTop + kRow * rows + 60);
   svg.text(24, 34, "Calibration from " + c.source, {.size = 16, .bold = true});
   svg.text(24, 55,
-           fmt::format("{} trials, {} left out{}", c.read, c.left_out.size(),
+           fmt::format("{} trials, {} excluded{}", c.read, c.left_out.size(),
                        c.simulated > 0 ? fmt::format("; {} SIMULATED", c.simulated) : ""),
            {.size = 12, .color = c.simulated > 0 ? "#b00000" : "#555555"});
   if (c.rolling.empty())

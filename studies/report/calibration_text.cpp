@@ -67,13 +67,14 @@ std::string crosswise_text(const Calibration& c) {
         fit.resistance, fit.misfit * kMillimetersPerMeter);
   return text.empty()
              ? ""
-             : "\nCrosswise pulls (scrub and swivel friction are found together only):\n" + text;
+             : "\nCrosswise pulls (only the sum of scrub and swivel friction is identifiable):\n" +
+                   text;
 }
 
 std::string validation_text(const Calibration& c) {
   if (c.predictions.empty() && c.unpredicted.empty())
-    return "\nNo trial is kept for validation: nothing here says how well the constants predict.\n";
-  std::string text = "\nValidation, trials that no constant was made from\n";
+    return "\nNo trial is reserved for validation: the accuracy of predictions is unknown.\n";
+  std::string text = "\nValidation, with trials that were not used for the estimates\n";
   int inside = 0;
   for (const Prediction& each : c.predictions) {
     inside += each.inside();
@@ -92,13 +93,13 @@ std::string validation_text(const Calibration& c) {
 
 std::string calibration_text(const Calibration& c) {
   std::string text =
-      fmt::format("{}: {} trials, {} left out\n", c.source, c.read, c.left_out.size());
+      fmt::format("{}: {} trials, {} excluded\n", c.source, c.read, c.left_out.size());
   if (c.simulated > 0)
     text +=
         fmt::format("SIMULATED: {} of the trials are not measured, but computed\n", c.simulated);
-  for (const TrialFault& fault : c.left_out) text += "left out: " + fault.text() + "\n";
+  for (const TrialFault& fault : c.left_out) text += "excluded: " + fault.text() + "\n";
   text += "\n" + constants_text(c) + tests_text(c) + crosswise_text(c);
-  if (!c.outliers.empty()) text += "\nOutliers (they stay in: look at the trial, then decide)\n";
+  if (!c.outliers.empty()) text += "\nOutliers (kept: examine the trial, then decide)\n";
   for (const Outlier& each : c.outliers)
     text +=
         fmt::format("  {}: {} {:.4g}, p {:.2g}\n", each.trial, each.constant, each.value, each.p);

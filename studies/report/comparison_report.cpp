@@ -60,9 +60,9 @@ std::string inputs_text(const InputDifferences& inputs) {
 std::string side_text(char letter, const std::string& name, const StudySide& side,
                       std::size_t paired, std::size_t left_out) {
   std::string text = fmt::format("{:<12} {}: {} runs paired", letter, name, paired);
-  if (left_out > 0) text += fmt::format(", {} left out without a partner", left_out);
+  if (left_out > 0) text += fmt::format(", {} without a partner", left_out);
   if (const std::size_t failed = side.data->failed(side.configuration); failed > 0)
-    text += fmt::format(", {} left out because they failed", failed);
+    text += fmt::format(", {} excluded because they failed", failed);
   return text + "\n";
 }
 

@@ -45,7 +45,7 @@ std::string row(const ConvergedNumber& number, double tolerance) {
 
 std::string convergence_text(const Convergence& found) {
   std::string text = fmt::format(
-      "runs        {} of {}\ntime step   {:g} s, held against {:g} s\nsolver      residual {:g}\n"
+      "runs        {} of {}\ntime step   {:g} s, compared with {:g} s\nsolver      residual {:g}\n"
       "tolerance   {:g} %\n",
       found.runs, found.of_runs, found.settings.time_step, 0.125 * found.settings.time_step,
       found.settings.residual, 100 * found.tolerance);

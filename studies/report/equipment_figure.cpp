@@ -170,7 +170,7 @@ std::string equipment_figure(const EquipmentFacts& facts) {
   svg.text(kLeft, 34, facts.model.name, {.size = 17, .bold = true});
   svg.text(kLeft, 55,
            fmt::format("{:.1f} kg; {:.0f} x {:.0f} x {:.0f} mm; centre of mass {:.0f} mm above the "
-                       "floor; falls at a tilt of {:.1f} deg",
+                       "floor; overturns at a tilt of {:.1f} deg",
                        sheet.whole.mass, sheet.size.x() * kMillimetersPerMeter,
                        sheet.size.y() * kMillimetersPerMeter, sheet.size.z() * kMillimetersPerMeter,
                        sheet.whole.center_of_mass.z() * kMillimetersPerMeter,

@@ -39,14 +39,14 @@ std::string stability_text(const EquipmentFacts& facts) {
   if (facts.model.casters.empty()) {
     text += fmt::format("  {:<28} {:.2f}; slenderness h / b {:.1f}\n", "b / h", sheet.tipping_share,
                         1 / sheet.tipping_share);
-    text += fmt::format("  {:<28} {:.1f} deg towards {:.0f} deg\n", "falls at a tilt of", tilt,
+    text += fmt::format("  {:<28} {:.1f} deg towards {:.0f} deg\n", "overturns at a tilt of", tilt,
                         degrees(stability.direction));
     text += fmt::format("  {:<28} 5 deg of what is not mobile: {}\n", "IEC 60601-1",
                         tilt >= kOtherTilt ? "met" : "not met");
   } else {
     text += fmt::format("  {:<28} {:.2f}, wheels as placed; {:.2f}, swivels at their worst\n",
                         "b / h", sheet.tipping_share, stability.base / stability.height);
-    text += fmt::format("  {:<28} {:.1f} deg, wheels as placed\n", "falls at a tilt of",
+    text += fmt::format("  {:<28} {:.1f} deg, wheels as placed\n", "overturns at a tilt of",
                         degrees(stability.tilt_as_placed));
     text += fmt::format("  {:<28} {:.1f} deg towards {:.0f} deg, swivels at their worst\n", "",
                         tilt, degrees(stability.direction));
@@ -56,7 +56,7 @@ std::string stability_text(const EquipmentFacts& facts) {
   }
   const bool rolls = !facts.model.casters.empty();
   text += rolls ? "\n  tilt towards     as placed   at worst      towards   as placed   at worst\n"
-                : "\n  tilt towards          falls      towards       falls\n";
+                : "\n  tilt towards      overturns      towards   overturns\n";
   const std::size_t half = sheet.tilts.size() / 2;
   const auto cells = [&](const TiltTowards& t) {
     if (!rolls)
@@ -104,13 +104,13 @@ std::string wheels_text(const EquipmentFacts& facts) {
 std::string motion_text(const EquipmentFacts& facts) {
   const ItemSheet& sheet = facts.sheet;
   const bool rolls = !facts.model.casters.empty();
-  std::string text = "\nunder a slowly growing push of the floor\n";
+  std::string text = "\nunder a slowly increasing acceleration of the floor\n";
   if (rolls) {
     text += fmt::format("  {:<36} {:.3f} g ({:.1f} N); a slope of {:.1f} %\n",
                         "brakes off, straight, rolls from", sheet.rolling_share,
                         sheet.rolling_resistance, 100 * sheet.rolling_share);
     text +=
-        fmt::format("  {:<36} {:.3f} g\n", "brakes as they are, moves from", sheet.holding_share);
+        fmt::format("  {:<36} {:.3f} g\n", "brakes as configured, moves from", sheet.holding_share);
   }
   text += fmt::format("  {:<36} {:.2f} g\n",
                       rolls ? "wheels that cannot turn slide from" : "slides from",
@@ -137,7 +137,7 @@ std::string equipment_report(const EquipmentFacts& facts, bool with_assumptions)
   text += "\n" + body_text(facts) + stability_text(facts) +
           (facts.model.casters.empty() ? feet_text(facts) : wheels_text(facts)) +
           motion_text(facts);
-  text += fmt::format("\n{} of the numbers in use are assumptions{}\n", facts.assumptions.size(),
+  text += fmt::format("\n{} of the parameters in use are assumptions{}\n", facts.assumptions.size(),
                       with_assumptions ? ":" : " (--assumptions lists them)");
   if (with_assumptions)
     for (const Assumption& assumption : facts.assumptions) text += assumption_text(assumption);

@@ -47,7 +47,7 @@ std::string sufficiency_text(const MeasureChoice& choice) {
                              "measure is known; small: scaling biases"
                            : "p of scale: unknown, the factor on the records follows from the "
                              "measure or does not vary") +
-         "\nnot tested: magnitude and distance, which the file does not keep\n";
+         "\nnot tested: magnitude and distance, which the file does not contain\n";
 }
 
 Json row_json(const IntensityRow& row, const MeasureChoice& choice, std::size_t i) {
@@ -78,19 +78,18 @@ std::string verdict(const MeasureChoice& choice) {
   std::vector<std::string> ties;
   for (std::size_t i = 1; i <= choice.ties; ++i) ties.push_back(choice.rows[i].name);
   if (!ties.empty())
-    words +=
-        fmt::format(", as good as {}, to which it is in one proportion", fmt::join(ties, ", "));
-  if (std::isnan(choice.lead)) return words + "; there is no other to hold against it.\n";
+    words += fmt::format(", as good as {}, to which it is proportional", fmt::join(ties, ", "));
+  if (std::isnan(choice.lead)) return words + "; there is no other to compare with.\n";
   const IntensityRow& next = choice.rows[choice.ties + 1];
   words += fmt::format(": scatter {:.3g} against {:.3g} of {}, ln likelihood {:.2f} higher",
                        best.efficiency, next.efficiency, next.name, choice.lead);
   if (std::isnan(choice.stays_best))
-    return words + ". One record cannot tell whether that lasts.\n";
+    return words + ". One record does not show whether this holds for others.\n";
   words += fmt::format(".\nIt stays first in {:.0f} % of the resamples of the records: ",
                        100 * choice.stays_best);
   if (choice.stays_best >= kSettled) return words + "the difference matters.\n";
   if (choice.stays_best > kOpen) return words + "the difference is likely, not certain.\n";
-  return words + "these records do not settle it.\n";
+  return words + "the difference is inconclusive for these records.\n";
 }
 
 std::string measure_text(const std::vector<MeasureReport>& reports) {

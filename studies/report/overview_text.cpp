@@ -76,7 +76,7 @@ std::string motions(const FileOverview& file) {
   if (file.motions.empty()) return entry("records", "none, the floor is at rest");
   std::vector<std::string> records;
   for (const auto& motion : file.motions) {
-    std::string record = "  " + motion.name + (motion.files.empty() ? ", made by the program" : "");
+    std::string record = "  " + motion.name + (motion.files.empty() ? ", synthetic" : "");
     for (const std::string& each : motion.files) record += "\n    " + each;
     for (const std::string& each : motion.warnings) record += "\n    warning: " + each;
     records.push_back(record);
@@ -92,12 +92,13 @@ std::string tail(const FileOverview& file, const std::string& worst) {
                                        file.energy_closure, worst));
   for (const std::string& each : file.warnings) all += entry("warning", each);
   const std::size_t count = file.assumptions.size();
-  all += entry("assumed", count == 0   ? "no number without a source"
-                          : count == 1 ? "1 number without a source, with a reason and a range; "
-                                         "--json lists it"
-                                       : fmt::format("{} numbers without a source, with a reason "
-                                                     "and a range; --json lists them",
-                                                     count));
+  all +=
+      entry("assumed", count == 0   ? "no parameter without a source"
+                       : count == 1 ? "1 parameter without a source, with a reason and a range; "
+                                      "--json lists it"
+                                    : fmt::format("{} parameters without a source, with a reason "
+                                                  "and a range; --json lists them",
+                                                  count));
   return all;
 }
 
@@ -152,7 +153,7 @@ std::string certificate(const StudyOverview& overview) {
     all += fmt::format("  {}: another outcome in {} of {} runs\n", each.state, each.runs.size(),
                        of.runs);
   for (const std::string& each : of.unjudged)
-    all += fmt::format("  {}: not compared, the repetition keeps items alone\n", each);
+    all += fmt::format("  {}: not compared, the repeated runs keep only demands of items\n", each);
   return all;
 }
 
@@ -174,7 +175,7 @@ std::string overview_text(const StudyOverview& overview) {
   if (overview.factors_on_records.any())
     all += entry("scaling", "factors " + overview.factors_on_records.text());
   all += entry("draws", overview.draws > 0 ? fmt::format("{} of each record", overview.draws)
-                                           : "none, every number has its value");
+                                           : "none: every parameter has its value");
   all += "declared ranges not drawn:\n";
   for (const std::string& line : overview.undrawn) all += "  " + wrapped(line, 4, 2) + "\n";
   all += entry("runs", fmt::format("{}, {} overturned, {}", overview.runs, overview.overturned,

@@ -16,7 +16,7 @@ void heading(Svg& svg, const std::string& title, const PullingReport& report) {
   std::string about =
       "f_r by the paper's method from simulated signals, aligned trials. Cr and the floor factors "
       "are "
-      "inputs of ours";
+      "inputs of the simulation";
   if (!report.measured.empty()) about += "; squares: trials that were given";
   svg.text(kLeft, 28, title, {.size = 15, .bold = true});
   svg.text(kLeft, 48, about, {.size = 11, .color = "#555555"});
@@ -123,7 +123,7 @@ void draw_speeds(Svg& svg, const Frame& frame, const std::vector<const Simulated
   Panel panel{.title = casters.front() + ", no payload",
               .x_label = "Mean speed (m/s)",
               .y_label = "f_r (N)",
-              .curves = {line("went in", speeds, {known, known}, 6)},
+              .curves = {line("input", speeds, {known, known}, 6)},
               .legend_columns = 3,
               .x_range = speeds,
               .y_range = from_zero(highest_resistance(trials))};
@@ -161,7 +161,7 @@ std::string pulling_figure_6(const PullingReport& report) {
               .y_range = from_zero(highest)};
   for (const CasterFit& fit : fits_by_caster(report.trials)) {
     panel.curves.push_back(
-        line(fmt::format("{}: Cr/R = {:.4f} ({:.4f} went in)", fit.caster, fit.found, fit.known),
+        line(fmt::format("{}: Cr/R = {:.4f} ({:.4f} input)", fit.caster, fit.found, fit.known),
              loads, {0, fit.found * loads.high}, index_in(casters, fit.caster)));
     if (panel.curves.size() > 1) panel.curves.back().pen.dash = "7 4";
   }

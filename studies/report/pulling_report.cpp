@@ -30,7 +30,7 @@ std::string cell(const MeanAndScatter& of) {
 
 std::string bias_text(const PullingReport& report) {
   std::string text =
-      "\nf_r by the paper's method less f_r that went in, % of it: mean and standard deviation "
+      "\nf_r by the paper's method minus f_r of the input, % of it: mean and standard deviation "
       "over "
       "trials\n"
       "alignment   trials      phase II         phase III         of both\n";
@@ -41,7 +41,7 @@ std::string bias_text(const PullingReport& report) {
 }
 
 std::string fits_text(const PullingReport& report) {
-  std::string text = "\ncaster      aligned   Cr/R found   went in   difference (%)\n";
+  std::string text = "\ncaster      aligned   Cr/R found     input   difference (%)\n";
   for (const CasterFit& fit : fits_by_caster(report.trials))
     text += fmt::format("{:<11} {:>7}   {:>10.5f}   {:>7.5f}   {:>9}\n", fit.caster, fit.trials,
                         fit.found, fit.known, percent(fit.found / fit.known - 1));
@@ -132,7 +132,7 @@ std::string pulling_text(const PullingReport& report) {
   for (const SimulatedTrial& trial : report.trials)
     if (!trial.averages)
       text +=
-          fmt::format("left out: run {} ({}): {}\n", trial.run, trial.configuration, trial.fault);
+          fmt::format("excluded: run {} ({}): {}\n", trial.run, trial.configuration, trial.fault);
   return text;
 }
 

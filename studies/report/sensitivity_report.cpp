@@ -111,9 +111,9 @@ std::string remarks(const StudySensitivity& found) {
                         found.overturned);
   if (found.left_out > 0)
     text += fmt::format("{} runs {}\n", found.left_out,
-                        found.designed ? "are left out: they have no such demand, or another run "
+                        found.designed ? "are excluded: they have no such demand, or another run "
                                          "of their point has none or failed."
-                                       : "have no such demand and are left out.");
+                                       : "have no such demand and are excluded.");
   return text;
 }
 

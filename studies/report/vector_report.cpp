@@ -54,7 +54,7 @@ std::string meaning(const VectorResult& result) {
   std::string text = name + ": ";
   if (of_first && of_second)
     text += fmt::format(
-        "both tell something that the other does not; together they are one measure "
+        "each adds information to the other; together they are one measure "
         "({})^{:.2f} ({})^{:.2f}",
         first, fit.share(), second, 1 - fit.share());
   else if (of_first)

@@ -99,8 +99,8 @@ std::string text(VectorStatus status) {
     case VectorStatus::kNoneExceeds:
       return "no run exceeds";
     case VectorStatus::kTogether:
-      return "one measure is a power of the other in these runs, so their parts cannot be told "
-             "apart";
+      return "one measure is a power of the other in these runs, so their parts cannot be "
+             "separated";
     case VectorStatus::kSeparated:
       return "separated, or nearly: a line in the plane of both measures parts the runs that "
              "exceed "

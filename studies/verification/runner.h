@@ -14,7 +14,7 @@ class Runner {
 
   /// simulate() with this solver. A run that diverges, or steps of our solver that do not converge,
   /// are checks that fail.
-  Response operator()(Findings& findings, const Scene& scene, const Excitation& excitation,
+  Response operator()(Findings& findings, const Scene& scene, const FloorMotion& floor,
                       SimulationSettings settings) const;
 
   /// Stock Bullet knows no fixtures (engine/baselines/stock_baseline.h): a case leaves them out.

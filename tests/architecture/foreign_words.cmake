@@ -1,4 +1,6 @@
-# Fails where the project names a folder of one machine or loose ends that must not be released.
+# Fails where the project names a folder of one machine or loose ends that must not be released, and
+# where pages or texts of the program use words that no other program of the field uses
+# (docs/glossary.md has the field's).
 # The patterns are written with brackets so that this file does not match itself.
 cmake_minimum_required(VERSION 3.25)
 set(foreign "[/]work/|[/]home/[a-z]|[/]root/|[/]tmp/[a-z]|[.][.]/share[d]/(design|research|source)|(TOD[O]|FIXM[E]|HAC[K])[ :(]|before-sto[p]|subagen[t]|helper sessio[n]|this sessio[n]")
@@ -14,5 +16,53 @@ foreach(file ${all_files} README.md CHANGELOG.md CMakeLists.txt dev .ci/run)
     if(bad)
       message(SEND_ERROR "${file} holds words that do not belong here: ${bad}")
     endif()
+  endif()
+endforeach()
+
+# The field reports errors, runs an IDA (its key is `hunt`), balances energy, compares and excludes.
+set(private "([Tt]old|[Tt]ells|[Mm]istakes?|[Ff]ells|is no [a-z]+ file|([Aa]|[Tt]he) hunt|hunts|(held|hold it) against|left out|went in|made again)")
+set(of_pages "(${private}|energy account)")
+
+# read_lines(file outcome): its lines, without the signs that a list of CMake cannot hold.
+function(read_lines file outcome)
+  file(READ ${ROOT}/${file} text)
+  string(REPLACE "\\\"" "'" text "${text}")
+  string(REGEX REPLACE "[][;\\]" "/" text "${text}")
+  string(REPLACE "\n" ";" lines "${text}")
+  set(${outcome} "${lines}" PARENT_SCOPE)
+endfunction()
+
+# Pages, without what stands in backquotes and without rows of tables that the program writes.
+file(GLOB_RECURSE pages RELATIVE ${ROOT} ${ROOT}/docs/*.md)
+foreach(page IN LISTS pages ITEMS README.md)
+  if(EXISTS ${ROOT}/${page})
+    read_lines(${page} lines)
+    foreach(line IN LISTS lines)
+      string(REGEX REPLACE "`[^`]*`" "" prose "${line}")
+      if(NOT line MATCHES "^[|] `" AND prose MATCHES "(^|[^A-Za-z_-])${of_pages}($|[^A-Za-z_-])")
+        message(SEND_ERROR "${page} says '${CMAKE_MATCH_2}': ${line}")
+      endif()
+    endforeach()
+  endif()
+endforeach()
+
+# Texts of the program, without the cases of `gurney verify`, whose texts are in the tables of
+# docs/verification.md.
+set(sources ${all_files})
+list(FILTER sources INCLUDE REGEX "^(engine|groundmotions|equipment|studies)/.*[.](h|cpp)$")
+list(FILTER sources EXCLUDE REGEX "^studies/verification/cases/")
+foreach(source IN LISTS sources)
+  file(STRINGS ${ROOT}/${source} candidates REGEX "\".*${private}")
+  if(candidates)
+    read_lines(${source} lines)
+    list(FILTER lines INCLUDE REGEX "\".*${private}")
+    list(FILTER lines EXCLUDE REGEX "^ *(//|#include)")
+    foreach(line IN LISTS lines)
+      string(REGEX MATCHALL "\"[^\"]*\"" texts "${line}")
+      list(FILTER texts INCLUDE REGEX "[^A-Za-z_-]${private}[^A-Za-z_-]")
+      if(texts)
+        message(SEND_ERROR "${source} prints a private word: ${texts}")
+      endif()
+    endforeach()
   endif()
 endforeach()

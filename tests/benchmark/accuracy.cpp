@@ -80,16 +80,14 @@ void print_ensemble_accuracy(int records, int headings) {
       const double turn = 37.0 * (i % headings);
       return trolley({10 + turn, 100 + 3 * turn, 200 + 7 * turn, 300 + 11 * turn});
     };
-    const auto excitation_of = [&](int i) {
-      Excitation excitation;
-      excitation.floor = shaking(static_cast<unsigned>(1 + i / headings), pga);
-      return excitation;
+    const auto floor_of = [&](int i) {
+      return shaking(static_cast<unsigned>(1 + i / headings), pga);
     };
     SimulationSettings settings{.time_step = kStep, .duration = 20, .history_step = 0};
     double seconds = 0;
     long steps = 0;
     for (int i = 0; i < count; ++i) {
-      auto [response, wall] = timed(scene_of(i), excitation_of(i), settings, 1);
+      auto [response, wall] = timed(scene_of(i), floor_of(i), settings, 1);
       seconds += wall;
       steps += response.quality.steps;
       pairs[static_cast<std::size_t>(i)].coarse = std::move(response);
@@ -97,7 +95,7 @@ void print_ensemble_accuracy(int records, int headings) {
     settings.time_step = kReferenceStep;
 #pragma omp parallel for schedule(dynamic)
     for (int i = 0; i < count; ++i)
-      pairs[static_cast<std::size_t>(i)].fine = simulate(scene_of(i), excitation_of(i), settings);
+      pairs[static_cast<std::size_t>(i)].fine = simulate(scene_of(i), floor_of(i), settings);
 
     std::array<std::vector<double>, 3> errors;
     std::vector<double> end_distance;

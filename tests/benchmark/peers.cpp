@@ -51,16 +51,15 @@ void print_peers() {
   std::vector<Response> references;
   double peers_apart = 0;
   for (unsigned record : kRecords) {
-    Excitation excitation;
-    excitation.floor = shaking(record, 0.4);
+    const FloorMotion floor = shaking(record, 0.4);
     settings.solver = Solver::kStar;
     settings.time_step = 6.25e-5;
-    references.push_back(simulate_with_any_solver(scene, excitation, settings));
+    references.push_back(simulate_with_any_solver(scene, floor, settings));
     settings.solver = Solver::kBulletDantzig;
     settings.time_step = 2.5e-4;
     peers_apart = std::max(
         peers_apart,
-        path_distance(references.back(), simulate_with_any_solver(scene, excitation, settings)));
+        path_distance(references.back(), simulate_with_any_solver(scene, floor, settings)));
   }
   fmt::print("two independent solvers at their finest step are {:.1f} mm apart\n",
              1e3 * peers_apart);
@@ -80,15 +79,14 @@ void print_peers() {
       double distance = 0, seconds = 0;
       long steps = 0;
       for (std::size_t i = 0; i < std::size(kRecords); ++i) {
-        Excitation excitation;
-        excitation.floor = shaking(kRecords[i], 0.4);
+        const FloorMotion floor = shaking(kRecords[i], 0.4);
         settings.history_step = kSampling;
         const Scene& mine = peer.solver == Solver::kStar ? ours : scene;
         distance +=
-            path_distance(references[i], simulate_with_any_solver(mine, excitation, settings)) /
+            path_distance(references[i], simulate_with_any_solver(mine, floor, settings)) /
             static_cast<double>(std::size(kRecords));
         settings.history_step = 0;
-        const Timed run = timed(mine, excitation, settings, 3);
+        const Timed run = timed(mine, floor, settings, 3);
         seconds += run.seconds;
         steps += run.response.quality.steps;
       }

@@ -16,8 +16,7 @@ namespace gurney::benchmark {
 Scene trolley(const std::vector<double>& headings_deg) {
   ItemOptions options;
   for (double heading : headings_deg) options.headings.push_back(heading * kRadiansPerDegree);
-  Scene scene;
-  scene.items[0].model = load_item(find_data(DataKind::kItem, "xu_trolley", ""), options).model;
+  Scene scene = scene_of(load_item(find_data(DataKind::kItem, "xu_trolley", ""), options).model);
   return scene;
 }
 
@@ -43,14 +42,12 @@ FloorMotion shaking(unsigned seed, double peak_g) {
   return floor_motion(synthetic_record(motion));
 }
 
-Excitation pull() {
-  Excitation excitation;
-  excitation.forces.push_back({.name = "pull",
-                               .point = {-0.55, 0, 0.618},
-                               .direction = Vector3::UnitX(),
-                               .time = {0, 3},
-                               .force = {40, 40}});
-  return excitation;
+PointForce pull() {
+  return {.name = "pull",
+          .point = {-0.55, 0, 0.618},
+          .direction = Vector3::UnitX(),
+          .time = {0, 3},
+          .force = {40, 40}};
 }
 
 PullReference pull_reference(const Scene& scene) {
@@ -66,12 +63,12 @@ PullReference pull_reference(const Scene& scene) {
   return {0.5 * a1 * 9, 0.5 * a1 * 9 + 0.5 * speed * speed / a2};
 }
 
-Timed timed(const Scene& scene, const Excitation& excitation, const SimulationSettings& settings,
+Timed timed(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings,
             int repeats) {
   Timed result{{}, 1e300};
   for (int i = 0; i < repeats; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    result.response = simulate(scene, excitation, settings);
+    result.response = simulate(scene, floor, settings);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
     result.seconds = std::min(result.seconds, wall.count());
   }

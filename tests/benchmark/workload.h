@@ -20,7 +20,7 @@ void make_rigid(Scene& scene, double normal_stiffness, double tangential_stiffne
 FloorMotion shaking(unsigned seed, double peak_g);
 
 /// A pull of 40 N for 3 s along x at the height of the centre of mass, then coasting.
-Excitation pull();
+PointForce pull();
 
 /// Closed form of `pull` on aligned casters: displacement at release and at rest [m].
 struct PullReference {
@@ -33,7 +33,7 @@ struct Timed {
   Response response;
   double seconds;
 };
-Timed timed(const Scene& scene, const Excitation& excitation, const SimulationSettings& settings,
+Timed timed(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings,
             int repeats);
 
 }  // namespace gurney::benchmark

@@ -50,13 +50,12 @@ struct Peer {
 constexpr Peer kPeers[] = {{"MuJoCo", mujoco_path}, {"ODE", ode_path}};
 
 Path our_path(const CrossCheck& check) {
-  Excitation excitation;
-  excitation.floor = check.floor;
+  const FloorMotion floor = check.floor;
   SimulationSettings settings;
   settings.duration = check.duration;
   settings.history_step = check.sampling;
   settings.time_step = kOurStep;
-  const Response response = simulate(check.scene, excitation, settings);
+  const Response response = simulate(check.scene, floor, settings);
   Path path;
   for (const Sample& s : response.items[0].history)
     path.push_back({s.displacement.x(), s.displacement.y(), s.yaw});

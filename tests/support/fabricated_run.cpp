@@ -71,6 +71,7 @@ RunFacts fabricated_facts(bool pulled) {
   facts.job_text = "title = \"A trolley\"\n";
   facts.job_sha256 = std::string(64, 'a');
   facts.title = pulled ? "A trolley pulled by a drop weight" : "A trolley under a made-up motion";
+  facts.scene = scene_of({});
   EquipmentModel& item = facts.scene.items[0].model;
   item.name = "Trolley";
   item.chassis_mass = 94.5;
@@ -111,6 +112,7 @@ Response fabricated_response(bool pulled) {
   Response response;
   response.outcome = Outcome::kRested;
   response.end_time = 24;
+  response.items.resize(1);
   response.items[0].demands = counted_demands();
   response.quality = {1e-7, 2e-6, 3e-10, 6000, 4, 5, 6, 12000, 7};
   for (int i = 0; i <= 2400; ++i) response.items[0].history.push_back(sample_at(0.01 * i, pulled));

@@ -6,6 +6,7 @@
 #include "studies/study/results/columns.h"
 #include "studies/study/results/growing_table.h"
 #include "studies/study/results/results_file.h"
+#include "studies/study/results/study_reader.h"
 #include "studies/study/run/study_file.h"
 
 namespace gurney {

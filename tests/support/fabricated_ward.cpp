@@ -194,7 +194,6 @@ RunFacts fabricated_ward() {
   facts.job_sha256 = std::string(64, 'd');
   facts.title = "Ten items in a ward under a made-up motion";
   Scene& scene = facts.scene;
-  scene.items.clear();
   for (const Furniture& f : kFurniture)
     scene.items.push_back({f.name, model_of(f), {.position = f.position}});
   scene.room = {box("north wall", {0, 2.5, 1.25}, {6.2, 0.2, 2.5}),
@@ -228,7 +227,6 @@ Response fabricated_ward_response() {
   response.outcome = Outcome::kOverturned;
   response.end_time = 15;
   response.quality = {1e-7, 2e-6, 3e-10, 3750, 4, 5, 6, 12000, 7};
-  response.items.clear();
   for (std::size_t i = 0; i < std::size(kFurniture); ++i) {
     ItemResponse& item = response.items.emplace_back();
     for (int s = 0; s <= 750; ++s)

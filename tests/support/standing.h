@@ -7,8 +7,7 @@ namespace gurney {
 
 /// The item alone on a level floor.
 inline Scene standing(const LoadedItem& item) {
-  Scene scene;
-  scene.items[0].model = item.model;
+  Scene scene = scene_of(item.model);
   scene.pairs = item.pairs;
   scene.floor_material = item.floor_material;
   return scene;

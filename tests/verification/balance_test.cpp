@@ -23,7 +23,7 @@ constexpr double kG = kStandardGravity;
 // mass must change by the impulse of the wheel forces, gravity and the floor's inertia.
 struct Shaken {
   EquipmentModel item;
-  Excitation excitation;
+  FloorMotion floor;
 };
 
 Shaken shaken(bool swivels, double amplitude = 0.3) {
@@ -32,7 +32,7 @@ Shaken shaken(bool swivels, double amplitude = 0.3) {
   options.headings = {0.2, -0.3, 0.1, 0.4};
   Shaken result;
   result.item = trolley(options);
-  result.excitation.floor = floor_motion(0.004, 4, {1, 0.6, 0.4}, [=](double t) {
+  result.floor = floor_motion(0.004, 4, {1, 0.6, 0.4}, [=](double t) {
     return amplitude * kG * std::sin(std::numbers::pi * t / 4) *
            std::sin(2 * std::numbers::pi * 1.3 * t);
   });
@@ -40,9 +40,8 @@ Shaken shaken(bool swivels, double amplitude = 0.3) {
 }
 
 Response run(const Shaken& shaken, double time_step) {
-  Scene scene;
-  scene.items[0].model = shaken.item;
-  return simulate(scene, shaken.excitation, run_for(4, time_step, time_step));
+  Scene scene = scene_of(shaken.item);
+  return simulate(scene, shaken.floor, run_for(4, time_step, time_step));
 }
 
 /// Largest |M v - impulse| over M times the peak velocity, by the trapezoidal rule on the samples.
@@ -59,7 +58,7 @@ double momentum_defect(const Shaken& scene, double time_step) {
              wheel.lateral_force * Vector3::UnitZ().cross(ahead) +
              wheel.normal_force * Vector3::UnitZ();
     }
-    return Vector3(sum - mass * scene.excitation.floor.acceleration_at(s.time));
+    return Vector3(sum - mass * scene.floor.acceleration_at(s.time));
   };
   Vector3 impulse = Vector3::Zero();
   double defect = 0;
@@ -104,11 +103,9 @@ TEST(EnergyAccount, ClosesWithSecondOrderUnderARecord) {
 
 // A pull has no turning parts, so all that is left is rounding and the residual of the solve.
 TEST(EnergyAccount, ClosesForAPull) {
-  Scene scene;
-  scene.items[0].model = trolley();
-  Excitation excitation;
-  excitation.forces = {constant_force(40, 3, {0, 0, 0.6})};
-  const auto response = simulate(scene, excitation, run_for(8, 0.004, 0.1));
+  Scene scene = scene_of(trolley());
+  scene.items[0].loads = {constant_force(40, 3, {0, 0, 0.6})};
+  const auto response = simulate(scene, {}, run_for(8, 0.004, 0.1));
   EXPECT_LT(response.quality.energy_closure, 1e-8);
   EXPECT_GT(response.items[0].energy.work_of_forces, 30);
   EXPECT_LT(std::abs(response.quality.numerical_loss), 1e-6);

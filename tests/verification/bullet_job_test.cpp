@@ -13,8 +13,8 @@ namespace gurney {
 namespace {
 
 struct Job {
-  Scene scene;
-  Excitation excitation;
+  Scene scene = scene_of({});
+  FloorMotion floor;
 
   explicit Job(std::uint64_t seed) {
     Tread tread = small::bare_tread(3e8, 1e8);
@@ -22,12 +22,12 @@ struct Job {
     tread.tangential_damping = 1e3;
     tread.rolling_resistance = 1e-3;
     scene.items[0].model = small::trolley({10, 105, 200, 295}, tread);
-    excitation.floor = small::noise_record(seed, 7, kStandardGravity * Vector3(0.4, 0.3, 0.2));
+    floor = small::noise_record(seed, 7, kStandardGravity * Vector3(0.4, 0.3, 0.2));
   }
   Demands demands(Solver solver, double step) const {
     auto settings = small::settings_for(step, 7, 100);
     settings.solver = solver;
-    const Response response = simulate_with_any_solver(scene, excitation, settings);
+    const Response response = simulate_with_any_solver(scene, floor, settings);
     EXPECT_EQ(response.outcome, Outcome::kStopped) << response.cause;
     return response.items[0].demands;
   }

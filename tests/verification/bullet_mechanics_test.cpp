@@ -27,8 +27,7 @@ struct World {
 };
 
 Scene odd_scene() {
-  Scene scene;
-  scene.items[0].model = small::trolley({10, 105, 200, 295}, small::bare_tread(3e5, 1e5));
+  Scene scene = scene_of(small::trolley({10, 105, 200, 295}, small::bare_tread(3e5, 1e5)));
   EquipmentModel& item = scene.items[0].model;
   Matrix3 inertia;
   inertia << 7, 0.8, -0.5, 0.8, 9, 0.6, -0.5, 0.6, 8;
@@ -57,7 +56,7 @@ class BulletMechanics : public testing::Test {
 
   BulletMechanics()
       : scene_(odd_scene()),
-        mechanism_(scene_, 0, {}),
+        mechanism_(scene_, 0),
         item_(scene_.items[0].model, mechanism_, 0, MultibodyItem::Wheels::kCylinders,
               world_.world) {}
 

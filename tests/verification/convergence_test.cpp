@@ -16,12 +16,10 @@ TEST(Convergence, ARecordAtFourMillisecondsAgainstAQuarter) {
       {10, 100, 200, 300}, {45, 45, 45, 45}, {0, 75, 150, 225}};
   std::vector<double> displacement, acceleration, force;
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    Scene scene;
-    scene.items[0].model = small::trolley(angles[i], Tread());
-    Excitation excitation;
-    excitation.floor = small::noise_record(10 + i, 10, {4, 3, 2});
+    Scene scene = scene_of(small::trolley(angles[i], Tread()));
+    const FloorMotion floor = small::noise_record(10 + i, 10, {4, 3, 2});
     const auto demands = [&](double step) {
-      const Response response = simulate(scene, excitation, small::settings_for(step, 11, 1000));
+      const Response response = simulate(scene, floor, small::settings_for(step, 11, 1000));
       EXPECT_EQ(response.outcome, Outcome::kStopped) << response.cause;
       EXPECT_EQ(response.quality.unconverged_steps, 0);
       EXPECT_LT(response.quality.energy_closure, 0.01);

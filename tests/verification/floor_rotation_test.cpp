@@ -31,16 +31,10 @@ FloorRotation rocking(double angle, double frequency, bool with_acceleration) {
 
 FloorMotion still() { return FloorMotion(kStep, Eigen::Matrix3Xd::Zero(3, kSamples)); }
 
-Scene standing_trolley() {
-  Scene scene;
-  scene.items[0].model = scenes::trolley();
-  return scene;
-}
+Scene standing_trolley() { return scene_of(scenes::trolley()); }
 
 Response run(const Scene& scene, const FloorMotion& floor, double step = 0.004) {
-  Excitation excitation;
-  excitation.floor = floor;
-  return simulate(scene, excitation, scenes::run_for(8, step, 0.1));
+  return simulate(scene, floor, scenes::run_for(8, step, 0.1));
 }
 
 // Gravity that the floor tilts is a force on every mass, as its translation is: with the angular
@@ -69,8 +63,7 @@ TEST(FloorRotation, IsTheAccelerationThatTiltsGravityAlike) {
 TEST(FloorRotation, AbsoluteAccelerationHasNoGravity) {
   scenes::ItemOptions options;
   scenes::stiffen(options.caster.tread);
-  Scene scene;
-  scene.items[0].model = scenes::locked_block(options);
+  const Scene scene = scene_of(scenes::locked_block(options));
   const Response tilted = run(scene, still().with_rotation(rocking(0.01, 0.5, false)));
   EXPECT_LT(tilted.items[0].demands.points.at(0).peak_absolute_acceleration,
             0.01 * 0.01 * kStandardGravity);
@@ -82,8 +75,7 @@ TEST(FloorRotation, WorkIsInTheEnergyBalanceToSecondOrder) {
   const FloorMotion shaken = small::noise_record(3, 6, {0.2, 0.1, 0.1});
   const FloorMotion floor = shaken.with_rotation(rocking(0.02, 2, true));
   for (const bool locked : {false, true}) {
-    Scene scene;
-    scene.items[0].model = locked ? scenes::locked_block() : scenes::trolley();
+    Scene scene = scene_of(locked ? scenes::locked_block() : scenes::trolley());
     scene.items[0].initial.position = {2, 1, 0};
     const Response coarse = run(scene, floor), fine = run(scene, floor, 0.002);
     EXPECT_NE(coarse.outcome, Outcome::kUntrusted);
@@ -95,7 +87,7 @@ TEST(FloorRotation, WorkIsInTheEnergyBalanceToSecondOrder) {
 // The axes of the rotation pass through the origin: far from it the floor goes up and down. The
 // centre of mass of a block 2 m along x moves by -theta'' x vertically.
 TEST(FloorRotation, CarriesWhatStandsAwayFromItsAxis) {
-  Scene scene;
+  Scene scene = scene_of({});
   scenes::ItemOptions options;
   scenes::stiffen(options.caster.tread);
   scene.items[0].model = scenes::locked_block(options);
@@ -124,11 +116,10 @@ TEST(FloorRotation, OfZeroChangesNoBit) {
 }
 
 TEST(FloorRotation, TheBaselinesRefuseIt) {
-  Excitation excitation;
-  excitation.floor = still().with_rotation(rocking(0.01, 1, true));
+  const FloorMotion floor = still().with_rotation(rocking(0.01, 1, true));
   SimulationSettings settings = scenes::run_for(1, 0.004);
   settings.solver = Solver::kBullet;
-  EXPECT_EQ(error_text([&] { simulate(standing_trolley(), excitation, settings); }),
+  EXPECT_EQ(error_text([&] { simulate(standing_trolley(), floor, settings); }),
             "the stock Bullet baselines know no rotation of the floor; use solver = \"star\" for "
             "this job");
 }

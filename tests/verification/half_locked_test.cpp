@@ -29,18 +29,16 @@ TEST(HalfLockedCart, RatchetsTowardsTheFreeAxle) {
   options.caster.tread.static_friction = options.caster.tread.kinetic_friction = kFriction;
   options.half_wheelbase = kWheelbase / 2;
   options.chassis_center = {0, 0, 0.45};
-  Scene scene;
-  scene.items[0].model = trolley(options);
+  Scene scene = scene_of(trolley(options));
   for (int front : {0, 1})
     scene.items[0].model.casters[front].brake_torque = std::numeric_limits<double>::infinity();
   // The middle of the thresholds mu / 2 / (1 +- mu h / w).
   const double h = whole_item(scene.items[0].model).center_of_mass.z();
   const double level = kFriction / 2 / (1 - std::pow(kFriction * h / kWheelbase, 2));
-  Excitation excitation;
-  excitation.floor = floor_motion(0.004, 5, Vector3::UnitX(), [=](double t) {
+  const FloorMotion floor = floor_motion(0.004, 5, Vector3::UnitX(), [=](double t) {
     return level * kG * std::sin(2 * std::numbers::pi * t) * std::min(1.0, t);
   });
-  const auto response = simulate(scene, excitation, run_for(5, 0.002, 0.1));
+  const auto response = simulate(scene, floor, run_for(5, 0.002, 0.1));
   EXPECT_LT(response.items[0].demands.residual_displacement_x, -0.1);
   double last = 0;
   for (const Sample& s : response.items[0].history) {

@@ -17,12 +17,10 @@ TEST(HeavePitch, PeakVerticalAccelerationAtFourMilliseconds) {
   // changes by up to 1 / (2 zeta) times that, 4.3 %, the median of several records by half of it.
   std::vector<double> errors;
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u, 7u}) {
-    Scene scene;
-    scene.items[0].model = small::trolley({0, 0, 0, 0}, Tread());
-    Excitation excitation;
-    excitation.floor = small::noise_record(seed, 4, {0, 0, 3});
+    Scene scene = scene_of(small::trolley({0, 0, 0, 0}, Tread()));
+    const FloorMotion floor = small::noise_record(seed, 4, {0, 0, 3});
     const auto peak = [&](double step) {
-      return simulate(scene, excitation, small::settings_for(step, 4, 100))
+      return simulate(scene, floor, small::settings_for(step, 4, 100))
           .items[0]
           .demands.points[0]
           .peak_absolute_acceleration;

@@ -40,7 +40,7 @@ TEST(Neighbours, AnImpactNamesBothItemsAndCountsForBoth) {
 }
 
 Scene two_trolleys(double gap, double speed, double height) {
-  Scene scene;
+  Scene scene = scene_of({});
   EquipmentModel model = small::trolley({10, 100, 200, 300}, Tread());
   model.shape = {{{0, 0, height}, {1, 0.6, 0.3}}};
   scene.items[0].model = model;
@@ -83,15 +83,45 @@ TEST(Neighbours, WheelsMeetWheels) {
 
 bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-TEST(Neighbours, ItemsThatNeverMeetMoveAsIfAlone) {
-  Excitation excitation;
-  excitation.floor = small::noise_record(7, 6, {3, 2, 1});
+// Every kind of load, a spring of the fixture and an initial motion, on the second of two items.
+PlacedItem pulled(PlacedItem item) {
+  item.loads = {PointForce{"pull", {0, 0, 0.5}, {1, 0, 0}, {0, 1, 3}, {0, 40, 10}},
+                StringPotentiometer{{-0.5, 0, 0.4}, {-1, 0, 0}, 2},
+                DropWeight{.point = {0.5, 0, 0.3}, .mass = 5, .drop_height = 0.3},
+                Blocks{{0.4, 0, 0.1}, 1e6, 1e3, 0.5}};
+  item.fixture.guides[1] = {Guide::Kind::kSpring, 0, 500, 20};
+  item.initial.yaw_rate = 0.2;
+  return item;
+}
+
+TEST(Neighbours, TheSecondItemIsPulledAsIfAlone) {
   Scene both = two_trolleys(8, 0, 0.5);
-  const Response together = simulate(both, excitation, blocks::run_for(7, 0.004, 0.02));
+  both.items[1] = pulled(both.items[1]);
+  Scene one = both;
+  one.items = {both.items[1]};
+  const auto settings = blocks::run_for(4, 0.004, 0.02);
+  const Response together = simulate(both, {}, settings), alone = simulate(one, {}, settings);
+  const auto &a = together.items[1].history, &b = alone.items[0].history;
+  ASSERT_EQ(a.size(), b.size());
+  EXPECT_GT(b.back().displacement.x(), 0.2);
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    for (int axis = 0; axis < 3; ++axis)
+      ASSERT_TRUE(same(a[k].displacement[axis], b[k].displacement[axis])) << a[k].time;
+    ASSERT_TRUE(same(a[k].pull_force, b[k].pull_force)) << a[k].time;
+    ASSERT_TRUE(same(a[k].cable_tension, b[k].cable_tension)) << a[k].time;
+    ASSERT_TRUE(same(a[k].energy.weight_energy, b[k].energy.weight_energy)) << a[k].time;
+  }
+  EXPECT_LT(together.items[0].demands.peak_displacement, 1e-6) << "nothing acts on the first";
+}
+
+TEST(Neighbours, ItemsThatNeverMeetMoveAsIfAlone) {
+  const FloorMotion floor = small::noise_record(7, 6, {3, 2, 1});
+  Scene both = two_trolleys(8, 0, 0.5);
+  const Response together = simulate(both, floor, blocks::run_for(7, 0.004, 0.02));
   for (std::size_t i = 0; i < 2; ++i) {
     Scene one = both;
     one.items = {both.items[i]};
-    const Response alone = simulate(one, excitation, blocks::run_for(7, 0.004, 0.02));
+    const Response alone = simulate(one, floor, blocks::run_for(7, 0.004, 0.02));
     const auto &a = together.items[i].history, &b = alone.items[0].history;
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t k = 0; k < a.size(); ++k) {

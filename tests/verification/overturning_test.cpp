@@ -14,7 +14,7 @@ namespace {
 
 /// A trolley pushed over along `direction` (floor axes) and let go.
 Response push_over(const Vector3& direction) {
-  Scene scene;
+  Scene scene = scene_of({});
   Tread tread;
   tread.static_friction = tread.kinetic_friction = 1.5;
   scene.items[0].model = small::trolley({0, 0, 0, 0}, tread);
@@ -28,11 +28,10 @@ Response push_over(const Vector3& direction) {
     scene.items[0].model.marked_points.push_back(
         {"corner", box.center + 0.5 * box.size.cwiseProduct(Vector3(k & 1 ? 1 : -1, k & 2 ? 1 : -1,
                                                                     k & 4 ? 1 : -1))});
-  Excitation excitation;
-  excitation.forces = {{"push", {0, 0, 0.9}, direction, {0, 0.6}, {1100, 1100}}};
+  scene.items[0].loads = {PointForce{"push", {0, 0, 0.9}, direction, {0, 0.6}, {1100, 1100}}};
   SimulationSettings settings;
   settings.settle_time = 20;
-  return simulate(scene, excitation, settings);
+  return simulate(scene, {}, settings);
 }
 
 TEST(Overturning, IsFollowedUntilTheTrolleyLiesOnTheFloor) {
@@ -80,8 +79,7 @@ TEST(Overturning, SaysNothingOfAFallThatWasNone) {
 
 TEST(Kerb, AWheelClimbsALowThresholdAndStopsAtAHighKerb) {
   const auto run = [](double height, double speed) {
-    Scene scene;
-    scene.items[0].model = small::trolley({180, 180, 0, 0}, Tread());
+    Scene scene = scene_of(small::trolley({180, 180, 0, 0}, Tread()));
     for (Caster& caster : scene.items[0].model.casters) caster.swivels = false;
     scene.room.push_back({"threshold",
                           "",

@@ -18,15 +18,14 @@ using namespace scenes;
 constexpr double kForce = 40, kPull = 3, kResistance = 0.02;
 
 struct Pull {
-  Scene scene;
-  Excitation excitation;
+  Scene scene = scene_of({});
   double release = 0, rest = 0, stop = 0;  // in closed form
 
   Pull() {
     ItemOptions options;
     options.caster.tread.rolling_resistance = kResistance * options.caster.wheel_radius;
     scene.items[0].model = trolley(options);
-    excitation.forces = {constant_force(kForce, kPull, {0.55, 0, 0.14})};
+    scene.items[0].loads = {constant_force(kForce, kPull, {0.55, 0, 0.14})};
     const double mass = total_mass(scene.items[0].model);
     const double inertia = mass + wheel_inertia_mass(scene.items[0].model);
     const double resistance = kResistance * mass * kStandardGravity;
@@ -40,7 +39,7 @@ struct Pull {
   Response run(Solver solver, double step) const {
     SimulationSettings settings = run_for(stop + 1, step, step);
     settings.solver = solver;
-    return simulate_with_any_solver(scene, excitation, settings);
+    return simulate_with_any_solver(scene, {}, settings);
   }
   static double at_release(const Response& response) {
     for (const Sample& s : response.items[0].history)
@@ -118,11 +117,11 @@ TEST(PaperModel, CastersSwingIntoLine) {
 
 TEST(PaperModel, RefusesBrakesAndDropWeights) {
   Pull pull;
-  pull.excitation.drop_weights = {DropWeight{.mass = 5, .drop_height = 1}};
+  pull.scene.items[0].loads = {DropWeight{.mass = 5, .drop_height = 1}};
   EXPECT_EQ(error_text([&] { pull.run(Solver::kBulletPaper, 0.005); }),
             "the stock Bullet baselines know no drop weights, blocks or fixtures; use solver = "
             "\"star\" for this job");
-  pull.excitation.drop_weights.clear();
+  pull.scene.items[0].loads.clear();
   pull.scene.items[0].model.casters[1].name = "front right";
   pull.scene.items[0].model.casters[1].brake_torque = 10;
   EXPECT_EQ(

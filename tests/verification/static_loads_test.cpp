@@ -28,8 +28,7 @@ EquipmentModel item_of(const std::vector<Vector2>& mounts, const std::vector<dou
 TEST(StaticLoads, AnItemWhoseCentreOfMassLiesOutsideItsSupportIsRefused) {
   const std::string refusal =
       "the item does not stand on its casters: its centre of mass lies outside their support";
-  Scene scene;
-  scene.items[0].model = item_of(kFour, {0, 0, 0, 0}, 200, {0.7, 0, 0.5});
+  Scene scene = scene_of(item_of(kFour, {0, 0, 0, 0}, 200, {0.7, 0, 0.5}));
   EXPECT_EQ(error_text([&] { simulate(scene, {}, {}); }), refusal);
   scene.items[0].model = item_of({{0.4, 0}, {-0.4, 0}}, {0, 0}, 1, {0, 0.01, 0.5});
   EXPECT_EQ(error_text([&] { simulate(scene, {}, {}); }), refusal);
@@ -37,8 +36,7 @@ TEST(StaticLoads, AnItemWhoseCentreOfMassLiesOutsideItsSupportIsRefused) {
 
 TEST(StaticLoads, ARunStartsAtRest) {
   // Nothing drops, swings or creeps: braked rigid casters keep their forces and stand still.
-  Scene scene;
-  scene.items[0].model = item_of(kFour, {10, 100, 200, 300}, 30, {0.2, 0.1, 0.8});
+  Scene scene = scene_of(item_of(kFour, {10, 100, 200, 300}, 30, {0.2, 0.1, 0.8}));
   for (Caster& c : scene.items[0].model.casters) {
     c.swivels = false;
     c.brake_torque = INFINITY;
@@ -55,9 +53,8 @@ TEST(StaticLoads, ARunStartsAtRest) {
 
 TEST(StaticLoads, ThreeCastersFollowFromStaticsAlone) {
   // Stiff treads: no tilt, and the lever rule holds.
-  Scene scene;
-  scene.items[0].model = small::item_on({{0.4, 0}, {-0.2, 0.3}, {-0.2, -0.3}}, {0, 0, 0},
-                                        small::bare_tread(1e10, 1e5));
+  Scene scene = scene_of(small::item_on({{0.4, 0}, {-0.2, 0.3}, {-0.2, -0.3}}, {0, 0, 0},
+                                        small::bare_tread(1e10, 1e5)));
   const MassProperties whole = whole_item(scene.items[0].model);
   const Response response = simulate(scene, {}, small::settings_for(0.004, 0.004));
   const double trail = scene.items[0].model.casters[0].trail;

@@ -88,12 +88,10 @@ Bouncing bouncing(const FloorMotion& floor, double restitution) {
 constexpr double kMass = 100, kStiffness = 1e8, kRestitution = 0.1;  // of a corner, four of them
 
 Response fly_block(const FloorMotion& floor) {
-  Excitation excitation;
-  excitation.floor = floor;
   return simulate(
       blocks::block(kMass, {1, 1, 0.3},
                     {.stiffness = kStiffness, .restitution = kRestitution, .friction = 0.5}),
-      excitation, blocks::run_for(floor.duration(), kStep, kStep));
+      floor, blocks::run_for(floor.duration(), kStep, kStep));
 }
 
 /// Height, flights and landings of a low block against the rigid body's. Its corners yield, so a
@@ -167,9 +165,7 @@ TEST_F(StrongVertical, ABlockFliesAtOneAndAHalfHeathcoteAsARigidBodyDoes) {
 }
 
 Response fly_trolley(const Scene& scene, const FloorMotion& floor, double time_step) {
-  Excitation excitation;
-  excitation.floor = floor;
-  return simulate(scene, excitation, blocks::run_for(floor.duration(), time_step, time_step));
+  return simulate(scene, floor, blocks::run_for(floor.duration(), time_step, time_step));
 }
 
 Scene trolley() { return standing(load_item(find_data(DataKind::kItem, "xu_trolley", ""))); }

@@ -21,7 +21,7 @@ constexpr double kWallSize = 20, kWallDepth = 0.1;  // [m]
 class WallRun {
  public:
   WallRun(const Trial& trial, const Rebound& rebound) {
-    scene_.items[0].model = item_of(trial.setup);
+    scene_ = scene_of(item_of(trial.setup));
     scene_.items[0].model.material = "item";
     scene_.items[0].initial.velocity = {rebound.approach + rebound.slowing * kBefore, 0, 0};
     const double gap = (rebound.approach + rebound.slowing * kBefore / 2) * kBefore;

@@ -35,7 +35,7 @@ TrialModel::TrialModel(const Trial& trial, const Phases& phases)
   steady.begin = static_cast<std::size_t>(std::ranges::lower_bound(t, settled_) - t.begin());
   require(steady.size() >= kFewest, "phase II is too short");
   force_ = fit_polynomial(trial.signals.time, trial.signals.force, steady, 1);
-  scene_.items[0].model = item_of(trial.setup);
+  scene_ = scene_of(item_of(trial.setup));
 }
 
 TrialModel::Unknowns TrialModel::usual() const {
@@ -68,7 +68,6 @@ TrialModel::Motion TrialModel::run(const Unknowns& unknowns) const {
   }
   const std::vector<double>& at = trial_.setup.pull_point;
   const Vector3 point(at[0], at[1], at[2]);
-  Excitation excitation;
   PointForce pull{"pull", point, Vector3::UnitX(), {}, {}};
   const double release = phases_.release + unknowns.release;
   const auto add = [&](double time, double force) {
@@ -89,14 +88,14 @@ TrialModel::Motion TrialModel::run(const Unknowns& unknowns) const {
   add(settled_, force_.value(settled_) + unknowns.force);
   add(release, force_.value(release) + unknowns.force);
   add(release + kFalls, 0);
-  excitation.forces = {std::move(pull)};
-  excitation.blocks = {Blocks{{point.x(), 0, point.z()}, 1e7, 1e4, held}};
+  std::vector<Load>& loads = scene.items[0].loads;
+  loads = {std::move(pull), Blocks{{point.x(), 0, point.z()}, 1e7, 1e4, held}};
   if (trial_.setup.string_tension > 0)
-    excitation.string_potentiometers = {{point, -Vector3::UnitX(), trial_.setup.string_tension}};
+    loads.push_back(StringPotentiometer{point, -Vector3::UnitX(), trial_.setup.string_tension});
   SimulationSettings settings;
   settings.time_step = settings.history_step = kTimeStep;
   settings.duration = phases_.stop - zero + 2 * kTimeStep;
-  const Response response = simulate(scene, excitation, settings);
+  const Response response = simulate(scene, {}, settings);
   const std::vector<Sample>& history = response.items[0].history;
 
   Motion motion;

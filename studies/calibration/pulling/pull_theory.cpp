@@ -21,11 +21,11 @@ void add_item(const Scene& scene, PullTheory& theory) {
   }
 }
 
-void add_drop_weight(const Scene& scene, const Excitation& excitation, PullTheory& theory) {
-  const DropWeight& weight = excitation.drop_weights[0];
+void add_drop_weight(const Scene& scene, const DropWeight& weight, const Blocks& blocks,
+                     PullTheory& theory) {
   const double pulley = weight.pulley_inertia / (weight.pulley_radius * weight.pulley_radius);
   theory.drop_mass = weight.mass;
-  theory.start = excitation.blocks[0].release_time;
+  theory.start = blocks.release_time;
   theory.held_force = weight.mass * scene.gravity - weight.potentiometer_tension;
   theory.acceleration = (theory.held_force - theory.resistance - theory.string_tension) /
                         (theory.mass + theory.added_mass + weight.mass + pulley);
@@ -70,24 +70,28 @@ double PullTheory::force_at(double time) const {
   return time < release ? force : 0;
 }
 
-PullTheory theory_of(const Scene& scene, const Excitation& excitation) {
-  const bool dropped = excitation.drop_weights.size() == 1 && excitation.forces.empty() &&
-                       !excitation.blocks.empty() && along_x(excitation.drop_weights[0].direction);
-  const bool forced = excitation.drop_weights.empty() && excitation.forces.size() == 1 &&
-                      is_constant(excitation.forces[0]) && along_x(excitation.forces[0].direction);
-  require(scene.items.size() == 1 && !scene.items[0].model.casters.empty() && (dropped || forced),
+PullTheory theory_of(const Scene& scene) {
+  const PlacedItem& item = scene.items.front();
+  const auto weights = loads_of<DropWeight>(item.loads);
+  const auto blocks = loads_of<Blocks>(item.loads);
+  const auto forces = loads_of<PointForce>(item.loads);
+  const bool dropped =
+      weights.size() == 1 && forces.empty() && !blocks.empty() && along_x(weights[0].direction);
+  const bool forced = weights.empty() && forces.size() == 1 && is_constant(forces[0]) &&
+                      along_x(forces[0].direction);
+  require(scene.items.size() == 1 && !item.model.casters.empty() && (dropped || forced),
           "is no pulling test: one item on casters must be pulled along x by one drop weight that "
           "blocks hold, or by one constant force");
   PullTheory theory;
   add_item(scene, theory);
-  for (const StringPotentiometer& string : excitation.string_potentiometers) {
+  for (const StringPotentiometer& string : loads_of<StringPotentiometer>(item.loads)) {
     require(along_x(string.direction), "string potentiometers must pull along x");
     theory.string_tension -= string.tension * string.direction.normalized().x();
   }
   if (dropped)
-    add_drop_weight(scene, excitation, theory);
+    add_drop_weight(scene, weights[0], blocks[0], theory);
   else
-    add_force(excitation.forces[0], theory);
+    add_force(forces[0], theory);
   theory.deceleration =
       (theory.resistance + theory.string_tension) / (theory.mass + theory.added_mass);
   require(theory.acceleration > 0 && theory.deceleration > 0,

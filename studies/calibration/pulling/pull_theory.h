@@ -39,6 +39,6 @@ struct PullTheory {
 /// @throws Error unless one drop weight, held by blocks, or one constant force pulls the scene's
 /// one
 ///         item on casters along x, hard enough to move it
-PullTheory theory_of(const Scene& scene, const Excitation& excitation);
+PullTheory theory_of(const Scene& scene);
 
 }  // namespace gurney

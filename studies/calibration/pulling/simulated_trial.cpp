@@ -89,7 +89,8 @@ void add_signals(const HistoryColumns& all, std::size_t first, std::size_t last,
 }
 
 TrialSetup setup_of(const config::Node& tree, const Job& job, const PullTheory& theory) {
-  const EquipmentModel& item = job.scene.items[0].model;
+  const PlacedItem& placed = job.scene.items.front();
+  const EquipmentModel& item = placed.model;
   TrialSetup setup;
   setup.use = TrialUse::kValidation;
   setup.origin = TrialOrigin::kSimulated;
@@ -112,8 +113,8 @@ TrialSetup setup_of(const config::Node& tree, const Job& job, const PullTheory& 
   if (theory.drop_mass > 0) setup.drop_mass = theory.drop_mass;
   setup.string_tension = theory.string_tension;
   for (const Caster& caster : item.casters) setup.headings.push_back(caster.heading);
-  const Vector3 point =
-      theory.drop_mass > 0 ? job.excitation.drop_weights[0].point : job.excitation.forces[0].point;
+  const Vector3 point = theory.drop_mass > 0 ? loads_of<DropWeight>(placed.loads)[0].point
+                                             : loads_of<PointForce>(placed.loads)[0].point;
   setup.pull_point = {point.x(), point.y(), point.z()};
   return setup;
 }
@@ -178,7 +179,7 @@ std::vector<SimulatedTrial> simulated_trials(const StudyReader& file) {
     if (made.solver.empty()) made.solver = "star";
     made.time_step = job.settings.time_step;
     try {
-      made.theory = theory_of(job.scene, job.excitation);
+      made.theory = theory_of(job.scene);
     } catch (const Error& error) {
       throw Error(
           fmt::format("{}: run {} ({}): {}", file.path(), run, made.configuration, error.what()));

@@ -13,7 +13,7 @@ void export_trials(const std::string& path, const TakeFile& take) {
     take(each.trial.name + ".csv",
          trial_file_text(each.trial,
                          fmt::format("SYNTHETIC: run {} of job {} by gurney {}, not a measurement; "
-                                     "{}; f_r that went in: {:.4f} N",
+                                     "{}; f_r of the input: {:.4f} N",
                                      each.run, file.text_attribute("job_name"),
                                      file.text_attribute("program_version"), each.configuration,
                                      each.theory.resistance)));

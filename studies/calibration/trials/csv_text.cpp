@@ -93,7 +93,7 @@ void CsvMistakes::note(int line, int column, const std::string& message) {
 void CsvMistakes::finish() const {
   Diagnostics errors = errors_;
   errors.sort();
-  errors.raise(kMostMistakes, file_ + ": and ", " more mistakes");
+  errors.raise(kMostMistakes, file_ + ": and ", " more errors");
 }
 
 CsvText read_csv_text(const std::string& file, CsvMistakes& mistakes) {

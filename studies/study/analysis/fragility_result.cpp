@@ -4,6 +4,7 @@
 
 #include "studies/statistics/capacity_intervals.h"
 #include "studies/statistics/fit_check.h"
+#include "studies/study/analysis/measure_choice.h"
 
 namespace gurney {
 namespace {
@@ -19,9 +20,6 @@ std::vector<double> grid(const std::vector<Stripe>& stripes) {
     im.push_back(std::exp(low + (high - low) * i / (kGridPoints - 1)));
   return im;
 }
-
-/// Smaller demands are as good as none: the time step and the settling of the treads are in them.
-constexpr double kFloorOfLimit = 1e-3;
 
 void add_cloud(const StudyData& data, const FragilityRequest& request, const RunMeasure& measure,
                FragilityResult& result) {

@@ -146,7 +146,7 @@ void add_energy(const StudyReader& file, StudyOverview& overview) {
 std::string type_of(const Hdf5Reader& file, const std::string& path) {
   const std::string type = file.text_attribute("filetype");
   require(type == "gurney-study" || type == "gurney-results",
-          path + ": is no results file of gurney" + (type.empty() ? "" : " but '" + type + "'"));
+          path + ": is not a results file of gurney" + (type.empty() ? "" : " but '" + type + "'"));
   return type;
 }
 

@@ -70,7 +70,7 @@ std::set<std::string> common_values(const std::vector<RunKey>& a, const std::vec
 void require_common(const std::set<std::string>& common, const char* what, const StudySide& a,
                     const StudySide& b) {
   require(!common.empty(),
-          fmt::format("{} '{}' and {} '{}' have no {} in common: nothing can be held against each "
+          fmt::format("{} '{}' and {} '{}' have no {} in common: nothing can be compared with each "
                       "other",
                       a.data->file().path(), a.configuration_name(), b.data->file().path(),
                       b.configuration_name(), what));

@@ -94,7 +94,7 @@ StudySensitivity study_sensitivity(const StudySide& side, const SensitivityReque
   const StudyReader& file = data.file();
   require(file.has("drawn"), file.path() +
                                  ": the study drew no numbers (study.draws), so there is "
-                                 "nothing whose influence could be told");
+                                 "nothing whose influence could be estimated");
   if (!design_inputs(data).empty()) return designed_sensitivity(side, request);
   const SensitivityOutput output = sensitivity_output(side, request);
   require_variation(output, file.path());

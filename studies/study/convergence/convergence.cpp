@@ -36,7 +36,7 @@ Outcomes outcomes_of(const RunCase& run, const std::vector<LimitState>& states) 
   Outcomes found;
   Response response;
   try {
-    response = simulate_with_any_solver(run.scene, run.excitation, run.settings);
+    response = simulate_with_any_solver(run.scene, run.floor, run.settings);
     if (is_failure(response.outcome)) found.failure = response.cause;
   } catch (const Error& error) {
     found.failure = error.what();

@@ -70,8 +70,8 @@ ConvergenceCases convergence_cases(const std::string& job, std::size_t most, int
     cases = cases_of_study(StudyJob(job), most, threads);
   } else {
     PreparedRun run = prepare_run(job);
-    cases.runs.push_back({std::move(run.facts.scene), std::move(run.excitation), run.facts.settings,
-                          run.facts.warnings});
+    cases.runs.push_back({std::move(run.facts.scene), std::move(run.facts.floor),
+                          run.facts.settings, run.facts.warnings});
     cases.names.push_back(run.facts.record ? run.facts.record->name : "the floor rests");
   }
   for (RunCase& run : cases.runs) run.settings.history_step = 0;

@@ -142,32 +142,43 @@ Uncertain<Guide> read_guide(Table& fixture, const std::string& key, bool transla
   return guide;
 }
 
-/// A list of the excitation.
-template <typename Load>
-auto loads(std::vector<Load> Excitation::*list) {
-  return [list](JobParts& job) -> std::vector<Load>& { return job.excitation.*list; };
+std::vector<Load>& loads_of_item(PlacedItem& item) { return item.loads; }
+
+/// A member of the initial motion.
+template <class Value>
+auto initial(Value InitialMotion::*member) {
+  return [member](PlacedItem& item) -> Value& { return item.initial.*member; };
 }
 
 }  // namespace
 
-void read_loads(Table& excitation, JobReading& job) {
-  for (Table& force : excitation.tables("force"))
-    job.append(loads(&Excitation::forces),
-               read_force(force, job.stated().excitation.forces.size()));
-  for (Table& weight : excitation.tables("drop_weight"))
-    job.append(loads(&Excitation::drop_weights), read_drop_weight(Quantities(weight)));
-  for (Table& string : excitation.tables("string_potentiometer"))
-    job.append(loads(&Excitation::string_potentiometers),
-               read_string_potentiometer(Quantities(string)));
-  for (Table& blocks : excitation.tables("blocks"))
-    job.append(loads(&Excitation::blocks), read_blocks(Quantities(blocks)));
+void read_loads(Table& table, Uncertain<PlacedItem>& item) {
+  std::size_t forces = loads_of<PointForce>(item.stated().loads).size();
+  for (Table& force : table.tables("force"))
+    item.append(loads_of_item, read_force(force, forces++));
+  for (Table& weight : table.tables("drop_weight"))
+    item.append(loads_of_item, read_drop_weight(Quantities(weight)));
+  for (Table& string : table.tables("string_potentiometer"))
+    item.append(loads_of_item, read_string_potentiometer(Quantities(string)));
+  for (Table& blocks : table.tables("blocks"))
+    item.append(loads_of_item, read_blocks(Quantities(blocks)));
 }
 
-void read_fixture(Table& fixture, JobReading& job) {
+void read_fixture(Table& fixture, Uncertain<PlacedItem>& item) {
   static constexpr std::array kDegreesOfFreedom = {"x", "y", "z", "roll", "pitch", "yaw"};
   for (std::size_t i = 0; i < kDegreesOfFreedom.size(); ++i)
-    job.set([i](JobParts& of_draw) -> Guide& { return of_draw.excitation.fixture.guides[i]; },
-            read_guide(fixture, kDegreesOfFreedom[i], i < 3));
+    item.set([i](PlacedItem& of_draw) -> Guide& { return of_draw.fixture.guides[i]; },
+             read_guide(fixture, kDegreesOfFreedom[i], i < 3));
+}
+
+void read_initial(Table& table, Uncertain<PlacedItem>& item) {
+  Quantities in(table);
+  item.set(initial(&InitialMotion::velocity),
+           in.vector("velocity_m_per_s", Range::any(), Vector3::Zero()));
+  item.set(initial(&InitialMotion::yaw_rate),
+           in.angle_deg("yaw_rate_deg_per_s", Range::any(), 0.0));
+  item.add([roll = table.boolean("wheels_roll", InitialMotion().wheels_roll)](
+               PlacedItem& of_draw, Sampler&) { of_draw.initial.wheels_roll = roll; });
 }
 
 }  // namespace gurney

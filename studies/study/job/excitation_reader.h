@@ -7,10 +7,12 @@ namespace gurney {
 
 /// Each reader notes mistakes in its table's document.
 
-/// [[excitation.force]], drop weights, string potentiometers and blocks.
-void read_loads(config::Table& excitation, JobReading& job);
+/// The forces, drop weights, string potentiometers and blocks of a table [item] or [excitation],
+/// after those that the item has.
+void read_loads(config::Table& table, Uncertain<PlacedItem>& item);
 
-/// [fixture]
-void read_fixture(config::Table& fixture, JobReading& job);
+/// The tables `fixture` and `initial` of an item or a job.
+void read_fixture(config::Table& fixture, Uncertain<PlacedItem>& item);
+void read_initial(config::Table& initial, Uncertain<PlacedItem>& item);
 
 }  // namespace gurney

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "studies/study/job/excitation_reader.h"
 #include "studies/study/job/item_reader.h"
 
 namespace gurney {
@@ -52,6 +53,27 @@ std::vector<std::string> read_names(std::vector<Table>& items, UniqueNames& name
     names.take(items[i], result[i]);
   }
   return result;
+}
+
+/// What acts on the item, and how it moves at the start.
+void read_acting(Table& item, Uncertain<PlacedItem>& acting) {
+  read_loads(item, acting);
+  if (auto fixture = item.table("fixture")) read_fixture(*fixture, acting);
+  if (auto initial = item.table("initial")) read_initial(*initial, acting);
+}
+
+/// Notes each of these keys that is there: a job of several items has it with one of them.
+void note_without_item(Table& table, const std::vector<const char*>& keys, const char* form) {
+  for (const char* key : keys)
+    if (table.has(key))
+      table.note(key, fmt::format(": must be with one of the items, {} below its [[item]]",
+                                  fmt::format(fmt::runtime(form), key)));
+}
+
+/// Notes a table that both the job and its item have.
+void note_twice(Table& root, Table& item, const char* key) {
+  if (root.has(key) && item.has(key))
+    root.note(key, fmt::format(": must not be given beside item.{}", key));
 }
 
 /// What a step needs of one item's table.
@@ -107,12 +129,16 @@ void read_one(Table& table, ItemStep step, JobReading& job) {
   const std::size_t mistakes = document.mistakes();
   const Uncertain<JobItem> item = read_job_item(table, step.remarks);
   step.description = description_spot(table);
+  Uncertain<PlacedItem> acting;
+  read_acting(table, acting);
   const bool complete = document.mistakes() == mistakes;
-  job.add(document, [item, step, complete](JobParts& of_draw, Sampler& of) {
+  job.add(document, [item, acting, step, complete](JobParts& of_draw, Sampler& of) {
     PlacedItem& placed = of_draw.scene.items[step.index];
-    JobItem sampled = item.sample(
-        step.several ? of.of_element(fmt::format("item[{}]", step.index), placed.name) : of);
+    const Sampler own =
+        step.several ? of.of_element(fmt::format("item[{}]", step.index), placed.name) : of;
+    JobItem sampled = item.sample(own);
     placed.initial = sampled.initial;
+    acting.apply(placed, own);
     append(of_draw.without_effect, step.remarks.without_effect);
     if (complete) place(std::move(sampled), step, of_draw, of);
   });
@@ -131,7 +157,29 @@ std::vector<Table> read_items(Table& root, UniqueNames& names, JobReading& job) 
   const bool several = root.is_array("item");
   for (std::size_t i = 0; i < tables.size(); ++i)
     read_one(tables[i], {.index = i, .several = several}, job);
+  if (tables.size() == 1)
+    for (const char* key : {"fixture", "initial"}) note_twice(root, tables.front(), key);
   return root.document().mistakes() == mistakes ? tables : std::vector<Table>{};
+}
+
+void read_acting_at_top(Table& root, JobReading& job) {
+  const bool several = job.stated().scene.items.size() > 1;
+  Uncertain<PlacedItem> only;
+  if (auto excitation = root.table("excitation")) {
+    read_loads(*excitation, only);
+    if (several)
+      note_without_item(*excitation, {"force", "drop_weight", "string_potentiometer", "blocks"},
+                        "[[item.{}]]");
+  }
+  if (auto fixture = root.table("fixture")) read_fixture(*fixture, only);
+  if (auto initial = root.table("initial")) read_initial(*initial, only);
+  if (several) {
+    note_without_item(root, {"fixture", "initial"}, "[item.{}]");
+    return;
+  }
+  job.add([only](JobParts& of_draw, Sampler& of) {
+    only.apply(of_draw.scene.items.front(), of);
+  });
 }
 
 }  // namespace gurney

@@ -12,4 +12,8 @@ namespace gurney {
 /// @return as Scene::items; empty where there is a mistake in them
 std::vector<config::Table> read_items(config::Table& root, UniqueNames& names, JobReading& job);
 
+/// What acts on the only item of a job, where it stands at the top of the job: [[excitation.force]]
+/// and the other loads, [fixture], [initial]. In a job of several items each is an error.
+void read_acting_at_top(config::Table& root, JobReading& job);
+
 }  // namespace gurney

@@ -13,7 +13,6 @@
 #include "equipment/catalogue/file_kind.h"
 #include "equipment/catalogue/levelness.h"
 #include "equipment/catalogue/quantity.h"
-#include "studies/study/job/excitation_reader.h"
 #include "studies/study/job/items_reader.h"
 #include "studies/study/job/load_named.h"
 #include "studies/study/job/overlap_check.h"
@@ -41,24 +40,16 @@ void note_without_effect(Table& table, const std::vector<const char*>& keys,
       });
 }
 
-/// A member of the first item's initial motion.
-template <class Value>
-auto initial(Value InitialMotion::*member) {
-  return [member](JobParts& job) -> Value& { return job.scene.items.front().initial.*member; };
-}
-
-void read_initial(Table& root, JobReading& job) {
-  auto table = root.table("initial");
-  if (!table) return;
-  Quantities in(*table);
-  job.set(initial(&InitialMotion::velocity),
-          in.vector("velocity_m_per_s", Range::any(), Vector3::Zero()));
-  job.set(initial(&InitialMotion::yaw_rate), in.angle_deg("yaw_rate_deg_per_s", Range::any(), 0.0));
-  job.add(
-      [roll = table->boolean("wheels_roll", InitialMotion().wheels_roll)](
-          JobParts& of_draw, Sampler&) { of_draw.scene.items.front().initial.wheels_roll = roll; });
-  if (root.document().clean() && job.stated().scene.items.front().model.casters.empty())
-    note_without_effect(*table, {"wheels_roll"}, "on an item without casters", job);
+/// The key wheels_roll of items without wheels.
+void note_wheels_roll(Table& root, std::vector<Table>& items, JobReading& job) {
+  const auto note = [&](Table& table, std::size_t index) {
+    auto initial = table.table("initial");
+    if (initial && job.stated().scene.items[index].model.casters.empty())
+      note_without_effect(*initial, {"wheels_roll"}, "on an item without casters", job);
+  };
+  if (!root.document().clean()) return;
+  for (std::size_t i = 0; i < items.size(); ++i) note(items[i], i);
+  note(root, 0);
 }
 
 void read_settings(Table& root, JobReading& job) {
@@ -203,12 +194,11 @@ JobReading read(config::Document& document) {
       of_draw.record = record;
     });
     read_rotation_factor(*table, job);
-    read_loads(*table, job);
   }
-  if (auto table = root.table("fixture")) read_fixture(*table, job);
-  read_initial(root, job);
+  read_acting_at_top(root, job);
   read_settings(root, job);
   read_output(root, job);
+  note_wheels_roll(root, items, job);
   furnish(root, items, job);
   if (document.clean()) {
     std::vector<config::Spot> positions;

@@ -60,7 +60,6 @@ struct Job {
   std::string text;  ///< of the file, to be kept with the results
   std::string title;
   Scene scene;
-  Excitation excitation;  ///< without the floor's motion
   SimulationSettings settings;
   std::optional<RecordRequest> record;
   double rotation_factor = 1;           ///< on the rotation of the floor that the building gives

@@ -203,11 +203,11 @@ IntensityPlan read_intensity(Table in, const std::vector<LimitState>& states) {
   plan.unit_in_si = target.unit_in_si;
   plan.vertical = read_vertical_scaling(in);
   if (in.has("scales"))
-    in.note("scales", ": must go without a measure, which has levels or a hunt");
+    in.note("scales", ": must go without a measure, which has levels or an IDA");
   if (in.has("levels") == in.has("hunt"))
     in.note("levels", ": must be given, or a table hunt, not both");
   if (in.has("adaptive") && in.has("hunt"))
-    in.note("adaptive", ": must not go with a hunt, which finds its levels by itself");
+    in.note("adaptive", ": must not be combined with an IDA, which finds its own levels");
   if (auto adaptive = in.table("adaptive")) read_adaptive(*adaptive, states, plan);
   if (auto hunt = in.table("hunt")) {
     read_hunt(*hunt, states, plan);

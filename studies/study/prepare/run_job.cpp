@@ -24,7 +24,7 @@ AssumptionFacts facts_of(const Assumption& assumption) {
 }
 
 PreparedRun prepare_run(const Job& job, std::optional<Motion> motion) {
-  PreparedRun run{.facts = {}, .excitation = job.excitation};
+  PreparedRun run;
   RunFacts& facts = run.facts;
   facts.job_name = std::filesystem::path(job.file).stem().string();
   facts.job_text = job.text;
@@ -42,7 +42,7 @@ PreparedRun prepare_run(const Job& job, std::optional<Motion> motion) {
   }
   if (!motion) return run;
 
-  facts.floor = run.excitation.floor = motion->floor.with_rotation_times(job.rotation_factor);
+  facts.floor = motion->floor.with_rotation_times(job.rotation_factor);
   facts.record = std::move(motion->facts);
   facts.seed = motion->seed;
   append(facts.warnings, motion->warnings);

@@ -14,10 +14,9 @@ namespace gurney {
 /// An assumption as results and summaries tell it.
 AssumptionFacts facts_of(const Assumption& assumption);
 
-/// A job with its record read: simulate(facts.scene, excitation, facts.settings) runs it.
+/// A job with its record read: simulate(facts.scene, facts.floor, facts.settings) runs it.
 struct PreparedRun {
   RunFacts facts;
-  Excitation excitation;
 };
 
 /// @param motion  of the floor; none: it rests

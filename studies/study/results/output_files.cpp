@@ -109,7 +109,7 @@ void OutputFiles::commit() {
   for (const Staged& each : staged_) {
     std::error_code ignored;
     if (overwrite_ || !std::filesystem::exists(each.path, ignored)) continue;
-    throw Error(each.path + ": was made by somebody else meanwhile; it was left alone");
+    throw Error(each.path + ": was created by another process in the meantime and is kept");
   }
   for (; !staged_.empty(); staged_.pop_back())
     put_in_place(staged_.back().part, staged_.back().path, overwrite_);
@@ -122,7 +122,7 @@ void put_in_place(const std::string& made, const std::string& path, bool overwri
                       : std::rename(made.c_str(), path.c_str()) == 0 ? 0
                                                                      : errno;
   require(problem != EEXIST || overwrite,
-          path + ": was made by somebody else meanwhile; it was left alone");
+          path + ": was created by another process in the meantime and is kept");
   if (problem != 0) fail(path, "cannot be put in place", problem);
   sync_folder(path);
 }

@@ -20,8 +20,8 @@ std::string table_of(const std::string& path) { return path.substr(1, path.rfind
 StudyReader::StudyReader(const std::string& path) : path_(path), file_(path) {
   const std::string type = text_attribute("filetype");
   require(type == "gurney-study",
-          path + ": is no results file of a study" +
-              (type.empty() ? "" : " but '" + type + "', which one run leaves"));
+          path + ": is not a results file of a study" +
+              (type.empty() ? "" : " but '" + type + "', the file of a single run"));
   const std::int64_t version = file_.whole_attribute("format_version");
   require(version == kStudyFormatVersion,
           fmt::format("{}: is a study file of format_version {}, made by gurney {} ({}); this "

@@ -31,13 +31,13 @@ std::string foreign_name(const fs::path& folder) {
 void make(const fs::path& folder) {
   std::error_code problem;
   fs::create_directory(folder, problem);
-  require(!problem, folder.string() + ": cannot be made: " + problem.message());
+  require(!problem, folder.string() + ": cannot be created: " + problem.message());
   require(!fs::is_symlink(folder, problem),
           folder.string() + ": is a link; a folder is needed, which is removed at the end");
   if (fs::exists(folder / "study", problem)) return;
   const std::string foreign = foreign_name(folder);
-  require(foreign.empty(), folder.string() + ": is somebody's folder, it holds '" + foreign +
-                               "'; it was left alone. Give another name with -o");
+  require(foreign.empty(), folder.string() + ": is not a folder of parts, it contains '" + foreign +
+                               "'; it is kept. Give another name with -o");
 }
 
 /// What the holder wrote of itself.

@@ -94,15 +94,15 @@ void PartFolder::start(const std::string& identity, Start start) {
   if (!theirs.empty()) {
     require(start == Start::kResume,
             path().string() +
-                ": holds runs of a study that was interrupted; go on with --resume, or start again "
+                ": contains runs of an interrupted study; continue with --resume, or start again "
                 "with --overwrite");
     require(theirs == identity,
-            path().string() + ": holds runs of another study: " + difference(theirs, identity));
+            path().string() + ": contains runs of another study: " + difference(theirs, identity));
     return;
   }
-  require(parts_in(path()).empty(),
-          path().string() +
-              ": holds runs, but no file 'study' that says whose; start again with --overwrite");
+  require(parts_in(path()).empty(), path().string() +
+                                        ": contains runs, but no file 'study' that identifies "
+                                        "them; start again with --overwrite");
   std::error_code ignored;
   fs::remove(path() / "study", ignored);  // an empty one
   write_whole(path() / "study", identity);
@@ -145,7 +145,7 @@ void PartFolder::take_over(std::uint32_t part) {
   const std::string damage = damage_of(part, bytes);
   if (damage.empty()) return;
   fs::rename(path, fs::path(path).replace_extension(".damaged"));
-  warnings_.push_back(fmt::format("{}: is damaged ({} bytes, {}): its runs are made again",
+  warnings_.push_back(fmt::format("{}: is damaged ({} bytes, {}): its runs are repeated",
                                   path.string(), bytes.size(), damage));
 }
 

@@ -53,7 +53,7 @@ bool is_checked(const Study& study, std::size_t unit, std::size_t run) {
 void repeat_at_half_step(RunCase run, StudyRun& result) {
   run.settings.time_step *= 0.5;
   run.settings.history_step = 0;
-  const Response response = simulate_with_any_solver(run.scene, run.excitation, run.settings);
+  const Response response = simulate_with_any_solver(run.scene, run.floor, run.settings);
   if (is_failure(response.outcome)) {
     result.warnings.push_back("the repeat with half the time step failed: " + response.cause);
     return;
@@ -67,9 +67,9 @@ void simulate_case(const Batch& batch, const Unit& unit, const Job& job, bool ch
     RunCase of_run = case_of(batch, unit, job, run.scale);
     if (batch.job.study().keep.histories == Histories::kNone) of_run.settings.history_step = 0;
     run.warnings = of_run.warnings;
-    run.pfa = peak_of(of_run.excitation.floor, false);
-    run.pfv = peak_of(of_run.excitation.floor, true);
-    run.response = simulate_with_any_solver(of_run.scene, of_run.excitation, of_run.settings);
+    run.pfa = peak_of(of_run.floor, false);
+    run.pfv = peak_of(of_run.floor, true);
+    run.response = simulate_with_any_solver(of_run.scene, of_run.floor, of_run.settings);
     if (checked) repeat_at_half_step(std::move(of_run), run);
   } catch (const Error& error) {
     run.response = failed(error.what());
@@ -79,11 +79,10 @@ void simulate_case(const Batch& batch, const Unit& unit, const Job& job, bool ch
 }  // namespace
 
 RunCase case_of(const Batch& batch, const Unit& unit, const Job& job, double scale) {
-  RunCase run{job.scene, job.excitation, job.settings, {}};
-  run.excitation.floor =
-      batch.motions.set_of(unit.configuration)
-          .floor(unit.record, scale, batch.job.study().angles[unit.angle], run.warnings)
-          .with_rotation_times(job.rotation_factor);
+  RunCase run{job.scene, {}, job.settings, {}};
+  run.floor = batch.motions.set_of(unit.configuration)
+                  .floor(unit.record, scale, batch.job.study().angles[unit.angle], run.warnings)
+                  .with_rotation_times(job.rotation_factor);
   return run;
 }
 

@@ -20,7 +20,7 @@ struct Batch {
 /// What simulate() is given for one run.
 struct RunCase {
   Scene scene;
-  Excitation excitation;
+  FloorMotion floor;
   SimulationSettings settings;
   std::vector<std::string> warnings;  ///< of the building under this motion
 };

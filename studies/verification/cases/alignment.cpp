@@ -34,11 +34,11 @@ Tread stiff_tread() {
 /// @param step  h, in trails
 void follow(const Start& c, double step, const Runner& runner, Findings& findings) {
   const double time = c.trail / c.speed, start = c.heading * kRadiansPerDegree;
-  const auto towed = small::towed_caster(c.speed, c.trail, c.heading, stiff_tread());
-  const Response response = runner(findings, towed.scene, towed.excitation,
-                                   small::settings_for(step * time, kTrails * time));
+  const Scene towed = small::towed_caster(c.speed, c.trail, c.heading, stiff_tread());
+  const Response response =
+      runner(findings, towed, {}, small::settings_for(step * time, kTrails * time));
   const double force =
-      small::swivel_inertia(towed.scene.items[0].model.casters[0]) / (2 * time * time * c.trail);
+      small::swivel_inertia(towed.items[0].model.casters[0]) / (2 * time * time * c.trail);
   const double slip = force / (kStiffness * kRelaxation);
   const auto heading = [&](double path) {
     return 2 * std::atan(std::tan(start / 2) * std::exp(-path));

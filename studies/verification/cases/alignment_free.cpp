@@ -68,7 +68,7 @@ Findings align(const Start& c, const Runner& runner) {
   tread.normal_damping = 1.6e4;
   tread.tangential_damping = 100;
   tread.static_friction = tread.kinetic_friction = 5;
-  Scene scene;
+  Scene scene = scene_of({});
   EquipmentModel& item = scene.items[0].model;
   item = small::trolley({c.heading, -c.heading, c.heading, -c.heading}, tread);
   item.chassis_mass = c.mass;

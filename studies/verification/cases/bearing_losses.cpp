@@ -25,16 +25,13 @@ Findings relax(const Soft& c, const Runner& runner) {
   options.total_mass = c.mass;
   options.caster.tread.tangential_stiffness = c.stiffness;
   options.caster.tread.rolling_resistance = c.resistance * options.caster.wheel_radius;
-  Scene scene;
-  scene.items[0].model = trolley(options);
+  Scene scene = scene_of(trolley(options));
   scene.items[0].initial.velocity.x() = c.speed;
-  Excitation excitation;
-  excitation.fixture = hold_rotations(false, true, false);
+  scene.items[0].fixture = hold_rotations(false, true, false);
   const Tread& tread = options.caster.tread;
   const double inertia = wheel_inertia_mass(scene.items[0].model);
   const double resistance = c.resistance * c.mass * kG, a2 = resistance / (c.mass + inertia);
-  const Response response =
-      runner(findings, scene, excitation, run_for(kDuration, 0.001, kDuration));
+  const Response response = runner(findings, scene, {}, run_for(kDuration, 0.001, kDuration));
   const double travel = c.speed * kDuration - a2 * kDuration * kDuration / 2;
   const double force = (resistance - inertia * a2) / 4;
   const double slip = force / (c.stiffness * tread.relaxation_length);
@@ -68,12 +65,9 @@ Findings turn(const Swivel& c, const Runner& runner) {
   Caster caster = rubber_caster();
   caster.swivel.coulomb = c.friction;
   caster.heading = c.heading;
-  Scene scene;
-  scene.items[0].model = single_caster(c.mass, caster);
-  Excitation excitation;
-  excitation.fixture = tow(c.speed);
-  const Response response =
-      runner(findings, scene, excitation, run_for(0.6 / c.speed, 0.001, 0.001));
+  Scene scene = scene_of(single_caster(c.mass, caster));
+  scene.items[0].fixture = tow(c.speed);
+  const Response response = runner(findings, scene, {}, run_for(0.6 / c.speed, 0.001, 0.001));
   double turned = 0, last = c.heading;
   int turns = 1;
   double direction = 0;

@@ -147,9 +147,9 @@ Findings press(const Row& c, const Runner& runner) {
   scene.items[1].initial.position.x() = 0.5 * kFirst.x() + kSlit + 0.5 * kSecond.x();
   blocks::add_wall(scene, 0.5 * kFirst.x() + kSlit + kSecond.x() + kSlit,
                    {.stiffness = c.stiffness, .friction = 0});
-  Excitation excitation;
-  excitation.forces = {{"push", {0, 0, 0.5 * kFirst.z()}, {1, 0, 0}, {0, 10}, {c.push, c.push}}};
-  const Response response = runner(findings, scene, excitation, blocks::run_for(kTime, kStep, 0.1));
+  scene.items[0].loads = {
+      PointForce{"push", {0, 0, 0.5 * kFirst.z()}, {1, 0, 0}, {0, 10}, {c.push, c.push}}};
+  const Response response = runner(findings, scene, {}, blocks::run_for(kTime, kStep, 0.1));
   const double pressed = c.push / (4 * c.stiffness);
   const Sample &first = response.items[0].history.back(),
                &second = response.items[1].history.back();

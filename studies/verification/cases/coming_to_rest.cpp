@@ -29,13 +29,11 @@ EquipmentModel stiff_trolley(const Coast& c, double rolling_resistance, double b
 
 Response coast(const EquipmentModel& item, const Vector3& velocity, double step, double duration,
                const Fixture& fixture, const Runner& runner, Findings& findings) {
-  Scene scene;
-  scene.items[0].model = item;
+  Scene scene = scene_of(item);
   scene.items[0].initial.velocity = velocity;
   scene.items[0].initial.wheels_roll = item.casters[0].brake_torque < INFINITY;
-  Excitation excitation;
-  excitation.fixture = fixture;
-  return runner(findings, scene, excitation, run_for(duration, step, 0.05));
+  scene.items[0].fixture = fixture;
+  return runner(findings, scene, {}, run_for(duration, step, 0.05));
 }
 
 /// @param force       that stops it, all wheels [N]

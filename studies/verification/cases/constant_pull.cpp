@@ -82,15 +82,12 @@ struct Exact {
 
 void compare(const Pull& c, double normal_stiffness, double step, bool hold_pitch,
              const std::string& how, const Runner& runner, Findings& findings) {
-  Scene scene;
-  scene.items[0].model = pulled_trolley(c, normal_stiffness);
-  Excitation excitation;
-  if (hold_pitch) excitation.fixture = hold_rotations(false, true, false);
-  excitation.forces = {
+  Scene scene = scene_of(pulled_trolley(c, normal_stiffness));
+  if (hold_pitch) scene.items[0].fixture = hold_rotations(false, true, false);
+  scene.items[0].loads = {
       constant_force(c.force, c.duration, scene.items[0].model.marked_points[0].position)};
   const Exact exact(c, scene.items[0].model);
-  const Response response =
-      runner(findings, scene, excitation, run_for(exact.stop + 1, step, 0.02));
+  const Response response = runner(findings, scene, {}, run_for(exact.stop + 1, step, 0.02));
 
   // A run of n steps may lose or gain 1e-9 g dt of speed in each: the residual of the solve.
   const double residual = 1e-9 * kG * exact.stop;

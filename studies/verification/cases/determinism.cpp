@@ -36,21 +36,19 @@ double different_samples(const Response& a, const Response& b) {
 
 Findings repeat(const Shaking& c, const Runner& runner) {
   Findings findings;
-  Scene scene;
-  scene.items[0].model = small::trolley({10, 100, 200, 300}, Tread());
-  Excitation excitation;
-  excitation.floor = small::noise_record(static_cast<std::uint64_t>(c.seed), c.duration,
-                                         {c.peak, 0.75 * c.peak, 0.5 * c.peak});
+  Scene scene = scene_of(small::trolley({10, 100, 200, 300}, Tread()));
+  const FloorMotion floor = small::noise_record(static_cast<std::uint64_t>(c.seed), c.duration,
+                                                {c.peak, 0.75 * c.peak, 0.5 * c.peak});
   SimulationSettings settings = small::settings_for(0.004, c.duration, 5);
-  const Response alone = runner(findings, scene, excitation, settings);
+  const Response alone = runner(findings, scene, floor, settings);
   Response one, two;
   Findings of_one, of_two;
-  std::thread first([&] { one = runner(of_one, scene, excitation, settings); });
-  std::thread second([&] { two = runner(of_two, scene, excitation, settings); });
+  std::thread first([&] { one = runner(of_one, scene, floor, settings); });
+  std::thread second([&] { two = runner(of_two, scene, floor, settings); });
   first.join();
   second.join();
   settings.skip_clear_collision_passes = false;
-  const Response every = runner(findings, scene, excitation, settings);
+  const Response every = runner(findings, scene, floor, settings);
   const char* const why = "every bit is the same";
   findings.checks.push_back(
       {"samples that differ in another thread", "", different_samples(alone, one), 0, 0, why});

@@ -65,9 +65,9 @@ double steady_height(const Precession& c) {
 
 Response roll(const Precession& c, const Lead& lead, double step, double tread,
               const Runner& runner, Findings& findings) {
-  Excitation excitation;
-  excitation.forces = {lead.x, lead.y};
-  return runner(findings, rolling_disc(c.disc(), c.speed, c.yaw_rate, tread), excitation,
+  Scene scene = rolling_disc(c.disc(), c.speed, c.yaw_rate, tread);
+  scene.items[0].loads = {lead.x, lead.y};
+  return runner(findings, scene, {},
                 disc_settings(step, kLed + 1, static_cast<int>(std::lround(0.01 / step))));
 }
 

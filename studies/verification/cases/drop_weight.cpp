@@ -30,8 +30,8 @@ std::complex<double> stability(std::complex<double> z) {
   return (1.0 + (1 - 2 * gamma) * z) / ((1.0 - gamma * z) * (1.0 - gamma * z));
 }
 
-Bounds bounds(const Rig& c, const EquipmentModel& item, const Excitation& excitation,
-              bool pitches) {
+Bounds bounds(const Rig& c, const PlacedItem& placed, bool pitches) {
+  const EquipmentModel& item = placed.model;
   const Exact e(c, item);
   const MassProperties whole = whole_item(item);
   const double M = whole.mass + wheel_inertia_mass(item), m = c.weight + e.pulley;
@@ -43,12 +43,12 @@ Bounds bounds(const Rig& c, const EquipmentModel& item, const Excitation& excita
   // Released, the cable is stretched for the weight at rest, m_d g, and swings about T.
   b.swing = held - e.tension;
   const double reduced = 1 / (1 / M + 1 / m);
-  const double decay = excitation.drop_weights[0].cable_damping / (2 * reduced);
+  const double decay = loads_of<DropWeight>(placed.loads)[0].cable_damping / (2 * reduced);
   b.rate = {-decay, std::sqrt(kCableStiffness / reduced - decay * decay)};
   b.speed += b.swing / std::sqrt(kCableStiffness * reduced) * m / (M + m);
   b.strain = held * held / (2 * kCableStiffness);
   b.speed += e.tension * e.tension / (2 * kCableStiffness * M * e.velocity);
-  b.offset = held / kCableStiffness + held / excitation.blocks[0].stiffness;
+  b.offset = held / kCableStiffness + held / loads_of<Blocks>(placed.loads)[0].stiffness;
   if (pitches) {
     const double base = item.casters[0].mount.x();
     const double stiffness = 4 * item.casters[0].tread.normal_stiffness * base * base;
@@ -85,14 +85,13 @@ const char* const kPitching =
 /// Runs a rig and holds every phase against the closed form.
 void compare(const Rig& c, double normal_stiffness, double step, bool hold_pitch,
              const std::string& how, const Runner& runner, Findings& findings) {
-  Scene scene;
-  scene.items[0].model = pulled_trolley(c, normal_stiffness);
-  Excitation excitation = rigged(c);
-  if (hold_pitch) excitation.fixture = hold_rotations(false, true, false);
+  Scene scene = scene_of(pulled_trolley(c, normal_stiffness));
+  scene.items[0].loads = rigged(c);
+  if (hold_pitch) scene.items[0].fixture = hold_rotations(false, true, false);
   const Exact e(c, scene.items[0].model);
-  const Bounds b = bounds(c, scene.items[0].model, excitation, !hold_pitch);
+  const Bounds b = bounds(c, scene.items[0], !hold_pitch);
   const Response response =
-      runner(findings, scene, excitation, run_for(kReleaseTime + e.stop + 1, step, 0.02));
+      runner(findings, scene, {}, run_for(kReleaseTime + e.stop + 1, step, 0.02));
 
   const std::string terms = std::string(kTerms) + (hold_pitch ? "" : kPitching);
   Track displacement("displacement, " + how, "m",

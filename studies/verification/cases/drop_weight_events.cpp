@@ -24,14 +24,12 @@ struct Grid {
 Findings land(const Grid& c, const Runner& runner) {
   Findings findings;
   const Rig rig{c.weight, c.drop, c.resistance};
-  Scene scene;
-  scene.items[0].model = pulled_trolley(rig, 3e8);
-  Excitation excitation = rigged(rig);
-  excitation.fixture = hold_rotations(false, true, false);
+  Scene scene = scene_of(pulled_trolley(rig, 3e8));
+  scene.items[0].loads = rigged(rig);
+  scene.items[0].fixture = hold_rotations(false, true, false);
   const EquipmentModel& item = scene.items[0].model;
   const Exact e(rig, item);
-  const Response response =
-      runner(findings, scene, excitation, run_for(kReleaseTime + e.stop + 1, c.step));
+  const Response response = runner(findings, scene, {}, run_for(kReleaseTime + e.stop + 1, c.step));
   const double M = total_mass(item) + wheel_inertia_mass(item), pull = rig.weight * kG;
   const double k = 4 * item.casters[0].tread.tangential_stiffness * 10 / 11;
   const double reduced = 1 / (1 / M + 1 / rig.weight);
@@ -74,21 +72,19 @@ Findings run_ahead(const Slack& c, const Runner& runner) {
   options.total_mass = c.mass;
   stiffen(options.caster.tread);
   options.caster.tread.static_friction = options.caster.tread.kinetic_friction = c.friction;
-  Scene scene;
-  scene.items[0].model = locked_block(options);
+  Scene scene = scene_of(locked_block(options));
   scene.items[0].initial.velocity.x() = c.speed;
   scene.items[0].initial.wheels_roll = false;
-  Excitation excitation;
-  excitation.fixture = hold_rotations();
+  scene.items[0].fixture = hold_rotations();
   DropWeight weight;
   weight.point = {0, 0, kPullHeight};
   weight.mass = c.weight;
   weight.drop_height = 2;
   weight.pulley_inertia = c.pulley_inertia;
-  excitation.drop_weights = {weight};
+  scene.items[0].loads = {weight};
 
   const double braking = c.friction * kG, taut = time_taut(c), pull = c.weight * kG;
-  const Response response = runner(findings, scene, excitation, run_for(3, kStep, kStep));
+  const Response response = runner(findings, scene, {}, run_for(3, kStep, kStep));
   const double wound = braking * c.mass / (4 * options.caster.tread.tangential_stiffness);
   Track displacement("displacement while the cable is slack", "m",
                      "wind-up of the sliding treads, 2 mu M g / (n k_t); the speed that it adds, "

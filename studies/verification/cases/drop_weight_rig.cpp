@@ -43,8 +43,8 @@ EquipmentModel pulled_trolley(const Rig& rig, double normal_stiffness) {
   return trolley(options);
 }
 
-Excitation rigged(const Rig& rig) {
-  Excitation excitation;
+std::vector<Load> rigged(const Rig& rig) {
+  std::vector<Load> loads;
   DropWeight weight;
   weight.point = {0, 0, kPullHeight};
   weight.mass = rig.weight;
@@ -52,15 +52,15 @@ Excitation rigged(const Rig& rig) {
   weight.pulley_inertia = rig.pulley_inertia;
   weight.potentiometer_tension = rig.weight_string;
   weight.cable_stiffness = kCableStiffness;
-  excitation.drop_weights = {weight};
+  loads.push_back(weight);
   if (rig.trolley_string > 0)
-    excitation.string_potentiometers = {
-        {{0, 0, kPullHeight}, -Vector3::UnitX(), rig.trolley_string}};
+    loads.push_back(
+        StringPotentiometer{{0, 0, kPullHeight}, -Vector3::UnitX(), rig.trolley_string});
   Blocks blocks;
   blocks.point = {0, 0, rig.block_height};
   blocks.release_time = kReleaseTime;
-  excitation.blocks = {blocks};
-  return excitation;
+  loads.push_back(blocks);
+  return loads;
 }
 
 }  // namespace gurney::verification::rig

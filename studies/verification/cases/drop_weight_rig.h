@@ -21,7 +21,7 @@ struct Rig {
 };
 
 EquipmentModel pulled_trolley(const Rig& rig, double normal_stiffness);
-Excitation rigged(const Rig& rig);
+std::vector<Load> rigged(const Rig& rig);
 
 /// The rigid train of trolley, cable, pulley and weight, t since the release.
 struct Exact {

@@ -91,19 +91,17 @@ void close(const EquipmentModel& item, const Response& response, const Drop& dro
 Findings fly(const Drop& drop, const Runner& runner) {
   Findings findings;
   const double a = drop.acceleration, T = kSample * std::round(drop.time / kSample);
-  Scene scene;
-  scene.items[0].model =
-      small::trolley({0, 0, 180, 180}, small::bare_tread(kStiff, kStiff));  // it does not pitch
+  const Scene scene =  // it does not pitch
+      scene_of(small::trolley({0, 0, 180, 180}, small::bare_tread(kStiff, kStiff)));
   const auto half = static_cast<Eigen::Index>(std::lround(T / kSample));
   Eigen::Matrix3Xd motion = Eigen::Matrix3Xd::Zero(3, 2 * half + 1);
   motion.row(2).head(half).setConstant(-a * kG);
   motion.row(2).tail(half).setConstant(a * kG);
-  Excitation excitation;
-  excitation.floor = {kSample, motion};
+  const FloorMotion floor(kSample, motion);
   const double omega = std::sqrt(4 * kStiff / whole_item(scene.items[0].model).mass);
   const Flight flight({a, T}, omega);
   const Response response =
-      runner(findings, scene, excitation, blocks::run_for(flight.landing + 0.02, kStep, kStep));
+      runner(findings, scene, floor, blocks::run_for(flight.landing + 0.02, kStep, kStep));
   double take_off = -1, landing = -1, approach = 0;
   for (const Sample& s : response.items[0].history) {
     const bool up = s.wheels[0].mode == WheelMode::kLifted;
@@ -148,7 +146,7 @@ struct Wall {
 
 Findings bounce(const Wall& c, const Runner& runner) {
   Findings findings;
-  Scene scene;
+  Scene scene = scene_of({});
   Tread tread = small::bare_tread(3e5, 1e5);
   tread.static_friction = tread.kinetic_friction = 0;
   scene.items[0].model = small::trolley({0, 0, 0, 0}, tread);
@@ -159,10 +157,9 @@ Findings bounce(const Wall& c, const Runner& runner) {
   scene.items[0].model.shape = {{{0, 0, 0.8}, {0.2, 0.2, 0.2}}};
   scene.items[0].initial.velocity = {c.speed, 0, 0};
   scene.room = {{"wall", "", {0.65, 0, 0.5}, Quaternion::Identity(), RoomBox{{0.2, 4, 1}}}};
-  Excitation excitation;
-  for (int dof : {2, 3, 4}) excitation.fixture.guides[dof] = {Guide::Kind::kHeld, 0, 0, 0};
+  for (int dof : {2, 3, 4}) scene.items[0].fixture.guides[dof] = {Guide::Kind::kHeld, 0, 0, 0};
   const Response response =
-      runner(findings, scene, excitation, blocks::run_for(0.4 / c.speed, 0.004, 0.004));
+      runner(findings, scene, {}, blocks::run_for(0.4 / c.speed, 0.004, 0.004));
   const ImpactSteps steps(1, 1, 1, 1);  // no point has a larger effective mass than the trolley
   auto& checks = findings.checks;
   checks.push_back({"speed back", "m/s", -response.items[0].history.back().velocity.x(), c.speed,

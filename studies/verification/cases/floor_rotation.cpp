@@ -52,8 +52,8 @@ Scene on_level_floor(const Tilted& c) {
   stiffen(options.caster.tread);
   set_wheel_inertia(options.caster);
   options.headings.assign(4, 0);
-  Scene scene;
-  scene.items[0].model = trolley(options);
+  Scene scene = scene_of(trolley(options));
+  scene.items[0].fixture = hold_rotations(false, true, false);
   return scene;
 }
 
@@ -63,13 +63,11 @@ Findings tilted(const Tilted& c, const Runner& runner) {
   const Scene level = on_level_floor(c);
   Scene sloping = level;
   sloping.slope = -std::tan(c.angle);
-  Excitation still, rotated;
-  still.fixture = rotated.fixture = hold_rotations(false, true, false);
-  rotated.floor = rotating_floor(
+  const FloorMotion rotated = rotating_floor(
       1, kDuration, [&](double) { return c.angle; }, [](double) { return 0.0; });
   const SimulationSettings settings = run_for(kDuration, kStep, 0.02);
   const Response rolls = runner(findings, level, rotated, settings);
-  const Response on_slope = runner(findings, sloping, still, settings);
+  const Response on_slope = runner(findings, sloping, {}, settings);
 
   const EquipmentModel& item = level.items[0].model;
   const double mass = total_mass(item), inertia = mass + wheel_inertia_mass(item);
@@ -178,15 +176,13 @@ Findings stood(const Stood& c, const Runner& runner) {
   options.chassis_center.z() = c.height;
   options.caster.tread.rolling_resistance = 0;  // or Cr N of the moment goes through the patches
   stiffen(options.caster.tread);
-  Scene scene;
-  scene.items[0].model = locked_block(options);
+  Scene scene = scene_of(locked_block(options));
   const EquipmentModel& item = scene.items[0].model;
   const MassProperties whole = whole_item(item);
   const Vector3 center = whole.center_of_mass;
   const double w = 2 * kPi * c.frequency, cycles = 2 / c.frequency;
-  Excitation excitation;
-  excitation.floor = harmonic_floor(kStep, cycles, c.angle, w);
-  const Response response = runner(findings, scene, excitation, run_for(cycles, kStep, kStep));
+  const FloorMotion floor = harmonic_floor(kStep, cycles, c.angle, w);
+  const Response response = runner(findings, scene, floor, run_for(cycles, kStep, kStep));
 
   const Caster& caster = item.casters[0];
   const double front = options.half_wheelbase - caster.trail - center.x();

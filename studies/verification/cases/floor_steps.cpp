@@ -47,12 +47,11 @@ class SteppedFloor {
     const auto step = [&](double t) {
       return speed / kSample * std::max(0.0, 1 - std::abs(t - kSample) / kSample);
     };
-    Excitation excitation;
-    excitation.floor = scenes::floor_motion(kSample, end, Vector3::UnitX(),
-                                            [&](double t) { return step(t) - step(t - pause); });
+    const FloorMotion floor = scenes::floor_motion(
+        kSample, end, Vector3::UnitX(), [&](double t) { return step(t) - step(t - pause); });
     SimulationSettings settings = blocks::run_for(end + 10 / block_.p, 0.0005, 0);
     settings.follow_overturning = false;
-    return runner_(findings_, scene_, excitation, settings).outcome == Outcome::kOverturned;
+    return runner_(findings_, scene_, floor, settings).outcome == Outcome::kOverturned;
   }
 
   /// How long after a step of `speed` the rigid block changes edges, to 0.1 ms.

@@ -45,7 +45,7 @@ std::complex<double> oscillation(const Eigen::VectorXcd& exponents) {
   return found;
 }
 
-small::Towed towed(const Towing& c) {
+Scene towed(const Towing& c) {
   Tread tread = small::bare_tread(3e5, kStiffness);
   tread.tangential_damping = c.damping;
   tread.relaxation_length = c.relaxation;
@@ -54,11 +54,11 @@ small::Towed towed(const Towing& c) {
 
 Findings swing(const Towing& c, const Runner& runner) {
   Findings findings;
-  const small::Towed scene = towed(c);
+  const Scene scene = towed(c);
   auto settings = small::settings_for(kStep, kSteps * kStep);
   settings.residual = 1e-12;  // the forces of the start are 1e-4 of the weight
-  const Response response = runner(findings, scene.scene, scene.excitation, settings);
-  const Matrix3 a = linear_model(c, small::swivel_inertia(scene.scene.items[0].model.casters[0]));
+  const Response response = runner(findings, scene, {}, settings);
+  const Matrix3 a = linear_model(c, small::swivel_inertia(scene.items[0].model.casters[0]));
   const auto exact = oscillation(a.eigenvalues());
   const Matrix3 one_step = small::sdirk_step(a, kStep);
 
@@ -100,9 +100,8 @@ Findings swing(const Towing& c, const Runner& runner) {
 /// It oscillates at more than twice its decay, below 120 Hz, stays small, and is not over before
 /// the run is: its exponents are read from all of it.
 bool oscillates(const Towing& c) {
-  const auto root =
-      oscillation(linear_model(c, small::swivel_inertia(towed(c).scene.items[0].model.casters[0]))
-                      .eigenvalues());
+  const auto root = oscillation(
+      linear_model(c, small::swivel_inertia(towed(c).items[0].model.casters[0])).eigenvalues());
   return std::abs(root.real()) < 0.3 * root.imag() && root.imag() < 750 &&
          root.real() * kSteps * kStep > -6 &&
          kStart * std::exp(root.real() * kSteps * kStep) < 0.02;

@@ -22,8 +22,7 @@ Findings roll(const Roll& c, const Runner& runner) {
   caster.swivels = c.swivels != 0;
   caster.tread.rolling_resistance = 0;
   caster.tread.tangential_damping = 100;  // above I_p v / trail^3: no flutter
-  Scene scene;
-  scene.items[0].model = trolley(options);
+  Scene scene = scene_of(trolley(options));
   scene.items[0].initial.velocity.x() = c.speed;
   const Response response = runner(findings, scene, {}, run_for(kDuration, 0.004, 1));
   const char* const why =

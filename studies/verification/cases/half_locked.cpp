@@ -57,12 +57,11 @@ struct Thresholds {
 /// of milliseconds, so the cart sees a static load. Inertia acts along -direction.
 Demands push(const EquipmentModel& item, double level, double direction, const Runner& runner,
              Findings& findings) {
-  Scene scene;
-  scene.items[0].model = item;
-  Excitation excitation;
-  excitation.floor = floor_motion(0.01, kRamp + kHold, direction * Vector3::UnitX(),
-                                  [=](double t) { return level * kG * std::min(1.0, t / kRamp); });
-  return runner(findings, scene, excitation, run_for(kRamp + kHold, 0.002)).items[0].demands;
+  Scene scene = scene_of(item);
+  const FloorMotion floor =
+      floor_motion(0.01, kRamp + kHold, direction * Vector3::UnitX(),
+                   [=](double t) { return level * kG * std::min(1.0, t / kRamp); });
+  return runner(findings, scene, floor, run_for(kRamp + kHold, 0.002)).items[0].demands;
 }
 
 /// What a cart slides when the level is above its threshold by kExcess, at least [m].

@@ -39,7 +39,7 @@ Scene scene_of(const Body& c) {
   tread.tangential_damping = c.tangential_damping;
   tread.relaxation_length = 1e6;
   tread.static_friction = tread.kinetic_friction = 3;
-  Scene scene;
+  Scene scene = scene_of({});
   const double heading = c.crosswise != 0 ? 90 : 0;
   scene.items[0].model = small::trolley({heading, heading, heading, heading}, tread);
   for (Caster& caster : scene.items[0].model.casters) {

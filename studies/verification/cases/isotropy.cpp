@@ -40,17 +40,13 @@ Vector3 towards(double degrees) {
 
 Sample push(const EquipmentModel& item, const Push& p, const Vector3& direction, double duration,
             const Fixture& fixture, const Runner& runner, Findings& findings) {
-  Scene scene;
-  scene.items[0].model = item;
+  Scene scene = scene_of(item);
   scene.items[0].initial.velocity = kSpeed * direction;
   scene.items[0].initial.wheels_roll = false;
-  Excitation excitation;
-  excitation.fixture = fixture;
-  excitation.forces = {constant_force(p.ratio * p.friction * total_mass(item) * kG, duration,
-                                      item.marked_points[0].position, direction)};
-  return runner(findings, scene, excitation, run_for(duration, kStep, duration))
-      .items[0]
-      .history.back();
+  scene.items[0].fixture = fixture;
+  scene.items[0].loads = {constant_force(p.ratio * p.friction * total_mass(item) * kG, duration,
+                                         item.marked_points[0].position, direction)};
+  return runner(findings, scene, {}, run_for(duration, kStep, duration)).items[0].history.back();
 }
 
 double exact_path(const Push& p, double duration) {
@@ -147,15 +143,11 @@ struct Limit {
 /// A sudden force swings the treads to twice its static stretch: it rises over 0.5 s.
 double ramped(const EquipmentModel& item, double force, double degrees, const Runner& runner,
               Findings& findings) {
-  Scene scene;
-  scene.items[0].model = item;
-  Excitation excitation;
-  excitation.fixture = hold_rotations();
-  excitation.forces = {
-      {"push", item.marked_points[0].position, towards(degrees), {0, 0.5, 1.5}, {0, force, force}}};
-  return runner(findings, scene, excitation, run_for(1.5, 0.002))
-      .items[0]
-      .demands.residual_displacement;
+  Scene scene = scene_of(item);
+  scene.items[0].fixture = hold_rotations();
+  scene.items[0].loads = {PointForce{
+      "push", item.marked_points[0].position, towards(degrees), {0, 0.5, 1.5}, {0, force, force}}};
+  return runner(findings, scene, {}, run_for(1.5, 0.002)).items[0].demands.residual_displacement;
 }
 
 Findings same_limit(const Limit& c, const Runner& runner) {

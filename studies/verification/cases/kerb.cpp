@@ -79,7 +79,7 @@ struct Cart {
 };
 
 struct CartAtKerb {
-  Scene scene;
+  Scene scene = scene_of({});
   double speed = 0, share = 0;
   bool leans = false;
 };
@@ -144,7 +144,7 @@ struct Slider {
 };
 
 struct SliderAtKerb {
-  Scene scene;
+  Scene scene = scene_of({});
   double speed = 0, share = 0;
   bool leans = false;
 };

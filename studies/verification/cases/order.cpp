@@ -36,8 +36,8 @@ Findings towed(const Towed& c, const Runner& runner) {
   add_order(
       "the swivel angle",
       [&](double step) {
-        const auto scene = small::towed_caster(1, 0.034, c.heading, tread);
-        return runner(findings, scene.scene, scene.excitation, small::settings_for(step, 0.048))
+        const Scene scene = small::towed_caster(1, 0.034, c.heading, tread);
+        return runner(findings, scene, {}, small::settings_for(step, 0.048))
             .items[0]
             .history.back()
             .wheels[0]
@@ -53,8 +53,7 @@ struct Heave {
 
 Findings heave(const Heave& c, const Runner& runner) {
   Findings findings;
-  Scene scene;
-  scene.items[0].model = small::trolley({0, 0, 0, 0}, small::bare_tread(3e5, 1e5));
+  Scene scene = scene_of(small::trolley({0, 0, 0, 0}, small::bare_tread(3e5, 1e5)));
   scene.items[0].initial.velocity = {0, 0, c.speed};
   add_order(
       "the height",
@@ -74,7 +73,7 @@ struct Turning {
 
 Findings turning(const Turning& c, const Runner& runner) {
   Findings findings;
-  Scene scene;
+  Scene scene = scene_of({});
   Tread tread = small::bare_tread(3e5, 1e5);
   tread.normal_damping = 500;
   tread.tangential_damping = 50;

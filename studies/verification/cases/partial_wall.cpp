@@ -42,15 +42,13 @@ ImpactSteps steps_of(const SlidingBlock& block, const std::vector<double>& acros
 Response meet(const SlidingBlock& block, const Vector3& position, double roll, double speed,
               const ContactConstants& constants, double contact, const ImpactSteps& steps,
               const Runner& runner, Findings& findings) {
-  Excitation excitation;
-  for (int dof : {1, 2, 3, 4}) excitation.fixture.guides[dof].kind = Guide::Kind::kHeld;
   Scene scene = block.scene({speed, 0, 0});
+  for (int dof : {1, 2, 3, 4}) scene.items[0].fixture.guides[dof].kind = Guide::Kind::kHeld;
   blocks::add_wall(scene, 0, constants);
   RoomShape& wall = scene.room.back();
   wall.position = position + Vector3(0.5 * kSize.x() + 0.1 + kWayToImpact, 0, 0);
   wall.rotation = Quaternion(Eigen::AngleAxisd(roll, Vector3::UnitX()));
-  return slide(findings, runner, scene, 1.1 * kWayToImpact + 1.1 * contact * speed, steps,
-               excitation);
+  return slide(findings, runner, scene, 1.1 * kWayToImpact + 1.1 * contact * speed, steps);
 }
 
 ContactConstants spring(double stiffness) {

@@ -47,12 +47,11 @@ Findings rock(const Rocking& c, const Runner& runner) {
   Findings findings;
   const RockingBody body = c.body();
   const RockingBlock block = body.block();
-  Excitation excitation;
-  excitation.floor = scenes::floor_motion(kStep, c.length(), Vector3::UnitX(),
-                                          [&](double t) { return c.acceleration(t); });
+  const FloorMotion floor = scenes::floor_motion(kStep, c.length(), Vector3::UnitX(),
+                                                 [&](double t) { return c.acceleration(t); });
   SimulationSettings settings = blocks::run_for(c.length() + 8 / block.p, kStep, kStep);
   settings.follow_overturning = false;
-  const Response response = runner(findings, body.scene(), excitation, settings);
+  const Response response = runner(findings, body.scene(), floor, settings);
   const Tops found = tops(c, response.items[0].history);
   auto& checks = findings.checks;
   const auto energy = [&](double tilt) {

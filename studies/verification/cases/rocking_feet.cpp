@@ -131,15 +131,13 @@ struct Run {
 };
 
 Run run(const Feet& c, double step, const Runner& runner, Findings& findings) {
-  Scene scene;
-  scene.items[0].model = item_of(c);
+  Scene scene = scene_of(item_of(c));
   const auto samples = std::lround(kDuration / kFloorStep);
-  Eigen::Matrix3Xd floor(3, samples + 1);
-  for (long i = 0; i <= samples; ++i) floor.col(i) = c.floor(static_cast<double>(i) * kFloorStep);
-  Excitation excitation;
-  excitation.floor = {kFloorStep, floor};
+  Eigen::Matrix3Xd motion(3, samples + 1);
+  for (long i = 0; i <= samples; ++i) motion.col(i) = c.floor(static_cast<double>(i) * kFloorStep);
+  const FloorMotion floor(kFloorStep, motion);
   const Response response =
-      runner(findings, scene, excitation, scenes::run_for(kDuration, step, kSampling));
+      runner(findings, scene, floor, scenes::run_for(kDuration, step, kSampling));
   Run run;
   for (const Sample& s : response.items[0].history) {
     run.time.push_back(s.time);

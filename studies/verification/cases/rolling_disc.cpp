@@ -72,11 +72,10 @@ Findings carry_weight(const Weighted& c, const Runner& runner) {
   const double v = c.ratio * disc.critical_speed();
   const double rate = force * lever / (v * (disc.C() / disc.radius + disc.m() * disc.radius));
   const double turn = 2 * std::numbers::pi / rate, step = kStepAngle * disc.radius / v;
-  Excitation excitation;
-  excitation.forces = {
-      {"weight", {0, lever, disc.radius}, -Vector3::UnitZ(), {0, turn}, {force, force}}};
-  const Response response =
-      runner(findings, rolling_disc(disc, v, rate), excitation, disc_settings(step, turn, 20));
+  Scene scene = rolling_disc(disc, v, rate);
+  scene.items[0].loads = {
+      PointForce{"weight", {0, lever, disc.radius}, -Vector3::UnitZ(), {0, turn}, {force, force}}};
+  const Response response = runner(findings, scene, {}, disc_settings(step, turn, 20));
   const double sink = (disc.m() * kG + force) / (kDiscTread * disc.radius);
   const double radius = v / rate;
   Track off("distance from the circle", "m",

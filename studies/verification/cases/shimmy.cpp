@@ -89,21 +89,21 @@ Caster caster_of(const Pivot& c, Caster caster) {
 
 std::vector<double> swivel_angles(const Pivot& c, double step, const Runner& runner,
                                   Findings& findings) {
-  auto towed = small::towed_caster(c.speed, c.trail, kStart / kRadiansPerDegree,
-                                   small::bare_tread(1e6, kTread));
-  towed.excitation.fixture.guides[1] = {Guide::Kind::kSpring, 0, c.spring, 0};
+  Scene scene = small::towed_caster(c.speed, c.trail, kStart / kRadiansPerDegree,
+                                    small::bare_tread(1e6, kTread));
+  scene.items[0].fixture.guides[1] = {Guide::Kind::kSpring, 0, c.spring, 0};
   // At the critical inertia the start alone moves the pivot by nothing: a push does.
   const double force = kStart * c.trail * c.spring;
-  towed.excitation.forces = {
-      {"push", {0, 0, 0.15}, {0, 1, 0}, {0, 0.5 * kSettled * step}, {force, force}}};
-  EquipmentModel& item = towed.scene.items[0].model;
+  scene.items[0].loads = {
+      PointForce{"push", {0, 0, 0.15}, {0, 1, 0}, {0, 0.5 * kSettled * step}, {force, force}}};
+  EquipmentModel& item = scene.items[0].model;
   item.chassis_mass = c.pivot_mass;
   item.chassis_center_of_mass = {0, 0, 0.15};
   item.chassis_inertia = 0.01 * c.pivot_mass * Matrix3::Identity();
   item.casters[0] = caster_of(c, item.casters[0]);
   auto settings = small::settings_for(step, kCount * step);
   settings.residual = 1e-12;  // the forces of the start are 1e-4 of the weight
-  const Response response = runner(findings, towed.scene, towed.excitation, settings);
+  const Response response = runner(findings, scene, {}, settings);
   std::vector<double> angles;
   for (const Sample& sample : response.items[0].history)
     angles.push_back(sample.wheels[0].swivel_angle);

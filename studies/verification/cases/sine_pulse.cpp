@@ -19,13 +19,12 @@ Response shake(const RockingBody& body, double ratio, double strength, double cy
                const Runner& runner, Findings& findings) {
   const RockingBlock block = body.block();
   const double omega = ratio * block.p, length = 2 * pi / omega * cycles;
-  Excitation excitation;
-  excitation.floor = scenes::floor_motion(length / 1000, length, Vector3::UnitX(), [&](double t) {
-    return strength * block.alpha * kG * std::sin(omega * t);
-  });
+  const FloorMotion floor = scenes::floor_motion(
+      length / 1000, length, Vector3::UnitX(),
+      [&](double t) { return strength * block.alpha * kG * std::sin(omega * t); });
   SimulationSettings settings = blocks::run_for(length + 12 / block.p, 0.002, 0);
   settings.follow_overturning = false;
-  return runner(findings, body.scene(), excitation, settings);
+  return runner(findings, body.scene(), floor, settings);
 }
 
 // --- the regions of one cycle

@@ -37,23 +37,19 @@ Response slide(const Skid& c, double duration, const Runner& runner, Findings& f
   caster.trail = 0;
   caster.wheel_axial_inertia = c.inertia * c.mass * c.radius * c.radius;
   caster.wheel_transverse_inertia = caster.wheel_axial_inertia;
-  Scene scene;
-  scene.items[0].model = single_caster(c.mass, caster);
+  Scene scene = scene_of(single_caster(c.mass, caster));
   scene.items[0].initial.velocity.x() = c.speed;
   scene.items[0].initial.wheels_roll = false;
-  Excitation excitation;
-  excitation.fixture = hold_rotations();
-  return runner(findings, scene, excitation, run_for(duration, kStep, kStep));
+  scene.items[0].fixture = hold_rotations();
+  return runner(findings, scene, {}, run_for(duration, kStep, kStep));
 }
 
 /// One that rolls from the start goes on at its speed.
 void roll_on(const Skid& c, const Runner& runner, Findings& findings) {
-  Scene scene;
-  scene.items[0].model = single_caster(c.mass, wheel_of(c));
+  Scene scene = scene_of(single_caster(c.mass, wheel_of(c)));
   scene.items[0].initial.velocity.x() = c.speed;
-  Excitation excitation;
-  excitation.fixture = hold_rotations();
-  const Response response = runner(findings, scene, excitation, run_for(1, 0.004, 1));
+  scene.items[0].fixture = hold_rotations();
+  const Response response = runner(findings, scene, {}, run_for(1, 0.004, 1));
   findings.checks.push_back({"speed after 1 s if it rolls from the start", "m/s",
                              response.items[0].history.back().velocity.x(), c.speed, 1e-9 * kG,
                              "residual of the solve, 1e-9 g t"});

@@ -30,14 +30,11 @@ Slider make_slider(bool rolls, double mu, double tangential_stiffness) {
 
 Response shake(const Slider& slider, const FloorMotion& floor, const SimulationSettings& settings,
                double speed, const Runner& runner, Findings& findings) {
-  Scene scene;
-  scene.items[0].model = slider.item;
+  Scene scene = scene_of(slider.item);
   scene.items[0].initial.velocity.x() = speed;
   scene.items[0].initial.wheels_roll = slider.item.casters[0].brake_torque == 0;
-  Excitation excitation;
-  excitation.floor = floor;
-  excitation.fixture = hold_rotations();
-  return runner(findings, scene, excitation, settings);
+  scene.items[0].fixture = hold_rotations();
+  return runner(findings, scene, floor, settings);
 }
 
 }  // namespace gurney::verification::sliding

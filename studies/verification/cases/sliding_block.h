@@ -55,7 +55,7 @@ inline constexpr double kWayToImpact = 0.1;  ///< of the block before it touches
 /// the number of impacts, one.
 /// @param rubbed  share of the energy that friction takes in the impact
 Response slide(Findings& findings, const Runner& runner, const Scene& scene, double travel,
-               const ImpactSteps& steps, const Excitation& excitation = {}, double rubbed = 0);
+               const ImpactSteps& steps, double rubbed = 0);
 
 /// At the end of the run, of a block upright [rad/s].
 double yaw_rate_at_end(const Response& response, std::size_t item = 0);

@@ -27,8 +27,7 @@ Scene on_slope(const Ramp& c, double slope, double resistance, bool stiff) {
   if (stiff) stiffen(options.caster.tread);
   set_wheel_inertia(options.caster);
   options.headings.assign(4, std::numbers::pi);
-  Scene scene;
-  scene.items[0].model = trolley(options);
+  Scene scene = scene_of(trolley(options));
   scene.slope = slope;
   return scene;
 }
@@ -36,14 +35,13 @@ Scene on_slope(const Ramp& c, double slope, double resistance, bool stiff) {
 // A run starts from equilibrium, so the trolley winds up its treads from rest (wind_up.h).
 void accelerates(const Ramp& c, const Runner& runner, Findings& findings) {
   constexpr double kDuration = 4;
-  const Scene scene = on_slope(c, c.slope, c.share * c.slope, true);
+  Scene scene = on_slope(c, c.slope, c.share * c.slope, true);
   const EquipmentModel& item = scene.items[0].model;
   const double mass = total_mass(item), inertia = mass + wheel_inertia_mass(item);
   const double pull = mass * kG * std::sin(std::atan(c.slope)), resistance = c.share * pull;
   const double a = (pull - resistance) / inertia;
-  Excitation excitation;
-  excitation.fixture = hold_rotations(false, true, false);
-  const Response response = runner(findings, scene, excitation, run_for(kDuration, 0.004, 0.02));
+  scene.items[0].fixture = hold_rotations(false, true, false);
+  const Response response = runner(findings, scene, {}, run_for(kDuration, 0.004, 0.02));
   const double k = 4 * item.casters[0].tread.tangential_stiffness * 10 / 11;
   const double speed = wind_up_speed(pull, resistance, k, mass);
   const char* const terms =

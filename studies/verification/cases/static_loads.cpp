@@ -103,8 +103,7 @@ Eigen::VectorXd solve(const EquipmentModel& item) {
 
 Findings stand(const Standing& c, const Runner& runner) {
   Findings findings;
-  Scene scene;
-  scene.items[0].model = item_of(c);
+  Scene scene = scene_of(item_of(c));
   const Response response = runner(findings, scene, {}, small::settings_for(0.004, 0.004));
   const Eigen::VectorXd expected = solve(scene.items[0].model);
   // A locked swivel of 10 k_t R^2 winds up under the tilt N / (k_n b) and takes its wheel along.

@@ -28,7 +28,7 @@ struct Step {
 
 /// Four rigid casters whose front wheels touch a step, pushed at the height of the axles.
 Response pushed(const Step& step, double force, const Runner& runner, Findings& findings) {
-  Scene scene;
+  Scene scene = scene_of({});
   Tread tread = small::bare_tread(kStiffness, kStiffness);
   tread.normal_damping = 3e4;  // some 50 % of critical for a quarter of the mass: no rebound
   tread.tangential_damping = 1e3;
@@ -50,10 +50,9 @@ Response pushed(const Step& step, double force, const Runner& runner, Findings& 
                  {front + reach + 0.5 + 1e-4, 0, step.height / 2},
                  Quaternion::Identity(),
                  RoomBox{{1, 4, step.height}}}};
-  Excitation excitation;
-  excitation.forces = {
-      {"push", {-0.4, 0, step.radius}, Vector3::UnitX(), {0, 1, 3}, {0, force, force}}};
-  return runner(findings, scene, excitation, scenes::run_for(2.5, 1e-3, 1e-3));
+  scene.items[0].loads = {
+      PointForce{"push", {-0.4, 0, step.radius}, Vector3::UnitX(), {0, 1, 3}, {0, force, force}}};
+  return runner(findings, scene, {}, scenes::run_for(2.5, 1e-3, 1e-3));
 }
 
 Findings climb(const Step& c, const Runner& runner) {

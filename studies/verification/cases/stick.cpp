@@ -36,8 +36,7 @@ Findings hold(const Slope& c, const Runner& runner) {
     options.headings = {0.3, 1.6, 2.8, 5.2};
     caster.swivel.coulomb = 0.03;
   }
-  Scene scene;
-  scene.items[0].model = trolley(options);
+  Scene scene = scene_of(trolley(options));
   scene.slope = c.slope;
   const Response response = runner(findings, scene, {}, run_for(60, 0.004, 30));
   const ItemResponse& item = response.items[0];
@@ -74,14 +73,12 @@ Response shaken(const Harmonic& c, double resistance, const Runner& runner, Find
   options.total_mass = c.mass;
   options.caster.tread.tangential_stiffness = c.stiffness;
   options.caster.tread.rolling_resistance = resistance * options.caster.wheel_radius;
-  Scene scene;
-  scene.items[0].model = trolley(options);
-  Excitation excitation;
-  excitation.floor = floor_motion(0.004, 60, Vector3::UnitX(), [&](double t) {
+  Scene scene = scene_of(trolley(options));
+  const FloorMotion floor = floor_motion(0.004, 60, Vector3::UnitX(), [&](double t) {
     return c.amplitude * kG * std::min({1.0, t / 5, (60 - t) / 5}) *
            std::sin(2 * std::numbers::pi * c.frequency * t);
   });
-  return runner(findings, scene, excitation, run_for(65, 0.004, 0.05));
+  return runner(findings, scene, floor, run_for(65, 0.004, 0.05));
 }
 
 constexpr double kBase = 0.49;  // half of the wheelbase [m]

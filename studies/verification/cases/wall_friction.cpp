@@ -23,14 +23,13 @@ Findings meet(const Glance& c, const Runner& runner) {
   Scene scene = block.scene({c.speed, c.along, 0});
   blocks::add_wall(scene, 0.5 * block.size.x() + kWayToImpact,
                    {.restitution = c.restitution, .friction = c.friction});
-  Excitation excitation;
-  for (int dof : {3, 4, 5}) excitation.fixture.guides[dof].kind = Guide::Kind::kHeld;
+  for (int dof : {3, 4, 5}) scene.items[0].fixture.guides[dof].kind = Guide::Kind::kHeld;
   const ImpactSteps steps = block.front_steps();
   const double error = steps.speed_error();
   const double total = std::hypot(c.speed, c.along);
   const double work = (c.along * c.along - std::pow(c.along - c.taken(), 2)) / (total * total);
   const Response response =
-      slide(findings, runner, scene, 2 * kWayToImpact * total / c.speed, steps, excitation, work);
+      slide(findings, runner, scene, 2 * kWayToImpact * total / c.speed, steps, work);
   const Vector3& after = response.items[0].history.back().velocity;
   findings.checks.push_back(
       {"speed of the rebound", "m/s", -after.x(), c.restitution * c.speed,

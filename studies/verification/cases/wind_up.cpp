@@ -30,12 +30,10 @@ Findings pull(const Soft& c, const Runner& runner) {
   options.total_mass = c.mass;
   options.caster.tread.tangential_stiffness = c.stiffness;
   options.caster.tread.rolling_resistance = c.resistance * options.caster.wheel_radius;
-  Scene scene;
-  scene.items[0].model = trolley(options);
+  Scene scene = scene_of(trolley(options));
   const Tread& tread = scene.items[0].model.casters[0].tread;
-  Excitation excitation;
-  excitation.fixture = hold_rotations(false, true, false);
-  excitation.forces = {constant_force(c.force, c.duration, {0, 0, 0.6})};
+  scene.items[0].fixture = hold_rotations(false, true, false);
+  scene.items[0].loads = {constant_force(c.force, c.duration, {0, 0, 0.6})};
 
   const double inertia = wheel_inertia_mass(scene.items[0].model);
   const double f = c.resistance * c.mass * kG, k = 4 * c.stiffness * 10 / 11;
@@ -43,7 +41,7 @@ Findings pull(const Soft& c, const Runner& runner) {
   const double v1 = std::sqrt(f * (2 * c.force - f) / (k * c.mass));
   const double a1 = (c.force - f) / (c.mass + inertia), t = c.duration - t1;
 
-  const Response response = runner(findings, scene, excitation, run_for(c.duration, 0.001, 0.01));
+  const Response response = runner(findings, scene, {}, run_for(c.duration, 0.001, 0.01));
   // Not in the formula: the damping of the patch, and the wheels that spin up from 1/11 to 1.
   const double missing =
       2.0 / 3 * 4 * tread.tangential_damping * x1 / c.mass + 10.0 / 11 * inertia / c.mass * v1;

@@ -10,7 +10,7 @@ namespace gurney::blocks {
 
 /// A uniform box standing on the floor: width (x), depth (y), height (z).
 inline Scene block(double mass, const Vector3& size, const ContactConstants& floor) {
-  Scene scene;
+  Scene scene = scene_of({});
   scene.items[0].model.name = "block";
   scene.items[0].model.chassis_mass = mass;
   scene.items[0].model.chassis_center_of_mass = {0, 0, 0.5 * size.z()};

@@ -83,7 +83,7 @@ void DiscReference::advance_led(double duration,
 }
 
 Scene rolling_disc(const Disc& d, double speed, double yaw_rate, double stiffness) {
-  Scene scene;
+  Scene scene = scene_of({});
   EquipmentModel& item = scene.items[0].model;
   item.name = "disc";
   item.chassis_mass = d.crumb * d.mass;

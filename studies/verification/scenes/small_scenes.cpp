@@ -73,14 +73,14 @@ EquipmentModel trolley(const std::vector<double>& headings, const Tread& tread) 
   return item_on({{0.4, 0.2}, {0.4, -0.2}, {-0.4, 0.2}, {-0.4, -0.2}}, headings, tread);
 }
 
-Towed towed_caster(double speed, double trail, double heading, const Tread& tread) {
-  Towed towed;
-  towed.scene.items[0].model = item_on({{0, 0}}, {heading}, tread);
-  towed.scene.items[0].model.casters = {caster({0, 0, 0.131}, heading, tread, trail)};
-  towed.scene.items[0].initial.velocity = {speed, 0, 0};
-  for (int dof : {1, 3, 4, 5}) towed.excitation.fixture.guides[dof].kind = Guide::Kind::kHeld;
-  towed.excitation.fixture.guides[0] = {Guide::Kind::kVelocity, speed, 0, 0};
-  return towed;
+Scene towed_caster(double speed, double trail, double heading, const Tread& tread) {
+  Scene scene = scene_of(item_on({{0, 0}}, {heading}, tread));
+  PlacedItem& item = scene.items[0];
+  item.model.casters = {caster({0, 0, 0.131}, heading, tread, trail)};
+  item.initial.velocity = {speed, 0, 0};
+  for (int dof : {1, 3, 4, 5}) item.fixture.guides[dof].kind = Guide::Kind::kHeld;
+  item.fixture.guides[0] = {Guide::Kind::kVelocity, speed, 0, 0};
+  return scene;
 }
 
 SimulationSettings settings_for(double time_step, double duration, int stride) {

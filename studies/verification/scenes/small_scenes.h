@@ -31,11 +31,7 @@ EquipmentModel item_on(const std::vector<Vector2>& mounts, const std::vector<dou
 EquipmentModel trolley(const std::vector<double>& headings, const Tread& tread);
 
 /// One caster under a chassis that is led along x at `speed` and free to move vertically only.
-struct Towed {
-  Scene scene;
-  Excitation excitation;
-};
-Towed towed_caster(double speed, double trail, double heading, const Tread& tread);
+Scene towed_caster(double speed, double trail, double heading, const Tread& tread);
 
 /// Settings for a run of exactly `duration` that keeps every `stride`-th step.
 SimulationSettings settings_for(double time_step, double duration, int stride = 1);

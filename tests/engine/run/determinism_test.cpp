@@ -16,15 +16,15 @@ namespace gurney {
 namespace {
 
 struct Job {
-  Scene scene;
-  Excitation excitation;
+  Scene scene = scene_of({});
+  FloorMotion floor;
   SimulationSettings settings = small::settings_for(0.004, 5, 5);
 };
 
 Job shaken_job() {
   Job job;
   job.scene.items[0].model = small::trolley({10, 100, 200, 300}, Tread());
-  job.excitation.floor = small::noise_record(5, 4, {4, 3, 2});
+  job.floor = small::noise_record(5, 4, {4, 3, 2});
   return job;
 }
 
@@ -33,7 +33,8 @@ Job tipping_job() {
   Job job;
   job.scene.items[0].model = small::trolley({0, 90, 180, 270}, Tread());
   job.scene.items[0].model.shape.push_back({{0, 0, 0.125}, {1.2, 0.9, 0.2}});
-  job.excitation.forces = {{"push", {0, 0, 1.0}, {0, 1, 0}, {0, 0.3, 0.6, 0.9}, {0, 340, 340, 0}}};
+  job.scene.items[0].loads = {
+      PointForce{"push", {0, 0, 1.0}, {0, 1, 0}, {0, 0.3, 0.6, 0.9}, {0, 340, 340, 0}}};
   job.settings.duration = 4;
   return job;
 }
@@ -47,7 +48,7 @@ Job room_job(const decltype(RoomShape::shape)& ahead) {
       {"kerb", "", {0.8, 0, 0}, Quaternion::Identity(), RoomBox{{0.1, 6, 0.008}}},
       {"ahead", "", {1.1, 0.1, 1.3}, Quaternion::Identity(), ahead},  // above the wheels
   };
-  job.excitation.floor = small::noise_record(7, 2, {4, 3, 2});
+  job.floor = small::noise_record(7, 2, {4, 3, 2});
   job.settings.duration = 2;
   return job;
 }
@@ -69,7 +70,7 @@ std::vector<Job> all_jobs() {
   return jobs;
 }
 
-Response run(const Job& job) { return simulate(job.scene, job.excitation, job.settings); }
+Response run(const Job& job) { return simulate(job.scene, job.floor, job.settings); }
 
 bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 

@@ -28,8 +28,8 @@ class Draw {
 };
 
 struct Run {
-  Scene scene;
-  Excitation excitation;
+  Scene scene = scene_of({});
+  FloorMotion floor;
   SimulationSettings settings;
 };
 
@@ -131,7 +131,7 @@ inline Run run(unsigned seed) {
     run.scene.room = {wall("east", away, 0), wall("west", -away, 0), wall("north", 0, away),
                       wall("south", 0, -away)};
   }
-  run.excitation.floor = shaking(d, 2);
+  run.floor = shaking(d, 2);
   run.settings.settle_time = 2;
   return run;
 }

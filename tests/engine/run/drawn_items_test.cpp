@@ -69,7 +69,7 @@ void count(unsigned seed, Counts& counts) {
   const drawn::Run run = drawn::run(seed);
   Response response;
   try {
-    response = simulate(run.scene, run.excitation, run.settings);
+    response = simulate(run.scene, run.floor, run.settings);
   } catch (const Error& error) {
     ++counts.refused;  // its centre of mass is outside its casters
     return;

@@ -13,8 +13,8 @@ namespace gurney {
 namespace {
 
 struct Job {
-  Scene scene;
-  Excitation excitation;
+  Scene scene = scene_of({});
+  FloorMotion floor;
   SimulationSettings settings;
 };
 
@@ -28,7 +28,7 @@ Job coasting(double rolling_resistance) {
   return job;
 }
 
-Response run(const Job& job) { return simulate(job.scene, job.excitation, job.settings); }
+Response run(const Job& job) { return simulate(job.scene, job.floor, job.settings); }
 
 bool finite(const Response& response) {
   bool all = std::isfinite(response.items[0].demands.peak_displacement) &&
@@ -75,7 +75,8 @@ TEST(Outcome, AGivenDurationStopsTheRunRestingOrNot) {
 TEST(Outcome, AnItemPushedOverHasOverturned) {
   Job job = coasting(1e-3);
   job.scene.items[0].initial.velocity.setZero();
-  job.excitation.forces = {{"push", {0, 0, 1.0}, {0, 1, 0}, {0, 0.2, 3}, {0, 900, 900}}};
+  job.scene.items[0].loads = {
+      PointForce{"push", {0, 0, 1.0}, {0, 1, 0}, {0, 0.2, 3}, {0, 900, 900}}};
   for (Caster& c : job.scene.items[0].model.casters) {
     c.swivels = false;  // and cannot roll sideways
     c.tread.static_friction = c.tread.kinetic_friction = 2;
@@ -104,7 +105,7 @@ TEST(Outcome, ARunThatCannotGoOnSaysWhyAndHoldsNoNaN) {
   Job job = coasting(1e-3);
   Eigen::Matrix3Xd acceleration = Eigen::Matrix3Xd::Zero(3, 40);
   for (int i = 10; i < 40; ++i) acceleration(i % 3, i) = (i % 2 ? 1 : -1) * 1e200;
-  job.excitation.floor = FloorMotion(0.01, acceleration);
+  job.floor = FloorMotion(0.01, acceleration);
   const Response response = run(job);
   EXPECT_EQ(response.outcome, Outcome::kDiverged);
   EXPECT_NE(response.cause, "");
@@ -114,7 +115,7 @@ TEST(Outcome, ARunThatCannotGoOnSaysWhyAndHoldsNoNaN) {
 // The kinds of numbers that a file may hold and no physics resolves.
 TEST(Outcome, FiniteHugeNumbersFailByName) {
   Job job = coasting(1e-3);
-  job.excitation.forces = {{"push", {0, 0, 1.0}, {0, 1, 0}, {0, 0.2}, {1e300, 1e300}}};
+  job.scene.items[0].loads = {PointForce{"push", {0, 0, 1.0}, {0, 1, 0}, {0, 0.2}, {1e300, 1e300}}};
   EXPECT_EQ(run(job).outcome, Outcome::kDiverged);
   job = coasting(1e-3);
   RoomShape kerb;
@@ -140,7 +141,7 @@ drawn::Run rattling() {
 
 TEST(Outcome, ARunWhoseEnergyBalanceMissesIsUntrusted) {
   const drawn::Run coarse = rattling();
-  const Response response = simulate(coarse.scene, coarse.excitation, coarse.settings);
+  const Response response = simulate(coarse.scene, coarse.floor, coarse.settings);
   EXPECT_EQ(response.outcome, Outcome::kUntrusted);
   EXPECT_TRUE(is_failure(response.outcome));
   EXPECT_THAT(response.cause, testing::StartsWith("the energy balance of item is off by 0."));
@@ -151,9 +152,9 @@ TEST(Outcome, ARunWhoseEnergyBalanceMissesIsUntrusted) {
 TEST(Outcome, TheVerdictDoesNotDependOnTheHistory) {
   drawn::Run run = rattling();
   run.settings.history_step = 0;
-  const Response without = simulate(run.scene, run.excitation, run.settings);
+  const Response without = simulate(run.scene, run.floor, run.settings);
   run.settings.history_step = 0.016;
-  const Response with = simulate(run.scene, run.excitation, run.settings);
+  const Response with = simulate(run.scene, run.floor, run.settings);
   EXPECT_EQ(without.outcome, with.outcome);
   EXPECT_EQ(without.cause, with.cause);
 }

@@ -57,12 +57,11 @@ TEST(RunClock, SamplesAreDueEveryHistoryStep) {
 
 // An item that blocks hold still for longer than the hold must still be let go.
 TEST(RunClock, CountsRestFromTheEndOfTheExcitation) {
-  Excitation excitation;
-  excitation.floor = FloorMotion(1, Eigen::Matrix3Xd::Zero(3, 3));  // until 2 s
+  const FloorMotion floor = FloorMotion(1, Eigen::Matrix3Xd::Zero(3, 3));  // until 2 s
   SimulationSettings s = settings(0);
   s.rest_hold = 0.5;
   s.settle_time = 10;
-  RunClock clock(excitation, {}, s);
+  RunClock clock(floor, {}, s);
   double time = 0;
   while (clock.next(time)) {
     time = clock.target();

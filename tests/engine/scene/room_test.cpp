@@ -9,7 +9,7 @@ namespace gurney {
 namespace {
 
 Scene with(const RoomShape& shape) {
-  Scene scene;
+  Scene scene = scene_of({});
   scene.room = {shape};
   return scene;
 }

@@ -12,25 +12,26 @@ namespace {
 constexpr double kGravity = kStandardGravity;
 const Vector3 kCenter(0, 0, 0.5);
 
-Excitation everything() {
-  Excitation e;
-  e.forces = {{"pull", {0.5, 0.1, 0.3}, {2, 0, 0}, {0, 1, 3}, {0, 40, 10}}};
-  e.string_potentiometers = {{{-0.5, 0, 0.4}, {-1, 0, 0}, 7}};
-  e.drop_weights = {{.point = {0.5, 0, 0.3},
-                     .direction = {1, 0, 0.2},
-                     .mass = 5,
-                     .drop_height = 0.4,
-                     .pulley_inertia = 0.001,
-                     .pulley_radius = 0.04,
-                     .potentiometer_tension = 3}};
-  e.blocks = {{{0.4, 0.2, 0}, 1e6, 1e3, 2.0}};
-  e.fixture.guides[1] = {Guide::Kind::kSpring, 0, 500, 20};
-  return e;
+PlacedItem everything() {
+  PlacedItem item;
+  item.loads = {PointForce{"pull", {0.5, 0.1, 0.3}, {2, 0, 0}, {0, 1, 3}, {0, 40, 10}},
+                StringPotentiometer{{-0.5, 0, 0.4}, {-1, 0, 0}, 7},
+                DropWeight{.point = {0.5, 0, 0.3},
+                           .direction = {1, 0, 0.2},
+                           .mass = 5,
+                           .drop_height = 0.4,
+                           .pulley_inertia = 0.001,
+                           .pulley_radius = 0.04,
+                           .potentiometer_tension = 3},
+                Blocks{{0.4, 0.2, 0}, 1e6, 1e3, 2.0}};
+  item.fixture.guides[1] = {Guide::Kind::kSpring, 0, 500, 20};
+  return item;
 }
 
 struct Evaluation {
   Loads loads{everything(), kCenter, kGravity};
-  std::vector<double> state = loads.initial_state();
+  LoadsState state = loads.initial_state();
+  LoadsState::Weight& weight() { return state.weights[0]; }
   Pose pose;
   Vector6 velocity = Vector6::Zero();
 
@@ -73,7 +74,7 @@ TEST(Loads, SlopesAreThoseOfTheForces) {
   // Piecewise linear in velocity: central differences are exact but for rounding,
   // 1e3 N * 1e-16 / 1e-6.
   Evaluation e;
-  e.state[1] = 0.3;  // the weight falls
+  e.weight().speed = 0.3;  // the weight falls
   for (double x : {-0.5, 0.0, 0.2}) {
     e.velocity << x, 0.1, 0, 0.2, -0.1, 0.3;
     const auto rows = e.rows(e.stage());
@@ -93,10 +94,10 @@ TEST(Loads, SlopesAreThoseOfTheForces) {
 TEST(Loads, APushFadesAtItsSpeedLimit) {
   // Of 40 N all up to 0.95 of the limit of 0.8 m/s, half in the middle, none beyond; the slope is
   // that of the line between.
-  Excitation push;
-  push.forces = {{"push", kCenter, {1, 0, 0}, {0, 3}, {40, 40}, 0.8}};
+  PlacedItem push;
+  push.loads = {PointForce{"push", kCenter, {1, 0, 0}, {0, 3}, {40, 40}, 0.8}};
   const Loads loads(push, kCenter, kGravity);
-  const std::vector<double> state = loads.initial_state();
+  const LoadsState state = loads.initial_state();
   const auto at = [&](double speed) {
     std::vector<Loads::Row> rows;
     loads.evaluate({0.003, 1, 1.01, true, &state}, {}, speed * Vector6::Unit(0), rows);
@@ -124,18 +125,19 @@ TEST(Loads, AHangingWeightStretchesItsCableWhileBlocksHold) {
 TEST(Loads, TheWeightObeysItsOwnEquation) {
   // (m + I_p / r_p^2) w' = m g - T_pot - T over the stage, with the cable's own tension.
   Evaluation e;
-  e.state[1] = 0.3;
+  e.weight().speed = 0.3;
   e.velocity[0] = 0.25;
   const double tension = e.rows(e.stage())[2].force;
   EnergyAccount power;
-  std::vector<double> end;
+  LoadsState end;
   e.loads.finish(e.stage(), e.pose, e.velocity, power, end);
+  const LoadsState::Weight& after = end.weights[0];
   const double inertia = 5 + 0.001 / 0.0016;
-  EXPECT_NEAR(inertia * (end[1] - 0.3) / 0.003, 5 * kGravity - 3 - tension, 1e-9);
-  EXPECT_NEAR(end[0], 0.003 * end[1], 1e-15);
+  EXPECT_NEAR(inertia * (after.speed - 0.3) / 0.003, 5 * kGravity - 3 - tension, 1e-9);
+  EXPECT_NEAR(after.fall, 0.003 * after.speed, 1e-15);
   const Vector3 direction = Vector3(1, 0, 0.2).normalized();
-  const double stretch_rate = end[1] - direction.x() * 0.25;
-  EXPECT_NEAR(tension, 1e6 * end[2] + 500 * stretch_rate, 1e-9);
+  const double stretch_rate = after.speed - direction.x() * 0.25;
+  EXPECT_NEAR(tension, 1e6 * after.stretch + 500 * stretch_rate, 1e-9);
 }
 
 TEST(Loads, ASlackCableCarriesNothing) {
@@ -149,21 +151,22 @@ TEST(Loads, ASlackCableCarriesNothing) {
 TEST(Loads, AWeightLandsAtItsDropHeight) {
   Evaluation e;
   EXPECT_NEAR(e.loads.penetration(e.state), -0.4, 1e-15);
-  e.state[0] = 0.4;
-  e.state[1] = 1.5;
+  e.weight().fall = 0.4;
+  e.weight().speed = 1.5;
   const double inertia = 5 + 0.001 / 0.0016;
-  e.state[2] = 1e-4;
+  e.weight().stretch = 1e-4;
   const double in_cable = 0.5 * DropWeight().cable_stiffness * 1e-8;
   EXPECT_NEAR(e.loads.land(e.state), 0.5 * inertia * 1.5 * 1.5 + in_cable, 1e-12);
-  EXPECT_EQ(e.state[1], 0);
-  EXPECT_EQ(e.state[2], 0) << "slack";
+  EXPECT_EQ(e.weight().speed, 0);
+  EXPECT_EQ(e.weight().stretch, 0) << "slack";
+  EXPECT_TRUE(e.weight().landed);
   EXPECT_EQ(e.loads.penetration(e.state), -1) << "none falls any more";
   EXPECT_EQ(e.loads.land(e.state), 0) << "once";
   e.velocity[0] = 1;
   EnergyAccount power;
-  std::vector<double> end;
+  LoadsState end;
   e.loads.finish(e.stage(), e.pose, e.velocity, power, end);
-  EXPECT_EQ(end[1], 0) << "it rests";
+  EXPECT_EQ(end.weights[0].speed, 0) << "it rests";
 }
 
 TEST(Loads, BlocksLetGoAtTheirTime) {
@@ -173,10 +176,10 @@ TEST(Loads, BlocksLetGoAtTheirTime) {
   EXPECT_NEAR(e.rows(e.stage())[3].force, -slope * 0.1, 1e-9);
   EXPECT_NEAR(e.rows(e.stage())[4].force, slope * 0.2, 1e-9);
   EXPECT_EQ(e.rows(e.stage(true, 2.0, 2.01)).size(), 4u);
-  e.state[4] = 1e-4;
+  e.state.blocks[0].x() = 1e-4;
   EXPECT_EQ(e.loads.release(1.9, e.state), 0);
   EXPECT_NEAR(e.loads.release(2.0, e.state), 0.5 * 1e6 * 1e-8, 1e-15);
-  EXPECT_EQ(e.state[4], 0);
+  EXPECT_EQ(e.state.blocks[0].x(), 0);
 }
 
 TEST(Loads, BreakpointsAreWhereLoadsChange) {

@@ -209,13 +209,9 @@ TEST_P(EveryItem, ComesToRestAfterItWasPushedOver) {
   const MassProperties whole = whole_item(scene.items[0].model);
   // Its weight for a second, sideways above its centre of mass.
   const double force = whole.mass * kG;
-  Excitation excitation;
-  excitation.forces = {{"push",
-                        whole.center_of_mass + Vector3(0, 0, 0.3),
-                        {-0.17, 0.98, 0},
-                        {0, 1},
-                        {force, force}}};
-  const Response response = simulate(scene, excitation, settings(0));
+  scene.items[0].loads = {PointForce{
+      "push", whole.center_of_mass + Vector3(0, 0, 0.3), {-0.17, 0.98, 0}, {0, 1}, {force, force}}};
+  const Response response = simulate(scene, {}, settings(0));
   EXPECT_TRUE(response.outcome == Outcome::kOverturned || response.outcome == Outcome::kRested)
       << name_of(response.outcome) << " " << response.cause;
   EXPECT_LT(response.end_time, 30);

@@ -39,15 +39,13 @@ TEST(Feet, SheetOfAnItemWithoutCasters) {
 }
 
 /// One half-sine of acceleration along `direction`, as a share of gravity.
-Excitation half_sine(double share, double duration, const Vector3& direction) {
+FloorMotion half_sine(double share, double duration, const Vector3& direction) {
   constexpr double kStep = 1e-3;
   const int samples = static_cast<int>(duration / kStep) + 1;
   Eigen::Matrix3Xd acceleration(3, samples);
   for (int i = 0; i < samples; ++i)
     acceleration.col(i) = share * kG * std::sin(pi * i * kStep / duration) * direction;
-  Excitation excitation;
-  excitation.floor = FloorMotion(kStep, acceleration);
-  return excitation;
+  return FloorMotion(kStep, acceleration);
 }
 
 /// Shaken towards its narrow side on corners so stiff (1e8 N/m) that the rigid block's b / h holds:

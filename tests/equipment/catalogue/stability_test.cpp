@@ -109,9 +109,10 @@ TEST(Stability, WarnsBelowTenDegrees) {
 TEST(Stability, WarnsWhenTheItemCanFallByItself) {
   const auto warnings = stability_of(cart({0.28, 0, 0.5}, kRectangle)).warnings;
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0],
-            "cart: the centre of mass can leave the support of the wheels: with the casters turned "
-            "the worst way it is 14 mm outside, towards 0 degrees; the item can fall by itself");
+  EXPECT_EQ(
+      warnings[0],
+      "cart: the centre of mass can leave the support of the wheels: with the casters turned "
+      "the worst way it is 14 mm outside, towards 0 degrees; the item is statically unstable");
 }
 
 TEST(Stability, AFiveLegBaseBeyondItsChassisIsNoFault) {

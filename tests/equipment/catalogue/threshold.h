@@ -26,8 +26,7 @@ inline constexpr double kGap = 0.05;    ///< before the first wheel at the start
 /// An item that rolls forward against the obstruction, all brakes and locks released, casters
 /// trailing, and is pushed meanwhile.
 struct Trial {
-  Scene scene;
-  Excitation excitation;
+  Scene scene = scene_of({});
   double end = 0;   ///< of the obstruction along x [m]
   double push = 0;  ///< the most that the push gives [N]
 };
@@ -61,12 +60,12 @@ inline Trial trial(const std::string& name, const Threshold& threshold, bool pus
   trial.push = std::min(0.25 * whole_item(model).mass * kStandardGravity, 220.0);
   const double until = (trial.end - rear) / threshold.speed + 1;
   if (pushed)
-    trial.excitation.forces = {{"push",
-                                {back, 0, std::min(top, 1.0)},
-                                Vector3::UnitX(),
-                                {0, until},
-                                {trial.push, trial.push},
-                                threshold.speed}};
+    trial.scene.items[0].loads = {PointForce{"push",
+                                             {back, 0, std::min(top, 1.0)},
+                                             Vector3::UnitX(),
+                                             {0, until},
+                                             {trial.push, trial.push},
+                                             threshold.speed}};
   return trial;
 }
 

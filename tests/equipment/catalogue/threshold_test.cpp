@@ -143,7 +143,7 @@ TEST_P(OverAThreshold, DoesWhatThePageSaysAndItsEnergyAllows) {
     const Trial run = trial(GetParam(), threshold, pushed);
     const EquipmentModel& model = run.scene.items[0].model;
     if (tilts.empty()) made += fmt::format(" | {:.0f} | {:.0f}", whole_item(model).mass, run.push);
-    const Response response = simulate(run.scene, run.excitation, settings(0.002));
+    const Response response = simulate(run.scene, {}, settings(0.002));
     ASSERT_TRUE(response.outcome == Outcome::kRested || response.outcome == Outcome::kOverturned)
         << name_of(response.outcome) << " " << response.cause;
     EXPECT_EQ(response.quality.unconverged_steps, 0);
@@ -180,14 +180,14 @@ TEST(OverAThreshold, AShorterStepSaysTheSame) {
   for (const char* name : {"crash_cart", "icu_ventilator", "ultrasound_two_rigid"})
     for (const Threshold& threshold : {kLow, kHigh}) {
       const Trial run = trial(name, threshold, true);
-      const Verdict coarse = verdict(run, simulate(run.scene, run.excitation, settings(0.002)));
-      const Verdict fine = verdict(run, simulate(run.scene, run.excitation, settings(0.001)));
+      const Verdict coarse = verdict(run, simulate(run.scene, {}, settings(0.002)));
+      const Verdict fine = verdict(run, simulate(run.scene, {}, settings(0.001)));
       EXPECT_EQ(word(coarse), word(fine)) << name << " " << threshold.height;
     }
 }
 
 bool trips(Trial run) {
-  const Response response = simulate(run.scene, run.excitation, settings(0.002));
+  const Response response = simulate(run.scene, {}, settings(0.002));
   EXPECT_LT(response.quality.energy_closure, 0.01);
   return verdict(run, response) == Verdict::kFalls;
 }
@@ -228,7 +228,7 @@ TEST(OverAThreshold, ThePushHoldsTheSpeed) {
   run.scene.room.clear();
   SimulationSettings two_seconds = settings(0.002);
   two_seconds.duration = 2;
-  const Response response = simulate(run.scene, run.excitation, two_seconds);
+  const Response response = simulate(run.scene, {}, two_seconds);
   const double speed = response.items[0].history.back().velocity.x();
   EXPECT_GT(speed, 0.95 * kLow.speed);
   EXPECT_LT(speed, kLow.speed);

@@ -51,7 +51,7 @@ TEST(UscVolume, LeavesOutTextBehindTheLastSample) {
   EXPECT_EQ(component.acceleration.size(), 10);
   EXPECT_THAT(component.warnings,
               ElementsAre("the last line of the file is no part of the format and "
-                          "was left out: 'RUBBISH $'"));
+                          "was ignored: 'RUBBISH $'"));
   EXPECT_THAT(
       error_text([] { read(volume1("COMP UP") + "  0.050  0.010\r\n"); }),
       HasSubstr("the samples of this channel end here, but neither the next channel nor the "

@@ -64,8 +64,8 @@ TEST(UsgsSmc, LeavesOutALineMoreOfPairs) {
   const auto component = read_text(smc_pairs() + " 5.0000E+0 9.0000E+0\r\n")[0];
   EXPECT_EQ(component.acceleration, read_text(smc_pairs())[0].acceleration);
   EXPECT_THAT(component.warnings,
-              testing::Contains("more lines follow the 20 numbers of the header; they were left "
-                                "out"));
+              testing::Contains("more lines follow the 20 numbers of the header; they were "
+                                "ignored"));
 }
 
 TEST(UsgsSmc, RefusesPairsThatAreNone) {

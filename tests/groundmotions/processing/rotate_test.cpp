@@ -131,7 +131,7 @@ TEST(Rotate, ToAFaultIsNormalAndParallel) {
 TEST(Rotate, RefusesWhatCannotBe) {
   EXPECT_EQ(error_text([] { orthogonal_horizontals(record_at(30, 59)); }),
             "30.at2 and 59.at2: the horizontals have azimuths of 030 and 059 degrees, less than 30 "
-            "degrees from parallel: the motion across them cannot be told");
+            "degrees from parallel: the motion across them cannot be determined");
   EXPECT_NE(error_text([] { orthogonal_horizontals(record_at(30, 205)); }), "(no error)");
   Record record = record_at(0, 270);
   EXPECT_EQ(error_text([&] { rotated_by(record, std::nan("")); }),

@@ -69,7 +69,7 @@ TEST(Synthetic, DependsOnTheSeedAndComponentsAreIndependent) {
 }
 
 TEST(ShippedRecord, IsWhatTheProgramMakes) {
-  const Record shipped = read_record({{kShipped, {}}});
+  const Record shipped = read_record(std::vector<RecordFile>{{kShipped, {}}});
   const Record made = synthetic_record(shipped_synthetic_motion());
   EXPECT_THAT(shipped.warnings, testing::IsEmpty());
   ASSERT_EQ(shipped.samples(), made.samples());
@@ -94,7 +94,7 @@ TEST(ShippedRecord, HasTheHeaderThatTheProgramWrites) {
 // Rounding 6000 samples to 1e-5 m/s2 leaves sqrt(6000 / 12) 1e-5 dt = 1.1e-6 m/s and, with the time
 // that is left, 2e-5 m; five times these.
 TEST(ShippedRecord, EndsAtRest) {
-  const Residual r = residual(floor_motion(read_record({{kShipped, {}}})));
+  const Residual r = residual(floor_motion(read_record(std::vector<RecordFile>{{kShipped, {}}})));
   EXPECT_LT(r.velocity.norm(), 6e-6);
   EXPECT_LT(r.displacement.norm(), 1e-4);
   EXPECT_LT(std::filesystem::file_size(kShipped), 400'000u);

@@ -26,7 +26,7 @@ expect 1 "trolley_levels.toml: is not a results file of gurney" "$gurney" show \
   "$2/studies/jobs/trolley_levels.toml"
 expect 2 "FILE is required" "$gurney" show
 
-expect 0 "left out 'overturned': no run exceeds" "$gurney" export study.h5 --to pelicun
+expect 0 "omitted 'overturned': no run exceeds" "$gurney" export study.h5 --to pelicun
 folder_holds study_pelicun fragility.csv fragility.json fragility_cautions.csv
 expect 1 "study_pelicun/fragility.csv: exists already" "$gurney" export study.h5 --to pelicun
 expect 0 "wrote    study_pelicun/fragility.csv" "$gurney" export study.h5 --to pelicun --overwrite
@@ -42,7 +42,7 @@ expect 1 "take one of these with --measure: 'PGA larger'" "$gurney" export study
 expect 1 "no run exceeds" "$gurney" export study.h5 --to pelicun --limit hit -o new
 expect 1 "no configuration 'locked'" "$gurney" export study.h5 --to pelicun \
   --configuration locked -o new
-expect 1 "--limit does not go with --to csv" "$gurney" export study.h5 --to csv --limit hit -o new
+expect 1 "--limit cannot be combined with --to csv" "$gurney" export study.h5 --to csv --limit hit -o new
 expect 1 "the folder none does not exist" "$gurney" export study.h5 --to csv -o none/new
 expect 1 "study.h5: is a file, the name of a folder is needed" "$gurney" export study.h5 --to csv \
   -o study.h5
@@ -62,7 +62,7 @@ expect 0 "wrote    one_xdmf/one.xdmf" "$gurney" export one.h5 --to xdmf
 folder_holds one_xdmf one.xdmf one_shapes.h5
 expect 1 "study.h5: holds many runs; make the one to be seen with gurney replay" "$gurney" export \
   study.h5 --to xdmf -o new
-expect 1 "--configuration does not go with --to xdmf" "$gurney" export one.h5 --to xdmf \
+expect 1 "--configuration cannot be combined with --to xdmf" "$gurney" export one.h5 --to xdmf \
   --configuration a -o new
 head -n 1 one_csv/histories_time.csv > stdout
 grep -q 'displacement.*\.x,' stdout || complain "histories have no column for x"

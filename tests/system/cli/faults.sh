@@ -100,7 +100,7 @@ ends 0 "runs     40, 0 overturned, 0 failed"
 same whole.h5 a.h5
 records
 cp "$item" item.toml
-study 0 "a.h5 (complete already)" long.toml -o a.h5 --resume
+study 0 "a.h5 (already complete)" long.toml -o a.h5 --resume
 
 # The results of another study are not these.
 sed -i 's/value = 96.5/value = 93.5/' item.toml
@@ -123,7 +123,7 @@ sed -i 's/^duration_s = 31/duration_s = 30/' long.toml
 fresh
 begin
 echo precious > a.h5
-ends 1 "a.h5: was made by somebody else meanwhile; it was left alone; the finished results are in a.h5.parts/results.h5"
+ends 1 "a.h5: was created by another process in the meantime and is kept; the finished results are in a.h5.parts/results.h5"
 holds a.h5 precious
 same whole.h5 a.h5.parts/results.h5
 study 1 "a.h5" long.toml -o a.h5 --resume
@@ -137,7 +137,7 @@ gone a.h5.parts
 echo old > a.h5
 begin --overwrite
 interrupt
-grep -qx "go on with: gurney run long.toml -o a.h5 --resume --overwrite -j 1" stderr || complain "does not say how to go on"
+grep -qx "continue with: gurney run long.toml -o a.h5 --resume --overwrite -j 1" stderr || complain "does not say how to go on"
 holds a.h5 old
 study 1 "a.h5" long.toml -o a.h5 --resume
 holds a.h5 old
@@ -149,7 +149,7 @@ fresh
 begin
 interrupt
 cp whole.h5 a.h5
-study 0 "a.h5 (complete already)" long.toml -o a.h5 --resume
+study 0 "a.h5 (already complete)" long.toml -o a.h5 --resume
 gone a.h5.parts
 
 # Counts and percent after --resume are those of the whole study.
@@ -171,7 +171,7 @@ mkdir a.h5.parts
 echo mine > a.h5.parts/notes.txt
 for how in "" --overwrite --resume; do
   # shellcheck disable=SC2086
-  study 1 "a.h5.parts: is somebody's folder, it holds 'notes.txt'; it was left alone" long.toml -o a.h5 $how
+  study 1 "a.h5.parts: is not a folder of parts, it contains 'notes.txt'; it is kept" long.toml -o a.h5 $how
 done
 holds a.h5.parts/notes.txt mine
 [ "$(ls a.h5.parts)" = notes.txt ] || complain "the folder of somebody else holds $(ls a.h5.parts)"

@@ -28,7 +28,7 @@ expect 0 "wrote    tests_trials/trial_49.csv" "$gurney" export tests.h5 --to tri
 expect 0 "trial_07" "$gurney" pulling tests.h5 --measured tests_trials --run 7
 sed -i 's/^time_s/time_q/' tests_trials/trial_07.csv
 expect 1 "trial_07.csv:" "$gurney" pulling tests.h5 --measured tests_trials
-expect 1 "--limit does not go with --to trials" "$gurney" export tests.h5 --to trials --limit moved
+expect 1 "--limit cannot be combined with --to trials" "$gurney" export tests.h5 --to trials --limit moved
 
 # A study that is no pulling test.
 "$gurney" run "$2/studies/jobs/brakes_study.toml" -o brakes.h5 > stdout 2> stderr ||

@@ -30,7 +30,7 @@ records 1 "must be key=value" info "$record" --step "high_pass 0.1"
 mkdir mixed
 cp "$record" mixed/a.csv
 printf 'hello\n' > mixed/notes.txt
-records 0 "1 record, 1 left out" ls mixed
+records 0 "1 record, 1 skipped" ls mixed
 grep -q 'mixed/notes.txt:1:1: not a record in a known format' stderr || complain "no reason for notes.txt"
 records 1 "not a record in a known format" ls mixed/notes.txt "$record"
 
@@ -97,7 +97,7 @@ records 0 "isolators" floor "$record" --building "$building" -o roof.csv
 grep -q "energy closes" roof.csv || complain "the building is not in the processing of its floor"
 wall=$source/groundmotions/buildings/wall_hospital.toml
 [ -f "$wall" ] || wall=${building%/*}/wall_hospital.toml
-records 0 "floor dips by up to" floor "$record" --building "$wall" -o wall_roof.csv
+records 0 "floor rotates by up to" floor "$record" --building "$wall" -o wall_roof.csv
 grep -q "the floor rotates: peak" wall_roof.csv || complain "the rotation is not in the floor's processing"
 records 0 "peak_dip_rad" floor "$record" --building "$wall" -o wall_roof2.csv --json
 records 1 "--floor 9: must be roof, or a number from 0 to 4" floor "$record" --building "$building" --floor 9 -o x.csv

@@ -78,7 +78,7 @@ for threads in 2 7; do
 done
 study 1 "one.h5: exists already" small.toml -o one.h5
 study 0 '"runs": 48' small.toml -o one.h5 --overwrite --json
-study 0 "one.h5 (complete already)" small.toml -o one.h5 --resume
+study 0 "one.h5 (already complete)" small.toml -o one.h5 --resume
 study 0 "runs     48" small.toml -o fresh.h5 --resume
 same one.h5 fresh.h5
 
@@ -96,7 +96,7 @@ study 0 "runs     144" staged.toml -o staged7.h5 -j 7
 same staged.h5 staged7.h5
 killed staged.toml staged_killed.h5
 same staged.h5 staged_killed.h5
-expect 0 "the same numbers as in staged.h5" "$gurney" replay staged.h5 143
+expect 0 "the same results as in staged.h5" "$gurney" replay staged.h5 143
 
 # Interrupted.
 for pair in INT:130 TERM:143; do
@@ -110,11 +110,11 @@ for pair in INT:130 TERM:143; do
   [ "$got" -eq "${pair#*:}" ] || complain "exit code $got after SIG${pair%:*}"
   grep -qE '^gurney: interrupted; [1-9][0-9]* of 24 analysis cases are finished and kept in stopped.h5.parts$' stderr ||
     complain "does not say what is kept"
-  grep -qx "go on with: gurney run long.toml -o stopped.h5 --resume -j 1" stderr || complain "does not say how to go on"
+  grep -qx "continue with: gurney run long.toml -o stopped.h5 --resume -j 1" stderr || complain "does not say how to go on"
   gone stopped.h5
-  study 1 "stopped.h5.parts: holds runs of a study that was interrupted; go on with --resume" long.toml -o stopped.h5
+  study 1 "stopped.h5.parts: contains runs of an interrupted study; continue with --resume" long.toml -o stopped.h5
   sed 's/levels = .*/levels = [0.1, 0.2]/' long.toml > other.toml
-  study 1 "holds runs of another study: study.intensity.levels: there '[0.1, 0.3]', here '[0.1, 0.2]' (in the job)" \
+  study 1 "contains runs of another study: study.intensity.levels: there '[0.1, 0.3]', here '[0.1, 0.2]' (in the job)" \
     other.toml -o stopped.h5 --resume
   echo '# edited' >> item.toml
   study 1 "item.toml: there '$unedited', here '$(sha256sum item.toml | cut -d' ' -f1)'" long.toml -o stopped.h5 --resume
@@ -144,7 +144,7 @@ gone crashed.h5.parts
 # A full disk: what is there stays, and the study goes on from it.
 # shellcheck disable=SC2317
 full_disk() { (ulimit -f "$1"; exec "$gurney" run long.toml -o full.h5 -j 2 "${@:2}"); }
-expect 1 "go on with: gurney run long.toml -o full.h5 --resume -j 2" full_disk 20
+expect 1 "continue with: gurney run long.toml -o full.h5 --resume -j 2" full_disk 20
 [ "$(wc -L < stderr)" -lt 200 ] || complain "the reason has more than a line"
 grep -q "File too large" stderr || complain "does not say why"
 gone full.h5
@@ -188,7 +188,7 @@ cd quiet || exit 1
 expect 0 "units          24" "$gurney" check small.toml -j 1
 grep -qE "^levels +2: 0.1, 0.3 g of PGA h1$" stdout || complain "no levels"
 grep -qE "^runs +48$" stdout || complain "no runs"
-grep -qE "^time +about .* with 1 threads \(two runs were made: " stdout || complain "no time"
+grep -qE "^time +about .* with 1 threads \(two runs were timed: " stdout || complain "no time"
 grep -qE "^disk +about .*bytes a run" stdout || complain "no disk"
 expect 0 '"runs": 48' "$gurney" check small.toml --json
 expect 0 "a valid single run" "$gurney" check "$2/studies/jobs/icu_ventilator_shake.toml"

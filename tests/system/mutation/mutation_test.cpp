@@ -153,7 +153,7 @@ void take_nothing(const std::string&, std::string_view) {}
 void run(const std::string& path) {
   const PreparedRun run = prepare_run(path);
   if (run.facts.settings.duration > 0.1 || run.facts.settings.time_step < 1e-4) return;
-  results_image(run.facts, simulate(run.facts.scene, run.excitation, run.facts.settings));
+  results_image(run.facts, simulate(run.facts.scene, run.facts.floor, run.facts.settings));
 }
 
 std::string as_json(const std::string& toml) {

@@ -79,7 +79,7 @@ Creep creep_of_cycle(const SmallRuns& study, double amplitude) {
     run.settings.time_step = 0.002;
     creep.rigid = -slide_of_cycle(amplitude, item);
     end[cycles] =
-        simulate(run.scene, run.excitation, run.settings).items[0].demands.residual_displacement_x;
+        simulate(run.scene, run.floor, run.settings).items[0].demands.residual_displacement_x;
   }
   creep.computed = (end[10] - end[5]) / 5;
   return creep;

@@ -93,8 +93,8 @@ TEST(Calibration, SeesDependences) {
 TEST(Calibration, TellsAllInTextAndJson) {
   const Calibration c = calibrate(programme(), "made");
   const std::string text = calibration_text(c);
-  EXPECT_THAT(text, HasSubstr("made: 30 trials, 1 left out\nSIMULATED: 30 of the trials"));
-  EXPECT_THAT(text, HasSubstr("left out: made.csv: (M + J)(a_2 + a_3) is "));
+  EXPECT_THAT(text, HasSubstr("made: 30 trials, 1 excluded\nSIMULATED: 30 of the trials"));
+  EXPECT_THAT(text, HasSubstr("excluded: made.csv: (M + J)(a_2 + a_3) is "));
   EXPECT_THAT(text, HasSubstr("Cr/R of R100 on mystique"));
   EXPECT_THAT(text, HasSubstr("diameter"));
   EXPECT_THAT(text, HasSubstr("R100_forest_4: Cr/R of R100 on forest measured 0.0"));
@@ -164,7 +164,7 @@ TEST(Calibration, NamesOutliersAndKeepsThem) {
   const Calibration c = calibrate(set, "made");
   EXPECT_EQ(constant(c, "Cr/R of R125 on forest").trials.size(), 4u);
   const std::string text = calibration_text(c);
-  EXPECT_THAT(text, HasSubstr("Outliers (they stay in"));
+  EXPECT_THAT(text, HasSubstr("Outliers (kept"));
   EXPECT_THAT(text, HasSubstr("  R125_forest_1: Cr/R of R125 on forest 0.01"));
 }
 

@@ -44,7 +44,7 @@ Trial virtual_pull(const VirtualPull& pull) {
   ItemOptions options;
   options.payloads = {{"paver", pull.pavers}};
   options.headings.assign(4, pull.heading);
-  Scene scene;
+  Scene scene = scene_of({});
   EquipmentModel& model = scene.items[0].model;
   model = load_item(find_data(DataKind::kItem, "xu_trolley", ""), options).model;
   Trial trial;
@@ -52,8 +52,6 @@ Trial virtual_pull(const VirtualPull& pull) {
     caster.tread.rolling_resistance = pull.resistance * caster.wheel_radius;
     if (pull.patch_width >= 0) caster.tread.patch_width = pull.patch_width;
   }
-  Excitation excitation;
-  excitation.blocks = {Blocks{{0.49, 0, 0.05}, 1e7, 1e4, kRelease}};
   DropWeight weight;
   weight.point = {0.55, 0, 0.14};
   weight.mass = pull.drop_mass;
@@ -62,13 +60,14 @@ Trial virtual_pull(const VirtualPull& pull) {
   weight.potentiometer_tension = 1;
   weight.cable_stiffness = 1e5;
   weight.cable_damping = 300;
-  excitation.drop_weights = {weight};
-  excitation.string_potentiometers = {{{-0.55, 0, 0.14}, -Vector3::UnitX(), pull.string_tension}};
+  scene.items[0].loads = {
+      StringPotentiometer{{-0.55, 0, 0.14}, -Vector3::UnitX(), pull.string_tension}, weight,
+      Blocks{{0.49, 0, 0.05}, 1e7, 1e4, kRelease}};
   SimulationSettings settings;
   settings.time_step = 1 / (2 * kRate);
   settings.history_step = 1 / kRate;
   settings.duration = 12;
-  const Response response = simulate(scene, excitation, settings);
+  const Response response = simulate(scene, {}, settings);
 
   describe(model, trial);
   trial.setup.string_tension = pull.string_tension;
@@ -93,7 +92,7 @@ double front_share(const Response& response) {
 
 Trial virtual_winch(const VirtualWinch& v) {
   constexpr double kStart = 0.5, kHeight = 0.14, kMoves = 3;
-  Scene scene;
+  Scene scene = scene_of({});
   EquipmentModel& model = scene.items[0].model;
   model = load_item(find_data(DataKind::kItem, "xu_trolley", "")).model;
   Trial trial;
@@ -109,19 +108,18 @@ Trial virtual_winch(const VirtualWinch& v) {
   const double most = v.locked ? v.static_friction * (*v.locked == LockedWheels::kAll ? 1 : 0.7)
                                : 1.2 * v.resistance;
   const double pulled = std::ceil(1.1 * most * normal_force(trial.setup) / v.ramp + kMoves);
-  Excitation excitation;
   PointForce winch{"winch",
                    {0.55, 0, kHeight},
                    Vector3::UnitX(),
                    {0, kStart, kStart + pulled},
                    {0, 0, pulled * v.ramp}};
   winch.speed_limit = 0.1;
-  excitation.forces = {winch};
+  scene.items[0].loads = {winch};
   SimulationSettings settings;
   settings.time_step = 1 / (2 * kRate);
   settings.history_step = 1 / kRate;
   settings.duration = kStart + pulled;
-  const Response response = simulate(scene, excitation, settings);
+  const Response response = simulate(scene, {}, settings);
   trial.kind = v.locked ? TrialKind::kLockedPull : TrialKind::kStartPull;
   trial.setup.locked = v.locked.value_or(LockedWheels::kAll);
   trial.setup.pull_height = kHeight;
@@ -133,7 +131,7 @@ Trial virtual_winch(const VirtualWinch& v) {
 }
 
 Trial virtual_impact(double speed, double restitution) {
-  Scene scene;
+  Scene scene = scene_of({});
   EquipmentModel& model = scene.items[0].model;
   model = load_item(find_data(DataKind::kItem, "xu_trolley", "")).model;
   model.material = "trolley";

@@ -13,35 +13,33 @@ namespace {
 using namespace scenes;
 
 // 100 kg, g = 10 m/s2, Cr / R = 0.02: f = 20 N; four discs of 0.25 kg: J = 4 x 0.125 = 0.5 kg.
-Scene round_scene() {
+Scene round_scene(std::vector<Load> loads = {}) {
   ItemOptions options;
   options.total_mass = 100;
   options.caster.tread.rolling_resistance = 0.02 * options.caster.wheel_radius;
-  Scene scene;
-  scene.items[0].model = trolley(options);
+  Scene scene = scene_of(trolley(options));
   scene.gravity = 10;
+  scene.items[0].loads = std::move(loads);
   return scene;
 }
 
 // F_w = 2 N, F_s = 3 N, m = 6 kg, p = 0.00125 / 0.05^2 = 0.5 kg:
 // a_1 = (60 - 2 - 20 - 3) / (100 + 0.5 + 6 + 0.5) = 35 / 107, T = 58 - 6.5 a_1, a_2 = 23 / 100.5.
-Excitation round_weight() {
-  Excitation excitation;
+std::vector<Load> round_weight(double mass = 6, const Vector3& direction = Vector3::UnitX()) {
   DropWeight weight;
-  weight.mass = 6;
+  weight.mass = mass;
+  weight.direction = direction;
   weight.drop_height = 0.8;
   weight.pulley_inertia = 0.00125;
   weight.pulley_radius = 0.05;
   weight.potentiometer_tension = 2;
-  excitation.drop_weights = {weight};
-  excitation.blocks = {{}};
-  excitation.blocks[0].release_time = 0.5;
-  excitation.string_potentiometers = {{Vector3::Zero(), -2 * Vector3::UnitX(), 3}};
-  return excitation;
+  Blocks blocks;
+  blocks.release_time = 0.5;
+  return {weight, blocks, StringPotentiometer{Vector3::Zero(), -2 * Vector3::UnitX(), 3}};
 }
 
 TEST(PullTheory, OfADropWeightIsNewtonsLawOfTheTrain) {
-  const PullTheory theory = theory_of(round_scene(), round_weight());
+  const PullTheory theory = theory_of(round_scene(round_weight()));
   const double a1 = 35.0 / 107, a2 = 23 / 100.5, v = std::sqrt(2 * a1 * 0.8);
   EXPECT_NEAR(theory.resistance, 20, 1e-12);
   EXPECT_NEAR(theory.string_tension, 3, 1e-12);
@@ -61,9 +59,7 @@ TEST(PullTheory, OfADropWeightIsNewtonsLawOfTheTrain) {
 }
 
 TEST(PullTheory, OfAConstantForceKnowsNoWeight) {
-  Excitation excitation;
-  excitation.forces = {constant_force(40.1, 3, Vector3::Zero())};
-  const PullTheory theory = theory_of(round_scene(), excitation);
+  const PullTheory theory = theory_of(round_scene({constant_force(40.1, 3, Vector3::Zero())}));
   EXPECT_NEAR(theory.acceleration, 20.1 / 100.5, 1e-12);
   EXPECT_NEAR(theory.release_displacement, 0.5 * 0.2 * 9, 1e-12);
   EXPECT_NEAR(theory.stop, 3 + 0.6 / (20 / 100.5), 1e-12);
@@ -72,20 +68,15 @@ TEST(PullTheory, OfAConstantForceKnowsNoWeight) {
 }
 
 TEST(PullTheory, RefusesWhatItDoesNotDescribe) {
-  const Scene scene = round_scene();
-  const auto mistake = [&](const Excitation& excitation) {
-    return error_text([&] { theory_of(scene, excitation); });
+  const auto mistake = [&](const std::vector<Load>& loads) {
+    return error_text([&] { theory_of(round_scene(loads)); });
   };
   EXPECT_EQ(
       mistake({}),
       "is no pulling test: one item on casters must be pulled along x by one drop weight that "
       "blocks hold, or by one constant force");
-  Excitation sideways = round_weight();
-  sideways.drop_weights[0].direction = Vector3::UnitY();
-  EXPECT_EQ(mistake(sideways).substr(0, 18), "is no pulling test");
-  Excitation light = round_weight();
-  light.drop_weights[0].mass = 2;
-  EXPECT_EQ(mistake(light),
+  EXPECT_EQ(mistake(round_weight(6, Vector3::UnitY())).substr(0, 18), "is no pulling test");
+  EXPECT_EQ(mistake(round_weight(2)),
             "is no pulling test: the pull must move the item, which must come to rest after it");
 }
 

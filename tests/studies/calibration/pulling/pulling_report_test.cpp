@@ -39,8 +39,8 @@ TEST(PullingReport, FiguresHaveTheirSeries) {
     EXPECT_EQ(count(four, phase), 4u) << phase;
   const std::string six = pulling_figure_6(report);
   EXPECT_EQ(count(six, "<circle"), 3u) << "aligned trials only";
-  EXPECT_THAT(six, HasSubstr("R100: Cr/R = 0.0200 (0.0200 went in)"));
-  EXPECT_THAT(six, HasSubstr("R125: Cr/R = 0.0160 (0.0160 went in)"));
+  EXPECT_THAT(six, HasSubstr("R100: Cr/R = 0.0200 (0.0200 input)"));
+  EXPECT_THAT(six, HasSubstr("R125: Cr/R = 0.0160 (0.0160 input)"));
   const std::string seven = pulling_figure_7(report);
   EXPECT_EQ(count(seven, "<circle"), 2u + 2u) << "empty trolleys; both phases of R100";
   const std::string eleven = pulling_figure_11(report);

@@ -121,7 +121,7 @@ TEST_F(DesignedSensitivity, PointsThatAreNotWholeAreLeftOut) {
   EXPECT_EQ(found.draws, 99);
   EXPECT_EQ(found.left_out, kMatrices - 1);
   EXPECT_THAT(sensitivity_text({{"", found, ""}}),
-              HasSubstr("4 runs are left out: they have no such demand, or another run of their "
+              HasSubstr("4 runs are excluded: they have no such demand, or another run of their "
                         "point has none or failed."));
   for (std::size_t point = 0; point < 81; ++point) runs[point * kMatrices].failed = true;
   const StudyData broken = data(runs);

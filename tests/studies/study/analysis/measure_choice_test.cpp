@@ -61,7 +61,7 @@ TEST_F(MeasureChoiceTest, MeasuresInOneProportionAreEquallyGood) {
   const StudyData study = data(runs, 20);
   const MeasureChoice choice = choose_measure({&study, 0}, 0);
   EXPECT_EQ(choice.ties, 2);
-  EXPECT_THAT(verdict(choice), HasSubstr("as good as pfa, pfv, to which it is in one proportion"));
+  EXPECT_THAT(verdict(choice), HasSubstr("as good as pfa, pfv, to which it is proportional"));
 }
 
 TEST_F(MeasureChoiceTest, NoiseSettlesNothing) {

@@ -98,7 +98,7 @@ TEST_F(RunPairsTest, NothingInCommonIsRefused) {
   const StudyData record = data("r.h5", study({"r9"}, {{0, 0, 1}}));
   const StudyData level = data("l.h5", study({"r1"}, {{0, 0, 2}}));
   EXPECT_ERROR(pair_runs({&a, 0}, {&record, 0}),
-               "have no record in common: nothing can be held against each other");
+               "have no record in common: nothing can be compared with each other");
   EXPECT_ERROR(pair_runs({&a, 0}, {&level, 0}), "have no level in common");
 }
 

@@ -5,7 +5,7 @@
 
 #include "studies/study/results/columns.h"
 #include "studies/study/results/growing_table.h"
-#include "studies/study/run/study_file.h"
+#include "studies/study/results/study_reader.h"
 
 /// A study file with known outcomes, without a simulation.
 namespace gurney {

@@ -212,8 +212,8 @@ TEST_F(StudyComparisonTest, TheReportSaysWhatWasLeftOutAndWhatItMeans) {
   report.inputs = input_differences(report.a, report.b);
   report.found = compare_studies(report.a, report.b, {.demands = {"peak_displacement"}});
   const std::string text = comparison_text(report);
-  EXPECT_THAT(text, HasSubstr("free: 9 runs paired, 1 left out because they failed"));
-  EXPECT_THAT(text, HasSubstr("locked: 9 runs paired, 1 left out without a partner"));
+  EXPECT_THAT(text, HasSubstr("free: 9 runs paired, 1 excluded because they failed"));
+  EXPECT_THAT(text, HasSubstr("locked: 9 runs paired, 1 without a partner"));
   EXPECT_THAT(text, HasSubstr("9 records, each counts once"));
   EXPECT_THAT(text, HasSubstr("1 of the paired runs overturned"));
   EXPECT_THAT(text, HasSubstr("'moved' is exceeded less often in B: in 0 % against 100 %"));

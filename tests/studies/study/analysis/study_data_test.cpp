@@ -72,7 +72,7 @@ TEST_F(StudyDataTest, RefusesFilesOfSingleRuns) {
   Hdf5Writer file(folder_.file("one.h5"));
   file.set_attribute("/", "filetype", std::string("gurney-results"));
   file.finish();
-  EXPECT_ERROR(StudyData(folder_.file("one.h5")), "is no results file of a study");
+  EXPECT_ERROR(StudyData(folder_.file("one.h5")), "is not a results file of a study");
 }
 
 }  // namespace

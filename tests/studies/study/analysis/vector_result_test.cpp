@@ -58,8 +58,8 @@ TEST_F(VectorResultTest, TwoMeasuresThatBothTellMakeOne) {
   EXPECT_GT(found.fit.log_likelihood, found.alone[0].log_likelihood + 20);
   const std::string text = vector_report(study, {found});
   EXPECT_THAT(text, HasSubstr("a = PGA h1 [g], b = pfv [m/s]"));
-  EXPECT_THAT(text, HasSubstr("moved: both tell something that the other does not; together they "
-                              "are one measure (PGA h1)^"));
+  EXPECT_THAT(text, HasSubstr("moved: each adds information to the other; together they are one "
+                              "measure (PGA h1)^"));
   EXPECT_THAT(vector_json({found}), HasSubstr("\"share\""));
   const std::string figure = vector_figure(study, {found});
   EXPECT_THAT(figure, HasSubstr("up: pfv (m/s)"));

@@ -54,7 +54,7 @@ TEST(ConvergenceTest, ValuesAreThoseOfTheVariants) {
   for (std::size_t i = 0; i < found.variants.size(); ++i) {
     const RunCase run = varied(cases.runs[0], found.variants[i]);
     EXPECT_EQ(peak.values[i],
-              simulate(run.scene, run.excitation, run.settings).items[0].demands.peak_displacement);
+              simulate(run.scene, run.floor, run.settings).items[0].demands.peak_displacement);
   }
   EXPECT_GT(*std::ranges::max_element(peak.values), *std::ranges::min_element(peak.values));
 }
@@ -96,7 +96,7 @@ TEST(ConvergenceReportTest, TellsVerdictsAndWhatWasVaried) {
                            .step_needed = 0.0013,
                            .solver_change = 0.03});
   const std::string text = convergence_text(found);
-  EXPECT_THAT(text, HasSubstr("time step   0.004 s, held against 0.0005 s"));
+  EXPECT_THAT(text, HasSubstr("time step   0.004 s, compared with 0.0005 s"));
   EXPECT_THAT(text, HasSubstr("needs a smaller step (0.0013 s); solver tolerance too loose"));
   const auto json = nlohmann::json::parse(convergence_json(found));
   EXPECT_EQ(json["numbers"][0]["verdict"], "needs a smaller step");

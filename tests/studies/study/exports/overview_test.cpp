@@ -115,7 +115,7 @@ TEST_F(Overview, IsReadInATerminal) {
        {"Fabricated & <plain>\n", "a study of 480 runs\n", "factor      brakes: false, true\n",
         "intensity   PGA larger: 0.1 g, 0.2 g, 0.3 g, 0.5 g, 0.8 g, 1.2 g\n",
         "runs        480, 0 overturned, 1 failed\n", "(worst: run 30)\n",
-        "assumed     1 number without a source", "    warning: no vertical component\n",
+        "assumed     1 parameter without a source", "    warning: no vertical component\n",
         "  and 31 more records; --json lists all\n",
         "  17: did not converge, \"badly\"\n    gurney replay ",
         "10 runs were repeated with half the step", "  moved: another outcome in 1 of 10 runs\n"})

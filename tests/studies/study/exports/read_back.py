@@ -31,7 +31,7 @@ def export(*arguments):
 
 def check_pelicun():
     shown = export("--to", "pelicun", "-o", "pelicun")
-    assert "left out false, 'rolled': no run exceeds" in shown.stderr, shown.stderr
+    assert "omitted false, 'rolled': no run exceeds" in shown.stderr, shown.stderr
     header, *rows = table("pelicun/fragility.csv")
     groups = [f"LS{i}-{name}" for i in (1, 2, 3, 4)
               for name in ("Family", "Theta_0", "Theta_1", "DamageStateWeights")]

@@ -42,7 +42,7 @@ height_m = 1
 duration_s = 3
 )");
     const PreparedRun run = prepare_run(job);
-    const Response response = simulate(run.facts.scene, run.excitation, run.facts.settings);
+    const Response response = simulate(run.facts.scene, run.facts.floor, run.facts.settings);
     path_ = folder_.write("run.h5", results_image(run.facts, response));
     export_xdmf(path_, "run", [&](const std::string& name, std::string_view bytes) {
       files_[name] = folder_.write(name, std::string(bytes));
@@ -140,7 +140,7 @@ TEST_F(XdmfTest, TheChassisMovesAsARigidBodyAndTheRoomStands) {
 TEST_F(XdmfTest, RefusesWhatHasNoHistories) {
   PreparedRun run = prepare_run(folder_.file("job.toml"));
   run.facts.settings.history_step = 0;
-  const Response response = simulate(run.facts.scene, run.excitation, run.facts.settings);
+  const Response response = simulate(run.facts.scene, run.facts.floor, run.facts.settings);
   const std::string path = folder_.write("none.h5", results_image(run.facts, response));
   EXPECT_EQ(error_text([&] { export_xdmf(path, "none", [](const auto&, auto) {}); }),
             path + ": has no histories (settings.history_step_s)");

@@ -71,10 +71,57 @@ TEST(Items, OneTableOfAnArrayIsOneItem) {
   EXPECT_EQ(job.scene.items[0].initial.velocity, Vector3(1, 0, 0));
 }
 
-TEST(Items, TheInitialMotionIsThatOfTheFirst) {
-  const Job job = job_of(std::string(kThree) + "[initial]\nvelocity_m_per_s = [1, 0, 0]\n");
-  EXPECT_EQ(job.scene.items[0].initial.velocity, Vector3(1, 0, 0));
-  EXPECT_EQ(job.scene.items[1].initial.velocity, Vector3(0, 0, 0));
+// The last table [[item]] is the pump's.
+TEST(Items, EachHasItsLoadsFixtureAndInitialMotion) {
+  const Job job = job_of(std::string(kThree) +
+                         "[[item.force]]\npoint_m = [0, 0, 1]\ndirection = [1, 0, 0]\n"
+                         "force_n = 40\nuntil_s = 3\n"
+                         "[[item.blocks]]\npoint_m = [0, 0, 0.1]\nrelease_time_s = 1\n"
+                         "[item.fixture]\nyaw = \"held\"\n"
+                         "[item.initial]\nvelocity_m_per_s = [1, 0, 0]\n");
+  const PlacedItem& pump = job.scene.items[2];
+  ASSERT_EQ(loads_of<PointForce>(pump.loads).size(), 1u);
+  EXPECT_EQ(loads_of<PointForce>(pump.loads)[0].name, "force 1");
+  EXPECT_EQ(loads_of<Blocks>(pump.loads).size(), 1u);
+  EXPECT_EQ(pump.fixture.guides[5].kind, Guide::Kind::kHeld);
+  EXPECT_EQ(pump.initial.velocity, Vector3(1, 0, 0));
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_TRUE(job.scene.items[i].loads.empty());
+    EXPECT_EQ(job.scene.items[i].fixture.guides[5].kind, Guide::Kind::kFree);
+    EXPECT_EQ(job.scene.items[i].initial.velocity, Vector3(0, 0, 0));
+  }
+}
+
+TEST(Items, LoadsOfASingleItemMayStandAtTheTop) {
+  const std::string item = "[item]\nequipment = 'icu_bed'\n";
+  const std::string force =
+      "point_m = [0, 0, 1]\ndirection = [1, 0, 0]\nforce_n = 40\nuntil_s = 3\n";
+  const Job top = job_of(item + "[[excitation.force]]\n" + force);
+  const Job below = job_of(item + "[[item.force]]\n" + force);
+  EXPECT_EQ(loads_of<PointForce>(top.scene.items[0].loads)[0].force,
+            loads_of<PointForce>(below.scene.items[0].loads)[0].force);
+}
+
+TEST(Items, LoadsOfSeveralMustBeWithOneOfThem) {
+  const std::string text = std::string(kThree) +
+                           "[[excitation.force]]\npoint_m = [0, 0, 1]\n"
+                           "direction = [1, 0, 0]\nforce_n = 40\nuntil_s = 3\n"
+                           "[initial]\nvelocity_m_per_s = [1, 0, 0]\n";
+  const std::string errors = error_text([&] { job_of(text); });
+  EXPECT_THAT(errors, testing::HasSubstr("excitation.force: must be with one of the items, "
+                                         "[[item.force]] below its [[item]]"));
+  EXPECT_THAT(errors, testing::HasSubstr("initial: must be with one of the items, [item.initial] "
+                                         "below its [[item]]"));
+  EXPECT_THAT(errors, testing::Not(testing::HasSubstr("unknown")));
+}
+
+TEST(Items, RefusesTwoFixturesOfOneItem) {
+  EXPECT_THAT(error_text([] {
+                job_of(
+                    "[item]\nequipment = 'icu_bed'\n[item.fixture]\nyaw = 'held'\n"
+                    "[fixture]\nyaw = 'held'\n");
+              }),
+              testing::HasSubstr("fixture: must not be given beside item.fixture"));
 }
 
 constexpr const char* kYaw =

@@ -195,19 +195,21 @@ TEST(Job, ReadsTheRecordRequest) {
 
 TEST(Job, ReadsTheLoads) {
   const TempFolder folder;
-  const Excitation loads = read_job(write_everything(folder)).excitation;
-  ASSERT_EQ(loads.forces.size(), 2u);
-  EXPECT_EQ(loads.forces[0].name, "force 1");
-  EXPECT_EQ(loads.forces[0].direction, Vector3(0, 1, 0));
-  EXPECT_EQ(loads.forces[0].time, (std::vector<double>{1, 3}));
-  EXPECT_EQ(loads.forces[0].force, (std::vector<double>{40, 40}));
-  EXPECT_EQ(loads.forces[0].speed_limit, 0.8);
-  EXPECT_EQ(loads.forces[1].name, "push");
-  EXPECT_EQ(loads.forces[1].speed_limit, std::numeric_limits<double>::infinity());
-  EXPECT_EQ(loads.forces[1].time, (std::vector<double>{0, 1, 1.5}));
-  EXPECT_EQ(loads.forces[1].force, (std::vector<double>{0, 10, 0}));
-  ASSERT_EQ(loads.drop_weights.size(), 1u);
-  const DropWeight& weight = loads.drop_weights[0];
+  const PlacedItem item = read_job(write_everything(folder)).scene.items[0];
+  const auto forces = loads_of<PointForce>(item.loads);
+  ASSERT_EQ(forces.size(), 2u);
+  EXPECT_EQ(forces[0].name, "force 1");
+  EXPECT_EQ(forces[0].direction, Vector3(0, 1, 0));
+  EXPECT_EQ(forces[0].time, (std::vector<double>{1, 3}));
+  EXPECT_EQ(forces[0].force, (std::vector<double>{40, 40}));
+  EXPECT_EQ(forces[0].speed_limit, 0.8);
+  EXPECT_EQ(forces[1].name, "push");
+  EXPECT_EQ(forces[1].speed_limit, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(forces[1].time, (std::vector<double>{0, 1, 1.5}));
+  EXPECT_EQ(forces[1].force, (std::vector<double>{0, 10, 0}));
+  const auto weights = loads_of<DropWeight>(item.loads);
+  ASSERT_EQ(weights.size(), 1u);
+  const DropWeight& weight = weights[0];
   EXPECT_EQ(weight.point, Vector3(0.5, 0, 0.1));
   EXPECT_EQ(weight.mass, 5);
   EXPECT_EQ(weight.drop_height, 1);
@@ -216,11 +218,12 @@ TEST(Job, ReadsTheLoads) {
   EXPECT_EQ(weight.potentiometer_tension, 1);
   EXPECT_EQ(weight.cable_stiffness, 1e5);
   EXPECT_EQ(weight.cable_damping, 100);
-  EXPECT_EQ(loads.string_potentiometers.at(0).tension, 2);
-  EXPECT_EQ(loads.blocks.at(0).stiffness, 1e6);
-  EXPECT_EQ(loads.blocks.at(0).damping, 1e3);
-  EXPECT_EQ(loads.blocks.at(0).release_time, 0.5);
-  const Guide* guides = loads.fixture.guides;
+  EXPECT_EQ(loads_of<StringPotentiometer>(item.loads).at(0).tension, 2);
+  const Blocks blocks = loads_of<Blocks>(item.loads).at(0);
+  EXPECT_EQ(blocks.stiffness, 1e6);
+  EXPECT_EQ(blocks.damping, 1e3);
+  EXPECT_EQ(blocks.release_time, 0.5);
+  const Guide* guides = item.fixture.guides;
   EXPECT_EQ(guides[0].kind, Guide::Kind::kVelocity);
   EXPECT_EQ(guides[0].velocity, 0.4);
   EXPECT_EQ(guides[1].kind, Guide::Kind::kSpring);
@@ -265,7 +268,7 @@ TEST(Job, DefaultsAreThoseOfTheEngine) {
   EXPECT_EQ(job.settings.history_step, defaults.history_step);
   EXPECT_EQ(job.scene.gravity, kStandardGravity);
   EXPECT_FALSE(job.record);
-  EXPECT_EQ(job.excitation.fixture.guides[0].kind, Guide::Kind::kFree);
+  EXPECT_EQ(job.scene.items[0].fixture.guides[0].kind, Guide::Kind::kFree);
 }
 
 TEST(Job, CollectsAssumptionsOfItemCastersFloorAndJob) {
@@ -327,12 +330,13 @@ TEST(ShippedJob, PullingTestIsThePapers) {
   const Job job = read_job(GURNEY_SOURCE_DIR "/studies/jobs/pulling_test.toml");
   EXPECT_TRUE(job.warnings.empty());
   EXPECT_EQ(job.scene.items[0].model.chassis_mass, 96.5);
-  EXPECT_EQ(job.excitation.blocks.size(), 1u);
-  EXPECT_EQ(job.excitation.drop_weights.size(), 1u);
-  EXPECT_EQ(job.excitation.string_potentiometers.size(), 1u);
+  const std::vector<Load>& loads = job.scene.items[0].loads;
+  EXPECT_EQ(loads_of<Blocks>(loads).size(), 1u);
+  ASSERT_EQ(loads_of<DropWeight>(loads).size(), 1u);
+  EXPECT_EQ(loads_of<StringPotentiometer>(loads).size(), 1u);
   EXPECT_FALSE(job.record);
   // The weight must overcome the rolling resistance, about 0.02 of the weight of the trolley.
-  EXPECT_GT(job.excitation.drop_weights[0].mass, 2 * 0.02 * 99);
+  EXPECT_GT(loads_of<DropWeight>(loads)[0].mass, 2 * 0.02 * 99);
 }
 
 TEST(ShippedJob, VentilatorIsShakenInThreeDirections) {

@@ -295,7 +295,7 @@ slack_length_m = 0.4
 Response start_of(const std::string& name, double duration) {
   PreparedRun run = prepare_run(GURNEY_SOURCE_DIR "/studies/jobs/" + name + ".toml");
   run.facts.settings.duration = duration;
-  return simulate(run.facts.scene, run.excitation, run.facts.settings);
+  return simulate(run.facts.scene, run.facts.floor, run.facts.settings);
 }
 
 TEST(ShippedJob, TrolleyMeetsTheWallWithAForce) {

@@ -30,7 +30,7 @@ TEST(DataFilesTest, AreThoseTheJobNamesAndThoseTheyName) {
   EXPECT_THAT(files, Contains(Key("equipment/floors/polyflor_mystique.toml")));
   EXPECT_THAT(files, Contains(Key("equipment/floors/rubber.toml")));
   EXPECT_THAT(files, Contains(Key("equipment/contacts.toml")));
-  EXPECT_THAT(files, Contains(Key("equipment/catalogue/levelness.toml")));
+  EXPECT_THAT(files, Contains(Key("equipment/levelness.toml")));
   EXPECT_THAT(files, Not(Contains(Key("equipment/items/bookcase.toml"))));
 }
 

@@ -63,8 +63,8 @@ TEST(StudyReader, MoreStagesNeedLevelsAndALimitState) {
       mistakes("[study.intensity]\nmeasure = \"PGA\"\nunit = \"g\"\nadaptive = { stages = 1, "
                "limit_state = \"hit\" }\nhunt = { first = 0.1, increment = 0.1, until = "
                "\"hit\" }\n"),
-      "a.toml:14:12: study.intensity.adaptive: must not go with a hunt, which finds its levels "
-      "by itself");
+      "a.toml:14:12: study.intensity.adaptive: must not be combined with an IDA, which finds its "
+      "own levels");
   EXPECT_EQ(mistakes("[study.intensity]\nscales = [1]\nadaptive = { stages = 1, limit_state = "
                      "\"hit\" }\n"),
             "a.toml:13:1: study.intensity.adaptive: unknown key; known: measure, scales, vertical");
@@ -88,7 +88,7 @@ TEST(StudyReader, LevelsAndScalesMustGoUp) {
             "a.toml:11:1: study.intensity.levels: must be given, or a table hunt, not both");
   EXPECT_EQ(mistakes(levels + "levels = [1]\nscales = [1]\n"),
             "a.toml:15:10: study.intensity.scales: must go without a measure, which has levels or "
-            "a hunt");
+            "an IDA");
   EXPECT_EQ(
       mistakes(levels + "levels = [1]\nhunt = { first = 0.1, increment = 0.1, until = \"hit\" }\n"),
       "a.toml:14:10: study.intensity.levels: must be given, or a table hunt, not both");

@@ -8,7 +8,6 @@
 #include "studies/study/results/growing_table.h"
 #include "studies/study/results/results_file.h"
 #include "studies/study/results/study_reader.h"
-#include "studies/study/run/study_file.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 

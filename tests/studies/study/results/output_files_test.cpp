@@ -42,7 +42,7 @@ TEST(OutputFiles, RefusesAnExistingFileAndLeavesIt) {
   EXPECT_ERROR(OutputFiles(false).check(folder.file("a")), "a: exists already");
   OutputFiles late(false);
   late.stage(folder.file("a"), "new");
-  EXPECT_ERROR(late.commit(), "was made by somebody else meanwhile");
+  EXPECT_ERROR(late.commit(), "was created by another process in the meantime");
   EXPECT_EQ(contents_of(folder.file("a")), "old");
 }
 
@@ -139,7 +139,7 @@ TEST(OutputFiles, PutInPlaceWithoutOverwriteLeavesWhatIsThere) {
   folder.write("made", "new");
   folder.write("there", "old");
   EXPECT_ERROR(put_in_place(folder.file("made"), folder.file("there"), false),
-               "there: was made by somebody else meanwhile; it was left alone");
+               "there: was created by another process in the meantime and is kept");
   EXPECT_EQ(contents_of(folder.file("there")), "old");
   EXPECT_EQ(contents_of(folder.file("made")), "new");
   put_in_place(folder.file("made"), folder.file("there"), true);

@@ -143,6 +143,7 @@ TEST_F(ResultsFile, ManagesWithoutHistoryRecordOrPoints) {
 TEST_F(ResultsFile, HoldsARunThatDiverged) {
   Response response;
   response.cause = "the solve did not converge";
+  response.items.resize(1);
   response.items[0].demands.wheels.resize(4);
   response.items[0].demands.points.resize(1);
   const Hdf5Reader file(save(fabricated_facts(), response));

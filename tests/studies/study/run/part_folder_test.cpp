@@ -103,7 +103,7 @@ TEST_F(Parts, OfAnInterruptedStudyAreKeptUnlessResumed) {
   fill();
   EXPECT_EQ(error_text([&] { open(Start::kNew); }),
             folder() +
-                ": holds runs of a study that was interrupted; go on with --resume, or start again "
+                ": contains runs of an interrupted study; continue with --resume, or start again "
                 "with --overwrite");
   EXPECT_EQ(open(Start::kResume).size(), 3u);
 }
@@ -111,17 +111,18 @@ TEST_F(Parts, OfAnInterruptedStudyAreKeptUnlessResumed) {
 TEST_F(Parts, OfAnotherStudyAreRefusedWithBothValues) {
   fill();
   EXPECT_EQ(error_text([&] { open(Start::kResume, "a.toml = bbb\nunits = 7\n"); }),
-            folder() + ": holds runs of another study: a.toml: there 'aaa', here 'bbb'");
+            folder() + ": contains runs of another study: a.toml: there 'aaa', here 'bbb'");
   EXPECT_EQ(error_text([&] { open(Start::kResume, "a.toml = aaa\n"); }),
-            folder() + ": holds runs of another study: units: there '7', here nothing");
+            folder() + ": contains runs of another study: units: there '7', here nothing");
 }
 
 TEST_F(Parts, WithoutTheirIdentityAreRefused) {
   fill();
   std::filesystem::remove(part("study"));
-  EXPECT_EQ(
-      error_text([&] { open(Start::kResume); }),
-      folder() + ": holds runs, but no file 'study' that says whose; start again with --overwrite");
+  EXPECT_EQ(error_text([&] { open(Start::kResume); }),
+            folder() +
+                ": contains runs, but no file 'study' that identifies them; start again with "
+                "--overwrite");
 }
 
 TEST_F(Parts, ThatAreDamagedAreSetAsideAndTold) {
@@ -139,10 +140,9 @@ TEST_F(Parts, ThatAreDamagedAreSetAsideAndTold) {
     EXPECT_TRUE(parts.has(5));
     EXPECT_EQ(contents_of(part("00000001.damaged")), bytes);
     EXPECT_EQ(parts.warnings(),
-              std::vector<std::string>{part("00000001.part") + ": is damaged (" +
-                                       std::to_string(bytes.size()) +
-                                       " bytes, its checksum does not match): its runs are made "
-                                       "again"});
+              std::vector<std::string>{
+                  part("00000001.part") + ": is damaged (" + std::to_string(bytes.size()) +
+                  " bytes, its checksum does not match): its runs are repeated"});
   }
 }
 
@@ -177,11 +177,11 @@ TEST_F(Parts, OnAFullDiskKeepWhatWasThere) {
 TEST_F(Parts, NeedAFolderThatCanBeMade) {
   EXPECT_THAT(
       error_text([&] { PartFolder(temp_.file("none/a.parts"), kIdentity, kUnits, Start::kNew); }),
-      HasSubstr("none/a.parts: cannot be made: No such file or directory"));
+      HasSubstr("none/a.parts: cannot be created: No such file or directory"));
   temp_.write("file.parts", "");
   EXPECT_THAT(
       error_text([&] { PartFolder(temp_.file("file.parts"), kIdentity, kUnits, Start::kResume); }),
-      HasSubstr("file.parts: cannot be made: "));
+      HasSubstr("file.parts: cannot be created: "));
 }
 
 TEST_F(Parts, AreUsedByOneProcessAtATime) {
@@ -260,8 +260,8 @@ TEST_F(Parts, LeaveWhatOthersPutThere) {
   temp_.write("a.h5.parts/notes.txt", "mine");
   EXPECT_EQ(error_text([&] { open(Start::kReplace); }),
             folder() +
-                ": is somebody's folder, it holds 'notes.txt'; it was left alone. Give "
-                "another name with -o");
+                ": is not a folder of parts, it contains 'notes.txt'; it is kept. Give another "
+                "name with -o");
   std::filesystem::remove(part("notes.txt"));
   fill();
   temp_.write("a.h5.parts/notes.txt", "mine");

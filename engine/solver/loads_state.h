@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/base/vector.h"
+
+namespace gurney {
+
+/// What the loads of one item remember.
+struct LoadsState {
+  struct Weight {
+    double fall = 0, speed = 0, stretch = 0;  ///< stretch of the cable [m]
+    bool landed = false;
+  };
+  std::vector<Weight> weights;
+  std::vector<Vector2> blocks;  ///< deflections [m]
+  std::vector<double> springs;  ///< of the fixture, deflections [m]
+
+  /// y + ratio (y_first - y) of every entry, y being this.
+  LoadsState extrapolated(const LoadsState& first, double ratio) const;
+};
+
+}  // namespace gurney
