@@ -3,7 +3,7 @@
 #include "engine/baselines/stock_baseline.h"
 #include "engine/run/simulate.h"
 
-namespace gurney {
+namespace gurney::baselines {
 
 Response simulate_with_any_solver(const Scene& scene, const FloorMotion& floor,
                                   const SimulationSettings& settings) {
@@ -11,4 +11,4 @@ Response simulate_with_any_solver(const Scene& scene, const FloorMotion& floor,
                                           : simulate_on_stock_bullet(scene, floor, settings);
 }
 
-}  // namespace gurney
+}  // namespace gurney::baselines

@@ -4,7 +4,7 @@
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
 
-namespace gurney {
+namespace gurney::baselines {
 
 /// Runs one scene with the solver that its settings name: simulate(), or a baseline on stock
 /// Bullet.
@@ -12,4 +12,4 @@ namespace gurney {
 Response simulate_with_any_solver(const Scene& scene, const FloorMotion& floor,
                                   const SimulationSettings& settings);
 
-}  // namespace gurney
+}  // namespace gurney::baselines

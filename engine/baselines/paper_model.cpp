@@ -21,7 +21,7 @@
 #include "engine/bullet/convert.h"
 #include "engine/bullet/principal_axes.h"
 
-namespace gurney {
+namespace gurney::baselines {
 namespace {
 
 constexpr double kFloorHalf = 100;  // [m]
@@ -276,4 +276,4 @@ std::unique_ptr<StockModel> make_paper_model(const Scene& scene, const Mechanism
   return std::make_unique<PaperModel>(item, mechanism, direct);
 }
 
-}  // namespace gurney
+}  // namespace gurney::baselines

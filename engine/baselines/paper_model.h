@@ -4,7 +4,7 @@
 
 #include "engine/baselines/stock_model.h"
 
-namespace gurney {
+namespace gurney::baselines {
 
 /// `bullet-paper` and `bullet-paper-dantzig`: the model of Xu, Ma & Kurata 2022 (5th SPONSE
 /// workshop, section 4), which ran on Unity, on stock Bullet: chassis, forks and wheels are rigid
@@ -23,4 +23,4 @@ namespace gurney {
 std::unique_ptr<StockModel> make_paper_model(const Scene& scene, const Mechanism& mechanism,
                                              bool direct);
 
-}  // namespace gurney
+}  // namespace gurney::baselines

@@ -9,7 +9,7 @@
 #include "engine/run/recorder.h"
 #include "engine/run/run_clock.h"
 
-namespace gurney {
+namespace gurney::baselines {
 namespace {
 
 /// What the recorder reads of a step.
@@ -109,4 +109,4 @@ Response simulate_on_stock_bullet(const Scene& scene, const FloorMotion& floor,
   return response;
 }
 
-}  // namespace gurney
+}  // namespace gurney::baselines

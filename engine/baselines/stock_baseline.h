@@ -4,7 +4,7 @@
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
 
-namespace gurney {
+namespace gurney::baselines {
 
 /// The identical scene on stock Bullet, set up as well as it allows: what `solver = "bullet"`,
 /// `"bullet-dantzig"`, `"bullet-paper"` and `"bullet-paper-dantzig"` run, so that their error and
@@ -20,4 +20,4 @@ namespace gurney {
 Response simulate_on_stock_bullet(const Scene& scene, const FloorMotion& floor,
                                   const SimulationSettings& settings);
 
-}  // namespace gurney
+}  // namespace gurney::baselines

@@ -7,7 +7,7 @@
 #include "engine/solver/mechanism.h"
 #include "engine/solver/state.h"
 
-namespace gurney {
+namespace gurney::baselines {
 
 /// One item on the floor in a world of stock Bullet.
 class StockModel {
@@ -27,4 +27,4 @@ class StockModel {
   virtual const std::vector<double>& normal_forces() const = 0;
 };
 
-}  // namespace gurney
+}  // namespace gurney::baselines

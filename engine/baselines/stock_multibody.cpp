@@ -15,7 +15,7 @@
 #include "engine/bullet/convert.h"
 #include "engine/bullet/multibody_item.h"
 
-namespace gurney {
+namespace gurney::baselines {
 namespace {
 
 constexpr double kUnlimitedTorque = 1e6;  // [N m]
@@ -129,4 +129,4 @@ std::unique_ptr<StockModel> make_stock_multibody(const Scene& scene, const Mecha
   return std::make_unique<StockMultibody>(scene, mechanism, solver);
 }
 
-}  // namespace gurney
+}  // namespace gurney::baselines

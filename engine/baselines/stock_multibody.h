@@ -5,7 +5,7 @@
 #include "engine/baselines/stock_model.h"
 #include "engine/scene/settings.h"
 
-namespace gurney {
+namespace gurney::baselines {
 
 /// `bullet` and `bullet-dantzig`: a btMultiBody with sphere wheels (one contact point each) on a
 /// static plane; rolling resistance, bearing friction and brakes as motors on the axles with the
@@ -14,4 +14,4 @@ namespace gurney {
 std::unique_ptr<StockModel> make_stock_multibody(const Scene& scene, const Mechanism& mechanism,
                                                  Solver solver);
 
-}  // namespace gurney
+}  // namespace gurney::baselines

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gurney {
+namespace gurney::equipment {
 
 void add_assumptions(std::vector<Assumption>& list, const std::vector<Assumption>& more) {
   for (const Assumption& candidate : more) {
@@ -16,4 +16,4 @@ void add_assumptions(std::vector<Assumption>& list, const std::vector<Assumption
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -6,7 +6,7 @@
 
 #include "engine/base/random/draw.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// A number, or a choice of words, that no source backs or that was drawn from a distribution: what
 /// a result that uses it rests on.
@@ -26,4 +26,4 @@ struct Assumption {
 /// Appends what is not there yet (same file, key and value).
 void add_assumptions(std::vector<Assumption>& list, const std::vector<Assumption>& more);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

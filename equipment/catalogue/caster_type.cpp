@@ -3,7 +3,7 @@
 #include "engine/base/units.h"
 #include "equipment/catalogue/quantity.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using config::Range;
@@ -122,4 +122,4 @@ Uncertain<CasterType> load_caster_type(const std::string& file) {
   return type;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -8,7 +8,7 @@
 #include "equipment/catalogue/assumption.h"
 #include "equipment/catalogue/uncertain.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// A caster as one buys it; docs/formats/equipment_file.md has every key of its file.
 struct CasterType {
@@ -30,4 +30,4 @@ Uncertain<CasterType> read_caster_type(config::Table table);
 /// @throws Error with every mistake of the file.
 Uncertain<CasterType> load_caster_type(const std::string& file);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

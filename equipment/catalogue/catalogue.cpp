@@ -8,7 +8,7 @@
 #include "engine/config/file_snapshot.h"
 #include "engine/config/nearest_name.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 namespace fs = std::filesystem;
@@ -80,4 +80,4 @@ std::string find_data(DataKind kind, const std::string& name, const std::string&
   return file;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

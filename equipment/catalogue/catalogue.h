@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace gurney {
+namespace gurney::equipment {
 
 enum class DataKind { kItem, kCaster, kFloor, kRoom, kTether };
 
@@ -22,4 +22,4 @@ std::vector<std::string> catalogue_names(DataKind kind);
 /// @throws Error for an unknown name, with the nearest one and the list; the caller adds the place.
 std::string find_data(DataKind kind, const std::string& name, const std::string& named_in);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

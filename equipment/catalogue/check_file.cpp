@@ -10,7 +10,7 @@
 #include "equipment/catalogue/room_description.h"
 #include "equipment/catalogue/tether_type.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 DataKind kind_of(const std::string& file) {
@@ -73,4 +73,4 @@ CheckedFile check_data_file(const std::string& file) {
   return {DataKind::kTether, load_tether_type(file).stated().name, {}};
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -5,7 +5,7 @@
 
 #include "equipment/catalogue/catalogue.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// A data file without mistakes.
 struct CheckedFile {
@@ -18,4 +18,4 @@ struct CheckedFile {
 /// @throws Error with every mistake of the file.
 CheckedFile check_data_file(const std::string& file);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -1,6 +1,6 @@
 #include "equipment/catalogue/contact_constants.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 using config::Range;
 
@@ -24,4 +24,4 @@ Uncertain<ContactConstants> read_contact_constants(Quantities in) {
   return constants;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

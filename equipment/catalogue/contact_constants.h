@@ -4,10 +4,10 @@
 #include "equipment/catalogue/quantity.h"
 #include "equipment/catalogue/uncertain.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// The keys of a contact's constants: friction, and restitution, with a numerical stiffness if
 /// wanted, or stiffness and damping of a compliant contact. Mistakes are noted in the document.
 Uncertain<ContactConstants> read_contact_constants(Quantities in);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

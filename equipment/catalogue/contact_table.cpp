@@ -5,7 +5,7 @@
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/contact_constants.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using config::Table;
@@ -77,4 +77,4 @@ std::vector<std::string> materials_in(const std::vector<MaterialContact>& contac
   return {names.begin(), names.end()};
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -7,7 +7,7 @@
 #include "engine/scene/contact_pair.h"
 #include "equipment/catalogue/uncertain.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// Contact constants of two materials with what they rest on (docs/formats/room_file.md).
 struct MaterialContact {
@@ -33,4 +33,4 @@ const MaterialContact* find_contact(const std::vector<MaterialContact>& contacts
 /// Every material named, sorted.
 std::vector<std::string> materials_in(const std::vector<MaterialContact>& contacts);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -7,7 +7,7 @@
 
 #include "engine/config/table.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 struct FileKind {
@@ -43,4 +43,4 @@ void refuse_other_kind(config::Document& document, const std::string& wanted) {
                   kind->command, document.path()));
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

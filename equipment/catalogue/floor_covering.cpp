@@ -2,7 +2,7 @@
 
 #include "equipment/catalogue/quantity.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 Uncertain<FloorCovering> read_floor(config::Table table) {
   FloorCovering fixed;
@@ -25,4 +25,4 @@ Uncertain<FloorCovering> load_floor_covering(const std::string& file) {
   return floor;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -6,7 +6,7 @@
 #include "engine/config/table.h"
 #include "equipment/catalogue/uncertain.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// What a floor covering does to the constants of a caster, which are those on smooth vinyl.
 struct FloorCovering {
@@ -22,4 +22,4 @@ Uncertain<FloorCovering> read_floor(config::Table table);
 /// @throws Error with every mistake of the file.
 Uncertain<FloorCovering> load_floor_covering(const std::string& file);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

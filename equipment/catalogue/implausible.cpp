@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 // Densities of what equipment is made of, as boxes full of air and as solid metal (assumptions).
@@ -49,4 +49,4 @@ std::vector<std::string> implausible(const CasterType& caster) {
   return findings;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

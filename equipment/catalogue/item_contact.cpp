@@ -2,7 +2,7 @@
 
 #include "equipment/catalogue/contact_constants.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 Uncertain<ItemContact> read_item_contact(config::Table table) {
   ItemContact fixed;
@@ -13,4 +13,4 @@ Uncertain<ItemContact> read_item_contact(config::Table table) {
   return contact;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

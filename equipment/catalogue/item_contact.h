@@ -7,7 +7,7 @@
 #include "engine/scene/contact_pair.h"
 #include "equipment/catalogue/uncertain.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// How the chassis of an item, or its feet, meet a hard smooth surface: the floor, a wall.
 struct ItemContact {
@@ -20,4 +20,4 @@ struct ItemContact {
 /// noted in the table's document; the result is for use only after its `finish`.
 Uncertain<ItemContact> read_item_contact(config::Table table);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

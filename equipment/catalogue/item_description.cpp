@@ -11,7 +11,7 @@
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/quantity.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using config::Range;
@@ -188,4 +188,4 @@ Uncertain<ItemDescription> read_item(Table table) {
   return item;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -10,7 +10,7 @@
 #include "equipment/catalogue/item_contact.h"
 #include "equipment/catalogue/uncertain.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// One place for a caster on the base plate.
 struct CasterPlace {
@@ -59,4 +59,4 @@ struct ItemDescription {
 /// table's document; the result is for use only after its `finish`.
 Uncertain<ItemDescription> read_item(config::Table table);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

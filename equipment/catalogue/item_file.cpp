@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <optional>
 
+#include "engine/base/diagnostics.h"
 #include "engine/config/nearest_name.h"
 #include "engine/config/overlay.h"
 #include "engine/config/table.h"
-#include "engine/base/diagnostics.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using config::Document;
@@ -109,4 +109,4 @@ Uncertain<ItemDescription> load_item_description(const std::string& file,
   return item;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

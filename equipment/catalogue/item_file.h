@@ -5,7 +5,7 @@
 
 #include "equipment/catalogue/item_description.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// Every variant is checked, whether selected or not.
 /// @param variants  laid over the item in this order
@@ -22,4 +22,4 @@ std::vector<std::string> variant_names(const std::string& item_file);
 std::string unknown_variant(const std::vector<std::string>& wanted,
                             const std::vector<std::string>& known);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

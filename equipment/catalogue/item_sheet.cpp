@@ -7,7 +7,7 @@
 #include "engine/base/units.h"
 #include "equipment/catalogue/support.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 constexpr int kDegreesApart = 15;
@@ -74,4 +74,4 @@ ItemSheet item_sheet(const EquipmentModel& item, const ContactConstants& floor) 
   return sheet;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

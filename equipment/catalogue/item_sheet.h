@@ -7,7 +7,7 @@
 #include "engine/scene/equipment_model.h"
 #include "equipment/catalogue/stability.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// Static tilt towards one direction: the item leans over when the floor is tilted that way by
 /// atan(r / h), r the way of its centre of mass to the end of the support, h its height.
@@ -48,4 +48,4 @@ struct ItemSheet {
 /// @param floor  of an item without casters with the floor
 ItemSheet item_sheet(const EquipmentModel& item, const ContactConstants& floor = {});
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -3,7 +3,7 @@
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/quantity.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 Uncertain<Levelness> usual_levelness() {
   using config::Range;
@@ -12,10 +12,10 @@ Uncertain<Levelness> usual_levelness() {
   root.choice("schema", {"gurney-levelness/1"});
   Uncertain<Levelness> floor;
   Quantities in(root);
-  floor.set(&Levelness::slope, in.number("slope", Range::within(-1, 1)));
-  floor.set(&Levelness::cross_slope, in.number("cross_slope", Range::within(-1, 1)));
+  floor.set(&Levelness::slope, in.number("slope", config::Range::within(-1, 1)));
+  floor.set(&Levelness::cross_slope, in.number("cross_slope", config::Range::within(-1, 1)));
   document.finish();
   return floor;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

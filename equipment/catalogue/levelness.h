@@ -4,7 +4,7 @@
 
 #include "equipment/catalogue/uncertain.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// How far a floor is out of level: rise over run along x and y.
 struct Levelness {
@@ -16,4 +16,4 @@ struct Levelness {
 /// @throws Error with every error of the file.
 Uncertain<Levelness> usual_levelness();
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -11,7 +11,7 @@
 #include "engine/base/units.h"
 #include "equipment/catalogue/stability.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 constexpr double kHeightTolerance = 1e-6;  // [m] mounts are stated in mm
@@ -153,4 +153,4 @@ LoadedItem load_item(const std::string& file, const ItemOptions& options,
   return assemble_item(load_item_description(file, variants).stated(), options);
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -11,7 +11,7 @@
 #include "equipment/catalogue/floor_covering.h"
 #include "equipment/catalogue/item_file.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// What a job may change of an item. Empty: as the item's file has it.
 struct ItemOptions {
@@ -51,4 +51,4 @@ const ContactConstants& floor_contact(const LoadedItem& item);
 LoadedItem load_item(const std::string& file, const ItemOptions& options = {},
                      const std::vector<std::string>& variants = {});
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -8,7 +8,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 using config::Range;
 using config::Table;
@@ -290,4 +290,4 @@ Assumption Quantities::choice(const std::string& key, const std::string& text,
   return assumption;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

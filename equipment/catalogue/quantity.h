@@ -8,7 +8,7 @@
 #include "engine/config/table.h"
 #include "equipment/catalogue/stated_quantity.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// Reads numbers that say where they come from. A quantity is a bare number or a table:
 ///
@@ -87,4 +87,4 @@ class Quantities {
   config::Table table_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -3,7 +3,7 @@
 #include "engine/base/units.h"
 #include "equipment/catalogue/room_parts.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using config::Range;
@@ -121,4 +121,4 @@ std::string load_room(const std::string& file, RoomNames& names, Uncertain<RoomD
   return name;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

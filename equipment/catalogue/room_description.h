@@ -9,7 +9,7 @@
 #include "equipment/catalogue/contact_table.h"
 #include "equipment/catalogue/unique_names.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// A named place, such as a socket: where tethers end.
 struct RoomPoint {
@@ -40,4 +40,4 @@ void read_room(config::Table table, RoomNames& names, Uncertain<RoomDescription>
 /// @return its name
 std::string load_room(const std::string& file, RoomNames& names, Uncertain<RoomDescription>& room);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

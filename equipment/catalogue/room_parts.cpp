@@ -4,7 +4,7 @@
 
 #include "engine/config/nearest_name.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 using config::Range;
 using config::Table;
@@ -52,4 +52,4 @@ std::string read_material(Table& table, const std::vector<MaterialContact>& cont
   return fallback;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

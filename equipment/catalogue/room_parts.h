@@ -7,7 +7,7 @@
 #include "equipment/catalogue/quantity.h"
 #include "equipment/catalogue/room_description.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// A point in plan, x and y [m]; noted where it is missing.
 std::array<StatedQuantity, 2> read_plan_point(Quantities& in, const std::string& key);
@@ -33,4 +33,4 @@ std::string read_material(config::Table& table, const std::vector<MaterialContac
 void read_walls(config::Table& room, const std::vector<MaterialContact>& known, RoomNames& names,
                 Uncertain<RoomDescription>& result);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

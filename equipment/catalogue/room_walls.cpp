@@ -4,7 +4,7 @@
 
 #include "equipment/catalogue/room_parts.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using config::Range;
@@ -122,4 +122,4 @@ void read_walls(Table& room, const std::vector<MaterialContact>& known, RoomName
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

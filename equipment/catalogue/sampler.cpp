@@ -6,7 +6,7 @@
 
 #include "engine/base/diagnostics.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 void SampleErrors::add(const config::Spot& spot, const std::string& message) {
   entries_.push_back({spot, message});
@@ -109,4 +109,4 @@ double Sampler::in_unit(const StatedQuantity& quantity) const {
   return distribution.quantile(draw_->probability(variable(quantity.spot.name), group));
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "engine/config/document.h"
-#include "engine/config/range.h"
 #include "engine/base/error.h"
 #include "engine/base/random/draw.h"
 #include "engine/base/vector.h"
+#include "engine/config/document.h"
+#include "engine/config/range.h"
 #include "equipment/catalogue/stated_quantity.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// What is wrong with one sample of a model.
 class SampleErrors {
@@ -70,4 +70,4 @@ class Sampler {
   std::string element_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -10,7 +10,7 @@
 #include "engine/base/units.h"
 #include "equipment/catalogue/support.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 // IEC 60601-1: the transport position, and all others; what has no casters is not transported.
@@ -81,4 +81,4 @@ Stability stability_of(const EquipmentModel& item) {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -5,7 +5,7 @@
 
 #include "engine/scene/equipment_model.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// Static stability of an item on a level floor.
 ///
@@ -36,4 +36,4 @@ struct Stability {
 /// @pre `validate(item)` holds.
 Stability stability_of(const EquipmentModel& item);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -8,7 +8,7 @@
 #include "equipment/catalogue/assumption.h"
 #include "equipment/catalogue/uncertainty.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// A number as its file states it: its value, what the value rests on, and how it may be.
 struct StatedQuantity {
@@ -35,4 +35,4 @@ struct StatedText {
   Assumption choice{};  ///< without a reason: none
 };
 
-}  // namespace gurney
+}  // namespace gurney::equipment

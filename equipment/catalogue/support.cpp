@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 double reach(const std::vector<Support>& supports, const Vector2& n) {
@@ -121,4 +121,4 @@ std::vector<Vector2> hull_of(const std::vector<Support>& supports) {
   return hull;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

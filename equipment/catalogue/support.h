@@ -4,7 +4,7 @@
 
 #include "engine/scene/equipment_model.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// Where a wheel stands in plan: somewhere on a circle round `center`; or a corner of a foot.
 struct Support {
@@ -41,4 +41,4 @@ double reach_towards(const std::vector<Support>& supports, const Vector2& point,
 /// The corners of the smallest convex polygon around the centres, anticlockwise.
 std::vector<Vector2> hull_of(const std::vector<Support>& supports);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

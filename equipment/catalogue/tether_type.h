@@ -6,7 +6,7 @@
 
 #include "equipment/catalogue/uncertain.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// A kind of cord, hose or line as its file describes it (docs/formats/room_file.md).
 struct TetherType {
@@ -21,4 +21,4 @@ struct TetherType {
 /// @throws Error with every mistake of the file.
 Uncertain<TetherType> load_tether_type(const std::string& file);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

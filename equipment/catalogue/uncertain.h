@@ -11,7 +11,7 @@
 
 #include "equipment/catalogue/sampler.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// A model as its files state it, read and validated once: what is fixed, and the steps that put
 /// each quantity where it belongs and derive what follows from them. sample() runs the steps:
@@ -137,4 +137,4 @@ T sample(const Uncertain<T>& model, const std::optional<Draw>& draw) {
   return sampled;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using config::Range;
@@ -138,4 +138,4 @@ std::string unit_of_key(const std::string& key) {
   return "1";
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -7,7 +7,7 @@
 #include "engine/base/random/draw.h"
 #include "engine/config/table.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// How a number may be, as the `distribution` of its quantity says
 /// (docs/formats/equipment_file.md).
@@ -25,4 +25,4 @@ std::optional<Uncertainty> read_uncertainty(config::Table& parent, const std::st
 /// Unit of a number by the end of its key: `kg` for `chassis.mass_kg`, `1` for a pure number.
 std::string unit_of_key(const std::string& key);
 
-}  // namespace gurney
+}  // namespace gurney::equipment

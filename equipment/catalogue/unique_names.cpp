@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace gurney {
+namespace gurney::equipment {
 
 void UniqueNames::take(config::Table& table, const std::string& name) {
   const std::string stated = table.has("name") ? fmt::format(" = \"{}\"", name)
@@ -19,4 +19,4 @@ std::string UniqueNames::read(config::Table& table, const std::string& kind, std
   return name;
 }
 
-}  // namespace gurney
+}  // namespace gurney::equipment

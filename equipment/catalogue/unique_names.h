@@ -5,7 +5,7 @@
 
 #include "engine/config/table.h"
 
-namespace gurney {
+namespace gurney::equipment {
 
 /// Names that must differ from each other, and from "floor", which events use.
 class UniqueNames {
@@ -22,4 +22,4 @@ class UniqueNames {
   std::map<std::string, std::string> taken_;  ///< and where
 };
 
-}  // namespace gurney
+}  // namespace gurney::equipment

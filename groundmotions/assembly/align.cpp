@@ -8,7 +8,7 @@
 #include "engine/base/error.h"
 #include "groundmotions/processing/resample.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -101,4 +101,4 @@ void align(Record& record) {
   to_one_length(record);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -2,7 +2,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Brings the components of a record to one time step, one start and one length; each change is a
 /// warning.
@@ -19,4 +19,4 @@ namespace gurney {
 /// @throws Error for starts further apart than the shortest component is long: other earthquakes.
 void align(Record& record);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

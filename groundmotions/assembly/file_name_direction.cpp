@@ -13,7 +13,7 @@
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -67,4 +67,4 @@ void orient_by_file_names(std::vector<UnplacedComponent>& components) {
     components = std::move(oriented);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

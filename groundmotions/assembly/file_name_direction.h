@@ -4,7 +4,7 @@
 
 #include "groundmotions/assembly/place.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Azimuth or vertical of a component of which its file says nothing but a time and a number, from
 /// the end of the file's name: NIS000, NIS090, NIS-UP. With a warning.
@@ -15,4 +15,4 @@ bool orient_by_file_name(Component& component);
 /// then at a right angle; else they stay as they are.
 void orient_by_file_names(std::vector<UnplacedComponent>& components);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

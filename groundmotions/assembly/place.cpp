@@ -10,7 +10,7 @@
 #include "engine/base/units.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -151,4 +151,4 @@ Record place(const std::vector<UnplacedComponent>& components) {
   return record;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// A component and the direction that its user gives it, if any.
 struct UnplacedComponent {
@@ -28,4 +28,4 @@ Record place(const std::vector<UnplacedComponent>& components);
 /// "UP", "UD", "V", "HNZ", "ver" and their like, letter case apart.
 bool sounds_vertical(std::string_view name);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

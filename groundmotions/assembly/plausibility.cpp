@@ -7,7 +7,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -63,4 +63,4 @@ std::vector<std::string> implausible(const Record& record) {
   return findings;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

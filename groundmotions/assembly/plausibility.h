@@ -5,7 +5,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// What looks wrong in the amplitudes of a record, one sentence each; empty if nothing does:
 ///
@@ -21,4 +21,4 @@ namespace gurney {
 /// What the motion leaves at its end is judged by residual().
 std::vector<std::string> implausible(const Record& record);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -13,7 +13,7 @@
 #include "groundmotions/assembly/site.h"
 #include "groundmotions/processing/rotate.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -104,4 +104,4 @@ Record read_record(const std::vector<RecordFile>& files, const ReadOptions& opti
   return record;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

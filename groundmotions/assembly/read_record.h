@@ -7,7 +7,7 @@
 #include "groundmotions/formats/format.h"
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// One file of a record, and what to take from it.
 struct RecordFile {
@@ -28,4 +28,4 @@ struct RecordFile {
 ///         files are told in one Error.
 Record read_record(const std::vector<RecordFile>& files, const ReadOptions& options = {});
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

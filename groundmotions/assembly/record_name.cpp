@@ -7,7 +7,7 @@
 
 #include "groundmotions/formats/numbers.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -58,4 +58,4 @@ std::string common_name(const std::vector<std::string>& stems) {
                                : stems[0].substr(0, size);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -54,4 +54,4 @@ std::string site_of(const Component& component) {
   return site;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

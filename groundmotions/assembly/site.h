@@ -5,7 +5,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The value of a fact of a component's header; empty if it is not there.
 std::string fact_of(const Component& component, std::string_view name);
@@ -19,4 +19,4 @@ std::string plain_words(std::string_view text);
 /// number of the recorder. Empty if the file states none. Components of one record have one site.
 std::string site_of(const Component& component);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -8,7 +8,7 @@
 #include "groundmotions/buildings/modal_building.h"
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// What stands between the ground and the equipment. The axes of the building are those of the
 /// record that shakes it: h1, h2, vertical. No torsion, no soil-structure interaction.
@@ -26,4 +26,4 @@ struct Building {
 /// Whether a floor turns as the building deforms.
 bool rotates(const Building& building, int floor);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -11,7 +11,7 @@
 #include "groundmotions/buildings/isolation_reader.h"
 #include "groundmotions/buildings/shear_building.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -263,4 +263,4 @@ Building building_from_file(const std::string& path) {
   return building;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 #include "engine/config/table.h"
 #include "groundmotions/buildings/building.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Reads the keys of a building; docs/formats/building_file.md. Mistakes are noted in the table's
 /// document, and the building is then a rigid one.
@@ -19,4 +19,4 @@ int read_floor(config::Table& table, const Building& building);
 /// @throws Error with every mistake of the file.
 Building building_from_file(const std::string& path);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -12,7 +12,7 @@
 #include "groundmotions/measures/integrate.h"
 #include "groundmotions/measures/peaks.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -380,4 +380,4 @@ Record floor_record(const Record& ground, const Building& building, int floor) {
   return building_response(ground, building, floor).floor;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

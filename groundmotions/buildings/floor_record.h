@@ -8,7 +8,7 @@
 #include "groundmotions/buildings/isolated_motion.h"
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// What the isolation layer did.
 struct IsolatorResponse {
@@ -49,4 +49,4 @@ BuildingResponse building_response(const Record& ground, const Building& buildin
 
 Record floor_record(const Record& ground, const Building& building, int floor);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

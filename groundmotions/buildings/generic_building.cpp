@@ -6,7 +6,7 @@
 
 #include "groundmotions/buildings/shear_building.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 using std::numbers::pi;
 
@@ -55,4 +55,4 @@ ModalAxis vertical_modes(int storeys, const VerticalFloors& floors) {
   return axis;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "groundmotions/buildings/modal_building.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// A kind of frame of ASCE 7-16, Table 12.8-2: approximate period T_a = C_t h_n^x, h_n in metres.
 struct FrameKind {
@@ -42,4 +42,4 @@ double plate_participation();
 
 ModalAxis vertical_modes(int storeys, const VerticalFloors& floors);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -6,7 +6,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -178,4 +178,4 @@ IsolationEnergy IsolatedMotion::energy() const {
   return energy;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

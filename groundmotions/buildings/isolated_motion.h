@@ -7,7 +7,7 @@
 #include "groundmotions/buildings/isolation.h"
 #include "groundmotions/buildings/modal_building.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Energies of an isolated building for each kilogram above the isolators, relative to the ground
 /// (Uang & Bertero 1990, Earthquake Engineering and Structural Dynamics 19, 77-90) [J/kg]. Every
@@ -86,4 +86,4 @@ class IsolatedMotion {
   IsolationEnergy energy_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 double Isolation::strength(double speed) const {
   return fast_strength - (fast_strength - slow_strength) * std::exp(-strength_rate * speed);
@@ -75,4 +75,4 @@ Sliding slide(const Vector2& z, const Vector2& way) {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

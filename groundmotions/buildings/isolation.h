@@ -5,7 +5,7 @@
 
 #include "engine/base/vector.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// An isolation layer between the ground and the base of a building, the same in every horizontal
 /// direction, as one bearing below the centre of mass. All forces are for each kilogram of what the
@@ -72,4 +72,4 @@ struct Sliding {
 /// @param way  displacement over u_y
 Sliding slide(const Vector2& z, const Vector2& way);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

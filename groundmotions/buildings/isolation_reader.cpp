@@ -6,7 +6,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -72,4 +72,4 @@ Isolation read_isolation(Table& table) {
   return isolation;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 ModalAxis modes_of(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
                    const Eigen::MatrixXd& floors) {
@@ -111,4 +111,4 @@ double ModalResponse::rotation_acceleration(double base) const {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 
 #include "groundmotions/measures/oscillator.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// One mode of a linear building along one direction. With phi its shape, 1 a vector of ones and
 /// Gamma = phi' M 1 / (phi' M phi), the floors move by Gamma phi q relative to the base, and
@@ -84,4 +84,4 @@ class ModalResponse {
   std::vector<Oscillator> oscillators_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

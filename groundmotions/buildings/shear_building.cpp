@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 Eigen::MatrixXd shear_stiffness(const Eigen::VectorXd& storeys) {
   const Eigen::Index n = storeys.size();
@@ -40,4 +40,4 @@ Eigen::MatrixXd shear_flexure_stiffness(int storeys, double alpha0) {
   return (bending + bending.transpose()) / 2 + alpha0 * alpha0 * shear;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

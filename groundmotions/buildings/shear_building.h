@@ -4,7 +4,7 @@
 
 #include "groundmotions/buildings/modal_building.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Stiffness matrix of a shear building: floors joined to their neighbours by storey springs.
 /// @param storeys  stiffness of each storey from the ground up, > 0 [N/m]
@@ -24,4 +24,4 @@ Eigen::VectorXd tapered_storeys(int storeys, double top_ratio);
 /// @param alpha0  >= 0; infinity: the shear frame alone, with GA = 1
 Eigen::MatrixXd shear_flexure_stiffness(int storeys, double alpha0);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

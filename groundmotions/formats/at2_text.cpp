@@ -4,7 +4,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 std::string at2_text(const Component& component, const std::string& title,
                      const std::string& event) {
@@ -18,4 +18,4 @@ std::string at2_text(const Component& component, const std::string& title,
   return text;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// A component as a PEER AT2 file: four lines of header, then accelerations in g, five in a row
 /// with eight significant digits.
@@ -13,4 +13,4 @@ namespace gurney {
 std::string at2_text(const Component& component, const std::string& title,
                      const std::string& event);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

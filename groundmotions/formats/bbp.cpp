@@ -12,7 +12,7 @@
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -231,4 +231,4 @@ std::vector<Component> read_bbp(const SourceFile& file, const ReadOptions& optio
   return components;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -11,7 +11,7 @@
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -150,4 +150,4 @@ std::vector<Component> read_bhrc(const SourceFile& file, const ReadOptions& opti
   return components;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -8,7 +8,7 @@
 
 #include "groundmotions/formats/numbers.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::optional<double> utc_seconds(int year, int month, int day, double hour, dou
   return ((static_cast<double>(days) * 24 + hour) * 60 + minute) * 60 + second;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Seconds since 1970-01-01 00:00 UTC of a date and a time in UTC: year, month, day, hour, minute
 /// and second, which may have a fraction, apart by what is no digit, or year to day and hour to
@@ -15,4 +15,4 @@ std::optional<double> utc_seconds(std::string_view text);
 std::optional<double> utc_seconds(int year, int month, int day, double hour, double minute,
                                   double second);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -16,7 +16,7 @@
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -260,4 +260,4 @@ std::vector<Component> caltech_components(const SourceFile& file, const ReadOpti
   return components;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

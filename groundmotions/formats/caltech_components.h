@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The acceleration of every channel of a volume 1 or 2 (caltech_volume.h), with what its header
 /// states checked: unit, time step, length, peak and azimuth. Pairs of time and value at uneven
@@ -12,4 +12,4 @@ namespace gurney {
 /// @throws Error with all mistakes of the file.
 std::vector<Component> caltech_components(const SourceFile& file, const ReadOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

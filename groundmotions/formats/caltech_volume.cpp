@@ -12,7 +12,7 @@
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -213,4 +213,4 @@ std::vector<CaltechChannel> caltech_channels(const SourceFile& file, Mistakes& m
   return VolumeReader(file, mistakes).read();
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

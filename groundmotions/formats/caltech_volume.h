@@ -8,7 +8,7 @@
 #include "groundmotions/formats/source_file.h"
 #include "groundmotions/record/acceleration_unit.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// A series of samples and the line that announces it: "12001 POINTS OF ACCEL DATA EQUALLY SPACED
 /// AT .005 SEC. (UNITS: G)". Without such a line the numbers are pairs of a time and a value.
@@ -43,4 +43,4 @@ struct CaltechChannel {
 /// All channels of a file. Counts are checked against the numbers that are there.
 std::vector<CaltechChannel> caltech_channels(const SourceFile& file, Mistakes& mistakes);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

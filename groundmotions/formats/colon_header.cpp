@@ -6,7 +6,7 @@
 
 #include "groundmotions/formats/numbers.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 ColonHeader::ColonHeader(const SourceFile& file) {
   for (const std::string_view line : file.lines()) {
@@ -43,4 +43,4 @@ double ColonHeader::number_of(std::string_view key, Mistakes& mistakes) const {
   return value.value_or(0);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

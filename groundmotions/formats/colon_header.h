@@ -7,7 +7,7 @@
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/source_file.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The lines `key: value` at the top of a file.
 class ColonHeader {
@@ -40,4 +40,4 @@ class ColonHeader {
   std::vector<Entry> entries_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

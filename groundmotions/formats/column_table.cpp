@@ -7,7 +7,7 @@
 
 #include "groundmotions/formats/numbers.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 std::optional<std::string_view> value_behind(const std::vector<std::string_view>& lines,
                                              std::string_view key, std::size_t& line) {
@@ -50,4 +50,4 @@ std::vector<Eigen::VectorXd> read_table(const SourceFile& file, std::size_t firs
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 
 #include "groundmotions/formats/fortran_fields.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// What stands behind the colon of the first line in `lines` that starts with `key` (blanks before
 /// it apart), trimmed; nothing if there is none.
@@ -29,4 +29,4 @@ double rounding_of(std::string_view printed);
 std::vector<Eigen::VectorXd> read_table(const SourceFile& file, std::size_t first_line,
                                         const FortranFormat& format, Mistakes& mistakes);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -10,7 +10,7 @@
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -131,4 +131,4 @@ void orient(const ColumnTitle& title, const std::optional<Direction>& stated,
   component.direction = *stated;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The title of a column in a table of plain numbers: `NS [cm/s2]`, `Vel (cm/s)`, `acc_g`, `v`.
 struct ColumnTitle {
@@ -33,4 +33,4 @@ std::vector<ColumnTitle> parsed_titles(const std::vector<std::string>& titles);
 /// samples are there.
 void orient(const ColumnTitle& title, const std::optional<Direction>& stated, Component& component);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -16,7 +16,7 @@
 #include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/time_column.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -185,4 +185,4 @@ std::string columns_csv_text(const Record& record, const std::vector<std::string
   return text;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

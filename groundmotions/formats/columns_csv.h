@@ -5,7 +5,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// A record in this format, accelerations in m/s2, with its azimuths and starts
 /// (columns_csv_facts.h).
@@ -14,4 +14,4 @@ namespace gurney {
 std::string columns_csv_text(const Record& record, const std::vector<std::string>& comments,
                              int digits = 5);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -12,7 +12,7 @@
 #include "groundmotions/formats/calendar.h"
 #include "groundmotions/formats/numbers.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -91,4 +91,4 @@ void read_columns_csv_facts(const SourceFile& file, std::size_t head,
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 #include "groundmotions/formats/source_file.h"
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The comment lines of Gurney's CSV (columns_csv.h) that are read back, where they are known:
 ///
@@ -23,4 +23,4 @@ std::string columns_csv_facts(const Record& record);
 void read_columns_csv_facts(const SourceFile& file, std::size_t head,
                             std::vector<Component>& components, Mistakes& mistakes);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -13,7 +13,7 @@
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -294,4 +294,4 @@ std::vector<Component> read_cosmos(const SourceFile& file, const ReadOptions& op
   return components;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

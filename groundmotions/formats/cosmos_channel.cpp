@@ -8,7 +8,7 @@
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -180,4 +180,4 @@ std::vector<CosmosChannel> cosmos_channels(const SourceFile& file, Mistakes& mis
   return CosmosFileReader(file, mistakes).read();
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

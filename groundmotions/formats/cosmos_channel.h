@@ -7,7 +7,7 @@
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/source_file.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The samples of a channel and the line that announces them: "7000 raw acceleration pts, approx
 /// 70 secs, units=cm/sec2(04),Format=(8f10.3)".
@@ -41,4 +41,4 @@ bool starts_cosmos_channel(std::string_view line);
 /// All channels of a file. Counts are checked against the numbers that are there.
 std::vector<CosmosChannel> cosmos_channels(const SourceFile& file, Mistakes& mistakes);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::optional<AccelerationUnit> cosmos_unit(int code) {
   return {};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

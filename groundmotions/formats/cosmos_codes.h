@@ -4,7 +4,7 @@
 
 #include "groundmotions/record/acceleration_unit.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Codes of the COSMOS Strong Motion Data Format, version 1.20 (2001), tables 1, 2 and 8.
 
@@ -21,4 +21,4 @@ inline constexpr int kCosmosCounts = 50;
 const char* cosmos_orientation(int code);
 inline constexpr int kCosmosUp = 400, kCosmosDown = 401, kCosmosVertical = 402;
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

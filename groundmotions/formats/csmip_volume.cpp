@@ -4,7 +4,7 @@
 #include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -30,4 +30,4 @@ std::vector<Component> read_csmip(const SourceFile& file, const ReadOptions& opt
   return caltech_components(file, options);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

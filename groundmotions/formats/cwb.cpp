@@ -12,7 +12,7 @@
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -204,4 +204,4 @@ std::vector<Component> read_cwb(const SourceFile& file, const ReadOptions& optio
   return CwbReader(file, options, mistakes).read();
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

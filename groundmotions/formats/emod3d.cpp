@@ -10,7 +10,7 @@
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::vector<Component> read_emod3d(const SourceFile& file, const ReadOptions& op
   return {component};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

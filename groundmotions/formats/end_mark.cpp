@@ -6,7 +6,7 @@
 
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -37,4 +37,4 @@ void read_to_end(const SourceFile& file, std::size_t first, NumberReader& reader
   if (std::all_of(rest, file.lines().end(), is_blank)) reader.check_end();
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

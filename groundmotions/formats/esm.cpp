@@ -13,7 +13,7 @@
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/unit_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -187,4 +187,4 @@ std::vector<Component> read_esm(const SourceFile& file, const ReadOptions& optio
   return {component};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::optional<std::string> foreign_file(std::string_view bytes) {
   return {};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

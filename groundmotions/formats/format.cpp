@@ -13,7 +13,7 @@
 #include "groundmotions/record/acceleration_unit.h"
 #include "groundmotions/record/time_step_range.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 const std::vector<Format>& formats() {
   static const std::vector<Format> table = {
@@ -158,4 +158,4 @@ std::vector<Component> read_components(const SourceFile& file, const ReadOptions
   return components;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

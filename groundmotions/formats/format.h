@@ -8,7 +8,7 @@
 #include "groundmotions/formats/source_file.h"
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// What a file does not say itself must be said here; what it says too is checked against this.
 struct ReadOptions {
@@ -48,4 +48,4 @@ std::vector<Component> read_components(const std::filesystem::path& path,
                                        const ReadOptions& options = {});
 std::vector<Component> read_components(const SourceFile& file, const ReadOptions& options = {});
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

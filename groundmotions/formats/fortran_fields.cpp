@@ -10,7 +10,7 @@
 
 #include "groundmotions/formats/numbers.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -149,4 +149,4 @@ bool FieldReader::read_freely(std::size_t index, std::size_t count,
   return true;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

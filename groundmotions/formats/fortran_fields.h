@@ -9,7 +9,7 @@
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/source_file.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Numbers in columns of fixed width, such as 8F10.3, 16I5 or 8E10.4.
 struct FortranFormat {
@@ -54,4 +54,4 @@ class FieldReader {
   Mistakes& mistakes_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

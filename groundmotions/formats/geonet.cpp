@@ -13,7 +13,7 @@
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -201,4 +201,4 @@ std::vector<Component> read_geonet(const SourceFile& file, const ReadOptions& op
   return components;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -10,7 +10,7 @@
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -225,4 +225,4 @@ std::optional<double> leading_time(std::string_view text) {
   return *value * unit.value_or(1);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

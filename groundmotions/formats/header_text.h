@@ -5,7 +5,7 @@
 #include <vector>
 
 /// What a line of free text in a header says of the samples, letter case apart.
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// "acceleration", "velocity" or "displacement" if the line speaks of one: "VELOCITY HISTORY",
 /// "displacement in cm", "ACC (G)". Acceleration goes first where a line names several; peaks,
@@ -38,4 +38,4 @@ std::optional<double> time_unit_in(std::string_view line);
 /// The time that `text` starts with [s]: a number, then perhaps a unit of time.
 std::optional<double> leading_time(std::string_view text);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -14,7 +14,7 @@
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -215,4 +215,4 @@ std::vector<Component> read_knet(const SourceFile& file, const ReadOptions& opti
   return {component};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

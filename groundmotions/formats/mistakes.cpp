@@ -4,7 +4,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 void Mistakes::add(std::size_t line, std::size_t column, const std::string& message) {
   errors_.add(fmt::format("{}:{}:{}: {}", file_, line_in_file(line), column, message));
@@ -25,4 +25,4 @@ void refuse_spectra(const std::string& file, const std::string& what, const std:
       file, what, instead));
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

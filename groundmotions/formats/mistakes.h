@@ -5,7 +5,7 @@
 #include "engine/base/diagnostics.h"
 #include "groundmotions/formats/source_file.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Collects what is wrong with one file, so that one Error tells all of it.
 class Mistakes {
@@ -41,4 +41,4 @@ class Mistakes {
 [[noreturn]] void refuse_spectra(const std::string& file, const std::string& what,
                                  const std::string& instead);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -12,7 +12,7 @@
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -139,4 +139,4 @@ std::vector<Component> read_nsmn(const SourceFile& file, const ReadOptions& opti
   return NsmnReader(file, options, mistakes).read();
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

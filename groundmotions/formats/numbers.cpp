@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -99,4 +99,4 @@ void NumberReader::check_end() const {
                             is_short ? "is shorter than all others" : "ends left of its column"));
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

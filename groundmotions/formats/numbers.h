@@ -10,7 +10,7 @@
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/source_file.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// `values` times `factor`.
 Eigen::VectorXd scaled(const std::vector<double>& values, double factor);
@@ -54,4 +54,4 @@ class NumberReader {
   bool all_in_columns_ = true, last_in_columns_ = true;  ///< all lines but the last; the last
 };
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

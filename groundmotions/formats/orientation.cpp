@@ -12,7 +12,7 @@
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -142,4 +142,4 @@ void turn_up(std::string_view why, Component& component) {
       fmt::format("the component points down ({}): its sign was turned, up is positive", why));
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

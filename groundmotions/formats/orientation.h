@@ -4,7 +4,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Sets azimuth or direction of a component from what its file calls it, whatever the letter case:
 ///
@@ -30,4 +30,4 @@ bool orient_by_label(std::string_view label, Component& component);
 /// Turns a component that points down, with a warning. @param why  the file's word: "DOWN"
 void turn_up(std::string_view why, Component& component);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

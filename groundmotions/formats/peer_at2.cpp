@@ -15,7 +15,7 @@
 #include "groundmotions/formats/words.h"
 #include "groundmotions/record/acceleration_unit.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -273,4 +273,4 @@ std::vector<Component> read_peer_at2(const SourceFile& file, const ReadOptions& 
   return {component};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 #include "engine/config/nearest_name.h"
 #include "groundmotions/formats/numbers.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -127,4 +127,4 @@ PlainColumns plain_columns(const PlainRows& rows, bool stated, const ReadOptions
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

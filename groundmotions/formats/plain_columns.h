@@ -8,7 +8,7 @@
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/plain_rows.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// What the numbers of plain rows are.
 struct PlainColumns {
@@ -30,4 +30,4 @@ struct PlainColumns {
 PlainColumns plain_columns(const PlainRows& rows, bool stated, const ReadOptions& options,
                            Mistakes& mistakes);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

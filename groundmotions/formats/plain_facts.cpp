@@ -9,7 +9,7 @@
 #include "groundmotions/formats/header_text.h"
 #include "groundmotions/formats/unit_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -77,4 +77,4 @@ void check_step(const PlainFacts& facts, double step, std::string_view what, Mis
                            *facts.time_step, what, step));
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

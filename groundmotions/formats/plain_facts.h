@@ -5,7 +5,7 @@
 #include "groundmotions/formats/plain_rows.h"
 #include "groundmotions/formats/stated.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// What the free text above plain numbers states. Lines are counted from 1.
 struct PlainFacts {
@@ -25,4 +25,4 @@ PlainFacts plain_facts(const PlainRows& rows, bool with_titles, Mistakes& mistak
 /// explains: 1 %, an assumption.
 void check_step(const PlainFacts& facts, double step, std::string_view what, Mistakes& mistakes);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -9,7 +9,7 @@
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -161,4 +161,4 @@ std::vector<std::string> column_titles(const PlainRows& rows, std::size_t count)
   return {};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

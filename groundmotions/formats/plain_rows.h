@@ -7,7 +7,7 @@
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/source_file.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// A text file of numbers, cut into a header of text, rows of numbers and an end mark. Numbers are
 /// apart by blanks, tabs, commas or semicolons; `#`, `%` and `//` start a comment line anywhere.
@@ -39,4 +39,4 @@ PlainRows plain_rows(const SourceFile& file, Mistakes& mistakes);
 /// A bracket belongs to the word before it; titles of several words are apart by two blanks.
 std::vector<std::string> column_titles(const PlainRows& rows, std::size_t count);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

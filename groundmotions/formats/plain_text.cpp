@@ -17,7 +17,7 @@
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -278,4 +278,4 @@ std::vector<Component> read_plain_text(const SourceFile& file, const ReadOptions
   return components;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "engine/base/utf8.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -36,4 +36,4 @@ std::string readable(std::string_view text) {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

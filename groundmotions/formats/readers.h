@@ -4,7 +4,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The readers of formats(), a pair for each layout; Format says what they do.
 using FormatMark = bool(const SourceFile& file);
@@ -109,4 +109,4 @@ FormatReader read_usc;
 FormatMark recognises_smc;
 FormatReader read_smc;
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

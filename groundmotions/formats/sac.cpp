@@ -14,7 +14,7 @@
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/record/acceleration_unit.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -146,7 +146,7 @@ void orient(const SacWords& words, Component& component) {
   else if (last == 'N' || last == 'E')
     component.azimuth = (last == 'N' ? 0 : 90) * kRadiansPerDegree;
   else
-    gurney::orient(component.name, component);
+    groundmotions::orient(component.name, component);
   if (is_named_vertical != (component.direction == Direction::kVertical) ||
       (is_named_vertical && inclination != 0 && inclination != 180))
     component.warnings.push_back(fmt::format(
@@ -221,4 +221,4 @@ std::vector<Component> read_sac(const SourceFile& file, const ReadOptions& optio
   return {component};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -9,7 +9,7 @@
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -89,4 +89,4 @@ std::vector<Component> read_simbad(const SourceFile& file, const ReadOptions& op
   return {component};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -8,7 +8,7 @@
 #include "engine/base/hash/sha256.h"
 #include "engine/base/input_file.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -61,4 +61,4 @@ void SourceFile::cut() {
 
 std::string SourceFile::sha256() const { return gurney::sha256(bytes_); }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

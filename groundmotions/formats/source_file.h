@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// A file in memory; a text file is cut into lines.
 ///
@@ -50,4 +50,4 @@ class SourceFile {
   std::size_t blank_lines_ = 0;
 };
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 
 #include "groundmotions/formats/numbers.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -137,4 +137,4 @@ void check_peak(const StatedPeak& peak, const Eigen::VectorXd& a, Component& com
                   peak.line, component, mistakes);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

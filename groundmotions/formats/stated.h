@@ -10,7 +10,7 @@
 
 /// What a file says of itself, checked against the user's options and against its samples. Lines
 /// are counted from 1.
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The unit a file states, or else options.unit; a mistake if there is none or both differ.
 /// @param line  that states it or should; 0: no line in particular
@@ -62,4 +62,4 @@ struct StatedPeak {
 void check_peak(const StatedPeak& peak, const Eigen::VectorXd& samples, Component& component,
                 Mistakes& mistakes);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

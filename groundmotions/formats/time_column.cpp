@@ -9,7 +9,7 @@
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/record/time_step_range.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 double even_step(const std::vector<double>& times, const std::vector<std::size_t>& lines,
                  Mistakes& mistakes) {
@@ -52,4 +52,4 @@ std::string late_start(double first_time, double step) {
                      first_time);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 
 #include "groundmotions/formats/mistakes.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 inline constexpr double kTimeTolerance = 0.01;  ///< of a time from the even grid, in steps
 
@@ -20,4 +20,4 @@ double even_step(const std::vector<double>& times, const std::vector<std::size_t
 /// A warning for a first time that is not 0; empty if it is.
 std::string late_start(double first_time, double step);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

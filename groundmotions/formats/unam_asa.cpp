@@ -11,7 +11,7 @@
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/unit_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -231,4 +231,4 @@ std::vector<Component> read_unam(const SourceFile& file, const ReadOptions& opti
   return UnamReader(file, options, mistakes).read();
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::string uneven_warning(const std::vector<double>& times, double time_step) {
       spacing.smallest, spacing.largest, time_step, times.size());
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 inline constexpr double kLongestGap = 2;  ///< between digitised samples; an assumption [s]
 
@@ -37,4 +37,4 @@ Eigen::VectorXd evenly_spaced(const std::vector<double>& times, const std::vecto
 /// What a component must say of samples that were brought to an even time step.
 std::string uneven_warning(const std::vector<double>& times, double time_step);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

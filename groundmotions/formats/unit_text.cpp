@@ -7,7 +7,7 @@
 
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 std::optional<AccelerationUnit> unit_in(std::string_view line) {
   for (const std::string_view word : words_of(line, " \t(),:;=[]"))
@@ -41,4 +41,4 @@ std::optional<std::string_view> other_quantity(std::string_view unit) {
   return is_rate ? "velocity" : "displacement";
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 
 #include "groundmotions/record/acceleration_unit.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The unit of acceleration that a header line names somewhere, letter case apart: "UNITS: G)",
 /// "SEC AND G/10.", "in cm/sec2.". A tenth of g is "g/10".
@@ -18,4 +18,4 @@ std::optional<double> time_unit(std::string_view spelling);
 /// "velocity" or "displacement" if that is what the unit measures, else nothing.
 std::optional<std::string_view> other_quantity(std::string_view unit);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -11,7 +11,7 @@
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -101,4 +101,4 @@ std::vector<Component> read_usc_blocks(const SourceFile& file, const ReadOptions
   return components;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 #include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 bool recognises_usc(const SourceFile& file) {
   bool is_volume = false;
@@ -25,4 +25,4 @@ std::vector<Component> read_usc(const SourceFile& file, const ReadOptions& optio
   return caltech_components(file, options);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -18,7 +18,7 @@
 #include "groundmotions/formats/uneven_samples.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -312,4 +312,4 @@ std::vector<Component> read_smc(const SourceFile& file, const ReadOptions& optio
   return {SmcReader(file, options, mistakes).read()};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 
 #include "groundmotions/formats/numbers.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::string_view in_brackets(std::string_view text) {
   return trimmed(text.substr(0, text.find_first_of(")]")));
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

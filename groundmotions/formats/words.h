@@ -6,7 +6,7 @@
 #include <vector>
 
 /// Words and numbers within the lines of a header.
-namespace gurney {
+namespace gurney::groundmotions {
 
 std::string upper(std::string_view text);
 std::string lower(std::string_view text);
@@ -20,4 +20,4 @@ std::optional<double> number_after(std::string_view line, std::string_view key);
 /// The text in the first () or [], blanks around it apart; empty if there is none.
 std::string_view in_brackets(std::string_view text);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -13,7 +13,7 @@
 #include "groundmotions/measures/rotation.h"
 #include "groundmotions/measures/spectral_averages.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 constexpr std::pair<Combination, const char*> kNames[] = {
@@ -124,4 +124,4 @@ double value_of(const Measure& measure, Combination combination, const Record& r
   return std::sqrt(v1 * v2);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 #include "groundmotions/measures/measure.h"
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// How the components of a record make one value.
 enum class Combination {
@@ -47,4 +47,4 @@ bool has_resultant(const Measure& measure);
 ///          of durations and periods, and as value_of() of a component does.
 double value_of(const Measure& measure, Combination combination, const Record& record);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 #include "groundmotions/measures/response_spectrum.h"
 #include "groundmotions/measures/rotation.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 Eigen::VectorXd combined_spectrum(Combination combination, const Record& record,
                                   const Eigen::VectorXd& periods, double damping) {
@@ -45,4 +45,4 @@ Eigen::VectorXd combined_spectrum(Combination combination, const Record& record,
   throw Error("a spectrum has no resultant; RotD100 is its largest value over the angles");
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

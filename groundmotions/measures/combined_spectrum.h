@@ -5,7 +5,7 @@
 #include "groundmotions/measures/combination.h"
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Pseudo-acceleration at samples of a record, its components combined at each period.
 /// @param periods  >= 0 [s]
@@ -16,4 +16,4 @@ namespace gurney {
 Eigen::VectorXd combined_spectrum(Combination combination, const Record& record,
                                   const Eigen::VectorXd& periods, double damping = 0.05);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

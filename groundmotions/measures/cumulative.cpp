@@ -6,7 +6,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 double arias_intensity(double time_step, const Eigen::VectorXd& acceleration, Rule rule) {
   double sum = 0;
@@ -49,4 +49,4 @@ SignificantPart significant_part(double time_step, const Eigen::VectorXd& accele
   return {reaches(from), reaches(to)};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

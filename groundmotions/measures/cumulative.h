@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// How an integral over the samples is taken.
 enum class Rule {
@@ -34,4 +34,4 @@ struct SignificantPart {
 SignificantPart significant_part(double time_step, const Eigen::VectorXd& acceleration, double from,
                                  double to);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -12,7 +12,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 /// One pass of a second-order low-pass Butterworth filter, from rest: the bilinear transform with
@@ -98,4 +98,4 @@ double fiv3(double time_step, const Eigen::VectorXd& acceleration, double period
   return std::max(highest, three_highest(v));
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The constants of FIV3. Those of Davalos & Miranda (2019); they could be checked against public
 /// programs only, not against the paper.
@@ -31,4 +31,4 @@ struct Fiv3Settings {
 double fiv3(double time_step, const Eigen::VectorXd& acceleration, double period,
             const Fiv3Settings& settings = {});
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

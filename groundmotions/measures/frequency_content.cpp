@@ -10,7 +10,7 @@
 
 #include "groundmotions/measures/response_spectrum.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 constexpr double kLowestFrequency = 0.25, kHighestFrequency = 20;  // [Hz]
@@ -50,4 +50,4 @@ double predominant_period(double time_step, const Eigen::VectorXd& acceleration)
   return spectrum.pseudo_acceleration.maxCoeff(&largest) > 0 ? periods[largest] : 0;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

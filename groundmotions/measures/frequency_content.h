@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Mean period Tm = sum(C_i^2 / f_i) / sum(C_i^2) over 0.25 Hz <= f_i <= 20 Hz [s], C_i the Fourier
 /// amplitudes (Rathje, Abrahamson & Bray 1998, J. Geotech. Geoenviron. Eng. 124(2), 150-159;
@@ -18,4 +18,4 @@ double mean_period(double time_step, const Eigen::VectorXd& acceleration);
 /// shortest of equals; 0 for a motion that is all zero.
 double predominant_period(double time_step, const Eigen::VectorXd& acceleration);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

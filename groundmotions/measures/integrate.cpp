@@ -1,6 +1,6 @@
 #include "groundmotions/measures/integrate.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 IntegratedMotion integrated(double time_step, const Eigen::VectorXd& acceleration) {
   const Eigen::Index samples = acceleration.size();
@@ -20,4 +20,4 @@ EndMotion end_motion(double time_step, const Eigen::VectorXd& acceleration) {
   return {motion.velocity[acceleration.size() - 1], motion.displacement[acceleration.size() - 1]};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Velocity and displacement at the samples, from rest at the first one.
 struct IntegratedMotion {
@@ -26,4 +26,4 @@ struct EndMotion {
 };
 EndMotion end_motion(double time_step, const Eigen::VectorXd& acceleration);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -18,7 +18,7 @@
 #include "groundmotions/measures/response_spectrum.h"
 #include "groundmotions/measures/spectral_averages.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using Kind = MeasureKind;
@@ -209,4 +209,4 @@ Eigen::VectorXd spectral_periods(const Measure& measure) {
   return average_periods(measure.period);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

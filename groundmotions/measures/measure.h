@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 enum class MeasureKind {
   kPga,
@@ -72,4 +72,4 @@ double value_of(const Measure& measure, double time_step, const Eigen::VectorXd&
 /// The forms of parse_measure(), for help texts.
 std::vector<std::string> known_measures();
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using Complex = std::complex<double>;
@@ -53,4 +53,4 @@ OscillatorStep oscillator_step(double omega, double damping, double time_step) {
   return step;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

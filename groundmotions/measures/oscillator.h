@@ -1,6 +1,6 @@
 #pragma once
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// One time step of a damped linear oscillator u'' + 2 zeta omega u' + omega^2 u = p(t) with p
 /// linear over the step: the state after it is exact (Nigam & Jennings 1969, BSSA 59(2), 909-922).
@@ -42,4 +42,4 @@ class Oscillator {
   double u_, v_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "groundmotions/measures/oscillator.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Oscillators of several periods under one load, side by side in SIMD registers.
 struct OscillatorPack {
@@ -25,4 +25,4 @@ struct OscillatorPack {
   }
 };
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

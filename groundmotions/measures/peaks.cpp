@@ -4,7 +4,7 @@
 
 #include "groundmotions/measures/integrate.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 Peaks peaks(double time_step, const Eigen::VectorXd& a) {
   if (a.size() == 0) return {};
@@ -29,4 +29,4 @@ Peaks peaks(double time_step, const Eigen::VectorXd& h1, const Eigen::VectorXd& 
           static_cast<double>(at) * time_step};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Peak ground acceleration, velocity and displacement of one component: the largest magnitudes at
 /// the samples, starting from rest. Velocity and displacement are the exact integrals of the
@@ -23,4 +23,4 @@ Peaks peaks(double time_step, const Eigen::VectorXd& acceleration);
 /// @param h1, h2  at right angles, of one length [m/s2]
 Peaks peaks(double time_step, const Eigen::VectorXd& h1, const Eigen::VectorXd& h2);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

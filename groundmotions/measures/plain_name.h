@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// `text` without blanks, in small letters: what names of measures are compared by.
 inline std::string plain_name(std::string_view text) {
@@ -15,4 +15,4 @@ inline std::string plain_name(std::string_view text) {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -8,7 +8,7 @@
 #include "engine/base/units.h"
 #include "groundmotions/measures/peaks.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -53,4 +53,4 @@ Residual residual(const FloorMotion& floor) {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -6,7 +6,7 @@
 #include "engine/base/floor_motion.h"
 #include "engine/base/vector.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// A residual velocity that is visible however long the record [m/s].
 inline constexpr double kVisibleVelocity = 0.05;
@@ -34,4 +34,4 @@ struct Residual {
 
 Residual residual(const FloorMotion& floor);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -12,7 +12,7 @@
 #include "engine/base/error.h"
 #include "groundmotions/measures/oscillator_pack.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using Lanes = OscillatorPack::Lanes;
@@ -115,4 +115,4 @@ Eigen::VectorXd logarithmic_periods(double first, double last, int count) {
   return Eigen::ArrayXd::LinSpaced(count, std::log(first), std::log(last)).exp();
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

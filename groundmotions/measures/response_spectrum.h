@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <string>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Where the peak of an oscillator's response is looked for.
 enum class PeakAt {
@@ -46,4 +46,4 @@ std::string short_period_warning(double time_step, double period);
 /// @param first  > 0
 Eigen::VectorXd logarithmic_periods(double first, double last, int count);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

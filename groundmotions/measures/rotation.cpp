@@ -10,7 +10,7 @@
 #include "groundmotions/measures/oscillator_pack.h"
 #include "groundmotions/measures/response_spectrum.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 struct Directions {
@@ -125,4 +125,4 @@ RotatedSpectrum rotated_spectrum(double time_step, const Eigen::VectorXd& h1,
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

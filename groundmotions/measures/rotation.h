@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// How the angles of RotD are counted: 0, 1, ..., 179 degrees (Boore 2010, BSSA 100(4), 1830-1835).
 inline constexpr int kRotationAngles = 180;
@@ -39,4 +39,4 @@ RotatedSpectrum rotated_spectrum(double time_step, const Eigen::VectorXd& h1,
                                  const Eigen::VectorXd& h2, const Eigen::VectorXd& periods,
                                  double damping = 0.05);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

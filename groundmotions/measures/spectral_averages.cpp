@@ -6,7 +6,7 @@
 
 #include "groundmotions/measures/response_spectrum.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 constexpr double kLowFactor = 0.2, kHighFactor = 3, kSpacing = 0.01;  // of SaAvg
@@ -37,4 +37,4 @@ double spectrum_intensity(double time_step, const Eigen::VectorXd& acceleration)
   return (kLongest - kShortest) / kIntervals * (psv.sum() - ends);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The periods of SaAvg(T): 0.01 s apart from 0.2 T to 3 T, as Eads, Miranda & Lignos (2015, EESD
 /// 44(12), 2057-2073) have them; at least ten, then evenly spaced.
@@ -22,4 +22,4 @@ double geometric_mean(const Eigen::VectorXd& spectral_accelerations);
 /// (damping and step are assumptions).
 double spectrum_intensity(double time_step, const Eigen::VectorXd& acceleration);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -3,7 +3,7 @@
 #include "engine/base/error.h"
 #include "groundmotions/measures/response_spectrum.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 SummaryRow empty_row(const Measure& measure) {
@@ -78,4 +78,4 @@ Summary summary(const Record& record, const std::vector<Measure>& measures) {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

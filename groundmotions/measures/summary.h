@@ -8,7 +8,7 @@
 #include "groundmotions/measures/measure.h"
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// One intensity measure of a component or a record.
 struct SummaryRow {
@@ -38,4 +38,4 @@ Summary summary(const Component& component,
 /// PGA, PGV, PGD, Sa and SaAvg) and the resultant (of PGA, PGV and PGD).
 Summary summary(const Record& record, const std::vector<Measure>& measures = common_measures());
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

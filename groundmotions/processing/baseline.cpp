@@ -7,7 +7,7 @@
 #include "engine/base/error.h"
 #include "groundmotions/measures/integrate.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -83,4 +83,4 @@ Eigen::VectorXd ending_at_rest(const Eigen::VectorXd& acceleration, int degree) 
   return acceleration - basis * c;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

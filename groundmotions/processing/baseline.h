@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Corrections of the zero line of one component; docs/theory/processing.md. Every one is linear in
 /// the acceleration.
@@ -38,4 +38,4 @@ Eigen::VectorXd without_pre_event_mean(double time_step, const Eigen::VectorXd& 
 /// @throws Error for another degree and for fewer than degree + 2 samples.
 Eigen::VectorXd ending_at_rest(const Eigen::VectorXd& acceleration, int degree = 1);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

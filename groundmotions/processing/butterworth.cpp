@@ -8,7 +8,7 @@
 #include "engine/base/error.h"
 #include "groundmotions/processing/taper.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -111,4 +111,4 @@ Eigen::VectorXd filtered(const Butterworth& filter, double time_step,
   return x.segment(pad, samples);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

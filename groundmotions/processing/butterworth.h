@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// A zero-phase Butterworth filter: high-pass, low-pass, or both one after the other (band-pass).
 /// It runs forward and backward, so its gain is the square of that of one pass. With n the order,
@@ -44,4 +44,4 @@ Eigen::Index pad_samples(const Butterworth& filter, double time_step);
 Eigen::VectorXd filtered(const Butterworth& filter, double time_step,
                          const Eigen::VectorXd& acceleration);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

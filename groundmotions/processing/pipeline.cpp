@@ -16,7 +16,7 @@
 #include "groundmotions/processing/rotate.h"
 #include "groundmotions/processing/taper.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -262,4 +262,4 @@ Record processed(Record record, const std::vector<ProcessingStep>& steps) {
   return record;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 #include "groundmotions/processing/step.h"
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The record after all steps, in their order; every step does the same to all components.
 ///
@@ -17,4 +17,4 @@ namespace gurney {
 /// @throws Error for what a step refuses: "record 'name', step 2 (high_pass): ...".
 Record processed(Record record, const std::vector<ProcessingStep>& steps);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -8,7 +8,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -96,4 +96,4 @@ Eigen::VectorXd resampled(double time_step, const Eigen::VectorXd& acceleration,
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The same motion at another time step, whole or not a multiple of the old one: band-limited
 /// interpolation by a sinc under a Kaiser window (Kaiser 1974, IEEE Int. Symp. Circuits and
@@ -24,4 +24,4 @@ namespace gurney {
 Eigen::VectorXd resampled(double time_step, const Eigen::VectorXd& acceleration,
                           double new_time_step);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

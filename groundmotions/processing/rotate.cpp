@@ -8,7 +8,7 @@
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -114,4 +114,4 @@ Record rotate_to_fault(Record record, double strike) {
   return record;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

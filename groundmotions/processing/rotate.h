@@ -2,7 +2,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Turning the horizontals of a record. h2 is h1 turned 90 degrees counter-clockwise seen from
 /// above; azimuths count clockwise from north, so azimuth(h2) = azimuth(h1) - 90 degrees.
@@ -38,4 +38,4 @@ Record rotate_to(Record record, double azimuth_of_h1);
 /// @param strike  of the fault, clockwise from north [rad]
 Record rotate_to_fault(Record record, double strike);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

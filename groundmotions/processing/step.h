@@ -6,7 +6,7 @@
 #include "groundmotions/processing/butterworth.h"
 #include "groundmotions/processing/trim.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// What can be done to a record, with its parameters; docs/formats/processing.md. Butterworth is a
 /// step as it is.
@@ -50,4 +50,4 @@ struct Rotate {
 using ProcessingStep =
     std::variant<Baseline, Taper, Butterworth, Resample, TrimToDuration, TrimToWindow, Rotate>;
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

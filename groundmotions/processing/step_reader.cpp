@@ -9,7 +9,7 @@
 #include "engine/config/nearest_name.h"
 #include "groundmotions/processing/baseline.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -151,4 +151,4 @@ std::vector<ProcessingStep> read_processing_steps(Table& table, const std::strin
   return steps;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

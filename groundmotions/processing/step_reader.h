@@ -6,7 +6,7 @@
 #include "engine/config/table.h"
 #include "groundmotions/processing/step.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The array of tables `key` of a table, one step in each; docs/formats/processing.md:
 ///
@@ -18,4 +18,4 @@ namespace gurney {
 std::vector<ProcessingStep> read_processing_steps(config::Table& table,
                                                   const std::string& key = "processing");
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 Eigen::VectorXd tapered(double time_step, const Eigen::VectorXd& acceleration, double start,
                         double end) {
@@ -34,4 +34,4 @@ Eigen::VectorXd tapered(double time_step, const Eigen::VectorXd& acceleration, d
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Cosine tapers (Hann): the samples of the first `start` seconds times (1 - cos(pi t / start)) /
 /// 2, with t the time since the first sample, and likewise those of the last `end` seconds
@@ -13,4 +13,4 @@ namespace gurney {
 Eigen::VectorXd tapered(double time_step, const Eigen::VectorXd& acceleration, double start,
                         double end);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

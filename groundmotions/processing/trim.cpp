@@ -8,7 +8,7 @@
 #include "engine/base/error.h"
 #include "groundmotions/measures/cumulative.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 TimeInterval significant_interval(double time_step, const Eigen::VectorXd& acceleration,
                                   double from, double to) {
@@ -34,4 +34,4 @@ SampleRange samples_within(const TimeInterval& interval, double time_step, Eigen
   return {static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(last - first) + 1};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// A part of a record.
 struct TimeInterval {
@@ -29,4 +29,4 @@ struct SampleRange {
 /// @throws Error unless from < to, and for an interval with less than 2 samples of the record.
 SampleRange samples_within(const TimeInterval& interval, double time_step, Eigen::Index samples);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

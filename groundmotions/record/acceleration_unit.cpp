@@ -6,7 +6,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -75,4 +75,4 @@ std::optional<AccelerationUnit> acceleration_unit(std::string_view spelling) {
   return at == kUnits.end() ? std::nullopt : std::optional(*at);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

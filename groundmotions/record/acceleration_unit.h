@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// A unit of acceleration.
 struct AccelerationUnit {
@@ -28,4 +28,4 @@ const std::vector<std::string>& acceleration_unit_names();
 /// The same for a message: "g, m/s2, ... or in/s2".
 extern const std::string kAccelerationUnits;
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 const char* name_of(Direction direction) {
   switch (direction) {
@@ -32,4 +32,4 @@ Eigen::Index Record::samples() const {
   return 0;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -9,7 +9,7 @@
 
 #include "engine/base/floor_motion.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The place of a component in a record: two horizontals at right angles and the vertical (up).
 enum class Direction { kH1, kH2, kVertical };
@@ -50,4 +50,4 @@ struct Record {
   Eigen::Index samples() const;  ///< 0 without components
 };
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -8,7 +8,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 FloorMotion floor_motion(const Record& record, double scale, double angle,
                          const std::vector<Direction>& use) {
@@ -36,4 +36,4 @@ FloorMotion floor_motion(const Record& record, double scale, double angle,
       {turn * record.rotation->angle, turn * record.rotation->acceleration});
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 #include "engine/base/floor_motion.h"
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The floor motion that a record is, scaled and turned about the vertical. With f the scale and
 /// theta the angle,
@@ -25,4 +25,4 @@ namespace gurney {
 FloorMotion floor_motion(const Record& record, double scale = 1, double angle = 0,
                          const std::vector<Direction>& use = {});
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

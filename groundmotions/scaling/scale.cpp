@@ -6,7 +6,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 Record scaled(Record record, double factor, const VerticalScaling& vertical,
               const std::string& reason) {
@@ -49,4 +49,4 @@ Record scale_to(const Record& record, const ScalingMeasure& measure, double valu
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

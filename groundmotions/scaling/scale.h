@@ -6,7 +6,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// What scaling does to the vertical component.
 struct VerticalScaling {
@@ -48,4 +48,4 @@ struct FactorLimits {
 Record scale_to(const Record& record, const ScalingMeasure& measure, double value,
                 const VerticalScaling& vertical = {}, const FactorLimits& limits = {});
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

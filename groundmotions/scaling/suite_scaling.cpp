@@ -7,7 +7,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -99,4 +99,4 @@ SuiteScaling scale_suite(const Eigen::VectorXd& periods, const Eigen::MatrixXd& 
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// How a suite of records is scaled to a target spectrum.
 struct SuiteScalingOptions {
@@ -53,4 +53,4 @@ SuiteScaling scale_suite(const Eigen::VectorXd& periods, const Eigen::MatrixXd& 
                          const Eigen::VectorXd& target, const std::vector<std::string>& names,
                          const SuiteScalingOptions& options = {});
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

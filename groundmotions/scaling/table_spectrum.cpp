@@ -9,7 +9,7 @@
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/scaling/target_spectrum.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -84,4 +84,4 @@ TargetSpectrum table_spectrum(const SourceFile& file) {
           [rows = std::move(rows)](double t) { return interpolated(rows, t); }};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

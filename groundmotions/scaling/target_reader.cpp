@@ -5,7 +5,7 @@
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -74,4 +74,4 @@ std::optional<TargetSpectrum> read_target(Table& in) {
   return {};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

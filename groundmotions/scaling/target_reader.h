@@ -5,7 +5,7 @@
 #include "engine/config/table.h"
 #include "groundmotions/scaling/target_spectrum.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Reads `target` and its parameters: "asce7" (sds_g, sd1_g, tl_s), "eurocode8" (type, ground,
 /// ag_g, damping_ratio, vertical), "nzs1170" (site_class, hazard_factor, return_factor,
@@ -13,4 +13,4 @@ namespace gurney {
 /// noted in the table's document; the result is empty then.
 std::optional<TargetSpectrum> read_target(config::Table& table);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -11,7 +11,7 @@
 #include "engine/base/units.h"
 #include "groundmotions/synthetic/ac156.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -147,4 +147,4 @@ TargetSpectrum ac156_spectrum(double sds, double height_ratio, bool vertical) {
           0, 10, [=](double t) { return t == 0 ? required.rigid : required.at(1 / t); }};
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 
 #include "groundmotions/formats/source_file.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// A response spectrum that records are scaled to. Spectra of records must be of its damping.
 struct TargetSpectrum {
@@ -66,4 +66,4 @@ TargetSpectrum ac156_spectrum(double short_period_acceleration, double height_ra
 /// @throws Error for anything else, one line for each mistake.
 TargetSpectrum table_spectrum(const SourceFile& file);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

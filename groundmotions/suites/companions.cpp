@@ -7,7 +7,7 @@
 
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -44,4 +44,4 @@ std::size_t drop_companions(std::vector<std::filesystem::path>& files) {
   });
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -12,7 +12,7 @@
 #include "groundmotions/suites/grouping.h"
 #include "groundmotions/suites/peer_search_results.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -138,4 +138,4 @@ Suite read_folder_suite(const fs::path& folder, const ReadOptions& options,
   return grouped({options, true}, files, progress);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -2,7 +2,7 @@
 
 #include "groundmotions/suites/suite.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The records in a folder and the folders in it, in order of their paths; hidden files are passed
 /// over.
@@ -20,4 +20,4 @@ Suite read_folder_suite(const std::filesystem::path& folder, const ReadOptions& 
 Suite group_files(const std::vector<std::filesystem::path>& files, const ReadOptions& options = {},
                   const Progress& progress = {});
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

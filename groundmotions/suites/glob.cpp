@@ -2,7 +2,7 @@
 
 #include <glob.h>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 bool is_glob(const std::filesystem::path& path) {
   std::error_code ignored;
@@ -19,4 +19,4 @@ std::vector<std::filesystem::path> glob(const std::filesystem::path& pattern) {
   return paths;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

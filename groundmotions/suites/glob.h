@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Whether a path that does not exist is a pattern: it has `*`, `?` or `[`.
 bool is_glob(const std::filesystem::path& path);
@@ -13,4 +13,4 @@ bool is_glob(const std::filesystem::path& path);
 /// named by patterns with their point only.
 std::vector<std::filesystem::path> glob(const std::filesystem::path& pattern);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

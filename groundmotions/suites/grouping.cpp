@@ -15,7 +15,7 @@
 #include "groundmotions/formats/words.h"
 #include "groundmotions/suites/name_pattern.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -260,4 +260,4 @@ std::vector<SuiteRecord> records_of_components(const std::vector<FoundComponent>
   return records;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

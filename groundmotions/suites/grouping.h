@@ -7,7 +7,7 @@
 
 #include "groundmotions/suites/suite.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// A component of a file as far as it matters to its neighbours.
 struct FoundComponent {
@@ -44,4 +44,4 @@ std::vector<SuiteRecord> records_of_file(const std::vector<FoundComponent>& chan
 ///   whose names are most alike.
 std::vector<SuiteRecord> records_of_components(const std::vector<FoundComponent>& components);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

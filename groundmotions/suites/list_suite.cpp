@@ -14,7 +14,7 @@
 #include "groundmotions/record/acceleration_unit.h"
 #include "groundmotions/record/time_step_range.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -184,4 +184,4 @@ Suite read_list_suite(const SourceFile& file, const ReadOptions& options) {
   return ListReader(file, options).read();
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -2,7 +2,7 @@
 
 #include "groundmotions/suites/suite.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Whether a file is a list of records: its first row, comments apart, begins with `name,`.
 bool recognises_list_suite(const SourceFile& file);
@@ -15,4 +15,4 @@ bool recognises_list_suite(const SourceFile& file);
 ///         file, and number outside its range.
 Suite read_list_suite(const SourceFile& file, const ReadOptions& options = {});
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

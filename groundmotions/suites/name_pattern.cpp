@@ -12,7 +12,7 @@
 #include "engine/base/units.h"
 #include "groundmotions/formats/words.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -103,4 +103,4 @@ std::string name_of_pattern(std::string pattern) {
   return name.empty() ? pattern : name;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The name of a component's file without the name of the component: "RSN1063_NORTHR_RRS228.AT2"
 /// of component "228" is "RSN1063_NORTHR_RRS*.AT2". At the end of a name without its extension
@@ -19,4 +19,4 @@ std::string name_pattern(const std::string& file_name, const Component& componen
 /// The name of a record whose files are named by a pattern: "RSN1063_NORTHR_RRS".
 std::string name_of_pattern(std::string pattern);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -8,7 +8,7 @@
 #include "engine/base/csv_row.h"
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -167,4 +167,4 @@ Suite read_peer_search_results(const SourceFile& file, const ReadOptions& option
   return suite;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -2,7 +2,7 @@
 
 #include "groundmotions/suites/suite.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Whether a file is a search report of the PEER ground motion database (_SearchResults.csv).
 bool recognises_peer_search_results(const SourceFile& file);
@@ -19,4 +19,4 @@ bool recognises_peer_search_results(const SourceFile& file);
 /// @throws Error without the table or without its columns of file names.
 Suite read_peer_search_results(const SourceFile& file, const ReadOptions& options = {});
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -12,7 +12,7 @@
 #include "groundmotions/suites/list_suite.h"
 #include "groundmotions/suites/peer_search_results.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -89,4 +89,4 @@ Record read_record(const SuiteRecord& entry) {
   return record;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

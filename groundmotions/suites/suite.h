@@ -8,7 +8,7 @@
 
 #include "groundmotions/assembly/read_record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// A record of a suite: which files, and how they are to be read.
 struct SuiteRecord {
@@ -53,4 +53,4 @@ Suite read_suite(const std::vector<std::filesystem::path>& paths, const ReadOpti
 /// @throws Error as read_record() for files does.
 Record read_record(const SuiteRecord& record);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

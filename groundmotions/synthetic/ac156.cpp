@@ -11,7 +11,7 @@
 #include "groundmotions/synthetic/component.h"
 #include "groundmotions/synthetic/noise.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -209,4 +209,4 @@ Record ac156_motion(const Ac156Motion& motion) {
   return record;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

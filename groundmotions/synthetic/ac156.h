@@ -6,7 +6,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Required response spectrum of ICC-ES AC156, Acceptance Criteria for Seismic Certification by
 /// Shake-Table Testing of Nonstructural Components (2010), 5 % of critical damping:
@@ -60,4 +60,4 @@ struct Ac156Motion {
 /// @throws Error for a time step above 0.005 s, and if no stream is independent of the others.
 Record ac156_motion(const Ac156Motion& motion);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -12,7 +12,7 @@
 #include "groundmotions/measures/oscillator.h"
 #include "groundmotions/synthetic/end_state.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -106,4 +106,4 @@ std::string shipped_synthetic_text() {
   return columns_csv_text(synthetic_record(motion), comments);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// One component of a synthetic motion.
 struct SyntheticComponent {
@@ -50,4 +50,4 @@ SyntheticMotion shipped_synthetic_motion();
 /// The whole text of groundmotions/records/synthetic_3c.csv.
 std::string shipped_synthetic_text();
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

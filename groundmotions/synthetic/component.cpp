@@ -8,7 +8,7 @@
 #include "groundmotions/measures/peaks.h"
 #include "groundmotions/synthetic/end_state.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 Eigen::VectorXd sampled(double time_step, double duration,
                         const std::function<double(double)>& function) {
@@ -62,4 +62,4 @@ void describe_synthetic(Record& record, const std::string& kind, const std::stri
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

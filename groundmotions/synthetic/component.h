@@ -8,7 +8,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 using HeaderFacts = std::vector<std::pair<std::string, std::string>>;
 
@@ -28,4 +28,4 @@ Record single_component(double time_step, Eigen::VectorXd acceleration);
 void describe_synthetic(Record& record, const std::string& kind, const std::string& source,
                         const HeaderFacts& facts);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

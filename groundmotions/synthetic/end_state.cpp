@@ -6,7 +6,7 @@
 
 #include "groundmotions/measures/integrate.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 Eigen::Vector2d end_state(double time_step, const Eigen::VectorXd& acceleration) {
   const EndMotion end = end_motion(time_step, acceleration);
@@ -42,4 +42,4 @@ Eigen::VectorXd acceleration_of(double time_step, const Eigen::VectorXd& displac
   return a;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

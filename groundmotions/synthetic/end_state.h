@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Velocity [m/s] and displacement [m] at the last sample, from rest at the first, by
 /// processing/integrate.h.
@@ -21,4 +21,4 @@ void set_end_state(double time_step, Eigen::VectorXd& acceleration,
 /// @param displacement  at least 4 samples, the first 0 [m]
 Eigen::VectorXd acceleration_of(double time_step, const Eigen::VectorXd& displacement);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

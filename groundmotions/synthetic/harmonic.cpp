@@ -12,7 +12,7 @@
 #include "groundmotions/synthetic/end_state.h"
 #include "groundmotions/synthetic/taper.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -64,4 +64,4 @@ Record sweep(double time_step, const Sweep& m) {
   });
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

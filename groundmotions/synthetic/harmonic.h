@@ -2,7 +2,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 // Sines of constant or changing frequency, h1 only. Their displacement is what is tapered,
 //
@@ -40,4 +40,4 @@ struct Sweep {
 /// @throws Error like harmonic().
 Record sweep(double time_step, const Sweep& motion);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

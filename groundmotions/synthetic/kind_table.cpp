@@ -14,7 +14,7 @@
 #include "groundmotions/synthetic/pulses.h"
 #include "groundmotions/synthetic/rezaeian.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -293,4 +293,4 @@ const std::vector<SyntheticKind>& synthetic_kinds() {
   return kinds;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

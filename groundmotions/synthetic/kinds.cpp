@@ -11,7 +11,7 @@
 #include "engine/config/nearest_name.h"
 #include "groundmotions/synthetic/component.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -101,4 +101,4 @@ Record make_record(const SyntheticRequest& request) {
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -10,7 +10,7 @@
 #include "engine/config/table.h"
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// One number that a kind of synthetic motion takes.
 struct SyntheticParameter {
@@ -58,4 +58,4 @@ SyntheticRequest synthetic_request(const std::string& kind,
 /// @throws Error `synthetic KIND: ...` for parameters that do not go together.
 Record make_record(const SyntheticRequest& request);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

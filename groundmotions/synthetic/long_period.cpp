@@ -11,7 +11,7 @@
 #include "groundmotions/synthetic/end_state.h"
 #include "groundmotions/synthetic/taper.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 Record long_period_motion(const LongPeriodMotion& m) {
   constexpr double kAnyPeak = 1;  // replaced by the peak velocity below
@@ -46,4 +46,4 @@ Record long_period_motion(const LongPeriodMotion& m) {
   return record;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

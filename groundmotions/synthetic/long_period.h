@@ -4,7 +4,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// A long motion of long period, as deep basins make it: Clough-Penzien noise (clough_penzien.h)
 /// with a ground of a few seconds' period and low damping. The displacement is tapered over the
@@ -25,4 +25,4 @@ struct LongPeriodMotion {
 /// @throws Error without a component.
 Record long_period_motion(const LongPeriodMotion& motion);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

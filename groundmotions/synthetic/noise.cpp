@@ -13,7 +13,7 @@
 #include "groundmotions/synthetic/end_state.h"
 #include "groundmotions/synthetic/taper.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 FourierNoise::FourierNoise(std::uint64_t seed, std::uint64_t stream, Eigen::Index samples,
                            double time_step)
@@ -75,4 +75,4 @@ Record white_noise(double time_step, const WhiteNoise& m) {
   return record;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -6,7 +6,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Stationary Gaussian noise with a chosen Fourier amplitude: a sum of cosines at the frequencies
 /// f_k = k / (n dt), n the next power of two,
@@ -48,4 +48,4 @@ struct WhiteNoise {
 /// @throws Error unless the band lies below 0.4 of the sampling rate and the taper fits.
 Record white_noise(double time_step, const WhiteNoise& motion);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -11,7 +11,7 @@
 #include "groundmotions/synthetic/component.h"
 #include "groundmotions/synthetic/end_state.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -83,4 +83,4 @@ Record near_fault_pulse(double time_step, const NearFaultPulse& pulse) {
   return single_component(time_step, std::move(a));
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

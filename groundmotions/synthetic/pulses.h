@@ -2,7 +2,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 // Simple pulses, h1 only, sampled from closed forms. Those that cannot end at rest where they began
 // say so in a warning.
@@ -47,4 +47,4 @@ struct NearFaultPulse {
 };
 Record near_fault_pulse(double time_step, const NearFaultPulse& pulse);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

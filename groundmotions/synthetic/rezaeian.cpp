@@ -14,7 +14,7 @@
 #include "groundmotions/synthetic/component.h"
 #include "groundmotions/synthetic/end_state.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 namespace {
 
@@ -141,4 +141,4 @@ Record stochastic_motion(const StochasticMotion& motion) {
   return record;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

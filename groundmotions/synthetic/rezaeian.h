@@ -4,7 +4,7 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Fully non-stationary filtered white noise of Rezaeian & Der Kiureghian (2010), Earthquake
 /// Engineering and Structural Dynamics 39(10), 1155-1180, one set of parameters for each component:
@@ -52,4 +52,4 @@ GammaEnvelope gamma_envelope(double duration, double middle);
 /// Time at which the share `probability` of the energy has come.
 double gamma_time(const GammaEnvelope& envelope, double probability);
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// 1 in the middle, 0 at 0 s and at `duration` and outside, sin^2 over `taper` at each end.
 inline double trapezoid_taper(double time, double duration, double taper) {
@@ -14,4 +14,4 @@ inline double trapezoid_taper(double time, double duration, double taper) {
   return std::pow(std::sin(std::numbers::pi / 2 * to_end / taper), 2);
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

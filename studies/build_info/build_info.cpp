@@ -2,7 +2,7 @@
 
 #include "git_commit.h"  // written by write_git_commit.cmake at every build
 
-namespace gurney {
+namespace gurney::build_info {
 
 BuildInfo build_info() {
 #ifdef __clang__
@@ -13,4 +13,4 @@ BuildInfo build_info() {
   return {GURNEY_VERSION, GURNEY_GIT_COMMIT, compiler, GURNEY_BULLET_PRECISION, GURNEY_CPU_CLASS};
 }
 
-}  // namespace gurney
+}  // namespace gurney::build_info

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace gurney {
+namespace gurney::build_info {
 
 /// What this program was built from. Results carry it, so that a number can be traced to its code.
 struct BuildInfo {
@@ -15,4 +15,4 @@ struct BuildInfo {
 
 BuildInfo build_info();
 
-}  // namespace gurney
+}  // namespace gurney::build_info

@@ -1,6 +1,6 @@
 #include "studies/build_info/cpu_needs.h"
 
-namespace gurney {
+namespace gurney::build_info {
 namespace {
 
 #ifdef __AVX__
@@ -38,4 +38,4 @@ constexpr bool kAvx512f = false;
 
 constinit const CpuNeeds kCpuNeeds{kAvx, kAvx2, kFma, kBmi, kBmi2, kAvx512f};
 
-}  // namespace gurney
+}  // namespace gurney::build_info

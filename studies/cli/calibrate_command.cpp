@@ -11,7 +11,7 @@
 #include "studies/report/calibration_report.h"
 #include "studies/study/results/output_files.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 struct CalibrateOptions {
@@ -20,19 +20,19 @@ struct CalibrateOptions {
 };
 
 /// All of them or none.
-void write_all(const CalibrateOptions& options, const Calibration& calibration,
-               const std::vector<CasterFile>& casters) {
+void write_all(const CalibrateOptions& options, const calibration::Calibration& calibration,
+               const std::vector<calibration::CasterFile>& casters) {
   std::error_code failed;
   std::filesystem::create_directories(options.folder, failed);
   require(!failed, options.folder + ": " + failed.message());
   const std::filesystem::path folder = options.folder;
   std::vector<std::pair<std::string, std::string>> all = {
-      {(folder / "calibration.txt").string(), calibration_text(calibration)},
-      {(folder / "calibration.json").string(), calibration_json(calibration)},
-      {(folder / "calibration.svg").string(), calibration_figure(calibration)}};
-  for (const CasterFile& caster : casters)
+      {(folder / "calibration.txt").string(), report::calibration_text(calibration)},
+      {(folder / "calibration.json").string(), report::calibration_json(calibration)},
+      {(folder / "calibration.svg").string(), report::calibration_figure(calibration)}};
+  for (const calibration::CasterFile& caster : casters)
     all.emplace_back((folder / caster.name).string(), caster.text);
-  OutputFiles files(options.overwrite);
+  study::OutputFiles files(options.overwrite);
   for (const auto& [path, text] : all) files.check(path);
   const SignalsHeld until_written;
   for (const auto& [path, text] : all) files.stage(path, text);
@@ -49,15 +49,18 @@ void check_folder(const CalibrateOptions& options) {
   if (options.folder.empty() || !fs::exists(options.folder, ignored)) return;
   require(fs::is_directory(options.folder, ignored), options.folder + ": is a file, not a folder");
   for (const char* name : {"calibration.txt", "calibration.json", "calibration.svg"})
-    OutputFiles(options.overwrite).check((fs::path(options.folder) / name).string());
+    study::OutputFiles(options.overwrite).check((fs::path(options.folder) / name).string());
 }
 
 int run_calibrate(const CalibrateOptions& options) {
   check_folder(options);
-  const Calibration calibration = calibrate(read_trials(options.trials), options.trials);
+  const calibration::Calibration calibration =
+      calibration::calibrate(calibration::read_trials(options.trials), options.trials);
   std::vector<std::string> without;
-  const std::vector<CasterFile> casters = caster_files(calibration, options.base, without);
-  fmt::print("{}", options.json ? calibration_json(calibration) : calibration_text(calibration));
+  const std::vector<calibration::CasterFile> casters =
+      calibration::caster_files(calibration, options.base, without);
+  fmt::print("{}", options.json ? report::calibration_json(calibration)
+                                : report::calibration_text(calibration));
   if (!options.json && !without.empty()) fmt::print("\nNo caster file for\n");
   for (const std::string& each : without)
     fmt::print(options.json ? stderr : stdout, "  {}\n", each);
@@ -86,4 +89,4 @@ void add_calibrate(CLI::App& app, std::function<int()>& act) {
   command->callback([held, &act] { act = [held] { return run_calibrate(*held); }; });
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

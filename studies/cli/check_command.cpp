@@ -18,7 +18,7 @@
 #include "studies/study/run/declared_ranges.h"
 #include "studies/study/run/estimate.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -54,17 +54,17 @@ void add_warnings(Answer& answer, const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) answer.text += "warning: " + warning + '\n';
 }
 
-void add_intensity(Answer& answer, const IntensityPlan& plan) {
+void add_intensity(Answer& answer, const study::IntensityPlan& plan) {
   std::vector<double> levels = plan.levels;
   for (double& level : levels) level /= plan.unit_in_si;
-  if (plan.kind == IntensityPlan::Kind::kScales) {
+  if (plan.kind == study::IntensityPlan::Kind::kScales) {
     answer.add("scales", levels, fmt::format("{}: {:g}", levels.size(), fmt::join(levels, ", ")));
     return;
   }
   const std::string measure = name_of(plan.measure) + " " + name_of(plan.combination);
   answer.json["measure"] = measure;
   answer.json["unit"] = plan.unit;
-  if (plan.kind == IntensityPlan::Kind::kStripes)
+  if (plan.kind == study::IntensityPlan::Kind::kStripes)
     answer.add("levels", levels,
                fmt::format("{}: {:g} {} of {}", levels.size(), fmt::join(levels, ", "), plan.unit,
                            measure));
@@ -76,31 +76,31 @@ void add_intensity(Answer& answer, const IntensityPlan& plan) {
     answer.add("stages", 1 + plan.more_stages,
                fmt::format("{}: these levels, then {} further for each configuration, planned from "
                            "the preceding runs",
-                           1 + plan.more_stages, kLevelsOfAStage));
+                           1 + plan.more_stages, study::kLevelsOfAStage));
 }
 
 /// Of the levels as stated: of an IDA the first, for the others are not known before it runs.
-void add_scale_factors(Answer& answer, const Batch& batch) {
-  const IntensityPlan& plan = batch.job.study().intensity;
-  const bool ida = plan.kind == IntensityPlan::Kind::kHunt;
-  const bool stated = plan.kind == IntensityPlan::Kind::kScales;
+void add_scale_factors(Answer& answer, const study::Batch& batch) {
+  const study::IntensityPlan& plan = batch.job.study().intensity;
+  const bool ida = plan.kind == study::IntensityPlan::Kind::kHunt;
+  const bool stated = plan.kind == study::IntensityPlan::Kind::kScales;
   const std::vector<double> levels = ida ? std::vector<double>{plan.first} : plan.levels;
-  ScaleFactors factors;
+  study::ScaleFactors factors;
   std::size_t number = 0;
   for (std::size_t set = 0; set < batch.motions.sets(); ++set) {
-    const MotionSet& motions = batch.motions.set(set);
+    const study::MotionSet& motions = batch.motions.set(set);
     for (std::size_t i = 0; i < motions.size(); ++i, ++number)
       for (const double level : levels)
         if (!motions.name(i).empty())
           factors.add(number, stated ? level : motions.scale_for(i, level));
   }
   if (!factors.any()) return;
-  answer.add("scale_factors", scale_factors_json(factors),
+  answer.add("scale_factors", report::scale_factors_json(factors),
              "factors " + factors.text() + (ida ? " (first level of the IDA)" : ""));
 }
 
 /// Warnings of the items, each with the configurations that it is of.
-std::vector<std::string> job_warnings(const StudyJob& job) {
+std::vector<std::string> job_warnings(const study::StudyJob& job) {
   std::vector<std::string> order;
   std::map<std::string, std::vector<std::string>> of;
   for (std::size_t i = 0; i < job.configurations().size(); ++i)
@@ -114,10 +114,10 @@ std::vector<std::string> job_warnings(const StudyJob& job) {
   return order;
 }
 
-void add_plan(Answer& answer, const Batch& batch) {
-  const Study& study = batch.job.study();
+void add_plan(Answer& answer, const study::Batch& batch) {
+  const study::Study& study = batch.job.study();
   std::vector<std::string> names;
-  for (const Configuration& each : batch.job.configurations())
+  for (const study::Configuration& each : batch.job.configurations())
     names.push_back(each.levels.empty() ? "the job"
                                         : fmt::format("{}", fmt::join(each.levels, ", ")));
   answer.add("configurations", names, list_of(names));
@@ -148,24 +148,24 @@ void add_plan(Answer& answer, const Batch& batch) {
                  : fmt::format("{} points for each record, each with {} rows of a Saltelli design",
                                study.draws, inputs.size() + kSaltelliMatrices));
   if (!inputs.empty()) answer.add("inputs", inputs, list_of(inputs));
-  const std::vector<std::string> undrawn = undrawn_ranges(batch).lines();
+  const std::vector<std::string> undrawn = study::undrawn_ranges(batch).lines();
   answer.json["ranges_not_drawn"] = undrawn;
   answer.text += "declared ranges not drawn:\n";
-  for (const std::string& line : undrawn) answer.text += "  " + wrapped(line, 4, 2) + "\n";
+  for (const std::string& line : undrawn) answer.text += "  " + report::wrapped(line, 4, 2) + "\n";
   add_warnings(answer, warnings);
 }
 
-Answer check_study(const StudyJob& job, int threads) {
-  const StudyMotions motions(job);
-  const Plan plan(job, motions);
-  const Batch batch{job, motions, plan};
+Answer check_study(const study::StudyJob& job, int threads) {
+  const study::StudyMotions motions(job);
+  const study::Plan plan(job, motions);
+  const study::Batch batch{job, motions, plan};
   refuse_oversized(batch);
   motions.read_all(threads);
   Answer answer;
   answer.add("job", job.file(), job.file() + ": a valid study");
   add_plan(answer, batch);
-  const Estimate needs = estimate(batch);
-  const bool hunt = job.study().intensity.kind == IntensityPlan::Kind::kHunt;
+  const study::Estimate needs = study::estimate(batch);
+  const bool hunt = job.study().intensity.kind == study::IntensityPlan::Kind::kHunt;
   const char* const most = hunt ? "at most " : "";
   answer.add("units", plan.units(), fmt::format("{}", plan.units()));
   answer.add("runs", needs.runs, fmt::format("{}{}", most, needs.runs));
@@ -182,7 +182,7 @@ Answer check_study(const StudyJob& job, int threads) {
 }
 
 Answer check_run(const std::string& job) {
-  const PreparedRun run = prepare_run(job);
+  const study::PreparedRun run = study::prepare_run(job);
   std::vector<std::string> items;
   for (const PlacedItem& item : run.facts.scene.items)
     items.push_back(item.name.empty() ? item.model.name : item.name);
@@ -200,8 +200,9 @@ int check_command(const CheckOptions& options) {
   const int threads = options.threads > 0
                           ? options.threads
                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const Answer answer =
-      has_study(options.job) ? check_study(StudyJob(options.job), threads) : check_run(options.job);
+  const Answer answer = study::has_study(options.job)
+                            ? check_study(study::StudyJob(options.job), threads)
+                            : check_run(options.job);
   fmt::print("{}", options.json ? answer.json.dump(2) + '\n' : answer.text);
   return 0;
 }
@@ -223,4 +224,4 @@ void add_check(CLI::App& app, std::function<int()>& act) {
   });
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

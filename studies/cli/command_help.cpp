@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 struct CommandHelp {
@@ -94,4 +94,4 @@ void describe_commands(CLI::App& app) {
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

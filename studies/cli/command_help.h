@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 
-namespace gurney {
+namespace gurney::cli {
 
 /// First line and examples of every command's --help.
 void describe_commands(CLI::App& app);
 
-}  // namespace gurney
+}  // namespace gurney::cli

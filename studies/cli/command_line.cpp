@@ -23,13 +23,13 @@
 #include "studies/cli/signals.h"
 #include "studies/cli/standard_error.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 constexpr int kDone = 0, kBadInput = 1, kBadUsage = 2;
 
 std::string version() {
-  const BuildInfo build = build_info();
+  const build_info::BuildInfo build = build_info::build_info();
   return fmt::format(
       "gurney {}\ncommit           {}\ncompiler         {}\nBullet precision {}\n"
       "CPU class        {}",
@@ -166,4 +166,4 @@ int run_command_line(int argc, char** argv) {
   return kBadInput;
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

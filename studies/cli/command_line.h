@@ -1,9 +1,9 @@
 #pragma once
 
-namespace gurney {
+namespace gurney::cli {
 
 /// The command line of `gurney`: reads the arguments, runs the command, prints errors.
 /// @returns the exit code (docs/conventions.md)
 int run_command_line(int argc, char** argv);
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -6,7 +6,7 @@ namespace CLI {
 class App;
 }
 
-namespace gurney {
+namespace gurney::cli {
 
 /// Each adds one command to the program, or to `gurney records`. Where the command is chosen, `act`
 /// is set to what it does, which returns the exit code and throws Error for bad input.
@@ -33,4 +33,4 @@ AddCommand add_records_make;     ///< synthetic motions
 AddCommand add_records_plot;     ///< histories and spectra
 AddCommand add_records_scale;    ///< factors to a measure or a target spectrum
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -10,7 +10,7 @@
 #include "studies/cli/records_output.h"
 #include "studies/report/comparison_report.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 struct CompareOptions {
@@ -20,13 +20,14 @@ struct CompareOptions {
   bool overwrite = false, json = false;
 };
 
-std::string listed(const StudyData& data) {
+std::string listed(const study::StudyData& data) {
   return fmt::format("{}: {}", data.file().path(), fmt::join(data.configurations(), "; "));
 }
 
 /// Two configurations of one file.
-void choose(const StudyData& data, const std::string& text, ComparisonReport& report) {
-  std::vector<std::size_t> chosen = named_configurations(data, text);
+void choose(const study::StudyData& data, const std::string& text,
+            report::ComparisonReport& report) {
+  std::vector<std::size_t> chosen = study::named_configurations(data, text);
   if (text.empty() && data.configurations().size() == 2) chosen = {0, 1};
   require(chosen.size() == 2,
           fmt::format("two configurations must be named, --configurations A,B, or a second file "
@@ -39,7 +40,7 @@ void choose(const StudyData& data, const std::string& text, ComparisonReport& re
 }
 
 /// The configuration of a file that a text names by itself.
-std::optional<std::size_t> only(const StudyData& data, const std::string& text) {
+std::optional<std::size_t> only(const study::StudyData& data, const std::string& text) {
   if (text.empty() && data.configurations().size() == 1) return 0;
   for (std::size_t i = 0; i < data.configurations().size(); ++i)
     if (!text.empty() && data.configurations()[i] == text) return i;
@@ -47,8 +48,8 @@ std::optional<std::size_t> only(const StudyData& data, const std::string& text) 
 }
 
 /// One configuration of each file: one name for both, or two apart by a comma.
-void choose(const StudyData& a, const StudyData& b, const std::string& text,
-            ComparisonReport& report) {
+void choose(const study::StudyData& a, const study::StudyData& b, const std::string& text,
+            report::ComparisonReport& report) {
   auto first = only(a, text), second = only(b, text);
   for (auto comma = text.find(','); !(first && second) && comma != std::string::npos;
        comma = text.find(',', comma + 1)) {
@@ -63,7 +64,7 @@ void choose(const StudyData& a, const StudyData& b, const std::string& text,
                       listed(b)));
   report.a = {&a, *first};
   report.b = {&b, *second};
-  const auto name = [](const StudySide& side) {
+  const auto name = [](const study::StudySide& side) {
     const std::string& of = side.configuration_name();
     return side.data->file().path() + (of.empty() ? "" : " (" + of + ")");
   };
@@ -72,9 +73,9 @@ void choose(const StudyData& a, const StudyData& b, const std::string& text,
 }
 
 int compare(const CompareOptions& options) {
-  const StudyData a(options.a);
-  std::optional<StudyData> b;
-  ComparisonReport report;
+  const study::StudyData a(options.a);
+  std::optional<study::StudyData> b;
+  report::ComparisonReport report;
   const std::string named = fmt::format("{}", fmt::join(options.configurations, ","));
   if (options.b.empty()) {
     choose(a, named, report);
@@ -82,13 +83,15 @@ int compare(const CompareOptions& options) {
     b.emplace(options.b);
     choose(a, *b, named, report);
   }
-  report.inputs = input_differences(report.a, report.b);
-  report.found = compare_studies(
+  report.inputs = study::input_differences(report.a, report.b);
+  report.found = study::compare_studies(
       report.a, report.b,
       {.demands = options.demands, .measure = options.measure, .confidence = report.confidence});
-  fmt::print("{}", options.json ? comparison_json(report) : comparison_text(report));
+  fmt::print("{}",
+             options.json ? report::comparison_json(report) : report::comparison_text(report));
   if (!options.figure.empty())
-    write_output(options.figure, comparison_figure(report), options.overwrite, options.json);
+    write_output(options.figure, report::comparison_figure(report), options.overwrite,
+                 options.json);
   return 0;
 }
 
@@ -114,4 +117,4 @@ void add_compare(CLI::App& app, std::function<int()>& act) {
   command->callback([held, &act] { act = [held] { return compare(*held); }; });
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -11,7 +11,7 @@
 #include "studies/report/convergence_report.h"
 #include "studies/study/results/output_files.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 struct ConvergeOptions {
@@ -26,12 +26,15 @@ int converge_command(const ConvergeOptions& options) {
   const int threads = options.threads > 0
                           ? options.threads
                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  if (!options.figure.empty()) OutputFiles(options.overwrite).check(options.figure);
-  const Convergence found = converge(convergence_cases(options.job, options.runs, threads),
-                                     0.01 * options.tolerance_percent, threads);
-  fmt::print("{}", options.json ? convergence_json(found) : convergence_text(found));
+  if (!options.figure.empty()) study::OutputFiles(options.overwrite).check(options.figure);
+  const study::Convergence found =
+      study::converge(study::convergence_cases(options.job, options.runs, threads),
+                      0.01 * options.tolerance_percent, threads);
+  fmt::print("{}",
+             options.json ? report::convergence_json(found) : report::convergence_text(found));
   if (!options.figure.empty())
-    write_output(options.figure, convergence_figure(found), options.overwrite, options.json);
+    write_output(options.figure, report::convergence_figure(found), options.overwrite,
+                 options.json);
   return found.failed.empty() ? 0 : 3;
 }
 
@@ -57,4 +60,4 @@ void add_converge(CLI::App& app, std::function<int()>& act) {
   command->callback([held, &act] { act = [held] { return converge_command(*held); }; });
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -17,7 +17,7 @@
 #include "studies/report/equipment_list.h"
 #include "studies/report/equipment_report.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 struct ShowOptions {
@@ -26,33 +26,37 @@ struct ShowOptions {
   bool json = false, assumptions = false, overwrite = false;
 };
 
-ItemOptions item_options(const ShowOptions& options, const ItemDescription& item) {
-  ItemOptions result;
+equipment::ItemOptions item_options(const ShowOptions& options,
+                                    const equipment::ItemDescription& item) {
+  equipment::ItemOptions result;
   if (!options.floor.empty())
-    result.floor = load_floor_covering(find_data(DataKind::kFloor, options.floor, "")).stated();
+    result.floor =
+        equipment::load_floor_covering(find_data(equipment::DataKind::kFloor, options.floor, ""))
+            .stated();
   require(options.brakes.empty() || !item.casters.empty(),
           "--brakes: " + item.name + " has no casters");
   if (!options.brakes.empty())
-    for (const CasterPlace& place : item.casters)
+    for (const equipment::CasterPlace& place : item.casters)
       result.brakes.push_back(options.brakes == "on" && place.type.brake_torque > 0);
   return result;
 }
 
 int show(const ShowOptions& options) {
-  const std::string file = find_data(DataKind::kItem, options.item, "");
-  const ItemDescription item = load_item_description(file, options.variants).stated();
-  const LoadedItem loaded = assemble_item(item, item_options(options, item));
-  const ContactConstants& floor = floor_contact(loaded);
-  EquipmentFacts facts{loaded.model,   item_sheet(loaded.model, floor),
-                       floor,          item.description,
-                       item.variants,  loaded.assumptions,
-                       loaded.warnings};
-  for (std::string& finding : implausible(loaded.model))
+  const std::string file = equipment::find_data(equipment::DataKind::kItem, options.item, "");
+  const equipment::ItemDescription item =
+      equipment::load_item_description(file, options.variants).stated();
+  const equipment::LoadedItem loaded = assemble_item(item, item_options(options, item));
+  const ContactConstants& floor = equipment::floor_contact(loaded);
+  report::EquipmentFacts facts{loaded.model,   equipment::item_sheet(loaded.model, floor),
+                               floor,          item.description,
+                               item.variants,  loaded.assumptions,
+                               loaded.warnings};
+  for (std::string& finding : equipment::implausible(loaded.model))
     facts.warnings.push_back(std::move(finding));
   if (!options.figure.empty())
-    write_output(options.figure, equipment_figure(facts), options.overwrite, true);
-  fmt::print("{}",
-             options.json ? equipment_json(facts) : equipment_report(facts, options.assumptions));
+    write_output(options.figure, report::equipment_figure(facts), options.overwrite, true);
+  fmt::print("{}", options.json ? report::equipment_json(facts)
+                                : report::equipment_report(facts, options.assumptions));
   return 0;
 }
 
@@ -61,17 +65,17 @@ struct CheckOptions {
   bool json = false;
 };
 
-const char* noun(DataKind kind) {
+const char* noun(equipment::DataKind kind) {
   switch (kind) {
-    case DataKind::kItem:
+    case equipment::DataKind::kItem:
       return "item";
-    case DataKind::kCaster:
+    case equipment::DataKind::kCaster:
       return "caster";
-    case DataKind::kFloor:
+    case equipment::DataKind::kFloor:
       return "floor covering";
-    case DataKind::kRoom:
+    case equipment::DataKind::kRoom:
       return "room";
-    case DataKind::kTether:
+    case equipment::DataKind::kTether:
       break;
   }
   return "kind of tether";
@@ -82,7 +86,7 @@ int check(const CheckOptions& options) {
   nlohmann::ordered_json results = nlohmann::ordered_json::array();
   for (const std::string& file : options.files) {
     try {
-      const CheckedFile checked = check_data_file(file);
+      const equipment::CheckedFile checked = equipment::check_data_file(file);
       results.push_back({{"file", file},
                          {"kind", noun(checked.kind)},
                          {"name", checked.name},
@@ -107,7 +111,7 @@ void add_list(CLI::App& equipment, std::function<int()>& act) {
   command->add_flag("--json", *json, "Print JSON, in SI units");
   command->callback([json, &act] {
     act = [json] {
-      fmt::print("{}", *json ? equipment_list_json() : equipment_list());
+      fmt::print("{}", *json ? report::equipment_list_json() : report::equipment_list());
       return 0;
     };
   });
@@ -153,4 +157,4 @@ void add_equipment(CLI::App& app, std::function<int()>& act) {
   add_check(*equipment, act);
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -18,14 +18,14 @@
 #include "studies/study/exports/xdmf.h"
 #include "studies/study/results/output_files.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
 struct ExportOptions {
   std::string file, format, folder;
-  ExportChoice choice;
+  study::ExportChoice choice;
   bool overwrite = false;
 };
 
@@ -42,39 +42,39 @@ void check_choice(const ExportOptions& options) {
          options.format != "csv" && options.format != "trials" && options.format != "xdmf");
 }
 
-std::vector<std::string> write(const ExportOptions& options, const TakeFile& take) {
+std::vector<std::string> write(const ExportOptions& options, const study::TakeFile& take) {
   if (options.format == "csv") {
-    export_tables(options.file, take);
+    study::export_tables(options.file, take);
     return {};
   }
   if (options.format == "xdmf") {
-    export_xdmf(options.file, plain_identifier(fs::path(options.file).stem().string(), "run"),
-                take);
+    study::export_xdmf(
+        options.file, study::plain_identifier(fs::path(options.file).stem().string(), "run"), take);
     return {};
   }
-  require(is_study_file(options.file),
+  require(study::is_study_file(options.file),
           fmt::format("{}: is the file of one run; --to {} needs that of a study", options.file,
                       options.format));
   if (options.format == "trials") {
-    export_trials(options.file, take);
+    calibration::export_trials(options.file, take);
     return {};
   }
-  const StudyData data(options.file);
-  if (options.format == "pelicun") return export_pelicun(data, options.choice, take);
-  if (options.format == "nrml") return export_nrml(data, options.choice, take);
-  export_responses(data, options.choice, take);
+  const study::StudyData data(options.file);
+  if (options.format == "pelicun") return study::export_pelicun(data, options.choice, take);
+  if (options.format == "nrml") return study::export_nrml(data, options.choice, take);
+  study::export_responses(data, options.choice, take);
   return {};
 }
 
 int export_command(const ExportOptions& options) {
   check_choice(options);
-  is_study_file(options.file);
+  study::is_study_file(options.file);
   const fs::path file = options.file;
   const fs::path folder = options.folder.empty()
                               ? file.parent_path() / (file.stem().string() + "_" + options.format)
                               : fs::path(options.folder);
   const NewFolder made(folder.has_filename() ? folder : folder.parent_path());
-  OutputFiles files(options.overwrite);
+  study::OutputFiles files(options.overwrite);
   std::string written;
   const std::vector<std::string> left_out =
       write(options, [&](const std::string& name, std::string_view bytes) {
@@ -116,4 +116,4 @@ void add_export(CLI::App& app, std::function<int()>& act) {
   command->callback([held, &act] { act = [held] { return export_command(*held); }; });
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace gurney {
+namespace gurney::cli {
 
 void add_figure_option(CLI::App& command, std::string& path, const std::string& description) {
   const CLI::Validator is_svg(
@@ -15,4 +15,4 @@ void add_figure_option(CLI::App& command, std::string& path, const std::string& 
   command.add_option("--figure", path, description + " (.svg)")->check(is_svg);
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

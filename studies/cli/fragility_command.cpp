@@ -13,7 +13,7 @@
 #include "studies/report/vector_report.h"
 #include "studies/study/limit_states/limit_state_reader.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 struct FragilityOptions {
@@ -31,7 +31,7 @@ std::vector<std::size_t> chosen(const std::vector<std::string>& names, std::size
   return result;
 }
 
-std::size_t configuration_index(const StudyData& data, const std::string& name) {
+std::size_t configuration_index(const study::StudyData& data, const std::string& name) {
   const std::vector<std::string>& names = data.configurations();
   const auto found = std::ranges::find(names, name);
   require(found != names.end(),
@@ -41,37 +41,38 @@ std::size_t configuration_index(const StudyData& data, const std::string& name) 
 }
 
 /// Curves over one measure.
-std::string curves(const FragilityOptions& options, const StudyData& data,
+std::string curves(const FragilityOptions& options, const study::StudyData& data,
                    const std::vector<std::size_t>& states,
                    const std::vector<std::size_t>& configurations) {
-  std::vector<FragilityResult> results;
+  std::vector<study::FragilityResult> results;
   for (const std::size_t state : states)
     for (const std::size_t configuration : configurations)
-      results.push_back(fragility_of(
+      results.push_back(study::fragility_of(
           data, {.state = state, .configuration = configuration, .measure = options.measure}));
   if (!options.figure.empty())
-    write_output(options.figure, fragility_figure(data, results), options.overwrite, true);
-  return options.json ? fragility_json(results) : fragility_report(data, results);
+    write_output(options.figure, report::fragility_figure(data, results), options.overwrite, true);
+  return options.json ? report::fragility_json(results) : report::fragility_report(data, results);
 }
 
 /// Surfaces over two.
-std::string surfaces(const FragilityOptions& options, const StudyData& data,
+std::string surfaces(const FragilityOptions& options, const study::StudyData& data,
                      const std::vector<std::size_t>& states,
                      const std::vector<std::size_t>& configurations) {
-  std::vector<VectorResult> results;
+  std::vector<study::VectorResult> results;
   for (const std::size_t state : states)
     for (const std::size_t configuration : configurations)
-      results.push_back(vector_of(data, state, configuration, {options.measure, options.second}));
+      results.push_back(
+          study::vector_of(data, state, configuration, {options.measure, options.second}));
   if (!options.figure.empty())
-    write_output(options.figure, vector_figure(data, results), options.overwrite, true);
-  return options.json ? vector_json(results) : vector_report(data, results);
+    write_output(options.figure, report::vector_figure(data, results), options.overwrite, true);
+  return options.json ? report::vector_json(results) : report::vector_report(data, results);
 }
 
 int fragility(const FragilityOptions& options) {
-  const StudyData data(options.file);
+  const study::StudyData data(options.file);
   const auto states =
       chosen(options.states, data.limit_states().size(),
-             [&](const std::string& name) { return index_of(data.limit_states(), name); });
+             [&](const std::string& name) { return study::index_of(data.limit_states(), name); });
   const auto configurations =
       chosen(options.configurations, data.configurations().size(),
              [&](const std::string& name) { return configuration_index(data, name); });
@@ -99,4 +100,4 @@ void add_fragility(CLI::App& app, std::function<int()>& act) {
   command->callback([held, &act] { act = [held] { return fragility(*held); }; });
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -7,7 +7,7 @@
 #include "engine/base/error.h"
 #include "engine/base/number_text.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 std::string value_of(const std::string& text) {
@@ -54,4 +54,4 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace gurney {
+namespace gurney::cli {
 
 /// Words of the command line as an inline table of TOML, so that they are read as strictly as a
 /// file: "high_pass", "corner_hz=0.1" with the first key "step" are
@@ -22,4 +22,4 @@ std::string told_of_option(const std::string& option, const std::string& text,
 /// Cut at blanks.
 std::vector<std::string> words_of(const std::string& text);
 
-}  // namespace gurney
+}  // namespace gurney::cli

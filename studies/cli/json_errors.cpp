@@ -7,7 +7,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -63,4 +63,4 @@ int with_json_errors(bool json, const std::function<int()>& act) {
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace gurney {
+namespace gurney::cli {
 
 /// The lines of an Error as a list of {file, line, column, key, message}; what a line does not
 /// state is null. JSON files have places of another kind: `pointer` instead of line and column.
@@ -14,4 +14,4 @@ nlohmann::ordered_json json_errors(const std::string& text);
 /// @returns the exit code
 int with_json_errors(bool json, const std::function<int()>& act);
 
-}  // namespace gurney
+}  // namespace gurney::cli

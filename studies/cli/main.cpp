@@ -14,7 +14,7 @@ namespace {
 /// such instruction would kill it without a word. Runs before every other static initialiser.
 __attribute__((constructor(101))) void check_cpu() {
   __builtin_cpu_init();
-  const gurney::CpuNeeds& needs = gurney::kCpuNeeds;
+  const gurney::build_info::CpuNeeds& needs = gurney::build_info::kCpuNeeds;
   const char* missing = nullptr;
   if (needs.bmi && !__builtin_cpu_supports("bmi")) missing = "BMI";
   if (needs.bmi2 && !__builtin_cpu_supports("bmi2")) missing = "BMI2";
@@ -35,4 +35,4 @@ __attribute__((constructor(101))) void check_cpu() {
 
 }  // namespace
 
-int main(int argc, char** argv) { return gurney::run_command_line(argc, argv); }
+int main(int argc, char** argv) { return gurney::cli::run_command_line(argc, argv); }

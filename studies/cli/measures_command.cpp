@@ -8,7 +8,7 @@
 #include "studies/report/measure_report.h"
 #include "studies/study/limit_states/limit_state_reader.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 struct MeasuresOptions {
@@ -18,23 +18,23 @@ struct MeasuresOptions {
 };
 
 int measures(const MeasuresOptions& options) {
-  const StudyData data(options.file);
+  const study::StudyData data(options.file);
   std::vector<std::size_t> states;
   for (const std::string& name : options.states)
-    states.push_back(index_of(data.limit_states(), name));
-  if (states.empty()) states = sized_states(data);
+    states.push_back(study::index_of(data.limit_states(), name));
+  if (states.empty()) states = study::sized_states(data);
   require(!states.empty(),
           options.file +
               ": no limit state has a demand above a limit, so there is no size to "
               "predict");
-  std::vector<MeasureReport> reports;
-  for (const std::size_t configuration : wanted_configurations(data, options.configurations))
+  std::vector<report::MeasureReport> reports;
+  for (const std::size_t configuration : study::wanted_configurations(data, options.configurations))
     for (const std::size_t state : states) {
-      const LimitState& limit = data.limit_states()[state];
+      const study::LimitState& limit = data.limit_states()[state];
       reports.push_back({data.configurations()[configuration], limit.name, limit.words,
-                         choose_measure({&data, configuration}, state)});
+                         study::choose_measure({&data, configuration}, state)});
     }
-  fmt::print("{}", options.json ? measure_json(reports) : measure_text(reports));
+  fmt::print("{}", options.json ? report::measure_json(reports) : report::measure_text(reports));
   return 0;
 }
 
@@ -57,4 +57,4 @@ void add_measures(CLI::App& app, std::function<int()>& act) {
   command->callback([held, &act] { act = [held] { return measures(*held); }; });
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -4,7 +4,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::cli {
 
 namespace fs = std::filesystem;
 
@@ -25,4 +25,4 @@ NewFolder::~NewFolder() {
   if (made_) fs::remove(path_, ignored);  // only if it is empty
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace gurney {
+namespace gurney::cli {
 
 /// A folder for the files of a command, made if it is not there; removed again unless what was put
 /// into it is kept.
@@ -19,4 +19,4 @@ class NewFolder {
   bool made_ = false;
 };
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -13,7 +13,7 @@
 #include "studies/study/analysis/overview.h"
 #include "studies/study/results/output_files.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,10 +25,11 @@ struct PullingOptions {
 };
 
 /// Of the run that is asked for; else the first that a measured trial is like; else the first.
-std::size_t shown(const PullingOptions& options, const PullingReport& report) {
+std::size_t shown(const PullingOptions& options, const report::PullingReport& report) {
   const auto& trials = report.trials;
-  const auto found = std::ranges::find_if(trials, [&](const SimulatedTrial& trial) {
-    return options.run ? trial.run == *options.run : like(trial, report.measured) != nullptr;
+  const auto found = std::ranges::find_if(trials, [&](const calibration::SimulatedTrial& trial) {
+    return options.run ? trial.run == *options.run
+                       : calibration::like(trial, report.measured) != nullptr;
   });
   require(!options.run || found != trials.end(),
           fmt::format("{}: has no run {} that did not fail; its last is {}", options.file,
@@ -37,23 +38,24 @@ std::size_t shown(const PullingOptions& options, const PullingReport& report) {
 }
 
 int pulling(const PullingOptions& options) {
-  require(is_study_file(options.file),
+  require(study::is_study_file(options.file),
           options.file + ": is the file of one run; gurney pulling needs that of a study");
-  const StudyReader file(options.file);
-  PullingReport report{options.file, file.text_attribute("title"), simulated_trials(file), {}, 0};
+  const study::StudyReader file(options.file);
+  report::PullingReport report{
+      options.file, file.text_attribute("title"), calibration::simulated_trials(file), {}, 0};
   require(!report.trials.empty(), options.file + ": every run failed");
-  if (!options.measured.empty()) report.measured = measured_trials(options.measured);
+  if (!options.measured.empty()) report.measured = calibration::measured_trials(options.measured);
   report.shown = shown(options, report);
   std::string written;
   if (!options.folder.empty()) {
     const fs::path folder = options.folder;
     const NewFolder made(folder.has_filename() ? folder : folder.parent_path());
-    OutputFiles files(options.overwrite);
+    study::OutputFiles files(options.overwrite);
     const std::pair<const char*, std::string> figures[] = {
-        {"figure_4.svg", pulling_figure_4(report)},
-        {"figure_6.svg", pulling_figure_6(report)},
-        {"figure_7.svg", pulling_figure_7(report)},
-        {"figure_11.svg", pulling_figure_11(report)}};
+        {"figure_4.svg", report::pulling_figure_4(report)},
+        {"figure_6.svg", report::pulling_figure_6(report)},
+        {"figure_7.svg", report::pulling_figure_7(report)},
+        {"figure_11.svg", report::pulling_figure_11(report)}};
     for (const auto& [name, text] : figures) files.check((folder / name).string());
     const SignalsHeld until_written;
     for (const auto& [name, text] : figures) {
@@ -62,7 +64,8 @@ int pulling(const PullingOptions& options) {
     }
     files.commit();
   }
-  fmt::print("{}", options.json ? pulling_json(report) : pulling_text(report) + written);
+  fmt::print("{}",
+             options.json ? report::pulling_json(report) : report::pulling_text(report) + written);
   return 0;
 }
 
@@ -84,4 +87,4 @@ void add_pulling(CLI::App& app, std::function<int()>& act) {
   command->callback([held, &act] { act = [held] { return pulling(*held); }; });
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -17,15 +17,15 @@
 #include "studies/cli/standard_error.h"
 #include "studies/report/record_report.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
-ProcessingStep step_of(const std::string& text) {
+groundmotions::ProcessingStep step_of(const std::string& text) {
   try {
     config::Document document("processing = [" + inline_table("step", words_of(text)) + "]\n",
                               "--step");
     config::Table root = document.root();
-    const auto steps = read_processing_steps(root);
+    const auto steps = groundmotions::read_processing_steps(root);
     document.finish();
     return steps.at(0);
   } catch (const Error& error) {
@@ -33,8 +33,8 @@ ProcessingStep step_of(const std::string& text) {
   }
 }
 
-std::vector<ProcessingStep> steps_of(const RecordSource& source) {
-  std::vector<ProcessingStep> steps;
+std::vector<groundmotions::ProcessingStep> steps_of(const RecordSource& source) {
+  std::vector<groundmotions::ProcessingStep> steps;
   for (const std::string& text : source.steps) steps.push_back(step_of(text));
   return steps;
 }
@@ -65,8 +65,9 @@ void add_source_options(CLI::App& command, RecordSource& source) {
                   "Record files, folders, patterns (\"recs/*.AT2\"), lists of records, PEER "
                   "_SearchResults.csv")
       ->required();
-  command.add_option("--unit", source.options.unit,
-                     fmt::format("Unit of files that do not state it: {}", kAccelerationUnits));
+  command.add_option(
+      "--unit", source.options.unit,
+      fmt::format("Unit of files that do not state it: {}", groundmotions::kAccelerationUnits));
   command.add_option("--time-step", source.options.time_step,
                      "Time step of files that do not state it [s]");
   command.add_option("--count", source.options.si_per_count,
@@ -79,44 +80,48 @@ void add_source_options(CLI::App& command, RecordSource& source) {
                      "applied in their order (docs/formats/processing.md)");
 }
 
-int for_each_record(const RecordSource& source, std::vector<Refusal>* refused,
-                    const std::function<void(const SuiteRecord&, const Record&)>& use) {
+int for_each_record(const RecordSource& source, std::vector<groundmotions::Refusal>* refused,
+                    const std::function<void(const groundmotions::SuiteRecord&,
+                                             const groundmotions::Record&)>& use) {
   const auto steps = steps_of(source);
   ProgressLine progress;
   const std::vector<std::filesystem::path> paths(source.paths.begin(), source.paths.end());
-  const Suite suite = read_suite(paths, source.options, [&](std::size_t done, std::size_t all) {
-    progress.show("reading file", done, all);
-  });
-  std::vector<Refusal> left_out = suite.refused;
+  const groundmotions::Suite suite = groundmotions::read_suite(
+      paths, source.options,
+      [&](std::size_t done, std::size_t all) { progress.show("reading file", done, all); });
+  std::vector<groundmotions::Refusal> left_out = suite.refused;
   std::size_t used = 0;
   bool named = false;
   const auto is_named = [&](const std::string& file) {
     return std::ranges::find(source.paths, file) != source.paths.end();
   };
   for (std::size_t i = 0; i < suite.records.size(); ++i) {
-    const SuiteRecord& entry = suite.records[i];
+    const groundmotions::SuiteRecord& entry = suite.records[i];
     progress.show("record", i, suite.records.size());
-    std::optional<Record> record;
+    std::optional<groundmotions::Record> record;
     try {
-      record = processed(read_record(entry), steps);
+      record = groundmotions::processed(groundmotions::read_record(entry), steps);
     } catch (const Error& error) {
       left_out.push_back({entry.name, error.what()});
-      for (const RecordFile& file : entry.files) named = named || is_named(file.path.string());
+      for (const groundmotions::RecordFile& file : entry.files)
+        named = named || is_named(file.path.string());
       continue;
     }
     progress.clear();
     if (source.tells_findings)
-      for (const std::string& finding : record_findings(*record))
+      for (const std::string& finding : report::record_findings(*record))
         print_error("warning: {}: {}\n", record->name, finding);
     use(entry, *record);
     ++used;
   }
   progress.clear();
-  for (const Refusal& refusal : left_out) print_error("{}\n", text_of(refusal));
+  for (const groundmotions::Refusal& refusal : left_out)
+    print_error("{}\n", groundmotions::text_of(refusal));
   for (const std::string& note : suite.notes) print_error("note: {}\n", note);
-  for (const Refusal& refusal : suite.refused) named = named || is_named(refusal.file);
+  for (const groundmotions::Refusal& refusal : suite.refused)
+    named = named || is_named(refusal.file);
   if (refused) *refused = std::move(left_out);
   return used == 0 || named ? 1 : 0;
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

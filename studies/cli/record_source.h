@@ -8,12 +8,12 @@
 #include "groundmotions/record/record.h"
 #include "groundmotions/suites/suite.h"
 
-namespace gurney {
+namespace gurney::cli {
 
 /// Which records a `records` command works on, and what is done to them first.
 struct RecordSource {
   std::vector<std::string> paths;  ///< record files, folders, lists, PEER search reports
-  ReadOptions options;
+  groundmotions::ReadOptions options;
   std::vector<std::string> steps;  ///< such as "high_pass corner_hz=0.1"
   bool tells_findings = true;      ///< record_findings() on stderr; false: the command shows them
 };
@@ -27,7 +27,8 @@ void add_source_options(CLI::App& command, RecordSource& source);
 /// @returns the exit code: 0, or 1 if a file that was named on the command line is no record or
 ///          nothing was read
 /// @throws Error for paths that do not exist, wrong options and steps
-int for_each_record(const RecordSource& source, std::vector<Refusal>* refused,
-                    const std::function<void(const SuiteRecord&, const Record&)>& use);
+int for_each_record(const RecordSource& source, std::vector<groundmotions::Refusal>* refused,
+                    const std::function<void(const groundmotions::SuiteRecord&,
+                                             const groundmotions::Record&)>& use);
 
-}  // namespace gurney
+}  // namespace gurney::cli

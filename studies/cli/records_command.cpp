@@ -2,7 +2,7 @@
 
 #include "studies/cli/commands.h"
 
-namespace gurney {
+namespace gurney::cli {
 
 void add_records(CLI::App& app, std::function<int()>& act) {
   CLI::App* const records =
@@ -13,4 +13,4 @@ void add_records(CLI::App& app, std::function<int()>& act) {
     add(*records, act);
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

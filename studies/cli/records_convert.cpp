@@ -18,7 +18,7 @@
 #include "studies/study/job/scale_reader.h"
 #include "studies/study/results/output_files.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -36,28 +36,30 @@ struct Target {
 };
 
 /// The name that a reader of AT2 files understands: an azimuth, UP, or the place.
-std::string at2_name(const Component& component, Direction direction) {
-  if (direction == Direction::kVertical) return "UP";
-  if (!component.azimuth) return direction == Direction::kH1 ? "H1" : "H2";
+std::string at2_name(const groundmotions::Component& component,
+                     groundmotions::Direction direction) {
+  if (direction == groundmotions::Direction::kVertical) return "UP";
+  if (!component.azimuth) return direction == groundmotions::Direction::kH1 ? "H1" : "H2";
   return fmt::format("{:03.0f}", *component.azimuth / kRadiansPerDegree);
 }
 
-std::vector<Target> targets(const Record& record, const fs::path& stem, const std::string& format) {
+std::vector<Target> targets(const groundmotions::Record& record, const fs::path& stem,
+                            const std::string& format) {
   if (format == "csv") return {{stem.string() + ".csv", record_csv(record)}};
   std::vector<Target> files;
-  for (const Direction direction : kDirections) {
+  for (const groundmotions::Direction direction : groundmotions::kDirections) {
     if (!record[direction]) continue;
-    Component component = *record[direction];
+    groundmotions::Component component = *record[direction];
     component.name = at2_name(component, direction);
     files.push_back({fmt::format("{}_{}.AT2", stem.string(), component.name),
-                     at2_text(component, "Converted by Gurney: " + record.name,
-                              fs::path(component.file).filename().string())});
+                     groundmotions::at2_text(component, "Converted by Gurney: " + record.name,
+                                             fs::path(component.file).filename().string())});
   }
   return files;
 }
 
 /// As in a job; the measure may stand first without its key.
-ScaleTo scale_to_of(const std::string& text) {
+study::ScaleTo scale_to_of(const std::string& text) {
   try {
     std::vector<std::string> words = words_of(text);
     require(!words.empty(), "--scale-to needs a measure, such as Sa(1.0)");
@@ -65,7 +67,7 @@ ScaleTo scale_to_of(const std::string& text) {
     config::Document document("scale_to = " + inline_table("measure", words) + "\n", "--scale-to");
     config::Table root = document.root();
     auto table = root.table("scale_to");
-    const auto request = table ? read_scale_to(*table) : ScaleTo{};
+    const auto request = table ? study::read_scale_to(*table) : study::ScaleTo{};
     document.finish();
     return request;
   } catch (const Error& error) {
@@ -82,13 +84,14 @@ int convert(const ConvertOptions& options) {
           options.output + (options.format == "csv"
                                 ? ": must be a file that ends in .csv, or a folder that exists"
                                 : ": must be a folder that exists"));
-  std::optional<ScaleTo> scale_to;
+  std::optional<study::ScaleTo> scale_to;
   if (!options.scale_to.empty()) scale_to = scale_to_of(options.scale_to);
-  OutputFiles files(options.overwrite);
+  study::OutputFiles files(options.overwrite);
   std::vector<fs::path> written;
-  const int code =
-      for_each_record(options.source, nullptr, [&](const SuiteRecord&, const Record& read) {
-        const Record record = scale_to ? scaled_to(read, *scale_to) : read;
+  const int code = for_each_record(
+      options.source, nullptr,
+      [&](const groundmotions::SuiteRecord&, const groundmotions::Record& read) {
+        const groundmotions::Record record = scale_to ? study::scaled_to(read, *scale_to) : read;
         require(!one_file || written.empty(),
                 options.output + ": one file for several records; name a folder with -o");
         fs::path stem =
@@ -127,4 +130,4 @@ void add_records_convert(CLI::App& records, std::function<int()>& act) {
   command->callback([options, &act] { act = [options] { return convert(*options); }; });
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -17,7 +17,7 @@
 #include "studies/cli/records_output.h"
 #include "studies/cli/standard_error.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 struct FloorOptions {
@@ -26,7 +26,7 @@ struct FloorOptions {
   bool overwrite = false, json = false;
 };
 
-int floor_of(const std::string& text, const Building& building) {
+int floor_of(const std::string& text, const groundmotions::Building& building) {
   if (text == "roof") return building.storeys;
   int floor = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), floor);
@@ -38,25 +38,29 @@ int floor_of(const std::string& text, const Building& building) {
 }
 
 /// How far the floor dips along a horizontal direction: its rotation about the other one [rad].
-double peak_dip(const FloorRotation& rotation, Direction direction) {
-  return rotation.angle.row(direction == Direction::kH1 ? 1 : 0).cwiseAbs().maxCoeff();
+double peak_dip(const FloorRotation& rotation, groundmotions::Direction direction) {
+  return rotation.angle.row(direction == groundmotions::Direction::kH1 ? 1 : 0)
+      .cwiseAbs()
+      .maxCoeff();
 }
 
 /// PGA and PGV, PFA and PFV of the components.
-nlohmann::ordered_json facts_json(const Building& building, int floor, const Record& ground,
-                                  const BuildingResponse& response) {
+nlohmann::ordered_json facts_json(const groundmotions::Building& building, int floor,
+                                  const groundmotions::Record& ground,
+                                  const groundmotions::BuildingResponse& response) {
   nlohmann::ordered_json facts = {
       {"building", building.name}, {"floor", floor}, {"storeys", building.storeys}};
-  for (const Direction direction : kDirections) {
+  for (const groundmotions::Direction direction : groundmotions::kDirections) {
     if (!ground[direction]) continue;
-    const Component& above = *response.floor[direction];
-    const Peaks below = peaks(ground[direction]->time_step, ground[direction]->acceleration);
-    const Peaks peak = peaks(above.time_step, above.acceleration);
+    const groundmotions::Component& above = *response.floor[direction];
+    const groundmotions::Peaks below =
+        groundmotions::peaks(ground[direction]->time_step, ground[direction]->acceleration);
+    const groundmotions::Peaks peak = groundmotions::peaks(above.time_step, above.acceleration);
     facts[name_of(direction)] = {{"pga_m_per_s2", below.acceleration},
                                  {"pgv_m_per_s", below.velocity},
                                  {"pfa_m_per_s2", peak.acceleration},
                                  {"pfv_m_per_s", peak.velocity}};
-    if (response.floor.rotation && direction != Direction::kVertical)
+    if (response.floor.rotation && direction != groundmotions::Direction::kVertical)
       facts[name_of(direction)]["peak_dip_rad"] = peak_dip(*response.floor.rotation, direction);
   }
   if (response.isolators)
@@ -67,22 +71,24 @@ nlohmann::ordered_json facts_json(const Building& building, int floor, const Rec
   return facts;
 }
 
-void print_facts(const Building& building, int floor, const Record& ground,
-                 const BuildingResponse& response) {
+void print_facts(const groundmotions::Building& building, int floor,
+                 const groundmotions::Record& ground,
+                 const groundmotions::BuildingResponse& response) {
   fmt::print("{}, floor {} of {}\n", building.name, floor, building.storeys);
-  for (const Direction direction : kDirections) {
+  for (const groundmotions::Direction direction : groundmotions::kDirections) {
     if (!ground[direction]) continue;
-    const Component& above = *response.floor[direction];
-    const Peaks below = peaks(ground[direction]->time_step, ground[direction]->acceleration);
-    const Peaks peak = peaks(above.time_step, above.acceleration);
+    const groundmotions::Component& above = *response.floor[direction];
+    const groundmotions::Peaks below =
+        groundmotions::peaks(ground[direction]->time_step, ground[direction]->acceleration);
+    const groundmotions::Peaks peak = groundmotions::peaks(above.time_step, above.acceleration);
     fmt::print("  {:<9} PGA {:.3g} g, PFA {:.3g} g; PGV {:.3g} m/s, PFV {:.3g} m/s\n",
                name_of(direction), below.acceleration / kStandardGravity,
                peak.acceleration / kStandardGravity, below.velocity, peak.velocity);
   }
   if (response.floor.rotation)
     fmt::print("  floor rotates by up to {:.2g} rad along h1, {:.2g} rad along h2\n",
-               peak_dip(*response.floor.rotation, Direction::kH1),
-               peak_dip(*response.floor.rotation, Direction::kH2));
+               peak_dip(*response.floor.rotation, groundmotions::Direction::kH1),
+               peak_dip(*response.floor.rotation, groundmotions::Direction::kH2));
   if (response.isolators)
     fmt::print("  isolators {:.3g} m, residual {:.2g} m\n", response.isolators->peak,
                response.isolators->residual.norm());
@@ -92,16 +98,18 @@ void print_facts(const Building& building, int floor, const Record& ground,
 }
 
 int floor(const FloorOptions& options) {
-  const Building building = building_from_file(options.building);
+  const groundmotions::Building building = groundmotions::building_from_file(options.building);
   const int number = floor_of(options.floor, building);
-  std::optional<Record> ground;
+  std::optional<groundmotions::Record> ground;
   const int code =
-      for_each_record(options.source, nullptr, [&](const SuiteRecord&, const Record& record) {
-        require(!ground, "one record is needed, several were given");
-        ground = record;
-      });
+      for_each_record(options.source, nullptr,
+                      [&](const groundmotions::SuiteRecord&, const groundmotions::Record& record) {
+                        require(!ground, "one record is needed, several were given");
+                        ground = record;
+                      });
   if (!ground) return code;
-  const BuildingResponse response = building_response(*ground, building, number);
+  const groundmotions::BuildingResponse response =
+      groundmotions::building_response(*ground, building, number);
   refuse_input_as_output(options.output, *ground);
   if (options.json)
     fmt::print("{}\n", facts_json(building, number, *ground, response).dump(2));
@@ -129,4 +137,4 @@ void add_records_floor(CLI::App& records, std::function<int()>& act) {
   command->callback([options, &act] { act = [options] { return floor(*options); }; });
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -10,7 +10,7 @@
 #include "studies/report/record_report.h"
 #include "studies/report/record_table.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 struct InfoOptions {
@@ -20,14 +20,16 @@ struct InfoOptions {
 
 int print_json(const RecordSource& source) {
   std::vector<std::string> records;
-  std::vector<Refusal> refused;
-  const int code =
-      for_each_record(source, &refused, [&](const SuiteRecord& entry, const Record& record) {
-        records.push_back(record_json(record, entry.facts));
+  std::vector<groundmotions::Refusal> refused;
+  const int code = for_each_record(
+      source, &refused,
+      [&](const groundmotions::SuiteRecord& entry, const groundmotions::Record& record) {
+        records.push_back(report::record_json(record, entry.facts));
       });
   std::vector<std::pair<std::string, std::string>> left_out;
-  for (const Refusal& refusal : refused) left_out.emplace_back(refusal.file, refusal.reason);
-  fmt::print("{}", records_json(records, left_out));
+  for (const groundmotions::Refusal& refusal : refused)
+    left_out.emplace_back(refusal.file, refusal.reason);
+  fmt::print("{}", report::records_json(records, left_out));
   return code;
 }
 
@@ -35,8 +37,10 @@ int info(const InfoOptions& options) {
   if (options.json) return print_json(options.source);
   bool first = true;
   return for_each_record(
-      options.source, nullptr, [&](const SuiteRecord& entry, const Record& record) {
-        fmt::print("{}{}", first ? "" : "\n", printable(record_report(record, entry.facts)));
+      options.source, nullptr,
+      [&](const groundmotions::SuiteRecord& entry, const groundmotions::Record& record) {
+        fmt::print("{}{}", first ? "" : "\n",
+                   printable(report::record_report(record, entry.facts)));
         first = false;
       });
 }
@@ -44,13 +48,14 @@ int info(const InfoOptions& options) {
 int list(const InfoOptions& options) {
   if (options.json) return print_json(options.source);
   std::size_t count = 0;
-  std::vector<Refusal> refused;
+  std::vector<groundmotions::Refusal> refused;
   const int code =
-      for_each_record(options.source, &refused, [&](const SuiteRecord&, const Record& record) {
-        if (count++ == 0) fmt::print("{}", record_table_head());
-        fmt::print("{}", printable(record_table_line(record)));
-        std::fflush(stdout);
-      });
+      for_each_record(options.source, &refused,
+                      [&](const groundmotions::SuiteRecord&, const groundmotions::Record& record) {
+                        if (count++ == 0) fmt::print("{}", report::record_table_head());
+                        fmt::print("{}", printable(report::record_table_line(record)));
+                        std::fflush(stdout);
+                      });
   fmt::print("{} record{}", count, count == 1 ? "" : "s");
   if (!refused.empty()) fmt::print(", {} skipped", refused.size());
   fmt::print("\n");
@@ -75,4 +80,4 @@ void add_records_info(CLI::App& records, std::function<int()>& act) {
   add(records, "ls", "A table with one line for each record", list, act);
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -10,7 +10,7 @@
 #include "studies/cli/records_output.h"
 #include "studies/cli/standard_error.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 struct MakeOptions {
@@ -22,26 +22,26 @@ struct MakeOptions {
 /// All kinds, or one with its parameters.
 int list_kinds(const std::string& only) {
   bool found = only.empty();
-  for (const SyntheticKind& kind : synthetic_kinds()) {
+  for (const groundmotions::SyntheticKind& kind : groundmotions::synthetic_kinds()) {
     if (!only.empty() && kind.name != only) continue;
     found = true;
     fmt::print("{:<18} {}\n", kind.name, kind.description);
     if (only.empty()) continue;
     fmt::print("{:<18} source: {}\n", "", kind.source);
-    for (const SyntheticParameter& parameter : kind.parameters)
+    for (const groundmotions::SyntheticParameter& parameter : kind.parameters)
       fmt::print("  {:<28} {:>10g}  {}, {}\n", parameter.key, parameter.fallback, parameter.meaning,
                  parameter.range.text());
   }
-  if (!found) synthetic_request(only, {});  // says which kinds there are
+  if (!found) groundmotions::synthetic_request(only, {});  // says which kinds there are
   if (only.empty()) fmt::print("\nParameters of one kind: gurney records make KIND --list\n");
   return 0;
 }
 
 int list_kinds_as_json() {
   nlohmann::ordered_json kinds = nlohmann::ordered_json::array();
-  for (const SyntheticKind& kind : synthetic_kinds()) {
+  for (const groundmotions::SyntheticKind& kind : groundmotions::synthetic_kinds()) {
     nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
-    for (const SyntheticParameter& parameter : kind.parameters)
+    for (const groundmotions::SyntheticParameter& parameter : kind.parameters)
       parameters.push_back({{"key", parameter.key},
                             {"default", parameter.fallback},
                             {"meaning", parameter.meaning},
@@ -60,7 +60,8 @@ int make(const MakeOptions& options) {
   if (options.json) throw CLI::RequiresError("--json", "--list");
   if (options.kind.empty()) throw CLI::RequiredError("KIND (`gurney records make --list`)");
   if (options.output.empty()) throw CLI::RequiredError("-o FILE.csv");
-  const Record record = make_record(synthetic_request(options.kind, options.settings));
+  const groundmotions::Record record =
+      groundmotions::make_record(groundmotions::synthetic_request(options.kind, options.settings));
   for (const std::string& warning : record.warnings) print_error("warning: {}\n", warning);
   write_output(options.output, record_csv(record), options.overwrite);
   return 0;
@@ -81,4 +82,4 @@ void add_records_make(CLI::App& records, std::function<int()>& act) {
   command->callback([options, &act] { act = [options] { return make(*options); }; });
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

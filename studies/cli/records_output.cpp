@@ -11,13 +11,13 @@
 #include "studies/cli/signals.h"
 #include "studies/study/results/output_files.h"
 
-namespace gurney {
+namespace gurney::cli {
 
 namespace {
 constexpr int kDigits = 9;  ///< after the point [m/s2]
 }
 
-std::vector<std::string> record_comments(const Record& record) {
+std::vector<std::string> record_comments(const groundmotions::Record& record) {
   std::vector<std::string> comments = {"record: " + record.name};
   std::set<std::string> known;
   for (const auto& component : record.components) {
@@ -35,8 +35,8 @@ std::vector<std::string> record_comments(const Record& record) {
   return comments;
 }
 
-std::string record_csv(const Record& record) {
-  return columns_csv_text(record, record_comments(record), kDigits);
+std::string record_csv(const groundmotions::Record& record) {
+  return groundmotions::columns_csv_text(record, record_comments(record), kDigits);
 }
 
 std::string file_name(std::string record_name) {
@@ -45,7 +45,7 @@ std::string file_name(std::string record_name) {
   return record_name;
 }
 
-void refuse_input_as_output(const std::string& path, const Record& record) {
+void refuse_input_as_output(const std::string& path, const groundmotions::Record& record) {
   std::error_code ignored;
   for (const auto& component : record.components)
     require(!component || !std::filesystem::equivalent(path, component->file, ignored),
@@ -53,7 +53,7 @@ void refuse_input_as_output(const std::string& path, const Record& record) {
 }
 
 void write_output(const std::string& path, const std::string& text, bool overwrite, bool quiet) {
-  OutputFiles files(overwrite);
+  study::OutputFiles files(overwrite);
   files.check(path);
   const SignalsHeld until_written;
   files.stage(path, text);
@@ -61,4 +61,4 @@ void write_output(const std::string& path, const std::string& text, bool overwri
   if (!quiet) fmt::print("{}\n", path);
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

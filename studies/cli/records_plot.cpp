@@ -10,7 +10,7 @@
 #include "studies/cli/records_output.h"
 #include "studies/report/record_figure.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,12 +27,14 @@ int plot(const PlotOptions& options) {
   require(one_file || fs::is_directory(output),
           options.output + ": must be a file that ends in .svg, or a folder that exists");
   std::size_t count = 0;
-  return for_each_record(options.source, nullptr, [&](const SuiteRecord&, const Record& record) {
-    require(!one_file || count++ == 0,
-            options.output + ": one figure for several records; name a folder with -o");
-    const fs::path path = one_file ? output : output / (file_name(record.name) + ".svg");
-    write_output(path.string(), record_figure(record), options.overwrite);
-  });
+  return for_each_record(
+      options.source, nullptr,
+      [&](const groundmotions::SuiteRecord&, const groundmotions::Record& record) {
+        require(!one_file || count++ == 0,
+                options.output + ": one figure for several records; name a folder with -o");
+        const fs::path path = one_file ? output : output / (file_name(record.name) + ".svg");
+        write_output(path.string(), report::record_figure(record), options.overwrite);
+      });
 }
 
 }  // namespace
@@ -48,4 +50,4 @@ void add_records_plot(CLI::App& records, std::function<int()>& act) {
   command->callback([options, &act] { act = [options] { return plot(*options); }; });
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -25,7 +25,7 @@
 #include "studies/report/suite_figure.h"
 #include "studies/study/results/output_files.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,13 +50,13 @@ std::pair<double, double> span_of(const char* option, const std::string& text) {
   return {low, high};
 }
 
-TargetSpectrum target_of(const std::string& text) {
+groundmotions::TargetSpectrum target_of(const std::string& text) {
   try {
     config::Document document("spectrum = " + inline_table("target", words_of(text)) + "\n",
                               "--target");
     config::Table root = document.root();
     auto table = root.table("spectrum");
-    auto target = table ? read_target(*table) : std::nullopt;
+    auto target = table ? groundmotions::read_target(*table) : std::nullopt;
     document.finish();
     return *target;
   } catch (const Error& error) {
@@ -65,7 +65,7 @@ TargetSpectrum target_of(const std::string& text) {
 }
 
 struct ScaledSuite {
-  std::vector<SuiteRecord> records;
+  std::vector<groundmotions::SuiteRecord> records;
   std::vector<Eigen::VectorXd> spectra;
 };
 
@@ -77,18 +77,19 @@ std::string csv_cell(const std::string& text) {
 }
 
 /// The channels of a record whose files are channels of one.
-std::string channels_text(const std::vector<RecordFile>& files) {
+std::string channels_text(const std::vector<groundmotions::RecordFile>& files) {
   std::string text;
-  for (const RecordFile& file : files)
+  for (const groundmotions::RecordFile& file : files)
     if (file.channel) text += fmt::format("{}{}", text.empty() ? "" : ";", *file.channel);
   return text;
 }
 
 /// The cells file, h1, h2, vertical and channels of a list.
-std::string files_text(const std::vector<RecordFile>& files, const fs::path& folder) {
+std::string files_text(const std::vector<groundmotions::RecordFile>& files,
+                       const fs::path& folder) {
   std::array<std::string, 5> cells;
   cells[4] = channels_text(files);
-  for (const RecordFile& file : files) {
+  for (const groundmotions::RecordFile& file : files) {
     if (file.channel && &file != &files[0]) continue;
     std::string& cell = cells[file.direction ? 1 + static_cast<std::size_t>(*file.direction) : 0];
     cell += (cell.empty() ? "" : ";") + fs::proximate(file.path, folder).string();
@@ -99,17 +100,17 @@ std::string files_text(const std::vector<RecordFile>& files, const fs::path& fol
 }
 
 /// A list that `gurney records` reads again, with the factors in it.
-std::string list_text(const ScaledSuite& suite, const SuiteScaling& scaling,
-                      const TargetSpectrum& target, const fs::path& folder) {
+std::string list_text(const ScaledSuite& suite, const groundmotions::SuiteScaling& scaling,
+                      const groundmotions::TargetSpectrum& target, const fs::path& folder) {
   std::string text =
       fmt::format("# scaled to {}, {:g} % damping\n", target.name, 100 * target.damping);
   text += "name,file,h1,h2,vertical,channels,unit,time_step_s,columns,count_m_per_s2,scale\n";
   std::set<std::string> names;
   for (std::size_t i = 0; i < suite.records.size(); ++i) {
-    const SuiteRecord& record = suite.records[i];
+    const groundmotions::SuiteRecord& record = suite.records[i];
     std::string name = record.name;
     for (int n = 2; !names.insert(name).second; ++n) name = fmt::format("{} ({})", record.name, n);
-    const ReadOptions& read = record.options;
+    const groundmotions::ReadOptions& read = record.options;
     const auto shown = [](const std::optional<double>& value) {
       return value ? fmt::format("{:g}", *value) : std::string();
     };
@@ -121,8 +122,9 @@ std::string list_text(const ScaledSuite& suite, const SuiteScaling& scaling,
   return text;
 }
 
-void print(const ScaleOptions& options, const ScaledSuite& suite, const SuiteScaling& scaling,
-           const TargetSpectrum& target) {
+void print(const ScaleOptions& options, const ScaledSuite& suite,
+           const groundmotions::SuiteScaling& scaling,
+           const groundmotions::TargetSpectrum& target) {
   fmt::print("target {}\n{} spectra of {:g} % damping, {} s\n\n{:<32} {:>8} {:>8} {:>8}\n",
              target.name, options.component, 100 * target.damping, options.periods, "record", "own",
              "factor", "misfit");
@@ -140,8 +142,8 @@ void print(const ScaleOptions& options, const ScaledSuite& suite, const SuiteSca
   for (const std::string& warning : scaling.warnings) print_error("warning: {}\n", warning);
 }
 
-std::string json(const ScaledSuite& suite, const SuiteScaling& scaling,
-                 const TargetSpectrum& target) {
+std::string json(const ScaledSuite& suite, const groundmotions::SuiteScaling& scaling,
+                 const groundmotions::TargetSpectrum& target) {
   nlohmann::ordered_json records = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < suite.records.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
@@ -165,19 +167,22 @@ int scale(const ScaleOptions& options) {
   require(options.output.empty() || options.source.steps.empty(),
           "--step with -o: a list of records has no place for steps, and the scaled suite would be "
           "without them; convert the records with the steps first (gurney records convert)");
-  const TargetSpectrum target = target_of(options.target);
+  const groundmotions::TargetSpectrum target = target_of(options.target);
   const auto [low, high] = span_of("--periods", options.periods);
   const auto [smallest, largest] = span_of("--limits", options.limits);
-  const Combination combination = parse_combination(options.component);
-  const Eigen::VectorXd periods = logarithmic_periods(low, high, kPeriods);
+  const groundmotions::Combination combination =
+      groundmotions::parse_combination(options.component);
+  const Eigen::VectorXd periods = groundmotions::logarithmic_periods(low, high, kPeriods);
   Eigen::VectorXd wanted(kPeriods);
   for (Eigen::Index i = 0; i < kPeriods; ++i) wanted[i] = target.at(periods[i]);
 
   ScaledSuite suite;
-  const int code =
-      for_each_record(options.source, nullptr, [&](const SuiteRecord& entry, const Record& record) {
+  const int code = for_each_record(
+      options.source, nullptr,
+      [&](const groundmotions::SuiteRecord& entry, const groundmotions::Record& record) {
         try {
-          suite.spectra.push_back(combined_spectrum(combination, record, periods, target.damping));
+          suite.spectra.push_back(
+              groundmotions::combined_spectrum(combination, record, periods, target.damping));
           suite.records.push_back(entry);
         } catch (const Error& error) {
           print_error("skipped: {}\n", error.what());
@@ -192,17 +197,18 @@ int scale(const ScaleOptions& options) {
     spectra.row(static_cast<Eigen::Index>(i)) = suite.spectra[i].transpose();
     names.push_back(suite.records[i].name);
   }
-  SuiteScalingOptions how{smallest, largest, !options.common};
-  how.mean = options.mean == "geometric" ? SuiteScalingOptions::Mean::kGeometric
-                                         : SuiteScalingOptions::Mean::kArithmetic;
+  groundmotions::SuiteScalingOptions how{smallest, largest, !options.common};
+  how.mean = options.mean == "geometric" ? groundmotions::SuiteScalingOptions::Mean::kGeometric
+                                         : groundmotions::SuiteScalingOptions::Mean::kArithmetic;
   how.floor_share = options.floor_share;
-  const SuiteScaling scaling = scale_suite(periods, spectra, wanted, names, how);
+  const groundmotions::SuiteScaling scaling =
+      groundmotions::scale_suite(periods, spectra, wanted, names, how);
   if (options.json)
     fmt::print("{}", json(suite, scaling, target));
   else
     print(options, suite, scaling, target);
 
-  OutputFiles files(options.overwrite);
+  study::OutputFiles files(options.overwrite);
   if (!options.output.empty()) files.check(options.output);
   if (!options.figure.empty()) files.check(options.figure);
   const SignalsHeld until_written;
@@ -210,7 +216,7 @@ int scale(const ScaleOptions& options) {
     files.stage(options.output,
                 list_text(suite, scaling, target, fs::absolute(options.output).parent_path()));
   if (!options.figure.empty())
-    files.stage(options.figure, suite_figure(target, periods, spectra, scaling));
+    files.stage(options.figure, report::suite_figure(target, periods, spectra, scaling));
   files.commit();
   return code;
 }
@@ -247,4 +253,4 @@ void add_records_scale(CLI::App& records, std::function<int()>& act) {
   command->callback([options, &act] { act = [options] { return scale(*options); }; });
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -18,7 +18,7 @@
 #include "studies/study/run/run_unit.h"
 #include "studies/study/run/study_identity.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,7 +37,7 @@ std::string job_of_log(const fs::path& log) {
   return text.substr(start, text.find('\n', start) - start);
 }
 
-std::string job_of(const ReplayOptions& options, const StudyReader& file) {
+std::string job_of(const ReplayOptions& options, const study::StudyReader& file) {
   const std::string job = options.job.empty()
                               ? job_of_log(fs::path(options.file).replace_extension(".log"))
                               : options.job;
@@ -46,22 +46,22 @@ std::string job_of(const ReplayOptions& options, const StudyReader& file) {
                       job.empty() ? "is not known" : job + " no longer exists"));
   const std::string theirs = file.text_attribute("job_sha256"), text = text_of(job);
   if (theirs == sha256(text)) return job;
-  const std::string keys = job_difference(file.job_text(), text);
+  const std::string keys = study::job_difference(file.job_text(), text);
   throw Error(fmt::format(
       "{}: is not the job of {}: {}", job, options.file,
       keys.empty() ? fmt::format("there job_sha256 {}, here {}", theirs, sha256(text)) : keys));
 }
 
-std::size_t whole(const StudyReader& file, const std::string& column, std::size_t run) {
+std::size_t whole(const study::StudyReader& file, const std::string& column, std::size_t run) {
   return static_cast<std::size_t>(file.numbers("runs/" + column)[run]);
 }
 
 /// A demand that is not the same as in the study; empty: all are.
-std::string difference(const StudyReader& file, std::size_t run, const Response& response) {
+std::string difference(const study::StudyReader& file, std::size_t run, const Response& response) {
   const auto [first, last] = file.rows_of_runs("items")[run];
   if (last - first != (is_failure(response.outcome) ? 0 : response.items.size()))
     return "the outcome";
-  for (const TableColumn<Demands>& column : demand_columns()) {
+  for (const study::TableColumn<Demands>& column : study::demand_columns()) {
     const std::vector<double> theirs = file.numbers(std::string("items/") + column.name);
     for (std::size_t row = first; row < last; ++row) {
       const double ours = column.value(response.items[row - first].demands);
@@ -73,8 +73,8 @@ std::string difference(const StudyReader& file, std::size_t run, const Response&
 }
 
 /// Names of data files that are not what the study was made from.
-std::string changed_files(const StudyReader& file, const StudyJob& job) {
-  std::map<std::string, std::string> now = data_files(job);
+std::string changed_files(const study::StudyReader& file, const study::StudyJob& job) {
+  std::map<std::string, std::string> now = study::data_files(job);
   const auto names = file.strings("data_files/name"), hashes = file.strings("data_files/sha256");
   std::string changed;
   for (std::size_t row = 0; row < names.size(); ++row)
@@ -95,7 +95,7 @@ fs::path results_of(const ReplayOptions& options) {
 }  // namespace
 
 int replay_command(const ReplayOptions& options) {
-  const StudyReader file(options.file);
+  const study::StudyReader file(options.file);
   require(options.run < file.runs(),
           fmt::format("{}: has no run {}; it has runs 0 to {}", options.file, options.run,
                       static_cast<long>(file.runs()) - 1));
@@ -103,15 +103,15 @@ int replay_command(const ReplayOptions& options) {
                          options.json, options.no_figure};
   check_output(output);
 
-  const StudyJob study(output.job);
-  const StudyMotions motions(study);
-  const Plan plan(study, motions);
-  const Unit unit = plan.unit(whole(file, "unit", options.run));
-  const Job job = study.job(unit.configuration, plan.draw(unit));
+  const study::StudyJob study(output.job);
+  const study::StudyMotions motions(study);
+  const study::Plan plan(study, motions);
+  const study::Unit unit = plan.unit(whole(file, "unit", options.run));
+  const study::Job job = study.job(unit.configuration, plan.draw(unit));
   const double scale = file.numbers("runs/scale")[options.run];
-  const PreparedRun run =
-      prepare_run(job, motions.set_of(unit.configuration)
-                           .motion(unit.record, scale, study.study().angles[unit.angle]));
+  const study::PreparedRun run =
+      study::prepare_run(job, motions.set_of(unit.configuration)
+                                  .motion(unit.record, scale, study.study().angles[unit.angle]));
   const Response response = run_and_write(run, output);
   const std::string differs = difference(file, options.run, response);
   if (!differs.empty()) {
@@ -121,7 +121,8 @@ int replay_command(const ReplayOptions& options) {
         "this is {} {} on {}; {}\n",
         options.file, options.run, differs, file.text_attribute("program_version"),
         file.text_attribute("git_commit"), file.text_attribute("cpu_class"),
-        build_info().program_version, build_info().git_commit, build_info().cpu_class,
+        build_info::build_info().program_version, build_info::build_info().git_commit,
+        build_info::build_info().cpu_class,
         changed.empty() ? "a record may have changed, too" : "changed since: " + changed);
     return 1;
   }
@@ -129,4 +130,4 @@ int replay_command(const ReplayOptions& options) {
   return is_failure(response.outcome) ? 3 : 0;
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

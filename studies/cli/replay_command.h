@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-namespace gurney {
+namespace gurney::cli {
 
 struct ReplayOptions {
   std::string file;     ///< results file of a study
@@ -21,4 +21,4 @@ struct ReplayOptions {
 /// @throws Error
 int replay_command(const ReplayOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::cli

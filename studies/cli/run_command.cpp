@@ -9,7 +9,7 @@
 #include "studies/cli/run_study.h"
 #include "studies/study/plan/study_job.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,7 +34,7 @@ RunOutput output_of(const RunOptions& options) {
 }  // namespace
 
 int run_command(const RunOptions& options) {
-  if (has_study(options.job)) return run_study(options);
+  if (study::has_study(options.job)) return run_study(options);
   const std::string unused = options.resume ? options.threads > 0 ? "--resume and -j" : "--resume"
                              : options.threads > 0 ? "-j"
                                                    : "";
@@ -42,10 +42,10 @@ int run_command(const RunOptions& options) {
                                       "a table [study]",
                                       options.job, unused));
   const RunOutput output = output_of(options);
-  const PreparedRun run = prepare_run(options.job);
+  const study::PreparedRun run = study::prepare_run(options.job);
   make_default_folder(options);
   check_output(output);
   return is_failure(run_and_write(run, output).outcome) ? 3 : 0;
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

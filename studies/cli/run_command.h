@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace gurney {
+namespace gurney::cli {
 
 struct RunOptions {
   std::string job;     ///< path of the job file
@@ -20,4 +20,4 @@ struct RunOptions {
 /// @throws Error for bad input and for files that cannot be written
 int run_command(const RunOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -13,7 +13,7 @@
 #include "studies/study/results/output_files.h"
 #include "studies/study/results/results_file.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 std::string log_text(const std::string& job, const Response& response, double seconds) {
   char host[256] = "unknown";
   gethostname(host, sizeof host - 1);
-  const BuildInfo build = build_info();
+  const build_info::BuildInfo build = build_info::build_info();
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   return fmt::format(
       "finished        {:%Y-%m-%dT%H:%M:%SZ}\nhost            {}\njob             {}\n"
@@ -33,10 +33,10 @@ std::string log_text(const std::string& job, const Response& response, double se
       build.git_commit, build.cpu_class, seconds, response.end_time);
 }
 
-void print(const RunOutput& output, const PreparedRun& run, const Response& response,
+void print(const RunOutput& output, const study::PreparedRun& run, const Response& response,
            double seconds) {
   if (output.json) {
-    fmt::print("{}", summary_json(run.facts, response));
+    fmt::print("{}", report::summary_json(run.facts, response));
     return;
   }
   fmt::print("{}\n", summary(run.facts, response));
@@ -51,21 +51,23 @@ fs::path RunOutput::figure() const { return fs::path(results).replace_extension(
 fs::path RunOutput::log() const { return fs::path(results).replace_extension(".log"); }
 
 void check_output(const RunOutput& output) {
-  const OutputFiles files(output.overwrite);
+  const study::OutputFiles files(output.overwrite);
   files.check(output.results.string());
   if (!output.no_figure) files.check(output.figure().string());
   files.check(output.log().string());
 }
 
-Response run_and_write(const PreparedRun& run, const RunOutput& output) {
+Response run_and_write(const study::PreparedRun& run, const RunOutput& output) {
   const auto start = Clock::now();
-  Response response = simulate_with_any_solver(run.facts.scene, run.facts.floor, run.facts.settings);
+  Response response =
+      baselines::simulate_with_any_solver(run.facts.scene, run.facts.floor, run.facts.settings);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   {
     const SignalsHeld until_written;
-    OutputFiles files(output.overwrite);
-    files.stage(output.results.string(), results_image(run.facts, response));
-    if (!output.no_figure) files.stage(output.figure().string(), figure(run.facts, response));
+    study::OutputFiles files(output.overwrite);
+    files.stage(output.results.string(), study::results_image(run.facts, response));
+    if (!output.no_figure)
+      files.stage(output.figure().string(), report::figure(run.facts, response));
     files.stage(output.log().string(), log_text(output.job, response, seconds));
     files.commit();
   }
@@ -73,4 +75,4 @@ Response run_and_write(const PreparedRun& run, const RunOutput& output) {
   return response;
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -6,7 +6,7 @@
 #include "engine/response/response.h"
 #include "studies/study/prepare/run_job.h"
 
-namespace gurney {
+namespace gurney::cli {
 
 /// Where the files of one run go, and what is printed.
 struct RunOutput {
@@ -22,6 +22,6 @@ struct RunOutput {
 void check_output(const RunOutput& output);
 
 /// Simulates, writes the results file, the figure and the log, and prints the summary.
-Response run_and_write(const PreparedRun& run, const RunOutput& output);
+Response run_and_write(const study::PreparedRun& run, const RunOutput& output);
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -27,7 +27,7 @@
 #include "studies/study/run/study_file.h"
 #include "studies/study/run/study_identity.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,18 +45,18 @@ Paths paths_for(const RunOptions& options) {
   return {results, fs::path(results).replace_extension(".log"), results.string() + ".parts"};
 }
 
-std::string log_entry(const RunOptions& options, int threads, const BatchProgress& progress,
+std::string log_entry(const RunOptions& options, int threads, const study::BatchProgress& progress,
                       const std::string& how) {
   char host[256] = "unknown";
   gethostname(host, sizeof host - 1);
-  const BuildInfo build = build_info();
+  const build_info::BuildInfo build = build_info::build_info();
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   return fmt::format(
       "{:%Y-%m-%dT%H:%M:%SZ} {} on {}: {} runs ({} so far) in {:.1f} s with {} threads, gurney {} "
       "{}, "
       "CPU class {}\njob {}\n",
       fmt::gmtime(now), how, host, progress.runs_now,
-      failed_runs(progress.failed, progress.untrusted), progress.seconds, threads,
+      report::failed_runs(progress.failed, progress.untrusted), progress.seconds, threads,
       build.program_version, build.git_commit, build.cpu_class,
       fs::absolute(options.job).lexically_normal().string());
 }
@@ -70,40 +70,42 @@ void append_log(const Paths& paths, const std::string& entry) {
 }
 
 /// The results are there already and nothing is left to do.
-bool is_complete(const RunOptions& options, const Paths& paths, const Batch& batch) {
+bool is_complete(const RunOptions& options, const Paths& paths, const study::Batch& batch) {
   if (!options.resume || !fs::exists(paths.results)) return false;
-  const bool has_parts = !identity_in(paths.parts).empty();
+  const bool has_parts = !study::identity_in(paths.parts).empty();
   if (has_parts && options.overwrite) return false;
-  const std::string difference = difference_to_results(paths.results.string(), batch);
+  const std::string difference = study::difference_to_results(paths.results.string(), batch);
   require(difference.empty(),
           fmt::format("{}: holds the results of another study: {}{}", paths.results.string(),
                       difference, has_parts ? "; --resume --overwrite replaces them" : ""));
   if (has_parts)
-    PartFolder(paths.parts, identity_of(batch), batch.plan.units(), PartFolder::Start::kResume)
+    study::PartFolder(paths.parts, study::identity_of(batch), batch.plan.units(),
+                      study::PartFolder::Start::kResume)
         .remove();
   fmt::print("results  {} (already complete)\n", paths.results.string());
   return true;
 }
 
-void print_counts(const RunOptions& options, const Paths& paths, const StudyCounts& counts,
-                  const BatchProgress& progress, const std::vector<std::string>& undrawn) {
-  const ScaleFactors factors = scale_factors(StudyData(paths.results.string()));
+void print_counts(const RunOptions& options, const Paths& paths, const study::StudyCounts& counts,
+                  const study::BatchProgress& progress, const std::vector<std::string>& undrawn) {
+  const study::ScaleFactors factors =
+      study::scale_factors(study::StudyData(paths.results.string()));
   if (options.json) {
     nlohmann::ordered_json json{{"results", paths.results.string()}, {"runs", counts.runs},
                                 {"overturned", counts.overturned},   {"failed", counts.failed},
                                 {"untrusted", counts.untrusted},     {"ranges_not_drawn", undrawn}};
-    if (factors.any()) json["scale_factors"] = scale_factors_json(factors);
+    if (factors.any()) json["scale_factors"] = report::scale_factors_json(factors);
     fmt::print("{}\n", json.dump(2));
     return;
   }
   fmt::print("runs     {}, {} overturned, {}\n", counts.runs, counts.overturned,
-             failed_runs(counts.failed, counts.untrusted));
+             report::failed_runs(counts.failed, counts.untrusted));
   if (progress.runs_now > 0)
     fmt::print("speed    {:.1f} runs per second\n",
                static_cast<double>(progress.runs_now) / progress.seconds);
   if (factors.any()) fmt::print("scaling  factors {}\n", factors.text());
   fmt::print("declared ranges not drawn:\n");
-  for (const std::string& line : undrawn) fmt::print("  {}\n", wrapped(line, 4, 2));
+  for (const std::string& line : undrawn) fmt::print("  {}\n", report::wrapped(line, 4, 2));
   fmt::print("results  {}\n", paths.results.string());
 }
 
@@ -115,8 +117,8 @@ std::string shell_word(const std::string& word) {
   return text + "'";
 }
 
-std::string resume_hint(const RunOptions& options, const Paths& paths, const PartFolder& folder,
-                        std::size_t units) {
+std::string resume_hint(const RunOptions& options, const Paths& paths,
+                        const study::PartFolder& folder, std::size_t units) {
   if (!folder.holds())
     return fmt::format("{}: the finished runs are lost with it; start again", paths.parts.string());
   return fmt::format(
@@ -129,65 +131,66 @@ std::string resume_hint(const RunOptions& options, const Paths& paths, const Par
 }
 
 /// Writes the results file from the parts.
-StudyCounts merge(const Batch& batch, const PartFolder& folder, const Paths& paths,
-                  bool overwrite) {
+study::StudyCounts merge(const study::Batch& batch, const study::PartFolder& folder,
+                         const Paths& paths, bool overwrite) {
   const fs::path made = folder.path() / "results.h5";
-  StudyCounts counts;
+  study::StudyCounts counts;
   try {
     fs::remove(made);
-    counts = write_study_file(made.string(), batch,
-                              [&](std::size_t unit) { return unit_from_bytes(folder.read(unit)); });
+    counts = study::write_study_file(made.string(), batch, [&](std::size_t unit) {
+      return study::unit_from_bytes(folder.read(unit));
+    });
   } catch (...) {
     std::error_code ignored;
     fs::remove(made, ignored);
     throw;
   }
   try {
-    put_in_place(made.string(), paths.results.string(), overwrite);
+    study::put_in_place(made.string(), paths.results.string(), overwrite);
   } catch (const Error& error) {
     throw Error(fmt::format("{}; the finished results are in {}", error.what(), made.string()));
   }
   return counts;
 }
 
-PartFolder::Start start_of(const RunOptions& options) {
-  if (options.resume) return PartFolder::Start::kResume;
-  return options.overwrite ? PartFolder::Start::kReplace : PartFolder::Start::kNew;
+study::PartFolder::Start start_of(const RunOptions& options) {
+  if (options.resume) return study::PartFolder::Start::kResume;
+  return options.overwrite ? study::PartFolder::Start::kReplace : study::PartFolder::Start::kNew;
 }
 
 }  // namespace
 
 int run_study(const RunOptions& options) {
   const Paths paths = paths_for(options);
-  const StudyJob job(options.job);
+  const study::StudyJob job(options.job);
   const int threads = options.threads > 0
                           ? options.threads
                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const StudyMotions motions(job);
-  const Plan plan(job, motions);
-  const Batch batch{job, motions, plan};
+  const study::StudyMotions motions(job);
+  const study::Plan plan(job, motions);
+  const study::Batch batch{job, motions, plan};
   refuse_oversized(batch);
   motions.read_all(threads);
   if (is_complete(options, paths, batch)) return 0;
 
   if (options.output.empty()) fs::create_directory("out");
-  OutputFiles(options.overwrite).check(paths.results.string());
-  PartFolder folder(paths.parts, identity_of(batch), plan.units(), start_of(options));
-  const CrashLog crashes(folder.path() / "crashes");
+  study::OutputFiles(options.overwrite).check(paths.results.string());
+  study::PartFolder folder(paths.parts, study::identity_of(batch), plan.units(), start_of(options));
+  const study::CrashLog crashes(folder.path() / "crashes");
   for (const std::string& warning : folder.warnings()) print_error("{}\n", warning);
   for (const std::string& warning : crashes.warnings()) print_error("{}\n", warning);
 
   note_interruptions();
   StudyProgress line(options.json);
-  BatchProgress progress;
-  StudyCounts counts;
+  study::BatchProgress progress;
+  study::StudyCounts counts;
   const auto fail = [&](const std::string& reason) {
     throw Error(reason + '\n' + resume_hint(options, paths, folder, plan.units()));
   };
   try {
-    progress = run_batch(
+    progress = study::run_batch(
         batch, folder, crashes, threads, [] { return interruption() == 0; },
-        [&](const BatchProgress& now) { line(now); });
+        [&](const study::BatchProgress& now) { line(now); });
     if (progress.done == progress.units) counts = merge(batch, folder, paths, options.overwrite);
   } catch (const Error& error) {
     fail(error.what());
@@ -201,8 +204,8 @@ int run_study(const RunOptions& options) {
   }
   append_log(paths, log_entry(options, threads, progress, "finished"));
   folder.remove();
-  print_counts(options, paths, counts, progress, undrawn_ranges(batch).lines());
+  print_counts(options, paths, counts, progress, study::undrawn_ranges(batch).lines());
   return counts.failed > 0 ? 3 : 0;
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -2,11 +2,11 @@
 
 #include "studies/cli/run_command.h"
 
-namespace gurney {
+namespace gurney::cli {
 
 /// Runs a job with a table [study].
 /// @return 0, 3 when some runs failed, 130 or 143 when it was interrupted
 /// @throws Error
 int run_study(const RunOptions& options);
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -9,7 +9,7 @@
 #include "studies/cli/records_output.h"
 #include "studies/report/sensitivity_report.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 struct SensitivityCommand {
@@ -21,24 +21,24 @@ struct SensitivityCommand {
 };
 
 int sensitivity(const SensitivityCommand& options) {
-  const StudyData data(options.file);
-  SensitivityRequest request{.demand = options.demand, .limit = options.limit, .level = {}};
+  const study::StudyData data(options.file);
+  study::SensitivityRequest request{.demand = options.demand, .limit = options.limit, .level = {}};
   if (options.demand.empty() && options.limit.empty()) request.demand = "peak_displacement";
   if (options.level > 0) {
-    require(data.study().intensity.kind != IntensityPlan::Kind::kHunt,
+    require(data.study().intensity.kind != study::IntensityPlan::Kind::kHunt,
             options.file + ": an IDA has no levels common to all records; omit --level");
     request.level = static_cast<std::size_t>(options.level - 1);
   }
-  const auto wanted = wanted_configurations(data, options.configurations);
+  const auto wanted = study::wanted_configurations(data, options.configurations);
   require(options.figure.empty() || wanted.size() == 1,
           fmt::format("--figure draws one configuration; name it with --configuration: {}",
                       fmt::join(data.configurations(), "; ")));
-  std::vector<SensitivityReport> reports;
+  std::vector<report::SensitivityReport> reports;
   std::size_t found = 0;
   for (const std::size_t configuration : wanted) {
-    SensitivityReport report{data.configurations()[configuration], {}, ""};
+    report::SensitivityReport report{data.configurations()[configuration], {}, ""};
     try {
-      report.found = study_sensitivity({&data, configuration}, request);
+      report.found = study::study_sensitivity({&data, configuration}, request);
       ++found;
     } catch (const Error& error) {
       if (wanted.size() == 1) throw;
@@ -47,9 +47,10 @@ int sensitivity(const SensitivityCommand& options) {
     reports.push_back(std::move(report));
   }
   if (found == 0) throw Error(reports.front().why_not);
-  fmt::print("{}", options.json ? sensitivity_json(reports) : sensitivity_text(reports));
+  fmt::print("{}",
+             options.json ? report::sensitivity_json(reports) : report::sensitivity_text(reports));
   if (!options.figure.empty())
-    write_output(options.figure, sensitivity_figure(reports.front()), options.overwrite,
+    write_output(options.figure, report::sensitivity_figure(reports.front()), options.overwrite,
                  options.json);
   return 0;
 }
@@ -78,4 +79,4 @@ void add_sensitivity(CLI::App& app, std::function<int()>& act) {
   command->callback([held, &act] { act = [held] { return sensitivity(*held); }; });
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

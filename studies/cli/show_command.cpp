@@ -8,7 +8,7 @@
 #include "studies/report/overview_report.h"
 #include "studies/study/analysis/overview.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 struct ShowOptions {
@@ -18,13 +18,14 @@ struct ShowOptions {
 
 template <class Overview>
 int show(const Overview& overview, bool json) {
-  fmt::print("{}", json ? overview_json(overview) : overview_text(overview));
+  fmt::print("{}", json ? report::overview_json(overview) : report::overview_text(overview));
   return 0;
 }
 
 int show_command(const ShowOptions& options) {
-  if (is_study_file(options.file)) return show(study_overview(options.file), options.json);
-  return show(run_overview(options.file), options.json);
+  if (study::is_study_file(options.file))
+    return show(study::study_overview(options.file), options.json);
+  return show(study::run_overview(options.file), options.json);
 }
 
 }  // namespace
@@ -37,4 +38,4 @@ void add_show(CLI::App& app, std::function<int()>& act) {
   show->callback([held, &act] { act = [held] { return show_command(*held); }; });
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 extern "C" void leave(int signal_number) {
@@ -57,4 +57,4 @@ SignalsHeld::~SignalsHeld() {
   pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

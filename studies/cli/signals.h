@@ -1,6 +1,6 @@
 #pragma once
 
-namespace gurney {
+namespace gurney::cli {
 
 /// From now on SIGINT and SIGTERM end the program with 130 and 143 (128 + number) and a word on
 /// stderr, and a write beyond the largest file size is an error instead of a signal.
@@ -22,4 +22,4 @@ class SignalsHeld {
   SignalsHeld& operator=(const SignalsHeld&) = delete;
 };
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-namespace gurney {
+namespace gurney::cli {
 
 void open_standard_files() {
   for (int file = STDIN_FILENO; file <= STDERR_FILENO; ++file) {
@@ -21,4 +21,4 @@ void write_error(const std::string& text) {
   std::clearerr(stderr);
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

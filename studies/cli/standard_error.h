@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace gurney {
+namespace gurney::cli {
 
 /// Opens what of standard input, output and error the program was started without, so that no file
 /// of a study gets their numbers. Standard output then refuses what is written to it.
@@ -19,4 +19,4 @@ void print_error(fmt::format_string<Values...> format, Values&&... values) {
   write_error(fmt::format(format, std::forward<Values>(values)...));
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -9,11 +9,11 @@
 #include "studies/cli/study_size.h"
 #include "studies/report/failed_runs.h"
 
-namespace gurney {
+namespace gurney::cli {
 
 StudyProgress::StudyProgress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
 
-void StudyProgress::operator()(const BatchProgress& now) {
+void StudyProgress::operator()(const study::BatchProgress& now) {
   if (quiet_ || complete_ || now.units_now == 0) return;
   const bool last = complete_ = now.done == now.units;
   if (!terminal_ && !last && now.seconds - shown_ < 10) return;
@@ -24,9 +24,9 @@ void StudyProgress::operator()(const BatchProgress& now) {
   print_error("{}{:3.0f} %  {} runs, {:.1f} runs/s, {} overturned, {}{}{}", terminal_ ? "\r" : "",
               100.0 * static_cast<double>(now.done) / static_cast<double>(now.units), now.runs,
               static_cast<double>(now.runs_now) / seconds, now.overturned,
-              failed_runs(now.failed, now.untrusted),
+              report::failed_runs(now.failed, now.untrusted),
               last ? std::string() : ", " + duration_text(to_go) + " to go",
               terminal_ && !last ? "\x1b[K" : "\n");
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

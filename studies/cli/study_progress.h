@@ -2,7 +2,7 @@
 
 #include "studies/study/run/run_batch.h"
 
-namespace gurney {
+namespace gurney::cli {
 
 /// Reports a study on its way on standard error: one line that is written over on a terminal;
 /// elsewhere a line every ten seconds.
@@ -10,11 +10,11 @@ class StudyProgress {
  public:
   explicit StudyProgress(bool quiet);
 
-  void operator()(const BatchProgress& now);
+  void operator()(const study::BatchProgress& now);
 
  private:
   bool quiet_, terminal_, complete_ = false;
   double shown_ = -10;
 };
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -7,7 +7,7 @@
 #include "engine/base/error.h"
 #include "studies/study/run/estimate.h"
 
-namespace gurney {
+namespace gurney::cli {
 
 std::string duration_text(double seconds) {
   if (seconds < 90) return fmt::format("{:.2g} s", seconds);
@@ -21,9 +21,9 @@ std::string size_text(double bytes) {
                      : fmt::format("{:.1f} GB", bytes / 1e9);
 }
 
-void refuse_oversized(const Batch& batch) {
+void refuse_oversized(const study::Batch& batch) {
   if (static_cast<double>(batch.plan.runs()) <= kMostRuns) return;
-  const Estimate needs = estimate(batch);
+  const study::Estimate needs = study::estimate(batch);
   throw Error(fmt::format(
       "{}: the study has {} runs, which would take about {} on one core and {} of disk: at most "
       "{:.0f} runs are allowed; take fewer draws, records, angles or levels, or make several "
@@ -32,4 +32,4 @@ void refuse_oversized(const Batch& batch) {
       kMostRuns));
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

@@ -4,7 +4,7 @@
 
 #include "studies/study/run/run_unit.h"
 
-namespace gurney {
+namespace gurney::cli {
 
 /// Runs that a study may have: 10 million take 28 hours on one core at 10 ms each, and 1 GB of
 /// memory for their bookkeeping at most.
@@ -14,6 +14,6 @@ std::string duration_text(double seconds);
 std::string size_text(double bytes);
 
 /// @throws Error for a study with more runs than kMostRuns, with what it would take
-void refuse_oversized(const Batch& batch);
+void refuse_oversized(const study::Batch& batch);
 
-}  // namespace gurney
+}  // namespace gurney::cli

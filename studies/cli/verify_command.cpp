@@ -14,7 +14,7 @@
 #include "studies/verification/cases.h"
 #include "studies/verification/verify.h"
 
-namespace gurney {
+namespace gurney::cli {
 namespace {
 
 using verification::CaseRun;
@@ -36,9 +36,9 @@ std::string figure_path(const std::string& folder, const CaseRun& run) {
 }
 
 void write_figures(const std::string& folder, bool overwrite, const std::vector<CaseRun>& runs) {
-  OutputFiles files(overwrite);
+  study::OutputFiles files(overwrite);
   for (const CaseRun& run : runs)
-    if (const std::string figure = verification_figure(run); !figure.empty())
+    if (const std::string figure = report::verification_figure(run); !figure.empty())
       files.stage(figure_path(folder, run), figure);
   files.commit();
 }
@@ -68,7 +68,7 @@ int verify(VerifyOptions options, bool drawn) {
   std::vector<CaseRun> runs = choose(families, options.selection);
   if (!options.figures.empty()) {
     std::filesystem::create_directories(options.figures);
-    const OutputFiles files(options.overwrite);
+    const study::OutputFiles files(options.overwrite);
     for (const CaseRun& each : runs) files.check(figure_path(options.figures, each));
   }
   const int threads = options.threads > 0
@@ -77,13 +77,13 @@ int verify(VerifyOptions options, bool drawn) {
   const bool in_full = !options.selection.names.empty() && !drawn;
   const bool text = !options.json && !options.markdown;
   run_all(runs, !drawn, threads, [&](const CaseRun& each) {
-    fmt::print(text ? stdout : stderr, "{}", verification_text(each, in_full && text));
+    fmt::print(text ? stdout : stderr, "{}", report::verification_text(each, in_full && text));
     std::fflush(text ? stdout : stderr);
   });
   if (!options.figures.empty()) write_figures(options.figures, options.overwrite, runs);
-  if (options.json) fmt::print("{}", verification_json(runs));
-  if (options.markdown) fmt::print("{}", verification_markdown(runs));
-  if (text) fmt::print("{}", verification_summary(runs));
+  if (options.json) fmt::print("{}", report::verification_json(runs));
+  if (options.markdown) fmt::print("{}", report::verification_markdown(runs));
+  if (text) fmt::print("{}", report::verification_summary(runs));
   return std::ranges::all_of(runs, [](const CaseRun& each) { return each.findings.passed(); })
              ? 0
              : kFailed;
@@ -120,4 +120,4 @@ void add_verify(CLI::App& app, std::function<int()>& act) {
   });
 }
 
-}  // namespace gurney
+}  // namespace gurney::cli

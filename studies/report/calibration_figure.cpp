@@ -8,7 +8,7 @@
 #include "studies/report/calibration_report.h"
 #include "studies/report/panel.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kWidth = 1180, kTop = 100, kMostRows = 40, kRow = 13;
@@ -19,14 +19,15 @@ constexpr double kBarsTop = kTop + 380 + 90;
 constexpr std::array kPhaseNames = {"I", "II", "III", "IV"};
 constexpr std::array kPhaseColors = {"#dddddd", "#f6d9a8", "#bcd9ee", "#eeeeee"};
 
-std::vector<const Constant*> rolling_constants(const Calibration& c) {
-  std::vector<const Constant*> found;
-  for (const Constant& each : c.constants)
-    if (each.kind == ConstantKind::kRolling) found.push_back(&each);
+std::vector<const calibration::Constant*> rolling_constants(const calibration::Calibration& c) {
+  std::vector<const calibration::Constant*> found;
+  for (const calibration::Constant& each : c.constants)
+    if (each.kind == calibration::ConstantKind::kRolling) found.push_back(&each);
   return found;
 }
 
-void add_lines(const Constant& constant, double highest, std::size_t color, Panel& panel) {
+void add_lines(const calibration::Constant& constant, double highest, std::size_t color,
+               Panel& panel) {
   const auto line = [&](double slope, const Pen& pen, const std::string& label) {
     panel.curves.push_back({label, {0, highest}, {0, slope * highest}, pen});
   };
@@ -39,10 +40,10 @@ void add_lines(const Constant& constant, double highest, std::size_t color, Pane
     line(slope, {.stroke = palette(color), .width = 0.8, .dash = "4 3"}, "");
 }
 
-void draw_loads(Svg& svg, const Calibration& c) {
-  const std::vector<const Constant*> constants = rolling_constants(c);
+void draw_loads(Svg& svg, const calibration::Calibration& c) {
+  const std::vector<const calibration::Constant*> constants = rolling_constants(c);
   double highest = 0, strongest = 0;
-  for (const RollingTrial& trial : c.rolling) {
+  for (const calibration::RollingTrial& trial : c.rolling) {
     highest = std::max(highest, 1.1 * normal_force(trial.averages.setup));
     strongest = std::max(strongest, 1.25 * trial.resistance.mean);
   }
@@ -54,9 +55,9 @@ void draw_loads(Svg& svg, const Calibration& c) {
               .y_range = {0, strongest}};
   for (std::size_t i = 0; i < constants.size(); ++i) add_lines(*constants[i], highest, i, panel);
   const Scaling scaling = draw(svg, kLoads, panel);
-  for (const RollingTrial& trial : c.rolling) {
-    const TrialSetup& setup = trial.averages.setup;
-    const auto mine = std::ranges::find_if(constants, [&](const Constant* each) {
+  for (const calibration::RollingTrial& trial : c.rolling) {
+    const calibration::TrialSetup& setup = trial.averages.setup;
+    const auto mine = std::ranges::find_if(constants, [&](const calibration::Constant* each) {
       return each->caster == setup.caster && each->floor == setup.floor;
     });
     svg.circle(scaling.x(normal_force(setup)), scaling.y(trial.resistance.mean), 3,
@@ -70,12 +71,13 @@ void draw_loads(Svg& svg, const Calibration& c) {
       {.size = 10, .color = "#555555"});
 }
 
-std::array<double, 5> borders(const PhasedPull& pull) {
+std::array<double, 5> borders(const calibration::PhasedPull& pull) {
   const std::vector<double>& t = pull.trial.signals.time;
   return {t.front(), pull.phases.start, pull.phases.release, pull.phases.stop, t.back()};
 }
 
-void draw_phases(Svg& svg, const Frame& frame, const Scaling& scaling, const PhasedPull& pull) {
+void draw_phases(Svg& svg, const Frame& frame, const Scaling& scaling,
+                 const calibration::PhasedPull& pull) {
   const std::array<double, 5> at = borders(pull);
   for (std::size_t i = 0; i < kPhaseNames.size(); ++i) {
     const double from = scaling.x(at[i]), to = scaling.x(at[i + 1]);
@@ -86,7 +88,7 @@ void draw_phases(Svg& svg, const Frame& frame, const Scaling& scaling, const Pha
 }
 
 /// Axes, phases behind, curve on top, with room for the names of the phases.
-void draw_signal(Svg& svg, const Frame& frame, Panel panel, const PhasedPull& pull) {
+void draw_signal(Svg& svg, const Frame& frame, Panel panel, const calibration::PhasedPull& pull) {
   const auto [low, high] = std::ranges::minmax(panel.curves[0].y);
   panel.y_range = {low - 0.08 * (high - low), high + 0.25 * (high - low)};
   const Scaling scaling = draw(svg, frame, panel);
@@ -99,8 +101,8 @@ void draw_signal(Svg& svg, const Frame& frame, Panel panel, const PhasedPull& pu
                {.size = 11, .anchor = Anchor::kMiddle, .bold = true});
 }
 
-void draw_pull(Svg& svg, const PhasedPull& pull) {
-  const TrialSignals& s = pull.trial.signals;
+void draw_pull(Svg& svg, const calibration::PhasedPull& pull) {
+  const calibration::TrialSignals& s = pull.trial.signals;
   const bool displacement = !s.displacement.empty();
   std::vector<double> mm;
   for (const double x : s.displacement) mm.push_back(x * kMillimetersPerMeter);
@@ -113,15 +115,15 @@ void draw_pull(Svg& svg, const PhasedPull& pull) {
               pull);
   draw_signal(svg, kForce,
               {.title = fmt::format("f_r = {:.3g} N pulled, {:.3g} N coasting",
-                                    average_method(pull.averages).pulled,
-                                    average_method(pull.averages).coasting),
+                                    calibration::average_method(pull.averages).pulled,
+                                    calibration::average_method(pull.averages).coasting),
                .x_label = "Time (s)",
                .y_label = "Cable force (N)",
                .curves = {{"", s.time, s.force, pen}}},
               pull);
 }
 
-void draw_bars(Svg& svg, const Calibration& c) {
+void draw_bars(Svg& svg, const calibration::Calibration& c) {
   if (c.pulls.empty()) return;
   const auto rows = std::min(c.pulls.size(), static_cast<std::size_t>(kMostRows));
   double first = c.pulls[0].trial.signals.time.front(), last = first;
@@ -156,7 +158,7 @@ void draw_bars(Svg& svg, const Calibration& c) {
 
 }  // namespace
 
-std::string calibration_figure(const Calibration& c) {
+std::string calibration_figure(const calibration::Calibration& c) {
   const double rows = std::min(static_cast<double>(c.pulls.size()), kMostRows);
   Svg svg(kWidth, c.pulls.empty() ? kBarsTop : kBarsTop + kRow * rows + 60);
   svg.text(24, 34, "Calibration from " + c.source, {.size = 16, .bold = true});
@@ -173,4 +175,4 @@ std::string calibration_figure(const Calibration& c) {
   return svg.str();
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -4,15 +4,15 @@
 #include "studies/report/calibration_report.h"
 #include "studies/report/json_values.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json constant_json(const Constant& c) {
+Json constant_json(const calibration::Constant& c) {
   return {{"name", name_of(c.kind)},
-          {"symbol", symbol_of(c.kind)},
-          {"unit", unit_of(c.kind)},
+          {"symbol", calibration::symbol_of(c.kind)},
+          {"unit", calibration::unit_of(c.kind)},
           {"caster", c.caster},
           {"floor", c.floor},
           {"against", c.against},
@@ -25,7 +25,7 @@ Json constant_json(const Constant& c) {
           {"trials", c.trials}};
 }
 
-Json test_json(const RollingTest& t) {
+Json test_json(const calibration::RollingTest& t) {
   return {{"name", t.name},
           {"quantity", t.quantity},
           {"estimate", json_number(t.estimate)},
@@ -37,12 +37,12 @@ Json test_json(const RollingTest& t) {
           {"trials", t.trials}};
 }
 
-Json rolling_json(const RollingTrial& t) {
-  const TrialAverages& a = t.averages;
+Json rolling_json(const calibration::RollingTrial& t) {
+  const calibration::TrialAverages& a = t.averages;
   return {{"trial", a.name},
           {"caster", a.setup.caster},
           {"floor", a.setup.floor},
-          {"normal_force_n", normal_force(a.setup)},
+          {"normal_force_n", calibration::normal_force(a.setup)},
           {"pull_force_n", a.pull_force},
           {"pull_acceleration_mps2", a.pull_acceleration},
           {"coast_deceleration_mps2", a.coast_deceleration},
@@ -52,7 +52,7 @@ Json rolling_json(const RollingTrial& t) {
           {"resistance_error_n", t.resistance.mean_error}};
 }
 
-Json crosswise_json(const CrosswiseFit& f) {
+Json crosswise_json(const calibration::CrosswiseFit& f) {
   return {{"trial", f.trial},
           {"rolling_resistance", f.resistance},
           {"friction_times_width_m", f.friction_times_width},
@@ -71,7 +71,7 @@ Json list(const Rows& rows, Make make) {
 
 }  // namespace
 
-std::string calibration_json(const Calibration& c) {
+std::string calibration_json(const calibration::Calibration& c) {
   const Json json{{"source", c.source},
                   {"trials", c.read},
                   {"simulated", c.simulated},
@@ -80,14 +80,14 @@ std::string calibration_json(const Calibration& c) {
                   {"pulls", list(c.rolling, rolling_json)},
                   {"crosswise", list(c.crosswise, crosswise_json)},
                   {"outliers", list(c.outliers,
-                                    [](const Outlier& o) {
+                                    [](const calibration::Outlier& o) {
                                       return Json{{"trial", o.trial},
                                                   {"constant", o.constant},
                                                   {"value", o.value},
                                                   {"p_adjusted", o.p}};
                                     })},
                   {"validation", list(c.predictions,
-                                      [](const Prediction& p) {
+                                      [](const calibration::Prediction& p) {
                                         return Json{{"trial", p.trial},
                                                     {"constant", p.constant},
                                                     {"measured", p.measured},
@@ -97,10 +97,10 @@ std::string calibration_json(const Calibration& c) {
                                                     {"inside", p.inside()}};
                                       })},
                   {"validation_without_constant", c.unpredicted},
-                  {"left_out", list(c.left_out, [](const TrialFault& f) {
+                  {"left_out", list(c.left_out, [](const calibration::TrialFault& f) {
                      return Json{{"file", f.file}, {"line", f.line}, {"reason", f.reason}};
                    })}};
   return json.dump(2) + "\n";
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

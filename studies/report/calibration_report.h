@@ -4,15 +4,15 @@
 
 #include "studies/calibration/fit/calibration.h"
 
-namespace gurney {
+namespace gurney::report {
 
 /// What `gurney calibrate` prints.
-std::string calibration_text(const Calibration& calibration);
+std::string calibration_text(const calibration::Calibration& calibration);
 
 /// The same as one JSON object, in SI units.
-std::string calibration_json(const Calibration& calibration);
+std::string calibration_json(const calibration::Calibration& calibration);
 
 /// Resistance against load with fitted lines and bands of 95 %, and the phases of one pull.
-std::string calibration_figure(const Calibration& calibration);
+std::string calibration_figure(const calibration::Calibration& calibration);
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -6,48 +6,50 @@
 #include "engine/base/units.h"
 #include "studies/report/calibration_report.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kClear = 0.05;
 
-std::string interval_text(const Interval& interval) {
+std::string interval_text(const statistics::Interval& interval) {
   if (std::isfinite(interval.high))
     return fmt::format("{:.4g} to {:.4g}", interval.low, interval.high);
   return interval.low > 0 ? fmt::format("{:.4g} or more", interval.low) : "one trial: none";
 }
 
-std::string constants_text(const Calibration& c) {
+std::string constants_text(const calibration::Calibration& c) {
   std::size_t width = 8;
-  for (const Constant& each : c.constants) width = std::max(width, each.about().size());
+  for (const calibration::Constant& each : c.constants)
+    width = std::max(width, each.about().size());
   std::string text = fmt::format("{:<{}} {:>10}  {:<22} {:>8} {:>7}  {}\n", "constant", width,
                                  "value", "95 % interval", "scatter", "trials", "unit");
-  for (const Constant& each : c.constants)
+  for (const calibration::Constant& each : c.constants)
     text += fmt::format("{:<{}} {:>10.4g}  {:<22} {:>7.1f}% {:>7}  {}\n", each.about(), width,
                         each.value, interval_text(each.interval), 100 * each.scatter,
-                        each.trials.size(), unit_of(each.kind));
-  if (std::ranges::any_of(c.constants, [](const Constant& each) { return each.at_least; }))
+                        each.trials.size(), calibration::unit_of(each.kind));
+  if (std::ranges::any_of(c.constants,
+                          [](const calibration::Constant& each) { return each.at_least; }))
     text +=
         "mu_s is a lower bound: with all wheels locked they do not break away at once. Lock one "
         "axle.\n";
   return text;
 }
 
-std::string verdict(const RollingTest& test) {
+std::string verdict(const calibration::RollingTest& test) {
   if (test.p_adjusted < kClear) return fmt::format("differs from {:.3g}", test.supposed);
   return test.interval.contains(test.supposed)
              ? fmt::format("no difference from {:.3g} seen", test.supposed)
              : "unclear, as one of several tests";
 }
 
-std::string tests_text(const Calibration& c) {
+std::string tests_text(const calibration::Calibration& c) {
   if (c.tests.empty())
     return c.rolling.empty() ? ""
                              : "\nToo few trials to test what rolling resistance depends on.\n";
   std::size_t width = 4;
-  for (const RollingTest& test : c.tests) width = std::max(width, test.name.size());
+  for (const calibration::RollingTest& test : c.tests) width = std::max(width, test.name.size());
   std::string text = "\nDoes rolling resistance depend on ...\n";
-  for (const RollingTest& test : c.tests) {
+  for (const calibration::RollingTest& test : c.tests) {
     text += fmt::format("  {:<{}}  {} = {:.3g} ({}), p {:.2g}, of all tests {:.2g}: {}", test.name,
                         width, test.quantity, test.estimate, interval_text(test.interval), test.p,
                         test.p_adjusted, verdict(test));
@@ -57,9 +59,9 @@ std::string tests_text(const Calibration& c) {
   return text + "  A large p is no proof: look at the interval.\n";
 }
 
-std::string crosswise_text(const Calibration& c) {
+std::string crosswise_text(const calibration::Calibration& c) {
   std::string text;
-  for (const CrosswiseFit& fit : c.crosswise)
+  for (const calibration::CrosswiseFit& fit : c.crosswise)
     text += fmt::format(
         "  {}: mu w {:.3g} mm, mu w/4 + T/N {:.4g} mm (+-{:.1g}), Cr/R {:.4g}, misfit {:.2g} mm\n",
         fit.trial, fit.friction_times_width * kMillimetersPerMeter,
@@ -71,12 +73,12 @@ std::string crosswise_text(const Calibration& c) {
                    text;
 }
 
-std::string validation_text(const Calibration& c) {
+std::string validation_text(const calibration::Calibration& c) {
   if (c.predictions.empty() && c.unpredicted.empty())
     return "\nNo trial is reserved for validation: the accuracy of predictions is unknown.\n";
   std::string text = "\nValidation, with trials that were not used for the estimates\n";
   int inside = 0;
-  for (const Prediction& each : c.predictions) {
+  for (const calibration::Prediction& each : c.predictions) {
     inside += each.inside();
     text += fmt::format("  {}: {} measured {:.4g}, predicted {:.4g} ({}), misfit {:+.1f} %{}\n",
                         each.trial, each.constant, each.measured, each.predicted,
@@ -91,19 +93,20 @@ std::string validation_text(const Calibration& c) {
 
 }  // namespace
 
-std::string calibration_text(const Calibration& c) {
+std::string calibration_text(const calibration::Calibration& c) {
   std::string text =
       fmt::format("{}: {} trials, {} excluded\n", c.source, c.read, c.left_out.size());
   if (c.simulated > 0)
     text +=
         fmt::format("SIMULATED: {} of the trials are not measured, but computed\n", c.simulated);
-  for (const TrialFault& fault : c.left_out) text += "excluded: " + fault.text() + "\n";
+  for (const calibration::TrialFault& fault : c.left_out)
+    text += "excluded: " + fault.text() + "\n";
   text += "\n" + constants_text(c) + tests_text(c) + crosswise_text(c);
   if (!c.outliers.empty()) text += "\nOutliers (kept: examine the trial, then decide)\n";
-  for (const Outlier& each : c.outliers)
+  for (const calibration::Outlier& each : c.outliers)
     text +=
         fmt::format("  {}: {} {:.4g}, p {:.2g}\n", each.trial, each.constant, each.value, each.p);
   return text + validation_text(c);
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -7,7 +7,7 @@
 #include "studies/report/panel.h"
 #include "studies/study/analysis/report_unit.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr int kPoints = 60;
@@ -24,22 +24,22 @@ struct Extent {
   double low, high;
 };
 
-Extent extent_of(const ComparedCurves& curves) {
+Extent extent_of(const study::ComparedCurves& curves) {
   Extent extent{curves.of_a.front().im, curves.of_a.front().im};
   for (const auto* observations : {&curves.of_a, &curves.of_b})
-    for (const Observation& each : *observations)
+    for (const statistics::Observation& each : *observations)
       extent = {std::min(extent.low, each.im), std::max(extent.high, each.im)};
   return {extent.low / 1.2, extent.high * 1.2};
 }
 
 /// Adds the curve and the band's edges of one side to the panel.
-void add_side(Panel& panel, const SidePen& side, const std::vector<Observation>& seen,
-              const FragilityFit& fit, const Extent& extent) {
+void add_side(Panel& panel, const SidePen& side, const std::vector<statistics::Observation>& seen,
+              const statistics::FragilityFit& fit, const Extent& extent) {
   std::vector<double> im;
   for (int i = 0; i < kPoints; ++i)
     im.push_back(extent.low * std::pow(extent.high / extent.low, i / (kPoints - 1.0)));
-  const FragilityBand band =
-      fragility_band(StripeTable(seen), im, {.confidence = side.confidence, .resamples = 199});
+  const statistics::FragilityBand band = statistics::fragility_band(
+      statistics::StripeTable(seen), im, {.confidence = side.confidence, .resamples = 199});
   std::vector<double> x = im;
   for (double& each : x) each /= side.unit;
   Curve line{side.label, x, {}, {.stroke = side.color, .width = 2}};
@@ -53,10 +53,10 @@ void add_side(Panel& panel, const SidePen& side, const std::vector<Observation>&
 }
 
 /// A dot for the share that exceeded at each im with several runs, as large as they are many.
-void draw_shares(Svg& svg, const Scaling& scaling, const std::vector<Observation>& seen,
+void draw_shares(Svg& svg, const Scaling& scaling, const std::vector<statistics::Observation>& seen,
                  const SidePen& side) {
-  const StripeTable table(seen);
-  for (const Stripe& stripe : table.stripes())
+  const statistics::StripeTable table(seen);
+  for (const statistics::Stripe& stripe : table.stripes())
     if (stripe.runs > 1)
       svg.circle(scaling.x(std::log10(stripe.im / side.unit)), scaling.y(stripe.fraction()),
                  std::min(6.0, 1.5 + 0.5 * std::sqrt(stripe.runs)),
@@ -66,7 +66,7 @@ void draw_shares(Svg& svg, const Scaling& scaling, const std::vector<Observation
 }  // namespace
 
 std::string comparison_figure(const ComparisonReport& report) {
-  std::vector<ComparedCurves> curves = report.found.curves;
+  std::vector<study::ComparedCurves> curves = report.found.curves;
   std::erase_if(curves, [](const auto& each) { return each.a.exceeded + each.b.exceeded == 0; });
   const std::size_t rows = (curves.size() + 1) / 2;
   Svg svg(2 * kColumn + 20, kTop + static_cast<double>(std::max<std::size_t>(1, rows)) * kRow - 20);
@@ -78,12 +78,12 @@ std::string comparison_figure(const ComparisonReport& report) {
                : fmt::format("{:g} % bands, pointwise, dashed; dots: shares of runs at one level",
                              100 * report.confidence),
            {.size = 12, .color = "#555555"});
-  const ReportUnit unit =
-      report_unit(*report.a.data, {report.found.measure, report.found.units, {}});
+  const study::ReportUnit unit =
+      study::report_unit(*report.a.data, {report.found.measure, report.found.units, {}});
   const SidePen a{report.name_a, palette(0), report.confidence, unit.in_si},
       b{report.name_b, palette(1), report.confidence, unit.in_si};
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    const ComparedCurves& each = curves[i];
+    const study::ComparedCurves& each = curves[i];
     Panel panel{.title = each.name,
                 .x_label = fmt::format("{} ({})", report.found.measure, unit.name),
                 .y_label = "Probability of exceedance",
@@ -105,4 +105,4 @@ std::string comparison_figure(const ComparisonReport& report) {
   return svg.str();
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -4,21 +4,22 @@
 #include "studies/report/comparison_report.h"
 #include "studies/report/json_values.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 /// JSON has no NaN and no infinity.
-Json differences(const std::vector<InputDifference>& of) {
+Json differences(const std::vector<study::InputDifference>& of) {
   Json list = Json::array();
   const auto value = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
-  for (const InputDifference& each : of)
+  for (const study::InputDifference& each : of)
     list.push_back({{"key", each.key}, {"a", value(each.a)}, {"b", value(each.b)}});
   return list;
 }
 
-Json side(const std::string& name, const StudySide& of, std::size_t paired, std::size_t left_out) {
+Json side(const std::string& name, const study::StudySide& of, std::size_t paired,
+          std::size_t left_out) {
   return {{"name", name},
           {"file", of.data->file().path()},
           {"configuration", of.configuration_name()},
@@ -27,9 +28,9 @@ Json side(const std::string& name, const StudySide& of, std::size_t paired, std:
           {"runs_failed", of.data->failed(of.configuration)}};
 }
 
-Json quantities(const StudyComparison& found, ComparedQuantity::Kind kind) {
+Json quantities(const study::StudyComparison& found, study::ComparedQuantity::Kind kind) {
   Json list = Json::array();
-  for (const ComparedQuantity& row : found.quantities)
+  for (const study::ComparedQuantity& row : found.quantities)
     if (row.kind == kind)
       list.push_back({{"name", row.name},
                       {"words", row.words},
@@ -44,7 +45,7 @@ Json quantities(const StudyComparison& found, ComparedQuantity::Kind kind) {
   return list;
 }
 
-Json curve(const FragilityFit& fit) {
+Json curve(const statistics::FragilityFit& fit) {
   Json json{{"status", text(fit.status)}, {"runs", fit.runs}, {"exceeded", fit.exceeded}};
   if (!fit.curve) json["median_between"] = json_interval(fit.median);
   json["theta"] = fit.curve ? json_number(fit.curve->theta) : Json();
@@ -52,13 +53,13 @@ Json curve(const FragilityFit& fit) {
   return json;
 }
 
-const char* name_of(RunPairs::Group group) {
+const char* name_of(study::RunPairs::Group group) {
   switch (group) {
-    case RunPairs::Group::kRecord:
+    case study::RunPairs::Group::kRecord:
       return "record";
-    case RunPairs::Group::kDraw:
+    case study::RunPairs::Group::kDraw:
       return "draw";
-    case RunPairs::Group::kNone:
+    case study::RunPairs::Group::kNone:
       break;
   }
   return "none";
@@ -67,8 +68,8 @@ const char* name_of(RunPairs::Group group) {
 }  // namespace
 
 std::string comparison_json(const ComparisonReport& report) {
-  const StudyComparison& found = report.found;
-  using Kind = ComparedQuantity::Kind;
+  const study::StudyComparison& found = report.found;
+  using Kind = study::ComparedQuantity::Kind;
   Json json;
   json["a"] = side(report.name_a, report.a, found.pairs.paired_a, found.pairs.left_out_a);
   json["b"] = side(report.name_b, report.b, found.pairs.paired_b, found.pairs.left_out_b);
@@ -96,7 +97,7 @@ std::string comparison_json(const ComparisonReport& report) {
   json["measure"] = found.measure;
   json["measure_units"] = found.units;
   json["curves"] = Json::array();
-  for (const ComparedCurves& row : found.curves)
+  for (const study::ComparedCurves& row : found.curves)
     json["curves"].push_back({{"name", row.name},
                               {"a", curve(row.a)},
                               {"b", curve(row.b)},
@@ -107,4 +108,4 @@ std::string comparison_json(const ComparisonReport& report) {
   return json.dump(2) + "\n";
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

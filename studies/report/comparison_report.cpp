@@ -8,7 +8,7 @@
 #include "studies/study/analysis/curve_audit.h"
 #include "studies/study/analysis/report_unit.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kSignificant = 0.05;
@@ -25,7 +25,7 @@ std::string probability(double p) {
 /// 0 where it is the rounding of sums of values as large as `size`.
 double rounded(double value, double size) { return std::abs(value) < kRounding * size ? 0 : value; }
 
-std::string interval(const Interval& of, double unit, double size) {
+std::string interval(const statistics::Interval& of, double unit, double size) {
   if (!std::isfinite(of.low)) return "unknown";
   return fmt::format("{:.3g} to {:.3g}", rounded(of.low, size) / unit,
                      rounded(of.high, size) / unit);
@@ -33,15 +33,16 @@ std::string interval(const Interval& of, double unit, double size) {
 
 std::string shown(const std::string& value) { return value.empty() ? "(not there)" : value; }
 
-std::string differences_text(const char* title, const std::vector<InputDifference>& differences) {
+std::string differences_text(const char* title,
+                             const std::vector<study::InputDifference>& differences) {
   if (differences.empty()) return fmt::format("{:<12} the same\n", title);
   std::string text = fmt::format("{}\n", title);
-  for (const InputDifference& each : differences)
+  for (const study::InputDifference& each : differences)
     text += fmt::format("  {:<44} {}  |  {}\n", each.key, shown(each.a), shown(each.b));
   return text;
 }
 
-std::string inputs_text(const InputDifferences& inputs) {
+std::string inputs_text(const study::InputDifferences& inputs) {
   std::string text = differences_text("job", inputs.job) +
                      differences_text("assumptions", inputs.assumptions) +
                      differences_text("data files", inputs.data_files) +
@@ -57,7 +58,7 @@ std::string inputs_text(const InputDifferences& inputs) {
   return text + "\n";
 }
 
-std::string side_text(char letter, const std::string& name, const StudySide& side,
+std::string side_text(char letter, const std::string& name, const study::StudySide& side,
                       std::size_t paired, std::size_t left_out) {
   std::string text = fmt::format("{:<12} {}: {} runs paired", letter, name, paired);
   if (left_out > 0) text += fmt::format(", {} without a partner", left_out);
@@ -66,22 +67,22 @@ std::string side_text(char letter, const std::string& name, const StudySide& sid
   return text + "\n";
 }
 
-std::string pairing_text(const StudyComparison& found) {
-  const RunPairs& pairs = found.pairs;
+std::string pairing_text(const study::StudyComparison& found) {
+  const study::RunPairs& pairs = found.pairs;
   std::string by = "record and " + pairs.level;
   if (pairs.by_angle) by += ", angle";
   if (pairs.by_draw) by += ", draw";
   std::string text = fmt::format("{:<12} {} pairs by {}", "paired", pairs.pairs.size(), by);
   switch (pairs.group) {
-    case RunPairs::Group::kRecord:
+    case study::RunPairs::Group::kRecord:
       text += fmt::format("; {} records, each counts once\n", pairs.groups);
       break;
-    case RunPairs::Group::kDraw:
+    case study::RunPairs::Group::kDraw:
       text +=
           fmt::format("; {} draws, each counts once: one record, so nothing is known of others\n",
                       pairs.groups);
       break;
-    case RunPairs::Group::kNone:
+    case study::RunPairs::Group::kNone:
       return text + "; one record without draws: nothing is random, so there is no p\n";
   }
   const double smallest =
@@ -94,35 +95,36 @@ std::string pairing_text(const StudyComparison& found) {
   return text;
 }
 
-std::string label(const ComparedQuantity& row) {
+std::string label(const study::ComparedQuantity& row) {
   if (!row.words.empty() && row.words != row.name) return row.name + ": " + row.words;
-  return row.units == "1" ? row.name : row.name + " [" + report_unit(row.units).name + "]";
+  return row.units == "1" ? row.name : row.name + " [" + study::report_unit(row.units).name + "]";
 }
 
-std::string with_unit(const ComparedQuantity& row) {
-  const ReportUnit unit = report_unit(row.units);
+std::string with_unit(const study::ComparedQuantity& row) {
+  const study::ReportUnit unit = study::report_unit(row.units);
   return number(row.a / unit.in_si) + (unit.name == "1" ? "" : " " + unit.name);
 }
 
-std::string quantities_text(const StudyComparison& found, ComparedQuantity::Kind kind,
+std::string quantities_text(const study::StudyComparison& found, study::ComparedQuantity::Kind kind,
                             const std::string& title, double confidence) {
   std::size_t width = title.size();
-  for (const ComparedQuantity& row : found.quantities) width = std::max(width, label(row).size());
+  for (const study::ComparedQuantity& row : found.quantities)
+    width = std::max(width, label(row).size());
   const auto line = [&](const std::string& name, const auto& groups, const std::string& a,
                         const std::string& b, const std::string& difference,
                         const std::string& between, const std::string& p, const std::string& holm) {
     return fmt::format("{:<{}} {:>6} {:>10} {:>10} {:>11}  {:<22} {:>8} {:>8}", name, width, groups,
                        a, b, difference, between, p, holm);
   };
-  const auto row_text = [&](const ComparedQuantity& row) {
-    const double unit = report_unit(row.units).in_si;
+  const auto row_text = [&](const study::ComparedQuantity& row) {
+    const double unit = study::report_unit(row.units).in_si;
     const double size = std::max(std::abs(row.a), std::abs(row.b));
     return line(label(row), row.groups, number(row.a / unit), number(row.b / unit),
                 number(rounded(row.difference, size) / unit), interval(row.interval, unit, size),
                 probability(row.p), probability(row.p_holm));
   };
   std::string text, same;
-  for (const ComparedQuantity& row : found.quantities) {
+  for (const study::ComparedQuantity& row : found.quantities) {
     if (row.kind != kind) continue;
     const double size = std::max(std::abs(row.a), std::abs(row.b));
     if (std::isnan(row.p) && rounded(row.difference, size) == 0 &&
@@ -139,23 +141,24 @@ std::string quantities_text(const StudyComparison& found, ComparedQuantity::Kind
   return same.empty() ? text : text + "the same in every pair: " + same + "\n";
 }
 
-std::string curve_text(const FragilityFit& fit, const ReportUnit& unit) {
+std::string curve_text(const statistics::FragilityFit& fit, const study::ReportUnit& unit) {
   if (fit.curve)
     return fmt::format("{:.4g}, {:.3g}", fit.curve->theta / unit.in_si, fit.curve->beta);
-  const std::string known = median_text(fit.status, fit.median, unit);
+  const std::string known = study::median_text(fit.status, fit.median, unit);
   return known.empty() ? text(fit.status) : known;
 }
 
 std::string curves_text(const ComparisonReport& report) {
-  const StudyComparison& found = report.found;
+  const study::StudyComparison& found = report.found;
   if (found.measure.empty())
     return "\nno fragility curves: the studies have different intensity measures\n";
   if (found.curves.empty())
     return "\nno fragility curves: all runs have one " + found.measure + "; see the shares\n";
   std::string text = fmt::format("\n{:<24} {:<28} {:<28} {:>9} {:>8} {:>8}\n", "fragility curve",
                                  "A: theta, beta", "B: theta, beta", "LR", "p", "Holm");
-  const ReportUnit unit = report_unit(*report.a.data, {found.measure, found.units, {}});
-  for (const ComparedCurves& row : found.curves)
+  const study::ReportUnit unit =
+      study::report_unit(*report.a.data, {found.measure, found.units, {}});
+  for (const study::ComparedCurves& row : found.curves)
     text +=
         fmt::format("{:<24} {:<28} {:<28} {:>9} {:>8} {:>8}{}\n", row.name, curve_text(row.a, unit),
                     curve_text(row.b, unit), number(row.likelihood_ratio), probability(row.p),
@@ -167,17 +170,17 @@ std::string curves_text(const ComparisonReport& report) {
 std::string conclusion_text(const ComparisonReport& report) {
   std::string text;
   std::vector<std::string> less, more;
-  for (const ComparedQuantity& row : report.found.quantities) {
+  for (const study::ComparedQuantity& row : report.found.quantities) {
     if (!(row.p_holm < kSignificant)) continue;
-    if (row.kind == ComparedQuantity::Kind::kShare)
+    if (row.kind == study::ComparedQuantity::Kind::kShare)
       text += fmt::format("* '{}' is exceeded {} often in B: in {:.3g} % against {:.3g} %\n",
                           row.name, row.difference > 0 ? "more" : "less", 100 * row.b, 100 * row.a);
     std::vector<std::string>& list = row.difference > 0 ? more : less;
-    if (row.kind != ComparedQuantity::Kind::kShare &&
+    if (row.kind != study::ComparedQuantity::Kind::kShare &&
         std::ranges::find(list, row.name) == list.end())
       list.push_back(row.name);
   }
-  for (const ComparedCurves& row : report.found.curves)
+  for (const study::ComparedCurves& row : report.found.curves)
     if (row.p_holm < kSignificant)
       text += fmt::format("* '{}' has another fragility curve in B\n", row.name);
   if (!less.empty()) text += fmt::format("* less in B: {}\n", fmt::join(less, ", "));
@@ -188,8 +191,8 @@ std::string conclusion_text(const ComparisonReport& report) {
 }  // namespace
 
 std::string comparison_text(const ComparisonReport& report) {
-  const StudyComparison& found = report.found;
-  using Kind = ComparedQuantity::Kind;
+  const study::StudyComparison& found = report.found;
+  using Kind = study::ComparedQuantity::Kind;
   std::string text =
       side_text('A', report.name_a, report.a, found.pairs.paired_a, found.pairs.left_out_a) +
       side_text('B', report.name_b, report.b, found.pairs.paired_b, found.pairs.left_out_b) +
@@ -212,4 +215,4 @@ std::string comparison_text(const ComparisonReport& report) {
          conclusion_text(report);
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

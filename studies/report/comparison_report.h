@@ -5,14 +5,14 @@
 #include "studies/study/analysis/input_differences.h"
 #include "studies/study/analysis/study_comparison.h"
 
-namespace gurney {
+namespace gurney::report {
 
 /// What `gurney compare` tells of two configurations.
 struct ComparisonReport {
-  StudySide a, b;
+  study::StudySide a, b;
   std::string name_a, name_b;  ///< to tell them apart
-  InputDifferences inputs;
-  StudyComparison found;
+  study::InputDifferences inputs;
+  study::StudyComparison found;
   double confidence = 0.95;
 };
 
@@ -22,4 +22,4 @@ std::string comparison_json(const ComparisonReport& report);
 /// The curves of each limit state that has one, with their bands and the shares that were seen.
 std::string comparison_figure(const ComparisonReport& report);
 
-}  // namespace gurney
+}  // namespace gurney::report

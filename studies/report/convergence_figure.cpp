@@ -7,7 +7,7 @@
 #include "studies/report/panel.h"
 #include "studies/study/convergence/judge.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kWidth = 760, kHeight = 400, kLeft = 80, kTitle = 16;
@@ -15,16 +15,16 @@ constexpr std::size_t kMostCurves = 7;
 constexpr double kLeast = 1e-5;  ///< smaller changes are drawn here
 
 /// Change of a number against the smallest step, over the steps above it.
-Curve curve_of(const ConvergedNumber& number, const Convergence& found) {
+Curve curve_of(const study::ConvergedNumber& number, const study::Convergence& found) {
   Curve curve;
   curve.label = fmt::format("{}{}{}", number.item, number.item.empty() ? "" : ", ", number.name);
   std::vector<std::pair<double, double>> steps;
   for (std::size_t i = 0; i < found.variants.size(); ++i)
-    if (found.variants[i].varied == Varied::kTimeStep)
+    if (found.variants[i].varied == study::Varied::kTimeStep)
       steps.emplace_back(found.variants[i].factor * found.settings.time_step, number.values[i]);
   std::ranges::sort(steps);
   for (std::size_t i = 1; i < steps.size(); ++i) {
-    const double change = relative_change(steps[i].second, steps.front().second, 0);
+    const double change = study::relative_change(steps[i].second, steps.front().second, 0);
     curve.x.push_back(1e3 * steps[i].first);
     curve.y.push_back(100 * std::max(kLeast, change));
   }
@@ -33,10 +33,10 @@ Curve curve_of(const ConvergedNumber& number, const Convergence& found) {
 
 }  // namespace
 
-std::string convergence_figure(const Convergence& found) {
+std::string convergence_figure(const study::Convergence& found) {
   // Peaks and path first: residuals and times scatter by their nature.
-  std::vector<const ConvergedNumber*> shown;
-  for (const ConvergedNumber& number : found.numbers)
+  std::vector<const study::ConvergedNumber*> shown;
+  for (const study::ConvergedNumber& number : found.numbers)
     if ((number.name.starts_with("peak_") || number.name == "path_length") &&
         number.values.front() != 0 && shown.size() < kMostCurves)
       shown.push_back(&number);
@@ -73,4 +73,4 @@ std::string convergence_figure(const Convergence& found) {
   return svg.str();
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

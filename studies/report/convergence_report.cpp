@@ -1,13 +1,12 @@
 #include "studies/report/convergence_report.h"
+#include "studies/report/json_values.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "studies/report/json_values.h"
-
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -16,21 +15,21 @@ std::string percent(double share) {
   return share == 0 ? "0" : fmt::format("{:.2g} %", 100 * share);
 }
 
-const char* key_of(Varied varied) {
+const char* key_of(study::Varied varied) {
   switch (varied) {
-    case Varied::kTimeStep:
+    case study::Varied::kTimeStep:
       return "time_step";
-    case Varied::kSolverTolerance:
+    case study::Varied::kSolverTolerance:
       return "solver_tolerance";
-    case Varied::kTreadStiffness:
+    case study::Varied::kTreadStiffness:
       break;
   }
   return "tread_stiffness";
 }
 
-std::string row(const ConvergedNumber& number, double tolerance) {
+std::string row(const study::ConvergedNumber& number, double tolerance) {
   std::string verdict = name_of(number.step);
-  if (number.step == StepVerdict::kConverging)
+  if (number.step == study::StepVerdict::kConverging)
     verdict = fmt::format("{} ({:.2g} s)", verdict, number.step_needed);
   if (number.solver_change > tolerance) verdict += "; solver tolerance too loose";
   const std::string units = number.units == "1" ? "" : " " + number.units;
@@ -43,7 +42,7 @@ std::string row(const ConvergedNumber& number, double tolerance) {
 
 }  // namespace
 
-std::string convergence_text(const Convergence& found) {
+std::string convergence_text(const study::Convergence& found) {
   std::string text = fmt::format(
       "runs        {} of {}\ntime step   {:g} s, compared with {:g} s\nsolver      residual {:g}\n"
       "tolerance   {:g} %\n",
@@ -51,7 +50,7 @@ std::string convergence_text(const Convergence& found) {
       found.settings.residual, 100 * found.tolerance);
   for (const std::string& each : found.failed) text += "failed      " + each + '\n';
   const std::string* item = nullptr;
-  for (const ConvergedNumber& number : found.numbers) {
+  for (const study::ConvergedNumber& number : found.numbers) {
     if (item == nullptr || *item != number.item)
       text += fmt::format("\n{:<28} {:>4} {:>16} {:>9} {:>6} {:>9} {:>9}  {}\n",
                           number.item.empty() ? "Share of runs" : number.item, "runs",
@@ -63,7 +62,7 @@ std::string convergence_text(const Convergence& found) {
   return text;
 }
 
-std::string convergence_json(const Convergence& found) {
+std::string convergence_json(const study::Convergence& found) {
   Json json{{"runs", found.runs},
             {"of_runs", found.of_runs},
             {"time_step_s", found.settings.time_step},
@@ -71,10 +70,10 @@ std::string convergence_json(const Convergence& found) {
             {"tolerance", found.tolerance},
             {"failed", found.failed}};
   json["variants"] = Json::array();
-  for (const Variant& each : found.variants)
+  for (const study::Variant& each : found.variants)
     json["variants"].push_back({{"varied", key_of(each.varied)}, {"factor", each.factor}});
   json["numbers"] = Json::array();
-  for (const ConvergedNumber& each : found.numbers)
+  for (const study::ConvergedNumber& each : found.numbers)
     json["numbers"].push_back({{"item", each.item},
                                {"name", each.name},
                                {"units", each.units},
@@ -90,4 +89,4 @@ std::string convergence_json(const Convergence& found) {
   return json.dump(2) + '\n';
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -8,7 +8,7 @@
 #include "studies/report/equipment_report.h"
 #include "studies/report/panel.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kPanel = 330, kLeft = 70, kTop = 95, kGap = 75;
@@ -150,11 +150,11 @@ void draw_side_view(Svg& svg, const Frame& frame, const View& seen, const Equipm
     view.wheel(wheel[seen.across], caster, std::abs(forward[seen.across]));
   }
   const Vector3& center = facts.sheet.whole.center_of_mass;
-  const auto supports = supports_of(facts.model, Swivels::kAsPlaced);
+  const auto supports = equipment::supports_of(facts.model, equipment::Swivels::kAsPlaced);
   const double forward = seen.across == 0 ? 0 : 90 * kRadiansPerDegree;
   for (const double side : {1.0, -1.0}) {
-    const double reach = reach_towards(supports, center.head<2>(),
-                                       forward + (side > 0 ? 0 : 180 * kRadiansPerDegree));
+    const double reach = equipment::reach_towards(
+        supports, center.head<2>(), forward + (side > 0 ? 0 : 180 * kRadiansPerDegree));
     view.line({center[seen.across], center.z()}, {center[seen.across] + side * reach, 0},
               {.stroke = kEdge, .width = 1.2, .dash = "4 3"});
   }
@@ -164,7 +164,7 @@ void draw_side_view(Svg& svg, const Frame& frame, const View& seen, const Equipm
 }  // namespace
 
 std::string equipment_figure(const EquipmentFacts& facts) {
-  const ItemSheet& sheet = facts.sheet;
+  const equipment::ItemSheet& sheet = facts.sheet;
   const bool rolls = !facts.model.casters.empty();
   Svg svg(kLeft + 3 * kPanel + 2 * kGap + 25, kTop + kPanel + 85);
   svg.text(kLeft, 34, facts.model.name, {.size = 17, .bold = true});
@@ -195,4 +195,4 @@ std::string equipment_figure(const EquipmentFacts& facts) {
   return svg.str();
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

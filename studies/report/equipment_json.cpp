@@ -2,7 +2,7 @@
 
 #include "studies/report/equipment_report.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -10,9 +10,9 @@ using Json = nlohmann::ordered_json;
 Json list(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 Json list(const Vector2& v) { return {v.x(), v.y()}; }
 
-Json tilts(const ItemSheet& sheet) {
+Json tilts(const equipment::ItemSheet& sheet) {
   Json result = Json::array();
-  for (const TiltTowards& t : sheet.tilts)
+  for (const equipment::TiltTowards& t : sheet.tilts)
     result.push_back(
         {{"direction_rad", t.direction}, {"as_placed_rad", t.as_placed}, {"worst_rad", t.worst}});
   return result;
@@ -21,7 +21,7 @@ Json tilts(const ItemSheet& sheet) {
 Json wheels(const EquipmentFacts& facts) {
   Json result = Json::array();
   for (std::size_t i = 0; i < facts.sheet.wheels.size(); ++i) {
-    const WheelAtRest& wheel = facts.sheet.wheels[i];
+    const equipment::WheelAtRest& wheel = facts.sheet.wheels[i];
     const Caster& caster = facts.model.casters[i];
     result.push_back({{"caster", wheel.caster},
                       {"contact_m", list(wheel.contact)},
@@ -44,9 +44,9 @@ Json contact(const EquipmentFacts& facts) {
           {"damping_n_s_per_m", compliant ? Json(floor.damping) : Json(nullptr)}};
 }
 
-Json assumptions(const std::vector<Assumption>& all) {
+Json assumptions(const std::vector<equipment::Assumption>& all) {
   Json result = Json::array();
-  for (const Assumption& a : all) {
+  for (const equipment::Assumption& a : all) {
     const bool number = a.choice.empty();
     result.push_back({{"key", a.key},
                       {"value", number ? Json(a.value) : Json(a.choice)},
@@ -59,7 +59,7 @@ Json assumptions(const std::vector<Assumption>& all) {
 }  // namespace
 
 std::string equipment_json(const EquipmentFacts& facts) {
-  const ItemSheet& sheet = facts.sheet;
+  const equipment::ItemSheet& sheet = facts.sheet;
   Json inertia = Json::array(), polygon = Json::array();
   for (int row = 0; row < 3; ++row) inertia.push_back(list(Vector3(sheet.whole.inertia.row(row))));
   for (const Vector2& corner : sheet.support_polygon) polygon.push_back(list(corner));
@@ -92,4 +92,4 @@ std::string equipment_json(const EquipmentFacts& facts) {
   return result.dump(2) + "\n";
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

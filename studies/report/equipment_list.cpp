@@ -12,7 +12,7 @@
 #include "equipment/catalogue/tether_type.h"
 #include "studies/report/report_table.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kDegree = 1 / kRadiansPerDegree;
@@ -26,9 +26,9 @@ ReportTable items() {
                      {"tilt [deg]", ">10", ".1f", "tilt_rad", kDegree},
                      {"casters", ">8", "", "casters"},
                      {"assumptions", ">12", "", "assumptions"}});
-  for (const std::string& key : catalogue_names(DataKind::kItem)) {
-    const LoadedItem item = load_item(find_data(DataKind::kItem, key, ""));
-    const ItemSheet sheet = item_sheet(item.model, floor_contact(item));
+  for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kItem)) {
+    const equipment::LoadedItem item = equipment::load_item(equipment::find_data(equipment::DataKind::kItem, key, ""));
+    const equipment::ItemSheet sheet = equipment::item_sheet(item.model, equipment::floor_contact(item));
     table.add({key, item.model.name, sheet.whole.mass, sheet.size.z(),
                sheet.stability.base / sheet.stability.height, sheet.stability.tilt,
                item.model.casters.size(), item.assumptions.size()});
@@ -46,8 +46,8 @@ ReportTable casters() {
                      {"", "", "", "rolling_resistance_m"},
                      {"friction mu_s", ">13", ".2f", "static_friction"},
                      {"brake [N m]", ">11", ".3g", "brake_torque_n_m"}});
-  for (const std::string& key : catalogue_names(DataKind::kCaster)) {
-    const CasterType type = load_caster_type(find_data(DataKind::kCaster, key, "")).stated();
+  for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kCaster)) {
+    const equipment::CasterType type = equipment::load_caster_type(equipment::find_data(equipment::DataKind::kCaster, key, "")).stated();
     const Caster& c = type.properties;
     table.add({key, type.name, c.wheel_radius, c.height, c.trail,
                c.tread.rolling_resistance / c.wheel_radius, c.tread.rolling_resistance,
@@ -61,8 +61,8 @@ ReportTable floors() {
                      {"name", "<40", "", "name"},
                      {"factor on Cr", ">12", ".2f", "rolling_resistance_factor"},
                      {"on friction", ">12", ".2f", "friction_factor"}});
-  for (const std::string& key : catalogue_names(DataKind::kFloor)) {
-    const FloorCovering floor = load_floor_covering(find_data(DataKind::kFloor, key, "")).stated();
+  for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kFloor)) {
+    const equipment::FloorCovering floor = equipment::load_floor_covering(equipment::find_data(equipment::DataKind::kFloor, key, "")).stated();
     table.add({key, floor.name, floor.rolling_resistance_factor, floor.friction_factor});
   }
   return table;
@@ -75,11 +75,11 @@ ReportTable rooms() {
                      {"zones", ">12", "", "zones"},
                      {"points", ">12", "", "points"},
                      {"", "", "", "assumptions"}});
-  for (const std::string& key : catalogue_names(DataKind::kRoom)) {
-    RoomNames names;
-    Uncertain<RoomDescription> model;
-    const std::string name = load_room(find_data(DataKind::kRoom, key, ""), names, model);
-    const RoomDescription& room = model.stated();
+  for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kRoom)) {
+    equipment::RoomNames names;
+    equipment::Uncertain<equipment::RoomDescription> model;
+    const std::string name = equipment::load_room(equipment::find_data(equipment::DataKind::kRoom, key, ""), names, model);
+    const equipment::RoomDescription& room = model.stated();
     table.add({key, name, room.shapes.size(), room.zones.size(), room.points.size(),
                room.assumptions.size()});
   }
@@ -92,8 +92,8 @@ ReportTable tethers() {
                      {"EA [N]", ">12", "g", "axial_stiffness_n"},
                      {"", "", "", "damping_n_s_per_m"},
                      {"strength [N]", ">12", "g", "strength_n"}});
-  for (const std::string& key : catalogue_names(DataKind::kTether)) {
-    const TetherType type = load_tether_type(find_data(DataKind::kTether, key, "")).stated();
+  for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kTether)) {
+    const equipment::TetherType type = equipment::load_tether_type(equipment::find_data(equipment::DataKind::kTether, key, "")).stated();
     table.add({key, type.name, type.axial_stiffness, type.damping, type.strength});
   }
   return table;
@@ -118,4 +118,4 @@ std::string equipment_list_json() {
   return lists.dump(2) + "\n";
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

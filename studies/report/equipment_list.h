@@ -2,11 +2,11 @@
 
 #include <string>
 
-namespace gurney {
+namespace gurney::report {
 
 /// The catalogue as tables for people, or as a JSON object.
 /// @throws Error with the mistakes of a catalogue file.
 std::string equipment_list();
 std::string equipment_list_json();
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -4,7 +4,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kTransportTilt = 10, kOtherTilt = 5;  ///< of IEC 60601-1 [deg]
@@ -12,7 +12,7 @@ constexpr double kTransportTilt = 10, kOtherTilt = 5;  ///< of IEC 60601-1 [deg]
 double degrees(double radians) { return radians / kRadiansPerDegree; }
 
 std::string body_text(const EquipmentFacts& facts) {
-  const ItemSheet& sheet = facts.sheet;
+  const equipment::ItemSheet& sheet = facts.sheet;
   const Vector3& center = sheet.whole.center_of_mass;
   const Matrix3& inertia = sheet.whole.inertia;
   std::string text = fmt::format("  {:<28} {:.1f} kg\n", "mass", sheet.whole.mass);
@@ -32,8 +32,8 @@ std::string body_text(const EquipmentFacts& facts) {
 }
 
 std::string stability_text(const EquipmentFacts& facts) {
-  const ItemSheet& sheet = facts.sheet;
-  const Stability& stability = sheet.stability;
+  const equipment::ItemSheet& sheet = facts.sheet;
+  const equipment::Stability& stability = sheet.stability;
   const double tilt = degrees(stability.tilt);
   std::string text = "\nstability\n";
   if (facts.model.casters.empty()) {
@@ -58,7 +58,7 @@ std::string stability_text(const EquipmentFacts& facts) {
   text += rolls ? "\n  tilt towards     as placed   at worst      towards   as placed   at worst\n"
                 : "\n  tilt towards      overturns      towards   overturns\n";
   const std::size_t half = sheet.tilts.size() / 2;
-  const auto cells = [&](const TiltTowards& t) {
+  const auto cells = [&](const equipment::TiltTowards& t) {
     if (!rolls)
       return fmt::format("{:>8.0f} deg {:>7.1f} deg", degrees(t.direction), degrees(t.as_placed));
     return fmt::format("{:>8.0f} deg {:>7.1f} deg {:>6.1f} deg", degrees(t.direction),
@@ -88,7 +88,7 @@ std::string wheels_text(const EquipmentFacts& facts) {
   std::string text = fmt::format("\nwheels at rest\n  {:<24} {:>10} {:>10} {:>9} {:>9}  {}\n", "",
                                  "x [mm]", "y [mm]", "load [N]", "sink [mm]", "state");
   for (std::size_t i = 0; i < facts.sheet.wheels.size(); ++i) {
-    const WheelAtRest& wheel = facts.sheet.wheels[i];
+    const equipment::WheelAtRest& wheel = facts.sheet.wheels[i];
     const Caster& caster = facts.model.casters[i];
     std::string state = caster.swivels ? "swivels" : "rigid";
     if (caster.brake_torque > 0) state += ", braked";
@@ -102,7 +102,7 @@ std::string wheels_text(const EquipmentFacts& facts) {
 }
 
 std::string motion_text(const EquipmentFacts& facts) {
-  const ItemSheet& sheet = facts.sheet;
+  const equipment::ItemSheet& sheet = facts.sheet;
   const bool rolls = !facts.model.casters.empty();
   std::string text = "\nunder a slowly increasing acceleration of the floor\n";
   if (rolls) {
@@ -123,7 +123,7 @@ std::string motion_text(const EquipmentFacts& facts) {
   return text;
 }
 
-std::string assumption_text(const Assumption& a) {
+std::string assumption_text(const equipment::Assumption& a) {
   const std::string value = a.choice.empty() ? fmt::format("{:g}", a.value) : a.choice;
   const std::string range = a.choice.empty() ? fmt::format(" ({:g} to {:g})", a.low, a.high) : "";
   return fmt::format("  {} = {}{}\n      {}\n", a.key, value, range, a.reason);
@@ -140,10 +140,11 @@ std::string equipment_report(const EquipmentFacts& facts, bool with_assumptions)
   text += fmt::format("\n{} of the parameters in use are assumptions{}\n", facts.assumptions.size(),
                       with_assumptions ? ":" : " (--assumptions lists them)");
   if (with_assumptions)
-    for (const Assumption& assumption : facts.assumptions) text += assumption_text(assumption);
+    for (const equipment::Assumption& assumption : facts.assumptions)
+      text += assumption_text(assumption);
   if (!facts.warnings.empty()) text += "\nwarnings\n";
   for (const std::string& warning : facts.warnings) text += "  " + warning + "\n";
   return text;
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -7,16 +7,16 @@
 #include "equipment/catalogue/assumption.h"
 #include "equipment/catalogue/item_sheet.h"
 
-namespace gurney {
+namespace gurney::report {
 
 /// An item ready to be told of.
 struct EquipmentFacts {
   EquipmentModel model;
-  ItemSheet sheet;
+  equipment::ItemSheet sheet;
   ContactConstants floor;  ///< of the chassis, or the feet, with the floor
   std::string description;
   std::vector<std::string> variants;
-  std::vector<Assumption> assumptions;
+  std::vector<equipment::Assumption> assumptions;
   std::vector<std::string> warnings;
 };
 
@@ -30,4 +30,4 @@ std::string equipment_json(const EquipmentFacts& facts);
 /// Plan and two sides (SVG).
 std::string equipment_figure(const EquipmentFacts& facts);
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -5,7 +5,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kNoPulse = 1e-3;  // [m/s]
@@ -54,7 +54,7 @@ std::optional<FloorPulse> largest_pulse(const FloorMotion& floor, const Vector2&
   return pulse;
 }
 
-std::vector<Fall> falls(const RunFacts& facts, const Response& response) {
+std::vector<Fall> falls(const study::RunFacts& facts, const Response& response) {
   std::vector<Fall> result;
   if (is_failure(response.outcome)) return result;
   for (std::size_t i = 0; i < response.items.size(); ++i) {
@@ -79,4 +79,4 @@ std::vector<Fall> falls(const RunFacts& facts, const Response& response) {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -7,7 +7,7 @@
 #include "engine/response/response.h"
 #include "studies/study/results/run_facts.h"
 
-namespace gurney {
+namespace gurney::report {
 
 /// A rise of the floor's velocity in one direction.
 struct FloorPulse {
@@ -41,6 +41,6 @@ struct Fall {
 };
 
 /// In order of the items. Nothing of runs that diverged.
-std::vector<Fall> falls(const RunFacts& facts, const Response& response);
+std::vector<Fall> falls(const study::RunFacts& facts, const Response& response);
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -10,7 +10,7 @@
 #include "studies/report/plan_view.h"
 #include "studies/study/results/names.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kWidth = 1060, kLeft = 70, kColumn = 560, kPanelWidth = 430, kPanelHeight = 150,
@@ -59,9 +59,9 @@ Panel vector_panel(const std::string& title, const std::string& y_label,
   return panel;
 }
 
-Panel wheel_panel(const std::string& title, const std::string& y_label, const RunFacts& facts,
-                  const std::vector<Sample>& history, double WheelSample::*member, double unit,
-                  bool rigid_too = true) {
+Panel wheel_panel(const std::string& title, const std::string& y_label,
+                  const study::RunFacts& facts, const std::vector<Sample>& history,
+                  double WheelSample::*member, double unit, bool rigid_too = true) {
   Panel panel = time_panel(title, y_label, 2);
   const auto& casters = facts.scene.items[0].model.casters;
   for (std::size_t i = 0; i < casters.size(); ++i)
@@ -107,10 +107,10 @@ Panel turn_panel(const std::vector<Sample>& history) {
 
 /// A curve for each item.
 template <class Get>
-Panel item_panel(const std::string& title, const std::string& y_label, const RunFacts& facts,
+Panel item_panel(const std::string& title, const std::string& y_label, const study::RunFacts& facts,
                  const Response& response, Get get) {
   Panel panel = time_panel(title, y_label, 0);
-  const std::vector<std::string> names = item_names(facts.scene);
+  const std::vector<std::string> names = study::item_names(facts.scene);
   for (std::size_t i = 0; i < names.size(); ++i) {
     panel.curves.push_back(curve(names[i], response.items[i].history, i, get));
     if (i >= 7) panel.curves.back().pen.dash = "5 3";  // the palette repeats
@@ -118,8 +118,8 @@ Panel item_panel(const std::string& title, const std::string& y_label, const Run
   return panel;
 }
 
-void draw_heading(Svg& svg, const RunFacts& facts, const Response& response) {
-  const std::vector<std::string> names = item_names(facts.scene);
+void draw_heading(Svg& svg, const study::RunFacts& facts, const Response& response) {
+  const std::vector<std::string> names = study::item_names(facts.scene);
   const std::string items = names.size() == 1 ? names[0] : fmt::format("{} items", names.size());
   const std::string floor = facts.record ? facts.record->name : "floor at rest";
   svg.text(kLeft, 34, facts.title.empty() ? facts.job_name : facts.title,
@@ -136,7 +136,7 @@ bool pulled(const std::vector<Sample>& history) {
                      [](const Sample& s) { return s.cable_tension != 0 || s.pull_force != 0; });
 }
 
-std::vector<Panel> panels_of_item(const RunFacts& facts, const ItemResponse& item) {
+std::vector<Panel> panels_of_item(const study::RunFacts& facts, const ItemResponse& item) {
   const std::vector<Sample>& history = item.history;
   std::vector<Panel> panels{
       vector_panel("Displacement relative to the floor", "Displacement (m)", history,
@@ -154,7 +154,7 @@ std::vector<Panel> panels_of_item(const RunFacts& facts, const ItemResponse& ite
   return panels;
 }
 
-std::vector<Panel> panels_of_items(const RunFacts& facts, const Response& response) {
+std::vector<Panel> panels_of_items(const study::RunFacts& facts, const Response& response) {
   return {item_panel("Horizontal distance from the start", "Distance (m)", facts, response,
                      [](const Sample& s) { return s.displacement.head<2>().norm(); }),
           item_panel("Tilt", "Angle (deg)", facts, response,
@@ -163,7 +163,7 @@ std::vector<Panel> panels_of_items(const RunFacts& facts, const Response& respon
 
 }  // namespace
 
-std::string figure(const RunFacts& facts, const Response& response) {
+std::string figure(const study::RunFacts& facts, const Response& response) {
   const std::vector<Sample>& history = response.items[0].history;
   if (history.empty()) {
     Svg svg(kWidth, 120);
@@ -197,4 +197,4 @@ std::string figure(const RunFacts& facts, const Response& response) {
   return svg.str();
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 double turn(const Vector2& a, const Vector2& b, const Vector2& c) {
@@ -112,4 +112,4 @@ const Sample& last_finite(const std::vector<Sample>& history) {
   return found == history.rend() ? history.front() : *found;
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

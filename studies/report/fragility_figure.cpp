@@ -6,14 +6,14 @@
 #include "studies/report/fragility_report.h"
 #include "studies/report/panel.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kWidth = 700, kLeft = 70, kTop = 60, kPanelWidth = 590, kPanelHeight = 260,
                  kRow = 340;
 
 /// The band as an area.
-void draw_band(Svg& svg, const Scaling& scaling, const FragilityResult& result, double unit,
+void draw_band(Svg& svg, const Scaling& scaling, const study::FragilityResult& result, double unit,
                std::size_t color) {
   Svg::Points outline;
   const auto add = [&](std::size_t i, double value) {
@@ -24,24 +24,24 @@ void draw_band(Svg& svg, const Scaling& scaling, const FragilityResult& result, 
   svg.polyline(outline, {.stroke = "", .fill = palette(color), .opacity = 0.15}, true);
 }
 
-void draw_fractions(Svg& svg, const Scaling& scaling, const FragilityResult& result, double unit,
-                    std::size_t color) {
-  for (const Stripe& stripe : result.stripes)
+void draw_fractions(Svg& svg, const Scaling& scaling, const study::FragilityResult& result,
+                    double unit, std::size_t color) {
+  for (const statistics::Stripe& stripe : result.stripes)
     if (stripe.runs > 0)
       svg.circle(scaling.x(std::log10(stripe.im / unit)), scaling.y(stripe.fraction()), 3.5,
                  {.stroke = palette(color), .width = 1.3, .fill = "#ffffff"});
 }
 
 /// Where a bracket stands in the empirical distribution: in its middle, in ln im.
-double place_of(const Capacity& capacity) {
+double place_of(const statistics::Capacity& capacity) {
   return capacity.low > 0 ? std::sqrt(capacity.low * capacity.high) : capacity.high;
 }
 
 /// Steps of the empirical distribution; records that never exceed count, but have no step.
-void draw_capacities(Svg& svg, const Scaling& scaling, const FragilityResult& result, double unit,
-                     std::size_t color) {
+void draw_capacities(Svg& svg, const Scaling& scaling, const study::FragilityResult& result,
+                     double unit, std::size_t color) {
   std::vector<double> places;
-  for (const Capacity& each : result.brackets)
+  for (const statistics::Capacity& each : result.brackets)
     if (std::isfinite(each.high)) places.push_back(place_of(each));
   std::ranges::sort(places);
   const auto n = static_cast<double>(result.brackets.size());
@@ -58,9 +58,10 @@ void draw_capacities(Svg& svg, const Scaling& scaling, const FragilityResult& re
   svg.polyline(steps, {.stroke = palette(color), .width = 1});
 }
 
-void draw_state(Svg& svg, const Frame& frame, const std::vector<const FragilityResult*>& results,
-                const ReportUnit& unit) {
-  const FragilityResult& first = *results.front();
+void draw_state(Svg& svg, const Frame& frame,
+                const std::vector<const study::FragilityResult*>& results,
+                const study::ReportUnit& unit) {
+  const study::FragilityResult& first = *results.front();
   Panel panel{.title = first.state == first.words ? first.state : first.state + ": " + first.words,
               .x_label = fmt::format("{} ({})", first.measure.name, unit.name),
               .y_label = "Probability of exceedance",
@@ -69,7 +70,7 @@ void draw_state(Svg& svg, const Frame& frame, const std::vector<const FragilityR
               .legend_columns = 3,
               .y_range = {0, 1}};
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const FragilityResult& result = *results[i];
+    const study::FragilityResult& result = *results[i];
     const auto of = result.curve();
     Curve curve{result.configuration.empty() ? "all runs" : result.configuration,
                 {},
@@ -94,14 +95,15 @@ void draw_state(Svg& svg, const Frame& frame, const std::vector<const FragilityR
 
 }  // namespace
 
-std::string fragility_figure(const StudyData& data, const std::vector<FragilityResult>& results) {
+std::string fragility_figure(const study::StudyData& data,
+                             const std::vector<study::FragilityResult>& results) {
   std::vector<std::string> states;
-  for (const FragilityResult& each : results)
+  for (const study::FragilityResult& each : results)
     if (std::ranges::find(states, each.state) == states.end()) states.push_back(each.state);
   Svg svg(kWidth, kTop + kRow * static_cast<double>(states.size()));
   svg.text(kLeft, 26, data.file().text_attribute("title"), {.size = 15, .bold = true});
   const bool ida = std::ranges::any_of(
-      results, [](const FragilityResult& each) { return each.capacities.has_value(); });
+      results, [](const study::FragilityResult& each) { return each.capacities.has_value(); });
   svg.text(kLeft, 44,
            ida ? "line: fitted curve; area: 95 % confidence band; steps: empirical distribution of "
                  "the records' capacities; circles: fractions of runs"
@@ -109,13 +111,13 @@ std::string fragility_figure(const StudyData& data, const std::vector<FragilityR
                  "of runs",
            {.size = 11, .color = "#555555"});
   for (std::size_t i = 0; i < states.size(); ++i) {
-    std::vector<const FragilityResult*> of_state;
-    for (const FragilityResult& each : results)
+    std::vector<const study::FragilityResult*> of_state;
+    for (const study::FragilityResult& each : results)
       if (each.state == states[i]) of_state.push_back(&each);
     draw_state(svg, {kLeft, kTop + 40 + kRow * static_cast<double>(i), kPanelWidth, kPanelHeight},
-               of_state, report_unit(data, of_state.front()->measure));
+               of_state, study::report_unit(data, of_state.front()->measure));
   }
   return svg.str();
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

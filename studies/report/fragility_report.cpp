@@ -6,30 +6,30 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "studies/report/json_values.h"
 #include "studies/report/scale_factors_json.h"
 #include "studies/study/analysis/performance.h"
+#include "studies/report/json_values.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string interval_text(const Interval& interval, double unit, int digits) {
+std::string interval_text(const statistics::Interval& interval, double unit, int digits) {
   const auto end = [&](double value) {
     return std::isfinite(value) ? fmt::format("{:.{}g}", value / unit, digits) : std::string("inf");
   };
   return end(interval.low) + " to " + end(interval.high);
 }
 
-std::string exceed_text(const FragilityResult& result) {
-  const CurveAudit& audit = result.audit;
+std::string exceed_text(const study::FragilityResult& result) {
+  const study::CurveAudit& audit = result.audit;
   return fmt::format("{} of {} {}", audit.exceeded, audit.outcomes,
                      audit.of_records ? "records" : "runs");
 }
 
-std::string row(const FragilityResult& result, const ReportUnit& unit, std::size_t wide,
-                std::size_t state_wide) {
+std::string row(const study::FragilityResult& result, const study::ReportUnit& unit,
+                std::size_t wide, std::size_t state_wide) {
   std::string line = fmt::format("{:<{}}  {:<{}}  {:>16}  ", result.configuration, wide,
                                  result.state, state_wide, exceed_text(result));
   if (const auto curve = result.curve())
@@ -37,11 +37,11 @@ std::string row(const FragilityResult& result, const ReportUnit& unit, std::size
                         interval_text(result.band.theta, unit.in_si, 3),
                         interval_text(result.band.beta, 1, 2));
   else
-    line += no_curve_text(result.status(), result.median(), unit);
+    line += study::no_curve_text(result.status(), result.median(), unit);
   return line + "\n";
 }
 
-std::string fit_note(const FragilityResult& result) {
+std::string fit_note(const study::FragilityResult& result) {
   return result.capacities
              ? fmt::format("the capacities are not lognormal (p = {:.2g})", *result.p_of_fit)
              : fmt::format(
@@ -51,7 +51,7 @@ std::string fit_note(const FragilityResult& result) {
 }
 
 /// One line for each thing a reader should know before using a row.
-std::string notes(const FragilityResult& result, const ReportUnit& unit) {
+std::string notes(const study::FragilityResult& result, const study::ReportUnit& unit) {
   std::string text;
   const std::string name =
       (result.configuration.empty() ? "" : result.configuration + ", ") + result.state;
@@ -64,7 +64,8 @@ std::string notes(const FragilityResult& result, const ReportUnit& unit) {
   if (result.capacities && result.capacities->censored > 0)
     note(fmt::format("{} of {} records never exceed: right-censored at their highest intensity",
                      result.capacities->censored, result.records));
-  for (const std::string& caution : cautions(result.audit, unit)) note("caution: " + caution);
+  for (const std::string& caution : study::cautions(result.audit, unit))
+    note("caution: " + caution);
   if (result.cloud && result.cloud_curve)
     note(fmt::format(
         "cloud: theta {:.3g}, beta {:.2f}, R2 {:.2f} ({} demands uncensored, {} "
@@ -73,7 +74,7 @@ std::string notes(const FragilityResult& result, const ReportUnit& unit) {
         result.cloud->exact, result.cloud->at_least, result.cloud->at_most));
   if (result.rate) {
     note(fmt::format("{:.3g} times a year, {:.2g} % in 50 years", result.rate->rate,
-                     100 * probability_in(50, result.rate->rate)));
+                     100 * statistics::probability_in(50, result.rate->rate)));
     if (!result.rate->complete())
       note(
           fmt::format("the hazard curve is too short: stronger motions add at most {:.2g} a year, "
@@ -83,10 +84,11 @@ std::string notes(const FragilityResult& result, const ReportUnit& unit) {
   return text;
 }
 
-std::string performance_text(const StudyData& data, const std::vector<FragilityResult>& results,
-                             const ReportUnit& unit) {
+std::string performance_text(const study::StudyData& data,
+                             const std::vector<study::FragilityResult>& results,
+                             const study::ReportUnit& unit) {
   std::string text;
-  for (const PerformanceTable& table : performance_tables(data, results)) {
+  for (const study::PerformanceTable& table : study::performance_tables(data, results)) {
     text += fmt::format("\n{}P(worst level reached), %\n{:>10}  {:>10}",
                         table.configuration.empty() ? "" : table.configuration + ": ",
                         results.front().measure.name, "none");
@@ -103,17 +105,18 @@ std::string performance_text(const StudyData& data, const std::vector<FragilityR
 }
 
 template <class Take>
-std::size_t widest(const std::vector<FragilityResult>& results, std::size_t least, Take take) {
-  for (const FragilityResult& each : results) least = std::max(least, take(each).size());
+std::size_t widest(const std::vector<study::FragilityResult>& results, std::size_t least,
+                   Take take) {
+  for (const study::FragilityResult& each : results) least = std::max(least, take(each).size());
   return least;
 }
 
-Json curve_json(const std::optional<LognormalCurve>& curve) {
+Json curve_json(const std::optional<statistics::LognormalCurve>& curve) {
   if (!curve) return nullptr;
   return {{"theta", curve->theta}, {"beta", curve->beta}};
 }
 
-Json audit_json(const CurveAudit& audit) {
+Json audit_json(const study::CurveAudit& audit) {
   Json json{{"counted", audit.of_records ? "records" : "runs"},
             {"outcomes", audit.outcomes},
             {"exceeded", audit.exceeded},
@@ -127,9 +130,9 @@ Json audit_json(const CurveAudit& audit) {
   return json;
 }
 
-Json capacities_json(const FragilityResult& result) {
+Json capacities_json(const study::FragilityResult& result) {
   Json of_records = Json::array();
-  for (const Capacity& each : result.brackets)
+  for (const statistics::Capacity& each : result.brackets)
     of_records.push_back({{"record", each.group},
                           {"above", each.low},
                           {"at_most", json_number(each.high)},
@@ -140,7 +143,7 @@ Json capacities_json(const FragilityResult& result) {
           {"brackets", of_records}};
 }
 
-Json json_of(const FragilityResult& result) {
+Json json_of(const study::FragilityResult& result) {
   Json json{{"configuration", result.configuration},
             {"limit_state", result.state},
             {"says", result.words},
@@ -153,7 +156,7 @@ Json json_of(const FragilityResult& result) {
             {"method", result.capacities ? "capacities" : "stripes"},
             {"status", text(result.status())},
             {"curve", curve_json(result.curve())}};
-  const ReportUnit si{result.measure.units, 1};
+  const study::ReportUnit si{result.measure.units, 1};
   if (result.curve()) {
     json["theta_interval"] = json_interval(result.band.theta);
     json["beta_interval"] = json_interval(result.band.beta);
@@ -161,10 +164,10 @@ Json json_of(const FragilityResult& result) {
         result.capacities ? result.capacities->covariance : result.fit.cluster_covariance;
     json["covariance_of_ln_theta_ln_beta"] = {{c(0, 0), c(0, 1)}, {c(1, 0), c(1, 1)}};
   } else {
-    json["reason"] = no_curve_text(result.status(), result.median(), si);
+    json["reason"] = study::no_curve_text(result.status(), result.median(), si);
     json["median_between"] = json_interval(result.median());
   }
-  json["cautions"] = cautions(result.audit, si);
+  json["cautions"] = study::cautions(result.audit, si);
   json["audit"] = audit_json(result.audit);
   if (result.profile)
     json["profile"] = {{"theta", json_interval(result.profile->theta)},
@@ -187,7 +190,7 @@ Json json_of(const FragilityResult& result) {
                      {"curve", curve_json(result.cloud_curve)}};
   if (result.rate)
     json["rate"] = {{"per_year", result.rate->rate},
-                    {"in_50_years", probability_in(50, result.rate->rate)},
+                    {"in_50_years", statistics::probability_in(50, result.rate->rate)},
                     {"at_most_more", result.rate->most_above},
                     {"complete", result.rate->complete()}};
   return json;
@@ -195,26 +198,27 @@ Json json_of(const FragilityResult& result) {
 
 }  // namespace
 
-std::string fragility_report(const StudyData& data, const std::vector<FragilityResult>& results) {
+std::string fragility_report(const study::StudyData& data,
+                             const std::vector<study::FragilityResult>& results) {
   if (results.empty()) return "";
-  const ReportUnit unit = report_unit(data, results.front().measure);
+  const study::ReportUnit unit = study::report_unit(data, results.front().measure);
   const std::size_t wide =
-      widest(results, 13, [](const FragilityResult& each) { return each.configuration; });
+      widest(results, 13, [](const study::FragilityResult& each) { return each.configuration; });
   const std::size_t state_wide =
-      widest(results, 11, [](const FragilityResult& each) { return each.state; });
+      widest(results, 11, [](const study::FragilityResult& each) { return each.state; });
   std::string text = fmt::format("P(limit state | {} [{}]) = Phi(ln(im / theta) / beta)\n\n",
                                  results.front().measure.name, unit.name);
   text += fmt::format("{:<{}}  {:<{}}  {:>16}  {:>8}  {:>5}  {:<16}  {}\n", "configuration", wide,
                       "limit state", state_wide, "exceed", "theta", "beta", "95 % of theta",
                       "95 % of beta");
-  for (const FragilityResult& each : results) text += row(each, unit, wide, state_wide);
+  for (const study::FragilityResult& each : results) text += row(each, unit, wide, state_wide);
   std::string below;
-  for (const FragilityResult& each : results) below += notes(each, unit);
+  for (const study::FragilityResult& each : results) below += notes(each, unit);
   text += below.empty() ? "" : "\n" + below;
   text += performance_text(data, results, unit);
   text += "\n";
   std::vector<std::string> listed;
-  for (const FragilityResult& each : results) {
+  for (const study::FragilityResult& each : results) {
     if (std::ranges::find(listed, each.state) != listed.end()) continue;
     listed.push_back(each.state);
     text += fmt::format("{}: {}\n", each.state, each.words);
@@ -222,10 +226,10 @@ std::string fragility_report(const StudyData& data, const std::vector<FragilityR
   return text;
 }
 
-std::string fragility_json(const std::vector<FragilityResult>& results) {
+std::string fragility_json(const std::vector<study::FragilityResult>& results) {
   Json all = Json::array();
-  for (const FragilityResult& each : results) all.push_back(json_of(each));
+  for (const study::FragilityResult& each : results) all.push_back(json_of(each));
   return Json{{"fragilities", all}}.dump(2) + "\n";
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

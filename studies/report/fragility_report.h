@@ -5,16 +5,18 @@
 
 #include "studies/study/analysis/fragility_result.h"
 
-namespace gurney {
+namespace gurney::report {
 
 /// A table with a row for each configuration and limit state, and below it what to know of them.
-std::string fragility_report(const StudyData& data, const std::vector<FragilityResult>& results);
+std::string fragility_report(const study::StudyData& data,
+                             const std::vector<study::FragilityResult>& results);
 
 /// The same for machines, in SI; no curve: null.
-std::string fragility_json(const std::vector<FragilityResult>& results);
+std::string fragility_json(const std::vector<study::FragilityResult>& results);
 
 /// One panel for each limit state: the curves of its configurations, their bands, and the fractions
 /// of runs, or the empirical distribution of capacities.
-std::string fragility_figure(const StudyData& data, const std::vector<FragilityResult>& results);
+std::string fragility_figure(const study::StudyData& data,
+                             const std::vector<study::FragilityResult>& results);
 
-}  // namespace gurney
+}  // namespace gurney::report

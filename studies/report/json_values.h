@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace gurney {
+namespace gurney::report {
 
 /// JSON has no NaN and no infinity: they are null.
 inline nlohmann::ordered_json json_number(double value) {
@@ -20,4 +20,4 @@ nlohmann::ordered_json json_interval(const Ends& of) {
   return json_interval(of.low, of.high);
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

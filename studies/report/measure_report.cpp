@@ -1,4 +1,5 @@
 #include "studies/report/measure_report.h"
+#include "studies/report/json_values.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "studies/report/json_values.h"
-
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -17,8 +16,8 @@ constexpr double kSettled = 0.95, kOpen = 0.8;
 
 std::string cell(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3g}", value); }
 
-std::string row_text(const IntensityRow& row, std::size_t width) {
-  if (row.status != CloudStatus::kFitted)
+std::string row_text(const statistics::IntensityRow& row, std::size_t width) {
+  if (row.status != statistics::CloudStatus::kFitted)
     return fmt::format("{:<{}}  {}\n", row.name, width, text(row.status));
   return fmt::format("{:<{}} {:>10} {:>12} {:>11} {:>7} {:>9.2f} {:>11}{}\n", row.name, width,
                      cell(row.efficiency), cell(row.practicality), cell(row.proficiency),
@@ -27,21 +26,21 @@ std::string row_text(const IntensityRow& row, std::size_t width) {
                      row.left_out > 0 ? fmt::format("  {} runs only", row.runs) : "");
 }
 
-std::string table_text(const MeasureChoice& choice) {
+std::string table_text(const study::MeasureChoice& choice) {
   std::size_t width = 8;
-  for (const IntensityRow& row : choice.rows) width = std::max(width, row.name.size());
+  for (const statistics::IntensityRow& row : choice.rows) width = std::max(width, row.name.size());
   std::string text =
       fmt::format("{:<{}} {:>10} {:>12} {:>11} {:>7} {:>9} {:>11}\n", "measure", width,
                   "efficiency", "practicality", "proficiency", "R2", "ln L", "p of scale");
-  for (const IntensityRow& row : choice.rows) text += row_text(row, width);
+  for (const statistics::IntensityRow& row : choice.rows) text += row_text(row, width);
   if (!choice.unknown.empty())
     text += fmt::format("not known for these records: {}\n", fmt::join(choice.unknown, ", "));
   return text;
 }
 
-std::string sufficiency_text(const MeasureChoice& choice) {
-  const bool known = std::ranges::any_of(choice.rows, [](const IntensityRow& row) {
-    return row.status == CloudStatus::kFitted && !std::isnan(row.sufficiency.front());
+std::string sufficiency_text(const study::MeasureChoice& choice) {
+  const bool known = std::ranges::any_of(choice.rows, [](const statistics::IntensityRow& row) {
+    return row.status == statistics::CloudStatus::kFitted && !std::isnan(row.sufficiency.front());
   });
   return std::string(known ? "p of scale: of no dependence on the factor on the records once the "
                              "measure is known; small: scaling biases"
@@ -50,13 +49,14 @@ std::string sufficiency_text(const MeasureChoice& choice) {
          "\nnot tested: magnitude and distance, which the file does not contain\n";
 }
 
-Json row_json(const IntensityRow& row, const MeasureChoice& choice, std::size_t i) {
+Json row_json(const statistics::IntensityRow& row, const study::MeasureChoice& choice,
+              std::size_t i) {
   Json json{{"name", row.name},
             {"units", choice.units[i]},
             {"status", text(row.status)},
             {"runs", row.runs},
             {"left_out", row.left_out}};
-  if (row.status != CloudStatus::kFitted) return json;
+  if (row.status != statistics::CloudStatus::kFitted) return json;
   json["efficiency"] = json_number(row.efficiency);
   json["practicality"] = json_number(row.practicality);
   json["proficiency"] = json_number(row.proficiency);
@@ -69,18 +69,18 @@ Json row_json(const IntensityRow& row, const MeasureChoice& choice, std::size_t 
 
 }  // namespace
 
-std::string verdict(const MeasureChoice& choice) {
-  if (choice.rows.empty() || choice.rows.front().status != CloudStatus::kFitted)
+std::string verdict(const study::MeasureChoice& choice) {
+  if (choice.rows.empty() || choice.rows.front().status != statistics::CloudStatus::kFitted)
     return "No measure can be judged: " +
            (choice.rows.empty() ? "none is known" : text(choice.rows.front().status)) + ".\n";
-  const IntensityRow& best = choice.rows.front();
+  const statistics::IntensityRow& best = choice.rows.front();
   std::string words = fmt::format("{} predicts this demand best", best.name);
   std::vector<std::string> ties;
   for (std::size_t i = 1; i <= choice.ties; ++i) ties.push_back(choice.rows[i].name);
   if (!ties.empty())
     words += fmt::format(", as good as {}, to which it is proportional", fmt::join(ties, ", "));
   if (std::isnan(choice.lead)) return words + "; there is no other to compare with.\n";
-  const IntensityRow& next = choice.rows[choice.ties + 1];
+  const statistics::IntensityRow& next = choice.rows[choice.ties + 1];
   words += fmt::format(": scatter {:.3g} against {:.3g} of {}, ln likelihood {:.2f} higher",
                        best.efficiency, next.efficiency, next.name, choice.lead);
   if (std::isnan(choice.stays_best))
@@ -95,7 +95,7 @@ std::string verdict(const MeasureChoice& choice) {
 std::string measure_text(const std::vector<MeasureReport>& reports) {
   std::string text;
   for (const MeasureReport& report : reports) {
-    const MeasureChoice& choice = report.choice;
+    const study::MeasureChoice& choice = report.choice;
     text +=
         fmt::format("{}limit state {} ({}){}\n", text.empty() ? "" : "\n", report.state,
                     report.words, report.configuration.empty() ? "" : ", " + report.configuration);
@@ -105,7 +105,7 @@ std::string measure_text(const std::vector<MeasureReport>& reports) {
         "most that\n",
         choice.runs, choice.records, choice.records == 1 ? "" : "s", choice.overturned,
         choice.at_floor, choice.floor);
-    if (!choice.rows.empty() && choice.rows.front().status == CloudStatus::kFitted)
+    if (!choice.rows.empty() && choice.rows.front().status == statistics::CloudStatus::kFitted)
       text += table_text(choice) + verdict(choice) + sufficiency_text(choice);
     else
       text += verdict(choice);
@@ -116,7 +116,7 @@ std::string measure_text(const std::vector<MeasureReport>& reports) {
 std::string measure_json(const std::vector<MeasureReport>& reports) {
   Json json = Json::array();
   for (const MeasureReport& report : reports) {
-    const MeasureChoice& choice = report.choice;
+    const study::MeasureChoice& choice = report.choice;
     Json rows = Json::array();
     for (std::size_t i = 0; i < choice.rows.size(); ++i)
       rows.push_back(row_json(choice.rows[i], choice, i));
@@ -137,4 +137,4 @@ std::string measure_json(const std::vector<MeasureReport>& reports) {
   return json.dump(2) + "\n";
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -5,20 +5,20 @@
 
 #include "studies/study/analysis/measure_choice.h"
 
-namespace gurney {
+namespace gurney::report {
 
 /// What `gurney measures` tells of one limit state of one configuration.
 struct MeasureReport {
   std::string configuration;
   std::string state, words;  ///< name and meaning of the limit state
-  MeasureChoice choice;
+  study::MeasureChoice choice;
 };
 
 /// Which is best and whether the difference matters, in a sentence or two. It matters where it
 /// stays in 95 % of the resamples of records, and does not where another comes first in a fifth.
-std::string verdict(const MeasureChoice& choice);
+std::string verdict(const study::MeasureChoice& choice);
 
 std::string measure_text(const std::vector<MeasureReport>& reports);
 std::string measure_json(const std::vector<MeasureReport>& reports);
 
-}  // namespace gurney
+}  // namespace gurney::report

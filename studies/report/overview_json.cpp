@@ -2,16 +2,16 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/units.h"
-#include "studies/report/json_values.h"
 #include "studies/report/overview_report.h"
 #include "studies/report/scale_factors_json.h"
+#include "studies/report/json_values.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json head(const FileOverview& file, const char* filetype) {
+Json head(const study::FileOverview& file, const char* filetype) {
   Json motions = Json::array(), assumptions = Json::array();
   for (const auto& each : file.motions)
     motions.push_back({{"name", each.name}, {"files", each.files}, {"warnings", each.warnings}});
@@ -37,9 +37,9 @@ Json head(const FileOverview& file, const char* filetype) {
           {"energy_closure", json_number(file.energy_closure)}};
 }
 
-Json counts(const StudyOverview& overview) {
+Json counts(const study::StudyOverview& overview) {
   Json result = Json::array();
-  for (const LevelCounts& each : overview.counts) {
+  for (const study::LevelCounts& each : overview.counts) {
     Json exceeded = Json::object();
     for (std::size_t i = 0; i < overview.states.size(); ++i)
       exceeded[overview.states[i].name] = each.exceeded[i];
@@ -53,9 +53,9 @@ Json counts(const StudyOverview& overview) {
   return result;
 }
 
-Json certificate(const StepCertificate& of) {
+Json certificate(const study::StepCertificate& of) {
   Json demands = Json::array(), states = Json::array();
-  for (const StepChange& each : of.changes) {
+  for (const study::StepChange& each : of.changes) {
     const bool any = each.compared > 0;
     demands.push_back({{"demand", each.demand},
                        {"compared", each.compared},
@@ -63,7 +63,7 @@ Json certificate(const StepCertificate& of) {
                        {"largest_relative_change", any ? Json(each.largest) : Json(nullptr)},
                        {"largest_in_run", any ? Json(each.largest_run) : Json(nullptr)}});
   }
-  for (const StateChange& each : of.states)
+  for (const study::StateChange& each : of.states)
     states.push_back({{"limit_state", each.state}, {"changed_runs", each.runs}});
   return {{"runs", of.runs},
           {"demands", demands},
@@ -73,16 +73,16 @@ Json certificate(const StepCertificate& of) {
 
 }  // namespace
 
-std::string overview_json(const StudyOverview& overview) {
+std::string overview_json(const study::StudyOverview& overview) {
   Json result = head(overview.file, "gurney-study");
   Json factors = Json::array(), angles = Json::array(), states = Json::array(),
        failures = Json::array();
   for (const auto& each : overview.factors)
     factors.push_back({{"name", each.name}, {"levels", each.levels}});
   for (const double angle : overview.angles) angles.push_back(angle / kRadiansPerDegree);
-  for (const LimitState& each : overview.states)
+  for (const study::LimitState& each : overview.states)
     states.push_back({{"name", each.name}, {"words", each.words}, {"origin", each.origin}});
-  for (const FailedRun& each : overview.failures)
+  for (const study::FailedRun& each : overview.failures)
     failures.push_back({{"run", each.run}, {"cause", each.cause}, {"replay", each.command}});
   result["energy_closure_run"] = overview.energy_closure_run;
   result["factors"] = factors;
@@ -106,7 +106,7 @@ std::string overview_json(const StudyOverview& overview) {
   return result.dump(2) + "\n";
 }
 
-std::string overview_json(const RunOverview& overview) {
+std::string overview_json(const study::RunOverview& overview) {
   Json result = head(overview.file, "gurney-results");
   Json items = Json::array();
   for (const auto& each : overview.items)
@@ -126,4 +126,4 @@ std::string overview_json(const RunOverview& overview) {
   return result.dump(2) + "\n";
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -4,14 +4,14 @@
 
 #include "studies/study/analysis/overview.h"
 
-namespace gurney {
+namespace gurney::report {
 
 /// What a results file holds, to be read in a terminal.
-std::string overview_text(const StudyOverview& overview);
-std::string overview_text(const RunOverview& overview);
+std::string overview_text(const study::StudyOverview& overview);
+std::string overview_text(const study::RunOverview& overview);
 
 /// The same as JSON: SI units; a number that does not exist is null.
-std::string overview_json(const StudyOverview& overview);
-std::string overview_json(const RunOverview& overview);
+std::string overview_json(const study::StudyOverview& overview);
+std::string overview_json(const study::RunOverview& overview);
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -8,7 +8,7 @@
 #include "studies/report/overview_report.h"
 #include "studies/report/wrapped.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr std::ptrdiff_t kMostLines = 20;
@@ -61,7 +61,7 @@ std::string shortened(const std::vector<std::string>& entries, const char* what)
   return all;
 }
 
-std::string head(const FileOverview& file, const std::string& what) {
+std::string head(const study::FileOverview& file, const std::string& what) {
   std::string all = file.title.empty() ? "" : file.title + "\n\n";
   all += entry("file", file.path + ", " + what);
   all +=
@@ -72,7 +72,7 @@ std::string head(const FileOverview& file, const std::string& what) {
   return all;
 }
 
-std::string motions(const FileOverview& file) {
+std::string motions(const study::FileOverview& file) {
   if (file.motions.empty()) return entry("records", "none, the floor is at rest");
   std::vector<std::string> records;
   for (const auto& motion : file.motions) {
@@ -85,7 +85,7 @@ std::string motions(const FileOverview& file) {
          shortened(records, "records");
 }
 
-std::string tail(const FileOverview& file, const std::string& worst) {
+std::string tail(const study::FileOverview& file, const std::string& worst) {
   std::string all;
   if (!std::isnan(file.energy_closure))
     all += entry("energy", fmt::format("closes within {:.2g} of the energy in play{}",
@@ -106,14 +106,14 @@ std::string share(std::size_t count, std::size_t of) {
   return of == 0 ? "-" : fmt::format("{:.3f}", double(count) / double(of));
 }
 
-std::string counts(const StudyOverview& overview) {
+std::string counts(const study::StudyOverview& overview) {
   TextTable table(2);
   std::vector<std::string> names{"configuration",
                                  overview.measure.empty() ? "records" : overview.measure, "runs",
                                  "overturned", "failed"};
-  for (const LimitState& state : overview.states) names.push_back(state.name);
+  for (const study::LimitState& state : overview.states) names.push_back(state.name);
   table.add(names);
-  for (const LevelCounts& each : overview.counts) {
+  for (const study::LevelCounts& each : overview.counts) {
     std::vector<std::string> row{each.configuration.empty() ? "-" : each.configuration, each.level,
                                  std::to_string(each.runs), std::to_string(each.overturned),
                                  std::to_string(each.failed)};
@@ -122,34 +122,34 @@ std::string counts(const StudyOverview& overview) {
   }
   std::string all = "\nshare of the runs that exceed a limit state; failed runs are not counted\n";
   all += table.text();
-  for (const LimitState& state : overview.states)
+  for (const study::LimitState& state : overview.states)
     if (state.words != state.name) all += fmt::format("  {}: {}\n", state.name, state.words);
   return all;
 }
 
-std::string failures(const StudyOverview& overview) {
+std::string failures(const study::StudyOverview& overview) {
   if (overview.failures.empty()) return {};
   std::vector<std::string> lines;
-  for (const FailedRun& each : overview.failures)
+  for (const study::FailedRun& each : overview.failures)
     lines.push_back(fmt::format("  {}: {}\n    {}", each.run, each.cause, each.command));
   return "\nruns that failed, why, and the command that re-runs each\n" + shortened(lines, "runs");
 }
 
-std::string certificate(const StudyOverview& overview) {
+std::string certificate(const study::StudyOverview& overview) {
   if (!overview.certificate) return {};
-  const StepCertificate& of = *overview.certificate;
+  const study::StepCertificate& of = *overview.certificate;
   std::string all = fmt::format(
       "\ntime step: {} runs were repeated with half the step; relative change of their demands\n",
       of.runs);
   TextTable table(1);
   table.add({"demand", "compared", "median", "largest", "in run"});
-  for (const StepChange& each : of.changes)
+  for (const study::StepChange& each : of.changes)
     if (each.compared > 0)
       table.add({each.demand, std::to_string(each.compared), fmt::format("{:.2g}", each.median),
                  fmt::format("{:.2g}", each.largest),
                  each.largest > 0 ? std::to_string(each.largest_run) : "-"});
   all += table.text();
-  for (const StateChange& each : of.states)
+  for (const study::StateChange& each : of.states)
     all += fmt::format("  {}: another outcome in {} of {} runs\n", each.state, each.runs.size(),
                        of.runs);
   for (const std::string& each : of.unjudged)
@@ -159,7 +159,7 @@ std::string certificate(const StudyOverview& overview) {
 
 }  // namespace
 
-std::string overview_text(const StudyOverview& overview) {
+std::string overview_text(const study::StudyOverview& overview) {
   std::string all = head(overview.file, fmt::format("a study of {} runs", overview.runs));
   for (const auto& factor : overview.factors)
     all += entry("factor", fmt::format("{}: {}", factor.name, fmt::join(factor.levels, ", ")));
@@ -188,7 +188,7 @@ std::string overview_text(const StudyOverview& overview) {
          certificate(overview);
 }
 
-std::string overview_text(const RunOverview& overview) {
+std::string overview_text(const study::RunOverview& overview) {
   std::string all = head(overview.file, "one run");
   all += entry("outcome", fmt::format("{} at {:.4g} s{}{}", overview.outcome, overview.end_time,
                                       overview.cause.empty() ? "" : ": ", overview.cause));
@@ -207,4 +207,4 @@ std::string overview_text(const RunOverview& overview) {
          table.text();
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

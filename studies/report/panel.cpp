@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kTick = 4;
@@ -196,4 +196,4 @@ std::string palette(std::size_t index) {
   return colors[index % std::size(colors)];
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

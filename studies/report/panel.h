@@ -5,7 +5,7 @@
 
 #include "studies/report/svg.h"
 
-namespace gurney {
+namespace gurney::report {
 
 /// Smallest and largest value of an axis.
 struct Range {
@@ -64,4 +64,4 @@ Scaling draw(Svg& svg, const Frame& frame, const Panel& panel);
 /// Colour-blind safe colours (Okabe & Ito 2008), repeated after the seventh.
 std::string palette(std::size_t index);
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -9,7 +9,7 @@
 #include "studies/report/footprint.h"
 #include "studies/study/results/names.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kStanding = 30 * kRadiansPerDegree;  // of tilt; casters are drawn below
@@ -171,7 +171,7 @@ Vector2 middle_of(const PlacedItem& item, const Sample& sample) {
 /// Numbers in the plan, names beside it.
 void draw_legend(Svg& svg, Plan& plan, const Frame& frame, const Scene& scene,
                  const Response& response) {
-  const std::vector<std::string> names = item_names(scene);
+  const std::vector<std::string> names = study::item_names(scene);
   const double x = frame.x + frame.width + 22;
   double y = frame.y + 6;
   for (std::size_t i = 0; i < names.size(); ++i, y += 19) {
@@ -308,4 +308,4 @@ void draw_plan(Svg& svg, const Frame& frame, const Scene& scene, const Response&
   if (!alone) draw_legend(svg, plan, frame, scene, response);
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

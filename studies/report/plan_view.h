@@ -4,7 +4,7 @@
 #include "engine/scene/scene.h"
 #include "studies/report/panel.h"
 
-namespace gurney {
+namespace gurney::report {
 
 /// Draws the scene from above: room shapes (low ones, such as thresholds, lighter), zones (those
 /// that are occupied at the end darker), tethers, each item's boxes at the start (outline) and at
@@ -16,4 +16,4 @@ void draw_plan(Svg& svg, const Frame& frame, const Scene& scene, const Response&
 /// Height over width of what draw_plan shows.
 double plan_aspect(const Scene& scene, const Response& response);
 
-}  // namespace gurney
+}  // namespace gurney::report

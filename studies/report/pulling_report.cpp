@@ -9,7 +9,7 @@
 #include "studies/calibration/trials/setup_reader.h"
 #include "studies/report/json_values.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -23,7 +23,7 @@ std::string percent(double share) {
   return std::isfinite(share) ? fmt::format("{:+.2f}", 100 * share) : "-";
 }
 
-std::string cell(const MeanAndScatter& of) {
+std::string cell(const calibration::MeanAndScatter& of) {
   return fmt::format("{:>8} {:>7}", percent(of.mean),
                      std::isfinite(of.deviation) ? fmt::format("{:.2f}", 100 * of.deviation) : "-");
 }
@@ -34,7 +34,7 @@ std::string bias_text(const PullingReport& report) {
       "over "
       "trials\n"
       "alignment   trials      phase II         phase III         of both\n";
-  for (const AlignmentBias& row : bias_by_alignment(report.trials))
+  for (const calibration::AlignmentBias& row : calibration::bias_by_alignment(report.trials))
     text += fmt::format("{:<11} {:>6}  {}  {}  {}\n", name_of(row.alignment), row.trials,
                         cell(row.pulled), cell(row.coasting), cell(row.mean));
   return text;
@@ -42,7 +42,7 @@ std::string bias_text(const PullingReport& report) {
 
 std::string fits_text(const PullingReport& report) {
   std::string text = "\ncaster      aligned   Cr/R found     input   difference (%)\n";
-  for (const CasterFit& fit : fits_by_caster(report.trials))
+  for (const calibration::CasterFit& fit : calibration::fits_by_caster(report.trials))
     text += fmt::format("{:<11} {:>7}   {:>10.5f}   {:>7.5f}   {:>9}\n", fit.caster, fit.trials,
                         fit.found, fit.known, percent(fit.found / fit.known - 1));
   return text;
@@ -53,9 +53,9 @@ std::string theory_text(const PullingReport& report) {
       "\naligned trials against the closed form: error of the displacement, % (-: left the "
       "flooring)\n"
       "run  solver           step (ms)  at release    at rest   configuration\n";
-  for (const SimulatedTrial& trial : report.trials) {
-    if (trial.alignment != Alignment::kAligned) continue;
-    const TheoryError error = theory_error(trial);
+  for (const calibration::SimulatedTrial& trial : report.trials) {
+    if (trial.alignment != calibration::Alignment::kAligned) continue;
+    const calibration::TheoryError error = calibration::theory_error(trial);
     text += fmt::format("{:<4} {:<15} {:>10.4g} {:>11} {:>10}   {}\n", trial.run, trial.solver,
                         1000 * trial.time_step, percent(error.release), percent(error.rest),
                         trial.configuration);
@@ -67,24 +67,26 @@ std::string measured_text(const PullingReport& report) {
   if (report.measured.empty()) return "";
   std::string text = "\ngiven trial          origin       f_r (N)   N (N)   f_r/N     like run\n";
   std::string faults;
-  for (const MeasuredTrial& each : report.measured) {
+  for (const calibration::MeasuredTrial& each : report.measured) {
     if (!each.fault.empty()) {
       faults += "not used: " + each.fault + "\n";
       continue;
     }
     std::string runs;
-    for (const SimulatedTrial& trial : report.trials)
-      if (like(trial, report.measured) == &each)
+    for (const calibration::SimulatedTrial& trial : report.trials)
+      if (calibration::like(trial, report.measured) == &each)
         runs += fmt::format("{}{}", runs.empty() ? "" : ", ", trial.run);
-    const double f = mean_resistance(*each.averages), n = normal_force(each.trial.setup);
-    text += fmt::format("{:<20} {:<10} {:>9.2f} {:>7.0f}   {:.5f}   {}\n", each.trial.name,
-                        names_of_origins()[static_cast<std::size_t>(each.trial.setup.origin)], f, n,
-                        f / n, runs.empty() ? "none" : runs);
+    const double f = calibration::mean_resistance(*each.averages),
+                 n = calibration::normal_force(each.trial.setup);
+    text += fmt::format(
+        "{:<20} {:<10} {:>9.2f} {:>7.0f}   {:.5f}   {}\n", each.trial.name,
+        calibration::names_of_origins()[static_cast<std::size_t>(each.trial.setup.origin)], f, n,
+        f / n, runs.empty() ? "none" : runs);
   }
   return text + faults;
 }
 
-Json phases_json(const SimulatedTrial& trial) {
+Json phases_json(const calibration::SimulatedTrial& trial) {
   if (!trial.phases) return {};
   return {{"start_s", trial.phases->start},
           {"release_s", trial.phases->release},
@@ -92,8 +94,8 @@ Json phases_json(const SimulatedTrial& trial) {
           {"end", name_of(trial.phases->end)}};
 }
 
-Json trial_json(const SimulatedTrial& trial) {
-  const TheoryError error = theory_error(trial);
+Json trial_json(const calibration::SimulatedTrial& trial) {
+  const calibration::TheoryError error = calibration::theory_error(trial);
   Json json{{"run", trial.run},
             {"configuration", trial.configuration},
             {"caster", trial.trial.setup.caster},
@@ -106,20 +108,20 @@ Json trial_json(const SimulatedTrial& trial) {
             {"left_flooring", trial.left_flooring},
             {"phases", phases_json(trial)}};
   if (trial.averages) {
-    const Resistance found = average_method(*trial.averages);
+    const calibration::Resistance found = calibration::average_method(*trial.averages);
     json["resistance_pulled_n"] = json_number(found.pulled);
     json["resistance_coasting_n"] = json_number(found.coasting);
   } else {
     json["fault"] = trial.fault;
   }
-  if (trial.alignment == Alignment::kAligned) {
+  if (trial.alignment == calibration::Alignment::kAligned) {
     json["error_at_release"] = json_number(error.release);
     json["error_at_rest"] = json_number(error.rest);
   }
   return json;
 }
 
-Json scatter(const MeanAndScatter& of) {
+Json scatter(const calibration::MeanAndScatter& of) {
   return {{"mean", json_number(of.mean)}, {"standard_deviation", json_number(of.deviation)}};
 }
 
@@ -129,7 +131,7 @@ std::string pulling_text(const PullingReport& report) {
   std::string text = fmt::format("{}\n{} trials of {}\n{}\n", report.title, report.trials.size(),
                                  report.file, kNote);
   text += bias_text(report) + fits_text(report) + theory_text(report) + measured_text(report);
-  for (const SimulatedTrial& trial : report.trials)
+  for (const calibration::SimulatedTrial& trial : report.trials)
     if (!trial.averages)
       text +=
           fmt::format("excluded: run {} ({}): {}\n", trial.run, trial.configuration, trial.fault);
@@ -138,28 +140,30 @@ std::string pulling_text(const PullingReport& report) {
 
 std::string pulling_json(const PullingReport& report) {
   Json json{{"file", report.file}, {"note", kNote}};
-  for (const AlignmentBias& row : bias_by_alignment(report.trials))
+  for (const calibration::AlignmentBias& row : calibration::bias_by_alignment(report.trials))
     json["bias"].push_back({{"alignment", name_of(row.alignment)},
                             {"trials", row.trials},
                             {"pulled", scatter(row.pulled)},
                             {"coasting", scatter(row.coasting)},
                             {"both", scatter(row.mean)}});
-  for (const CasterFit& fit : fits_by_caster(report.trials))
+  for (const calibration::CasterFit& fit : calibration::fits_by_caster(report.trials))
     json["casters"].push_back({{"caster", fit.caster},
                                {"wheel_radius_m", fit.wheel_radius},
                                {"trials", fit.trials},
                                {"cr_over_r_found", fit.found},
                                {"cr_over_r_known", fit.known}});
-  for (const SimulatedTrial& trial : report.trials) json["trials"].push_back(trial_json(trial));
-  for (const MeasuredTrial& each : report.measured)
+  for (const calibration::SimulatedTrial& trial : report.trials)
+    json["trials"].push_back(trial_json(trial));
+  for (const calibration::MeasuredTrial& each : report.measured)
     json["measured"].push_back(
         {{"name", each.trial.name},
-         {"origin", names_of_origins()[static_cast<std::size_t>(each.trial.setup.origin)]},
+         {"origin",
+          calibration::names_of_origins()[static_cast<std::size_t>(each.trial.setup.origin)]},
          {"resistance_n",
-          each.fault.empty() ? json_number(mean_resistance(*each.averages)) : Json()},
-         {"normal_force_n", normal_force(each.trial.setup)},
+          each.fault.empty() ? json_number(calibration::mean_resistance(*each.averages)) : Json()},
+         {"normal_force_n", calibration::normal_force(each.trial.setup)},
          {"fault", each.fault.empty() ? Json() : Json(each.fault)}});
   return json.dump(2) + "\n";
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

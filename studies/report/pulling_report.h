@@ -7,13 +7,13 @@
 #include "studies/calibration/pulling/method_check.h"
 
 /// The pulling tests of a study as the figures of Xu, Ma & Kurata 2022 (docs/pulling_tests.md).
-namespace gurney {
+namespace gurney::report {
 
 struct PullingReport {
   std::string file, title;
-  std::vector<SimulatedTrial> trials;   ///< 1 or more
-  std::vector<MeasuredTrial> measured;  ///< none unless the user gives them
-  std::size_t shown = 0;                ///< the trial of Figures 4 and 11
+  std::vector<calibration::SimulatedTrial> trials;   ///< 1 or more
+  std::vector<calibration::MeasuredTrial> measured;  ///< none unless the user gives them
+  std::size_t shown = 0;                             ///< the trial of Figures 4 and 11
 };
 
 /// Displacement, velocity, acceleration and cable force of the shown trial, with its phases.
@@ -33,4 +33,4 @@ std::string pulling_figure_11(const PullingReport& report);
 std::string pulling_text(const PullingReport& report);
 std::string pulling_json(const PullingReport& report);  ///< SI units
 
-}  // namespace gurney
+}  // namespace gurney::report

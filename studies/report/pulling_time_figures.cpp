@@ -7,7 +7,7 @@
 #include "studies/report/panel.h"
 #include "studies/report/pulling_report.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kWidth = 1000, kLeft = 75, kTop = 105, kPanelWidth = 390, kPanelHeight = 190,
@@ -32,8 +32,8 @@ Panel panel(const std::string& title, const std::string& y_label, const Range& t
 }
 
 /// Lines between the phases, with their numbers.
-void draw_phases(Svg& svg, const Frame& frame, const Scaling& scaling, const Phases& phases,
-                 const Range& time) {
+void draw_phases(Svg& svg, const Frame& frame, const Scaling& scaling,
+                 const calibration::Phases& phases, const Range& time) {
   const std::array<double, 5> ends = {time.low, phases.start, phases.release, phases.stop,
                                       time.high};
   static const char* const names[] = {"I", "II", "III", "IV"};
@@ -48,19 +48,19 @@ void draw_phases(Svg& svg, const Frame& frame, const Scaling& scaling, const Pha
   }
 }
 
-void heading(Svg& svg, const std::string& title, const SimulatedTrial& trial,
+void heading(Svg& svg, const std::string& title, const calibration::SimulatedTrial& trial,
              const std::string& note) {
   svg.text(kLeft, 28, title, {.size = 15, .bold = true});
   svg.text(kLeft, 48, fmt::format("Run {}: {}", trial.run, trial.configuration), {.size = 12});
   svg.text(kLeft, 66, note, {.size = 11, .color = "#555555"});
 }
 
-Range whole(const SimulatedTrial& trial) {
+Range whole(const calibration::SimulatedTrial& trial) {
   return {trial.trial.signals.time.front(), trial.trial.signals.time.back()};
 }
 
 template <class Get>
-Curve theory_curve(const SimulatedTrial& trial, Get get) {
+Curve theory_curve(const calibration::SimulatedTrial& trial, Get get) {
   Curve made{"closed form", {}, {}, {.stroke = palette(1), .width = 1.4, .dash = "6 4"}};
   for (const double time : trial.trial.signals.time) {
     made.x.push_back(time);
@@ -70,7 +70,8 @@ Curve theory_curve(const SimulatedTrial& trial, Get get) {
 }
 
 /// Times of a measured trial on the clock of the simulated one: both start at once.
-std::vector<double> moved(const MeasuredTrial& measured, const SimulatedTrial& trial) {
+std::vector<double> moved(const calibration::MeasuredTrial& measured,
+                          const calibration::SimulatedTrial& trial) {
   std::vector<double> time = measured.trial.signals.time;
   const double shift = (trial.phases ? trial.phases->start : trial.theory.start) -
                        (measured.phases ? measured.phases->start : 0);
@@ -79,8 +80,9 @@ std::vector<double> moved(const MeasuredTrial& measured, const SimulatedTrial& t
 }
 
 /// A trial that an engine made must not be called measured.
-std::string origin_of(const MeasuredTrial& given) {
-  return given.trial.setup.origin == TrialOrigin::kSimulated ? "synthetic" : "measured";
+std::string origin_of(const calibration::MeasuredTrial& given) {
+  return given.trial.setup.origin == calibration::TrialOrigin::kSimulated ? "synthetic"
+                                                                          : "measured";
 }
 
 /// Of a series, by differences over four samples to either side.
@@ -100,8 +102,8 @@ std::vector<double> negative(std::vector<double> values) {
 }  // namespace
 
 std::string pulling_figure_4(const PullingReport& report) {
-  const SimulatedTrial& trial = report.trials.at(report.shown);
-  const TrialSignals& s = trial.trial.signals;
+  const calibration::SimulatedTrial& trial = report.trials.at(report.shown);
+  const calibration::TrialSignals& s = trial.trial.signals;
   Svg svg(kWidth, kTop + 2 * kRow);
   heading(svg, "Pulling test: time histories (as Figure 4 of Xu, Ma & Kurata 2022)", trial,
           "simulated, sampled at 120 Hz; I held, II pulled, III coasting, IV stopped or end of the "
@@ -129,9 +131,9 @@ std::string pulling_figure_4(const PullingReport& report) {
 }
 
 std::string pulling_figure_11(const PullingReport& report) {
-  const SimulatedTrial& trial = report.trials.at(report.shown);
-  const TrialSignals& s = trial.trial.signals;
-  const MeasuredTrial* const measured = like(trial, report.measured);
+  const calibration::SimulatedTrial& trial = report.trials.at(report.shown);
+  const calibration::TrialSignals& s = trial.trial.signals;
+  const calibration::MeasuredTrial* const measured = calibration::like(trial, report.measured);
   const bool overlaid = measured != nullptr && !measured->trial.signals.displacement.empty();
   Svg svg(kWidth, kTop + 2 * kRow);
   heading(svg, "Pulling test against its reference (as Figure 11 of Xu, Ma & Kurata 2022)", trial,
@@ -143,15 +145,16 @@ std::string pulling_figure_11(const PullingReport& report) {
   const Pen theirs{.stroke = palette(2), .width = 1.2, .dash = "2 2"};
   Panel displacement = panel("Displacement", "Displacement (m)", whole(trial));
   displacement.curves = {curve("simulated", s.time, s.displacement, ours),
-                         theory_curve(trial, [](const PullTheory& of, double time) {
+                         theory_curve(trial, [](const calibration::PullTheory& of, double time) {
                            return of.displacement_at(time);
                          })};
   Panel velocity = panel("Velocity", "Velocity (m/s)", whole(trial));
-  velocity.curves = {
-      curve("simulated", s.time, trial.velocity, ours),
-      theory_curve(trial, [](const PullTheory& of, double time) { return of.velocity_at(time); })};
+  velocity.curves = {curve("simulated", s.time, trial.velocity, ours),
+                     theory_curve(trial, [](const calibration::PullTheory& of, double time) {
+                       return of.velocity_at(time);
+                     })};
   if (overlaid) {
-    const TrialSignals& m = measured->trial.signals;
+    const calibration::TrialSignals& m = measured->trial.signals;
     const std::vector<double> time = moved(*measured, trial);
     displacement.curves.push_back(curve(origin_of(*measured), time, m.displacement, theirs));
     velocity.curves.push_back(
@@ -174,4 +177,4 @@ std::string pulling_figure_11(const PullingReport& report) {
   return svg.str();
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

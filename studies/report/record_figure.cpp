@@ -11,7 +11,7 @@
 #include "groundmotions/measures/response_spectrum.h"
 #include "studies/report/panel.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kWidth = 1240, kLeft = 70, kColumn = 395, kPanelWidth = 320, kPanelHeight = 130,
@@ -52,11 +52,12 @@ void draw_history(Svg& svg, const Frame& frame, const std::string& title, const 
         .x_range = {0, time_step * static_cast<double>(values.size() - 1)}});
 }
 
-void draw_component(Svg& svg, const Component& component, Direction direction) {
+void draw_component(Svg& svg, const groundmotions::Component& component,
+                    groundmotions::Direction direction) {
   const auto column = static_cast<std::size_t>(direction);
   const double step = component.time_step;
   const Eigen::VectorXd& acceleration = component.acceleration;
-  const IntegratedMotion motion = integrated(step, acceleration);
+  const groundmotions::IntegratedMotion motion = groundmotions::integrated(step, acceleration);
   const auto& velocity = motion.velocity;
   const auto& displacement = motion.displacement;
   const std::string name = fmt::format("{}{}", name_of(direction),
@@ -82,32 +83,34 @@ Curve spectrum_curve(const std::string& label, const Eigen::VectorXd& periods,
   return curve;
 }
 
-void draw_spectra(Svg& svg, const Record& record) {
-  const Eigen::VectorXd periods = logarithmic_periods(0.02, 10, 150);
+void draw_spectra(Svg& svg, const groundmotions::Record& record) {
+  const Eigen::VectorXd periods = groundmotions::logarithmic_periods(0.02, 10, 150);
   Panel panel{.title = "Pseudo-acceleration, 5 % damping",
               .x_label = "Period (s)",
               .y_label = "PSA (g)",
               .curves = {},
               .log_x = true,
               .legend_columns = 4};
-  for (const Direction direction : kDirections) {
+  for (const groundmotions::Direction direction : groundmotions::kDirections) {
     if (!record[direction]) continue;
-    const Component& component = *record[direction];
+    const groundmotions::Component& component = *record[direction];
     panel.curves.push_back(spectrum_curve(
         name_of(direction), periods,
-        response_spectrum(component.time_step, component.acceleration, periods).pseudo_acceleration,
+        groundmotions::response_spectrum(component.time_step, component.acceleration, periods)
+            .pseudo_acceleration,
         {.stroke = palette(static_cast<std::size_t>(direction)), .width = 1.2}));
   }
-  if (record[Direction::kH1] && record[Direction::kH2])
-    panel.curves.push_back(spectrum_curve("RotD50", periods,
-                                          combined_spectrum(Combination::kRotD50, record, periods),
-                                          {.stroke = "#000000", .width = 1.8}));
+  if (record[groundmotions::Direction::kH1] && record[groundmotions::Direction::kH2])
+    panel.curves.push_back(spectrum_curve(
+        "RotD50", periods,
+        groundmotions::combined_spectrum(groundmotions::Combination::kRotD50, record, periods),
+        {.stroke = "#000000", .width = 1.8}));
   draw(svg, {kLeft, kTop + 3 * kRow, 2 * kColumn + kPanelWidth, kSpectrumHeight}, panel);
 }
 
 }  // namespace
 
-std::string record_figure(const Record& record) {
+std::string record_figure(const groundmotions::Record& record) {
   Svg svg(kWidth, kTop + 3 * kRow + kSpectrumHeight + 55);
   svg.text(kLeft, 34, record.name, {.size = 17, .bold = true});
   svg.text(kLeft, 55,
@@ -117,10 +120,10 @@ std::string record_figure(const Record& record) {
                            ? "nothing done to the samples"
                            : fmt::format("after {} processing steps", record.processing.size())),
            {.size = 12, .color = "#555555"});
-  for (const Direction direction : kDirections)
+  for (const groundmotions::Direction direction : groundmotions::kDirections)
     if (record[direction]) draw_component(svg, *record[direction], direction);
   draw_spectra(svg, record);
   return svg.str();
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

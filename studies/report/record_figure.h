@@ -4,10 +4,10 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::report {
 
 /// One page of SVG: acceleration, velocity and displacement of each component from rest, what they
 /// leave at the end, and the response spectra (5 % damping) of the components and of RotD50.
-std::string record_figure(const Record& record);
+std::string record_figure(const groundmotions::Record& record);
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -5,14 +5,14 @@
 #include "groundmotions/measures/summary.h"
 #include "studies/report/record_report.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json measures_json(const Summary& summary) {
+Json measures_json(const groundmotions::Summary& summary) {
   Json result = Json::object();
-  for (const SummaryRow& row : summary.rows) {
+  for (const groundmotions::SummaryRow& row : summary.rows) {
     Json values = Json::object();
     for (const auto& [name, value] : row.values) values[name] = value;
     result[row.name] = {{"unit", row.unit}, {"definition", row.definition}, {"values", values}};
@@ -20,8 +20,9 @@ Json measures_json(const Summary& summary) {
   return result;
 }
 
-Json component_json(const Component& component) {
-  const EndMotion end = end_motion(component.time_step, component.acceleration);
+Json component_json(const groundmotions::Component& component) {
+  const groundmotions::EndMotion end =
+      groundmotions::end_motion(component.time_step, component.acceleration);
   Json header = Json::object();
   for (const auto& [name, value] : component.header) header[name] = value;
   return {{"name", component.name},
@@ -38,11 +39,11 @@ Json component_json(const Component& component) {
 
 }  // namespace
 
-std::string record_json(const Record& record, const std::vector<RecordFact>& facts) {
+std::string record_json(const groundmotions::Record& record, const std::vector<RecordFact>& facts) {
   Json components = Json::object();
-  for (const Direction direction : kDirections)
+  for (const groundmotions::Direction direction : groundmotions::kDirections)
     if (record[direction]) components[name_of(direction)] = component_json(*record[direction]);
-  const Summary measures = summary(record);
+  const groundmotions::Summary measures = summary(record);
   Json result = {{"name", record.name},
                  {"samples", record.samples()},
                  {"time_step_s", record.time_step()},
@@ -67,4 +68,4 @@ std::string records_json(const std::vector<std::string>& records,
   return Json{{"records", list}, {"refused", left_out}}.dump(2) + "\n";
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -13,24 +13,24 @@
 #include "groundmotions/measures/summary.h"
 #include "groundmotions/record/record_motion.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr int kColumn = 10;  ///< width of the columns of measures
 
-bool has_horizontals(const Record& record) {
-  return record[Direction::kH1] && record[Direction::kH2];
+bool has_horizontals(const groundmotions::Record& record) {
+  return record[groundmotions::Direction::kH1] && record[groundmotions::Direction::kH2];
 }
 
-std::string file_name(const Component& component) {
+std::string file_name(const groundmotions::Component& component) {
   return std::filesystem::path(component.file).filename().string();
 }
 
-std::string files_text(const Record& record) {
+std::string files_text(const groundmotions::Record& record) {
   std::string text;
-  for (const Direction direction : kDirections) {
+  for (const groundmotions::Direction direction : groundmotions::kDirections) {
     if (!record[direction]) continue;
-    const Component& c = *record[direction];
+    const groundmotions::Component& c = *record[direction];
     const std::string azimuth =
         c.azimuth ? fmt::format(", azimuth {:.0f}", *c.azimuth / kRadiansPerDegree) : "";
     text += fmt::format("  {:<9} {}, '{}'{}, {}, {}\n", name_of(direction), file_name(c), c.name,
@@ -41,7 +41,7 @@ std::string files_text(const Record& record) {
 }
 
 /// Facts of the headers; those that all components share are told once.
-std::string header_text(const Record& record) {
+std::string header_text(const groundmotions::Record& record) {
   std::string text;
   std::vector<RecordFact> told;
   for (const auto& component : record.components) {
@@ -55,16 +55,17 @@ std::string header_text(const Record& record) {
   return text;
 }
 
-std::string measures_text(const Record& record, const Summary& measures) {
+std::string measures_text(const groundmotions::Record& record,
+                          const groundmotions::Summary& measures) {
   std::vector<std::string> columns;
-  for (const Direction direction : kDirections)
+  for (const groundmotions::Direction direction : groundmotions::kDirections)
     if (record[direction]) columns.emplace_back(name_of(direction));
   if (has_horizontals(record)) columns.insert(columns.end(), {"RotD50", "RotD100"});
   std::string text = fmt::format("  {:<10}", "measure");
   for (const std::string& column : columns) text += fmt::format("{:>{}}", column, kColumn);
   text += "\n";
-  for (const SummaryRow& row : measures.rows) {
-    const DisplayUnit unit = display_unit_of(row.measure);
+  for (const groundmotions::SummaryRow& row : measures.rows) {
+    const groundmotions::DisplayUnit unit = groundmotions::display_unit_of(row.measure);
     text += fmt::format("  {:<10}", row.name);
     for (const std::string& column : columns) {
       const auto value =
@@ -79,11 +80,12 @@ std::string measures_text(const Record& record, const Summary& measures) {
   return text;
 }
 
-std::string end_text(const Record& record) {
+std::string end_text(const groundmotions::Record& record) {
   std::string velocity = "  v at end  ", displacement = "  d at end  ";
   for (const auto& component : record.components) {
     if (!component) continue;
-    const EndMotion end = end_motion(component->time_step, component->acceleration);
+    const groundmotions::EndMotion end =
+        groundmotions::end_motion(component->time_step, component->acceleration);
     velocity += fmt::format("{:>{}}", fmt::format("{:.2g}", end.velocity), kColumn);
     displacement += fmt::format("{:>{}}", fmt::format("{:.2g}", end.displacement), kColumn);
   }
@@ -101,21 +103,23 @@ std::string list_text(const char* title, const std::vector<std::string>& lines) 
 
 }  // namespace
 
-std::vector<std::string> record_findings(const Record& record) {
+std::vector<std::string> record_findings(const groundmotions::Record& record) {
   std::vector<std::string> findings = record.warnings;
-  const bool h1 = record[Direction::kH1].has_value(), h2 = record[Direction::kH2].has_value();
+  const bool h1 = record[groundmotions::Direction::kH1].has_value(),
+             h2 = record[groundmotions::Direction::kH2].has_value();
   if (!h1 && !h2)
     findings.push_back("h1 and h2 are missing: the record has no horizontal");
   else if (!h1 || !h2)
     findings.push_back(
         fmt::format("{} is missing: the record has one horizontal", h1 ? "h2" : "h1"));
   for (std::string& finding : implausible(record)) findings.push_back(std::move(finding));
-  for (std::string& finding : residual(floor_motion(record)).warnings)
+  for (std::string& finding : groundmotions::residual(groundmotions::floor_motion(record)).warnings)
     findings.push_back(std::move(finding));
   return findings;
 }
 
-std::string record_report(const Record& record, const std::vector<RecordFact>& facts) {
+std::string record_report(const groundmotions::Record& record,
+                          const std::vector<RecordFact>& facts) {
   std::string text = record.name + "\n" + files_text(record);
   text += fmt::format("  {:<9} {} samples, {:g} s apart, {:.2f} s\n", "samples", record.samples(),
                       record.time_step(),
@@ -125,7 +129,7 @@ std::string record_report(const Record& record, const std::vector<RecordFact>& f
   if (!facts.empty()) text += "\nfrom the suite\n";
   for (const auto& [name, value] : facts) text += fmt::format("  {:<28} {}\n", name, value);
   text += list_text("processing", record.processing);
-  const Summary measures = summary(record);
+  const groundmotions::Summary measures = summary(record);
   text += "\n" + measures_text(record, measures) + end_text(record);
   std::vector<std::string> findings = record_findings(record);
   findings.insert(findings.end(), measures.warnings.begin(), measures.warnings.end());
@@ -133,4 +137,4 @@ std::string record_report(const Record& record, const std::vector<RecordFact>& f
   return text;
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -6,23 +6,24 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::report {
 
 /// Name and value of something known of a record besides its files, such as magnitude.
 using RecordFact = std::pair<std::string, std::string>;
 
 /// Everything about one record: files, samples, header, processing, intensity measures of the
 /// components and of RotD50, what is left at the end, warnings. In 110 columns.
-std::string record_report(const Record& record, const std::vector<RecordFact>& facts);
+std::string record_report(const groundmotions::Record& record,
+                          const std::vector<RecordFact>& facts);
 
 /// What looks wrong: warnings of reading, of amplitudes, of what is left at the end.
-std::vector<std::string> record_findings(const Record& record);
+std::vector<std::string> record_findings(const groundmotions::Record& record);
 
 /// The same as a JSON object in SI units.
-std::string record_json(const Record& record, const std::vector<RecordFact>& facts);
+std::string record_json(const groundmotions::Record& record, const std::vector<RecordFact>& facts);
 
 /// An object with `records` (of record_json) and `refused` (file, reason).
 std::string records_json(const std::vector<std::string>& records,
                          const std::vector<std::pair<std::string, std::string>>& refused);
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -12,14 +12,14 @@
 #include "groundmotions/measures/integrate.h"
 #include "studies/report/record_report.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr std::size_t kHashDigits = 8;
 
 /// What the components have, each once, in their order.
 template <class Text>
-std::vector<std::string> distinct(const Record& record, Text text) {
+std::vector<std::string> distinct(const groundmotions::Record& record, Text text) {
   std::vector<std::string> all;
   for (const auto& component : record.components)
     if (component && std::ranges::find(all, text(*component)) == all.end())
@@ -30,18 +30,20 @@ std::vector<std::string> distinct(const Record& record, Text text) {
 std::string cell(double value) { return fmt::format("{:.3g}", value); }
 
 /// Of both horizontals by `combination`, or of the only component that there is.
-double of_horizontals(const Measure& measure, Combination combination, const Record& record) {
-  if (record[Direction::kH1] && record[Direction::kH2])
+double of_horizontals(const groundmotions::Measure& measure, groundmotions::Combination combination,
+                      const groundmotions::Record& record) {
+  if (record[groundmotions::Direction::kH1] && record[groundmotions::Direction::kH2])
     return value_of(measure, combination, record);
   const auto first = std::ranges::find_if(record.components, [](auto& c) { return c.has_value(); });
   return value_of(measure, (*first)->time_step, (*first)->acceleration);
 }
 
-double largest_end_velocity(const Record& record) {
+double largest_end_velocity(const groundmotions::Record& record) {
   double largest = 0;
   for (const auto& c : record.components)
     if (c)
-      largest = std::max(largest, std::abs(end_motion(c->time_step, c->acceleration).velocity));
+      largest = std::max(
+          largest, std::abs(groundmotions::end_motion(c->time_step, c->acceleration).velocity));
   return largest;
 }
 
@@ -51,8 +53,8 @@ constexpr const char* kColumns =
 
 }  // namespace
 
-std::string short_hash(const Record& record) {
-  auto hashes = distinct(record, [](const Component& c) { return c.sha256; });
+std::string short_hash(const groundmotions::Record& record) {
+  auto hashes = distinct(record, [](const groundmotions::Component& c) { return c.sha256; });
   std::erase(hashes, "");
   if (hashes.empty()) return "-";
   const std::string all = fmt::format("{}", fmt::join(hashes, ""));
@@ -67,28 +69,32 @@ std::string record_table_head() {
                      "SHA-256", "warnings");
 }
 
-std::string record_table_line(const Record& record) {
-  const auto mean = [&](MeasureKind kind) {
-    return cell(of_horizontals({kind}, Combination::kGeometricMean, record));
+std::string record_table_line(const groundmotions::Record& record) {
+  const auto mean = [&](groundmotions::MeasureKind kind) {
+    return cell(of_horizontals({kind}, groundmotions::Combination::kGeometricMean, record));
   };
-  const auto pga = [&](Direction direction) {
+  const auto pga = [&](groundmotions::Direction direction) {
     const auto& c = record[direction];
-    return c ? cell(value_of({MeasureKind::kPga}, c->time_step, c->acceleration) / kStandardGravity)
+    return c ? cell(groundmotions::value_of({groundmotions::MeasureKind::kPga}, c->time_step,
+                                            c->acceleration) /
+                    kStandardGravity)
              : std::string("-");
   };
   const auto duration = static_cast<double>(record.samples() - 1) * record.time_step();
-  const double sa = of_horizontals({MeasureKind::kSa, 1}, Combination::kRotD50, record);
+  const double sa = of_horizontals({groundmotions::MeasureKind::kSa, 1},
+                                   groundmotions::Combination::kRotD50, record);
   const auto findings = record_findings(record).size();
   return fmt::format(
       kColumns, record.name,
       fmt::format("{}", fmt::join(distinct(record, [](auto& c) { return c.format; }), "+")),
       fmt::format("{}", fmt::join(distinct(record, [](auto& c) { return c.unit; }), "+")),
       fmt::format("{:.4g}", record.time_step()), fmt::format("{:.2f}", duration),
-      pga(Direction::kH1), pga(Direction::kH2), pga(Direction::kVertical),
-      cell(sa / kStandardGravity), mean(MeasureKind::kPgv), mean(MeasureKind::kD595),
-      mean(MeasureKind::kArias), mean(MeasureKind::kCav),
+      pga(groundmotions::Direction::kH1), pga(groundmotions::Direction::kH2),
+      pga(groundmotions::Direction::kVertical), cell(sa / kStandardGravity),
+      mean(groundmotions::MeasureKind::kPgv), mean(groundmotions::MeasureKind::kD595),
+      mean(groundmotions::MeasureKind::kArias), mean(groundmotions::MeasureKind::kCav),
       fmt::format("{:.1g}", largest_end_velocity(record)), short_hash(record),
       findings ? std::to_string(findings) : "");
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

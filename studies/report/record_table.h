@@ -4,14 +4,14 @@
 
 #include "groundmotions/record/record.h"
 
-namespace gurney {
+namespace gurney::report {
 
 /// One line for each record, and the lines above them; docs/records.md explains the columns.
 std::string record_table_head();
-std::string record_table_line(const Record& record);
+std::string record_table_line(const groundmotions::Record& record);
 
 /// Eight hexadecimal digits that tell the files of a record: of the SHA-256 of its file or, of
 /// several, of the SHA-256 of their hashes one after the other, h1 first. "-" for no file.
-std::string short_hash(const Record& record);
+std::string short_hash(const groundmotions::Record& record);
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 std::string with(const std::string& spec, const auto& value) {
@@ -66,4 +66,4 @@ nlohmann::ordered_json ReportTable::json() const {
   return all;
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace gurney {
+namespace gurney::report {
 
 /// A column of a report: what people read and what programs read comes from the same cell.
 struct ReportColumn {
@@ -36,4 +36,4 @@ class ReportTable {
   std::vector<std::vector<Cell>> rows_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -4,12 +4,15 @@
 
 #include "studies/study/analysis/scale_factors.h"
 
-namespace gurney {
+namespace gurney::report {
 
-inline nlohmann::ordered_json scale_factors_json(const ScaleFactors& factors) {
-  return {{"lowest", factors.lowest()},       {"highest", factors.highest()},
-          {"records", factors.records()},     {"limits", {kSmallestFactor, kLargestFactor}},
-          {"records_above", factors.above()}, {"records_below", factors.below()}};
+inline nlohmann::ordered_json scale_factors_json(const study::ScaleFactors& factors) {
+  return {{"lowest", factors.lowest()},
+          {"highest", factors.highest()},
+          {"records", factors.records()},
+          {"limits", {study::kSmallestFactor, study::kLargestFactor}},
+          {"records_above", factors.above()},
+          {"records_below", factors.below()}};
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

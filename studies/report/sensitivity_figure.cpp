@@ -7,7 +7,7 @@
 #include "studies/report/sensitivity_report.h"
 #include "studies/study/analysis/report_unit.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr std::size_t kMostRows = 20, kLongestName = 46;
@@ -34,9 +34,10 @@ void draw_axis(Svg& svg, const Frame& frame, const Range& range, const std::stri
   svg.text(frame.x + frame.width / 2, bottom + 31, label, {.anchor = Anchor::kMiddle});
 }
 
-Range range_of_bars(const StudySensitivity& found, const std::vector<SensitiveInput>& inputs) {
+Range range_of_bars(const study::StudySensitivity& found,
+                    const std::vector<study::SensitiveInput>& inputs) {
   Range range{found.mean, found.mean};
-  for (const SensitiveInput& input : inputs) {
+  for (const study::SensitiveInput& input : inputs) {
     if (!input.drawn) continue;
     range.low = std::min({range.low, input.bar.low, input.bar.high});
     range.high = std::max({range.high, input.bar.low, input.bar.high});
@@ -46,7 +47,7 @@ Range range_of_bars(const StudySensitivity& found, const std::vector<SensitiveIn
 }
 
 void draw_index(Svg& svg, const Scaling& scaling, double y, double bar, std::size_t color,
-                const VarianceIndex& index) {
+                const statistics::VarianceIndex& index) {
   const double from = scaling.x(0), to = scaling.x(std::clamp(index.estimate, 0.0, 1.0));
   svg.rectangle(from, y - bar / 2, to - from, bar, {.stroke = "", .fill = palette(color)});
   svg.line(scaling.x(index.interval.low), y, scaling.x(index.interval.high), y, {.width = 1.4});
@@ -54,7 +55,7 @@ void draw_index(Svg& svg, const Scaling& scaling, double y, double bar, std::siz
     svg.line(scaling.x(end), y - bar / 3, scaling.x(end), y + bar / 3, {.width = 1.4});
 }
 
-void draw_indices(Svg& svg, const Scaling& scaling, double y, const SensitiveInput& input) {
+void draw_indices(Svg& svg, const Scaling& scaling, double y, const study::SensitiveInput& input) {
   if (!input.index) return;
   if (!input.total) return draw_index(svg, scaling, y, kBar, kFirst, *input.index);
   const double bar = 0.7 * kBar;
@@ -63,7 +64,8 @@ void draw_indices(Svg& svg, const Scaling& scaling, double y, const SensitiveInp
 }
 
 /// Low above, high below, each from the mean: both are seen where they go the same way.
-void draw_bar(Svg& svg, const Scaling& scaling, double y, const TornadoBar& bar, double mean) {
+void draw_bar(Svg& svg, const Scaling& scaling, double y, const statistics::TornadoBar& bar,
+              double mean) {
   const auto half = [&](double end, double top, std::size_t color) {
     const double x = std::min(scaling.x(end), scaling.x(mean));
     svg.rectangle(x, top, std::abs(scaling.x(end) - scaling.x(mean)), kBar / 2,
@@ -74,9 +76,9 @@ void draw_bar(Svg& svg, const Scaling& scaling, double y, const TornadoBar& bar,
 }
 
 /// What the tornado draws, in a unit.
-StudySensitivity in_unit(StudySensitivity found, double unit) {
+study::StudySensitivity in_unit(study::StudySensitivity found, double unit) {
   found.mean /= unit;
-  for (SensitiveInput& input : found.inputs) {
+  for (study::SensitiveInput& input : found.inputs) {
     input.bar.low /= unit;
     input.bar.high /= unit;
   }
@@ -86,9 +88,9 @@ StudySensitivity in_unit(StudySensitivity found, double unit) {
 }  // namespace
 
 std::string sensitivity_figure(const SensitivityReport& report) {
-  const ReportUnit unit = report_unit(report.found.units);
-  const StudySensitivity found = in_unit(report.found, unit.in_si);
-  std::vector<SensitiveInput> inputs = found.inputs;
+  const study::ReportUnit unit = study::report_unit(report.found.units);
+  const study::StudySensitivity found = in_unit(report.found, unit.in_si);
+  std::vector<study::SensitiveInput> inputs = found.inputs;
   if (inputs.size() > kMostRows) inputs.resize(kMostRows);
   const double height = kRow * static_cast<double>(std::max<std::size_t>(1, inputs.size()));
   Svg svg(kNames + 2 * kWidth + kGap + 40, kTop + height + 55);
@@ -128,4 +130,4 @@ std::string sensitivity_figure(const SensitivityReport& report) {
   return svg.str();
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

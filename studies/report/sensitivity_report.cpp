@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "studies/report/json_values.h"
 #include "studies/study/analysis/report_unit.h"
+#include "studies/report/json_values.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -18,17 +18,18 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kFew = 100;
 constexpr double kMuchLeft = 0.2;
 
-std::string with_unit(double value, const ReportUnit& unit) {
+std::string with_unit(double value, const study::ReportUnit& unit) {
   return fmt::format("{:.3g}{}", value / unit.in_si, unit.name == "1" ? "" : " " + unit.name);
 }
 
-std::string index_text(const std::optional<VarianceIndex>& index) {
+std::string index_text(const std::optional<statistics::VarianceIndex>& index) {
   if (!index) return fmt::format("{:>6}  {:<14}", "-", "too few runs");
   return fmt::format("{:>6.2f}  {:<14}", index->estimate,
                      fmt::format("{:.2f} to {:.2f}", index->interval.low, index->interval.high));
 }
 
-std::string row_text(const SensitiveInput& input, std::size_t width, const ReportUnit& unit) {
+std::string row_text(const study::SensitiveInput& input, std::size_t width,
+                     const study::ReportUnit& unit) {
   std::string text = fmt::format("{:<{}} ", name_of(input), width) + index_text(input.index);
   if (input.total) text += " " + index_text(input.total);
   if (!input.drawn) return text + "\n";
@@ -41,23 +42,24 @@ std::string row_text(const SensitiveInput& input, std::size_t width, const Repor
                             input.bar.swing() / unit.in_si);
 }
 
-std::string table_text(const StudySensitivity& found) {
+std::string table_text(const study::StudySensitivity& found) {
   std::size_t width = 8;
-  for (const SensitiveInput& input : found.inputs) width = std::max(width, name_of(input).size());
+  for (const study::SensitiveInput& input : found.inputs)
+    width = std::max(width, name_of(input).size());
   const auto percent = [](double share) { return fmt::format("{:g} %", 100 * share); };
   std::string text = fmt::format("{:<{}} {:>6}  {:<14}", "input", width,
                                  found.designed ? "first" : "index", "95 % interval");
   if (found.designed) text += fmt::format(" {:>6}  {:<14}", "total", "95 % interval");
   text += fmt::format(" {:>10} {:>10}  {:<20} {:<20} {:>10}\n", percent(found.share),
                       percent(1 - found.share), "mean below", "mean above", "swing");
-  for (const SensitiveInput& input : found.inputs)
-    text += row_text(input, width, report_unit(found.units));
+  for (const study::SensitiveInput& input : found.inputs)
+    text += row_text(input, width, study::report_unit(found.units));
   return text;
 }
 
-std::string remarks(const StudySensitivity& found) {
+std::string remarks(const study::StudySensitivity& found) {
   std::string text;
-  const auto lead = std::ranges::find_if(found.inputs, [](const SensitiveInput& input) {
+  const auto lead = std::ranges::find_if(found.inputs, [](const study::SensitiveInput& input) {
     const auto& index = input.total ? input.total : input.index;
     return index && index->interval.low > 0;
   });
@@ -83,7 +85,7 @@ std::string remarks(const StudySensitivity& found) {
         "{}An index is of an input alone: what inputs do only together (interactions) "
         "is in none of them.\n",
         rest);
-  for (const SensitiveInput& input : found.inputs)
+  for (const study::SensitiveInput& input : found.inputs)
     if (input.names.size() > 1)
       text += fmt::format("Equal in every run, so one input: {}.\n", fmt::join(input.names, ", "));
   for (const auto& names : found.correlated)
@@ -117,12 +119,14 @@ std::string remarks(const StudySensitivity& found) {
   return text;
 }
 
-void add_index(Json& json, const std::string& before, const std::optional<VarianceIndex>& index) {
+void add_index(Json& json, const std::string& before,
+               const std::optional<statistics::VarianceIndex>& index) {
   json[before + "index"] = index ? json_number(index->estimate) : Json();
-  json[before + "interval"] = index ? json_interval(index->interval) : Json();
+  json[before + "interval"] =
+      index ? json_interval(index->interval) : Json();
 }
 
-Json input_json(const SensitiveInput& input) {
+Json input_json(const study::SensitiveInput& input) {
   Json json{{"names", input.names}, {"drawn", input.drawn}};
   add_index(json, "", input.index);
   if (input.total) add_index(json, "total_", input.total);
@@ -139,7 +143,7 @@ Json input_json(const SensitiveInput& input) {
 
 }  // namespace
 
-std::string name_of(const SensitiveInput& input) {
+std::string name_of(const study::SensitiveInput& input) {
   if (input.names.size() == 1) return input.names.front();
   return fmt::format("{} and {} equal to it", input.names.front(), input.names.size() - 1);
 }
@@ -147,7 +151,7 @@ std::string name_of(const SensitiveInput& input) {
 std::string sensitivity_text(const std::vector<SensitivityReport>& reports) {
   std::string text;
   for (const SensitivityReport& report : reports) {
-    const StudySensitivity& found = report.found;
+    const study::StudySensitivity& found = report.found;
     if (!report.why_not.empty()) {
       text +=
           fmt::format("{}{}: {}\n", text.empty() ? "" : "\n", report.configuration, report.why_not);
@@ -157,8 +161,8 @@ std::string sensitivity_text(const std::vector<SensitivityReport>& reports) {
         fmt::format("{}{}{}{}: mean {}, standard deviation {}, {} runs\n", text.empty() ? "" : "\n",
                     found.output, report.configuration.empty() ? "" : ", " + report.configuration,
                     found.level.empty() ? "" : ", " + found.level,
-                    with_unit(found.mean, report_unit(found.units)),
-                    with_unit(found.deviation, report_unit(found.units)), found.runs);
+                    with_unit(found.mean, study::report_unit(found.units)),
+                    with_unit(found.deviation, study::report_unit(found.units)), found.runs);
     text += table_text(found) + remarks(found);
   }
   return text;
@@ -167,13 +171,13 @@ std::string sensitivity_text(const std::vector<SensitivityReport>& reports) {
 std::string sensitivity_json(const std::vector<SensitivityReport>& reports) {
   Json json = Json::array();
   for (const SensitivityReport& report : reports) {
-    const StudySensitivity& found = report.found;
+    const study::StudySensitivity& found = report.found;
     if (!report.why_not.empty()) {
       json.push_back({{"configuration", report.configuration}, {"why_not", report.why_not}});
       continue;
     }
     Json inputs = Json::array();
-    for (const SensitiveInput& input : found.inputs) inputs.push_back(input_json(input));
+    for (const study::SensitiveInput& input : found.inputs) inputs.push_back(input_json(input));
     json.push_back({{"configuration", report.configuration},
                     {"output", found.output},
                     {"units", found.units},
@@ -194,4 +198,4 @@ std::string sensitivity_json(const std::vector<SensitivityReport>& reports) {
   return json.dump(2) + "\n";
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -5,17 +5,17 @@
 
 #include "studies/study/analysis/study_sensitivity.h"
 
-namespace gurney {
+namespace gurney::report {
 
 /// What `gurney sensitivity` tells of one configuration.
 struct SensitivityReport {
   std::string configuration;
-  StudySensitivity found;
+  study::StudySensitivity found;
   std::string why_not;  ///< nothing was found; empty: it was
 };
 
 /// "mass_kg", or "static_friction and 7 equal to it".
-std::string name_of(const SensitiveInput& input);
+std::string name_of(const study::SensitiveInput& input);
 
 std::string sensitivity_text(const std::vector<SensitivityReport>& reports);
 std::string sensitivity_json(const std::vector<SensitivityReport>& reports);
@@ -23,4 +23,4 @@ std::string sensitivity_json(const std::vector<SensitivityReport>& reports);
 /// Indices with their intervals, and beside them the tornado.
 std::string sensitivity_figure(const SensitivityReport& report);
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -7,7 +7,7 @@
 #include "engine/base/units.h"
 #include "studies/study/results/names.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 std::string millimetres(double metres) {
@@ -112,13 +112,13 @@ std::string motions(const Response& response, const std::vector<std::string>& na
 
 }  // namespace
 
-std::string story(const RunFacts& facts, const Response& response) {
+std::string story(const study::RunFacts& facts, const Response& response) {
   if (is_failure(response.outcome))
     return fmt::format(
         "The run {} at {:.4g} s: {}. Its results must not be used.",
         response.outcome == Outcome::kUntrusted ? "is UNTRUSTED; it ended" : "DIVERGED",
         response.end_time, response.cause);
-  const std::vector<std::string> names = item_names(facts.scene);
+  const std::vector<std::string> names = study::item_names(facts.scene);
   const Demands& first = response.items[0].demands;
   std::string text = response.items.size() == 1
                          ? motion(first) + lifting(first) + ending(response) + "\n"
@@ -129,4 +129,4 @@ std::string story(const RunFacts& facts, const Response& response) {
   return text;
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

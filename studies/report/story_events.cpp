@@ -9,7 +9,7 @@
 #include "studies/report/story.h"
 #include "studies/study/results/names.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 /// All impacts of an item with one other thing.
@@ -102,9 +102,9 @@ std::string pulse_text(const FloorPulse& pulse) {
 }
 
 /// Names of the items that are in a zone in the last sample of the histories.
-std::vector<std::string> items_in(const Zone& zone, const RunFacts& facts,
+std::vector<std::string> items_in(const Zone& zone, const study::RunFacts& facts,
                                   const Response& response) {
-  const std::vector<std::string> names = item_names(facts.scene);
+  const std::vector<std::string> names = study::item_names(facts.scene);
   const Polygon area = footprint(zone);
   std::vector<std::string> result;
   for (std::size_t i = 0; i < response.items.size(); ++i) {
@@ -131,8 +131,8 @@ std::string story_of_impacts(const Response& response, const std::vector<std::st
   return text;
 }
 
-std::string story_of_falls(const RunFacts& facts, const Response& response) {
-  const std::vector<std::string> names = item_names(facts.scene);
+std::string story_of_falls(const study::RunFacts& facts, const Response& response) {
+  const std::vector<std::string> names = study::item_names(facts.scene);
   std::string text;
   for (const Fall& fall : falls(facts, response)) {
     text += fmt::format("{} OVERTURNED at {:.2f} s", names.at(fall.item), fall.time);
@@ -144,7 +144,7 @@ std::string story_of_falls(const RunFacts& facts, const Response& response) {
   return text;
 }
 
-std::string story_of_zones(const RunFacts& facts, const Response& response) {
+std::string story_of_zones(const study::RunFacts& facts, const Response& response) {
   std::string text;
   for (std::size_t i = 0; i < response.zones.size(); ++i) {
     const ZoneOutcome& outcome = response.zones[i];
@@ -171,8 +171,8 @@ std::string story_of_zones(const RunFacts& facts, const Response& response) {
   return text;
 }
 
-std::string story_of_tethers(const RunFacts& facts, const Response& response) {
-  const std::vector<std::string> names = item_names(facts.scene);
+std::string story_of_tethers(const study::RunFacts& facts, const Response& response) {
+  const std::vector<std::string> names = study::item_names(facts.scene);
   std::string text;
   for (std::size_t i = 0; i < response.tethers.size(); ++i) {
     const TetherOutcome& outcome = response.tethers[i];
@@ -191,4 +191,4 @@ std::string story_of_tethers(const RunFacts& facts, const Response& response) {
   return text;
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

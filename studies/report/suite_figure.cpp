@@ -5,7 +5,7 @@
 #include "engine/base/units.h"
 #include "studies/report/panel.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 Curve curve(const std::string& label, const Eigen::VectorXd& periods,
@@ -17,8 +17,9 @@ Curve curve(const std::string& label, const Eigen::VectorXd& periods,
 
 }  // namespace
 
-std::string suite_figure(const TargetSpectrum& target, const Eigen::VectorXd& periods,
-                         const Eigen::MatrixXd& spectra, const SuiteScaling& scaling) {
+std::string suite_figure(const groundmotions::TargetSpectrum& target,
+                         const Eigen::VectorXd& periods, const Eigen::MatrixXd& spectra,
+                         const groundmotions::SuiteScaling& scaling) {
   Svg svg(900, 470);
   svg.text(70, 34,
            fmt::format("{} record{} scaled to {}, {:g} % damping", spectra.rows(),
@@ -45,4 +46,4 @@ std::string suite_figure(const TargetSpectrum& target, const Eigen::VectorXd& pe
   return svg.str();
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -13,7 +13,7 @@
 #include "studies/study/results/columns.h"
 #include "studies/study/results/names.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 /// What says nothing of an item without casters.
@@ -47,10 +47,10 @@ std::string number_line(const std::string& name, const std::string& value,
 }
 
 template <class Row>
-std::string list(std::span<const TableColumn<Row>> columns, const Row& row,
+std::string list(std::span<const study::TableColumn<Row>> columns, const Row& row,
                  const std::set<std::string>& without = {}) {
   std::string result;
-  for (const TableColumn<Row>& column : columns) {
+  for (const study::TableColumn<Row>& column : columns) {
     const double value = column.value(row);
     if (without.count(column.name) > 0 || column.is_missing(value)) continue;
     std::string units = column.units;
@@ -62,13 +62,13 @@ std::string list(std::span<const TableColumn<Row>> columns, const Row& row,
 
 /// A column for each quantity, a row for each wheel or point.
 template <class Row>
-std::string table(const std::string& heading, std::span<const TableColumn<Row>> columns,
+std::string table(const std::string& heading, std::span<const study::TableColumn<Row>> columns,
                   const std::vector<std::string>& names, const std::vector<Row>& rows) {
   std::size_t width = 18;
   for (const std::string& name : names) width = std::max(width, name.size());
   std::string titles = fmt::format("\n  {:<{}}", heading, width);
   std::string units_line = fmt::format("  {:<{}}", "", width);
-  for (const TableColumn<Row>& column : columns) {
+  for (const study::TableColumn<Row>& column : columns) {
     std::string units = column.units;
     shown(0, units, false);
     const std::string words = words_of(column.name);
@@ -78,7 +78,7 @@ std::string table(const std::string& heading, std::span<const TableColumn<Row>> 
   std::string result = titles + "\n" + units_line + "\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     result += fmt::format("  {:<{}}", names.at(i), width);
-    for (const TableColumn<Row>& column : columns) {
+    for (const study::TableColumn<Row>& column : columns) {
       std::string units = column.units;
       const double value = column.value(rows[i]);
       const std::string text =
@@ -105,7 +105,7 @@ std::string item_line(const std::string& name, const EquipmentModel& model) {
 }
 
 /// The story, its lines broken; what belongs to a heading stays indented.
-std::string story_text(const RunFacts& facts, const Response& response) {
+std::string story_text(const study::RunFacts& facts, const Response& response) {
   std::istringstream lines(story(facts, response));
   std::string text = "\n";
   for (std::string line; std::getline(lines, line);) {
@@ -119,12 +119,15 @@ std::string story_text(const RunFacts& facts, const Response& response) {
 std::string demands_text(const EquipmentModel& model, const Demands& demands) {
   std::string text = fmt::format("  {:<32}{:>12}\n", "demand", "value");
   const bool rolls = !model.casters.empty();
-  text += list(demand_columns(), demands, rolls ? std::set<std::string>{} : kDemandsOfWheels);
+  text +=
+      list(study::demand_columns(), demands, rolls ? std::set<std::string>{} : kDemandsOfWheels);
   // When wheels lifted before a fall, and numerical accelerations, are told in words.
   if (rolls)
-    text += table("wheel", wheel_demand_columns().first(5), caster_names(model), demands.wheels);
+    text += table("wheel", study::wheel_demand_columns().first(5), study::caster_names(model),
+                  demands.wheels);
   if (!demands.points.empty())
-    text += table("point", point_demand_columns().first(3), point_names(model), demands.points);
+    text += table("point", study::point_demand_columns().first(3), study::point_names(model),
+                  demands.points);
   return text;
 }
 
@@ -164,9 +167,9 @@ std::string numerical_text(const std::vector<ItemResponse>& items) {
   return fmt::format("\n{}\n", wrapped(text, 6, 0));
 }
 
-std::string record_text(const RunFacts& facts) {
+std::string record_text(const study::RunFacts& facts) {
   if (!facts.record) return "  floor    at rest\n";
-  const RecordFacts& r = *facts.record;
+  const study::RecordFacts& r = *facts.record;
   std::string text = fmt::format("  floor    {}: {:.2f} s, sampled every {:g} s\n", r.name,
                                  r.duration, r.time_step);
   for (const std::string& component : r.components)
@@ -192,9 +195,9 @@ std::string record_text(const RunFacts& facts) {
 }
 
 /// "item.toml 32, caster.toml 25"
-std::string assumed_by_file(const std::vector<AssumptionFacts>& assumptions) {
+std::string assumed_by_file(const std::vector<study::AssumptionFacts>& assumptions) {
   std::vector<std::pair<std::string, int>> counts;
-  for (const AssumptionFacts& a : assumptions) {
+  for (const study::AssumptionFacts& a : assumptions) {
     const auto known = std::find_if(counts.begin(), counts.end(),
                                     [&](const auto& count) { return count.first == a.file; });
     if (known != counts.end()) {
@@ -209,18 +212,18 @@ std::string assumed_by_file(const std::vector<AssumptionFacts>& assumptions) {
   return text;
 }
 
-std::string drawn_text(const RunFacts& facts) {
+std::string drawn_text(const study::RunFacts& facts) {
   if (!facts.draw) return "";
   std::string text = fmt::format("\n  {}: {} numbers\n", facts.draw->text(), facts.drawn.size());
   std::size_t width = 0;
-  for (const DrawnFacts& each : facts.drawn) width = std::max(width, each.variable.size());
-  for (const DrawnFacts& each : facts.drawn)
+  for (const study::DrawnFacts& each : facts.drawn) width = std::max(width, each.variable.size());
+  for (const study::DrawnFacts& each : facts.drawn)
     text += fmt::format("  {:<{}}  {:>10.5g}{}\n", each.variable, width, each.value,
                         each.unit == "1" ? "" : " " + each.unit);
   return text;
 }
 
-std::string notes(const RunFacts& facts) {
+std::string notes(const study::RunFacts& facts) {
   std::string text = drawn_text(facts);
   for (const std::string& warning : facts.warnings)
     text += fmt::format("\nwarning: {}\n", wrapped(warning, 9, 9));
@@ -236,8 +239,8 @@ std::string notes(const RunFacts& facts) {
 
 }  // namespace
 
-std::string summary(const RunFacts& facts, const Response& response) {
-  const std::vector<std::string> names = item_names(facts.scene);
+std::string summary(const study::RunFacts& facts, const Response& response) {
+  const std::vector<std::string> names = study::item_names(facts.scene);
   std::string text = (facts.title.empty() ? facts.job_name : facts.title) + "\n\n";
   for (std::size_t i = 0; i < names.size(); ++i)
     text += item_line(names[i], facts.scene.items[i].model);
@@ -246,8 +249,8 @@ std::string summary(const RunFacts& facts, const Response& response) {
                             : items_text(names, response.items);
   text += numerical_text(response.items);
   text += fmt::format("\n  {:<32}{:>12}\n", "quality", "value");
-  text += list(quality_columns(), response.quality);
+  text += list(study::quality_columns(), response.quality);
   return text + notes(facts);
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

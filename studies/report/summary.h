@@ -5,13 +5,13 @@
 #include "engine/response/response.h"
 #include "studies/study/results/run_facts.h"
 
-namespace gurney {
+namespace gurney::report {
 
 /// What a run did, to be read in a terminal of 100 columns.
-std::string summary(const RunFacts& facts, const Response& response);
+std::string summary(const study::RunFacts& facts, const Response& response);
 
 /// The same facts as JSON: SI units, names as in the results file. A number that does not exist is
 /// null.
-std::string summary_json(const RunFacts& facts, const Response& response);
+std::string summary_json(const study::RunFacts& facts, const Response& response);
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -7,15 +7,15 @@
 #include "studies/study/results/columns.h"
 #include "studies/study/results/names.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 template <class Row>
-Json object(std::span<const TableColumn<Row>> columns, const Row& row) {
+Json object(std::span<const study::TableColumn<Row>> columns, const Row& row) {
   Json result = Json::object();
-  for (const TableColumn<Row>& column : columns) {
+  for (const study::TableColumn<Row>& column : columns) {
     const double value = column.value(row);
     if (column.is_missing(value)) {
       result[column.name] = nullptr;
@@ -29,7 +29,7 @@ Json object(std::span<const TableColumn<Row>> columns, const Row& row) {
 }
 
 template <class Row, class Named>
-Json named_objects(std::span<const TableColumn<Row>> columns, const std::vector<Row>& rows,
+Json named_objects(std::span<const study::TableColumn<Row>> columns, const std::vector<Row>& rows,
                    const std::vector<Named>& named) {
   Json result = Json::array();
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -42,40 +42,40 @@ Json named_objects(std::span<const TableColumn<Row>> columns, const std::vector<
 
 Json vector(const Vector3& value) { return {value.x(), value.y(), value.z()}; }
 
-Json items(const RunFacts& facts, const Response& response) {
-  const std::vector<std::string> names = item_names(facts.scene);
+Json items(const study::RunFacts& facts, const Response& response) {
+  const std::vector<std::string> names = study::item_names(facts.scene);
   Json result = Json::array();
   for (std::size_t i = 0; i < response.items.size(); ++i) {
     const ItemResponse& item = response.items[i];
     const EquipmentModel& model = facts.scene.items.at(i).model;
-    result.push_back(
-        {{"name", names.at(i)},
-         {"model", model.name},
-         {"demands", object(demand_columns(), item.demands)},
-         {"wheels", named_objects(wheel_demand_columns(), item.demands.wheels, model.casters)},
-         {"points",
-          named_objects(point_demand_columns(), item.demands.points, model.marked_points)},
-         {"energy", object(energy_columns(), item.energy)}});
+    result.push_back({{"name", names.at(i)},
+                      {"model", model.name},
+                      {"demands", object(study::demand_columns(), item.demands)},
+                      {"wheels", named_objects(study::wheel_demand_columns(), item.demands.wheels,
+                                               model.casters)},
+                      {"points", named_objects(study::point_demand_columns(), item.demands.points,
+                                               model.marked_points)},
+                      {"energy", object(study::energy_columns(), item.energy)}});
   }
   return result;
 }
 
-Json impacts(const RunFacts& facts, const Response& response) {
-  const std::vector<std::string> names = item_names(facts.scene);
+Json impacts(const study::RunFacts& facts, const Response& response) {
+  const std::vector<std::string> names = study::item_names(facts.scene);
   Json result = Json::array();
   for (const Impact& impact : response.impacts) {
     Json entry{{"item", names.at(impact.item)},
                {"body", impact.body},
                {"other", impact.other},
                {"other_body", impact.other_body}};
-    entry.update(object(impact_columns(), impact));
+    entry.update(object(study::impact_columns(), impact));
     result.push_back(entry);
   }
   return result;
 }
 
-Json falls_of(const RunFacts& facts, const Response& response) {
-  const std::vector<std::string> names = item_names(facts.scene);
+Json falls_of(const study::RunFacts& facts, const Response& response) {
+  const std::vector<std::string> names = study::item_names(facts.scene);
   Json result = Json::array();
   for (const Fall& fall : falls(facts, response)) {
     Json liftoffs = Json::array();
@@ -97,9 +97,9 @@ Json falls_of(const RunFacts& facts, const Response& response) {
   return result;
 }
 
-Json record(const RecordFacts& facts) {
+Json record(const study::RecordFacts& facts) {
   Json files = Json::array();
-  for (const FileFacts& file : facts.files)
+  for (const study::FileFacts& file : facts.files)
     files.push_back({{"name", file.name}, {"sha256", file.sha256}});
   return {{"name", facts.name},
           {"files", files},
@@ -114,9 +114,9 @@ Json record(const RecordFacts& facts) {
           {"residual_displacement_m", vector(facts.residual_displacement)}};
 }
 
-Json assumptions(const std::vector<AssumptionFacts>& facts) {
+Json assumptions(const std::vector<study::AssumptionFacts>& facts) {
   Json result = Json::array();
-  for (const AssumptionFacts& a : facts)
+  for (const study::AssumptionFacts& a : facts)
     result.push_back({{"key", a.key},
                       {"value", a.value},
                       {"range", a.range},
@@ -125,10 +125,10 @@ Json assumptions(const std::vector<AssumptionFacts>& facts) {
   return result;
 }
 
-Json draw(const RunFacts& facts) {
+Json draw(const study::RunFacts& facts) {
   if (!facts.draw) return nullptr;
   Json numbers = Json::array();
-  for (const DrawnFacts& each : facts.drawn)
+  for (const study::DrawnFacts& each : facts.drawn)
     numbers.push_back({{"variable", each.variable},
                        {"value", each.value},
                        {"unit", each.unit},
@@ -139,8 +139,8 @@ Json draw(const RunFacts& facts) {
 
 }  // namespace
 
-std::string summary_json(const RunFacts& facts, const Response& response) {
-  const BuildInfo build = build_info();
+std::string summary_json(const study::RunFacts& facts, const Response& response) {
+  const build_info::BuildInfo build = build_info::build_info();
   Json json{{"title", facts.title},
             {"job_name", facts.job_name},
             {"job_sha256", facts.job_sha256},
@@ -155,13 +155,13 @@ std::string summary_json(const RunFacts& facts, const Response& response) {
   json["items"] = items(facts, response);
   json["impacts"] = impacts(facts, response);
   json["falls"] = falls_of(facts, response);
-  json["zones"] = named_objects(zone_columns(), response.zones, facts.scene.zones);
-  json["tethers"] = named_objects(tether_columns(), response.tethers, facts.scene.tethers);
-  json["quality"] = object(quality_columns(), response.quality);
+  json["zones"] = named_objects(study::zone_columns(), response.zones, facts.scene.zones);
+  json["tethers"] = named_objects(study::tether_columns(), response.tethers, facts.scene.tethers);
+  json["quality"] = object(study::quality_columns(), response.quality);
   json["warnings"] = facts.warnings;
   json["draw"] = draw(facts);
   json["assumptions"] = assumptions(facts.assumptions);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

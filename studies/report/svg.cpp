@@ -4,7 +4,7 @@
 
 #include "engine/base/printable.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 std::string style_of(const Pen& pen) {
@@ -94,4 +94,4 @@ std::string Svg::str() const {
          body_ + "</svg>\n";
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace gurney {
+namespace gurney::report {
 
 /// How a line or an area is drawn. An empty colour draws nothing.
 struct Pen {
@@ -50,4 +50,4 @@ class Svg {
   int clips_ = 0;
 };
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -8,7 +8,7 @@
 #include "studies/report/panel.h"
 #include "studies/report/vector_report.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kSide = 330, kLeft = 80, kGap = 90, kTop = 110, kRow = 430;
@@ -21,8 +21,8 @@ struct Cloud {
   Range x{1e300, -1e300}, y{1e300, -1e300};
   Svg::Points points;
 
-  Cloud(const VectorResult& result, const std::array<ReportUnit, 2>& units) {
-    for (const VectorObservation& each : result.runs) {
+  Cloud(const study::VectorResult& result, const std::array<study::ReportUnit, 2>& units) {
+    for (const statistics::VectorObservation& each : result.runs) {
       points.emplace_back(std::log10(each.first / units[0].in_si),
                           std::log10(each.second / units[1].in_si));
       const auto widen = [](Range& range, double value) {
@@ -74,8 +74,8 @@ std::vector<std::pair<double, double>> inside(const Cloud& cloud, double slope_x
   return ends;
 }
 
-void draw_result(Svg& svg, const Frame& frame, const VectorResult& result,
-                 const std::array<ReportUnit, 2>& units) {
+void draw_result(Svg& svg, const Frame& frame, const study::VectorResult& result,
+                 const std::array<study::ReportUnit, 2>& units) {
   if (result.runs.empty()) return;
   const Cloud cloud(result, units);
   const std::string title =
@@ -91,7 +91,7 @@ void draw_result(Svg& svg, const Frame& frame, const VectorResult& result,
       svg.circle(scaling.x(cloud.points[i].first), scaling.y(cloud.points[i].second),
                  hit ? kDot : kRing, {.stroke = color, .width = 1.2, .fill = hit ? color : ""});
     }
-  if (result.fit.status != VectorStatus::kFitted) {
+  if (result.fit.status != statistics::VectorStatus::kFitted) {
     svg.text(frame.x + 8, frame.y + 18, "no fit", {.color = "#555555"});
     return;
   }
@@ -111,7 +111,8 @@ void draw_result(Svg& svg, const Frame& frame, const VectorResult& result,
 
 }  // namespace
 
-std::string vector_figure(const StudyData& data, const std::vector<VectorResult>& results) {
+std::string vector_figure(const study::StudyData& data,
+                          const std::vector<study::VectorResult>& results) {
   const std::size_t across = std::min(kAcross, results.size());
   const std::size_t rows = (results.size() + across - 1) / across;
   Svg svg(kLeft + static_cast<double>(across) * (kSide + kGap),
@@ -124,11 +125,11 @@ std::string vector_figure(const StudyData& data, const std::vector<VectorResult>
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Frame frame{kLeft + static_cast<double>(i % across) * (kSide + kGap),
                       kTop + kRow * static_cast<double>(i / across), kSide, kSide};
-    draw_result(
-        svg, frame, results[i],
-        {report_unit(data, results[i].measures[0]), report_unit(data, results[i].measures[1])});
+    draw_result(svg, frame, results[i],
+                {study::report_unit(data, results[i].measures[0]),
+                 study::report_unit(data, results[i].measures[1])});
   }
   return svg.str();
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

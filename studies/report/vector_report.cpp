@@ -9,32 +9,32 @@
 #include "studies/report/fragility_report.h"
 #include "studies/report/json_values.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 constexpr double kSignificant = 0.05;
 
-Eigen::Matrix3d covariance_of(const VectorFit& fit) {
+Eigen::Matrix3d covariance_of(const statistics::VectorFit& fit) {
   return fit.groups > 1 ? fit.cluster_covariance : fit.covariance;
 }
 
-std::string slope_text(const VectorFit& fit, Eigen::Index slope) {
+std::string slope_text(const statistics::VectorFit& fit, Eigen::Index slope) {
   return fmt::format("{:.2f} (+-{:.2f})", fit.plane[slope],
                      std::sqrt(covariance_of(fit)(slope, slope)));
 }
 
-std::string beta_of(const FragilityFit& fit) {
+std::string beta_of(const statistics::FragilityFit& fit) {
   return fit.curve ? fmt::format("{:.2f}", fit.curve->beta) : "-";
 }
 
-std::string row(const VectorResult& result, const std::array<ReportUnit, 2>& units,
+std::string row(const study::VectorResult& result, const std::array<study::ReportUnit, 2>& units,
                 std::size_t wide, std::size_t state_wide) {
-  const VectorFit& fit = result.fit;
+  const statistics::VectorFit& fit = result.fit;
   std::string line = fmt::format("{:<{}}  {:<{}}  {:>5} of {:<5}  ", result.configuration, wide,
                                  result.state, state_wide, fit.exceeded, fit.runs);
-  if (fit.status != VectorStatus::kFitted) return line + text(fit.status) + "\n";
+  if (fit.status != statistics::VectorStatus::kFitted) return line + text(fit.status) + "\n";
   const double intercept = fit.plane[2] + fit.plane[0] * std::log(units[0].in_si) +
                            fit.plane[1] * std::log(units[1].in_si);
   return line + fmt::format("{:<14}  {:<14}  {:>6.2f}  {:>8.2g} {:>8.2g}  {:>5.2f}  {:>7}  {:>7}\n",
@@ -44,9 +44,9 @@ std::string row(const VectorResult& result, const std::array<ReportUnit, 2>& uni
 }
 
 /// What a row means, where there is a fit.
-std::string meaning(const VectorResult& result) {
-  const VectorFit& fit = result.fit;
-  if (fit.status != VectorStatus::kFitted) return "";
+std::string meaning(const study::VectorResult& result) {
+  const statistics::VectorFit& fit = result.fit;
+  if (fit.status != statistics::VectorStatus::kFitted) return "";
   const std::string name =
       result.configuration.empty() ? result.state : result.configuration + ", " + result.state;
   const auto &first = result.measures[0].name, &second = result.measures[1].name;
@@ -70,15 +70,16 @@ std::string meaning(const VectorResult& result) {
 
 }  // namespace
 
-std::string vector_report(const StudyData& data, const std::vector<VectorResult>& results) {
+std::string vector_report(const study::StudyData& data,
+                          const std::vector<study::VectorResult>& results) {
   std::size_t wide = 13, state_wide = 11;
-  for (const VectorResult& each : results) {
+  for (const study::VectorResult& each : results) {
     wide = std::max(wide, each.configuration.size());
     state_wide = std::max(state_wide, each.state.size());
   }
   const auto& measures = results.front().measures;
-  const std::array<ReportUnit, 2> units{report_unit(data, measures[0]),
-                                        report_unit(data, measures[1])};
+  const std::array<study::ReportUnit, 2> units{study::report_unit(data, measures[0]),
+                                               study::report_unit(data, measures[1])};
   std::string text = fmt::format(
       "P(limit state | a, b) = Phi(slope_a ln a + slope_b ln b + c), a = {} [{}], b = {} [{}]\n\n",
       measures[0].name, units[0].name, measures[1].name, units[1].name);
@@ -86,9 +87,9 @@ std::string vector_report(const StudyData& data, const std::vector<VectorResult>
       "{:<{}}  {:<{}}  {:>14}  {:<14}  {:<14}  {:>6}  {:>8} {:>8}  {:>5}  {:>7}  {:>7}\n",
       "configuration", wide, "limit state", state_wide, "exceed", "slope of a", "slope of b", "c",
       "p of a", "p of b", "beta", "a alone", "b alone");
-  for (const VectorResult& each : results) text += row(each, units, wide, state_wide);
+  for (const study::VectorResult& each : results) text += row(each, units, wide, state_wide);
   text += "\n";
-  for (const VectorResult& each : results) text += meaning(each);
+  for (const study::VectorResult& each : results) text += meaning(each);
   text +=
       "\np: how likely a slope so far from 0 is by chance, records being independent and runs of "
       "one "
@@ -96,10 +97,10 @@ std::string vector_report(const StudyData& data, const std::vector<VectorResult>
   return text;
 }
 
-std::string vector_json(const std::vector<VectorResult>& results) {
+std::string vector_json(const std::vector<study::VectorResult>& results) {
   Json json = Json::array();
-  for (const VectorResult& each : results) {
-    const VectorFit& fit = each.fit;
+  for (const study::VectorResult& each : results) {
+    const statistics::VectorFit& fit = each.fit;
     Json of{{"configuration", each.configuration},
             {"limit_state", each.state},
             {"measures", {each.measures[0].name, each.measures[1].name}},
@@ -110,7 +111,7 @@ std::string vector_json(const std::vector<VectorResult>& results) {
             {"left_out", each.left_out},
             {"failed", each.failed},
             {"status", text(fit.status)}};
-    const bool fitted = fit.status == VectorStatus::kFitted;
+    const bool fitted = fit.status == statistics::VectorStatus::kFitted;
     if (fitted) {
       const Eigen::Matrix3d covariance = covariance_of(fit);
       Json rows = Json::array();
@@ -137,4 +138,4 @@ std::string vector_json(const std::vector<VectorResult>& results) {
   return json.dump(2) + "\n";
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

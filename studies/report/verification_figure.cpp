@@ -4,7 +4,7 @@
 
 #include "studies/report/panel.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kRow = 270, kTop = 100;  // [px]
@@ -59,4 +59,4 @@ std::string verification_figure(const verification::CaseRun& run) {
   return svg.str();
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -4,10 +4,10 @@
 
 #include "studies/verification/verify.h"
 
-namespace gurney {
+namespace gurney::report {
 
 /// One page of SVG: each quantity that was compared all through the case, computed on reference,
 /// and beside it the error. Empty where nothing was.
 std::string verification_figure(const verification::CaseRun& run);
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -5,7 +5,7 @@
 #include "studies/report/report_table.h"
 #include "studies/report/verification_report.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using verification::CaseRun;
@@ -99,4 +99,4 @@ std::string verification_markdown(const std::vector<CaseRun>& runs) {
          stock.markdown();
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

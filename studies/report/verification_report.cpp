@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using verification::CaseRun;
@@ -124,4 +124,4 @@ std::string verification_json(const std::vector<CaseRun>& runs) {
   return Json{{"passed", passed}, {"cases", cases}}.dump(2) + '\n';
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -5,7 +5,7 @@
 
 #include "studies/verification/verify.h"
 
-namespace gurney {
+namespace gurney::report {
 
 /// A line: the case, its worst check, its time; in full every check and the parameters; what failed
 /// with its derivation in any case.
@@ -20,4 +20,4 @@ std::string verification_json(const std::vector<verification::CaseRun>& runs);
 /// The tables of docs/verification.md: closed forms, and every check of every case.
 std::string verification_markdown(const std::vector<verification::CaseRun>& runs);
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr std::size_t kColumns = 100;
@@ -29,4 +29,4 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t use
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::report

@@ -12,7 +12,7 @@
 #include "studies/statistics/quantiles.h"
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -250,4 +250,4 @@ std::vector<Interval> distribution_free_band(const StripeTable& table,
   return band;
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

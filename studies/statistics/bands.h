@@ -6,7 +6,7 @@
 
 #include "studies/statistics/fragility.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 struct Interval {
   double low = 0, high = 0;
@@ -78,4 +78,4 @@ struct ProfileIntervals {
 std::optional<ProfileIntervals> profile_intervals(const StripeTable& table,
                                                   double confidence = 0.95, bool by_group = false);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -9,7 +9,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -101,4 +101,4 @@ CapacityFit fit_capacities(const std::vector<Capacity>& capacities) {
   return fit;
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

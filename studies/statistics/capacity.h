@@ -7,7 +7,7 @@
 #include "studies/statistics/censored_normal.h"
 #include "studies/statistics/fragility.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// What an incremental dynamic analysis tells of one record's capacity: low < capacity <= high.
 struct Capacity {
@@ -44,4 +44,4 @@ CapacityFit fit_capacities(const std::vector<Capacity>& capacities);
 /// @throws Error for a bracket that is none
 std::vector<CensoredValue> log_capacities(const std::vector<Capacity>& capacities);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -5,7 +5,7 @@
 #include "engine/base/random/normal_draw.h"
 #include "studies/statistics/capacity_intervals.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -72,4 +72,4 @@ std::optional<double> p_of_lognormal(const std::vector<Capacity>& capacities,
   return (1.0 + as_far) / (1.0 + fitted);
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

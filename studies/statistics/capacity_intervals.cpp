@@ -9,7 +9,7 @@
 #include "studies/statistics/censored_normal.h"
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -112,4 +112,4 @@ CapacityIntervals capacity_intervals(const std::vector<Capacity>& capacities,
   return intervals;
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -7,7 +7,7 @@
 #include "studies/statistics/bands.h"
 #include "studies/statistics/capacity.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// Confidence intervals of a lognormal distribution of capacities.
 struct CapacityIntervals {
@@ -34,4 +34,4 @@ std::optional<double> p_of_lognormal(const std::vector<Capacity>& capacities,
                                      const CapacityFit& fit, int resamples = 499,
                                      std::uint64_t seed = 1);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

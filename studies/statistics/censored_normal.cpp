@@ -13,7 +13,7 @@
 #include "engine/base/error.h"
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -192,4 +192,4 @@ CensoredNormalFit fit_censored_normal(const Eigen::MatrixXd& design,
   return fit;
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

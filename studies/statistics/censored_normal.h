@@ -5,7 +5,7 @@
 
 #include "studies/statistics/newton.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// What is known of a number y: low <= y <= high. Exact where low == high; low = -infinity or high
 /// = infinity where one side is open.
@@ -46,4 +46,4 @@ Quadratic<Eigen::Dynamic> censored_normal_likelihood(const Eigen::MatrixXd& desi
                                                      const std::vector<CensoredValue>& values,
                                                      const Eigen::VectorXd& point);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -8,7 +8,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -93,4 +93,4 @@ std::optional<CloudFragility> cloud_fragility(const CloudFit& fit, double limit)
                         jacobian * fit.cluster_covariance * jacobian.transpose()};
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

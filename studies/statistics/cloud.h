@@ -9,7 +9,7 @@
 #include "studies/statistics/censored_normal.h"
 #include "studies/statistics/fragility.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// One run of a cloud.
 struct CloudPoint {
@@ -64,4 +64,4 @@ struct CloudFragility {
 /// @throws Error unless limit > 0.
 std::optional<CloudFragility> cloud_fragility(const CloudFit& fit, double limit);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

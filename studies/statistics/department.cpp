@@ -6,7 +6,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 void require_probabilities(const std::vector<double>& probabilities) {
@@ -31,4 +31,4 @@ LevelProbabilities level_probabilities(const std::vector<double>& exceedance) {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

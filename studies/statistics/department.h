@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// P(the level is the worst reached) from P(level or worse) of ordered levels at one im.
 struct LevelProbabilities {
@@ -14,4 +14,4 @@ struct LevelProbabilities {
 /// @throws Error unless all are within [0, 1].
 LevelProbabilities level_probabilities(const std::vector<double>& exceedance);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

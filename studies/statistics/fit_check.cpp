@@ -8,7 +8,7 @@
 #include "engine/base/random/normal_draw.h"
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 /// The most a likelihood of these stripes can be.
@@ -100,4 +100,4 @@ std::vector<double> isotonic_curve(const std::vector<Stripe>& stripes) {
   return isotonic(fractions, runs);
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -6,7 +6,7 @@
 
 #include "studies/statistics/fragility.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// How well the fitted curve describes the stripes.
 struct FitCheck {
@@ -34,4 +34,4 @@ std::vector<double> isotonic(const std::vector<double>& values, const std::vecto
 /// Stripes without runs are not allowed.
 std::vector<double> isotonic_curve(const std::vector<Stripe>& stripes);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

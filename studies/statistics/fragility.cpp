@@ -8,7 +8,7 @@
 
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -228,4 +228,4 @@ FragilityFit fit_fragility(const StripeTable& table) {
   return fit;
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -12,7 +12,7 @@
 #include "studies/statistics/newton.h"
 #include "studies/statistics/stripes.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// Why there is a curve or none.
 enum class FragilityStatus {
@@ -97,4 +97,4 @@ FragilityFit fit_fragility(const StripeTable& table);
 /// Covariance of (ln theta, ln beta) from that of (slope, intercept), by the delta method.
 Eigen::Matrix2d covariance_of_curve(const Eigen::Vector2d& line, const Eigen::Matrix2d& covariance);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -9,7 +9,7 @@
 #include "engine/base/error.h"
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -111,4 +111,4 @@ MeanRate mean_rate(const std::function<double(double)>& probability, const Hazar
 
 double probability_in(double years, double rate) { return -std::expm1(-rate * years); }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -6,7 +6,7 @@
 
 #include "studies/statistics/lognormal.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// Mean annual rate of exceeding an intensity at a site: as points, or as k0 im^-k for every im >
 /// 0.
@@ -57,4 +57,4 @@ MeanRate mean_rate(const std::function<double(double)>& probability, const Hazar
 /// Probability of one event or more in some years of a Poisson process, 1 - exp(-rate years).
 double probability_in(double years, double rate);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

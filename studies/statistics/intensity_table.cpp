@@ -12,7 +12,7 @@
 #include "studies/statistics/quantiles.h"
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr std::size_t kFewestRuns = 5;
@@ -99,4 +99,4 @@ std::vector<IntensityRow> compare_intensities(const std::vector<CloudPoint>& dem
   return rows;
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -5,7 +5,7 @@
 
 #include "studies/statistics/cloud.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// A number for each run: an intensity measure or a property of its record; NaN where unknown.
 struct NamedValues {
@@ -40,4 +40,4 @@ std::vector<IntensityRow> compare_intensities(const std::vector<CloudPoint>& dem
                                               const std::vector<NamedValues>& measures,
                                               const std::vector<NamedValues>& properties);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -5,7 +5,7 @@
 #include "engine/base/random/normal_draw.h"
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 double LognormalCurve::probability(double im) const {
   return im > 0 ? normal_cdf(std::log(im / theta) / beta) : 0;
@@ -25,4 +25,4 @@ double LognormalCurve::density(double im) const {
   return im > 0 ? normal_density(std::log(im / theta) / beta) / (beta * im) : 0;
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// A fragility curve P(exceeded | im) = Phi(ln(im / theta) / beta): the lognormal distribution of a
 /// capacity (Kennedy et al. 1980, Nuclear Engineering and Design 59(2), 315-338).
@@ -15,4 +15,4 @@ struct LognormalCurve {
   double density(double im) const;            ///< d probability / d im; 0 for im <= 0
 };
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -6,7 +6,7 @@
 #include "studies/statistics/quantiles.h"
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 MedianInterval median_interval(std::vector<double> sample, double confidence) {
   std::ranges::sort(sample);
@@ -19,4 +19,4 @@ MedianInterval median_interval(std::vector<double> sample, double confidence) {
   return {quantile_of(sample, 0.5), {sample[at], sample[sample.size() - 1 - at]}};
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -4,7 +4,7 @@
 
 #include "studies/statistics/bands.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// The median of a sample and an interval of the population's that supposes no distribution:
 /// between the k-th smallest and the k-th largest value, k as large as the binomial distribution
@@ -18,4 +18,4 @@ struct MedianInterval {
 /// @pre not empty
 MedianInterval median_interval(std::vector<double> sample, double confidence = 0.95);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// A function at one point: its value, gradient and negative Hessian; value = -inf outside its
 /// domain, where the rest is not read.
@@ -57,4 +57,4 @@ Maximum<kSize> maximize(const Function& function, Eigen::Matrix<double, kSize, 1
   return best;
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -7,7 +7,7 @@
 #include "studies/statistics/newton.h"
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -78,4 +78,4 @@ std::optional<ProfileIntervals> profile_intervals(const StripeTable& table, doub
                           interval(drop_beta, 1, fit.curve().beta)};
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

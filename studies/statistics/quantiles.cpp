@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace gurney {
+namespace gurney::statistics {
 
 double quantile_of(std::vector<double> sample, double probability) {
   const double place = probability * static_cast<double>(sample.size() - 1);
@@ -42,4 +42,4 @@ std::vector<double> ranks_of(const std::vector<double>& sample) {
   return ranks;
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

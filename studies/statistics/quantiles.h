@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// The quantile of a sample, linear between the order statistics: Hyndman & Fan (1996, American
 /// Statistician 50(4), 361-365), type 7, as numpy and R. Infinite values are allowed.
@@ -19,4 +19,4 @@ Moments moments_of(const std::vector<double>& sample);
 /// Ranks 1 to n, ties at their mean.
 std::vector<double> ranks_of(const std::vector<double>& sample);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -8,7 +8,7 @@
 #include "engine/base/error.h"
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 struct Weighted {
@@ -107,4 +107,4 @@ std::vector<double> outlier_p_values(const Eigen::VectorXd& y, const Eigen::Vect
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

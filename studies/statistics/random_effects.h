@@ -6,7 +6,7 @@
 
 #include "studies/statistics/bands.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// y_i = x_i . b + u_i + e_i: u_i scatters between units with an unknown standard deviation, e_i
 /// has the known one of its measurement.
@@ -41,4 +41,4 @@ std::optional<RandomEffects> fit_random_effects(const Eigen::VectorXd& y,
 std::vector<double> outlier_p_values(const Eigen::VectorXd& y, const Eigen::VectorXd& error,
                                      const Eigen::MatrixXd& design);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -12,7 +12,7 @@
 #include "engine/base/random/normal_draw.h"
 #include "studies/statistics/quantiles.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr int kMostBins = 50;
@@ -180,4 +180,4 @@ std::vector<SobolIndices> sobol_indices(const std::vector<double>& a, const std:
   return indices;
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -6,7 +6,7 @@
 
 #include "studies/statistics/bands.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// The output at a low and a high value of one input.
 struct TornadoBar {
@@ -70,4 +70,4 @@ std::vector<SobolIndices> sobol_indices(const std::vector<double>& a, const std:
                                         const std::vector<std::vector<double>>& ab,
                                         const SensitivityOptions& options = {});
 
-}  // namespace gurney
+}  // namespace gurney::statistics

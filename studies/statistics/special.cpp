@@ -10,7 +10,7 @@
 
 #include "engine/base/random/normal_draw.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 double normal_density(double x) { return std::exp(-x * x / 2) / std::sqrt(2 * std::numbers::pi); }
 
@@ -68,4 +68,4 @@ double beta_quantile(double probability, double a, double b) {
   return quantile(boost::math::beta_distribution<>(a, b), probability);
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Distribution functions for tests and intervals; the normal one is in engine/base/random.
-namespace gurney {
+namespace gurney::statistics {
 
 double normal_density(double x);
 
@@ -32,4 +32,4 @@ double binomial_cdf(int k, int n, double probability);
 /// Quantile of the beta distribution; 0 where a = 0, 1 where b = 0.
 double beta_quantile(double probability, double a, double b);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

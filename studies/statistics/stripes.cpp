@@ -7,7 +7,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 StripeTable::StripeTable(const std::vector<Observation>& observations) {
   std::map<double, std::size_t> number_of_im;
@@ -44,4 +44,4 @@ std::vector<Stripe> StripeTable::resampled(const std::vector<int>& times) const 
   return stripes;
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

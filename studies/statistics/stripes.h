@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// One run seen at one limit: did it exceed at its intensity?
 struct Observation {
@@ -46,4 +46,4 @@ class StripeTable {
   std::vector<std::vector<Share>> of_group_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -11,7 +11,7 @@
 #include "studies/statistics/quantiles.h"
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -150,4 +150,4 @@ std::vector<double> holm_adjusted(const std::vector<double>& p_values) {
   return adjusted;
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -7,7 +7,7 @@
 #include "studies/statistics/bands.h"
 #include "studies/statistics/stripes.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// A number seen in a run, or the mean of a record's runs: a demand, or 1 for exceeded and 0 for
 /// not.
@@ -59,4 +59,4 @@ FragilityComparison compare_fragilities(const std::vector<Observation>& a,
 /// 65-70). NaN stays NaN and does not count.
 std::vector<double> holm_adjusted(const std::vector<double>& p_values);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

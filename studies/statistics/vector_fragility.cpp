@@ -12,7 +12,7 @@
 #include "studies/statistics/newton.h"
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kTogether = 1 - 1e-9;  // correlation of the logarithms
@@ -174,4 +174,4 @@ VectorFit fit_vector(const std::vector<VectorObservation>& observations) {
   return fit;
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// One run seen at one limit, with two measures of its intensity.
 struct VectorObservation {
@@ -55,4 +55,4 @@ struct VectorFit {
 /// @throws Error unless all intensities are > 0 and finite.
 VectorFit fit_vector(const std::vector<VectorObservation>& observations);
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -54,12 +54,12 @@ void print_peers() {
     const FloorMotion floor = shaking(record, 0.4);
     settings.solver = Solver::kStar;
     settings.time_step = 6.25e-5;
-    references.push_back(simulate_with_any_solver(scene, floor, settings));
+    references.push_back(baselines::simulate_with_any_solver(scene, floor, settings));
     settings.solver = Solver::kBulletDantzig;
     settings.time_step = 2.5e-4;
     peers_apart = std::max(
-        peers_apart,
-        path_distance(references.back(), simulate_with_any_solver(scene, floor, settings)));
+        peers_apart, path_distance(references.back(),
+                                   baselines::simulate_with_any_solver(scene, floor, settings)));
   }
   fmt::print("two independent solvers at their finest step are {:.1f} mm apart\n",
              1e3 * peers_apart);
@@ -82,9 +82,9 @@ void print_peers() {
         const FloorMotion floor = shaking(kRecords[i], 0.4);
         settings.history_step = kSampling;
         const Scene& mine = peer.solver == Solver::kStar ? ours : scene;
-        distance +=
-            path_distance(references[i], simulate_with_any_solver(mine, floor, settings)) /
-            static_cast<double>(std::size(kRecords));
+        distance += path_distance(references[i],
+                                  baselines::simulate_with_any_solver(mine, floor, settings)) /
+                    static_cast<double>(std::size(kRecords));
         settings.history_step = 0;
         const Timed run = timed(mine, floor, settings, 3);
         seconds += run.seconds;

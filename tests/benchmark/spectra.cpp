@@ -31,26 +31,29 @@ void print_time(const char* name, Work work) {
 }  // namespace
 
 void print_spectra() {
-  const Record record = white_noise(kTimeStep, {.seed = 1,
-                                                .lowest_frequency = 0.1,
-                                                .highest_frequency = 20,
-                                                .duration = kTimeStep * (kSamples - 1),
-                                                .taper = 1,
-                                                .peak_acceleration = {3, 3, 2}});
+  const groundmotions::Record record =
+      groundmotions::white_noise(kTimeStep, {.seed = 1,
+                                             .lowest_frequency = 0.1,
+                                             .highest_frequency = 20,
+                                             .duration = kTimeStep * (kSamples - 1),
+                                             .taper = 1,
+                                             .peak_acceleration = {3, 3, 2}});
   const double dt = record.time_step();
-  const Eigen::VectorXd& h1 = record[Direction::kH1]->acceleration;
-  const Eigen::VectorXd& h2 = record[Direction::kH2]->acceleration;
-  const Eigen::VectorXd periods = logarithmic_periods(0.01, 10, kPeriods);
+  const Eigen::VectorXd& h1 = record[groundmotions::Direction::kH1]->acceleration;
+  const Eigen::VectorXd& h2 = record[groundmotions::Direction::kH2]->acceleration;
+  const Eigen::VectorXd periods = groundmotions::logarithmic_periods(0.01, 10, kPeriods);
   fmt::print("\nResponse spectra: {} periods from 0.01 to 10 s, {} samples of {} s, one core\n",
              kPeriods, kSamples, dt);
   double sink = 0;
   print_time("peaks at the samples",
-             [&] { sink += response_spectrum(dt, h1, periods).displacement.sum(); });
+             [&] { sink += groundmotions::response_spectrum(dt, h1, periods).displacement.sum(); });
   print_time("peaks between samples", [&] {
-    sink += response_spectrum(dt, h1, periods, 0.05, PeakAt::kBetweenSamples).displacement.sum();
+    sink += groundmotions::response_spectrum(dt, h1, periods, 0.05,
+                                             groundmotions::PeakAt::kBetweenSamples)
+                .displacement.sum();
   });
   print_time("RotD00, RotD50 and RotD100 of two components",
-             [&] { sink += rotated_spectrum(dt, h1, h2, periods).rotd50.sum(); });
+             [&] { sink += groundmotions::rotated_spectrum(dt, h1, h2, periods).rotd50.sum(); });
   const auto start = std::chrono::steady_clock::now();
   sink += summary(record).rows[0].values[0].second;
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;

@@ -14,9 +14,12 @@
 namespace gurney::benchmark {
 
 Scene trolley(const std::vector<double>& headings_deg) {
-  ItemOptions options;
+  equipment::ItemOptions options;
   for (double heading : headings_deg) options.headings.push_back(heading * kRadiansPerDegree);
-  Scene scene = scene_of(load_item(find_data(DataKind::kItem, "xu_trolley", ""), options).model);
+  Scene scene =
+      scene_of(equipment::load_item(
+                   equipment::find_data(equipment::DataKind::kItem, "xu_trolley", ""), options)
+                   .model);
   return scene;
 }
 
@@ -33,13 +36,13 @@ void make_rigid(Scene& scene, double normal_stiffness, double tangential_stiffne
 }
 
 FloorMotion shaking(unsigned seed, double peak_g) {
-  SyntheticMotion motion = shipped_synthetic_motion();
+  groundmotions::SyntheticMotion motion = groundmotions::shipped_synthetic_motion();
   motion.seed = seed;
   motion.samples = static_cast<int>(20 / motion.time_step) + 1;
   constexpr double kRatio[3] = {1, 0.75, 0.5};
   for (std::size_t i = 0; i < 3; ++i)
     motion.components[i].peak_acceleration = kRatio[i] * peak_g * kStandardGravity;
-  return floor_motion(synthetic_record(motion));
+  return groundmotions::floor_motion(groundmotions::synthetic_record(motion));
 }
 
 PointForce pull() {

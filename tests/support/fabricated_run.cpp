@@ -65,8 +65,8 @@ Demands counted_demands() {
 
 }  // namespace
 
-RunFacts fabricated_facts(bool pulled) {
-  RunFacts facts;
+study::RunFacts fabricated_facts(bool pulled) {
+  study::RunFacts facts;
   facts.job_name = pulled ? "pull" : "shake";
   facts.job_text = "title = \"A trolley\"\n";
   facts.job_sha256 = std::string(64, 'a');
@@ -85,17 +85,18 @@ RunFacts fabricated_facts(bool pulled) {
     item.casters.push_back(caster);
   }
   if (!pulled)
-    facts.record = RecordFacts{"made-up",
-                               {{"x.AT2", std::string(64, 'b')}, {"y.AT2", std::string(64, 'c')}},
-                               {"h1: 'x' of x.AT2", "h2: 'y' of y.AT2, azimuth 90 deg"},
-                               {"a step", "another step"},
-                               20,
-                               0.005,
-                               {3.92266, 2.941995, 1.96133},
-                               {0.31, 0.22, 0.11},
-                               {0.08, 0.05, 0.02},
-                               {0.001, -0.002, 0.0},
-                               {0.01, 0.02, -0.03}};
+    facts.record =
+        study::RecordFacts{"made-up",
+                           {{"x.AT2", std::string(64, 'b')}, {"y.AT2", std::string(64, 'c')}},
+                           {"h1: 'x' of x.AT2", "h2: 'y' of y.AT2, azimuth 90 deg"},
+                           {"a step", "another step"},
+                           20,
+                           0.005,
+                           {3.92266, 2.941995, 1.96133},
+                           {0.31, 0.22, 0.11},
+                           {0.08, 0.05, 0.02},
+                           {0.001, -0.002, 0.0},
+                           {0.01, 0.02, -0.03}};
   facts.assumptions = {{"tread.rolling_resistance_m", "0.001", "0.0005 to 0.0015",
                         "no value is published for this tread", "r100.toml"}};
   if (!pulled) {

@@ -46,9 +46,9 @@ struct TextColumn {
   std::vector<std::string> values;
 };
 
-void write_texts(Hdf5Writer& file, const std::string& name,
+void write_texts(study::Hdf5Writer& file, const std::string& name,
                  const std::vector<TextColumn>& columns) {
-  GrowingTable table(file, name);
+  study::GrowingTable table(file, name);
   for (const TextColumn& column : columns) table.add_text(column.name, column.name, 80);
   for (std::size_t row = 0; row < columns.front().values.size(); ++row) {
     for (const TextColumn& column : columns) table.put(column.values[row]);
@@ -57,8 +57,8 @@ void write_texts(Hdf5Writer& file, const std::string& name,
   table.finish();
 }
 
-void write_heads(Hdf5Writer& file, bool hunt) {
-  add_program(file, "gurney-study", kStudyFormatVersion);
+void write_heads(study::Hdf5Writer& file, bool hunt) {
+  study::add_program(file, "gurney-study", study::kStudyFormatVersion);
   for (const auto& [name, value] :
        std::vector<std::pair<std::string, std::string>>{{"job_name", "fabricated"},
                                                         {"job_text", job_text(hunt)},
@@ -94,7 +94,7 @@ void write_heads(Hdf5Writer& file, bool hunt) {
 /// The tables with rows for runs; all rows of one table are written before the next is begun.
 class Tables {
  public:
-  explicit Tables(Hdf5Writer& file) : file_(file) {}
+  explicit Tables(study::Hdf5Writer& file) : file_(file) {}
 
   void write(bool certificate) {
     write_runs();
@@ -103,7 +103,7 @@ class Tables {
     if (certificate) write_items("half_step", 10, 0.01);
     write_points();
     write_drawn();
-    GrowingTable failures(file_, "failures");
+    study::GrowingTable failures(file_, "failures");
     failures.add_whole("run", "run");
     failures.add_text("cause", "cause", 80);
     failures.put(double(Study::kFailed)).put("did not converge, \"badly\"").end_row();
@@ -125,7 +125,7 @@ class Tables {
   }
 
   void write_runs() {
-    GrowingTable runs(file_, "runs");
+    study::GrowingTable runs(file_, "runs");
     for (const char* name : {"run", "unit", "configuration", "record", "motion", "draw"})
       runs.add_whole(name, name);
     runs.add_number("angle", "rad", "angle");
@@ -148,7 +148,7 @@ class Tables {
   }
 
   void write_motions() {
-    GrowingTable motions(file_, "motions");
+    study::GrowingTable motions(file_, "motions");
     motions.add_whole("set", "set");
     motions.add_whole("record", "record");
     motions.add_number("scale", "1", "scale");
@@ -164,10 +164,10 @@ class Tables {
   }
 
   void write_items(const std::string& name, std::size_t runs, double longer) {
-    GrowingTable items(file_, name);
+    study::GrowingTable items(file_, name);
     items.add_whole("run", "run");
     items.add_text("item", "item", 20);
-    items.add(demand_columns());
+    items.add(study::demand_columns());
     for (std::size_t run = 0; run < runs; ++run) {
       if (run == Study::kFailed) continue;
       const auto [configuration, record, level] = place_of(run);
@@ -176,23 +176,27 @@ class Tables {
       Demands demands;
       demands.peak_displacement = 0.1 * (longer > 0 ? 1 + longer * double(1 + run) : 1);
       demands.residual_displacement = moved ? 0.05 : 0.001;
-      items.put(double(run)).put("ICU bed").put(demand_columns(), demands).end_row();
+      items.put(double(run)).put("ICU bed").put(study::demand_columns(), demands).end_row();
     }
     items.finish();
   }
 
   void write_points() {
-    GrowingTable points(file_, "points");
+    study::GrowingTable points(file_, "points");
     points.add_whole("run", "run");
     points.add_text("item", "item", 20);
     points.add_text("point", "point", 20);
-    points.add(point_demand_columns());
-    points.put(0).put("ICU bed").put("tray").put(point_demand_columns(), PointDemands{}).end_row();
+    points.add(study::point_demand_columns());
+    points.put(0)
+        .put("ICU bed")
+        .put("tray")
+        .put(study::point_demand_columns(), PointDemands{})
+        .end_row();
     points.finish();
   }
 
   void write_drawn() {
-    GrowingTable drawn(file_, "drawn");
+    study::GrowingTable drawn(file_, "drawn");
     drawn.add_whole("configuration", "configuration");
     drawn.add_whole("draw", "draw");
     drawn.add_text("variable", "variable", 40);
@@ -207,13 +211,14 @@ class Tables {
     drawn.finish();
   }
 
-  Hdf5Writer& file_;
+  study::Hdf5Writer& file_;
 };
 
 }  // namespace
 
-LognormalCurve FabricatedStudy::curve(std::size_t configuration) {
-  return configuration == 0 ? LognormalCurve{0.35, 0.4} : LognormalCurve{0.6, 0.5};
+statistics::LognormalCurve FabricatedStudy::curve(std::size_t configuration) {
+  return configuration == 0 ? statistics::LognormalCurve{0.35, 0.4}
+                            : statistics::LognormalCurve{0.6, 0.5};
 }
 
 std::size_t FabricatedStudy::run(std::size_t configuration, std::size_t record, std::size_t level) {
@@ -225,7 +230,7 @@ bool FabricatedStudy::moved(std::size_t configuration, std::size_t record, std::
 }
 
 void FabricatedStudy::write(const std::string& path, bool certificate, bool hunt) {
-  Hdf5Writer file(path);
+  study::Hdf5Writer file(path);
   write_heads(file, hunt);
   Tables(file).write(certificate);
   file.finish();

@@ -19,7 +19,7 @@ struct FabricatedStudy {
   static const std::vector<double> kLevels;  ///< [g]
 
   /// @param configuration  0 or 1
-  static LognormalCurve curve(std::size_t configuration);  ///< im in g
+  static statistics::LognormalCurve curve(std::size_t configuration);  ///< im in g
 
   /// Index of a run: levels follow each other, in them records, in them configurations.
   static std::size_t run(std::size_t configuration, std::size_t record, std::size_t level);

@@ -188,8 +188,8 @@ std::vector<Impact> impacts() {
 
 }  // namespace
 
-RunFacts fabricated_ward() {
-  RunFacts facts;
+study::RunFacts fabricated_ward() {
+  study::RunFacts facts;
   facts.job_name = "ward";
   facts.job_sha256 = std::string(64, 'd');
   facts.title = "Ten items in a ward under a made-up motion";
@@ -217,7 +217,7 @@ RunFacts fabricated_ward() {
     if (t > 3.5 && t < 4.5) motion(1, i) = 2 * std::sin(std::numbers::pi * (t - 3.5));
   }
   facts.floor = FloorMotion(kStep, motion, "made-up");
-  facts.record = RecordFacts{};
+  facts.record = study::RecordFacts{};
   facts.record->name = "made-up";
   return facts;
 }

@@ -43,10 +43,10 @@ inline std::string joined(const std::vector<std::string>& names) {
 }
 
 /// Compares the datasets and attributes of a file with the tables of its page, both ways.
-inline void expect_as_on_page(const Hdf5Reader& file, const std::string& page) {
+inline void expect_as_on_page(const study::Hdf5Reader& file, const std::string& page) {
   auto rows = table_rows(page);
   std::string should;
-  for (const Hdf5Dataset& dataset : file.datasets()) {
+  for (const study::Hdf5Dataset& dataset : file.datasets()) {
     const std::vector<std::string> cells{dataset.type, joined(dataset.scales), dataset.units,
                                          dataset.long_name};
     EXPECT_EQ(rows[dataset.path], cells) << dataset.path;

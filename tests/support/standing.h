@@ -6,7 +6,7 @@
 namespace gurney {
 
 /// The item alone on a level floor.
-inline Scene standing(const LoadedItem& item) {
+inline Scene standing(const equipment::LoadedItem& item) {
   Scene scene = scene_of(item.model);
   scene.pairs = item.pairs;
   scene.floor_material = item.floor_material;

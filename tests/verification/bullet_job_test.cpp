@@ -27,7 +27,7 @@ struct Job {
   Demands demands(Solver solver, double step) const {
     auto settings = small::settings_for(step, 7, 100);
     settings.solver = solver;
-    const Response response = simulate_with_any_solver(scene, floor, settings);
+    const Response response = baselines::simulate_with_any_solver(scene, floor, settings);
     EXPECT_EQ(response.outcome, Outcome::kStopped) << response.cause;
     return response.items[0].demands;
   }

@@ -39,7 +39,7 @@ struct Pull {
   Response run(Solver solver, double step) const {
     SimulationSettings settings = run_for(stop + 1, step, step);
     settings.solver = solver;
-    return simulate_with_any_solver(scene, {}, settings);
+    return baselines::simulate_with_any_solver(scene, {}, settings);
   }
   static double at_release(const Response& response) {
     for (const Sample& s : response.items[0].history)

@@ -20,25 +20,29 @@ namespace {
 constexpr double kG = kStandardGravity;
 constexpr double kStep = 1e-3;  // of the histories [s]
 
-class StrongVertical : public RealRecords {
+class StrongVertical : public groundmotions::RealRecords {
  protected:
   /// Raw samples of 200 Hz with their zero line and what is below 0.1 Hz taken off (the network's
   /// own corner), then 20 s around the strongest part. Of HVPS there is the vertical alone.
   FloorMotion waiau(double scale) const {
-    Butterworth high_pass;
+    groundmotions::Butterworth high_pass;
     high_pass.high_pass = 0.1;
-    return floor_motion(
-        processed(read_record({{folder_ / "geonet_v1a_v2a/20161113_110259_WTMC_20.V1A"}}),
-                  {Baseline{}, high_pass, TrimToWindow{{95, 115}, 1}}),
+    return groundmotions::floor_motion(
+        groundmotions::processed(
+            groundmotions::read_record({{folder_ / "geonet_v1a_v2a/20161113_110259_WTMC_20.V1A"}}),
+            {groundmotions::Baseline{}, high_pass, groundmotions::TrimToWindow{{95, 115}, 1}}),
         scale);
   }
   FloorMotion heathcote(double scale) const {
-    ReadOptions plain;
+    groundmotions::ReadOptions plain;
     plain.unit = "m/s2";
-    const Record record = read_record(
-        {{folder_ / "plain_text/Christchurch2011HVPS_UP.dat", Direction::kVertical}}, plain);
-    return floor_motion(processed(record, {Baseline{}, TrimToWindow{{0, 15}, 1}}), scale, 0,
-                        {Direction::kVertical});
+    const groundmotions::Record record = groundmotions::read_record(
+        {{folder_ / "plain_text/Christchurch2011HVPS_UP.dat", groundmotions::Direction::kVertical}},
+        plain);
+    return groundmotions::floor_motion(
+        groundmotions::processed(
+            record, {groundmotions::Baseline{}, groundmotions::TrimToWindow{{0, 15}, 1}}),
+        scale, 0, {groundmotions::Direction::kVertical});
   }
 };
 
@@ -168,7 +172,10 @@ Response fly_trolley(const Scene& scene, const FloorMotion& floor, double time_s
   return simulate(scene, floor, blocks::run_for(floor.duration(), time_step, time_step));
 }
 
-Scene trolley() { return standing(load_item(find_data(DataKind::kItem, "xu_trolley", ""))); }
+Scene trolley() {
+  return standing(
+      equipment::load_item(equipment::find_data(equipment::DataKind::kItem, "xu_trolley", "")));
+}
 
 /// While no wheel touches, the centre of mass falls freely: over each flight of 10 ms or more its
 /// height is that of the record's integral from where it left. A wheel may touch a step before the

@@ -10,7 +10,7 @@
 #include "studies/calibration/trials/average_method.h"
 #include "studies/calibration/trials/trial_check.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr double kGathered = 0.5;                               // of the path
@@ -180,4 +180,4 @@ std::optional<Breakaway> breakaway_of(const Trial& trial, TrialFault& fault) {
                    peak.error, kinetic.error,   onset->time};
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

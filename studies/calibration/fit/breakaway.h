@@ -5,7 +5,7 @@
 #include "studies/calibration/trials/trial.h"
 
 /// Pulls that grow until something gives: start-up resistance, and friction of locked wheels.
-namespace gurney {
+namespace gurney::calibration {
 
 /// Of one trial.
 struct Breakaway {
@@ -36,4 +36,4 @@ struct Breakaway {
 ///         within a factor of 3, or a share is not one of friction or rolling
 std::optional<Breakaway> breakaway_of(const Trial& trial, TrialFault& fault);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

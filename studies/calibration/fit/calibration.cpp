@@ -5,7 +5,7 @@
 #include "studies/calibration/fit/rebound.h"
 #include "studies/calibration/trials/trial_check.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 class Collector {
@@ -113,4 +113,4 @@ Calibration calibrate(TrialSet trials, const std::string& source) {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

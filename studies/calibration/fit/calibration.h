@@ -9,7 +9,7 @@
 #include "studies/calibration/trials/phases.h"
 #include "studies/calibration/trials/trial_file.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// A pull and its phases, for the figure.
 struct PhasedPull {
@@ -38,4 +38,4 @@ struct Calibration {
 /// @throws Error where no trial for calibration can be used, with the reasons.
 Calibration calibrate(TrialSet trials, const std::string& source);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -14,7 +14,7 @@
 #include "equipment/catalogue/caster_type.h"
 #include "equipment/catalogue/catalogue.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 using config::Node;
@@ -112,7 +112,7 @@ class Maker {
  public:
   Maker(const Calibration& calibration, const std::string& file)
       : document_(file),
-        type_(load_caster_type(file).stated()),
+        type_(equipment::load_caster_type(file).stated()),
         simulated_(calibration.simulated > 0) {}
 
   void add(const Constant& c) {
@@ -191,7 +191,7 @@ class Maker {
   }
 
   config::Document document_;
-  CasterType type_;
+  equipment::CasterType type_;
   bool simulated_;
   std::map<std::string, std::string> replaced_;
   std::optional<Constant> static_, kinetic_, torque_;
@@ -211,7 +211,7 @@ double load_of_wheel(const Calibration& calibration, const std::string& caster) 
 
 void require_caster(const std::string& name) {
   try {
-    find_data(DataKind::kCaster, name, "");
+    equipment::find_data(equipment::DataKind::kCaster, name, "");
   } catch (const Error& error) {
     throw Error("'" + name + "': " + error.what());
   }
@@ -219,13 +219,14 @@ void require_caster(const std::string& name) {
 
 /// What speaks against making a file for these trials; empty: nothing.
 std::string why_not(const std::string& caster, const std::string& base, double radius) {
-  const std::vector<std::string> known = catalogue_names(DataKind::kCaster);
+  const std::vector<std::string> known = equipment::catalogue_names(equipment::DataKind::kCaster);
   if (!base.ends_with(".toml") && std::ranges::find(known, base) == known.end())
     return fmt::format(
         "{}: the catalogue has no caster '{}'; --base says which one has the numbers "
         "that no trial gives",
         caster, base);
-  const CasterType type = load_caster_type(find_data(DataKind::kCaster, base, "")).stated();
+  const equipment::CasterType type =
+      equipment::load_caster_type(find_data(equipment::DataKind::kCaster, base, "")).stated();
   const double mm = 2 * kMillimetersPerMeter;
   if (radius > 0 && std::abs(radius / type.properties.wheel_radius - 1) > kSameWheel)
     return fmt::format("{}: its wheels have {:.4g} mm in the trials, but {:.4g} mm in {}", caster,
@@ -252,11 +253,11 @@ std::vector<CasterFile> caster_files(const Calibration& calibration, const std::
       without.push_back(reason);
       continue;
     }
-    Maker maker(calibration, find_data(DataKind::kCaster, from, ""));
+    Maker maker(calibration, equipment::find_data(equipment::DataKind::kCaster, from, ""));
     for (const Constant* each : constants) maker.add(*each);
     files.push_back(maker.finish(caster, key.second, load_of_wheel(calibration, caster)));
   }
   return files;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -5,7 +5,7 @@
 
 #include "studies/calibration/fit/calibration.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// A caster file (docs/formats/equipment_file.md) with the constants of one caster on one floor.
 struct CasterFile {
@@ -25,4 +25,4 @@ struct CasterFile {
 std::vector<CasterFile> caster_files(const Calibration& calibration, const std::string& base,
                                      std::vector<std::string>& without);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

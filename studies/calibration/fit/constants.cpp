@@ -12,7 +12,7 @@
 #include "studies/statistics/random_effects.h"
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr double kOutlier = 0.05;
@@ -61,17 +61,17 @@ Constant constant_of(const Key& key, const std::vector<const TrialValue*>& group
   const Logarithms logs = logarithms(group);
   constant.value = std::exp(logs.y.mean());
   constant.interval = constant.prediction = {0, std::numeric_limits<double>::infinity()};
-  const auto fit = fit_random_effects(logs.y, logs.error, logs.design);
+  const auto fit = statistics::fit_random_effects(logs.y, logs.error, logs.design);
   if (!fit) return constant;
   const double middle = fit->coefficients[0];
-  const Interval interval = fit->interval(0);
+  const statistics::Interval interval = fit->interval(0);
   constant.value = std::exp(middle);
   constant.interval = {std::exp(interval.low), std::exp(interval.high)};
   constant.scatter = fit->scatter;
   constant.degrees = fit->degrees;
   const double spread = std::sqrt(fit->covariance(0, 0) + fit->scatter * fit->scatter +
                                   logs.error.squaredNorm() / static_cast<double>(logs.y.size()));
-  const double half = student_quantile(0.975, fit->degrees) * spread;
+  const double half = statistics::student_quantile(0.975, fit->degrees) * spread;
   constant.prediction = {std::exp(middle - half), std::exp(middle + half)};
   if (constant.at_least)
     constant.interval.high = constant.prediction.high = std::numeric_limits<double>::infinity();
@@ -120,7 +120,7 @@ std::vector<Outlier> outliers_of(const std::vector<TrialValue>& values) {
     Eigen::MatrixXd design = Eigen::MatrixXd::Zero(logs.y.size(), count);
     for (std::size_t i = 0; i < all.size(); ++i)
       design(static_cast<Eigen::Index>(i), members[i].second) = 1;
-    const std::vector<double> p = outlier_p_values(logs.y, logs.error, design);
+    const std::vector<double> p = statistics::outlier_p_values(logs.y, logs.error, design);
     for (std::size_t i = 0; i < p.size(); ++i)
       if (p[i] < kOutlier) found.push_back({all[i]->trial, members[i].first, all[i]->value, p[i]});
     first = last;
@@ -151,4 +151,4 @@ std::vector<Prediction> predictions_of(const std::vector<TrialValue>& values,
   return predictions;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

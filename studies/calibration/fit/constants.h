@@ -7,7 +7,7 @@
 #include "studies/statistics/bands.h"
 
 /// Constants of casters from what single trials say (docs/calibration.md).
-namespace gurney {
+namespace gurney::calibration {
 
 enum class ConstantKind {
   kRolling,          ///< Cr / R
@@ -39,11 +39,11 @@ struct Constant {
   std::string caster, floor, against;
   double wheel_radius = 0;  ///< 0 where it is not known [m]
   double value = 0;
-  bool at_least = false;  ///< it is `value` or more, and the interval has no upper end
-  Interval interval;      ///< 95 % of the value; {0, infinity} for a single trial
-  double scatter = 0;     ///< standard deviation of the logarithm between trials
-  int degrees = 0;        ///< of Student's t
-  Interval prediction;    ///< 95 % of one more trial, with the errors of an average one
+  bool at_least = false;            ///< it is `value` or more, and the interval has no upper end
+  statistics::Interval interval;    ///< 95 % of the value; {0, infinity} for a single trial
+  double scatter = 0;               ///< standard deviation of the logarithm between trials
+  int degrees = 0;                  ///< of Student's t
+  statistics::Interval prediction;  ///< 95 % of one more trial, with the errors of an average one
   std::vector<std::string> trials;
 
   std::string about() const;  ///< "Cr/R of R100 on polyflor_mystique"
@@ -61,7 +61,7 @@ struct Outlier {
 struct Prediction {
   std::string trial, constant;
   double measured = 0, predicted = 0;
-  Interval interval;  ///< 95 % of one more trial
+  statistics::Interval interval;  ///< 95 % of one more trial
 
   double misfit() const { return measured / predicted - 1; }
   bool inside() const { return interval.contains(measured); }
@@ -81,4 +81,4 @@ std::vector<Prediction> predictions_of(const std::vector<TrialValue>& values,
                                        const std::vector<Constant>& constants,
                                        std::vector<std::string>& unpredicted);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

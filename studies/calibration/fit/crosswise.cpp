@@ -10,7 +10,7 @@
 #include "studies/calibration/fit/trial_model.h"
 #include "studies/calibration/trials/trial_check.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr int kUnknowns = 5, kMostIterations = 25;
@@ -164,4 +164,4 @@ std::optional<CrosswiseFit> fit_crosswise(const Trial& trial, TrialFault& fault)
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -6,7 +6,7 @@
 #include "studies/calibration/trials/trial.h"
 
 /// Pulls with casters that are not in line: what resists their swivelling.
-namespace gurney {
+namespace gurney::calibration {
 
 /// What one crosswise pull says, from the engine's run that is nearest to it.
 struct CrosswiseFit {
@@ -39,4 +39,4 @@ struct CrosswiseFit {
 ///         found, or the trial says nothing (error above a half)
 std::optional<CrosswiseFit> fit_crosswise(const Trial& trial, TrialFault& fault);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

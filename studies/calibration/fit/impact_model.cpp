@@ -9,7 +9,7 @@
 #include "engine/run/simulate.h"
 #include "studies/calibration/fit/trial_item.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr double kBefore = 0.3, kAfter = 0.4;  // the wall [s]
@@ -84,4 +84,4 @@ ContactRestitution contact_restitution(const Trial& trial, const Rebound& reboun
                   kLeast, wanted));
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

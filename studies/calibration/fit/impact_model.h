@@ -2,7 +2,7 @@
 
 #include "studies/calibration/fit/rebound.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// e of the contact and d e / d (leaving / approach).
 struct ContactRestitution {
@@ -16,4 +16,4 @@ struct ContactRestitution {
 /// @throws Error where the catalogue does not know the item, or no e in 0.01..1 does it
 ContactRestitution contact_restitution(const Trial& trial, const Rebound& rebound);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr std::size_t kFewest = 24;
@@ -71,4 +71,4 @@ std::optional<MotionLaw> motion_law(const TrialSignals& s, const Span& span, dou
   return MotionLaw{plain.scale, plain.scale_error, sure ? lag : 0};
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

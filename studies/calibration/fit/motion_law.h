@@ -5,7 +5,7 @@
 #include "studies/calibration/trials/polynomial_fit.h"
 #include "studies/calibration/trials/trial.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// Newton's law between a force and a motion that were measured apart.
 struct MotionLaw {
@@ -24,4 +24,4 @@ struct MotionLaw {
 /// @return nothing where `span` has less than 24 samples
 std::optional<MotionLaw> motion_law(const TrialSignals& signals, const Span& span, double inertia);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

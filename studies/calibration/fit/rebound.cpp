@@ -9,7 +9,7 @@
 #include "studies/calibration/fit/impact_model.h"
 #include "studies/calibration/trials/polynomial_fit.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr double kWindow = 0.25, kAway = 0.03;   // [s]
@@ -66,4 +66,4 @@ std::optional<Rebound> rebound_of(const Trial& trial, TrialFault& fault) {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -4,7 +4,7 @@
 
 #include "studies/calibration/trials/trial.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// Of one impact.
 struct Rebound {
@@ -24,4 +24,4 @@ struct Rebound {
 ///         or the item is not known
 std::optional<Rebound> rebound_of(const Trial& trial, TrialFault& fault);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

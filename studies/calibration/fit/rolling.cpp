@@ -1,6 +1,6 @@
 #include "studies/calibration/fit/rolling.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 double RollingTrial::ratio() const { return resistance.mean / normal_force(averages.setup); }
 double RollingTrial::error() const { return resistance.mean_error / normal_force(averages.setup); }
@@ -10,4 +10,4 @@ TrialValue value_of(const RollingTrial& trial) {
           trial.error()};
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -8,7 +8,7 @@
 #include "studies/calibration/trials/average_method.h"
 
 /// Rolling resistance from pulls (docs/calibration.md).
-namespace gurney {
+namespace gurney::calibration {
 
 /// One pull with its resistance.
 struct RollingTrial {
@@ -26,7 +26,7 @@ struct RollingTest {
   std::string name;      ///< "load", "speed between trials", "floor polyflor_forest_fx" ...
   std::string quantity;  ///< what is estimated: "n in f_r ~ N^n"
   double estimate = 0;
-  Interval interval;                ///< 95 %
+  statistics::Interval interval;    ///< 95 %
   double supposed = 0;              ///< by f_r = (Cr / R) N
   double p = 1;                     ///< two-sided, of `supposed`
   double p_adjusted = 1;            ///< for all tests of a calibration (Holm)
@@ -39,4 +39,4 @@ struct RollingTest {
 /// @param trials  with `use` calibration, that passed check_averages()
 std::vector<RollingTest> rolling_tests(const std::vector<RollingTrial>& trials);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

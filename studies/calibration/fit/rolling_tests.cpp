@@ -8,7 +8,7 @@
 #include "studies/statistics/random_effects.h"
 #include "studies/statistics/two_groups.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 using Trials = std::vector<const RollingTrial*>;
@@ -44,19 +44,20 @@ void add_number(Eigen::MatrixXd& design, const Trials& trials, const Number& num
     design(static_cast<Eigen::Index>(i), column) = number(*trials[i]);
 }
 
-std::optional<RandomEffects> fit_logarithms(const Trials& trials, const Eigen::MatrixXd& design) {
+std::optional<statistics::RandomEffects> fit_logarithms(const Trials& trials,
+                                                        const Eigen::MatrixXd& design) {
   Eigen::VectorXd y(trials.size()), error(trials.size());
   for (std::size_t i = 0; i < trials.size(); ++i) {
     y[static_cast<Eigen::Index>(i)] = std::log(trials[i]->ratio());
     error[static_cast<Eigen::Index>(i)] = trials[i]->error() / trials[i]->ratio();
   }
-  return fit_random_effects(y, error, design);
+  return statistics::fit_random_effects(y, error, design);
 }
 
 /// A test of the coefficient in column `i` plus `offset`.
-RollingTest test_of(const RandomEffects& fit, Eigen::Index i, double offset, double supposed,
-                    std::string name, std::string quantity) {
-  const Interval interval = fit.interval(i);
+RollingTest test_of(const statistics::RandomEffects& fit, Eigen::Index i, double offset,
+                    double supposed, std::string name, std::string quantity) {
+  const statistics::Interval interval = fit.interval(i);
   RollingTest test;
   test.name = std::move(name);
   test.quantity = std::move(quantity);
@@ -128,9 +129,9 @@ void test_mean(const Trials& trials, const Number& value, const Number& error, c
       errors.push_back(error(*trial));
     }
   const auto n = static_cast<Eigen::Index>(values.size());
-  const auto fit = fit_random_effects(Eigen::Map<Eigen::VectorXd>(values.data(), n),
-                                      Eigen::Map<Eigen::VectorXd>(errors.data(), n),
-                                      Eigen::MatrixXd::Ones(n, 1));
+  const auto fit = statistics::fit_random_effects(Eigen::Map<Eigen::VectorXd>(values.data(), n),
+                                                  Eigen::Map<Eigen::VectorXd>(errors.data(), n),
+                                                  Eigen::MatrixXd::Ones(n, 1));
   if (fit) tests.push_back(test_of(*fit, 0, 0, 0, name, quantity));
 }
 
@@ -190,9 +191,9 @@ std::vector<RollingTest> rolling_tests(const std::vector<RollingTrial>& all) {
   if (!tests.empty() && tests.back().name == "phase") as_ratio(tests.back());
   std::vector<double> p;
   for (const RollingTest& test : tests) p.push_back(test.p);
-  const std::vector<double> adjusted = holm_adjusted(p);
+  const std::vector<double> adjusted = statistics::holm_adjusted(p);
   for (std::size_t i = 0; i < tests.size(); ++i) tests[i].p_adjusted = adjusted[i];
   return tests;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr double kGrid = 1e-3, kCoarse = 1e-2, kBefore = 0.3;  // [s]
@@ -182,4 +182,4 @@ std::optional<SlipOnset> find_onset(const TrialSignals& s, const Span& window, d
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

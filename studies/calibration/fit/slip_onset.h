@@ -5,7 +5,7 @@
 #include "studies/calibration/trials/polynomial_fit.h"
 #include "studies/calibration/trials/trial.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// When an item that is pulled ever harder begins to move, and by which force.
 struct SlipOnset {
@@ -32,4 +32,4 @@ struct SlipOnset {
 std::optional<SlipOnset> find_onset(const TrialSignals& signals, const Span& window, double inertia,
                                     double resisting, double resisting_error, bool free);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -9,14 +9,14 @@
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/load_item.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr double kMassAgrees = 0.02;
 
-std::string found(DataKind kind, const std::string& name) {
+std::string found(equipment::DataKind kind, const std::string& name) {
   try {
-    return find_data(kind, name, "");
+    return equipment::find_data(kind, name, "");
   } catch (const Error& error) {
     throw Error("'" + name + "': " + error.what());
   }
@@ -25,17 +25,21 @@ std::string found(DataKind kind, const std::string& name) {
 }  // namespace
 
 EquipmentModel item_of(const TrialSetup& setup) {
-  ItemOptions options;
+  equipment::ItemOptions options;
   if (!setup.caster.empty())
-    options.caster = load_caster_type(found(DataKind::kCaster, setup.caster)).stated();
-  const std::vector<std::string> floors = catalogue_names(DataKind::kFloor);
+    options.caster =
+        equipment::load_caster_type(found(equipment::DataKind::kCaster, setup.caster)).stated();
+  const std::vector<std::string> floors = equipment::catalogue_names(equipment::DataKind::kFloor);
   if (std::ranges::find(floors, setup.floor) != floors.end())
-    options.floor = load_floor_covering(find_data(DataKind::kFloor, setup.floor, "")).stated();
+    options.floor =
+        equipment::load_floor_covering(find_data(equipment::DataKind::kFloor, setup.floor, ""))
+            .stated();
   if (!setup.payload_name.empty()) options.payloads = {{setup.payload_name, setup.payload_count}};
   options.headings = setup.headings;
   if (setup.headings.size() == 1)
     options.headings.assign(static_cast<std::size_t>(setup.wheels), setup.headings[0]);
-  EquipmentModel model = load_item(found(DataKind::kItem, setup.item), options).model;
+  EquipmentModel model =
+      equipment::load_item(found(equipment::DataKind::kItem, setup.item), options).model;
   const double mass = whole_item(model).mass;
   require(setup.mass == 0 || std::abs(mass / setup.mass - 1) < kMassAgrees,
           fmt::format("{} weighs {:.4g} kg with its payload, but the trial {:.4g} kg", setup.item,
@@ -44,4 +48,4 @@ EquipmentModel item_of(const TrialSetup& setup) {
   return model;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

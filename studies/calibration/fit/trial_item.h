@@ -3,7 +3,7 @@
 #include "engine/scene/equipment_model.h"
 #include "studies/calibration/trials/trial.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// The item of a trial from the catalogue, with its payload, casters, floor and headings. A floor
 /// that the catalogue does not know has the factor 1.
@@ -11,4 +11,4 @@ namespace gurney {
 ///         casters, or it does not weigh what the trial says within 2 % (where it says so)
 EquipmentModel item_of(const TrialSetup& setup);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

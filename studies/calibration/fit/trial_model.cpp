@@ -8,7 +8,7 @@
 #include "studies/calibration/fit/trial_item.h"
 #include "studies/calibration/trials/average_method.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr double kTimeStep = 1.0 / 240;  // [s]
@@ -116,4 +116,4 @@ TrialModel::Motion TrialModel::run(const Unknowns& unknowns) const {
   return motion;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -5,7 +5,7 @@
 #include "studies/calibration/trials/phases.h"
 #include "studies/calibration/trials/trial.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// A pull made again with the engine under the force that was measured.
 class TrialModel {
@@ -51,4 +51,4 @@ class TrialModel {
   PolynomialFit force_;  ///< of phase II
 };
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -6,7 +6,7 @@
 #include "studies/calibration/trials/trial_check.h"
 #include "studies/calibration/trials/trial_file.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr double kAlike = 0.02;
@@ -68,4 +68,4 @@ const MeasuredTrial* like(const SimulatedTrial& simulated,
   return nullptr;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

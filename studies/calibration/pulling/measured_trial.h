@@ -6,7 +6,7 @@
 
 #include "studies/calibration/pulling/simulated_trial.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// A trial of a user's folder (docs/formats/trial_file.md) with what the method finds in it.
 struct MeasuredTrial {
@@ -25,4 +25,4 @@ std::vector<MeasuredTrial> measured_trials(const std::string& path);
 const MeasuredTrial* like(const SimulatedTrial& simulated,
                           const std::vector<MeasuredTrial>& measured);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

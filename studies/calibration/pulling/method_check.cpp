@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -76,4 +76,4 @@ TheoryError theory_error(const SimulatedTrial& trial) {
           trial.left_flooring ? kNaN : s.displacement.back() / theory.rest_displacement - 1};
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

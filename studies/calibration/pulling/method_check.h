@@ -6,7 +6,7 @@
 #include "studies/calibration/pulling/simulated_trial.h"
 
 /// What the paper's method finds in simulated trials, against what went in (docs/pulling_tests.md).
-namespace gurney {
+namespace gurney::calibration {
 
 struct MeanAndScatter {
   double mean = 0, deviation = 0;  ///< standard deviation over trials; NaN of fewer than 2
@@ -39,4 +39,4 @@ struct TheoryError {
 };
 TheoryError theory_error(const SimulatedTrial& trial);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

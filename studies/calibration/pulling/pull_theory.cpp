@@ -5,7 +5,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 bool along_x(const Vector3& direction) { return std::abs(direction.normalized().x()) > 1 - 1e-9; }
@@ -105,4 +105,4 @@ PullTheory theory_of(const Scene& scene) {
   return theory;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -2,7 +2,7 @@
 
 #include "engine/scene/scene.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// Newton's law for a pulling test of an item whose casters are in line with the pull
 /// (docs/pulling_tests.md).
@@ -41,4 +41,4 @@ struct PullTheory {
 ///         item on casters along x, hard enough to move it
 PullTheory theory_of(const Scene& scene);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -10,7 +10,7 @@
 #include "engine/base/units.h"
 #include "studies/study/plan/study_job.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr const char* kEndOfFlooring = "end of the flooring";
@@ -22,7 +22,7 @@ std::string text_at(const config::Node& tree, const std::string& table, const st
 }
 
 /// When each run's item came to the end of the flooring; infinite: never.
-std::vector<double> ends_of_flooring(const StudyReader& file) {
+std::vector<double> ends_of_flooring(const study::StudyReader& file) {
   std::vector<double> ends(file.runs(), std::numeric_limits<double>::infinity());
   if (!file.has("zones")) return ends;
   const auto zones = file.strings("zones/zone");
@@ -38,7 +38,7 @@ struct HistoryColumns {
   std::vector<double> time, x, y, velocity, acceleration, tension, force, yaw;
   std::vector<double> kinetic, rolling, weights, forces, dampers;  ///< empty: not kept
 
-  explicit HistoryColumns(const StudyReader& file) {
+  explicit HistoryColumns(const study::StudyReader& file) {
     const auto column = [&](const char* name) {
       return file.numbers(std::string("histories/") + name);
     };
@@ -88,7 +88,7 @@ void add_signals(const HistoryColumns& all, std::size_t first, std::size_t last,
   }
 }
 
-TrialSetup setup_of(const config::Node& tree, const Job& job, const PullTheory& theory) {
+TrialSetup setup_of(const config::Node& tree, const study::Job& job, const PullTheory& theory) {
   const PlacedItem& placed = job.scene.items.front();
   const EquipmentModel& item = placed.model;
   TrialSetup setup;
@@ -156,11 +156,11 @@ double SimulatedTrial::bias_coasting() const {
 }
 double SimulatedTrial::bias_mean() const { return bias(mean_resistance(*averages), theory); }
 
-std::vector<SimulatedTrial> simulated_trials(const StudyReader& file) {
+std::vector<SimulatedTrial> simulated_trials(const study::StudyReader& file) {
   require(file.has("histories"), file.path() +
                                      ": keeps no histories; the job needs\n"
                                      "[study.keep]\nhistories = \"all\"");
-  const StudyJob study(file.job_text(), file.path() + " (its job)");
+  const study::StudyJob study(file.job_text(), file.path() + " (its job)");
   const auto ends = ends_of_flooring(file);
   const auto rows = file.rows_of_runs("histories");
   const auto configurations = file.numbers("runs/configuration");
@@ -171,7 +171,7 @@ std::vector<SimulatedTrial> simulated_trials(const StudyReader& file) {
     const auto [first, last] = rows[run];
     if (first == last) continue;  // it failed
     const auto configuration = static_cast<std::size_t>(configurations[run]);
-    const Job job = study.job(configuration, {});
+    const study::Job job = study.job(configuration, {});
     SimulatedTrial made;
     made.run = run;
     made.configuration = names[configuration];
@@ -196,4 +196,4 @@ std::vector<SimulatedTrial> simulated_trials(const StudyReader& file) {
   return trials;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -8,7 +8,7 @@
 #include "studies/calibration/trials/average_method.h"
 #include "studies/study/results/study_reader.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// How the casters stand at the start, by the one that is farthest from trailing.
 enum class Alignment { kAligned, kCrosswise, kReversed };  // up to 45, 135, 180 degrees
@@ -40,9 +40,9 @@ struct SimulatedTrial {
 
 /// The trials of a results file with histories.
 /// @throws Error where the file keeps none, or its job is no pulling test
-std::vector<SimulatedTrial> simulated_trials(const StudyReader& file);
+std::vector<SimulatedTrial> simulated_trials(const study::StudyReader& file);
 
 /// Plain mean of the two phases [N].
 double mean_resistance(const TrialAverages& averages);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -5,10 +5,10 @@
 #include "studies/calibration/pulling/simulated_trial.h"
 #include "studies/calibration/trials/trial_file.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
-void export_trials(const std::string& path, const TakeFile& take) {
-  const StudyReader file(path);
+void export_trials(const std::string& path, const study::TakeFile& take) {
+  const study::StudyReader file(path);
   for (const SimulatedTrial& each : simulated_trials(file))
     take(each.trial.name + ".csv",
          trial_file_text(each.trial,
@@ -19,4 +19,4 @@ void export_trials(const std::string& path, const TakeFile& take) {
                                      each.theory.resistance)));
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -7,7 +7,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr double kAfterStart = 0.15, kAroundRelease = 0.1, kBeforeStop = 0.15;  // [s]
@@ -139,4 +139,4 @@ std::optional<TrialAverages> averages_of(const Trial& trial, const Phases& phase
   return averages;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -2,7 +2,7 @@
 
 #include "studies/calibration/trials/phases.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// Rolling resistance of the whole item by both phases of one pull [N]; errors are standard errors
 /// from those of the averages.
@@ -42,4 +42,4 @@ Span used_of_coast(const Trial& trial, const Phases& phases);
 /// As used_of_pull(); of a crosswise pull the second half of phase II, when casters are in line.
 Span settled_of_pull(const Trial& trial, const Phases& phases);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

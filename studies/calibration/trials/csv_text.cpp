@@ -11,7 +11,7 @@
 #include "engine/base/input_file.h"
 #include "engine/base/printable.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr std::size_t kMostMistakes = 20;
@@ -124,4 +124,4 @@ CsvText read_csv_text(const std::string& file, CsvMistakes& mistakes) {
   return text;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -5,7 +5,7 @@
 
 #include "engine/base/diagnostics.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// A cell, or the value of a key, with its place.
 struct TextCell {
@@ -50,4 +50,4 @@ class CsvMistakes {
 /// @throws Error if the file is missing, cannot be read or has no table.
 CsvText read_csv_text(const std::string& file, CsvMistakes& mistakes);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

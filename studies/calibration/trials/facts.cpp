@@ -10,7 +10,7 @@
 #include "engine/config/nearest_name.h"
 #include "engine/config/unit_limit.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 std::optional<double> number_in(const std::string& text) {
   const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
@@ -96,4 +96,4 @@ std::vector<double> Facts::numbers(const std::string& key, const config::Range& 
   return values;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -9,7 +9,7 @@
 #include "engine/config/range.h"
 #include "studies/calibration/trials/csv_text.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// What is known of a trial by key, from `# key = value` lines and, in a table of averages, from
 /// the cells of its row. Mistakes are noted; the results are for use only without any.
@@ -53,4 +53,4 @@ std::optional<double> number_in(const std::string& text);
 /// What is wrong with a cell that is no number.
 std::string not_a_number(const std::string& key, const std::string& text);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

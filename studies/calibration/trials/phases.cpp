@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr double kNoiseMultiples = 8;
@@ -196,4 +196,4 @@ std::optional<Phases> find_phases(const Trial& trial, TrialFault& fault) {
   return phases;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -5,7 +5,7 @@
 #include "studies/calibration/trials/polynomial_fit.h"
 #include "studies/calibration/trials/trial.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// The four phases of a pulling test (Xu, Ma & Kurata 2022, 5th SPONSE workshop, section 3.2).
 struct Phases {
@@ -38,4 +38,4 @@ std::vector<double> median_of_five(const std::vector<double>& series);
 
 const char* name_of(Phases::End end);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -4,7 +4,7 @@
 #include <Eigen/QR>
 #include <cmath>
 
-namespace gurney {
+namespace gurney::calibration {
 
 double PolynomialFit::value(double time) const {
   double sum = 0;
@@ -54,4 +54,4 @@ PolynomialFit fit_polynomial(const std::vector<double>& time, const std::vector<
   return fit;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// Samples [begin, end).
 struct Span {
@@ -33,4 +33,4 @@ struct PolynomialFit {
 PolynomialFit fit_polynomial(const std::vector<double>& time, const std::vector<double>& y,
                              const Span& span, int degree);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -7,7 +7,7 @@
 #include "engine/base/units.h"
 #include "engine/scene/equipment_model.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 using config::Range;
@@ -122,4 +122,4 @@ TrialSetup read_setup(Facts& facts, TrialKind kind) {
   return setup;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

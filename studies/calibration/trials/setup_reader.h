@@ -3,7 +3,7 @@
 #include "studies/calibration/trials/facts.h"
 #include "studies/calibration/trials/trial.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// Names of files, in the order of their enumerators.
 const std::vector<std::string>& names_of_kinds();
@@ -14,4 +14,4 @@ const std::vector<std::string>& names_of_origins();
 /// Reads the keys of docs/formats/trial_file.md. Which must be there depends on the kind.
 TrialSetup read_setup(Facts& facts, TrialKind kind);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

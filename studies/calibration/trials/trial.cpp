@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace gurney {
+namespace gurney::calibration {
 
 std::string TrialFault::text() const {
   return line > 0 ? fmt::format("{}:{}: {}", file, line, reason)
@@ -13,4 +13,4 @@ int line_of(const Trial& trial, std::size_t index) {
   return index < trial.lines.size() ? trial.lines[index] : 0;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

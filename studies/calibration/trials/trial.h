@@ -5,7 +5,7 @@
 #include <vector>
 
 /// What a test of a wheeled item in a laboratory is (docs/formats/trial_file.md). SI units.
-namespace gurney {
+namespace gurney::calibration {
 
 enum class TrialKind {
   kPull,           ///< held, pulled by a constant force, let go: rolling resistance
@@ -96,4 +96,4 @@ struct TrialFault {
 /// The line of sample `index`; 0 where there is no file.
 int line_of(const Trial& trial, std::size_t index);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -8,7 +8,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr double kGap = 1.5, kIrregular = 0.1, kDrift = 0.005;  // of a step
@@ -185,4 +185,4 @@ std::optional<TrialFault> check_phases(const Trial& trial, const Phases& phases)
   return {};
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -5,7 +5,7 @@
 #include "studies/calibration/trials/average_method.h"
 
 /// What makes a trial useless, found from the trial itself.
-namespace gurney {
+namespace gurney::calibration {
 
 /// Cells left empty, steps of time above 0.2 s or below 10 us, times that stand still, run
 /// backwards, jump (more than 1.5 steps), are irregular (more than 0.1 step off) or drift (the step
@@ -30,4 +30,4 @@ std::string cause_of_ratio(double ratio, double within, bool of_displacement);
 /// Only where displacement was measured.
 std::optional<TrialFault> check_phases(const Trial& trial, const Phases& phases);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

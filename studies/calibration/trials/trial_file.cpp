@@ -14,7 +14,7 @@
 #include "engine/config/unit_limit.h"
 #include "studies/calibration/trials/setup_reader.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 using config::Range;
@@ -208,4 +208,4 @@ TrialSet read_trials(const std::string& path) {
   return all;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -6,7 +6,7 @@
 #include "studies/calibration/trials/trial.h"
 
 /// Files of measured trials: docs/formats/trial_file.md.
-namespace gurney {
+namespace gurney::calibration {
 
 struct TrialSet {
   std::vector<Trial> trials;            ///< sampled
@@ -26,4 +26,4 @@ TrialSet read_trials(const std::string& path);
 /// @param note  free text, such as how a simulated trial was made; empty: none
 std::string trial_file_text(const Trial& trial, const std::string& note = "");
 
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -7,7 +7,7 @@
 #include "studies/calibration/trials/setup_reader.h"
 #include "studies/calibration/trials/trial_file.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 std::string key(const char* name, const std::string& value) {
@@ -89,4 +89,4 @@ std::string trial_file_text(const Trial& trial, const std::string& note) {
   return text;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

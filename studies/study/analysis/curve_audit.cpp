@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 std::string in(const ReportUnit& unit, double value) {
@@ -42,10 +42,10 @@ std::vector<std::string> cautions(const CurveAudit& audit, const ReportUnit& uni
   return all;
 }
 
-std::string median_text(FragilityStatus status, const MedianBounds& median,
+std::string median_text(statistics::FragilityStatus status, const statistics::MedianBounds& median,
                         const ReportUnit& unit) {
   if (!median.known()) return {};
-  const char* const about = status == FragilityStatus::kQuasiSeparated ? "about " : "";
+  const char* const about = status == statistics::FragilityStatus::kQuasiSeparated ? "about " : "";
   if (median.low == median.high) return fmt::format("median about {}", in(unit, median.low));
   if (median.low == 0) return fmt::format("median below {}{}", about, in(unit, median.high));
   if (std::isinf(median.high)) return fmt::format("median above {}{}", about, in(unit, median.low));
@@ -53,10 +53,10 @@ std::string median_text(FragilityStatus status, const MedianBounds& median,
                      in(unit, median.high));
 }
 
-std::string no_curve_text(FragilityStatus status, const MedianBounds& median,
-                          const ReportUnit& unit) {
+std::string no_curve_text(statistics::FragilityStatus status,
+                          const statistics::MedianBounds& median, const ReportUnit& unit) {
   const std::string known = median_text(status, median, unit);
-  return text(status) + (known.empty() ? "" : ": " + known);
+  return statistics::text(status) + (known.empty() ? "" : ": " + known);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

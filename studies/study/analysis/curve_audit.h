@@ -8,7 +8,7 @@
 #include "studies/study/analysis/report_unit.h"
 #include "studies/study/analysis/scale_factors.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Fewer runs that exceed, or that do not, than ten a parameter of interest do not determine a
 /// regression of outcomes (Peduzzi, Concato, Kemper, Holford & Feinstein 1996, Journal of Clinical
@@ -29,10 +29,11 @@ struct CurveAudit {
 std::vector<std::string> cautions(const CurveAudit& audit, const ReportUnit& unit);
 
 /// `no run exceeds: median above 1.2 g`
-std::string no_curve_text(FragilityStatus status, const MedianBounds& median,
-                          const ReportUnit& unit);
+std::string no_curve_text(statistics::FragilityStatus status,
+                          const statistics::MedianBounds& median, const ReportUnit& unit);
 
 /// `median above about 1.2 g`; empty where nothing is known of it.
-std::string median_text(FragilityStatus status, const MedianBounds& median, const ReportUnit& unit);
+std::string median_text(statistics::FragilityStatus status, const statistics::MedianBounds& median,
+                        const ReportUnit& unit);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -10,7 +10,7 @@
 #include "engine/config/nearest_name.h"
 #include "studies/study/results/columns.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// Item, or item and point, of the first run of a configuration.
@@ -111,4 +111,4 @@ std::vector<double> values_of_runs(const StudyData& data, const NamedDemand& dem
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -5,7 +5,7 @@
 
 #include "studies/study/analysis/study_data.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// A demand that study files keep for each run.
 struct NamedDemand {
@@ -30,4 +30,4 @@ std::vector<NamedDemand> demands_named(const StudyData& data, std::size_t config
 std::vector<double> values_of_runs(const StudyData& data, const NamedDemand& demand,
                                    const std::vector<std::size_t>& runs);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -14,7 +14,7 @@
 #include "studies/statistics/quantiles.h"
 #include "studies/study/analysis/sensitivity_output.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// Outputs of the matrices, a row for each point under each angle and level.
@@ -87,9 +87,9 @@ void add_tornado(const StudySide& side, const Design& design, double share,
     input.drawn = variables[i] && drawn.values.contains(*variables[i]);
     if (!input.drawn) continue;
     const std::vector<double> column = drawn.column(*variables[i], draws);
-    input.low = quantile_of(column, share);
-    input.high = quantile_of(column, 1 - share);
-    input.bar = tornado({column}, y, share).front();
+    input.low = statistics::quantile_of(column, share);
+    input.high = statistics::quantile_of(column, 1 - share);
+    input.bar = statistics::tornado({column}, y, share).front();
     input.bar.low += result.mean;
     input.bar.high += result.mean;
   }
@@ -126,13 +126,14 @@ StudySensitivity designed_sensitivity(const StudySide& side, const SensitivityRe
   result.overturned = output.overturned;
   result.draws = std::set<std::size_t>(design.draw_a.begin(), design.draw_a.end()).size();
   result.repeated_draws = result.draws < rows;
-  result.mean = moments_of(joined(design.outputs[0], design.outputs[1])).mean;
+  result.mean = statistics::moments_of(joined(design.outputs[0], design.outputs[1])).mean;
   take_off_means(design);
-  result.deviation = std::sqrt(moments_of(joined(design.outputs[0], design.outputs[1])).variance);
+  result.deviation =
+      std::sqrt(statistics::moments_of(joined(design.outputs[0], design.outputs[1])).variance);
 
   const std::vector<std::vector<double>> mixed(design.outputs.begin() + kSaltelliMatrices,
                                                design.outputs.end());
-  const auto indices = sobol_indices(design.outputs[0], design.outputs[1], mixed);
+  const auto indices = statistics::sobol_indices(design.outputs[0], design.outputs[1], mixed);
   require(!indices.empty(), fmt::format("{}: {} is {:g} in every run of the matrices A and B: "
                                         "no input controls it",
                                         file, output.name, result.mean));
@@ -152,4 +153,4 @@ StudySensitivity designed_sensitivity(const StudySide& side, const SensitivityRe
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -5,7 +5,7 @@
 
 #include "studies/study/analysis/study_sensitivity.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Inputs of a study's Saltelli design in their order, `variable mass_kg`, `group treads` or
 /// `record`; none: it has no such design.
@@ -18,4 +18,4 @@ std::vector<std::string> design_inputs(const StudyData& data);
 /// @throws Error as study_sensitivity() does, and where fewer than kFewestRuns points are whole
 StudySensitivity designed_sensitivity(const StudySide& side, const SensitivityRequest& request);
 
-}  // namespace gurney
+}  // namespace gurney::study

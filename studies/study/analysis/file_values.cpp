@@ -2,7 +2,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 struct Place {
@@ -57,4 +57,4 @@ std::vector<double> FileValues::operator()(std::size_t run, const Quantity& quan
   return values;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

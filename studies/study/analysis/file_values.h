@@ -7,7 +7,7 @@
 #include "studies/study/limit_states/limit_state.h"
 #include "studies/study/results/study_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// The values of the runs of a study file; columns are read when they are first asked for.
 class FileValues {
@@ -34,4 +34,4 @@ class FileValues {
   std::map<std::string, std::vector<std::string>> strings_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -4,7 +4,7 @@
 
 #include "engine/response/response.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 bool has_capacities(const StudyData& data, std::size_t state, const std::string& measure) {
@@ -24,7 +24,8 @@ CurveAudit audit_of(const StudyData& data, std::size_t configuration, const Fitt
   CurveAudit audit;
   if (const auto curve = fitted.curve()) audit.theta = curve->theta;
   if (!fitted.observations.empty()) {
-    const auto [low, high] = std::ranges::minmax(fitted.observations, {}, &Observation::im);
+    const auto [low, high] =
+        std::ranges::minmax(fitted.observations, {}, &statistics::Observation::im);
     audit.lowest = low.im;
     audit.highest = high.im;
   }
@@ -45,13 +46,13 @@ FittedCurve fitted_curve(const StudyData& data, std::size_t state, std::size_t c
                          const RunMeasure& measure) {
   FittedCurve fitted;
   fitted.observations = data.observations(state, configuration, measure);
-  fitted.fit = fit_fragility(fitted.observations);
+  fitted.fit = statistics::fit_fragility(fitted.observations);
   if (has_capacities(data, state, measure.name)) {
-    fitted.brackets = ida_capacities(fitted.observations);
-    fitted.capacities = fit_capacities(fitted.brackets);
+    fitted.brackets = statistics::ida_capacities(fitted.observations);
+    fitted.capacities = statistics::fit_capacities(fitted.brackets);
   }
   fitted.audit = audit_of(data, configuration, fitted);
   return fitted;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

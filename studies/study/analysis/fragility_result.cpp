@@ -6,13 +6,13 @@
 #include "studies/statistics/fit_check.h"
 #include "studies/study/analysis/measure_choice.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr int kGridPoints = 61;
 constexpr std::size_t kMostStripes = 40;  ///< more distinct intensities are a cloud, not stripes
 
-std::vector<double> grid(const std::vector<Stripe>& stripes) {
+std::vector<double> grid(const std::vector<statistics::Stripe>& stripes) {
   if (stripes.empty()) return {};
   const double low = std::log(stripes.front().im / 1.5), high = std::log(stripes.back().im * 1.5);
   std::vector<double> im;
@@ -25,16 +25,17 @@ void add_cloud(const StudyData& data, const FragilityRequest& request, const Run
                FragilityResult& result) {
   const LimitState& state = data.limit_states().at(request.state);
   if (state.kind != LimitState::Kind::kAbove || state.at_least > 1 || !(state.limit > 0)) return;
-  result.cloud = fit_cloud(
+  result.cloud = statistics::fit_cloud(
       data.cloud(request.state, request.configuration, measure, kFloorOfLimit * state.limit));
-  if (const auto fragility = cloud_fragility(*result.cloud, state.limit))
+  if (const auto fragility = statistics::cloud_fragility(*result.cloud, state.limit))
     result.cloud_curve = fragility->curve;
 }
 
-void judge_stripes(const StripeTable& table, const FragilityRequest& request, std::uint64_t seed,
-                   FragilityResult& result) {
-  result.profile = profile_intervals(table, request.confidence, true);
-  if (const auto check = check_fit(result.stripes, 999, seed)) result.p_of_fit = check->p_simulated;
+void judge_stripes(const statistics::StripeTable& table, const FragilityRequest& request,
+                   std::uint64_t seed, FragilityResult& result) {
+  result.profile = statistics::profile_intervals(table, request.confidence, true);
+  if (const auto check = statistics::check_fit(result.stripes, 999, seed))
+    result.p_of_fit = check->p_simulated;
 }
 
 /// The band of an IDA without a curve stays that of its outcomes, which supposes no model.
@@ -43,12 +44,12 @@ void judge_capacities(const FragilityRequest& request, std::uint64_t seed,
   if (!result.capacities->curve) return;
   result.band = {};
   result.band.status = result.capacities->status;
-  const CapacityIntervals intervals =
-      capacity_intervals(result.brackets, *result.capacities, result.im, request.confidence);
+  const statistics::CapacityIntervals intervals = statistics::capacity_intervals(
+      result.brackets, *result.capacities, result.im, request.confidence);
   result.band.of_curve = intervals.of_curve;
   result.band.theta = intervals.theta;
   result.band.beta = intervals.beta;
-  result.p_of_fit = p_of_lognormal(result.brackets, *result.capacities, 499, seed);
+  result.p_of_fit = statistics::p_of_lognormal(result.brackets, *result.capacities, 499, seed);
 }
 
 }  // namespace
@@ -67,13 +68,13 @@ FragilityResult fragility_of(const StudyData& data, const FragilityRequest& requ
   result.runs = result.fit.runs;
   result.exceeded = result.fit.exceeded;
   result.records = result.fit.groups;
-  const StripeTable table(result.observations);
+  const statistics::StripeTable table(result.observations);
   result.im = grid(table.stripes());
-  result.band = fragility_band(table, result.im,
-                               {.confidence = request.confidence, .seed = data.study().seed});
+  result.band = statistics::fragility_band(
+      table, result.im, {.confidence = request.confidence, .seed = data.study().seed});
   if (table.stripes().size() <= kMostStripes) {
     result.stripes = table.stripes();
-    result.isotonic = isotonic_curve(result.stripes);
+    result.isotonic = statistics::isotonic_curve(result.stripes);
   }
   if (result.capacities)
     judge_capacities(request, data.study().seed, result);
@@ -82,8 +83,8 @@ FragilityResult fragility_of(const StudyData& data, const FragilityRequest& requ
   const bool own = measure.name == data.file().text_attribute("intensity_measure");
   add_cloud(data, request, measure, result);
   if (own && data.study().hazard && result.curve())
-    result.rate = mean_rate(*result.curve(), *data.study().hazard);
+    result.rate = statistics::mean_rate(*result.curve(), *data.study().hazard);
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -10,7 +10,12 @@
 #include "studies/study/analysis/fitted_curve.h"
 #include "studies/study/analysis/study_data.h"
 
-namespace gurney {
+namespace gurney::study {
+
+/// Demands below this fraction of the limit count as "at most" it: they are noise of an item at
+/// rest (the time step and the settling of the treads), and would rule a regression of logarithms.
+/// An assumption; 0.01 to 0.0001 is as good.
+inline constexpr double kFloorOfLimit = 1e-3;
 
 /// What a fragility is asked of.
 struct FragilityRequest {
@@ -25,20 +30,20 @@ struct FragilityResult : FittedCurve {
   RunMeasure measure;                       ///< without its values
   std::size_t runs = 0, exceeded = 0, records = 0, failed = 0;
 
-  FragilityBand band;      ///< of curve(), at `im`
-  std::vector<double> im;  ///< grid over the intensities of the runs, logarithmic
-  std::vector<Stripe> stripes;
-  std::optional<ProfileIntervals> profile;  ///< of stripes; capacities have no others
-  std::optional<double> p_of_fit;           ///< small: a lognormal curve fits badly
-  std::vector<double> isotonic;             ///< at the stripes
+  statistics::FragilityBand band;  ///< of curve(), at `im`
+  std::vector<double> im;          ///< grid over the intensities of the runs, logarithmic
+  std::vector<statistics::Stripe> stripes;
+  std::optional<statistics::ProfileIntervals> profile;  ///< of stripes; capacities have no others
+  std::optional<double> p_of_fit;                       ///< small: a lognormal curve fits badly
+  std::vector<double> isotonic;                         ///< at the stripes
 
-  std::optional<CloudFit> cloud;  ///< where the state is a demand above a limit
-  std::optional<LognormalCurve> cloud_curve;
+  std::optional<statistics::CloudFit> cloud;  ///< where the state is a demand above a limit
+  std::optional<statistics::LognormalCurve> cloud_curve;
 
-  std::optional<MeanRate> rate;  ///< with the study's hazard
+  std::optional<statistics::MeanRate> rate;  ///< with the study's hazard
 };
 
 /// @throws Error for a measure that the file lacks
 FragilityResult fragility_of(const StudyData& data, const FragilityRequest& request);
 
-}  // namespace gurney
+}  // namespace gurney::study

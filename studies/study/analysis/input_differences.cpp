@@ -10,7 +10,7 @@
 #include "engine/config/overlay.h"
 #include "studies/study/plan/flat_tree.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Node;
@@ -115,4 +115,4 @@ InputDifferences input_differences(const StudySide& a, const StudySide& b) {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

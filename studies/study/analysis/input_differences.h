@@ -5,7 +5,7 @@
 
 #include "studies/study/analysis/study_side.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// An input that is not the same; empty: it is not there.
 struct InputDifference {
@@ -28,4 +28,4 @@ struct InputDifferences {
 
 InputDifferences input_differences(const StudySide& a, const StudySide& b);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -8,20 +8,20 @@
 
 #include "engine/base/random/normal_draw.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTie = 1e-6;  // ln likelihoods that are equal but for rounding
 
-using Points = std::vector<CloudPoint>;
+using Points = std::vector<statistics::CloudPoint>;
 
 /// Fitted on all runs, fitted on some, not fitted.
-int rank_of(const IntensityRow& row) {
-  return row.status != CloudStatus::kFitted ? 2 : row.left_out > 0 ? 1 : 0;
+int rank_of(const statistics::IntensityRow& row) {
+  return row.status != statistics::CloudStatus::kFitted ? 2 : row.left_out > 0 ? 1 : 0;
 }
 
-bool is_better(const IntensityRow& a, const IntensityRow& b) {
+bool is_better(const statistics::IntensityRow& a, const statistics::IntensityRow& b) {
   if (rank_of(a) != rank_of(b)) return rank_of(a) < rank_of(b);
   if (rank_of(a) == 0)
     return std::round(a.log_likelihood / kTie) > std::round(b.log_likelihood / kTie);
@@ -35,7 +35,7 @@ Points resampled(const std::vector<Points>& of_record, std::uint64_t seed, int r
   for (std::size_t i = 0; i < of_record.size(); ++i) {
     const double u = uniform_draw(seed, static_cast<std::uint64_t>(resample), i);
     const std::size_t record = std::min(of_record.size() - 1, static_cast<std::size_t>(u * n));
-    for (CloudPoint point : of_record[record]) {
+    for (statistics::CloudPoint point : of_record[record]) {
       point.group = i;
       points.push_back(point);
     }
@@ -44,14 +44,14 @@ Points resampled(const std::vector<Points>& of_record, std::uint64_t seed, int r
 }
 
 double likelihood_of(const Points& points) {
-  const CloudFit fit = fit_cloud(points);
-  return fit.status == CloudStatus::kFitted ? fit.log_likelihood : kNan;
+  const statistics::CloudFit fit = statistics::fit_cloud(points);
+  return fit.status == statistics::CloudStatus::kFitted ? fit.log_likelihood : kNan;
 }
 
 std::vector<Points> by_record(const Points& demands, const std::vector<double>& im) {
   std::map<std::size_t, Points> records;
   for (std::size_t i = 0; i < demands.size(); ++i) {
-    CloudPoint point = demands[i];
+    statistics::CloudPoint point = demands[i];
     point.im = im[i];
     records[point.group].push_back(point);
   }
@@ -107,24 +107,26 @@ MeasureChoice choose_measure(const StudySide& side, std::size_t state, int resam
   const RunMeasure any{"", "", std::vector<double>(data.file().runs(), 1)};
   const Points demands = data.cloud(state, side.configuration, any, choice.floor);
   std::map<std::size_t, int> records;
-  for (const CloudPoint& point : demands) {
+  for (const statistics::CloudPoint& point : demands) {
     ++records[point.group];
-    choice.overturned += point.known == CloudPoint::Known::kAtLeast;
-    choice.at_floor += point.known == CloudPoint::Known::kAtMost;
+    choice.overturned += point.known == statistics::CloudPoint::Known::kAtLeast;
+    choice.at_floor += point.known == statistics::CloudPoint::Known::kAtMost;
   }
   choice.runs = demands.size();
   choice.records = records.size();
 
   const std::vector<RunMeasure> known = known_measures(data);
-  std::vector<NamedValues> measures;
+  std::vector<statistics::NamedValues> measures;
   for (const RunMeasure& each : known) measures.push_back({each.name, of_runs(each.values, runs)});
   for (const std::string& name : data.measures())
     if (std::ranges::find(known, name, &RunMeasure::name) == known.end())
       choice.unknown.push_back(name);
-  NamedValues scale{"factor on the record", of_runs(data.file().numbers("runs/scale"), runs)};
+  statistics::NamedValues scale{"factor on the record",
+                                of_runs(data.file().numbers("runs/scale"), runs)};
   for (double& value : scale.values) value = std::log(value);
   choice.properties.push_back(scale.name);
-  const std::vector<IntensityRow> rows = compare_intensities(demands, measures, {scale});
+  const std::vector<statistics::IntensityRow> rows =
+      statistics::compare_intensities(demands, measures, {scale});
 
   std::vector<std::size_t> order(rows.size());
   std::iota(order.begin(), order.end(), 0);
@@ -149,4 +151,4 @@ MeasureChoice choose_measure(const StudySide& side, std::size_t state, int resam
   return choice;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -4,17 +4,18 @@
 #include <vector>
 
 #include "studies/statistics/intensity_table.h"
+#include "studies/study/analysis/fragility_result.h"
 #include "studies/study/analysis/study_side.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// How well each intensity measure of a study file predicts the demand of one limit state.
 struct MeasureChoice {
-  std::vector<IntensityRow> rows;       ///< best first; those that tell nothing last
-  std::vector<std::string> units;       ///< of each row, SI
-  std::vector<std::string> unknown;     ///< measures that no run has
-  std::vector<std::string> properties;  ///< of IntensityRow::sufficiency
-  double floor = 0;                     ///< demands below are "at most" this [SI]
+  std::vector<statistics::IntensityRow> rows;  ///< best first; those that tell nothing last
+  std::vector<std::string> units;              ///< of each row, SI
+  std::vector<std::string> unknown;            ///< measures that no run has
+  std::vector<std::string> properties;         ///< of IntensityRow::sufficiency
+  double floor = 0;                            ///< demands below are "at most" this [SI]
   std::size_t runs = 0, records = 0, overturned = 0, at_floor = 0;
 
   std::size_t ties = 0;  ///< rows after the first whose likelihood is the same: in one proportion
@@ -28,10 +29,6 @@ struct MeasureChoice {
   double stays_best = 0;
 };
 
-/// Demands below this fraction of the limit count as "at most" it: they are noise of an item at
-/// rest, and would rule a regression of logarithms. An assumption; 0.01 to 0.0001 is as good.
-inline constexpr double kFloorOfLimit = 1e-3;
-
 /// Rows are ranked by likelihood. Those that rest on fewer runs (the measure is unknown for some)
 /// stand behind, by efficiency. The only property of records that study files hold is the factor on
 /// them: sufficiency against it says whether scaling biases the demand.
@@ -43,4 +40,4 @@ MeasureChoice choose_measure(const StudySide& side, std::size_t state, int resam
 /// The states that choose_measure() takes.
 std::vector<std::size_t> sized_states(const StudyData& data);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -16,7 +16,7 @@
 #include "studies/study/plan/undrawn_ranges.h"
 #include "studies/study/results/hdf5_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -222,4 +222,4 @@ RunOverview run_overview(const std::string& path) {
   return overview;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

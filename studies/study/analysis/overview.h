@@ -7,7 +7,7 @@
 #include "studies/study/analysis/scale_factors.h"
 #include "studies/study/analysis/step_certificate.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// What the file of a study and that of one run say of themselves alike.
 struct FileOverview {
@@ -90,4 +90,4 @@ RunOverview run_overview(const std::string& path);
 /// @throws Error for other files
 bool is_study_file(const std::string& path);
 
-}  // namespace gurney
+}  // namespace gurney::study

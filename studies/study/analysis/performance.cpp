@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 const FragilityResult* find(const std::vector<FragilityResult>& results, const std::string& state,
@@ -47,7 +47,7 @@ std::vector<PerformanceTable> performance_tables(const StudyData& data,
       std::vector<double> exceedance;
       for (const FragilityResult* level : of_levels) exceedance.push_back(probability(*level, i));
       table.im.push_back(of_levels.front()->stripes[i].im);
-      table.at.push_back(level_probabilities(exceedance));
+      table.at.push_back(statistics::level_probabilities(exceedance));
       table.at.back().crossed = crossing(exceedance) > kSmallCrossing;
     }
     tables.push_back(std::move(table));
@@ -55,4 +55,4 @@ std::vector<PerformanceTable> performance_tables(const StudyData& data,
   return tables;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

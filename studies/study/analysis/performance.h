@@ -6,14 +6,14 @@
 #include "studies/statistics/department.h"
 #include "studies/study/analysis/fragility_result.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// How likely each performance level is the worst that is reached, at some intensities.
 struct PerformanceTable {
   std::string configuration;
-  std::vector<std::string> levels;     ///< limit states, mildest first
-  std::vector<double> im;              ///< SI
-  std::vector<LevelProbabilities> at;  ///< for each im
+  std::vector<std::string> levels;                 ///< limit states, mildest first
+  std::vector<double> im;                          ///< SI
+  std::vector<statistics::LevelProbabilities> at;  ///< for each im
 };
 
 /// From the curves of the study's performance levels; where a level has no curve, from the
@@ -22,4 +22,4 @@ struct PerformanceTable {
 std::vector<PerformanceTable> performance_tables(const StudyData& data,
                                                  const std::vector<FragilityResult>& results);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -2,7 +2,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::study {
 
 ReportUnit report_unit(const StudyData& data, const RunMeasure& measure) {
   const IntensityPlan& plan = data.study().intensity;
@@ -19,4 +19,4 @@ ReportUnit report_unit(const std::string& si) {
   return {si, 1};
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

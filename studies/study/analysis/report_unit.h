@@ -4,7 +4,7 @@
 
 #include "studies/study/analysis/study_data.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// A unit that reports and figures print values in.
 struct ReportUnit {
@@ -19,4 +19,4 @@ ReportUnit report_unit(const StudyData& data, const RunMeasure& measure);
 /// Of a demand: g for accelerations, deg for angles, else the SI unit itself.
 ReportUnit report_unit(const std::string& si);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 std::size_t nearest(const std::vector<double>& levels, double value) {
@@ -39,4 +39,4 @@ RunLevels run_levels(const StudyData& data) {
   return levels;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -5,7 +5,7 @@
 
 #include "studies/study/analysis/study_data.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// The intensities at which a study's runs were made.
 struct RunLevels {
@@ -18,4 +18,4 @@ struct RunLevels {
 
 RunLevels run_levels(const StudyData& data);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -9,7 +9,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// What makes runs of two files the same, as text: numbers are rounded there.
@@ -128,4 +128,4 @@ RunPairs pair_runs(const StudySide& a, const StudySide& b) {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

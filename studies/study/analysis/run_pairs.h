@@ -5,7 +5,7 @@
 
 #include "studies/study/analysis/study_side.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Runs of two configurations that had the same record at the same level, and the same angle and
 /// draw where both have those in common.
@@ -42,4 +42,4 @@ struct RunPairs {
 /// @throws Error where no run of one has a partner in the other
 RunPairs pair_runs(const StudySide& a, const StudySide& b);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// For each run the row of its set of records.
@@ -82,4 +82,4 @@ ScaleFactors scale_factors(const StudyData& data) {
   return factors;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

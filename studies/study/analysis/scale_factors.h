@@ -5,7 +5,7 @@
 
 #include "studies/study/analysis/study_data.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Factors on records beyond which a report cautions. An assumption, the literature has no sharp
 /// limit: docs/theory/statistics.md, Scale factors.
@@ -36,4 +36,4 @@ ScaleFactors scale_factors(const StudyData& data, std::size_t configuration);
 /// Of all runs of a study. Configurations may have records of their own.
 ScaleFactors scale_factors(const StudyData& data);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -10,7 +10,7 @@
 #include "studies/study/analysis/demands.h"
 #include "studies/study/limit_states/limit_state_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 std::vector<std::size_t> runs_at(const StudySide& side, const Levels& levels,
@@ -76,7 +76,7 @@ void require_variation(const SensitivityOutput& output, const std::string& file)
           fmt::format("{}: {} runs of {} are too few: at least {} are needed, and 100 or more give "
                       "intervals that say something",
                       file, output.runs.size(), output.name, kFewestRuns));
-  require(moments_of(output.values).variance > 0,
+  require(statistics::moments_of(output.values).variance > 0,
           fmt::format("{}: {} is {:g} in every run: no input controls it", file, output.name,
                       output.values.front()));
 }
@@ -108,4 +108,4 @@ DrawnNumbers drawn_numbers(const StudySide& side) {
   return drawn;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

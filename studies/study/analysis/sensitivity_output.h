@@ -7,7 +7,7 @@
 
 #include "studies/study/analysis/study_sensitivity.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// The output whose variance is shared out, run by run.
 struct SensitivityOutput {
@@ -36,4 +36,4 @@ struct DrawnNumbers {
 
 DrawnNumbers drawn_numbers(const StudySide& side);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -9,7 +9,7 @@
 #include "studies/statistics/quantiles.h"
 #include "studies/study/results/columns.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using Rows = std::vector<std::pair<std::size_t, std::size_t>>;
@@ -49,7 +49,7 @@ StepChange change_of(const StudyReader& file, const TableColumn<Demands>& column
     changes.push_back(value);
   }
   change.compared = changes.size();
-  if (!changes.empty()) change.median = quantile_of(changes, 0.5);
+  if (!changes.empty()) change.median = statistics::quantile_of(changes, 0.5);
   return change;
 }
 
@@ -117,4 +117,4 @@ std::optional<StepCertificate> step_certificate(const StudyData& data) {
   return certificate;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -6,7 +6,7 @@
 
 #include "studies/study/analysis/study_data.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// How much a demand changes where the time step is halved.
 struct StepChange {
@@ -35,4 +35,4 @@ struct StepCertificate {
 /// None where the study asked for no certificate.
 std::optional<StepCertificate> step_certificate(const StudyData& data);
 
-}  // namespace gurney
+}  // namespace gurney::study

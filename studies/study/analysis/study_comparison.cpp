@@ -12,7 +12,7 @@
 #include "studies/statistics/two_groups.h"
 #include "studies/study/analysis/demands.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -91,7 +91,7 @@ class Comparer {
 
 bool Comparer::add(ComparedQuantity::Kind kind, const std::string& name, const std::string& units,
                    const RunValues& of_a, const RunValues& of_b) {
-  std::vector<Measured> measured_a, measured_b;
+  std::vector<statistics::Measured> measured_a, measured_b;
   std::map<std::size_t, int> pairs_of_group;
   bool one_each = true;
   for (const RunPairs::Pair& pair : result_.pairs.pairs) {
@@ -102,8 +102,8 @@ bool Comparer::add(ComparedQuantity::Kind kind, const std::string& name, const s
     if (++pairs_of_group[pair.group] > 1) one_each = false;
   }
   if (measured_a.empty()) return false;
-  const PairedDifference paired =
-      paired_difference(measured_a, measured_b, options_.confidence, options_.seed);
+  const statistics::PairedDifference paired =
+      statistics::paired_difference(measured_a, measured_b, options_.confidence, options_.seed);
   ComparedQuantity row;
   row.kind = kind;
   row.name = name;
@@ -121,9 +121,10 @@ bool Comparer::add(ComparedQuantity::Kind kind, const std::string& name, const s
       values_b.push_back(sum.second / pairs_of_group[group]);
       differences.push_back(values_b.back() - values_a.back());
     }
-    const MedianInterval median = median_interval(differences, options_.confidence);
-    row.a = quantile_of(values_a, 0.5);
-    row.b = quantile_of(values_b, 0.5);
+    const statistics::MedianInterval median =
+        statistics::median_interval(differences, options_.confidence);
+    row.a = statistics::quantile_of(values_a, 0.5);
+    row.b = statistics::quantile_of(values_b, 0.5);
     row.difference = median.median;
     row.interval = median.interval;
     row.p = paired.p_sign;
@@ -162,7 +163,7 @@ void Comparer::choose_measure() {
 void Comparer::add_curves(std::size_t state, const RunValues& of_a, const RunValues& of_b) {
   const auto observed = [](const auto& common, const RunValues& exceeds,
                            const std::vector<double>& im) {
-    std::vector<Observation> seen;
+    std::vector<statistics::Observation> seen;
     for (const auto& [run, group] : common)
       if (im[run] > 0) seen.push_back({im[run], exceeds.at(run) > 0, group});
     return seen;
@@ -174,16 +175,16 @@ void Comparer::add_curves(std::size_t state, const RunValues& of_a, const RunVal
   row.of_b = observed(result_.pairs.common_b, of_b, im_b_.values);
   if (row.of_a.empty() || row.of_b.empty()) return;
   const double first = row.of_a.front().im;
-  const auto is_first = [&](const Observation& each) { return each.im == first; };
+  const auto is_first = [&](const statistics::Observation& each) { return each.im == first; };
   if (std::ranges::all_of(row.of_a, is_first) && std::ranges::all_of(row.of_b, is_first)) return;
-  row.a = fit_fragility(row.of_a);
-  row.b = fit_fragility(row.of_b);
+  row.a = statistics::fit_fragility(row.of_a);
+  row.b = statistics::fit_fragility(row.of_b);
   const bool equal = row.a.exceeded + row.b.exceeded == 0 ||
                      row.a.exceeded + row.b.exceeded == row.a.runs + row.b.runs;
   row.p = kNan;
   if (!equal) {
-    const FragilityComparison seen =
-        compare_fragilities(row.of_a, row.of_b, options_.resamples, options_.seed);
+    const statistics::FragilityComparison seen =
+        statistics::compare_fragilities(row.of_a, row.of_b, options_.resamples, options_.seed);
     row.likelihood_ratio = seen.likelihood_ratio;
     if (!nothing_random()) row.p = seen.p_permutation.value_or(kNan);
   }
@@ -246,7 +247,7 @@ template <class Row>
 std::size_t adjust_family(const std::vector<Row*>& rows) {
   std::vector<double> p;
   for (const Row* row : rows) p.push_back(row->p);
-  const std::vector<double> adjusted = holm_adjusted(p);
+  const std::vector<double> adjusted = statistics::holm_adjusted(p);
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i]->p_holm = adjusted[i];
   return static_cast<std::size_t>(
       std::ranges::count_if(p, [](double each) { return !std::isnan(each); }));
@@ -274,4 +275,4 @@ StudyComparison compare_studies(const StudySide& a, const StudySide& b,
   return Comparer(a, b, options).compare();
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -9,7 +9,7 @@
 #include "studies/statistics/fragility.h"
 #include "studies/study/analysis/run_pairs.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// One quantity of two configurations, by the groups of their pairs.
 struct ComparedQuantity {
@@ -23,9 +23,9 @@ struct ComparedQuantity {
   std::string words;  ///< what a limit state says
   std::size_t groups = 0;
   double a = 0, b = 0;
-  double difference = 0;  ///< b - a
-  Interval interval;      ///< of the difference
-  double p = 1;           ///< see compare_studies(); NaN: no pair differs, or nothing is random
+  double difference = 0;          ///< b - a
+  statistics::Interval interval;  ///< of the difference
+  double p = 1;  ///< see compare_studies(); NaN: no pair differs, or nothing is random
   double p_holm = 1;
 };
 
@@ -33,8 +33,8 @@ struct ComparedQuantity {
 struct ComparedCurves {
   std::size_t state = 0;  ///< index in the limit states of A
   std::string name;
-  FragilityFit a, b;
-  std::vector<Observation> of_a, of_b;
+  statistics::FragilityFit a, b;
+  std::vector<statistics::Observation> of_a, of_b;
   double likelihood_ratio = 0;
   double p = 1;  ///< from swapped groups; NaN as above
   double p_holm = 1;
@@ -78,4 +78,4 @@ struct ComparisonOptions {
 StudyComparison compare_studies(const StudySide& a, const StudySide& b,
                                 const ComparisonOptions& options = {});
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -12,7 +12,7 @@
 #include "engine/response/response.h"
 #include "studies/study/plan/study_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// The table [study] of the job that the file holds; the job's other files are not needed.
@@ -74,7 +74,7 @@ RunMeasure StudyData::measure(const std::string& name) const {
   RunMeasure measure{name, "", {}};
   for (const KeptMeasure& kept : study_.measures)
     if (name == name_of(kept.measure) + " " + name_of(kept.combination))
-      measure.units = si_unit_of(kept.measure);
+      measure.units = groundmotions::si_unit_of(kept.measure);
   for (const double motion : file_->numbers("runs/motion"))
     measure.values.push_back(of_motion.at(static_cast<std::size_t>(motion)));
   require(is_number(measure.values), file_->path() + ": no record has " + name);
@@ -89,24 +89,26 @@ std::vector<bool> StudyData::exceedances(std::size_t state,
   return result;
 }
 
-std::vector<Observation> StudyData::observations(std::size_t state, std::size_t configuration,
-                                                 const RunMeasure& measure) const {
+std::vector<statistics::Observation> StudyData::observations(std::size_t state,
+                                                             std::size_t configuration,
+                                                             const RunMeasure& measure) const {
   const std::vector<std::size_t>& runs = runs_.at(configuration);
   const std::vector<bool> exceeds = exceedances(state, runs);
-  std::vector<Observation> result;
+  std::vector<statistics::Observation> result;
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (measure.values[runs[i]] > 0)
       result.push_back({measure.values[runs[i]], exceeds[i], record_[runs[i]]});
   return result;
 }
 
-std::vector<CloudPoint> StudyData::cloud(std::size_t state, std::size_t configuration,
-                                         const RunMeasure& measure, double floor) const {
+std::vector<statistics::CloudPoint> StudyData::cloud(std::size_t state, std::size_t configuration,
+                                                     const RunMeasure& measure,
+                                                     double floor) const {
   const LimitState& limit = study_.limit_states.at(state);
   const bool sized = limit.kind == LimitState::Kind::kAbove && limit.limit > 0;
   require(sized, fmt::format("limit state '{}' ({}): a cloud needs a demand above a limit",
                              limit.name, limit.words));
-  std::vector<CloudPoint> points;
+  std::vector<statistics::CloudPoint> points;
   const Quantity overturned{Quantity::Of::kItem, "time_of_overturning", limit.quantity.item, ""};
   for (const std::size_t run : runs_.at(configuration)) {
     double demand = 0;
@@ -114,17 +116,17 @@ std::vector<CloudPoint> StudyData::cloud(std::size_t state, std::size_t configur
       if (value > demand) demand = value;
     bool fell = false;
     for (const double time : values_(run, overturned)) fell = fell || time >= 0;
-    CloudPoint point{measure.values[run], std::max(demand, floor), CloudPoint::Known::kExactly,
-                     record_[run]};
+    statistics::CloudPoint point{measure.values[run], std::max(demand, floor),
+                                 statistics::CloudPoint::Known::kExactly, record_[run]};
     if (fell) {
-      point.known = CloudPoint::Known::kAtLeast;
+      point.known = statistics::CloudPoint::Known::kAtLeast;
       point.edp = std::max(demand, limit.limit);
     } else if (demand <= floor) {
-      point.known = CloudPoint::Known::kAtMost;
+      point.known = statistics::CloudPoint::Known::kAtMost;
     }
     if (point.im > 0) points.push_back(point);
   }
   return points;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

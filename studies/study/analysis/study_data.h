@@ -10,7 +10,7 @@
 #include "studies/study/plan/study.h"
 #include "studies/study/results/study_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// An intensity measure as a study file has it for each run.
 struct RunMeasure {
@@ -50,15 +50,15 @@ class StudyData {
   std::vector<bool> exceedances(std::size_t state, const std::vector<std::size_t>& runs) const;
 
   /// One observation for each run of a configuration. The group is the record.
-  std::vector<Observation> observations(std::size_t state, std::size_t configuration,
-                                        const RunMeasure& measure) const;
+  std::vector<statistics::Observation> observations(std::size_t state, std::size_t configuration,
+                                                    const RunMeasure& measure) const;
 
   /// The demand of a simple state above a limit, run by run: the largest over its items. Runs that
   /// overturned are at least at the limit or at their demand, whichever is more; runs that moved
   /// less than `floor` are at most there.
   /// @throws Error for other kinds of states, and for events, which have no size
-  std::vector<CloudPoint> cloud(std::size_t state, std::size_t configuration,
-                                const RunMeasure& measure, double floor) const;
+  std::vector<statistics::CloudPoint> cloud(std::size_t state, std::size_t configuration,
+                                            const RunMeasure& measure, double floor) const;
 
  private:
   std::unique_ptr<StudyReader> file_;
@@ -69,4 +69,4 @@ class StudyData {
   std::vector<std::size_t> failed_, record_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

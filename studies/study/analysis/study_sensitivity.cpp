@@ -12,7 +12,7 @@
 #include "studies/study/analysis/designed_sensitivity.h"
 #include "studies/study/analysis/sensitivity_output.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr double kWeak = 0.3;          // a tenth of the variance in common
@@ -41,7 +41,7 @@ std::vector<std::vector<double>> add_drawn(const DrawnNumbers& drawn,
 }
 
 double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  const Moments of_a = moments_of(a), of_b = moments_of(b);
+  const statistics::Moments of_a = statistics::moments_of(a), of_b = statistics::moments_of(b);
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - of_a.mean) * (b[i] - of_b.mean);
   return sum / (static_cast<double>(a.size() - 1) * std::sqrt(of_a.variance * of_b.variance));
@@ -51,7 +51,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
 /// standard deviation of 1 / sqrt(n - 1) (Kendall 1948, Rank correlation methods).
 void find_sets(const std::vector<std::vector<double>>& columns, StudySensitivity& result) {
   std::vector<std::vector<double>> ranks;
-  for (const auto& column : columns) ranks.push_back(ranks_of(column));
+  for (const auto& column : columns) ranks.push_back(statistics::ranks_of(column));
   const double freedom = static_cast<double>(std::max<std::size_t>(result.draws, 2)) - 1;
   const double limit = std::max(kWeak, kBeyondChance / std::sqrt(freedom));
   for (std::size_t i = 0; i < ranks.size(); ++i) {
@@ -78,7 +78,7 @@ void add_classes(const char* name, const std::vector<double>& values, const std:
     classes.push_back(number.try_emplace(value, number.size()).first->second);
   if (number.size() < 2) return;
   result.inputs.push_back({.names = {name}, .set = result.inputs.size(), .drawn = false});
-  result.inputs.back().index = first_order_index_of_classes(classes, y);
+  result.inputs.back().index = statistics::first_order_index_of_classes(classes, y);
 }
 
 std::vector<double> picked(const std::vector<double>& all, const std::vector<std::size_t>& runs) {
@@ -100,7 +100,7 @@ StudySensitivity study_sensitivity(const StudySide& side, const SensitivityReque
   require_variation(output, file.path());
   const std::vector<std::size_t>& runs = output.runs;
   const std::vector<double>& y = output.values;
-  const Moments moments = moments_of(y);
+  const statistics::Moments moments = statistics::moments_of(y);
   StudySensitivity result;
   result.share = request.share;
   result.output = output.name;
@@ -115,11 +115,11 @@ StudySensitivity study_sensitivity(const StudySide& side, const SensitivityReque
   result.repeated_draws = result.draws < result.runs;
   const auto columns = add_drawn(drawn_numbers(side), output.draw, result);
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    result.inputs[i].index = first_order_index(columns[i], y);
-    result.inputs[i].low = quantile_of(columns[i], request.share);
-    result.inputs[i].high = quantile_of(columns[i], 1 - request.share);
+    result.inputs[i].index = statistics::first_order_index(columns[i], y);
+    result.inputs[i].low = statistics::quantile_of(columns[i], request.share);
+    result.inputs[i].high = statistics::quantile_of(columns[i], 1 - request.share);
   }
-  for (const TornadoBar& bar : tornado(columns, y, request.share))
+  for (const statistics::TornadoBar& bar : statistics::tornado(columns, y, request.share))
     result.inputs[bar.input].bar = bar;
   find_sets(columns, result);
   const Levels levels(data);
@@ -141,4 +141,4 @@ StudySensitivity study_sensitivity(const StudySide& side, const SensitivityReque
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -7,7 +7,7 @@
 #include "studies/statistics/sensitivity.h"
 #include "studies/study/analysis/study_side.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// What may make an output vary: a number that was drawn, several with the same values, or what the
 /// runs differ by otherwise.
@@ -15,10 +15,12 @@ struct SensitiveInput {
   std::vector<std::string> names;  ///< more than one: their values are equal in every run
   std::size_t set = 0;             ///< of inputs that go together: see StudySensitivity::correlated
   bool drawn = true;               ///< else record, angle or level, which have no order
-  std::optional<VarianceIndex> index = {};  ///< first order; none: not to be had from these runs
-  std::optional<VarianceIndex> total = {};  ///< with all interactions; of a Saltelli design only
+  std::optional<statistics::VarianceIndex> index =
+      {};  ///< first order; none: not to be had from these runs
+  std::optional<statistics::VarianceIndex> total =
+      {};                    ///< with all interactions; of a Saltelli design only
   double low = 0, high = 0;  ///< of a drawn number: its quantiles at the tornado's share and above
-  TornadoBar bar = {};       ///< of a drawn number: means of the output there
+  statistics::TornadoBar bar = {};  ///< of a drawn number: means of the output there
 };
 
 /// Which inputs rule an output of one configuration.
@@ -55,4 +57,4 @@ inline constexpr std::size_t kFewestRuns = 20;
 ///   not vary
 StudySensitivity study_sensitivity(const StudySide& side, const SensitivityRequest& request);
 
-}  // namespace gurney
+}  // namespace gurney::study

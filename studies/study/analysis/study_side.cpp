@@ -9,7 +9,7 @@
 #include "engine/base/error.h"
 #include "engine/config/nearest_name.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// Levels that differ by less are one: a scale times an intensity is rounded.
@@ -110,4 +110,4 @@ std::vector<std::string> record_names(const StudySide& side) {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

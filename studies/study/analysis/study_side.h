@@ -6,7 +6,7 @@
 #include "studies/study/analysis/report_unit.h"
 #include "studies/study/analysis/study_data.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// One configuration of a study file.
 struct StudySide {
@@ -54,4 +54,4 @@ std::vector<std::size_t> record_rows(const StudySide& side);
 /// The records of a configuration by names that tell them apart: the second "b" is "b (2)".
 std::vector<std::string> record_names(const StudySide& side);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -4,7 +4,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::study {
 
 VectorResult vector_of(const StudyData& data, std::size_t state, std::size_t configuration,
                        const MeasurePair& measures) {
@@ -19,7 +19,7 @@ VectorResult vector_of(const StudyData& data, std::size_t state, std::size_t con
                       result.measures[0].name));
   const std::vector<std::size_t>& runs = data.runs_of(configuration);
   const std::vector<bool> exceeds = data.exceedances(state, runs);
-  std::array<std::vector<Observation>, 2> alone;
+  std::array<std::vector<statistics::Observation>, 2> alone;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const double first = result.measures[0].values[runs[i]];
     const double second = result.measures[1].values[runs[i]];
@@ -32,9 +32,9 @@ VectorResult vector_of(const StudyData& data, std::size_t state, std::size_t con
     alone[0].push_back({first, exceeds[i], record});
     alone[1].push_back({second, exceeds[i], record});
   }
-  result.fit = fit_vector(result.runs);
-  for (const std::size_t i : {0, 1}) result.alone[i] = fit_fragility(alone[i]);
+  result.fit = statistics::fit_vector(result.runs);
+  for (const std::size_t i : {0, 1}) result.alone[i] = statistics::fit_fragility(alone[i]);
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -8,7 +8,7 @@
 #include "studies/statistics/vector_fragility.h"
 #include "studies/study/analysis/study_data.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Two measures of StudyData::measures(), not the same.
 using MeasurePair = std::array<std::string, 2>;
@@ -17,14 +17,14 @@ using MeasurePair = std::array<std::string, 2>;
 struct VectorResult {
   std::string configuration, state, words;
   std::array<RunMeasure, 2> measures;
-  std::vector<VectorObservation> runs;  ///< those that have both measures
+  std::vector<statistics::VectorObservation> runs;  ///< those that have both measures
   std::size_t left_out = 0, failed = 0;
-  VectorFit fit;
-  std::array<FragilityFit, 2> alone;  ///< of the same runs with one measure
+  statistics::VectorFit fit;
+  std::array<statistics::FragilityFit, 2> alone;  ///< of the same runs with one measure
 };
 
 /// @throws Error for a measure that the file lacks, or the same one twice
 VectorResult vector_of(const StudyData& data, std::size_t state, std::size_t configuration,
                        const MeasurePair& measures);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -15,7 +15,7 @@
 #include "studies/study/results/columns.h"
 #include "studies/study/results/names.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// What is kept of one run.
@@ -36,7 +36,7 @@ Outcomes outcomes_of(const RunCase& run, const std::vector<LimitState>& states) 
   Outcomes found;
   Response response;
   try {
-    response = simulate_with_any_solver(run.scene, run.floor, run.settings);
+    response = baselines::simulate_with_any_solver(run.scene, run.floor, run.settings);
     if (is_failure(response.outcome)) found.failure = response.cause;
   } catch (const Error& error) {
     found.failure = error.what();
@@ -69,9 +69,9 @@ ConvergedNumber number_of(const Values2& values) {
   ConvergedNumber number;
   number.runs = values.front().size();
   for (const std::vector<double>& of_variant : values)
-    number.values.push_back(quantile_of(of_variant, 0.5));
+    number.values.push_back(statistics::quantile_of(of_variant, 0.5));
   if (number.runs < 2) return number;
-  const Interval interval = median_interval(values.front()).interval;
+  const statistics::Interval interval = statistics::median_interval(values.front()).interval;
   number.scatter = 0.5 * (interval.high - interval.low);
   if (!std::isfinite(number.scatter)) number.scatter = 0;  // too few to say
   return number;
@@ -81,7 +81,7 @@ ConvergedNumber share_of(const Values2& values) {
   ConvergedNumber number;
   number.runs = values.front().size();
   for (const std::vector<double>& of_variant : values)
-    number.values.push_back(moments_of(of_variant).mean);
+    number.values.push_back(statistics::moments_of(of_variant).mean);
   const double share = number.values.front();
   number.scatter = 1.96 * std::sqrt(share * (1 - share) / static_cast<double>(number.runs));
   return number;
@@ -193,4 +193,4 @@ Convergence converge(const ConvergenceCases& cases, double tolerance, int thread
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

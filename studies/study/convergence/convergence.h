@@ -6,7 +6,7 @@
 #include "studies/study/convergence/convergence_cases.h"
 #include "studies/study/convergence/variant.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// What halving the time step says of a number.
 enum class StepVerdict {
@@ -52,4 +52,4 @@ struct Convergence {
 /// @param threads    >= 1; the numbers do not depend on it
 Convergence converge(const ConvergenceCases& cases, double tolerance, int threads);
 
-}  // namespace gurney
+}  // namespace gurney::study

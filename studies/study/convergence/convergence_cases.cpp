@@ -7,7 +7,7 @@
 #include "engine/base/error.h"
 #include "studies/study/prepare/run_job.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr std::size_t kStepsOfAHunt = 4;
@@ -78,4 +78,4 @@ ConvergenceCases convergence_cases(const std::string& job, std::size_t most, int
   return cases;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

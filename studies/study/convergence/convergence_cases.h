@@ -6,7 +6,7 @@
 #include "studies/study/limit_states/limit_state.h"
 #include "studies/study/run/run_unit.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// The runs of a job that stand for it: its only one, or a sample of a study's.
 struct ConvergenceCases {
@@ -23,4 +23,4 @@ struct ConvergenceCases {
 /// @throws Error with every mistake of the job, and for a study of which no draw makes a job
 ConvergenceCases convergence_cases(const std::string& job, std::size_t most, int threads);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// Values by factor of what was varied, the job's own among them.
@@ -62,4 +62,4 @@ void judge(ConvergedNumber& number, const std::vector<Variant>& variants,
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

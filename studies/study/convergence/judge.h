@@ -2,7 +2,7 @@
 
 #include "studies/study/convergence/convergence.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// |a - b| over the larger of both; 0 where they differ by `smallest` or less.
 double relative_change(double a, double b, double smallest);
@@ -12,4 +12,4 @@ double relative_change(double a, double b, double smallest);
 void judge(ConvergedNumber& number, const std::vector<Variant>& variants,
            const SimulationSettings& settings, double tolerance, double smallest);
 
-}  // namespace gurney
+}  // namespace gurney::study

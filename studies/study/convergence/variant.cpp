@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr double kLongestStep = 0.02, kLoosestTolerance = 1e-3;
@@ -47,4 +47,4 @@ RunCase varied(RunCase run, const Variant& variant) {
   return run;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -4,7 +4,7 @@
 
 #include "studies/study/run/run_unit.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// What a convergence study varies.
 enum class Varied { kTimeStep, kSolverTolerance, kTreadStiffness };
@@ -24,4 +24,4 @@ std::vector<Variant> variants_for(const SimulationSettings& settings);
 /// so that the share of critical damping stays.
 RunCase varied(RunCase run, const Variant& variant);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -9,7 +9,7 @@
 #include "studies/study/analysis/fitted_curve.h"
 #include "studies/study/limit_states/limit_state_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 std::vector<std::size_t> chosen_states(const StudyData& data, const ExportChoice& choice) {
@@ -52,7 +52,7 @@ ChosenCurves chosen_curves(const StudyData& data, const ExportChoice& choice) {
   for (const std::size_t configuration : chosen_configurations(data, choice))
     for (const std::size_t state : states) {
       const FittedCurve fitted = fitted_curve(data, state, configuration, chosen.measure);
-      const std::optional<LognormalCurve> curve = fitted.curve();
+      const std::optional<statistics::LognormalCurve> curve = fitted.curve();
       const LimitState& limit = data.limit_states()[state];
       if (!curve) {
         chosen.left_out.push_back(fmt::format(
@@ -70,4 +70,4 @@ ChosenCurves chosen_curves(const StudyData& data, const ExportChoice& choice) {
   return chosen;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

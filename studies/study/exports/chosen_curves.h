@@ -7,7 +7,7 @@
 #include "studies/study/analysis/curve_audit.h"
 #include "studies/study/analysis/study_data.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// What of a study is exported; an empty text: all configurations, all limit states, the study's
 /// own measure.
@@ -23,7 +23,7 @@ std::vector<std::size_t> chosen_configurations(const StudyData& data, const Expo
 struct ChosenCurve {
   std::string configuration;
   LimitState state;
-  LognormalCurve curve;  ///< im in SI
+  statistics::LognormalCurve curve;  ///< im in SI
   std::size_t records = 0, failed = 0;
   CurveAudit audit;
 };
@@ -43,4 +43,4 @@ std::string caution_text(const ChosenCurve& curve, const ReportUnit& unit);
 /// @throws Error for unknown names, and where no curve is left
 ChosenCurves chosen_curves(const StudyData& data, const ExportChoice& choice);
 
-}  // namespace gurney
+}  // namespace gurney::study

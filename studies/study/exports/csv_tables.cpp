@@ -10,7 +10,7 @@
 #include "equipment/catalogue/uncertainty.h"
 #include "studies/study/results/hdf5_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// The datasets of a group that have their first dimension in common.
@@ -116,7 +116,7 @@ void add_units_of_drawn(const Hdf5Reader& file, std::vector<CsvColumn>& columns)
   if (named("unit") != columns.end()) return;
   CsvColumn units{"unit", "1", {}};
   for (const std::string& variable : file.strings("/drawn/variable"))
-    units.cells.push_back(csv_cell(unit_of_key(variable)));
+    units.cells.push_back(csv_cell(equipment::unit_of_key(variable)));
   columns.push_back(std::move(units));
 }
 
@@ -150,4 +150,4 @@ void export_tables(const std::string& path, const TakeFile& take) {
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -2,7 +2,7 @@
 
 #include "studies/study/exports/export.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Every table of a results file, of a study or of one run, as a CSV file: names, units, rows. A
 /// column with more dimensions than rows becomes one for each place in them:
@@ -10,4 +10,4 @@ namespace gurney {
 /// @throws Error for other files
 void export_tables(const std::string& path, const TakeFile& take);
 
-}  // namespace gurney
+}  // namespace gurney::study

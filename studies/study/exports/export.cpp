@@ -9,7 +9,7 @@
 
 #include "engine/base/printable.h"
 
-namespace gurney {
+namespace gurney::study {
 
 std::string plain_identifier(const std::string& text, const std::string& otherwise) {
   std::string plain;
@@ -58,4 +58,4 @@ std::string csv_line(const std::vector<std::string>& cells) {
   return fmt::format("{}\n", fmt::join(cells, ","));
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gurney {
+namespace gurney::study {
 
 /// Takes a file of an export: its name, without folder, and its bytes.
 using TakeFile = std::function<void(const std::string& name, std::string_view bytes)>;
@@ -23,4 +23,4 @@ std::string csv_cell(double value);
 /// Cells and the end of the line.
 std::string csv_line(const std::vector<std::string>& cells);
 
-}  // namespace gurney
+}  // namespace gurney::study

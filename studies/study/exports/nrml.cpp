@@ -8,7 +8,7 @@
 #include "engine/base/error.h"
 #include "studies/study/exports/outside_measure.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// OpenQuake looks at a continuous curve between minIML and maxIML only: all but this much of it
@@ -34,7 +34,7 @@ std::string xml_text(const std::string& text) {
 
 std::string function_of(const ChosenCurve& each, const OutsideMeasure& measure,
                         const std::string& id, const std::string& state) {
-  const LognormalCurve curve{each.curve.theta / measure.unit_in_si, each.curve.beta};
+  const statistics::LognormalCurve curve{each.curve.theta / measure.unit_in_si, each.curve.beta};
   const double low = std::min(each.audit.lowest / measure.unit_in_si, curve.quantile(kTail));
   const double high = std::max(each.audit.highest / measure.unit_in_si, curve.quantile(1 - kTail));
   return fmt::format(
@@ -88,4 +88,4 @@ std::vector<std::string> export_nrml(const StudyData& data, const ExportChoice& 
   return chosen.left_out;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

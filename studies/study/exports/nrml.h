@@ -3,7 +3,7 @@
 #include "studies/study/exports/chosen_curves.h"
 #include "studies/study/exports/export.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Fragility models in NRML 0.5 for OpenQuake: a file for each limit state, since the limit states
 /// of one file follow each other there, and in it a function for each configuration: the lognormal
@@ -14,4 +14,4 @@ namespace gurney {
 std::vector<std::string> export_nrml(const StudyData& data, const ExportChoice& choice,
                                      const TakeFile& take);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -8,16 +8,16 @@
 #include "engine/base/units.h"
 #include "groundmotions/measures/measure.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr double kCentimetersPerMeter = 100;
 
 /// A measure of the study without its combination: "Sa(1) RotD50" is Sa(1).
-Measure kind_of(const std::string& measure) {
-  if (measure == "pfa") return {.kind = MeasureKind::kPfa};
-  if (measure == "pfv") return {.kind = MeasureKind::kPfv};
-  return parse_measure(measure.substr(0, measure.rfind(' ')));
+groundmotions::Measure kind_of(const std::string& measure) {
+  if (measure == "pfa") return {.kind = groundmotions::MeasureKind::kPfa};
+  if (measure == "pfv") return {.kind = groundmotions::MeasureKind::kPfv};
+  return groundmotions::parse_measure(measure.substr(0, measure.rfind(' ')));
 }
 
 std::string period_text(double period) {
@@ -25,22 +25,24 @@ std::string period_text(double period) {
   return text.find('.') == std::string::npos ? text + ".0" : text;
 }
 
-bool has_usual_damping(const Measure& measure) { return std::abs(measure.damping - 0.05) < 1e-9; }
+bool has_usual_damping(const groundmotions::Measure& measure) {
+  return std::abs(measure.damping - 0.05) < 1e-9;
+}
 
 }  // namespace
 
 std::optional<OutsideMeasure> dlml_measure(const std::string& measure) {
-  const Measure of = kind_of(measure);
+  const groundmotions::Measure of = kind_of(measure);
   switch (of.kind) {
-    case MeasureKind::kPga:
+    case groundmotions::MeasureKind::kPga:
       return OutsideMeasure{"Peak Ground Acceleration", "g", kStandardGravity};
-    case MeasureKind::kPgv:
+    case groundmotions::MeasureKind::kPgv:
       return OutsideMeasure{"Peak Ground Velocity", "mps", 1};
-    case MeasureKind::kPfa:
+    case groundmotions::MeasureKind::kPfa:
       return OutsideMeasure{"Peak Floor Acceleration", "g", kStandardGravity};
-    case MeasureKind::kPfv:
+    case groundmotions::MeasureKind::kPfv:
       return OutsideMeasure{"Peak Floor Velocity", "mps", 1};
-    case MeasureKind::kSa:
+    case groundmotions::MeasureKind::kSa:
       if (!has_usual_damping(of)) return {};
       return OutsideMeasure{"Spectral Acceleration|" + period_text(of.period), "g",
                             kStandardGravity};
@@ -50,13 +52,13 @@ std::optional<OutsideMeasure> dlml_measure(const std::string& measure) {
 }
 
 std::optional<OutsideMeasure> nrml_measure(const std::string& measure) {
-  const Measure of = kind_of(measure);
+  const groundmotions::Measure of = kind_of(measure);
   switch (of.kind) {
-    case MeasureKind::kPga:
+    case groundmotions::MeasureKind::kPga:
       return OutsideMeasure{"PGA", "g", kStandardGravity};
-    case MeasureKind::kPgv:
+    case groundmotions::MeasureKind::kPgv:
       return OutsideMeasure{"PGV", "cm/s", 1 / kCentimetersPerMeter};
-    case MeasureKind::kSa:
+    case groundmotions::MeasureKind::kSa:
       if (!has_usual_damping(of) || !(of.period > 0)) return {};
       return OutsideMeasure{"SA(" + period_text(of.period) + ")", "g", kStandardGravity};
     default:
@@ -76,4 +78,4 @@ OutsideMeasure outside_measure(const StudyData& data, const std::string& measure
                     : fmt::format("take one of these with --measure: {}", fmt::join(named, ", "))));
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

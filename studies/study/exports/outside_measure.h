@@ -5,7 +5,7 @@
 
 #include "studies/study/analysis/study_data.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// What another format calls an intensity measure.
 struct OutsideMeasure {
@@ -29,4 +29,4 @@ using NameMeasure = std::optional<OutsideMeasure> (*)(const std::string&);
 OutsideMeasure outside_measure(const StudyData& data, const std::string& measure,
                                const std::string& format, NameMeasure name);
 
-}  // namespace gurney
+}  // namespace gurney::study

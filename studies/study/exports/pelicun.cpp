@@ -7,7 +7,7 @@
 #include "engine/base/error.h"
 #include "studies/study/exports/outside_measure.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -23,7 +23,8 @@ std::string header() {
   return csv_line(names);
 }
 
-std::string row(const std::string& id, const OutsideMeasure& measure, const LognormalCurve& curve) {
+std::string row(const std::string& id, const OutsideMeasure& measure,
+                const statistics::LognormalCurve& curve) {
   std::vector<std::string> cells{csv_cell(id),
                                  "0",
                                  csv_cell(measure.name),
@@ -95,4 +96,4 @@ std::vector<std::string> export_pelicun(const StudyData& data, const ExportChoic
   return chosen.left_out;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -3,7 +3,7 @@
 #include "studies/study/exports/chosen_curves.h"
 #include "studies/study/exports/export.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Rows of a fragility table of the Damage and Loss Model Library, which pelicun reads, and the
 /// file that describes them: fragility.csv and fragility.json. A component for each configuration
@@ -14,4 +14,4 @@ namespace gurney {
 std::vector<std::string> export_pelicun(const StudyData& data, const ExportChoice& choice,
                                         const TakeFile& take);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -13,7 +13,7 @@
 #include "studies/study/analysis/run_levels.h"
 #include "studies/study/results/columns.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -87,7 +87,7 @@ void add_drawn(const StudyReader& file, std::size_t configuration,
     by_draw[variables[row]][draws[row]] = values[row];
   }
   for (const std::string& name : names) {
-    RunColumn column{name, unit_of_key(name), {}};
+    RunColumn column{name, equipment::unit_of_key(name), {}};
     for (const double draw : draw_of_run) {
       const auto found = by_draw[name].find(draw);
       column.values.push_back(found == by_draw[name].end() ? kNaN : found->second);
@@ -199,4 +199,4 @@ void export_responses(const StudyData& data, const ExportChoice& choice, const T
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

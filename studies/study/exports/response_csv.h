@@ -3,7 +3,7 @@
 #include "studies/study/exports/chosen_curves.h"
 #include "studies/study/exports/export.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Samples of demands, run by run, for each configuration.
 ///
@@ -19,4 +19,4 @@ namespace gurney {
 /// @throws Error for an unknown configuration, and unless it is the results file of a study
 void export_responses(const StudyData& data, const ExportChoice& choice, const TakeFile& take);
 
-}  // namespace gurney
+}  // namespace gurney::study

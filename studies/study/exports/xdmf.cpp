@@ -11,7 +11,7 @@
 #include "studies/study/results/hdf5_reader.h"
 #include "studies/study/results/hdf5_writer.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -209,4 +209,4 @@ void export_xdmf(const std::string& path, const std::string& name, const TakeFil
   take(name + ".xdmf", xml + "</Grid>\n</Domain>\n</Xdmf>\n");
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -4,7 +4,7 @@
 
 #include "studies/study/exports/export.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// A run as moving shapes, for ParaView and VisIt: NAME.xdmf (XDMF 3) names the times and points
 /// into NAME_shapes.h5, where each time has its points. Items, casters (turned about their swivel
@@ -13,4 +13,4 @@ namespace gurney {
 /// @throws Error unless the file is that of one run with histories
 void export_xdmf(const std::string& path, const std::string& name, const TakeFile& take);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -8,7 +8,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Range;
@@ -17,9 +17,9 @@ using config::Table;
 constexpr double kSameHeading = 1e-9;  // [rad] rounding of degrees, twice
 
 template <typename Able>
-std::vector<bool> casters_that(const ItemDescription& item, Able able) {
+std::vector<bool> casters_that(const equipment::ItemDescription& item, Able able) {
   std::vector<bool> result;
-  for (const CasterPlace& place : item.casters) result.push_back(able(place));
+  for (const equipment::CasterPlace& place : item.casters) result.push_back(able(place));
   return result;
 }
 
@@ -31,16 +31,17 @@ bool same_heading(double a, double b) {
   return std::abs(std::remainder(a - b, 2 * std::numbers::pi)) <= kSameHeading;
 }
 
-void read_headings(Quantities& in, Uncertain<JobItem>& result, Remarks& remarks) {
+void read_headings(equipment::Quantities& in, equipment::Uncertain<JobItem>& result,
+                   Remarks& remarks) {
   constexpr const char* kKey = "headings_deg";
-  const ItemDescription& item = result.stated().description;
+  const equipment::ItemDescription& item = result.stated().description;
   const std::vector<bool> swivels =
-      casters_that(item, [](const CasterPlace& place) { return place.swivels; });
-  const QuantityList headings = in.numbers(kKey, Range::any(), swivels);
+      casters_that(item, [](const equipment::CasterPlace& place) { return place.swivels; });
+  const equipment::QuantityList headings = in.numbers(kKey, Range::any(), swivels);
   if (headings.quantities.empty()) return;
   const bool one_for_all = in.is_one_for_all(kKey);
   for (std::size_t i = 0; i < swivels.size() && !one_for_all; ++i) {
-    const CasterPlace& place = item.casters[i];
+    const equipment::CasterPlace& place = item.casters[i];
     if (swivels[i] ||
         same_heading(headings.quantities[i].value * kRadiansPerDegree, place.stated_heading))
       continue;
@@ -53,7 +54,7 @@ void read_headings(Quantities& in, Uncertain<JobItem>& result, Remarks& remarks)
     remarks.without_effect.push_back(fmt::format("{}: {}: has no effect: no caster of {} swivels",
                                                  in.table().where(kKey), in.table().name_of(kKey),
                                                  item.name));
-  result.add([headings, swivels](JobItem& of_draw, Sampler& of) {
+  result.add([headings, swivels](JobItem& of_draw, equipment::Sampler& of) {
     of_draw.options.headings = of(headings);
     for (std::size_t i = 0; i < swivels.size(); ++i) {
       double& heading = of_draw.options.headings[i];
@@ -70,8 +71,8 @@ struct CasterFlag {
   const char* lack;  ///< `has no brake`
 };
 
-void check_flags(Quantities& in, const CasterFlag& flag, const std::vector<bool>& on,
-                 const ItemDescription& item, Remarks& remarks) {
+void check_flags(equipment::Quantities& in, const CasterFlag& flag, const std::vector<bool>& on,
+                 const equipment::ItemDescription& item, Remarks& remarks) {
   Table& table = in.table();
   if (!in.is_one_for_all(flag.key)) {
     for (std::size_t i = 0; i < on.size(); ++i)
@@ -95,14 +96,15 @@ void check_flags(Quantities& in, const CasterFlag& flag, const std::vector<bool>
 }
 
 /// Into `target`; false where the caster cannot have it.
-void read_flags(Quantities& in, const CasterFlag& flag, std::vector<bool> ItemOptions::*target,
-                Uncertain<JobItem>& result, Remarks& remarks) {
-  const QuantityList list = in.flags(flag.key, flag.able);
+void read_flags(equipment::Quantities& in, const CasterFlag& flag,
+                std::vector<bool> equipment::ItemOptions::*target,
+                equipment::Uncertain<JobItem>& result, Remarks& remarks) {
+  const equipment::QuantityList list = in.flags(flag.key, flag.able);
   if (list.quantities.empty()) return;
   std::vector<bool> on;
-  for (const StatedQuantity& each : list.quantities) on.push_back(each.value != 0);
+  for (const equipment::StatedQuantity& each : list.quantities) on.push_back(each.value != 0);
   check_flags(in, flag, on, result.stated().description, remarks);
-  result.add([list, target, able = flag.able](JobItem& of_draw, Sampler& of) {
+  result.add([list, target, able = flag.able](JobItem& of_draw, equipment::Sampler& of) {
     const std::vector<double> values = of(list);
     std::vector<bool>& flags = of_draw.options.*target;
     for (std::size_t i = 0; i < values.size(); ++i) flags.push_back(values[i] != 0 && able[i]);
@@ -111,15 +113,16 @@ void read_flags(Quantities& in, const CasterFlag& flag, std::vector<bool> ItemOp
 
 }  // namespace
 
-void read_caster_options(Quantities& in, Uncertain<JobItem>& result, Remarks& remarks) {
-  const ItemDescription& item = result.stated().description;
+void read_caster_options(equipment::Quantities& in, equipment::Uncertain<JobItem>& result,
+                         Remarks& remarks) {
+  const equipment::ItemDescription& item = result.stated().description;
   const std::vector<bool> all(item.casters.size(), true);
   read_headings(in, result, remarks);
   read_flags(in,
              {"brakes", all,
               casters_that(item, [](const auto& place) { return place.type.brake_torque > 0; }),
               "has no brake (brake_torque_n_m of its caster)"},
-             &ItemOptions::brakes, result, remarks);
+             &equipment::ItemOptions::brakes, result, remarks);
   read_flags(in,
              {"swivel_locks", casters_that(item, [](const auto& place) { return place.swivels; }),
               casters_that(item,
@@ -127,7 +130,7 @@ void read_caster_options(Quantities& in, Uncertain<JobItem>& result, Remarks& re
                              return place.swivels && place.type.swivel_lock_torque > 0;
                            }),
               "does not swivel, or has no lock (swivel_lock_torque_n_m of its caster)"},
-             &ItemOptions::swivel_locks, result, remarks);
+             &equipment::ItemOptions::swivel_locks, result, remarks);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

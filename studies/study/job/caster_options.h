@@ -4,7 +4,7 @@
 #include "studies/study/job/item_reader.h"
 #include "studies/study/job/remarks.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// The keys headings_deg, brakes and swivel_locks of an item with casters.
 ///
@@ -12,6 +12,7 @@ namespace gurney {
 /// lock for those that swivel, a brake for those that have one. In an array each caster has its
 /// own value, and one that it cannot take is an error.
 /// @param item  its description is there; headings, brakes and locks are set here
-void read_caster_options(Quantities& in, Uncertain<JobItem>& item, Remarks& remarks);
+void read_caster_options(equipment::Quantities& in, equipment::Uncertain<JobItem>& item,
+                         Remarks& remarks);
 
-}  // namespace gurney
+}  // namespace gurney::study

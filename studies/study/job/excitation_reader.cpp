@@ -8,7 +8,7 @@
 #include "engine/base/units.h"
 #include "equipment/catalogue/quantity.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Range;
@@ -16,11 +16,11 @@ using config::Table;
 
 /// Point and direction of a load.
 template <typename Load>
-void read_line(Quantities& in, Uncertain<Load>& load) {
+void read_line(equipment::Quantities& in, equipment::Uncertain<Load>& load) {
   load.set(&Load::point, in.vector("point_m", Range::any()));
   load.set(&Load::direction, in.vector("direction", Range::any()));
   load.add(in.table().document(),
-           [spot = in.table().spot("direction")](Load& of_draw, Sampler& of) {
+           [spot = in.table().spot("direction")](Load& of_draw, equipment::Sampler& of) {
              Vector3& direction = of_draw.direction;
              if (!(direction.norm() > 0)) {
                of.error(spot, " = [0, 0, 0]: must have a length");
@@ -30,11 +30,12 @@ void read_line(Quantities& in, Uncertain<Load>& load) {
            });
 }
 
-void read_constant_force(Quantities& in, const Range& allowed, Uncertain<PointForce>& load) {
-  const StatedQuantity force = in.number("force_n", allowed);
-  const StatedQuantity from = in.number("from_s", Range::not_negative(), 0.0);
-  const StatedQuantity until = in.number("until_s", Range::more_than(from.value));
-  load.add([force, from, until](PointForce& of_draw, Sampler& of) {
+void read_constant_force(equipment::Quantities& in, const Range& allowed,
+                         equipment::Uncertain<PointForce>& load) {
+  const equipment::StatedQuantity force = in.number("force_n", allowed);
+  const equipment::StatedQuantity from = in.number("from_s", Range::not_negative(), 0.0);
+  const equipment::StatedQuantity until = in.number("until_s", Range::more_than(from.value));
+  load.add([force, from, until](PointForce& of_draw, equipment::Sampler& of) {
     const double newton = of(force), begin = of(from);
     of.check_drawn(until, Range::more_than(begin));
     of_draw.force = {newton, newton};
@@ -44,7 +45,7 @@ void read_constant_force(Quantities& in, const Range& allowed, Uncertain<PointFo
     in.table().note("time_s", ": must go with an array force_n; a constant force has until_s");
 }
 
-void read_force_table(Table& table, const Range& allowed, Uncertain<PointForce>& load) {
+void read_force_table(Table& table, const Range& allowed, equipment::Uncertain<PointForce>& load) {
   const std::vector<double> force = table.numbers("force_n", allowed);
   const std::vector<double> time = table.numbers("time_s", Range::any(), force.size());
   if (force.size() < 2) table.note("force_n", ": must have 2 or more values");
@@ -56,17 +57,17 @@ void read_force_table(Table& table, const Range& allowed, Uncertain<PointForce>&
     }
   for (const char* key : {"from_s", "until_s"})
     if (table.has(key)) table.note(key, ": must go with a constant force_n, not with a table");
-  load.add([force, time](PointForce& of_draw, Sampler&) {
+  load.add([force, time](PointForce& of_draw, equipment::Sampler&) {
     of_draw.force = force;
     of_draw.time = time;
   });
 }
 
-Uncertain<PointForce> read_force(Table table, std::size_t index) {
-  Quantities in(table);
+equipment::Uncertain<PointForce> read_force(Table table, std::size_t index) {
+  equipment::Quantities in(table);
   PointForce fixed;
   fixed.name = table.text("name", fmt::format("force {}", index + 1));
-  Uncertain<PointForce> load(std::move(fixed));
+  equipment::Uncertain<PointForce> load(std::move(fixed));
   read_line(in, load);
   const bool limited = table.has("speed_limit_m_per_s");
   if (limited)
@@ -80,9 +81,9 @@ Uncertain<PointForce> read_force(Table table, std::size_t index) {
   return load;
 }
 
-Uncertain<DropWeight> read_drop_weight(Quantities in) {
+equipment::Uncertain<DropWeight> read_drop_weight(equipment::Quantities in) {
   const DropWeight usual;
-  Uncertain<DropWeight> load;
+  equipment::Uncertain<DropWeight> load;
   read_line(in, load);
   load.set(&DropWeight::mass, in.number("mass_kg", Range::positive()));
   load.set(&DropWeight::drop_height, in.number("drop_height_m", Range::positive()));
@@ -100,16 +101,16 @@ Uncertain<DropWeight> read_drop_weight(Quantities in) {
   return load;
 }
 
-Uncertain<StringPotentiometer> read_string_potentiometer(Quantities in) {
-  Uncertain<StringPotentiometer> load;
+equipment::Uncertain<StringPotentiometer> read_string_potentiometer(equipment::Quantities in) {
+  equipment::Uncertain<StringPotentiometer> load;
   read_line(in, load);
   load.set(&StringPotentiometer::tension, in.number("tension_n", Range::not_negative()));
   return load;
 }
 
-Uncertain<Blocks> read_blocks(Quantities in) {
+equipment::Uncertain<Blocks> read_blocks(equipment::Quantities in) {
   const Blocks usual;
-  Uncertain<Blocks> load;
+  equipment::Uncertain<Blocks> load;
   load.set(&Blocks::point, in.vector("point_m", Range::any()));
   load.set(&Blocks::stiffness, in.number("stiffness_n_per_m", Range::positive(), usual.stiffness));
   load.set(&Blocks::damping, in.number("damping_n_s_per_m", Range::not_negative(), usual.damping));
@@ -117,20 +118,20 @@ Uncertain<Blocks> read_blocks(Quantities in) {
   return load;
 }
 
-Uncertain<Guide> read_guide(Table& fixture, const std::string& key, bool translation) {
+equipment::Uncertain<Guide> read_guide(Table& fixture, const std::string& key, bool translation) {
   Guide fixed;
   if (!fixture.is_table(key)) {
     static const std::vector<std::string> kKinds = {"free", "held"};
     fixed.kind = static_cast<Guide::Kind>(fixture.choice(key, kKinds, 0));
-    return Uncertain<Guide>(fixed);
+    return equipment::Uncertain<Guide>(fixed);
   }
   Table table = *fixture.table(key);
   const bool spring = translation && table.has("stiffness_n_per_m");
   if (translation && spring == table.has("velocity_m_per_s"))
     table.note("velocity_m_per_s", ": must be given, or stiffness_n_per_m, not both");
   fixed.kind = spring ? Guide::Kind::kSpring : Guide::Kind::kVelocity;
-  Uncertain<Guide> guide(fixed);
-  Quantities in(table);
+  equipment::Uncertain<Guide> guide(fixed);
+  equipment::Quantities in(table);
   if (spring) {
     guide.set(&Guide::stiffness, in.number("stiffness_n_per_m", Range::not_negative()));
     guide.set(&Guide::damping, in.number("damping_n_s_per_m", Range::not_negative(), 0.0));
@@ -152,33 +153,33 @@ auto initial(Value InitialMotion::*member) {
 
 }  // namespace
 
-void read_loads(Table& table, Uncertain<PlacedItem>& item) {
+void read_loads(Table& table, equipment::Uncertain<PlacedItem>& item) {
   std::size_t forces = loads_of<PointForce>(item.stated().loads).size();
   for (Table& force : table.tables("force"))
     item.append(loads_of_item, read_force(force, forces++));
   for (Table& weight : table.tables("drop_weight"))
-    item.append(loads_of_item, read_drop_weight(Quantities(weight)));
+    item.append(loads_of_item, read_drop_weight(equipment::Quantities(weight)));
   for (Table& string : table.tables("string_potentiometer"))
-    item.append(loads_of_item, read_string_potentiometer(Quantities(string)));
+    item.append(loads_of_item, read_string_potentiometer(equipment::Quantities(string)));
   for (Table& blocks : table.tables("blocks"))
-    item.append(loads_of_item, read_blocks(Quantities(blocks)));
+    item.append(loads_of_item, read_blocks(equipment::Quantities(blocks)));
 }
 
-void read_fixture(Table& fixture, Uncertain<PlacedItem>& item) {
+void read_fixture(Table& fixture, equipment::Uncertain<PlacedItem>& item) {
   static constexpr std::array kDegreesOfFreedom = {"x", "y", "z", "roll", "pitch", "yaw"};
   for (std::size_t i = 0; i < kDegreesOfFreedom.size(); ++i)
     item.set([i](PlacedItem& of_draw) -> Guide& { return of_draw.fixture.guides[i]; },
              read_guide(fixture, kDegreesOfFreedom[i], i < 3));
 }
 
-void read_initial(Table& table, Uncertain<PlacedItem>& item) {
-  Quantities in(table);
+void read_initial(Table& table, equipment::Uncertain<PlacedItem>& item) {
+  equipment::Quantities in(table);
   item.set(initial(&InitialMotion::velocity),
            in.vector("velocity_m_per_s", Range::any(), Vector3::Zero()));
   item.set(initial(&InitialMotion::yaw_rate),
            in.angle_deg("yaw_rate_deg_per_s", Range::any(), 0.0));
   item.add([roll = table.boolean("wheels_roll", InitialMotion().wheels_roll)](
-               PlacedItem& of_draw, Sampler&) { of_draw.initial.wheels_roll = roll; });
+               PlacedItem& of_draw, equipment::Sampler&) { of_draw.initial.wheels_roll = roll; });
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

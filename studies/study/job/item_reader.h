@@ -6,18 +6,18 @@
 #include "equipment/catalogue/uncertain.h"
 #include "studies/study/job/remarks.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Which item, what is changed on it, where it stands.
 struct JobItem {
   InitialMotion initial;  ///< position and yaw
-  ItemDescription description;
-  ItemOptions options;
+  equipment::ItemDescription description;
+  equipment::ItemOptions options;
 };
 
 /// A table [item] or [[item]] of a job. Mistakes are noted in the document; then the description
 /// and options are not for use.
 /// @param remarks  on options that reach no caster, or not all
-Uncertain<JobItem> read_job_item(config::Table& item, Remarks& remarks);
+equipment::Uncertain<JobItem> read_job_item(config::Table& item, Remarks& remarks);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -10,7 +10,7 @@
 #include "studies/study/job/excitation_reader.h"
 #include "studies/study/job/item_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Table;
@@ -40,7 +40,7 @@ std::string equipment_name(Table& item) {
 }
 
 /// Stated names come first: a name made from the equipment's gives way to them.
-std::vector<std::string> read_names(std::vector<Table>& items, UniqueNames& names) {
+std::vector<std::string> read_names(std::vector<Table>& items, equipment::UniqueNames& names) {
   std::vector<std::string> result(items.size());
   for (std::size_t i = 0; i < items.size(); ++i)
     if (items[i].has("name")) names.take(items[i], result[i] = items[i].text("name"));
@@ -56,7 +56,7 @@ std::vector<std::string> read_names(std::vector<Table>& items, UniqueNames& name
 }
 
 /// What acts on the item, and how it moves at the start.
-void read_acting(Table& item, Uncertain<PlacedItem>& acting) {
+void read_acting(Table& item, equipment::Uncertain<PlacedItem>& acting) {
   read_loads(item, acting);
   if (auto fixture = item.table("fixture")) read_fixture(*fixture, acting);
   if (auto initial = item.table("initial")) read_initial(*initial, acting);
@@ -89,15 +89,15 @@ void append(std::vector<T>& list, const std::vector<T>& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
 
-bool has_a_place(const std::string& line, const ItemDescription& description) {
-  return std::ranges::any_of(description.casters, [&](const CasterPlace& caster) {
+bool has_a_place(const std::string& line, const equipment::ItemDescription& description) {
+  return std::ranges::any_of(description.casters, [&](const equipment::CasterPlace& caster) {
     return !caster.where.empty() && line.starts_with(caster.where);
   });
 }
 
 /// Mistakes in how an item is put together: at its casters, else where the job names it.
-void note_lines(const Error& error, const ItemDescription& description, const config::Spot& spot,
-                Sampler& of) {
+void note_lines(const Error& error, const equipment::ItemDescription& description,
+                const config::Spot& spot, equipment::Sampler& of) {
   std::istringstream lines(error.what());
   for (std::string line; std::getline(lines, line);)
     if (has_a_place(line, description))
@@ -106,12 +106,12 @@ void note_lines(const Error& error, const ItemDescription& description, const co
       of.error(spot, ": " + line);
 }
 
-void place(JobItem item, const ItemStep& step, JobParts& job, Sampler& of) {
+void place(JobItem item, const ItemStep& step, JobParts& job, equipment::Sampler& of) {
   PlacedItem& placed = job.scene.items[step.index];
   append(job.warnings, step.remarks.warnings);
   item.options.floor = job.covering;
   try {
-    LoadedItem loaded = assemble_item(item.description, item.options);
+    equipment::LoadedItem loaded = assemble_item(item.description, item.options);
     if (loaded.states_contact)
       for (const MaterialPair& pair : loaded.pairs)
         job.item_contacts[step.index].push_back(pair.constants);
@@ -127,14 +127,14 @@ void place(JobItem item, const ItemStep& step, JobParts& job, Sampler& of) {
 void read_one(Table& table, ItemStep step, JobReading& job) {
   config::Document& document = table.document();
   const std::size_t mistakes = document.mistakes();
-  const Uncertain<JobItem> item = read_job_item(table, step.remarks);
+  const equipment::Uncertain<JobItem> item = read_job_item(table, step.remarks);
   step.description = description_spot(table);
-  Uncertain<PlacedItem> acting;
+  equipment::Uncertain<PlacedItem> acting;
   read_acting(table, acting);
   const bool complete = document.mistakes() == mistakes;
-  job.add(document, [item, acting, step, complete](JobParts& of_draw, Sampler& of) {
+  job.add(document, [item, acting, step, complete](JobParts& of_draw, equipment::Sampler& of) {
     PlacedItem& placed = of_draw.scene.items[step.index];
-    const Sampler own =
+    const equipment::Sampler own =
         step.several ? of.of_element(fmt::format("item[{}]", step.index), placed.name) : of;
     JobItem sampled = item.sample(own);
     placed.initial = sampled.initial;
@@ -146,9 +146,9 @@ void read_one(Table& table, ItemStep step, JobReading& job) {
 
 }  // namespace
 
-std::vector<Table> read_items(Table& root, UniqueNames& names, JobReading& job) {
+std::vector<Table> read_items(Table& root, equipment::UniqueNames& names, JobReading& job) {
   std::vector<Table> tables = item_tables(root);
-  job.add([item_names = read_names(tables, names)](JobParts& of_draw, Sampler&) {
+  job.add([item_names = read_names(tables, names)](JobParts& of_draw, equipment::Sampler&) {
     of_draw.scene.items.resize(std::max<std::size_t>(1, item_names.size()));
     of_draw.item_contacts.resize(of_draw.scene.items.size());
     for (std::size_t i = 0; i < item_names.size(); ++i) of_draw.scene.items[i].name = item_names[i];
@@ -164,7 +164,7 @@ std::vector<Table> read_items(Table& root, UniqueNames& names, JobReading& job) 
 
 void read_acting_at_top(Table& root, JobReading& job) {
   const bool several = job.stated().scene.items.size() > 1;
-  Uncertain<PlacedItem> only;
+  equipment::Uncertain<PlacedItem> only;
   if (auto excitation = root.table("excitation")) {
     read_loads(*excitation, only);
     if (several)
@@ -177,9 +177,9 @@ void read_acting_at_top(Table& root, JobReading& job) {
     note_without_item(root, {"fixture", "initial"}, "[item.{}]");
     return;
   }
-  job.add([only](JobParts& of_draw, Sampler& of) {
+  job.add([only](JobParts& of_draw, equipment::Sampler& of) {
     only.apply(of_draw.scene.items.front(), of);
   });
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/config/table.h"
 #include "engine/base/units.h"
+#include "engine/config/table.h"
 #include "equipment/catalogue/file_kind.h"
 #include "equipment/catalogue/levelness.h"
 #include "equipment/catalogue/quantity.h"
@@ -20,7 +20,7 @@
 #include "studies/study/job/room_reader.h"
 #include "studies/study/job/tether_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Range;
@@ -35,7 +35,7 @@ void note_without_effect(Table& table, const std::vector<const char*>& keys,
   for (const char* key : keys)
     if (table.has(key))
       job.add([line = fmt::format("{}: {}: has no effect {}", table.where(key), table.name_of(key),
-                                  reason)](JobParts& of_draw, Sampler&) {
+                                  reason)](JobParts& of_draw, equipment::Sampler&) {
         of_draw.without_effect.push_back(line);
       });
 }
@@ -94,7 +94,7 @@ void read_settings(Table& root, JobReading& job) {
   for (const char* key : {"settle_time_s", "rest_speed_m_per_s", "rest_hold_s"})
     if (settings.duration > 0 && in.has(key))
       warnings.push_back(in.name_of(key) + ": no effect beside duration_s, which ends the run");
-  job.add([settings, warnings](JobParts& of_draw, Sampler&) {
+  job.add([settings, warnings](JobParts& of_draw, equipment::Sampler&) {
     of_draw.settings = settings;
     of_draw.warnings.insert(of_draw.warnings.end(), warnings.begin(), warnings.end());
   });
@@ -112,7 +112,7 @@ void read_output(Table& root, JobReading& job) {
     table->note("history_step_s",
                 fmt::format(" = {:g}: must be a whole number of time steps of {:g} s, such as {:g}",
                             spacing, settings.time_step, whole));
-  job.add([step = histories ? whole : 0](JobParts& of_draw, Sampler&) {
+  job.add([step = histories ? whole : 0](JobParts& of_draw, equipment::Sampler&) {
     of_draw.settings.history_step = step;
   });
   if (!histories) note_without_effect(*table, {"history_step_s"}, "with histories = false", job);
@@ -126,8 +126,8 @@ auto scene(Value Scene::*member) {
 
 /// How far the floor is out of level where the job does not say.
 void use_levelness(JobReading& job) {
-  job.add([usual = usual_levelness()](JobParts& of_draw, Sampler& of) {
-    const Levelness level = usual.sample(of.of_part("floor"));
+  job.add([usual = equipment::usual_levelness()](JobParts& of_draw, equipment::Sampler& of) {
+    const equipment::Levelness level = usual.sample(of.of_part("floor"));
     of_draw.scene.slope = level.slope;
     of_draw.scene.cross_slope = level.cross_slope;
     add_assumptions(of_draw.assumptions, level.assumptions);
@@ -139,15 +139,16 @@ void read_floor(Table& root, JobReading& job) {
   const bool stated = table && (table->has("slope") || table->has("cross_slope"));
   if (!stated) use_levelness(job);
   if (!table) return;
-  Quantities in(*table);
+  equipment::Quantities in(*table);
   if (stated) {
     job.set(scene(&Scene::slope), in.number("slope", Range::within(-1, 1), 0.0));
     job.set(scene(&Scene::cross_slope), in.number("cross_slope", Range::within(-1, 1), 0.0));
   }
   job.set(scene(&Scene::gravity),
           in.number("gravity_m_per_s2", Range::not_negative(), Scene().gravity));
-  if (auto covering = load_named(*table, "covering", DataKind::kFloor, load_floor_covering))
-    job.add([covering = *std::move(covering)](JobParts& of_draw, Sampler& of) {
+  if (auto covering = load_named(*table, "covering", equipment::DataKind::kFloor,
+                                 equipment::load_floor_covering))
+    job.add([covering = *std::move(covering)](JobParts& of_draw, equipment::Sampler& of) {
       of_draw.covering = covering.sample(of.of_part("floor"));
     });
 }
@@ -157,7 +158,7 @@ void read_rotation_factor(Table& excitation, JobReading& job) {
   auto building = excitation.table("building");
   if (!building) return;
   job.set(&JobParts::rotation_factor,
-          Quantities(*building).number("rotation_factor", Range::not_negative(), 1.0));
+          equipment::Quantities(*building).number("rotation_factor", Range::not_negative(), 1.0));
   const std::optional<RecordRequest>& record = job.stated().record;
   if (record && record->building && !rotates(record->building->building, record->building->floor))
     note_without_effect(*building, {"rotation_factor"},
@@ -174,7 +175,7 @@ std::optional<Draw> read_draw(Table& root) {
 }
 
 JobReading read(config::Document& document) {
-  refuse_other_kind(document, "gurney-job/1");
+  equipment::refuse_other_kind(document, "gurney-job/1");
   Table root = document.root();
   root.choice("schema", {"gurney-job/1"});
   document.tree().asked.insert("study");  // is read by StudyJob
@@ -185,12 +186,12 @@ JobReading read(config::Document& document) {
   JobReading job(std::move(fixed));
 
   read_floor(root, job);
-  RoomNames names;
+  equipment::RoomNames names;
   read_job_room(root, names, job);
   std::vector<Table> items = read_items(root, names.shapes, job);
   read_tethers(root, job);
   if (auto table = root.table("excitation")) {
-    job.add([record = read_record_request(*table)](JobParts& of_draw, Sampler&) {
+    job.add([record = read_record_request(*table)](JobParts& of_draw, equipment::Sampler&) {
       of_draw.record = record;
     });
     read_rotation_factor(*table, job);
@@ -203,7 +204,7 @@ JobReading read(config::Document& document) {
   if (document.clean()) {
     std::vector<config::Spot> positions;
     for (const Table& item : items) positions.push_back(item.spot("position_m"));
-    job.add(document, [positions](JobParts& of_draw, Sampler& of) {
+    job.add(document, [positions](JobParts& of_draw, equipment::Sampler& of) {
       if (of.clean()) check_overlaps(positions, of_draw.scene, of);
     });
   }
@@ -217,8 +218,9 @@ void note_lines(config::Document& document, const std::vector<std::string>& line
 }  // namespace
 
 bool draws_anything(const Job& job) {
-  return std::ranges::any_of(job.assumptions,
-                             [](const Assumption& each) { return !each.distribution.empty(); });
+  return std::ranges::any_of(job.assumptions, [](const equipment::Assumption& each) {
+    return !each.distribution.empty();
+  });
 }
 
 Job read_job(const std::string& path) {
@@ -259,4 +261,4 @@ Job sample(const JobModel& model, const std::optional<Draw>& draw) {
   return job;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

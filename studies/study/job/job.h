@@ -18,34 +18,36 @@
 #include "groundmotions/scaling/scale.h"
 #include "groundmotions/synthetic/kinds.h"
 
-namespace gurney {
-
+namespace gurney::equipment {
 template <class T>
 class Uncertain;
+}  // namespace gurney::equipment
+
+namespace gurney::study {
 
 /// An intensity that a record is scaled to.
 struct ScaleTo {
-  Measure measure;
-  Combination combination = Combination::kGeometricMean;
+  groundmotions::Measure measure;
+  groundmotions::Combination combination = groundmotions::Combination::kGeometricMean;
   double value = 0;  ///< > 0, in the measure's SI unit
-  VerticalScaling vertical;
+  groundmotions::VerticalScaling vertical;
 };
 
 struct BuildingRequest {
-  Building building;
+  groundmotions::Building building;
   int floor = 0;
   std::string file;  ///< that describes it; empty: the job itself
 };
 
 /// The ground or floor motion a job asks for; motion.h makes it.
 struct RecordRequest {
-  std::vector<RecordFile> files;             ///< or `synthetic`, or, in a study, `suite`
-  std::vector<std::filesystem::path> suite;  ///< folders, lists, files: each record in turn
-  ReadOptions options;
-  std::optional<SyntheticRequest> synthetic;
+  std::vector<groundmotions::RecordFile> files;  ///< or `synthetic`, or, in a study, `suite`
+  std::vector<std::filesystem::path> suite;      ///< folders, lists, files: each record in turn
+  groundmotions::ReadOptions options;
+  std::optional<groundmotions::SyntheticRequest> synthetic;
   bool use_x = true, use_y = true, use_z = true;  ///< components that act; the others stay at 0
   bool use_stated = false;                        ///< only then may a file lack a component
-  std::vector<ProcessingStep> processing;
+  std::vector<groundmotions::ProcessingStep> processing;
   double scale = 1;                         ///< on every component, > 0
   std::optional<ScaleTo> scale_to;          ///< instead of `scale`
   std::optional<BuildingRequest> building;  ///< between the record and the floor
@@ -62,9 +64,9 @@ struct Job {
   Scene scene;
   SimulationSettings settings;
   std::optional<RecordRequest> record;
-  double rotation_factor = 1;           ///< on the rotation of the floor that the building gives
-  std::optional<Draw> draw;             ///< of every uncertain number; none: as their values
-  std::vector<Assumption> assumptions;  ///< every unsourced or drawn number in use
+  double rotation_factor = 1;  ///< on the rotation of the floor that the building gives
+  std::optional<Draw> draw;    ///< of every uncertain number; none: as their values
+  std::vector<equipment::Assumption> assumptions;  ///< every unsourced or drawn number in use
   std::vector<std::string> warnings;
   std::vector<std::string> without_effect;  ///< inputs: see Remarks
 };
@@ -87,7 +89,7 @@ class JobModel {
 
  private:
   friend Job sample(const JobModel& model, const std::optional<Draw>& draw);
-  std::shared_ptr<const Uncertain<JobParts>> reading_;
+  std::shared_ptr<const equipment::Uncertain<JobParts>> reading_;
 };
 
 /// The job in a draw; without one, every number at its value.
@@ -97,4 +99,4 @@ Job sample(const JobModel& model, const std::optional<Draw>& draw);
 /// Whether a number of a job that was read with a draw has a distribution.
 bool draws_anything(const Job& job);
 
-}  // namespace gurney
+}  // namespace gurney::study

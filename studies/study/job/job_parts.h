@@ -10,22 +10,22 @@
 #include "equipment/catalogue/uncertain.h"
 #include "studies/study/job/job.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// A job with what its scene is put together from.
 struct JobParts : Job {
-  std::optional<FloorCovering> covering;
-  RoomDescription room;
-  std::vector<MaterialContact> usual_contacts;
+  std::optional<equipment::FloorCovering> covering;
+  equipment::RoomDescription room;
+  std::vector<equipment::MaterialContact> usual_contacts;
   /// Each item's own: against anything, and last against the floor; empty: none.
   std::vector<std::vector<ContactConstants>> item_contacts;
 };
 
-using JobReading = Uncertain<JobParts>;
+using JobReading = equipment::Uncertain<JobParts>;
 
 /// Where the description of an item is stated.
 inline config::Spot description_spot(config::Table& item) {
   return item.spot(item.has("inline") ? "inline" : "equipment");
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -6,19 +6,19 @@
 #include "engine/config/table.h"
 #include "equipment/catalogue/catalogue.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Loads what `key` of a job's table names; a mistake in the name is noted there, mistakes in the
 /// file after ours. Empty without the key or with a mistake.
 template <typename Load>
-auto load_named(config::Table& table, const std::string& key, DataKind kind, Load load)
+auto load_named(config::Table& table, const std::string& key, equipment::DataKind kind, Load load)
     -> std::optional<decltype(load(std::string()))> {
   if (!table.has(key)) return {};
   const std::string name = table.text(key);
   if (!table.is_text(key)) return {};
   std::string file;
   try {
-    file = find_data(kind, name, table.document().path());
+    file = equipment::find_data(kind, name, table.document().path());
   } catch (const Error& error) {
     table.note(key, " = \"" + name + "\": " + error.what());
     return {};
@@ -31,4 +31,4 @@ auto load_named(config::Table& table, const std::string& key, DataKind kind, Loa
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

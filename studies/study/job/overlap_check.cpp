@@ -5,9 +5,10 @@
 #include "engine/base/units.h"
 #include "engine/run/overlaps.h"
 
-namespace gurney {
+namespace gurney::study {
 
-void check_overlaps(const std::vector<config::Spot>& positions, const Scene& scene, Sampler& of) {
+void check_overlaps(const std::vector<config::Spot>& positions, const Scene& scene,
+                    equipment::Sampler& of) {
   if (scene.items.size() == 1 && scene.room.empty()) return;
   for (const Overlap& overlap : find_overlaps(scene)) {
     const bool item = overlap.other_item >= 0;
@@ -21,4 +22,4 @@ void check_overlaps(const std::vector<config::Spot>& positions, const Scene& sce
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

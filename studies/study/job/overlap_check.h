@@ -5,10 +5,11 @@
 #include "engine/scene/scene.h"
 #include "equipment/catalogue/sampler.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Notes each item that stands in another one or in the room.
 /// @param positions  where they are stated, as Scene::items
-void check_overlaps(const std::vector<config::Spot>& positions, const Scene& scene, Sampler& of);
+void check_overlaps(const std::vector<config::Spot>& positions, const Scene& scene,
+                    equipment::Sampler& of);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -15,7 +15,7 @@
 #include "groundmotions/suites/glob.h"
 #include "studies/study/job/scale_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Range;
@@ -45,14 +45,17 @@ fs::path checked_path(Table& table, const std::string& key, const std::string& n
 /// A file, a folder, or a pattern such as "recs/*.AT2".
 fs::path suite_path(Table& table, const std::string& name) {
   const fs::path path = (fs::path(table.document().path()).parent_path() / name).lexically_normal();
-  return is_glob(path) && !glob(path).empty() ? path : existing_path(table, "suite", name);
+  return groundmotions::is_glob(path) && !groundmotions::glob(path).empty()
+             ? path
+             : existing_path(table, "suite", name);
 }
 
 /// Files for stated axes, or files that place their components themselves.
-std::vector<RecordFile> read_files(Table& excitation, Table& in, std::vector<fs::path>& suite) {
-  std::vector<RecordFile> files;
+std::vector<groundmotions::RecordFile> read_files(Table& excitation, Table& in,
+                                                  std::vector<fs::path>& suite) {
+  std::vector<groundmotions::RecordFile> files;
   for (const std::string& name : in.texts("suite")) suite.push_back(suite_path(in, name));
-  for (const Direction direction : kDirections) {
+  for (const groundmotions::Direction direction : groundmotions::kDirections) {
     const char* key = kAxes[static_cast<std::size_t>(direction)];
     if (const std::string name = in.text(key, ""); !name.empty())
       files.push_back({.path = checked_path(in, key, name), .direction = direction});
@@ -70,7 +73,7 @@ std::vector<RecordFile> read_files(Table& excitation, Table& in, std::vector<fs:
 }
 
 /// One file becomes one for each axis that has a channel.
-void read_channels(Table& in, std::vector<RecordFile>& files) {
+void read_channels(Table& in, std::vector<groundmotions::RecordFile>& files) {
   if (!in.has("channels")) return;
   const auto channels = in.numbers("channels", Range::within(0, 1000), 3);
   if (files.size() != 1 || files[0].direction) {
@@ -79,7 +82,7 @@ void read_channels(Table& in, std::vector<RecordFile>& files) {
   }
   const fs::path path = files[0].path;
   files.clear();
-  for (const Direction direction : kDirections) {
+  for (const groundmotions::Direction direction : groundmotions::kDirections) {
     const double channel = channels[static_cast<std::size_t>(direction)];
     if (channel != std::floor(channel)) in.note("channels", ": must be whole numbers");
     if (channel >= 1) files.push_back({path, direction, static_cast<int>(channel)});
@@ -92,28 +95,29 @@ void read_use(Table& in, RecordRequest& record) {
   const std::string use = kUses[in.choice("use", kUses, 0)];
   record.use_stated = in.has("use");
   const bool by_axis = !record.files.empty() && record.files.front().direction.has_value();
-  const auto acts = [&](Direction direction) {
+  const auto acts = [&](groundmotions::Direction direction) {
     const char axis = kAxes[static_cast<std::size_t>(direction)][0];
     const bool wanted = use.find(axis) != std::string::npos;
     const bool there = std::ranges::any_of(
-        record.files, [&](const RecordFile& file) { return file.direction == direction; });
+        record.files,
+        [&](const groundmotions::RecordFile& file) { return file.direction == direction; });
     if (record.use_stated && wanted && by_axis && !there)
       in.note("use", fmt::format(" = \"{}\": must name components that are there; '{}' has no file",
                                  use, axis));
     return wanted;
   };
-  record.use_x = acts(Direction::kH1);
-  record.use_y = acts(Direction::kH2);
-  record.use_z = acts(Direction::kVertical);
+  record.use_x = acts(groundmotions::Direction::kH1);
+  record.use_y = acts(groundmotions::Direction::kH2);
+  record.use_z = acts(groundmotions::Direction::kVertical);
   record.use_stated = record.use_stated || by_axis || record.synthetic;
 }
 
-void read_options(Table& in, ReadOptions& options) {
-  const std::vector<std::string>& units = acceleration_unit_names();
+void read_options(Table& in, groundmotions::ReadOptions& options) {
+  const std::vector<std::string>& units = groundmotions::acceleration_unit_names();
   if (in.has("unit")) options.unit = units[in.choice("unit", units)];
   if (in.has("time_step_s"))
-    options.time_step =
-        in.number("time_step_s", Range::within(kShortestTimeStep, kLongestTimeStep));
+    options.time_step = in.number("time_step_s", Range::within(groundmotions::kShortestTimeStep,
+                                                               groundmotions::kLongestTimeStep));
   if (in.has("count_m_per_s2"))
     options.si_per_count = in.number("count_m_per_s2", Range::positive());
   options.columns = in.text("columns", "");
@@ -136,13 +140,13 @@ std::optional<BuildingRequest> read_building_request(Table& excitation) {
   if (found->has("file")) {
     const auto path = checked_path(*found, "file", found->text("file", ""));
     try {
-      request.building = building_from_file(path);
+      request.building = groundmotions::building_from_file(path);
       request.file = path;
     } catch (const Error& error) {
       found->document().note(error);
     }
   } else {
-    request.building = read_building(*found);
+    request.building = groundmotions::read_building(*found);
   }
   request.floor = read_floor(*found, request.building);
   return request;
@@ -159,10 +163,11 @@ std::optional<RecordRequest> read_record_request(Table& excitation) {
   record.where = excitation.where("record");
   record.files = read_files(excitation, in, record.suite);
   read_channels(in, record.files);
-  if (auto synthetic = in.table("synthetic")) record.synthetic = read_synthetic_request(*synthetic);
+  if (auto synthetic = in.table("synthetic"))
+    record.synthetic = groundmotions::read_synthetic_request(*synthetic);
   read_use(in, record);
   read_options(in, record.options);
-  record.processing = read_processing_steps(in);
+  record.processing = groundmotions::read_processing_steps(in);
   read_scaling(in, record);
   record.angle = in.number("angle_deg", Range::any(), 0.0) * kRadiansPerDegree;
   record.refuse_implausible = in.choice("plausibility", {"warn", "refuse"}, 0) == 1;
@@ -170,4 +175,4 @@ std::optional<RecordRequest> read_record_request(Table& excitation) {
   return record;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

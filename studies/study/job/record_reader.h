@@ -5,10 +5,10 @@
 #include "engine/config/table.h"
 #include "studies/study/job/job.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// [excitation.record], if it is there; the files it names exist. Mistakes are noted in the table's
 /// document.
 std::optional<RecordRequest> read_record_request(config::Table& excitation);
 
-}  // namespace gurney
+}  // namespace gurney::study

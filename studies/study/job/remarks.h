@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace gurney {
+namespace gurney::study {
 
 /// What a job states in vain, apart from errors.
 struct Remarks {
@@ -13,4 +13,4 @@ struct Remarks {
   std::vector<std::string> without_effect;
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

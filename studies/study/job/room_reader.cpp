@@ -7,7 +7,7 @@
 #include "equipment/catalogue/room_parts.h"
 #include "studies/study/job/load_named.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Table;
@@ -23,8 +23,8 @@ struct Surface {
   const ContactConstants* own = nullptr;
 };
 
-std::vector<MaterialContact> known_contacts(const JobParts& job) {
-  std::vector<MaterialContact> all = job.room.contacts;
+std::vector<equipment::MaterialContact> known_contacts(const JobParts& job) {
+  std::vector<equipment::MaterialContact> all = job.room.contacts;
   all.insert(all.end(), job.usual_contacts.begin(), job.usual_contacts.end());
   return all;
 }
@@ -38,13 +38,14 @@ class PairList {
   /// @return false where there are none
   bool add(const Surface& one, const Surface& other) {
     if (!done_.insert(std::minmax(one.name, other.name)).second) return true;
-    const MaterialContact* found = find_contact(job_->room.contacts, one.known, other.known);
+    const equipment::MaterialContact* found =
+        find_contact(job_->room.contacts, one.known, other.known);
     const ContactConstants* own = one.own != nullptr ? one.own : other.own;
     if (found == nullptr && own == nullptr)
       found = find_contact(job_->usual_contacts, one.known, other.known);
     if (found == nullptr && own == nullptr) return false;
     job_->scene.pairs.push_back({one.name, other.name, found != nullptr ? found->constants : *own});
-    if (found != nullptr) add_assumptions(job_->assumptions, found->assumptions);
+    if (found != nullptr) equipment::add_assumptions(job_->assumptions, found->assumptions);
     return true;
   }
 
@@ -74,7 +75,7 @@ std::vector<Surface> surfaces_of(JobParts& job) {
 }
 
 /// @param spots  where each item is described
-void add_pairs(const std::vector<config::Spot>& spots, JobParts& job, Sampler& of) {
+void add_pairs(const std::vector<config::Spot>& spots, JobParts& job, equipment::Sampler& of) {
   const Scene& scene = job.scene;
   PairList pairs(job);
   const std::vector<Surface> surfaces = surfaces_of(job);
@@ -97,24 +98,24 @@ void add_pairs(const std::vector<config::Spot>& spots, JobParts& job, Sampler& o
 
 }  // namespace
 
-void read_job_room(Table& root, RoomNames& names, JobReading& job) {
+void read_job_room(Table& root, equipment::RoomNames& names, JobReading& job) {
   auto table = root.table("room");
   if (!table) return;
-  Uncertain<RoomDescription> room;
-  load_named(*table, "file", DataKind::kRoom,
+  equipment::Uncertain<equipment::RoomDescription> room;
+  load_named(*table, "file", equipment::DataKind::kRoom,
              [&](const std::string& file) { return load_room(file, names, room); });
   read_room(*table, names, room);
   job.set(&JobParts::room, std::move(room));
 }
 
 void furnish(Table& root, std::vector<Table>& items, JobReading& job) {
-  job.set(&JobParts::usual_contacts, usual_contacts());
+  job.set(&JobParts::usual_contacts, equipment::usual_contacts());
   std::string floor_material = kUsualFloor;
   if (auto floor = root.table("floor"))
     floor_material = read_material(*floor, known_contacts(job.stated()), kUsualFloor);
   std::vector<config::Spot> spots;
   for (Table& item : items) spots.push_back(description_spot(item));
-  const RoomDescription& room = job.stated().room;
+  const equipment::RoomDescription& room = job.stated().room;
   const bool more = spots.size() > 1 || !room.shapes.empty() || !room.zones.empty() ||
                     !job.stated().scene.tethers.empty();
   if (more && job.stated().settings.solver != Solver::kStar)
@@ -122,7 +123,7 @@ void furnish(Table& root, std::vector<Table>& items, JobReading& job) {
       settings->note("solver",
                      ": must be \"star\" with a room, tethers or several items; Bullet's "
                      "own solvers are baselines for one item on a floor");
-  job.add(root.document(), [spots, floor_material](JobParts& of_draw, Sampler& of) {
+  job.add(root.document(), [spots, floor_material](JobParts& of_draw, equipment::Sampler& of) {
     of_draw.scene.floor_material = floor_material;
     add_pairs(spots, of_draw, of);
     add_assumptions(of_draw.assumptions, of_draw.room.assumptions);
@@ -131,4 +132,4 @@ void furnish(Table& root, std::vector<Table>& items, JobReading& job) {
   });
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -8,7 +8,7 @@
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Range;
@@ -28,7 +28,7 @@ constexpr std::array kUnits = {Unit{"g", "m/s2", kStandardGravity},
                                Unit{"cm", "m", 0.01}};
 
 void read_unit(Table& in, ScalingTarget& target) {
-  const std::string si = si_unit_of(target.measure);
+  const std::string si = groundmotions::si_unit_of(target.measure);
   std::vector<std::string> allowed;
   std::vector<double> factors;
   for (const Unit& unit : kUnits)
@@ -48,21 +48,22 @@ void read_unit(Table& in, ScalingTarget& target) {
 
 }  // namespace
 
-Measure read_measure(Table& in) {
+groundmotions::Measure read_measure(Table& in) {
   try {
-    return parse_measure(in.text("measure"));
+    return groundmotions::parse_measure(in.text("measure"));
   } catch (const Error& error) {
     in.note("measure", std::string(": ") + error.what());
     return {};
   }
 }
 
-Combination read_combination(Table& in, const Measure& measure) {
-  const auto names = known_combinations();
-  const auto usual = std::ranges::find(names, name_of(Combination::kGeometricMean));
-  const Combination combination = parse_combination(
+groundmotions::Combination read_combination(Table& in, const groundmotions::Measure& measure) {
+  const auto names = groundmotions::known_combinations();
+  const auto usual = std::ranges::find(names, name_of(groundmotions::Combination::kGeometricMean));
+  const groundmotions::Combination combination = groundmotions::parse_combination(
       names[in.choice("component", names, static_cast<std::size_t>(usual - names.begin()))]);
-  if (combination == Combination::kResultant && !has_resultant(measure))
+  if (combination == groundmotions::Combination::kResultant &&
+      !groundmotions::has_resultant(measure))
     in.note("component", ": " + name_of(measure) + " has no resultant; PGA, PGV and PGD have");
   return combination;
 }
@@ -75,10 +76,10 @@ ScalingTarget read_scaling_target(Table& in) {
   return target;
 }
 
-VerticalScaling read_vertical_scaling(Table& in) {
-  VerticalScaling vertical;
-  vertical.rule =
-      static_cast<VerticalScaling::Rule>(in.choice("vertical", {"alike", "kept"}, std::size_t{0}));
+groundmotions::VerticalScaling read_vertical_scaling(Table& in) {
+  groundmotions::VerticalScaling vertical;
+  vertical.rule = static_cast<groundmotions::VerticalScaling::Rule>(
+      in.choice("vertical", {"alike", "kept"}, std::size_t{0}));
   return vertical;
 }
 
@@ -90,15 +91,18 @@ ScaleTo read_scale_to(Table& in) {
           .vertical = read_vertical_scaling(in)};
 }
 
-ScalingMeasure scaling_measure(const Measure& measure, Combination combination) {
-  return {fmt::format("{} ({}) [{}]", name_of(measure), name_of(combination), si_unit_of(measure)),
-          [=](const Record& scaled) { return value_of(measure, combination, scaled); },
-          scaling_power(measure)};
+groundmotions::ScalingMeasure scaling_measure(const groundmotions::Measure& measure,
+                                              groundmotions::Combination combination) {
+  return {
+      fmt::format("{} ({}) [{}]", name_of(measure), name_of(combination),
+                  groundmotions::si_unit_of(measure)),
+      [=](const groundmotions::Record& scaled) { return value_of(measure, combination, scaled); },
+      groundmotions::scaling_power(measure)};
 }
 
-Record scaled_to(const Record& record, const ScaleTo& request) {
-  return scale_to(record, scaling_measure(request.measure, request.combination), request.value,
-                  request.vertical);
+groundmotions::Record scaled_to(const groundmotions::Record& record, const ScaleTo& request) {
+  return groundmotions::scale_to(record, scaling_measure(request.measure, request.combination),
+                                 request.value, request.vertical);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

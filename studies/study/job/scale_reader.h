@@ -5,12 +5,12 @@
 #include "engine/config/table.h"
 #include "studies/study/job/job.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// A measure that records can be scaled to, and the unit in which its values are stated.
 struct ScalingTarget {
-  Measure measure;
-  Combination combination = Combination::kGeometricMean;
+  groundmotions::Measure measure;
+  groundmotions::Combination combination = groundmotions::Combination::kGeometricMean;
   std::string unit;
   double unit_in_si = 1;
 };
@@ -19,11 +19,12 @@ struct ScalingTarget {
 ScalingTarget read_scaling_target(config::Table& table);
 
 /// Reads the keys `measure` and `component`.
-Measure read_measure(config::Table& table);
-Combination read_combination(config::Table& table, const Measure& measure);
+groundmotions::Measure read_measure(config::Table& table);
+groundmotions::Combination read_combination(config::Table& table,
+                                            const groundmotions::Measure& measure);
 
 /// Reads the key `vertical`.
-VerticalScaling read_vertical_scaling(config::Table& table);
+groundmotions::VerticalScaling read_vertical_scaling(config::Table& table);
 
 /// Reads `scale_to` of a record, such as
 /// `{ measure = "Sa(1.0)", component = "RotD50", value = 0.6, unit = "g" }`. Mistakes are noted in
@@ -31,10 +32,11 @@ VerticalScaling read_vertical_scaling(config::Table& table);
 ScaleTo read_scale_to(config::Table& table);
 
 /// The measure of a record, by which it is scaled.
-ScalingMeasure scaling_measure(const Measure& measure, Combination combination);
+groundmotions::ScalingMeasure scaling_measure(const groundmotions::Measure& measure,
+                                              groundmotions::Combination combination);
 
 /// The record scaled so that the measure has the value.
 /// @throws Error for a measure that is zero or that scaling does not change.
-Record scaled_to(const Record& record, const ScaleTo& request);
+groundmotions::Record scaled_to(const groundmotions::Record& record, const ScaleTo& request);
 
-}  // namespace gurney
+}  // namespace gurney::study

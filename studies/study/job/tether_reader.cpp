@@ -11,7 +11,7 @@
 #include "equipment/catalogue/tether_type.h"
 #include "studies/study/job/load_named.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Range;
@@ -31,11 +31,11 @@ std::size_t read_item(Table& table, const std::vector<PlacedItem>& items) {
 
 /// A place, or the index of a point of the room.
 struct Anchor {
-  std::optional<std::array<StatedQuantity, 3>> place;
+  std::optional<std::array<equipment::StatedQuantity, 3>> place;
   std::optional<std::size_t> point;
 };
 
-Anchor read_anchor(Quantities& in, const std::vector<RoomPoint>& points) {
+Anchor read_anchor(equipment::Quantities& in, const std::vector<equipment::RoomPoint>& points) {
   Table& table = in.table();
   if (table.has("anchor") == table.has("anchor_m")) {
     table.note("anchor", ": must name a [[room.point]], or anchor_m must give a place, not both");
@@ -44,7 +44,7 @@ Anchor read_anchor(Quantities& in, const std::vector<RoomPoint>& points) {
   if (table.has("anchor_m")) return {in.vector("anchor_m", Range::any()), {}};
   const std::string name = table.text("anchor");
   std::vector<std::string> known;
-  for (const RoomPoint& point : points) {
+  for (const equipment::RoomPoint& point : points) {
     if (point.name == name) return {{}, known.size()};
     known.push_back(point.name);
   }
@@ -56,17 +56,19 @@ Anchor read_anchor(Quantities& in, const std::vector<RoomPoint>& points) {
 
 /// Constants of the kind, and those the job states in their place.
 struct Constants {
-  std::optional<Uncertain<TetherType>> kind;
-  std::optional<StatedQuantity> stiffness, damping, strength, slack_pull;
+  std::optional<equipment::Uncertain<equipment::TetherType>> kind;
+  std::optional<equipment::StatedQuantity> stiffness, damping, strength, slack_pull;
 };
 
-Constants read_constants(Quantities& in) {
+Constants read_constants(equipment::Quantities& in) {
   Table& table = in.table();
   Constants constants;
-  constants.kind = load_named(table, "kind", DataKind::kTether, load_tether_type);
+  constants.kind =
+      load_named(table, "kind", equipment::DataKind::kTether, equipment::load_tether_type);
   const bool known = table.has("kind");  // its mistakes are noted; it is not missing
-  const auto read = [&](const char* key, const Range& range,
-                        std::optional<double> fallback = {}) -> std::optional<StatedQuantity> {
+  const auto read =
+      [&](const char* key, const Range& range,
+          std::optional<double> fallback = {}) -> std::optional<equipment::StatedQuantity> {
     if (known && !table.has(key)) return {};
     return in.number(key, range, fallback);
   };
@@ -77,13 +79,16 @@ Constants read_constants(Quantities& in) {
   return constants;
 }
 
-void set_constants(const Constants& constants, Tether& tether, JobParts& job, Sampler& of) {
-  TetherType usual = constants.kind ? constants.kind->sample(of) : TetherType{};
-  const auto choose = [&](const std::optional<StatedQuantity>& stated, double of_kind,
+void set_constants(const Constants& constants, Tether& tether, JobParts& job,
+                   equipment::Sampler& of) {
+  equipment::TetherType usual =
+      constants.kind ? constants.kind->sample(of) : equipment::TetherType{};
+  const auto choose = [&](const std::optional<equipment::StatedQuantity>& stated, double of_kind,
                           const char* key_of_kind) {
     if (!stated) return of_kind;
-    std::erase_if(usual.assumptions,
-                  [&](const Assumption& each) { return each.key.ends_with(key_of_kind); });
+    std::erase_if(usual.assumptions, [&](const equipment::Assumption& each) {
+      return each.key.ends_with(key_of_kind);
+    });
     return of(*stated);
   };
   tether.stiffness =
@@ -101,7 +106,7 @@ double distance_at_start(const Tether& tether, const InitialMotion& start) {
 }
 
 void check_length(const Tether& tether, const PlacedItem& item, const config::Spot& spot,
-                  Sampler& of) {
+                  equipment::Sampler& of) {
   const double distance = distance_at_start(tether, item.initial);
   if (!(tether.slack_length >= distance))
     of.error(spot, fmt::format(" = {:g}: must be at least {:.4g}, the distance from '{}' to the "
@@ -113,17 +118,17 @@ void read_tether(Table& table, const std::string& element, const std::string& na
                  JobReading& job) {
   config::Document& document = table.document();
   const std::size_t mistakes = document.mistakes();
-  Quantities in(table);
+  equipment::Quantities in(table);
   Tether fixed;
   fixed.name = name;
   fixed.item = read_item(table, job.stated().scene.items);
   const auto point = in.vector("point_m", Range::any());
   const Anchor anchor = read_anchor(in, job.stated().room.points);
-  const StatedQuantity slack = in.number("slack_length_m", Range::positive());
+  const equipment::StatedQuantity slack = in.number("slack_length_m", Range::positive());
   const bool clean = document.mistakes() == mistakes;
   const Constants constants = read_constants(in);
-  job.add(document, [=](JobParts& of_draw, Sampler& of_job) {
-    Sampler of = of_job.of_element(element, name);
+  job.add(document, [=](JobParts& of_draw, equipment::Sampler& of_job) {
+    equipment::Sampler of = of_job.of_element(element, name);
     Tether tether = fixed;
     tether.point = of(point);
     if (anchor.place) tether.anchor = of(*anchor.place);
@@ -138,7 +143,7 @@ void read_tether(Table& table, const std::string& element, const std::string& na
 }  // namespace
 
 void read_tethers(Table& root, JobReading& job) {
-  UniqueNames names;
+  equipment::UniqueNames names;
   std::size_t index = 0;
   for (Table& table : root.tables("tether")) {
     const std::string name = names.read(table, "tether", index);
@@ -147,4 +152,4 @@ void read_tethers(Table& root, JobReading& job) {
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -3,10 +3,10 @@
 #include "engine/config/table.h"
 #include "studies/study/job/job_parts.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// The tables [[tether]] of a job; the items must be placed and the room read, where a tether may
 /// end. Mistakes are noted in the document.
 void read_tethers(config::Table& root, JobReading& job);
 
-}  // namespace gurney
+}  // namespace gurney::study

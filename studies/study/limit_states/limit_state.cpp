@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace gurney {
+namespace gurney::study {
 
 bool exceeded(const std::vector<LimitState>& states, std::size_t index, const Values& values) {
   const LimitState& state = states[index];
@@ -39,4 +39,4 @@ std::vector<LimitState> default_limit_states() {
           above("overturned", "time_of_overturning", -0.5, "overturned", "")};
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace gurney {
+namespace gurney::study {
 
 /// A number, or several, that a run has: of its items, their marked points, its zones or tethers.
 struct Quantity {
@@ -42,4 +42,4 @@ bool exceeded(const std::vector<LimitState>& states, std::size_t index, const Va
 /// handling speed of IEC 60601-1) and overturned.
 std::vector<LimitState> default_limit_states();
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -11,7 +11,7 @@
 #include "engine/config/nearest_name.h"
 #include "studies/study/results/columns.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Range;
@@ -238,4 +238,4 @@ std::size_t index_of(const std::vector<LimitState>& states, const std::string& n
   return static_cast<std::size_t>(found - names.begin());
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

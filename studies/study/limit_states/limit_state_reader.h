@@ -5,7 +5,7 @@
 #include "engine/config/table.h"
 #include "studies/study/limit_states/limit_state.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Reads the tables [[study.limit_state]]; without any, default_limit_states(). Mistakes are noted
 /// in the document.
@@ -15,4 +15,4 @@ std::vector<LimitState> read_limit_states(config::Table& study);
 /// @throws Error with the nearest name
 std::size_t index_of(const std::vector<LimitState>& states, const std::string& name);
 
-}  // namespace gurney
+}  // namespace gurney::study

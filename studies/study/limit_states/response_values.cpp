@@ -9,7 +9,7 @@
 #include "studies/study/results/columns.h"
 #include "studies/study/results/names.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 template <class Row>
@@ -92,4 +92,4 @@ void check_names(const LimitState& state, const Scene& scene) {
   must_be("marked point", quantity.part, points);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -4,7 +4,7 @@
 #include "engine/scene/scene.h"
 #include "studies/study/limit_states/limit_state.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// The values of a run that was just made.
 Values values_of(const Scene& scene, const Response& response);
@@ -13,4 +13,4 @@ Values values_of(const Scene& scene, const Response& response);
 /// @throws Error with the nearest name
 void check_names(const LimitState& state, const Scene& scene);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -5,14 +5,14 @@
 #include "engine/base/hash/sha256.h"
 #include "equipment/catalogue/catalogue.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 namespace fs = std::filesystem;
 
 std::string name_of(const fs::path& path, const fs::path& beside) {
-  const fs::path in_catalogue =
-      path.lexically_relative(fs::absolute(data_folder()).lexically_normal() / "equipment");
+  const fs::path in_catalogue = path.lexically_relative(
+      fs::absolute(equipment::data_folder()).lexically_normal() / "equipment");
   if (!in_catalogue.empty() && *in_catalogue.begin() != "..")
     return (fs::path("equipment") / in_catalogue).string();
   return path.lexically_proximate(beside).string();
@@ -28,4 +28,4 @@ std::map<std::string, std::string> data_files(const StudyJob& job) {
   return hashes;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -5,7 +5,7 @@
 
 #include "studies/study/plan/study_job.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Every file that decides a study's numbers beside the job and the records: items, casters, floor
 /// coverings, rooms, tethers, buildings, target spectra, lists of records. They are those that were
@@ -14,4 +14,4 @@ namespace gurney {
 ///         the job's folder
 std::map<std::string, std::string> data_files(const StudyJob& job);
 
-}  // namespace gurney
+}  // namespace gurney::study

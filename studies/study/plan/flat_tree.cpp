@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Node;
@@ -33,4 +33,4 @@ void flatten(const Node& node, const std::string& path,
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -6,10 +6,11 @@
 #include "studies/statistics/hazard.h"
 #include "studies/study/plan/study.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Reads the table [study.hazard]: rates at which the study's measure is exceeded at the site, as
 /// `im` and `rate_per_year` or as `k0` and `k`. Mistakes are noted in its document.
-std::optional<HazardCurve> read_hazard(config::Table& hazard, const IntensityPlan& intensity);
+std::optional<statistics::HazardCurve> read_hazard(config::Table& hazard,
+                                                   const IntensityPlan& intensity);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace gurney {
+namespace gurney::study {
 
 std::optional<double> Intensities::next() const {
   if (stopped_) return {};
@@ -52,4 +52,4 @@ double Intensities::highest_below(double value) const {
   return above == tried_.begin() ? 0 : *std::prev(above);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

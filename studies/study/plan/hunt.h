@@ -5,7 +5,7 @@
 
 #include "studies/study/plan/study.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// The intensities of one record, one after the other.
 ///
@@ -42,4 +42,4 @@ class Intensities {
   bool stopped_ = false;
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -8,7 +8,7 @@
 #include "engine/base/error.h"
 #include "studies/study/plan/stages.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr const char* kRecord = "record";
@@ -31,7 +31,7 @@ Plan::Plan(const StudyJob& job, const StudyMotions& motions) {
   if (stated_draws_ > 0 && (sampling_ == Sampling::kSobol || sampling_ == Sampling::kSaltelli)) {
     streams_ = std::make_shared<Draw::Streams>();
     for (std::size_t i = 0; i < job.configurations().size(); ++i)
-      for (const Assumption& each : job.job(i, Draw(seed_, 0)).assumptions)
+      for (const equipment::Assumption& each : job.job(i, Draw(seed_, 0)).assumptions)
         streams_->insert(each.streams.begin(), each.streams.end());
   }
   if (sampling_ == Sampling::kSaltelli) {
@@ -114,4 +114,4 @@ std::optional<Draw> Plan::draw(const Unit& unit) const {
   return Draw(seed_, unit.draw);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -10,7 +10,7 @@
 #include "studies/study/plan/study_job.h"
 #include "studies/study/plan/study_motions.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// One record on one configuration from one angle with one draw, at all its intensities of a stage:
 /// the runs of a unit follow each other in one thread.
@@ -68,4 +68,4 @@ class Plan {
   std::vector<std::size_t> first_;             ///< unit of each configuration; last: their number
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -6,7 +6,7 @@
 
 #include "studies/statistics/fragility.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr double kOptimalScore = 1.138;  // +- of the score, at which P is 12.8 and 87.2 %
@@ -14,9 +14,9 @@ constexpr double kFarthest = 2, kNear = 1.5, kSame = 0.01, kOutward = 1.05;
 
 using Pair = std::pair<double, double>;
 
-Pair around(double im, const std::vector<Stripe>& stripes) {
+Pair around(double im, const std::vector<statistics::Stripe>& stripes) {
   Pair levels{im / kNear, im * kNear};
-  for (const Stripe& stripe : stripes) {
+  for (const statistics::Stripe& stripe : stripes) {
     if (stripe.im < im) levels.first = std::sqrt(stripe.im * im);
     if (stripe.im > im) {
       levels.second = std::sqrt(stripe.im * im);
@@ -26,26 +26,26 @@ Pair around(double im, const std::vector<Stripe>& stripes) {
   return levels;
 }
 
-Pair wanted(const std::vector<Stripe>& stripes) {
+Pair wanted(const std::vector<statistics::Stripe>& stripes) {
   const double lowest = stripes.front().im, highest = stripes.back().im;
-  const ProbitFit fit = fit_probit(stripes);
+  const statistics::ProbitFit fit = statistics::fit_probit(stripes);
   switch (fit.status) {
-    case FragilityStatus::kFitted: {
-      const LognormalCurve curve = fit.curve();
+    case statistics::FragilityStatus::kFitted: {
+      const statistics::LognormalCurve curve = fit.curve();
       const double least = lowest / kFarthest, most = highest * kFarthest;
       return {std::clamp(curve.theta * std::exp(-kOptimalScore * curve.beta), least, most),
               std::clamp(curve.theta * std::exp(kOptimalScore * curve.beta), least, most)};
     }
-    case FragilityStatus::kAllExceed:
+    case statistics::FragilityStatus::kAllExceed:
       return {lowest / kFarthest, lowest / kNear};
-    case FragilityStatus::kNoneExceeds:
+    case statistics::FragilityStatus::kNoneExceeds:
       return {highest * kNear, highest * kFarthest};
-    case FragilityStatus::kSeparated:
+    case statistics::FragilityStatus::kSeparated:
       return {std::cbrt(fit.low * fit.low * fit.high), std::cbrt(fit.low * fit.high * fit.high)};
-    case FragilityStatus::kQuasiSeparated:
+    case statistics::FragilityStatus::kQuasiSeparated:
       return around(fit.low, stripes);
-    case FragilityStatus::kNoRuns:
-    case FragilityStatus::kNotIncreasing:
+    case statistics::FragilityStatus::kNoRuns:
+    case statistics::FragilityStatus::kNotIncreasing:
       break;
   }
   return {lowest / kNear, highest * kNear};
@@ -65,9 +65,9 @@ double apart_from(const std::vector<double>& made, double level, double outward)
 
 }  // namespace
 
-std::vector<double> next_levels(const std::vector<Stripe>& stripes, double unit) {
+std::vector<double> next_levels(const std::vector<statistics::Stripe>& stripes, double unit) {
   std::vector<double> made;
-  for (const Stripe& stripe : stripes) made.push_back(stripe.im / unit);
+  for (const statistics::Stripe& stripe : stripes) made.push_back(stripe.im / unit);
   const auto [low, high] = wanted(stripes);
   std::vector<double> levels;
   levels.push_back(apart_from(made, three_digits(low / unit), 1 / kOutward));
@@ -78,4 +78,4 @@ std::vector<double> next_levels(const std::vector<Stripe>& stripes, double unit)
   return levels;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -4,7 +4,7 @@
 
 #include "studies/statistics/stripes.h"
 
-namespace gurney {
+namespace gurney::study {
 
 inline constexpr int kLevelsOfAStage = 2;
 
@@ -22,6 +22,6 @@ inline constexpr int kLevelsOfAStage = 2;
 /// same runs again, and goes outward in steps of 5 %.
 /// @param stripes  im increases, in SI; at least one
 /// @param unit     of the levels in SI
-std::vector<double> next_levels(const std::vector<Stripe>& stripes, double unit);
+std::vector<double> next_levels(const std::vector<statistics::Stripe>& stripes, double unit);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -11,7 +11,7 @@
 #include "studies/study/job/job.h"
 #include "studies/study/limit_states/limit_state.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// A way the job may be: a patch over it, as variants are patches over items.
 struct FactorLevel {
@@ -34,14 +34,14 @@ struct IntensityPlan {
     kHunt      ///< incremental dynamic analysis: values found one after the other
   };
   Kind kind = Kind::kScales;
-  Measure measure;  ///< of kStripes and kHunt
-  Combination combination = Combination::kGeometricMean;
+  groundmotions::Measure measure;  ///< of kStripes and kHunt
+  groundmotions::Combination combination = groundmotions::Combination::kGeometricMean;
   std::string unit = "1";           ///< as the job states levels, for display
   double unit_in_si = 1;            ///< one `unit` in SI
   std::vector<double> levels{1.0};  ///< of kScales: factors; of kStripes: values in SI; increasing
   int more_stages =
       0;  ///< of kStripes: after the levels, each planned from those before (stages.h)
-  VerticalScaling vertical;
+  groundmotions::VerticalScaling vertical;
 
   double first = 0;       ///< of kHunt: first value [SI]
   double increment = 0;   ///< added at the second step, growing by itself at each more [SI]
@@ -56,8 +56,8 @@ struct IntensityPlan {
 
 /// A measure of each scaled ground motion that the results keep.
 struct KeptMeasure {
-  Measure measure;
-  Combination combination = Combination::kGeometricMean;
+  groundmotions::Measure measure;
+  groundmotions::Combination combination = groundmotions::Combination::kGeometricMean;
 };
 
 /// Which runs keep their histories.
@@ -78,8 +78,8 @@ struct Study {
   int synthetic_records = 0;             ///< > 0: seeds 1, 2, ... of the synthetic motion
   std::vector<LimitState> limit_states;  ///< at least one
   IntensityPlan intensity;
-  std::optional<HazardCurve> hazard;     ///< of the study's measure [SI]
-  std::vector<std::size_t> performance;  ///< limit states, mildest first
+  std::optional<statistics::HazardCurve> hazard;  ///< of the study's measure [SI]
+  std::vector<std::size_t> performance;           ///< limit states, mildest first
   std::uint64_t seed = 1;
   int draws = 0;  ///< of each record; 0: every number has its value
   Sampling sampling = Sampling::kMonteCarlo;
@@ -88,4 +88,4 @@ struct Study {
   double certificate = 0;  ///< fraction of the runs that are repeated with half the time step
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -8,14 +8,14 @@
 #include <sstream>
 #include <utility>
 
-#include "engine/config/overlay.h"
-#include "engine/config/table.h"
 #include "engine/base/diagnostics.h"
 #include "engine/base/error.h"
+#include "engine/config/overlay.h"
+#include "engine/config/table.h"
 #include "studies/study/limit_states/response_values.h"
 #include "studies/study/plan/study_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Document;
@@ -172,7 +172,7 @@ StudyJob::StudyJob(std::unique_ptr<FileSnapshot> files, std::unique_ptr<Document
 bool StudyJob::draws_anything() const {
   try {
     for (std::size_t i = 0; i < configurations_.size(); ++i)
-      if (gurney::draws_anything(job(i, Draw(study_.seed, 0)))) return true;
+      if (study::draws_anything(job(i, Draw(study_.seed, 0)))) return true;
     return false;
   } catch (const Error&) {  // the job without a draw is right, so this draw changed it
     return true;
@@ -185,4 +185,4 @@ Job StudyJob::job(std::size_t configuration, const std::optional<Draw>& draw) co
 
 bool has_study(const std::string& path) { return Document(path).tree().find("study") != nullptr; }
 
-}  // namespace gurney
+}  // namespace gurney::study

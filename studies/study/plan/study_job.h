@@ -10,7 +10,7 @@
 #include "studies/study/job/job.h"
 #include "studies/study/plan/study.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// One combination of levels, one of each factor.
 struct Configuration {
@@ -60,4 +60,4 @@ class StudyJob {
 /// @throws Error if it is missing or is not TOML.
 bool has_study(const std::string& path);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -15,7 +15,7 @@
 #include "groundmotions/suites/suite.h"
 #include "studies/study/job/scale_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// A tree as text: two trees that are read alike have the same.
@@ -34,12 +34,13 @@ std::string excitation_text(const config::Node& job) {
   return text;
 }
 
-Suite suite_of(const RecordRequest& request) {
+groundmotions::Suite suite_of(const RecordRequest& request) {
   if (request.suite.empty()) return {};
-  Suite suite = read_suite(request.suite, request.options);
+  groundmotions::Suite suite = groundmotions::read_suite(request.suite, request.options);
   std::string refused;
-  for (const Refusal& each : suite.refused)
-    refused += fmt::format("{}{}: {}", refused.empty() ? "" : "\n", request.where, text_of(each));
+  for (const groundmotions::Refusal& each : suite.refused)
+    refused += fmt::format("{}{}: {}", refused.empty() ? "" : "\n", request.where,
+                           groundmotions::text_of(each));
   require(refused.empty(), refused);
   require(!suite.records.empty(), request.where + ": the suite has no records");
   return suite;
@@ -63,10 +64,10 @@ MotionSet::MotionSet(const Job& job, const Study& study)
     for (int seed = 1; seed <= study.synthetic_records; ++seed)
       names_.push_back(fmt::format("{} {}", request_->synthetic->kind->name, seed));
   } else {
-    Suite suite = suite_of(*request_);
+    groundmotions::Suite suite = suite_of(*request_);
     suite_ = std::move(suite.records);
     notes_ = std::move(suite.notes);
-    for (const SuiteRecord& record : suite_) names_.push_back(record.name);
+    for (const groundmotions::SuiteRecord& record : suite_) names_.push_back(record.name);
     if (suite_.empty()) names_ = {ground_record(*request_).name};
   }
   slots_ = std::make_unique<Slot[]>(names_.size());
@@ -97,7 +98,7 @@ GroundMotion MotionSet::read(std::size_t record) const {
   motion.record = ground_record(request);
   motion.record.name = names_[record];
   if (request.scale_to) motion.record = scaled_to(motion.record, *request.scale_to);
-  if (scale != 1) motion.record = scaled(std::move(motion.record), scale);
+  if (scale != 1) motion.record = groundmotions::scaled(std::move(motion.record), scale);
   motion.warnings = motion.record.warnings;
   if (record == 0) motion.warnings.insert(motion.warnings.end(), notes_.begin(), notes_.end());
   const std::vector<std::string> findings = implausible(motion.record);
@@ -121,19 +122,20 @@ GroundMotion MotionSet::read(std::size_t record) const {
 }
 
 double MotionSet::scale_for(std::size_t record, double value) const {
-  return std::pow(value / ground(record).intensity, 1 / scaling_power(intensity_.measure));
+  return std::pow(value / ground(record).intensity,
+                  1 / groundmotions::scaling_power(intensity_.measure));
 }
 
-Record MotionSet::floor_record(std::size_t record, double scale) const {
-  const Record& ground = this->ground(record).record;
-  return floor_record_of(scale == 1 ? ground : scaled(ground, scale, intensity_.vertical),
-                         *request_);
+groundmotions::Record MotionSet::floor_record(std::size_t record, double scale) const {
+  const groundmotions::Record& ground = this->ground(record).record;
+  return floor_record_of(
+      scale == 1 ? ground : groundmotions::scaled(ground, scale, intensity_.vertical), *request_);
 }
 
 FloorMotion MotionSet::floor(std::size_t record, double scale, double angle,
                              std::vector<std::string>& warnings) const {
   if (!request_) return {};
-  const Record floor = floor_record(record, scale);
+  const groundmotions::Record floor = floor_record(record, scale);
   const std::vector<std::string>& of_ground = ground(record).record.warnings;
   for (const std::string& warning : floor.warnings)
     if (std::ranges::find(of_ground, warning) == of_ground.end()) warnings.push_back(warning);
@@ -182,4 +184,4 @@ void StudyMotions::read_all(int threads) const {
   require(text.empty(), text);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

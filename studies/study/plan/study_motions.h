@@ -11,11 +11,11 @@
 #include "studies/study/plan/study_job.h"
 #include "studies/study/prepare/motion.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// A ground motion as read and processed, at scale 1.
 struct GroundMotion {
-  Record record;                 ///< no components: the floor rests
+  groundmotions::Record record;  ///< no components: the floor rests
   double intensity = 0;          ///< the measure that levels are stated in [SI]
   std::vector<double> measures;  ///< as Study::measures [SI]; NaN: the record has none
   std::vector<std::string> warnings;
@@ -47,11 +47,11 @@ class MotionSet {
 
  private:
   GroundMotion read(std::size_t record) const;
-  Record floor_record(std::size_t record, double scale) const;
+  groundmotions::Record floor_record(std::size_t record, double scale) const;
   bool scaled_by_measure() const { return intensity_.kind != IntensityPlan::Kind::kScales; }
 
   std::optional<RecordRequest> request_;
-  std::vector<SuiteRecord> suite_;
+  std::vector<groundmotions::SuiteRecord> suite_;
   std::vector<std::string> notes_;  ///< of the suite; warnings of its first record
   IntensityPlan intensity_;
   std::vector<KeptMeasure> kept_;
@@ -84,4 +84,4 @@ class StudyMotions {
   std::vector<std::size_t> of_configuration_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -14,7 +14,7 @@
 #include "studies/study/limit_states/limit_state_reader.h"
 #include "studies/study/plan/hazard_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using config::Node;
@@ -226,12 +226,13 @@ std::optional<KeptMeasure> parse_kept(const std::string& text) {
   const auto blank = text.rfind(' ');
   KeptMeasure kept;
   if (blank != std::string::npos && text.find(')', blank) == std::string::npos) {
-    kept.combination = parse_combination(text.substr(blank + 1));
-    kept.measure = parse_measure(text.substr(0, blank));
+    kept.combination = groundmotions::parse_combination(text.substr(blank + 1));
+    kept.measure = groundmotions::parse_measure(text.substr(0, blank));
   } else {
-    kept.measure = parse_measure(text);
+    kept.measure = groundmotions::parse_measure(text);
   }
-  require(kept.combination != Combination::kResultant || has_resultant(kept.measure),
+  require(kept.combination != groundmotions::Combination::kResultant ||
+              groundmotions::has_resultant(kept.measure),
           name_of(kept.measure) + " has no resultant; PGA, PGV and PGD have");
   return kept;
 }
@@ -308,4 +309,4 @@ Study read_study(Table& in, const Node& node) {
   return study;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -3,10 +3,10 @@
 #include "engine/config/table.h"
 #include "studies/study/plan/study.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Reads the table [study] of a job. Mistakes are noted in its document.
 /// @param node  the same table, from which the patches of factors are taken
 Study read_study(config::Table& study, const config::Node& node);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 std::string parameter_of(std::string key) {
@@ -32,4 +32,4 @@ std::vector<std::string> UndrawnRanges::lines() const {
   return lines;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace gurney {
+namespace gurney::study {
 
 /// Parameters with a declared range that a study leaves at their values, by data file.
 class UndrawnRanges {
@@ -22,4 +22,4 @@ class UndrawnRanges {
   std::vector<OfFile> files_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

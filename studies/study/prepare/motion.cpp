@@ -16,16 +16,17 @@
 #include "groundmotions/record/record_motion.h"
 #include "studies/study/job/scale_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// The components to use: those the record has and the job does not switch off.
-std::vector<Direction> used_components(const Record& record, const RecordRequest& request) {
+std::vector<groundmotions::Direction> used_components(const groundmotions::Record& record,
+                                                      const RecordRequest& request) {
   static constexpr std::array kAxes = {"x", "y", "z"};
   const std::array wanted = {request.use_x, request.use_y, request.use_z};
-  std::vector<Direction> use;
+  std::vector<groundmotions::Direction> use;
   std::string missing;
-  for (const Direction direction : kDirections) {
+  for (const groundmotions::Direction direction : groundmotions::kDirections) {
     const auto axis = static_cast<std::size_t>(direction);
     if (!wanted[axis]) continue;
     if (record[direction])
@@ -43,11 +44,11 @@ std::vector<Direction> used_components(const Record& record, const RecordRequest
 }
 
 /// Which component of which file acts where.
-std::vector<std::string> components_of(const Record& record) {
+std::vector<std::string> components_of(const groundmotions::Record& record) {
   std::vector<std::string> lines;
-  for (const Direction direction : kDirections) {
+  for (const groundmotions::Direction direction : groundmotions::kDirections) {
     if (!record[direction]) continue;
-    const Component& c = *record[direction];
+    const groundmotions::Component& c = *record[direction];
     std::string line = fmt::format("{}: '{}'", name_of(direction), c.name);
     if (!c.file.empty())
       line += fmt::format(" of {}", std::filesystem::path(c.file).filename().string());
@@ -58,7 +59,8 @@ std::vector<std::string> components_of(const Record& record) {
 }
 
 /// Peaks and residuals are those of the floor's motion: scaled, turned, in floor axes.
-RecordFacts facts_of(const Record& record, const FloorMotion& floor, const Residual& left) {
+RecordFacts facts_of(const groundmotions::Record& record, const FloorMotion& floor,
+                     const groundmotions::Residual& left) {
   RecordFacts facts;
   facts.name = record.name;
   for (const auto& component : record.components) {
@@ -74,7 +76,8 @@ RecordFacts facts_of(const Record& record, const FloorMotion& floor, const Resid
   facts.duration = floor.duration();
   facts.time_step = floor.time_step();
   for (int axis = 0; axis < 3; ++axis) {
-    const Peaks largest = peaks(floor.time_step(), floor.acceleration().row(axis).transpose());
+    const groundmotions::Peaks largest =
+        groundmotions::peaks(floor.time_step(), floor.acceleration().row(axis).transpose());
     facts.pga[axis] = largest.acceleration;
     facts.pgv[axis] = largest.velocity;
     facts.pgd[axis] = largest.displacement;
@@ -85,8 +88,8 @@ RecordFacts facts_of(const Record& record, const FloorMotion& floor, const Resid
 }
 
 /// A synthetic motion with its kind and all parameters as the first line of its processing.
-Record made(const SyntheticRequest& request) {
-  Record record = make_record(request);
+groundmotions::Record made(const groundmotions::SyntheticRequest& request) {
+  groundmotions::Record record = groundmotions::make_record(request);
   std::string line = "made: " + request.kind->name;
   for (const auto& [key, value] : request.values) line += fmt::format(", {} = {:g}", key, value);
   record.processing.insert(record.processing.begin(), line);
@@ -95,7 +98,7 @@ Record made(const SyntheticRequest& request) {
 
 /// Adds the place in the job to what goes wrong.
 template <class Work>
-Record at(const std::string& where, Work work) {
+groundmotions::Record at(const std::string& where, Work work) {
   try {
     return work();
   } catch (const Error& error) {
@@ -105,11 +108,11 @@ Record at(const std::string& where, Work work) {
 
 /// Components that the record lacks, found although no unit is stated; empty: none.
 std::string missing_beside_unit(const RecordRequest& request) {
-  ReadOptions any_unit = request.options;
+  groundmotions::ReadOptions any_unit = request.options;
   any_unit.unit = "m/s2";
-  Record record;
+  groundmotions::Record record;
   try {
-    record = read_record(request.files, any_unit);
+    record = groundmotions::read_record(request.files, any_unit);
   } catch (const Error&) {
     return {};  // what is wrong besides the unit is stated already
   }
@@ -121,9 +124,9 @@ std::string missing_beside_unit(const RecordRequest& request) {
   }
 }
 
-Record read(const RecordRequest& request) {
+groundmotions::Record read(const RecordRequest& request) {
   try {
-    return read_record(request.files, request.options);
+    return groundmotions::read_record(request.files, request.options);
   } catch (const Error& error) {
     if (!request.options.unit.empty()) throw;
     throw Error(error.what() + missing_beside_unit(request));
@@ -131,9 +134,10 @@ Record read(const RecordRequest& request) {
 }
 
 /// Read or made, and processed.
-Record unscaled(const RecordRequest& request) {
-  Record record = request.synthetic ? made(*request.synthetic) : read(request);
-  return at(request.where, [&] { return processed(std::move(record), request.processing); });
+groundmotions::Record unscaled(const RecordRequest& request) {
+  groundmotions::Record record = request.synthetic ? made(*request.synthetic) : read(request);
+  return at(request.where,
+            [&] { return groundmotions::processed(std::move(record), request.processing); });
 }
 
 std::optional<std::uint64_t> seed_of(const RecordRequest& request) {
@@ -149,38 +153,40 @@ void add_building_file(const RecordRequest& request, RecordFacts& facts) {
   facts.files.push_back({path.filename().string(), sha256(read_input_file(path.string()))});
 }
 
-Record scaled_as_asked(Record record, const RecordRequest& request) {
+groundmotions::Record scaled_as_asked(groundmotions::Record record, const RecordRequest& request) {
   if (request.scale_to)
     return at(request.where, [&] { return scaled_to(record, *request.scale_to); });
-  return request.scale == 1 ? record : scaled(std::move(record), request.scale);
+  return request.scale == 1 ? record : groundmotions::scaled(std::move(record), request.scale);
 }
 
-Record through_building(Record ground, const RecordRequest& request) {
+groundmotions::Record through_building(groundmotions::Record ground, const RecordRequest& request) {
   if (!request.building) return ground;
-  return floor_record(ground, request.building->building, request.building->floor);
+  return groundmotions::floor_record(ground, request.building->building, request.building->floor);
 }
 
 }  // namespace
 
-Record ground_record(const RecordRequest& request) {
+groundmotions::Record ground_record(const RecordRequest& request) {
   require(request.suite.empty(), request.where +
                                      ": 'suite' belongs to jobs with a table [study]; one run has "
                                      "one record: 'file', or 'x', 'y', 'z', or 'synthetic'");
   return unscaled(request);
 }
 
-Record floor_record_of(const Record& ground, const RecordRequest& request) {
+groundmotions::Record floor_record_of(const groundmotions::Record& ground,
+                                      const RecordRequest& request) {
   return through_building(ground, request);
 }
 
-FloorMotion in_floor_axes(const Record& floor, const RecordRequest& request, double angle) {
-  return floor_motion(floor, 1, angle, used_components(floor, request));
+FloorMotion in_floor_axes(const groundmotions::Record& floor, const RecordRequest& request,
+                          double angle) {
+  return groundmotions::floor_motion(floor, 1, angle, used_components(floor, request));
 }
 
-Motion as_motion(const Record& floor, const RecordRequest& request, double angle) {
+Motion as_motion(const groundmotions::Record& floor, const RecordRequest& request, double angle) {
   Motion motion;
   motion.floor = in_floor_axes(floor, request, angle);
-  const Residual left = residual(motion.floor);
+  const groundmotions::Residual left = groundmotions::residual(motion.floor);
   motion.facts = facts_of(floor, motion.floor, left);
   motion.seed = seed_of(request);
   add_building_file(request, motion.facts);
@@ -190,12 +196,12 @@ Motion as_motion(const Record& floor, const RecordRequest& request, double angle
 }
 
 Motion motion_of(const RecordRequest& request) {
-  const Record raw = ground_record(request);
-  const Record record = floor_record_of(scaled_as_asked(raw, request), request);
+  const groundmotions::Record raw = ground_record(request);
+  const groundmotions::Record record = floor_record_of(scaled_as_asked(raw, request), request);
   Motion motion = as_motion(record, request, request.angle);
   const std::vector<std::string> findings = implausible(raw);
   std::vector<std::string> faults = findings;
-  const Residual left = residual(motion.floor);
+  const groundmotions::Residual left = groundmotions::residual(motion.floor);
   faults.insert(faults.end(), left.warnings.begin(), left.warnings.end());
   require(!request.refuse_implausible || faults.empty(),
           fmt::format("{}: the record is not plausible, and plausibility = \"refuse\":\n{}",
@@ -206,4 +212,4 @@ Motion motion_of(const RecordRequest& request) {
   return motion;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

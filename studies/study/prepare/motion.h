@@ -10,7 +10,7 @@
 #include "studies/study/job/job.h"
 #include "studies/study/results/run_facts.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// The motion of the floor, and what is to be told of it.
 struct Motion {
@@ -28,11 +28,13 @@ Motion motion_of(const RecordRequest& request);
 
 /// The parts of motion_of(), for studies, which scale and turn one record many times: read or made
 /// and processed; taken through the building; turned, with the components that act.
-Record ground_record(const RecordRequest& request);
-Record floor_record_of(const Record& ground, const RecordRequest& request);
-FloorMotion in_floor_axes(const Record& floor, const RecordRequest& request, double angle);
+groundmotions::Record ground_record(const RecordRequest& request);
+groundmotions::Record floor_record_of(const groundmotions::Record& ground,
+                                      const RecordRequest& request);
+FloorMotion in_floor_axes(const groundmotions::Record& floor, const RecordRequest& request,
+                          double angle);
 
 /// The same as in_floor_axes(), with what is to be told of it.
-Motion as_motion(const Record& floor, const RecordRequest& request, double angle);
+Motion as_motion(const groundmotions::Record& floor, const RecordRequest& request, double angle);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -7,7 +7,7 @@
 #include "engine/base/hash/sha256.h"
 #include "equipment/catalogue/uncertainty.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
@@ -16,7 +16,7 @@ void append(std::vector<std::string>& list, const std::vector<std::string>& more
 
 }  // namespace
 
-AssumptionFacts facts_of(const Assumption& assumption) {
+AssumptionFacts facts_of(const equipment::Assumption& assumption) {
   const bool number = assumption.choice.empty();
   return {assumption.key, number ? fmt::format("{:g}", assumption.value) : assumption.choice,
           number ? fmt::format("{:g} to {:g}", assumption.low, assumption.high) : "",
@@ -34,10 +34,11 @@ PreparedRun prepare_run(const Job& job, std::optional<Motion> motion) {
   facts.settings = job.settings;
   facts.warnings = job.warnings;
   facts.draw = job.draw;
-  for (const Assumption& each : job.assumptions) {
+  for (const equipment::Assumption& each : job.assumptions) {
     if (!each.reason.empty()) facts.assumptions.push_back(facts_of(each));
     if (!each.distribution.empty())
-      facts.drawn.push_back({each.key, each.value, unit_of_key(each.key), each.distribution,
+      facts.drawn.push_back({each.key, each.value, equipment::unit_of_key(each.key),
+                             each.distribution,
                              std::filesystem::path(each.file).filename().string()});
   }
   if (!motion) return run;
@@ -54,4 +55,4 @@ PreparedRun prepare_run(const std::string& job_path) {
   return prepare_run(job, job.record ? std::optional(motion_of(*job.record)) : std::nullopt);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

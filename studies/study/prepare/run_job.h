@@ -9,10 +9,10 @@
 #include "studies/study/prepare/motion.h"
 #include "studies/study/results/run_facts.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// An assumption as results and summaries tell it.
-AssumptionFacts facts_of(const Assumption& assumption);
+AssumptionFacts facts_of(const equipment::Assumption& assumption);
 
 /// A job with its record read: simulate(facts.scene, facts.floor, facts.settings) runs it.
 struct PreparedRun {
@@ -26,4 +26,4 @@ PreparedRun prepare_run(const Job& job, std::optional<Motion> motion);
 /// @throws Error with every mistake found in the job, its data files and its record.
 PreparedRun prepare_run(const std::string& job_path);
 
-}  // namespace gurney
+}  // namespace gurney::study

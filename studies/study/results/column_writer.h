@@ -8,7 +8,7 @@
 #include "studies/study/results/columns.h"
 #include "studies/study/results/hdf5_writer.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// One dataset for each column, one value for each row.
 /// @param group  with its slash, such as "/runs/"
@@ -30,4 +30,4 @@ void add_columns(Hdf5Writer& file, const std::string& group,
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -3,7 +3,7 @@
 #include <iterator>
 #include <limits>
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -214,4 +214,4 @@ std::span<const TableColumn<TetherOutcome>> tether_columns() { return kTether; }
 std::span<const TableColumn<Sample>> sample_columns() { return kSample; }
 std::span<const TableColumn<WheelSample>> wheel_sample_columns() { return kWheelSample; }
 
-}  // namespace gurney
+}  // namespace gurney::study

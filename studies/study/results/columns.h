@@ -10,7 +10,7 @@
 
 /// The numbers of a Response by name, unit and meaning. Results file, summary and JSON go through
 /// these tables, so that a quantity has one name everywhere.
-namespace gurney {
+namespace gurney::study {
 
 template <class Row>
 struct TableColumn {
@@ -58,4 +58,4 @@ std::span<const TableColumn<TetherOutcome>> tether_columns();
 std::span<const TableColumn<Sample>> sample_columns();
 std::span<const TableColumn<WheelSample>> wheel_sample_columns();
 
-}  // namespace gurney
+}  // namespace gurney::study

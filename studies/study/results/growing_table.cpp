@@ -3,7 +3,7 @@
 #include <cassert>
 #include <numeric>
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr std::int64_t kRowsPerBlock = 4096;  // a chunk of the file
@@ -76,4 +76,4 @@ void GrowingTable::write_block() {
   written_ = rows_;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

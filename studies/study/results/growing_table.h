@@ -8,7 +8,7 @@
 #include "studies/study/results/columns.h"
 #include "studies/study/results/hdf5_writer.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// A group of 1-D columns that grow row by row, in blocks: memory does not grow with the rows.
 ///
@@ -68,4 +68,4 @@ class GrowingTable {
   std::int64_t rows_ = 0, written_ = 0;
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

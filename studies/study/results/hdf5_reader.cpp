@@ -12,7 +12,7 @@
 #include "studies/study/results/hdf5_checks.h"
 #include "studies/study/results/hdf5_handle.h"
 
-namespace gurney {
+namespace gurney::study {
 
 using hdf5::checked;
 using hdf5::Handle;
@@ -75,8 +75,8 @@ class Attribute {
   H5T_class_t type() const { return H5Tget_class(type_); }
 
   std::vector<std::string> texts() const {
-    return gurney::texts(type_, space_, what_,
-                         [&](hid_t type, void* to) { return H5Aread(id_, type, to); });
+    return study::texts(type_, space_, what_,
+                        [&](hid_t type, void* to) { return H5Aread(id_, type, to); });
   }
   std::int64_t whole() const {
     std::int64_t value = 0;
@@ -276,4 +276,4 @@ void Hdf5Reader::require_length(const std::vector<std::string>& paths, std::uint
   }
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

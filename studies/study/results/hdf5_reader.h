@@ -6,7 +6,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// What a file says of one of its datasets.
 struct Hdf5Dataset {
@@ -63,4 +63,4 @@ class Hdf5Reader {
   std::vector<Hdf5Dataset> datasets_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -12,7 +12,7 @@
 #include "studies/study/results/hdf5_checks.h"
 #include "studies/study/results/hdf5_handle.h"
 
-namespace gurney {
+namespace gurney::study {
 
 using hdf5::checked;
 using hdf5::Handle;
@@ -255,4 +255,4 @@ std::string Hdf5Writer::image() {
   return bytes + hdf5::seal_of_bytes(bytes);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -7,7 +7,7 @@
 
 /// HDF5 behind values and exceptions. The files hdf5_*.cpp are the only ones that include hdf5.h.
 /// Every call is checked; an Error states the reason.
-namespace gurney {
+namespace gurney::study {
 
 /// What a dataset is called and means. Its shape is given by dimension scales, named by path.
 struct Hdf5Spec {
@@ -89,4 +89,4 @@ class Hdf5Writer {
   std::vector<Scale> scales_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -3,7 +3,7 @@
 #include "studies/study/results/column_writer.h"
 #include "studies/study/results/names.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using Items = std::vector<ItemResponse>;
@@ -144,4 +144,4 @@ void add_histories(Hdf5Writer& file, const Scene& scene, const Response& respons
   add_point_histories(file, response.items);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -1,6 +1,6 @@
 #include "studies/study/results/names.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 template <class Named>
@@ -27,4 +27,4 @@ std::vector<std::string> point_names(const EquipmentModel& model) {
   return names_of(model.marked_points);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -5,7 +5,7 @@
 
 #include "engine/scene/scene.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// How the items of a scene are called: as placed, or, without a name there, as their models.
 std::vector<std::string> item_names(const Scene& scene);
@@ -13,4 +13,4 @@ std::vector<std::string> item_names(const Scene& scene);
 std::vector<std::string> caster_names(const EquipmentModel& model);
 std::vector<std::string> point_names(const EquipmentModel& model);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -12,7 +12,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 [[noreturn]] void fail(const std::string& path, const std::string& what, int error) {
@@ -127,4 +127,4 @@ void put_in_place(const std::string& made, const std::string& path, bool overwri
   sync_folder(path);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

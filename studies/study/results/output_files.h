@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gurney {
+namespace gurney::study {
 
 /// The files a command leaves: all of them complete, or none.
 ///
@@ -44,4 +44,4 @@ class OutputFiles {
 /// @throws Error with the reason; then the finished file is where it was
 void put_in_place(const std::string& made, const std::string& path, bool overwrite);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -9,7 +9,7 @@
 #include "studies/study/results/shapes.h"
 #include "studies/study/results/tables.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using Scales = std::vector<std::string>;
@@ -126,7 +126,7 @@ void add_drawn(Hdf5Writer& file, const std::vector<DrawnFacts>& drawn) {
 }  // namespace
 
 void add_program(Hdf5Writer& file, const std::string& filetype, int format_version) {
-  const BuildInfo build = build_info();
+  const build_info::BuildInfo build = build_info::build_info();
   file.set_attribute("/", "filetype", filetype);
   file.set_attribute("/", "format_version", std::int64_t{format_version});
   file.set_attribute("/", "program_version", build.program_version);
@@ -149,4 +149,4 @@ std::string results_image(const RunFacts& facts, const Response& response) {
   return file.image();
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -6,7 +6,7 @@
 #include "studies/study/results/hdf5_writer.h"
 #include "studies/study/results/run_facts.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Version of the layout in docs/formats/results_file.md. It grows when a reader could break.
 inline constexpr int kResultsFormatVersion = 2;
@@ -18,4 +18,4 @@ std::string results_image(const RunFacts& facts, const Response& response);
 /// What file this is and which program made it, as attributes.
 void add_program(Hdf5Writer& file, const std::string& filetype, int format_version);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -10,7 +10,7 @@
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// A file a run was made from: its name without folder, and the SHA-256 of its bytes.
 struct FileFacts {
@@ -68,4 +68,4 @@ struct RunFacts {
   std::vector<std::string> warnings;
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -6,7 +6,7 @@
 
 #include "studies/study/results/names.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr int kSides = 16;  ///< of what is round
@@ -120,4 +120,4 @@ void add_shapes(Hdf5Writer& file, const Scene& scene) {
       points);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

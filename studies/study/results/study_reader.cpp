@@ -6,7 +6,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::study {
 
 namespace {
 
@@ -99,4 +99,4 @@ std::vector<std::pair<std::size_t, std::size_t>> StudyReader::rows_of_runs(
   return rows;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -7,7 +7,7 @@
 
 #include "studies/study/results/hdf5_reader.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Version of the layout of study files (docs/formats/study_file.md).
 inline constexpr int kStudyFormatVersion = 2;
@@ -46,4 +46,4 @@ class StudyReader {
   std::size_t runs_ = 0;
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -5,7 +5,7 @@
 #include "studies/study/results/column_writer.h"
 #include "studies/study/results/names.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// A group of 1-D columns; the first ones say of which run a row is, and of what in it.
@@ -140,4 +140,4 @@ void add_tables(Hdf5Writer& file, const Scene& scene, const Response& response) 
   add_tethers(file, scene, response.tethers);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -14,7 +14,7 @@
 /// Plain values as bytes, for files that only this program on this class of machine reads back.
 /// A type T takes part by a function `template <class Archive> void visit(Archive&, T&)`, which
 /// names its members once for both directions.
-namespace gurney {
+namespace gurney::study {
 
 static_assert(std::endian::native == std::endian::little);
 
@@ -103,4 +103,4 @@ void visit(Archive& archive, Quaternion& q) {
   archive(q.w(), q.x(), q.y(), q.z());
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

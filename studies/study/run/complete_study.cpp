@@ -3,7 +3,7 @@
 #include "studies/study/results/study_reader.h"
 #include "studies/study/run/study_identity.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 std::string inputs_in(const StudyReader& file) {
@@ -25,4 +25,4 @@ std::string difference_to_results(const std::string& path, const Batch& batch) {
   return theirs == ours ? std::string() : difference(theirs, ours);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -15,7 +15,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr std::array kSignals = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
@@ -125,4 +125,4 @@ RunMark::RunMark(std::size_t unit, std::size_t run) {
 
 RunMark::~RunMark() { in_a_run = 0; }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace gurney {
+namespace gurney::study {
 
 /// Runs that must not be tried again, by unit and index in it: why.
 using CrashedRuns = std::map<std::pair<std::size_t, std::size_t>, std::string>;
@@ -49,4 +49,4 @@ class RunMark {
   RunMark& operator=(const RunMark&) = delete;
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

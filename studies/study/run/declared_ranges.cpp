@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using FileKeys = std::set<std::pair<std::string, std::string>>;
@@ -28,7 +28,7 @@ Job drawn_job(const Batch& batch, std::size_t configuration) {
 /// Numbers and choices that keep their values.
 FileKeys kept(const Job& job) {
   FileKeys keys;
-  for (const Assumption& each : job.assumptions)
+  for (const equipment::Assumption& each : job.assumptions)
     if (each.distribution.empty()) keys.emplace(each.file, each.key);
   return keys;
 }
@@ -39,7 +39,7 @@ std::vector<StatedAssumption> stated_assumptions(const Batch& batch) {
   std::vector<StatedAssumption> all;
   for (std::size_t i = 0; i < batch.job.configurations().size(); ++i) {
     const FileKeys undrawn = kept(drawn_job(batch, i));
-    for (const Assumption& each : batch.job.job(i, {}).assumptions)
+    for (const equipment::Assumption& each : batch.job.job(i, {}).assumptions)
       if (!each.reason.empty()) all.push_back({i, each, !undrawn.contains({each.file, each.key})});
   }
   return all;
@@ -48,11 +48,11 @@ std::vector<StatedAssumption> stated_assumptions(const Batch& batch) {
 UndrawnRanges undrawn_ranges(const Batch& batch) {
   UndrawnRanges ranges;
   for (const StatedAssumption& each : stated_assumptions(batch)) {
-    const Assumption& number = each.assumption;
+    const equipment::Assumption& number = each.assumption;
     if (!each.drawn && number.low < number.high)
       ranges.add(std::filesystem::path(number.file).filename().string(), number.key);
   }
   return ranges;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -5,12 +5,12 @@
 #include "studies/study/plan/undrawn_ranges.h"
 #include "studies/study/run/run_unit.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// An assumption of a configuration with every number at its value.
 struct StatedAssumption {
   std::size_t configuration = 0;
-  Assumption assumption;
+  equipment::Assumption assumption;
   bool drawn = false;  ///< the study draws it
 };
 
@@ -18,4 +18,4 @@ std::vector<StatedAssumption> stated_assumptions(const Batch& batch);
 
 UndrawnRanges undrawn_ranges(const Batch& batch);
 
-}  // namespace gurney
+}  // namespace gurney::study

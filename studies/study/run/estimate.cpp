@@ -7,7 +7,7 @@
 
 #include "engine/baselines/any_solver.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 struct Trial {
@@ -26,7 +26,7 @@ Trial make_run(const Batch& batch, std::size_t index, double value) {
       by_measure ? batch.motions.set_of(unit.configuration).scale_for(unit.record, value) : value;
   RunCase of_run = case_of(batch, unit, job, run.scale);
   if (study.keep.histories == Histories::kNone) of_run.settings.history_step = 0;
-  run.response = simulate_with_any_solver(of_run.scene, of_run.floor, of_run.settings);
+  run.response = baselines::simulate_with_any_solver(of_run.scene, of_run.floor, of_run.settings);
   if (study.keep.histories != Histories::kAll)
     for (ItemResponse& item : run.response.items) item.history.clear();
   UnitResult result{.unit = index, .drawn = {}, .runs = {std::move(run)}};
@@ -53,4 +53,4 @@ Estimate estimate(const Batch& batch) {
           .memory_bytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024};
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

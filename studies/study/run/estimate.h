@@ -4,7 +4,7 @@
 
 #include "studies/study/run/run_unit.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// What a study will need, from two of its runs.
 struct Estimate {
@@ -24,4 +24,4 @@ struct Estimate {
 /// @throws Error for a draw that makes no job
 Estimate estimate(const Batch& batch);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -15,7 +15,7 @@
 
 #include "engine/base/error.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,4 +120,4 @@ FolderLock::~FolderLock() {
   ::close(descriptor_);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace gurney {
+namespace gurney::study {
 
 /// The sole right to work in a folder: a lock on its file `lock`, which is never replaced and which
 /// the system gives up when the process ends, in whatever way.
@@ -40,4 +40,4 @@ class FolderLock {
 /// Whether a name in the folder of parts is one that this program gives.
 bool is_own_name(const std::string& name);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -13,7 +13,7 @@
 #include "studies/study/results/output_files.h"
 #include "studies/study/run/study_identity.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -192,4 +192,4 @@ void PartFolder::remove() {
   remove_parts(path());
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -8,7 +8,7 @@
 
 #include "studies/study/run/folder_lock.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// The finished units of a study that is not complete: a folder beside its results file.
 ///
@@ -79,4 +79,4 @@ class PartFolder {
 /// The file `study` of a folder of parts; empty: there is none.
 std::string identity_in(const std::filesystem::path& folder);
 
-}  // namespace gurney
+}  // namespace gurney::study

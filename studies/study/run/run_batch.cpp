@@ -10,7 +10,7 @@
 
 #include "studies/study/run/stage_levels.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -149,4 +149,4 @@ BatchProgress run_batch(const Batch& batch, PartFolder& folder, const CrashLog& 
   return collector.finish();
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -6,7 +6,7 @@
 #include "studies/study/run/part_folder.h"
 #include "studies/study/run/run_unit.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// What is known of a batch on its way.
 struct BatchProgress {
@@ -27,4 +27,4 @@ BatchProgress run_batch(const Batch& batch, PartFolder& folder, const CrashLog& 
                         int threads, const std::function<bool()>& go_on,
                         const std::function<void(const BatchProgress&)>& progress);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -6,7 +6,7 @@
 #include "engine/base/error.h"
 #include "studies/study/results/names.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 std::size_t width(std::size_t least, const std::vector<std::string>& names) {
@@ -55,7 +55,8 @@ std::vector<std::string> variables_of(const Batch& batch, std::size_t configurat
     const Unit unit{.configuration = configuration, .draw = draw};
     try {
       std::vector<std::string> names;
-      for (const Assumption& each : batch.job.job(configuration, batch.plan.draw(unit)).assumptions)
+      for (const equipment::Assumption& each :
+           batch.job.job(configuration, batch.plan.draw(unit)).assumptions)
         if (!each.distribution.empty()) names.push_back(each.key);
       return names;
     } catch (const Error&) {
@@ -130,7 +131,8 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
   motions.add_whole("record", "index of the record in its set");
   motions.add_number("scale", "1", "factor on the record");
   for (const KeptMeasure& kept : study.measures)
-    motions.add_number(kept_name(kept), si_unit_of(kept.measure), definition_of(kept.measure));
+    motions.add_number(kept_name(kept), groundmotions::si_unit_of(kept.measure),
+                       groundmotions::definition_of(kept.measure));
 
   item_table("items").add(demand_columns());
   GrowingTable& points = item_table("points");
@@ -210,7 +212,7 @@ std::int64_t RunTables::motion_of(const Unit& unit, double scale) {
   const std::vector<KeptMeasure>& kept = batch_.job.study().measures;
   const std::vector<double>& values = batch_.motions.set(set).ground(unit.record).measures;
   for (std::size_t i = 0; i < kept.size(); ++i)
-    motions.put(values[i] * std::pow(scale, scaling_power(kept[i].measure)));
+    motions.put(values[i] * std::pow(scale, groundmotions::scaling_power(kept[i].measure)));
   motions.end_row();
   return place->second;
 }
@@ -308,4 +310,4 @@ void RunTables::finish() {
   for (auto& [name, table] : tables_) table->finish();
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

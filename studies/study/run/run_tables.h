@@ -9,7 +9,7 @@
 #include "studies/study/results/growing_table.h"
 #include "studies/study/run/run_unit.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// The names that the runs of one configuration have in common.
 struct ConfigurationNames {
@@ -45,4 +45,4 @@ class RunTables {
   std::int64_t runs_ = 0;
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -8,7 +8,7 @@
 #include "studies/study/limit_states/response_values.h"
 #include "studies/study/plan/hunt.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 double peak_of(const FloorMotion& floor, bool velocity) {
@@ -53,7 +53,7 @@ bool is_checked(const Study& study, std::size_t unit, std::size_t run) {
 void repeat_at_half_step(RunCase run, StudyRun& result) {
   run.settings.time_step *= 0.5;
   run.settings.history_step = 0;
-  const Response response = simulate_with_any_solver(run.scene, run.floor, run.settings);
+  const Response response = baselines::simulate_with_any_solver(run.scene, run.floor, run.settings);
   if (is_failure(response.outcome)) {
     result.warnings.push_back("the repeat with half the time step failed: " + response.cause);
     return;
@@ -69,7 +69,7 @@ void simulate_case(const Batch& batch, const Unit& unit, const Job& job, bool ch
     run.warnings = of_run.warnings;
     run.pfa = peak_of(of_run.floor, false);
     run.pfv = peak_of(of_run.floor, true);
-    run.response = simulate_with_any_solver(of_run.scene, of_run.floor, of_run.settings);
+    run.response = baselines::simulate_with_any_solver(of_run.scene, of_run.floor, of_run.settings);
     if (checked) repeat_at_half_step(std::move(of_run), run);
   } catch (const Error& error) {
     run.response = failed(error.what());
@@ -98,7 +98,7 @@ UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<b
   std::string bad;
   try {
     job = batch.job.job(unit.configuration, batch.plan.draw(unit));
-    for (const Assumption& each : job->assumptions)
+    for (const equipment::Assumption& each : job->assumptions)
       if (!each.distribution.empty()) result.drawn.push_back(each.value);
   } catch (const Error& error) {
     bad = error.what();
@@ -133,4 +133,4 @@ UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<b
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

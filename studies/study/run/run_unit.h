@@ -8,7 +8,7 @@
 #include "studies/study/run/crash_log.h"
 #include "studies/study/run/unit_result.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// What the units of a study share; constant while they run.
 struct Batch {
@@ -37,4 +37,4 @@ RunCase case_of(const Batch& batch, const Unit& unit, const Job& job, double sca
 UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<bool()>& go_on,
                     const CrashedRuns& crashed = {}, const std::vector<double>* levels = nullptr);
 
-}  // namespace gurney
+}  // namespace gurney::study

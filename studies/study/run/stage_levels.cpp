@@ -2,7 +2,7 @@
 
 #include "studies/study/plan/stages.h"
 
-namespace gurney {
+namespace gurney::study {
 
 StageLevels::StageLevels(const Batch& batch)
     : batch_(batch),
@@ -18,18 +18,18 @@ void StageLevels::advance(const std::function<UnitResult(std::size_t)>& read) {
     auto& stripes = stripes_[batch_.plan.unit(index).configuration];
     for (const StudyRun& run : read(index).runs) {
       if (is_failure(run.response.outcome)) continue;
-      Stripe& stripe = stripes[run.intensity];
+      statistics::Stripe& stripe = stripes[run.intensity];
       stripe.im = run.intensity;
       stripe.runs += 1;
       stripe.exceeded += run.until;
     }
   }
   for (std::size_t i = 0; i < levels_.size(); ++i) {
-    std::vector<Stripe> made;
+    std::vector<statistics::Stripe> made;
     for (const auto& [im, stripe] : stripes_[i]) made.push_back(stripe);
     levels_[i] = next_levels(made, batch_.job.study().intensity.unit_in_si);
   }
   ++stage_;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -8,7 +8,7 @@
 #include "studies/statistics/stripes.h"
 #include "studies/study/run/run_unit.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// The levels of each configuration in one stage after the other. They rest on the outcomes of all
 /// units of the stages before, in the order of the units, and on nothing else.
@@ -27,7 +27,8 @@ class StageLevels {
   const Batch& batch_;
   std::size_t stage_ = 0;
   std::vector<std::vector<double>> levels_;
-  std::vector<std::map<double, Stripe>> stripes_;  ///< of each configuration, by intensity
+  std::vector<std::map<double, statistics::Stripe>>
+      stripes_;  ///< of each configuration, by intensity
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -15,7 +15,7 @@
 #include "studies/study/run/run_tables.h"
 #include "studies/study/run/study_identity.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// Rows of texts, all known before the first is written.
@@ -54,7 +54,7 @@ void add_root(Hdf5Writer& file, const Batch& batch) {
   const bool by_measure = intensity.kind != IntensityPlan::Kind::kScales;
   text("intensity_measure",
        by_measure ? name_of(intensity.measure) + " " + name_of(intensity.combination) : "");
-  text("intensity_units", by_measure ? si_unit_of(intensity.measure) : "1");
+  text("intensity_units", by_measure ? groundmotions::si_unit_of(intensity.measure) : "1");
 }
 
 void add_configurations(Hdf5Writer& file, const Batch& batch) {
@@ -166,4 +166,4 @@ StudyCounts write_study_file(const std::string& path, const Batch& batch,
   return counts;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

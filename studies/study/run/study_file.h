@@ -5,7 +5,7 @@
 
 #include "studies/study/run/run_unit.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// What the merge counted.
 struct StudyCounts {
@@ -20,4 +20,4 @@ struct StudyCounts {
 StudyCounts write_study_file(const std::string& path, const Batch& batch,
                              const std::function<UnitResult(std::size_t)>& read);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -13,7 +13,7 @@
 #include "studies/study/plan/data_files.h"
 #include "studies/study/plan/flat_tree.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using Entries = std::map<std::string, std::string>;
@@ -83,7 +83,7 @@ std::string data_file_line(const std::string& name, const std::string& sha256) {
   return fmt::format("{} = {}\n", name, sha256);
 }
 
-std::string files_of(const Record& record) {
+std::string files_of(const groundmotions::Record& record) {
   std::string text;
   for (const auto& component : record.components) {
     if (!component || component->sha256.empty()) continue;
@@ -103,7 +103,7 @@ std::string inputs_of(const Batch& batch) {
 }
 
 std::string identity_of(const Batch& batch) {
-  const BuildInfo build = build_info();
+  const build_info::BuildInfo build = build_info::build_info();
   return inputs_from(
       fmt::format("{}units = {}\nprogram = {} {}\ncpu_class = {}\n", input_lines(batch),
                   batch.plan.units(), build.program_version, build.git_commit, build.cpu_class),
@@ -126,4 +126,4 @@ std::string difference(const std::string& theirs, const std::string& ours) {
   return differences(there, here);
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

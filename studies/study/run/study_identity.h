@@ -4,7 +4,7 @@
 
 #include "studies/study/run/run_unit.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// What decides a study's numbers, as text: lines `key = value` for the job, each record and each
 /// data file, an empty line, and the job itself.
@@ -21,7 +21,7 @@ std::string record_line(const std::string& set, const std::string& name, const s
 std::string data_file_line(const std::string& name, const std::string& sha256);
 
 /// SHA-256 and name of each file of a record, one a line.
-std::string files_of(const Record& record);
+std::string files_of(const groundmotions::Record& record);
 
 /// How two identities differ: `item.toml: there '1', here '2'`, of a job by the keys that differ.
 std::string difference(const std::string& theirs, const std::string& ours);
@@ -29,4 +29,4 @@ std::string difference(const std::string& theirs, const std::string& ours);
 /// The same of two jobs; empty: they differ in nothing that is read.
 std::string job_difference(const std::string& theirs, const std::string& ours);
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -4,7 +4,7 @@
 #include "studies/study/run/archive.h"
 
 // Not in a nameless namespace, where the archive would not find them.
-namespace gurney {
+namespace gurney::study {
 
 template <class A>
 void visit(A& a, WheelDemands& d) {
@@ -96,4 +96,4 @@ UnitResult unit_from_bytes(std::string_view bytes) {
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -7,7 +7,7 @@
 
 #include "engine/response/response.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// One finished run of a study.
 struct StudyRun {
@@ -34,4 +34,4 @@ std::string to_bytes(UnitResult& result);
 /// @throws Error for bytes that to_bytes() did not make
 UnitResult unit_from_bytes(std::string_view bytes);
 
-}  // namespace gurney
+}  // namespace gurney::study

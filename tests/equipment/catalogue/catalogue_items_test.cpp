@@ -14,7 +14,7 @@
 
 // What every shipped item must be: found by a hospital's word for it, stable as IEC 60601-1 asks,
 // at rest on the floor, and coming to rest after a push.
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 constexpr double kG = kStandardGravity;
@@ -222,4 +222,4 @@ TEST_P(EveryItem, ComesToRestAfterItWasPushedOver) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -12,7 +12,7 @@
 #include "tests/support/key_table.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using config::Node;
@@ -125,4 +125,4 @@ TEST(EquipmentPage, HasEveryKeyTheReadersKnowAndNoOther) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

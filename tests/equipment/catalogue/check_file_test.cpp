@@ -9,7 +9,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using testing::AllOf;
@@ -108,4 +108,4 @@ TEST(Implausible, TellsOfASwivelWithoutTrailButNotOfARigidWheel) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

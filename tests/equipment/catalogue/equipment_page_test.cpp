@@ -12,7 +12,7 @@
 #include "equipment/catalogue/stability.h"
 
 // docs/equipment.md against the files: every row is made here from the catalogue, up to its words.
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using config::Node;
@@ -158,4 +158,4 @@ TEST(CataloguePage, HasEveryFloorWithItsNumbers) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -10,7 +10,7 @@
 #include "tests/support/standing.h"
 
 // Items of the catalogue without casters, from their files to their motion.
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using std::numbers::pi;
@@ -123,4 +123,4 @@ TEST(Feet, StandsOnTheFloorOfItsCoveringWithAllItsPairs) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

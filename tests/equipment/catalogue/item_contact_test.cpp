@@ -8,7 +8,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using testing::HasSubstr;
@@ -138,4 +138,4 @@ TEST_F(ItemContactFile, WarnsOfASlenderOne) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

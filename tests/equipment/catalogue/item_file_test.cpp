@@ -8,7 +8,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 constexpr const char* kCart = R"(schema = "gurney-item/1"
@@ -188,4 +188,4 @@ TEST(Catalogue, EveryItemCanBeDrawn) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

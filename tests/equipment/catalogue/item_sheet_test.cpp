@@ -7,7 +7,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 /// A box of 80 kg on four rigid wheels of nearly no mass at (+-0.3, +-0.2), its centre of mass at
@@ -71,4 +71,4 @@ TEST(ItemSheet, BrakesHoldUpToTheirTorque) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

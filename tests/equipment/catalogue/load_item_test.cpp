@@ -11,7 +11,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 std::string item_file(const std::string& name) { return find_data(DataKind::kItem, name, ""); }
@@ -238,4 +238,4 @@ swivel = { coulomb_n_m = 0, viscous_n_m_s_per_rad = 0 }
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

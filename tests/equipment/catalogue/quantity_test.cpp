@@ -5,7 +5,7 @@
 #include "equipment/catalogue/sampler.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 using config::Document;
@@ -94,4 +94,4 @@ TEST(Assumptions, AreListedOnce) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

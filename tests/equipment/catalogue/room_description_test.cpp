@@ -8,7 +8,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/key_table.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 RoomDescription room_of(const std::string& text) {
@@ -281,4 +281,4 @@ TEST(RoomPage, HasEveryKeyTheReaderKnowsAndNoOther) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -8,7 +8,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 constexpr double kTrail = 0.034;
@@ -164,4 +164,4 @@ TEST(Stability, ASingleWheelCarriesAll) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -9,7 +9,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 constexpr double kRounding = 1e-12;  // lengths below 1 m, a few operations each
@@ -117,4 +117,4 @@ TEST(Support, TheHullGoesAroundAndLeavesOutWhatLiesInside) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

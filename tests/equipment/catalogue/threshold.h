@@ -10,7 +10,7 @@
 #include "tests/support/standing.h"
 
 /// The threshold test of IEC 60601-1 (9.4.2.4.3, from memory) on the catalogue: docs/equipment.md.
-namespace gurney::threshold {
+namespace gurney::equipment::threshold {
 
 /// An obstruction across the way and the speed at which the item meets it.
 struct Threshold {
@@ -87,4 +87,4 @@ inline Verdict verdict(const Trial& trial, const Response& response) {
   return Verdict::kPasses;
 }
 
-}  // namespace gurney::threshold
+}  // namespace gurney::equipment::threshold

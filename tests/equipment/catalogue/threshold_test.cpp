@@ -12,7 +12,7 @@
 #include "equipment/catalogue/stability.h"
 
 // Every item on casters over the thresholds of IEC 60601-1, and the table of docs/equipment.md.
-namespace gurney::threshold {
+namespace gurney::equipment::threshold {
 namespace {
 
 std::vector<std::string> items_on_casters() {
@@ -235,4 +235,4 @@ TEST(OverAThreshold, ThePushHoldsTheSpeed) {
 }
 
 }  // namespace
-}  // namespace gurney::threshold
+}  // namespace gurney::equipment::threshold

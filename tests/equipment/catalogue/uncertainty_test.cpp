@@ -8,7 +8,7 @@
 #include "equipment/catalogue/uncertain.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::equipment {
 namespace {
 
 /// Parts that are all drawn.
@@ -310,4 +310,4 @@ TEST(Uncertainty, UnitsAreThoseOfTheKey) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::equipment

@@ -4,7 +4,7 @@
 
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -77,4 +77,4 @@ TEST(Align, RefusesStartsOfOtherEarthquakes) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

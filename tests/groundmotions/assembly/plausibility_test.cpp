@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -58,4 +58,4 @@ TEST(Plausibility, FindsPeaksNobodyRecorded) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -11,7 +11,7 @@
 #include "groundmotions/formats/format.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -238,4 +238,4 @@ TEST_F(ReadRecord, KeepsTheWarningsOfTheFiles) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -10,7 +10,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/key_table.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using std::numbers::pi;
@@ -247,4 +247,4 @@ TEST(BuildingReader, EveryKeyIsDocumented) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

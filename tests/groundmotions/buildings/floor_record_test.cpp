@@ -12,7 +12,7 @@
 #include "groundmotions/synthetic/clough_penzien.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using std::numbers::pi;
@@ -281,4 +281,4 @@ TEST(FloorRecord, RefusesAFloorThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -8,7 +8,7 @@
 
 #include "groundmotions/buildings/shear_building.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using std::numbers::pi;
@@ -99,4 +99,4 @@ TEST(GenericBuilding, FloorsRotateByTheSlopeOfTheModeShape) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

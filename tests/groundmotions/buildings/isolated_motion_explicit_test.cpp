@@ -8,7 +8,7 @@
 #include "groundmotions/buildings/isolated_motion.h"
 #include "groundmotions/buildings/shear_building.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using std::numbers::pi;
@@ -167,4 +167,4 @@ INSTANTIATE_TEST_SUITE_P(Kinds, ExplicitMotion,
                          [](const auto& test) { return std::to_string(test.index); });
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -10,7 +10,7 @@
 #include "engine/base/units.h"
 #include "groundmotions/buildings/shear_building.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using std::numbers::pi;
@@ -267,4 +267,4 @@ TEST(IsolatedMotion, HalvingTheStepConvergesWithSecondOrder) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -8,7 +8,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using std::numbers::pi;
@@ -85,4 +85,4 @@ TEST(Isolation, FrictionRisesWithVelocity) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -10,7 +10,7 @@
 #include "engine/base/random/normal_draw.h"
 #include "groundmotions/buildings/shear_building.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using std::numbers::pi;
@@ -150,4 +150,4 @@ TEST(ModalBuilding, AStiffBuildingMovesAsTheGround) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

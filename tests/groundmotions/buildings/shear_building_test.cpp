@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using std::numbers::pi;
@@ -95,4 +95,4 @@ TEST(ShearBuilding, InfiniteShearFlexureRatioIsTheShearFrame) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -6,7 +6,7 @@
 
 /// Small files in the layouts of USGS SMC, GeoNet, UNAM and CWB, of invented stations and
 /// numbers.
-namespace gurney {
+namespace gurney::groundmotions {
 
 inline const std::vector<double> kSmcSamples = {1.5, -2.25, 0.5, -12.5, 3.125, 4, 5, -6, 7, -0.5};
 
@@ -165,4 +165,4 @@ inline std::string cwb_file(const std::string& sequence = "U(+); N(+); E(+)") {
          "     1.000     0.500     1.000    -3.000\r\n     1.500     0.250     0.000     1.000\r\n";
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 #include "engine/base/units.h"
 #include "groundmotions/formats/readers.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 // Eight digits: half a unit in the last is 5e-8 of a number.
@@ -29,4 +29,4 @@ TEST(At2Text, IsReadBackToEightDigits) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

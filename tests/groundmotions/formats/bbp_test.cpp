@@ -5,7 +5,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -131,4 +131,4 @@ TEST(Bbp, WarnsOfCopiesAndLateStarts) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 #include "tests/groundmotions/formats/network_samples.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -56,4 +56,4 @@ TEST(Bhrc, RefusesWhatItMust) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 // `date -u -d "2018-01-24 19:51:43" +%s` prints 1516823503.
@@ -36,4 +36,4 @@ TEST(Calendar, TakesNumbers) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -9,7 +9,7 @@
 #include "engine/base/error.h"
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 using Components = std::vector<Component>;
 
@@ -48,4 +48,4 @@ inline std::size_t warnings_in(const Components& components) {
   return sum;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

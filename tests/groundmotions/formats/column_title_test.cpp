@@ -7,7 +7,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::Contains;
@@ -107,4 +107,4 @@ TEST(ColumnTitle, AVelocityIsNoVertical) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -6,7 +6,7 @@
 #include "groundmotions/formats/columns_csv.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 std::vector<Component> read(const std::string& text) {
@@ -74,4 +74,4 @@ TEST(ColumnsCsvFacts, TellsWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

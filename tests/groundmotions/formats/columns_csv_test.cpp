@@ -7,7 +7,7 @@
 #include "engine/base/units.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::HasSubstr;
@@ -128,4 +128,4 @@ TEST(ColumnsCsv, LeavesForeignTablesToPlainText) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 #include "tests/groundmotions/formats/network_samples.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::Contains;
@@ -216,4 +216,4 @@ TEST(Cosmos, ChecksCountsPeaksAndHoles) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

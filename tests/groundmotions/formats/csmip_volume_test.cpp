@@ -7,7 +7,7 @@
 #include "tests/groundmotions/formats/network_samples.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -199,4 +199,4 @@ TEST(CsmipVolume, RefusesAPeakThatTheSamplesDoNotHave) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

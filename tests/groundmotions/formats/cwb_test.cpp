@@ -6,7 +6,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -71,4 +71,4 @@ TEST(Cwb, ChecksTheHeader) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -9,7 +9,7 @@
 #include "tests/support/error_text.h"
 
 /// What files in use do beside their format, and what no record can be.
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::HasSubstr;
@@ -151,4 +151,4 @@ TEST(DamagedInputs, NorthUpEastIsNotMirrored) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

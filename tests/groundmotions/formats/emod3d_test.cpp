@@ -5,7 +5,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 const std::string kFile =
@@ -56,4 +56,4 @@ TEST(Emod3d, RefusesEveryTruncation) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

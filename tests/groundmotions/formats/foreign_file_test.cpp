@@ -6,7 +6,7 @@
 #include "tests/groundmotions/formats/format_samples.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::HasSubstr;
@@ -59,4 +59,4 @@ TEST(ForeignFile, UnknownBinaryFilesAreToldToBeBinary) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 #include "tests/groundmotions/formats/sac_sample.h"
 
 /// A small file in every format, for tests that go over all formats.
-namespace gurney {
+namespace gurney::groundmotions {
 
 struct FormatSample {
   std::string format;  ///< as formats() calls it
@@ -48,4 +48,4 @@ inline std::vector<FormatSample> format_samples() {
   };
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

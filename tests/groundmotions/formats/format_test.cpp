@@ -8,7 +8,7 @@
 #include "tests/groundmotions/formats/format_samples.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::HasSubstr;
@@ -60,4 +60,4 @@ TEST(Formats, TellWhatIsNoRecord) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 #include "engine/base/error.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -100,4 +100,4 @@ TEST(FortranFields, TakesEmptyFieldsOfAHeaderAsZero) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

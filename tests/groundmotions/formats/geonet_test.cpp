@@ -6,7 +6,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -82,4 +82,4 @@ TEST(GeoNet, ChecksTheOptions) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 TEST(HeaderText, KnowsTheQuantity) {
@@ -68,4 +68,4 @@ TEST(HeaderText, FindsTheUnitOfTimes) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

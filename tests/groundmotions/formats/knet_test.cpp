@@ -7,7 +7,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -155,4 +155,4 @@ TEST(Knet, RefusesEveryTruncation) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -6,7 +6,7 @@
 #include <vector>
 
 /// Small files in the layouts of strong motion networks, of invented stations and numbers.
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// `values` row by row, each formatted by `format`.
 template <typename T>
@@ -176,4 +176,4 @@ inline std::string usc_block(const std::string& type, const std::string& label =
          rows(samples, 10, "{:8.2f}");
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

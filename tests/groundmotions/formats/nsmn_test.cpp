@@ -6,7 +6,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::HasSubstr;
@@ -58,4 +58,4 @@ TEST(Nsmn, ChecksTheHeader) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -84,4 +84,4 @@ TEST(NumberReader, SeesThatTheLastNumberWasCut) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 Component oriented(const char* name) {
@@ -94,4 +94,4 @@ TEST(Orientation, ReadsLabels) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

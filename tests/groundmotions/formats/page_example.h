@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// The indented lines that follow the line `title`, up to the next line of text.
 inline std::string page_example(const std::string& page, const std::string& title) {
@@ -21,4 +21,4 @@ inline std::string page_example(const std::string& page, const std::string& titl
   return text;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 
 /// The examples on the pages of docs/formats are read as the pages say.
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 void expect_read(const std::string& page, const std::string& title, const std::string& format,
@@ -30,4 +30,4 @@ TEST(Pages, HaveExamplesThatAreRead) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 #include "groundmotions/formats/readers.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::HasSubstr;
@@ -240,4 +240,4 @@ TEST(PeerAt2, RefusesEveryTruncation) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -6,7 +6,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::HasSubstr;
@@ -73,4 +73,4 @@ TEST(PlainFacts, VelocitiesInWordsAreRefused) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::AllOf;
@@ -210,4 +210,4 @@ TEST(PlainText, RefusesOptionsOutsideTheirRanges) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

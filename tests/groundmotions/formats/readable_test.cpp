@@ -4,7 +4,7 @@
 
 #include "tests/groundmotions/formats/text_file.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 TEST(Readable, KeepsUtf8) {
@@ -49,4 +49,4 @@ TEST(Readable, IsWhatReadersTellOfAFile) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

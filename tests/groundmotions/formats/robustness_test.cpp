@@ -9,7 +9,7 @@
 
 /// Damaged files of every format give an Error that names the file, or finite samples in a short
 /// time; what was cut is never read as a shorter record without a word.
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 /// Reads a sample after each of `changes`, which return the changed bytes.
@@ -187,4 +187,4 @@ TEST(RobustnessSamples, BinaryAndStrangeFilesAreErrors) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

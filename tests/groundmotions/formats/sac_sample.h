@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 struct SacSample {
   int version = 6;
@@ -60,4 +60,4 @@ inline std::string sac_file(const SacSample& s = {}) {
   return bytes;
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

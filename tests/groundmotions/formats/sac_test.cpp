@@ -8,7 +8,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -94,4 +94,4 @@ TEST(Sac, ReportsTheMeanAndWhatWasNotApplied) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::HasSubstr;
@@ -62,4 +62,4 @@ TEST(Simbad, RefusesEveryTruncation) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -6,7 +6,7 @@
 
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -54,4 +54,4 @@ TEST(SourceFile, RefusesWhatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -115,4 +115,4 @@ TEST(Stated, FileAndUserMustAgree) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 
 #include "groundmotions/formats/format.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// What the readers make of a file "f" with this text.
 inline std::vector<Component> read_text(const std::string& text, const ReadOptions& options = {}) {
@@ -35,4 +35,4 @@ inline std::string fact(const Component& component, const std::string& name) {
   return "(none)";
 }
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

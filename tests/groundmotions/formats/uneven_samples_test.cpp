@@ -6,7 +6,7 @@
 
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 const std::vector<double> kTimes = {1, 1.1, 1.15, 1.15, 1.4};
@@ -72,4 +72,4 @@ TEST(UnevenSamples, RefusesWhatIsNoSeries) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

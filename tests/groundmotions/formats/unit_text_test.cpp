@@ -4,7 +4,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 TEST(UnitText, FindsUnits) {
@@ -45,4 +45,4 @@ TEST(UnitText, KnowsUnitsOfTime) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 #include "tests/groundmotions/formats/network_samples.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::HasSubstr;
@@ -47,4 +47,4 @@ TEST(UscBlocks, RefusesVelocitiesAndWrongCounts) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 #include "tests/groundmotions/formats/network_samples.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -90,4 +90,4 @@ TEST(UscVolume, RefusesSpectraAndMissingNumbers) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

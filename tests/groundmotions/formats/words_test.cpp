@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 TEST(Words, FindsNumbersBehindTheirKeys) {
@@ -28,4 +28,4 @@ TEST(Words, FindsTextInBrackets) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -8,7 +8,7 @@
 #include "engine/base/units.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using Eigen::VectorXd;
@@ -118,4 +118,4 @@ TEST(Combination, IsRefusedWhereItHasNoMeaning) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

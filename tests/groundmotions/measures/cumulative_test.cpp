@@ -7,7 +7,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using Eigen::VectorXd;
@@ -74,4 +74,4 @@ TEST(SignificantPart, OfNothingIsEmpty) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

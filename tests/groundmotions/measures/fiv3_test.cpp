@@ -7,7 +7,7 @@
 
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using Eigen::VectorXd;
@@ -62,4 +62,4 @@ TEST(Fiv3, RefusesPeriodsItHasNoValueFor) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using Eigen::VectorXd;
@@ -50,4 +50,4 @@ TEST(PredominantPeriod, OfASineIsItsPeriod) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -6,7 +6,7 @@
 
 #include "engine/base/floor_motion.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 // a = t is linear: v = t^2 / 2, d = t^3 / 6. Every number is a whole number of halves or sixths.
@@ -41,4 +41,4 @@ TEST(Integrate, EndsAsTheFloorMotionDoes) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

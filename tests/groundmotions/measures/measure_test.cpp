@@ -9,7 +9,7 @@
 #include "groundmotions/measures/response_spectrum.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using Eigen::VectorXd;
@@ -95,4 +95,4 @@ TEST(Measure, HasUnitsAndADefinition) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 // A constant load p from rest: u = p / w^2 (1 - exp(-z w t) (cos(wd t) + z w / wd sin(wd t))).
@@ -57,4 +57,4 @@ TEST(Oscillator, HasNoJumpBetweenItsTwoFormulas) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 // a falls linearly from 2 to -2 over 4 s in steps of 1 s: v = 2 t - t^2 / 2, largest 2 at 2 s,
@@ -38,4 +38,4 @@ TEST(Peaks, OfResultantsAreLengths) {
 TEST(Peaks, OfNothingAreZero) { EXPECT_EQ(peaks(0.01, Eigen::VectorXd()).acceleration, 0); }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -18,7 +18,7 @@
 #include "groundmotions/measures/rotation.h"
 
 /// Values that others published of real files, in a folder named by GURNEY_RECORDS.
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using Eigen::VectorXd;
@@ -157,4 +157,4 @@ TEST_F(Published, UcgmsimBenchmark) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

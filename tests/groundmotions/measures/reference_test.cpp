@@ -17,7 +17,7 @@
 
 /// Real files, which may not be part of the project: a folder named by GURNEY_RECORDS with
 /// reference_values.csv, one row for each component.
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using Eigen::VectorXd;
@@ -162,4 +162,4 @@ TEST(ReferenceValues, AgreeForEveryFileThatIsRead) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

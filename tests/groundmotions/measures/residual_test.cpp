@@ -7,7 +7,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -89,4 +89,4 @@ TEST(Residual, JudgesTheHorizontalsOnly) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

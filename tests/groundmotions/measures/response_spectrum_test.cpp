@@ -9,7 +9,7 @@
 
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using Eigen::VectorXd;
@@ -189,4 +189,4 @@ TEST(ResponseSpectrum, WarnsOfPeriodsBelowTenSteps) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

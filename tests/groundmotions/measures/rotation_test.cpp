@@ -9,7 +9,7 @@
 #include "engine/base/units.h"
 #include "groundmotions/measures/response_spectrum.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using Eigen::VectorXd;
@@ -84,4 +84,4 @@ TEST(RotatedSpectrum, IsThatOfTurnedMotions) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -6,7 +6,7 @@
 
 #include "groundmotions/measures/response_spectrum.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using Eigen::VectorXd;
@@ -46,4 +46,4 @@ TEST(SpectrumIntensity, OfAJumpOfVelocity) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -65,4 +65,4 @@ TEST(Summary, WarnsOfWhatIsNotThereAndOfShortPeriods) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -8,7 +8,7 @@
 #include "groundmotions/measures/integrate.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 constexpr double kStep = 0.005;
@@ -134,4 +134,4 @@ TEST(Baseline, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

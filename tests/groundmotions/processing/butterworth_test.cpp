@@ -10,7 +10,7 @@
 #include "groundmotions/measures/integrate.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -181,4 +181,4 @@ TEST(Butterworth, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -14,7 +14,7 @@
 #include "groundmotions/synthetic/clough_penzien.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -235,4 +235,4 @@ TEST(Pipeline, NamesTheStepThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -106,4 +106,4 @@ TEST(Resample, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

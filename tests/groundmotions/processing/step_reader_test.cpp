@@ -9,7 +9,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/key_table.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 std::vector<ProcessingStep> steps_of(const std::string& list) {
@@ -170,4 +170,4 @@ TEST(ProcessingPage, HasEveryKeyTheReaderKnowsAndNoOther) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

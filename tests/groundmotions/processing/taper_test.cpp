@@ -6,7 +6,7 @@
 
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 TEST(Taper, IsACosineAtBothEnds) {
@@ -36,4 +36,4 @@ TEST(Taper, RefusesWhatIsLongerThanTheRecord) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 #include "groundmotions/measures/cumulative.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 // A constant: the Husid curve is a line over the 10 s.
@@ -77,4 +77,4 @@ TEST(Trim, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

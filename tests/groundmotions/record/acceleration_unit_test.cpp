@@ -4,7 +4,7 @@
 
 #include "engine/base/units.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 TEST(AccelerationUnit, KnowsEverySpelling) {
@@ -63,4 +63,4 @@ TEST(AccelerationUnit, NamesOfUsersAreUnits) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -8,7 +8,7 @@
 #include "engine/base/units.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 Record three_components() {
@@ -63,4 +63,4 @@ TEST(RecordMotion, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

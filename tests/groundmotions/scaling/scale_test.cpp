@@ -4,7 +4,7 @@
 
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -72,4 +72,4 @@ TEST(ScaleTo, RefusesWhatItCannotReach) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -6,7 +6,7 @@
 
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -113,4 +113,4 @@ TEST(ScaleSuite, RefusesWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

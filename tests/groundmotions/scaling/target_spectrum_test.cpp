@@ -7,7 +7,7 @@
 #include "engine/base/units.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 constexpr double kG = kStandardGravity;
@@ -151,4 +151,4 @@ TEST(TableSpectrum, TellsAllMistakes) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

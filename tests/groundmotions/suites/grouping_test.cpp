@@ -9,7 +9,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -209,4 +209,4 @@ TEST_F(Grouping, TakesPatterns) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

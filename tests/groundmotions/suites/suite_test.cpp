@@ -8,7 +8,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::ElementsAre;
@@ -184,4 +184,4 @@ TEST(ListSuite, TellsEveryMistake) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

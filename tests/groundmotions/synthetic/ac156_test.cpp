@@ -11,7 +11,7 @@
 #include "groundmotions/synthetic/end_state.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using std::numbers::pi;
@@ -142,4 +142,4 @@ TEST(Ac156Motion, GivesUpOnComponentsThatCannotBeIndependent) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

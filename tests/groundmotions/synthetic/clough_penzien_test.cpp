@@ -13,7 +13,7 @@
 #include "groundmotions/measures/residual.h"
 #include "groundmotions/record/record_motion.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 const std::filesystem::path kShipped = GURNEY_SOURCE_DIR "/groundmotions/records/synthetic_3c.csv";
@@ -101,4 +101,4 @@ TEST(ShippedRecord, EndsAtRest) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -6,7 +6,7 @@
 
 #include "groundmotions/measures/integrate.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 TEST(EndState, IsTheExactIntegral) {
@@ -43,4 +43,4 @@ TEST(AccelerationOf, IntegratesBackToTheDisplacement) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

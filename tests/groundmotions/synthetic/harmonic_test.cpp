@@ -10,7 +10,7 @@
 #include "groundmotions/synthetic/noise.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using std::numbers::pi;
@@ -127,4 +127,4 @@ TEST(FourierNoise, IsTheSumItClaimsToBe) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -9,7 +9,7 @@
 #include "groundmotions/synthetic/clough_penzien.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::Contains;
@@ -123,4 +123,4 @@ TEST(SyntheticKinds, ToldWrongInAJobAreMistakesAtTheirPlace) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

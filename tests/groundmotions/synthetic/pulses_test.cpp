@@ -9,7 +9,7 @@
 #include "groundmotions/synthetic/end_state.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using std::numbers::pi;
@@ -119,4 +119,4 @@ TEST(NearFaultPulse, HasThePeakVelocityAndComesBack) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -10,7 +10,7 @@
 #include "groundmotions/synthetic/end_state.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using std::numbers::pi;
@@ -128,4 +128,4 @@ TEST(StochasticMotion, RefusesWhatItCannotMake) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 
 #include "tests/support/fabricated_ward.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 constexpr double kPi = std::numbers::pi, kStep = 0.005;
@@ -54,7 +54,7 @@ TEST(LargestPulse, StaysInItsWindowAndDirection) {
 }
 
 TEST(Falls, LookAgainstTheFall) {
-  const RunFacts facts = fabricated_ward();
+  const study::RunFacts facts = fabricated_ward();
   Response response = fabricated_ward_response();
   const auto all = falls(facts, response);
   ASSERT_EQ(all.size(), 1u);
@@ -76,4 +76,4 @@ TEST(Falls, LookAgainstTheFall) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::report

@@ -10,7 +10,7 @@
 #include "tests/support/fabricated_run.h"
 #include "tests/support/fabricated_ward.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -52,7 +52,7 @@ TEST(Figure, ShowsThePull) {
 }
 
 TEST(Figure, ShowsARoomOfSeveralItems) {
-  const RunFacts facts = fabricated_ward();
+  const study::RunFacts facts = fabricated_ward();
   const std::string svg = figure(facts, fabricated_ward_response());
   if (const char* path = std::getenv("GURNEY_SAVE_FIGURE")) std::ofstream(path) << svg;
   EXPECT_EQ(count(svg, "nan"), 0u);
@@ -71,7 +71,7 @@ TEST(Figure, ShowsARoomOfSeveralItems) {
 }
 
 TEST(Figure, ShowsTheRoomOfASingleItem) {
-  RunFacts facts = fabricated_facts();
+  study::RunFacts facts = fabricated_facts();
   facts.scene.room = {{"wall", "", {2, 0, 1}, Quaternion::Identity(), RoomBox{{0.2, 4, 2}}}};
   const std::string svg = figure(facts, fabricated_response());
   EXPECT_EQ(count(svg, "fill=\"#c4c4c4\""), 1u);
@@ -92,10 +92,10 @@ TEST(Figure, SurvivesWhatDivergedAndWhatHasNoHistory) {
 }
 
 TEST(Figure, EscapesText) {
-  RunFacts facts = fabricated_facts();
+  study::RunFacts facts = fabricated_facts();
   facts.title = "<a & b>";
   EXPECT_EQ(count(figure(facts, fabricated_response()), "&lt;a &amp; b&gt;"), 1u);
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::report

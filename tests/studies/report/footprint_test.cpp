@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 /// Extent of a polygon along x and y.
@@ -58,4 +58,4 @@ TEST(Overlap, IsOfAreasNotOfEdges) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::report

@@ -6,13 +6,13 @@
 
 #include "engine/base/hash/sha256.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using testing::ElementsAre;
 
-Component constant(double acceleration, const std::string& sha256) {
-  Component component;
+groundmotions::Component constant(double acceleration, const std::string& sha256) {
+  groundmotions::Component component;
   component.time_step = 0.01;
   component.acceleration = Eigen::VectorXd::Constant(101, acceleration);
   component.format = "PEER AT2";
@@ -32,7 +32,7 @@ std::vector<std::string> words(const std::string& line) {
 // 1.8545 a. RotD50: the median of |cos(theta) + 4 sin(theta)| is sqrt(17) / sqrt(2) m/s2 = 0.2973
 // g.
 TEST(RecordTable, HasMeansOfBothHorizontals) {
-  Record record;
+  groundmotions::Record record;
   record.name = "made up";
   record.components[0] = constant(1, std::string(64, 'a'));
   record.components[1] = constant(4, std::string(64, 'a'));
@@ -44,7 +44,7 @@ TEST(RecordTable, HasMeansOfBothHorizontals) {
 }
 
 TEST(RecordTable, HasTheValuesOfTheOnlyComponent) {
-  Record record;
+  groundmotions::Record record;
   record.name = "one";
   record.components[2] = constant(4, "");
   record.components[2]->unit = "cm/s2";
@@ -54,7 +54,7 @@ TEST(RecordTable, HasTheValuesOfTheOnlyComponent) {
 }
 
 TEST(RecordTable, TellsAllFilesByOneHash) {
-  Record record;
+  groundmotions::Record record;
   const std::string a(64, 'a'), b(64, 'b');
   record.components[0] = constant(1, a);
   EXPECT_EQ(short_hash(record), "aaaaaaaa");
@@ -63,4 +63,4 @@ TEST(RecordTable, TellsAllFilesByOneHash) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::report

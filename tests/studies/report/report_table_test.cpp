@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 ReportTable table() {
@@ -31,4 +31,4 @@ TEST(ReportTable, EscapesWhatWouldEndACellOfMarkdown) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::report

@@ -5,7 +5,7 @@
 #include "tests/support/fabricated_run.h"
 #include "tests/support/fabricated_ward.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using testing::HasSubstr;
@@ -13,7 +13,7 @@ using testing::Not;
 using testing::StartsWith;
 
 TEST(Story, TellsEachOutcomeOfASingleItem) {
-  const RunFacts facts = fabricated_facts();
+  const study::RunFacts facts = fabricated_facts();
   Response response = fabricated_response();
   EXPECT_THAT(story(facts, response),
               HasSubstr("The item moved at most 125 mm from its start (at 0.50 s)"));
@@ -91,7 +91,7 @@ TEST(Story, SaysWhatFellAndWhy) {
 }
 
 TEST(Story, NamesNoPulseOfAFloorAtRest) {
-  RunFacts facts = fabricated_ward();
+  study::RunFacts facts = fabricated_ward();
   facts.floor = {};
   EXPECT_THAT(story(facts, fabricated_ward_response()), Not(HasSubstr("floor's pulse")));
 }
@@ -122,4 +122,4 @@ TEST(Story, SaysWhatBecameOfTethers) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::report

@@ -8,7 +8,7 @@
 #include "tests/support/fabricated_run.h"
 #include "tests/support/fabricated_ward.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 void expect_contains(const std::string& text, const std::string& fragment) {
@@ -37,7 +37,7 @@ TEST(Summary, SaysWhatRanAndWhatCameOut) {
 }
 
 TEST(Summary, FitsATerminalOf100Columns) {
-  RunFacts facts = fabricated_facts();
+  study::RunFacts facts = fabricated_facts();
   facts.warnings.assign(2,
                         "a rather long warning that goes on and on and on and on and on and on, "
                         "until nobody wants to read it any more, and then a little");
@@ -46,7 +46,7 @@ TEST(Summary, FitsATerminalOf100Columns) {
 }
 
 TEST(Summary, SaysNothingOfWheelsWhereThereAreNone) {
-  RunFacts facts = fabricated_facts();
+  study::RunFacts facts = fabricated_facts();
   facts.scene.items[0].model.casters.clear();
   Response response = fabricated_response();
   response.items[0].demands.wheels.clear();
@@ -125,4 +125,4 @@ TEST(Summary, TellsOfSeveralItemsInJson) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::report

@@ -13,7 +13,7 @@
 #include "studies/report/verification_figure.h"
 #include "studies/verification/cases.h"
 
-namespace gurney {
+namespace gurney::report {
 namespace {
 
 using testing::HasSubstr;
@@ -147,4 +147,4 @@ TEST(VerificationPage, IsWhatTheProgramWrites) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::report

@@ -11,7 +11,7 @@
 #include "tests/studies/statistics/synthetic.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -250,4 +250,4 @@ TEST(Quantiles, AreThoseOfNumpy) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -10,7 +10,7 @@
 #include "studies/statistics/special.h"
 #include "tests/studies/statistics/synthetic.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -145,4 +145,4 @@ TEST(CapacityCheck, FindsCapacitiesThatAreNotLognormal) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -9,7 +9,7 @@
 #include "tests/studies/statistics/synthetic.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -138,4 +138,4 @@ TEST(CapacityFit, SaysWhyThereIsNoCurve) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -8,7 +8,7 @@
 #include "tests/studies/statistics/synthetic.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 using Known = CloudPoint::Known;
@@ -99,4 +99,4 @@ TEST(Cloud, SaysWhyThereIsNoLine) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

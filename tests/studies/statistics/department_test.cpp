@@ -5,7 +5,7 @@
 
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 using testing::DoubleNear;
@@ -27,4 +27,4 @@ TEST(Levels, ThatCrossAreCutAndSaidSo) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

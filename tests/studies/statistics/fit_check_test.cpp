@@ -8,7 +8,7 @@
 #include "tests/studies/statistics/synthetic.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 TEST(FitCheck, FindsNothingWrongWithExactFractions) {
@@ -85,4 +85,4 @@ TEST(Isotonic, AgreesWithTheMaxMinFormula) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

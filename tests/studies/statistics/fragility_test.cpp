@@ -11,7 +11,7 @@
 #include "tests/studies/statistics/synthetic.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -205,4 +205,4 @@ TEST(Fragility, FitsASteepCurve) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

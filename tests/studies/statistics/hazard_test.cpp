@@ -6,7 +6,7 @@
 
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 // Cornell's closed form.
@@ -99,4 +99,4 @@ TEST(Hazard, TenPercentInFiftyYearsIsOnceIn475) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

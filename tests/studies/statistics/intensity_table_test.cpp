@@ -7,7 +7,7 @@
 #include "tests/studies/statistics/synthetic.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 /// EDP rests on the velocity; the acceleration is the velocity with a factor of its own, which
@@ -95,4 +95,4 @@ TEST(IntensityTable, LeavesOutWhatIsUnknown) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

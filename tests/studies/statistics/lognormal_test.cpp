@@ -8,7 +8,7 @@
 #include "studies/statistics/special.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 TEST(Lognormal, IsANormalDistributionOfTheLogarithm) {
@@ -63,4 +63,4 @@ TEST(Special, AgreesWithClosedFormsAndTables) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 std::vector<double> one_to(int n) {
@@ -32,4 +32,4 @@ TEST(MedianInterval, IsUnknownForFiveValues) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -8,7 +8,7 @@
 #include "studies/statistics/special.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 const Eigen::MatrixXd kMean6 = Eigen::MatrixXd::Ones(6, 1);
@@ -88,4 +88,4 @@ TEST(RandomEffects, NamesTheUnitThatIsOff) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

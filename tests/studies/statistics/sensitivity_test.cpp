@@ -9,7 +9,7 @@
 #include "engine/base/random/sampling.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 /// Ishigami & Homma (1990) with a = 7, b = 0.1, from u in (0, 1); its indices are closed forms.
@@ -137,4 +137,4 @@ TEST(Tornado, RanksInputsByTheirSwing) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -7,7 +7,7 @@
 #include "studies/statistics/lognormal.h"
 #include "studies/statistics/stripes.h"
 
-namespace gurney {
+namespace gurney::statistics {
 
 /// Outcomes of runs whose capacity is lognormal: each record at each level.
 ///
@@ -44,4 +44,4 @@ inline LognormalCurve curve_of_moments(const std::vector<double>& capacities) {
   return {std::exp(mean), std::sqrt(squares / (n - 1))};
 }
 
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -8,7 +8,7 @@
 
 #include "tests/studies/statistics/synthetic.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 TEST(SignTest, IsExact) {
@@ -116,4 +116,4 @@ TEST(Holm, AdjustsInStepsDown) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -10,7 +10,7 @@
 #include "studies/statistics/special.h"
 #include "tests/support/expect_error.h"
 
-namespace gurney {
+namespace gurney::statistics {
 namespace {
 
 /// Outcomes of Phi(2 ln a + ln_slope ln b) in `groups` of five runs whose scores share the normal
@@ -109,4 +109,4 @@ TEST(VectorFragility, SaysWhyThereIsNone) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::statistics

@@ -5,7 +5,7 @@
 
 #include "studies/study/run/run_unit.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// A trolley under a short pulse: a run of 0.2 s takes milliseconds.
 /// @param study  what stands in [study] and below
@@ -41,4 +41,4 @@ struct SmallStudy {
   Batch batch{job, motions, plan};
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

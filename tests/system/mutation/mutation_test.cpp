@@ -27,7 +27,7 @@
 
 /// Damaged files of every kind give an Error or a result: no signal, no exception of the library,
 /// nothing that takes more than kLongest. GURNEY_MUTATIONS: how many of each kind.
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -191,18 +191,22 @@ TEST_F(Mutation, DataFiles) {
   for (const char* folder : {"items", "casters", "floors", "rooms", "tethers"})
     for (const std::string& each : files_in(kSource / "equipment" / folder, ".toml"))
       seeds.push_back(each);
-  survive("data.toml", seeds, false, [](const std::string& file) { check_data_file(file); });
+  survive("data.toml", seeds, false,
+          [](const std::string& file) { equipment::check_data_file(file); });
 }
 
 TEST_F(Mutation, Buildings) {
-  const Record ground = make_record(synthetic_request("ricker", {}));
+  const groundmotions::Record ground =
+      groundmotions::make_record(groundmotions::synthetic_request("ricker", {}));
   survive("building.toml", files_in(kSource / "groundmotions" / "buildings", ".toml"), false,
-          [&](const std::string& file) { building_response(ground, building_from_file(file), 1); });
+          [&](const std::string& file) {
+            groundmotions::building_response(ground, groundmotions::building_from_file(file), 1);
+          });
 }
 
 TEST_F(Mutation, Trials) {
   survive("trial.csv", files_in(kSource / "studies" / "calibration" / "example", ".csv"), false,
-          [](const std::string& file) { read_trial_file(file); });
+          [](const std::string& file) { calibration::read_trial_file(file); });
 }
 
 TEST_F(Mutation, RunResults) {
@@ -243,4 +247,4 @@ TEST_F(Mutation, Parts) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace gurney {
+namespace gurney::study {
 
 /// Damages files, always in the same way for one seed.
 class Mutator {
@@ -117,4 +117,4 @@ class Mutator {
   std::mt19937 random_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -1,6 +1,6 @@
 #include "tests/system/records/real_records.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::Contains;
@@ -59,4 +59,4 @@ TEST_F(RealArrayRecords, Sac) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -1,6 +1,6 @@
 #include "tests/system/records/real_records.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 /// Of strong motion networks; their reference values are in real_records_test.cpp.
@@ -49,4 +49,4 @@ TEST_F(RealNetworkRecords, OneRecordInTwoFormatsIsTheSame) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -16,7 +16,7 @@
 #include "groundmotions/measures/peaks.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 
 /// Tests with real files, which may not be part of the project: a folder named by GURNEY_RECORDS,
 /// with reference_values.csv, one row for each component in the order of its file.
@@ -91,4 +91,4 @@ class RealRecords : public testing::Test {
   std::filesystem::path folder_;
 };
 
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 /// What the samples are in the reference values.
@@ -159,4 +159,4 @@ TEST_F(RealFolder, EveryFileIsReadOrRefusedAsListed) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

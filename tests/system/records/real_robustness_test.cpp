@@ -11,7 +11,7 @@
 #include "tests/groundmotions/formats/format_samples.h"
 
 /// Real files, cut and changed: one of each kind in the folder named by GURNEY_RECORDS.
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 constexpr std::uintmax_t kLargest = 200'000;  ///< so that all of it takes some seconds [bytes]
@@ -86,4 +86,4 @@ TEST(RealRobustness, CutAndChangedFilesAreErrorsOrRecords) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -5,7 +5,7 @@
 #include "groundmotions/suites/suite.h"
 #include "tests/system/records/real_records.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using Files = std::set<std::string>;
@@ -66,4 +66,4 @@ TEST_F(RealSets, FilesOfOneRecordAreOneRecordOfTheirFolder) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -1,6 +1,6 @@
 #include "tests/system/records/real_records.h"
 
-namespace gurney {
+namespace gurney::groundmotions {
 namespace {
 
 using testing::AllOf;
@@ -62,4 +62,4 @@ TEST_F(RealTextRecords, AskForWhatTheFileDoesNotState) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::groundmotions

@@ -10,7 +10,7 @@
 #include "studies/study/limit_states/response_values.h"
 #include "studies/study/run/run_unit.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -147,4 +147,4 @@ TEST(TrolleyOrientation, ABrakedTrolleySwingsByTwiceItsTrail) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

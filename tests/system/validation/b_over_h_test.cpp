@@ -6,7 +6,7 @@
 // seeds, so a run is always the same; the bounds say how far other, equally good records could be
 // off: what the whole study has in 0 or 30 of 30 has a probability of at most 0.116 or at least
 // 0.884 (Clopper-Pearson, 95 %), and then 6 or more of 10, or 4 or fewer, come with 3e-4.
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr std::size_t kRecords = 10;
@@ -56,4 +56,4 @@ TEST(ValidationBOverHItem, HasTheRatiosThatItsLevelsName) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

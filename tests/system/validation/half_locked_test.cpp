@@ -10,7 +10,7 @@
 #include "tests/system/validation/small_runs.h"
 
 // studies/jobs/validation_half_locked.toml against a rigid cart (docs/validation.md).
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr double kG = kStandardGravity, kPeriod = 2;
@@ -117,4 +117,4 @@ TEST(ValidationHalfLocked, OnlyAHalfLockedCartGoesOn) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -3,7 +3,7 @@
 #include "tests/system/validation/small_runs.h"
 
 // studies/jobs/validation_isolation.toml, 1 of its 10 records (docs/validation.md).
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// Braked items stay nearer in each of two pairs on either isolation, of the dialysis machine and
@@ -24,4 +24,4 @@ TEST(ValidationIsolation, BrakedItemsStayNearerOnIsolators) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

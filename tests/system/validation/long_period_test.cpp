@@ -3,7 +3,7 @@
 #include "tests/system/validation/small_runs.h"
 
 // studies/jobs/validation_long_period.toml, 4 of its 10 records (docs/validation.md).
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr std::size_t kRecords = 4;
@@ -41,4 +41,4 @@ TEST_P(ValidationLongPeriod, FreeItemsTravelMetresAndBrakedOnesStay) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

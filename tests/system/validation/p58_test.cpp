@@ -3,7 +3,7 @@
 #include "tests/system/validation/small_runs.h"
 
 // studies/jobs/validation_p58.toml (docs/validation.md), all 12 records of one block.
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr std::size_t kRecords = 12;
@@ -67,4 +67,4 @@ TEST(ValidationP58, StandsWhereP58HasHalfOfThemFall) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -7,7 +7,7 @@
 #include "tests/system/validation/small_runs.h"
 
 // docs/validation.md and the studies it tells of.
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,4 +28,4 @@ TEST(ValidationPage, TellsTheRunsOfEachStudy) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

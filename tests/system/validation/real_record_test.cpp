@@ -9,7 +9,7 @@
 
 // studies/jobs/validation_long_period.toml with a recorded motion, which may not be part of the
 // project: TCU068 of the Chi-Chi earthquake, in a folder named by GURNEY_RECORDS.
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -57,4 +57,4 @@ TEST(ValidationRealRecord, FreeItemsTravelMetresAndBrakedOnesStay) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

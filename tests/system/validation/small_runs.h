@@ -10,7 +10,7 @@
 
 #include "studies/study/run/run_unit.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// Single units of a study of studies/jobs, made as in the whole study.
 class SmallRuns {
@@ -77,4 +77,4 @@ inline const Demands& demands_of(const StudyRun& run) { return run.response.item
 
 inline bool fell(const StudyRun& run) { return demands_of(run).time_of_overturning >= 0; }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -4,7 +4,7 @@
 
 // studies/jobs/validation_ultrasound.toml (docs/validation.md): pairs of runs, locked and free,
 // with the same record, angle and intensity.
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 struct Pairs {
@@ -53,4 +53,4 @@ TEST(ValidationUltrasound, LockedCastersKeepItNearerOnIsolators) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -42,7 +42,8 @@ TEST(LatinHypercube, PermutesEvenly) {
     const double expected = static_cast<double>(variables) / static_cast<double>(n);
     for (const double count : counts) chi += std::pow(count - expected, 2) / expected;
     chi *= static_cast<double>(n - 1) / static_cast<double>(n);
-    EXPECT_GT(chi_squared_survival(chi, std::pow(static_cast<double>(n - 1), 2)), 1e-4) << n;
+    EXPECT_GT(statistics::chi_squared_survival(chi, std::pow(static_cast<double>(n - 1), 2)), 1e-4)
+        << n;
   }
 }
 
@@ -58,8 +59,8 @@ TEST(LatinHypercube, VariablesAndSeedsAreIndependent) {
                  (latin_hypercube_draw(1 + v % 2, v + 1, i, n) - 0.5);
     sum += std::pow(product / static_cast<double>(n) * 12, 2) * static_cast<double>(n - 1);
   }
-  EXPECT_GT(chi_squared_survival(sum, 40), 1e-4);
-  EXPECT_LT(chi_squared_survival(sum, 40), 1 - 1e-4);
+  EXPECT_GT(statistics::chi_squared_survival(sum, 40), 1e-4);
+  EXPECT_LT(statistics::chi_squared_survival(sum, 40), 1 - 1e-4);
 }
 
 // A mean over n strata of a linear function has the variance 1 / (12 n^3), not 1 / (12 n).

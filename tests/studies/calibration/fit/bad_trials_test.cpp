@@ -11,7 +11,7 @@
 
 /// Each kind of bad trial is named for each kind of trial; for pulls see
 /// trials/trial_check_test.cpp.
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 using testing::HasSubstr;
@@ -164,4 +164,4 @@ TEST(BadTrials, OfImpactsAreNamed) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::calibration

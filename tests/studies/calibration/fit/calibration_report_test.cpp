@@ -14,7 +14,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 using testing::HasSubstr;
@@ -92,14 +92,14 @@ TEST(Calibration, SeesDependences) {
 
 TEST(Calibration, TellsAllInTextAndJson) {
   const Calibration c = calibrate(programme(), "made");
-  const std::string text = calibration_text(c);
+  const std::string text = report::calibration_text(c);
   EXPECT_THAT(text, HasSubstr("made: 30 trials, 1 excluded\nSIMULATED: 30 of the trials"));
   EXPECT_THAT(text, HasSubstr("excluded: made.csv: (M + J)(a_2 + a_3) is "));
   EXPECT_THAT(text, HasSubstr("Cr/R of R100 on mystique"));
   EXPECT_THAT(text, HasSubstr("diameter"));
   EXPECT_THAT(text, HasSubstr("R100_forest_4: Cr/R of R100 on forest measured 0.0"));
   EXPECT_THAT(text, HasSubstr(" of 6 within their 95 % interval"));
-  const auto json = nlohmann::json::parse(calibration_json(c));
+  const auto json = nlohmann::json::parse(report::calibration_json(c));
   EXPECT_EQ(json["constants"].size(), 6u);
   EXPECT_EQ(json["constants"][0]["name"], "rolling_resistance");
   EXPECT_EQ(json["constants"][0]["interval_95"].size(), 2u);
@@ -107,7 +107,7 @@ TEST(Calibration, TellsAllInTextAndJson) {
   EXPECT_EQ(json["left_out"].size(), 1u);
   EXPECT_EQ(json["pulls"].size(), 23u);
   EXPECT_EQ(json["simulated"], 30);
-  const std::string figure = calibration_figure(c);
+  const std::string figure = report::calibration_figure(c);
   for (const char* part : {"III", "R100_mystique_0", "Phases of R100_forest_0", "SIMULATED"})
     EXPECT_THAT(figure, HasSubstr(part));
 }
@@ -121,17 +121,19 @@ TEST(Calibration, MakesCasterFilesThatLoad) {
   EXPECT_THAT(without.at(0), HasSubstr("homemade: the catalogue has no caster 'homemade'"));
   for (const CasterFile& each : files) {
     const std::string file = folder.write(each.name, each.text);
-    const CheckedFile checked = check_data_file(file);
+    const equipment::CheckedFile checked = equipment::check_data_file(file);
     EXPECT_TRUE(checked.warnings.empty());
     EXPECT_EQ(each.calibrated, std::vector<std::string>{"tread.rolling_resistance_mm"});
-    const CasterType made = load_caster_type(file).stated();
+    const equipment::CasterType made = equipment::load_caster_type(file).stated();
     const bool large = each.name.starts_with("R125");
     EXPECT_NEAR(made.properties.tread.rolling_resistance, 1e-3, 5e-5);
     EXPECT_EQ(made.properties.wheel_radius, large ? 0.0625 : 0.05);
     EXPECT_THAT(each.text, HasSubstr("SIMULATED, not measured: gurney calibrate, Cr/R of R1"));
     // All else is the base's.
-    const CasterType base =
-        load_caster_type(find_data(DataKind::kCaster, large ? "R125" : "R100", "")).stated();
+    const equipment::CasterType base =
+        equipment::load_caster_type(
+            find_data(equipment::DataKind::kCaster, large ? "R125" : "R100", ""))
+            .stated();
     EXPECT_EQ(made.properties.tread.patch_width, base.properties.tread.patch_width);
     EXPECT_EQ(made.properties.fork_inertia, base.properties.fork_inertia);
     EXPECT_EQ(made.brake_torque, base.brake_torque);
@@ -163,7 +165,7 @@ TEST(Calibration, NamesOutliersAndKeepsThem) {
     if (trial.name == "R125_forest_1") trial.setup.string_tension = 8;  // it was 1 N
   const Calibration c = calibrate(set, "made");
   EXPECT_EQ(constant(c, "Cr/R of R125 on forest").trials.size(), 4u);
-  const std::string text = calibration_text(c);
+  const std::string text = report::calibration_text(c);
   EXPECT_THAT(text, HasSubstr("Outliers (kept"));
   EXPECT_THAT(text, HasSubstr("  R125_forest_1: Cr/R of R125 on forest 0.01"));
 }
@@ -186,8 +188,8 @@ TEST(Calibration, TakesTablesOfAverages) {
   EXPECT_EQ(c.constants.at(0).trials.size(), 3u);
   EXPECT_NEAR(c.constants[0].value, 0.0201, 1e-4);  // half of a3's mean excess of 1 %
   EXPECT_THAT(c.left_out.at(0).text(), HasSubstr("averages.csv:8: (M + J)(a_2 + a_3) is"));
-  EXPECT_THAT(calibration_figure(c), HasSubstr("Each point is a pull."));
+  EXPECT_THAT(report::calibration_figure(c), HasSubstr("Each point is a pull."));
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::calibration

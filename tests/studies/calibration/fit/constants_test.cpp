@@ -6,7 +6,7 @@
 
 #include "studies/report/calibration_report.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 using testing::ElementsAre;
@@ -46,12 +46,13 @@ TEST(Constants, TakeBoundsOnlyWhereThereIsNothingElse) {
 TEST(Constants, TellThatAValueIsABound) {
   Calibration c;
   c.constants = constants_of({friction("a", 0.56, true), friction("b", 0.58, true)});
-  EXPECT_THAT(calibration_text(c), HasSubstr(" or more "));
-  EXPECT_THAT(calibration_text(c), HasSubstr("mu_s is a lower bound: with all wheels locked"));
-  EXPECT_THAT(calibration_json(c), HasSubstr("\"lower_bound\": true"));
+  EXPECT_THAT(report::calibration_text(c), HasSubstr(" or more "));
+  EXPECT_THAT(report::calibration_text(c),
+              HasSubstr("mu_s is a lower bound: with all wheels locked"));
+  EXPECT_THAT(report::calibration_json(c), HasSubstr("\"lower_bound\": true"));
   c.constants = constants_of({friction("a", 0.56, false), friction("b", 0.58, false)});
-  EXPECT_THAT(calibration_text(c), Not(HasSubstr("bound")));
+  EXPECT_THAT(report::calibration_text(c), Not(HasSubstr("bound")));
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -9,12 +9,12 @@
 #include "engine/base/random/normal_draw.h"
 #include "studies/statistics/special.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
-Interval acceptance(double probability, int repeats) {
+statistics::Interval acceptance(double probability, int repeats) {
   int low = 0, high = repeats;
-  while (binomial_cdf(low, repeats, probability) < 0.0005) ++low;
-  while (1 - binomial_cdf(high - 1, repeats, probability) < 0.0005) --high;
+  while (statistics::binomial_cdf(low, repeats, probability) < 0.0005) ++low;
+  while (1 - statistics::binomial_cdf(high - 1, repeats, probability) < 0.0005) --high;
   return {static_cast<double>(low), static_cast<double>(high)};
 }
 
@@ -64,4 +64,4 @@ Coverage coverage(const std::vector<TrialValue>& values, double truth, int trial
   return result;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

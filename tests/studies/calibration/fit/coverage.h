@@ -7,12 +7,12 @@
 #include "tests/studies/calibration/fit/virtual_pulls.h"
 
 /// How often intervals hold the truth when a laboratory repeats its trials.
-namespace gurney {
+namespace gurney::calibration {
 
 inline constexpr int kRepeats = 200;
 
 /// Both ends of what a count of successes in `repeats` may be, in 99.9 % of the cases.
-Interval acceptance(double probability, int repeats = kRepeats);
+statistics::Interval acceptance(double probability, int repeats = kRepeats);
 
 /// `size` values of ln-normal scatter: its quantiles at (i + 1/2) / size, in an order of their own
 /// for each `variable`, so that two variables are not correlated. Drawing among them is drawing the
@@ -35,4 +35,4 @@ struct Coverage {
 /// Laboratories that draw `trials` of the values each.
 Coverage coverage(const std::vector<TrialValue>& values, double truth, int trials);
 
-}  // namespace gurney
+}  // namespace gurney::calibration

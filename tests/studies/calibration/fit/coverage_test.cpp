@@ -9,7 +9,7 @@
 #include "studies/calibration/fit/crosswise.h"
 #include "studies/calibration/fit/rebound.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr int kPool = 50;          // trials of constants of their own
@@ -22,7 +22,7 @@ constexpr double kScatter = 0.03;  // of the logarithms between trials
 /// both,
 ///              is wider than stated (studies/statistics/random_effects.h)
 void expect_coverage(const char* what, const Coverage& c, bool wide = false) {
-  const Interval often = acceptance(0.95);
+  const statistics::Interval often = acceptance(0.95);
   std::printf(
       "%s: %d of %d intervals hold it, %d of one more trial (accepted %.0f to %.0f); bias "
       "%.2f %%, half of an interval %.2f %%\n",
@@ -134,4 +134,4 @@ TEST(FullCoverage, DISABLED_OfCrosswisePulls) { count_crosswise(20); }  // a qua
 TEST(FullCoverage, DISABLED_OfRestitution) { count_restitution(kManyDraws); }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -5,7 +5,7 @@
 #include "engine/base/units.h"
 #include "tests/studies/calibration/fit/virtual_pulls.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 using testing::HasSubstr;
@@ -55,4 +55,4 @@ TEST(Crosswise, NamesTrialsThatItCannotMakeAgain) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::calibration

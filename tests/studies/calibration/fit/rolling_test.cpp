@@ -10,7 +10,7 @@
 #include "studies/statistics/special.h"
 #include "tests/studies/calibration/fit/coverage.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr double kTruth = 0.02;    // Cr / R
@@ -100,7 +100,7 @@ TEST(RollingCalibration, IntervalsHoldTheTruthAsOftenAsStated) {
     }
     outliers += !outliers_of(values).empty();
   }
-  const Interval often = acceptance(0.95), seldom = acceptance(0.05);
+  const statistics::Interval often = acceptance(0.95), seldom = acceptance(0.05);
   EXPECT_TRUE(often.contains(covered)) << covered;
   EXPECT_TRUE(often.contains(predicted)) << predicted;
   EXPECT_TRUE(often.contains(covered_load)) << covered_load;
@@ -111,4 +111,4 @@ TEST(RollingCalibration, IntervalsHoldTheTruthAsOftenAsStated) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -9,7 +9,7 @@
 #include "equipment/catalogue/load_item.h"
 #include "studies/calibration/trials/average_method.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 constexpr double kRate = 120;  // of the motion capture [Hz]
@@ -41,12 +41,14 @@ void record(const Response& response, Trial& trial) {
 
 Trial virtual_pull(const VirtualPull& pull) {
   constexpr double kRelease = 0.5;
-  ItemOptions options;
+  equipment::ItemOptions options;
   options.payloads = {{"paver", pull.pavers}};
   options.headings.assign(4, pull.heading);
   Scene scene = scene_of({});
   EquipmentModel& model = scene.items[0].model;
-  model = load_item(find_data(DataKind::kItem, "xu_trolley", ""), options).model;
+  model = equipment::load_item(equipment::find_data(equipment::DataKind::kItem, "xu_trolley", ""),
+                               options)
+              .model;
   Trial trial;
   for (Caster& caster : model.casters) {
     caster.tread.rolling_resistance = pull.resistance * caster.wheel_radius;
@@ -94,7 +96,8 @@ Trial virtual_winch(const VirtualWinch& v) {
   constexpr double kStart = 0.5, kHeight = 0.14, kMoves = 3;
   Scene scene = scene_of({});
   EquipmentModel& model = scene.items[0].model;
-  model = load_item(find_data(DataKind::kItem, "xu_trolley", "")).model;
+  model = equipment::load_item(equipment::find_data(equipment::DataKind::kItem, "xu_trolley", ""))
+              .model;
   Trial trial;
   describe(model, trial);
   for (Caster& caster : model.casters) {
@@ -133,7 +136,8 @@ Trial virtual_winch(const VirtualWinch& v) {
 Trial virtual_impact(double speed, double restitution) {
   Scene scene = scene_of({});
   EquipmentModel& model = scene.items[0].model;
-  model = load_item(find_data(DataKind::kItem, "xu_trolley", "")).model;
+  model = equipment::load_item(equipment::find_data(equipment::DataKind::kItem, "xu_trolley", ""))
+              .model;
   model.material = "trolley";
   scene.items[0].initial.velocity = {speed, 0, 0};
   ContactConstants wall;
@@ -166,4 +170,4 @@ Trial with_noise(Trial trial, std::uint64_t seed, std::uint64_t stream) {
   return trial;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

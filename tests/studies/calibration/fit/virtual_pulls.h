@@ -5,7 +5,7 @@
 #include "studies/calibration/trials/trial.h"
 
 /// Trials made with the engine: nothing here knows the formulas that the calibration uses.
-namespace gurney {
+namespace gurney::calibration {
 
 /// What is pulled and what the instruments do.
 struct VirtualPull {
@@ -39,4 +39,4 @@ Trial with_noise(Trial trial, std::uint64_t seed, std::uint64_t stream);
 inline constexpr double kDisplacementNoise = 1e-4;  ///< [m]
 inline constexpr double kForceNoise = 0.5;          ///< [N]
 
-}  // namespace gurney
+}  // namespace gurney::calibration

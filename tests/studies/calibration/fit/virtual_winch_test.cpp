@@ -4,7 +4,7 @@
 #include "studies/calibration/fit/rebound.h"
 #include "tests/studies/calibration/fit/virtual_pulls.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 using testing::HasSubstr;
@@ -104,4 +104,4 @@ TEST(Rebound, NamesTrialsWithoutARebound) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::calibration

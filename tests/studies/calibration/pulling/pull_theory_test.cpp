@@ -7,7 +7,7 @@
 #include "studies/verification/scenes/scenes.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 using namespace scenes;
@@ -81,4 +81,4 @@ TEST(PullTheory, RefusesWhatItDoesNotDescribe) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::calibration

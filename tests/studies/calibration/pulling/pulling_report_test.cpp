@@ -7,20 +7,20 @@
 
 #include "tests/studies/calibration/pulling/pulling_study.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
 
-PullingReport small_report(const TempFolder& folder) {
+report::PullingReport small_report(const TempFolder& folder) {
   const std::string path = folder.file("a.h5");
   run_pulling_tests(pulling_tests_of(R"(["R100", "polyflor_mystique", 0, "6 kg", "aligned"],
 ["R100", "polyflor_forest_fx", 2, "6 kg", "aligned"],
 ["R125", "polyflor_mystique", 0, "6 kg", "aligned"],
 ["R100", "polyflor_mystique", 0, "8 kg", "crosswise"])"),
                     path);
-  return {"a.h5", "Small", simulated_trials(StudyReader(path)), {}, 0};
+  return {"a.h5", "Small", simulated_trials(study::StudyReader(path)), {}, 0};
 }
 
 std::size_t count(const std::string& text, const std::string& word) {
@@ -31,19 +31,19 @@ std::size_t count(const std::string& text, const std::string& word) {
 
 TEST(PullingReport, FiguresHaveTheirSeries) {
   const TempFolder folder;
-  PullingReport report = small_report(folder);
-  const std::string four = pulling_figure_4(report);
+  report::PullingReport report = small_report(folder);
+  const std::string four = report::pulling_figure_4(report);
   for (const char* title : {">Displacement<", ">Velocity<", ">Acceleration<", ">Cable force<"})
     EXPECT_THAT(four, HasSubstr(title));
   for (const char* phase : {">I<", ">II<", ">III<", ">IV<"})
     EXPECT_EQ(count(four, phase), 4u) << phase;
-  const std::string six = pulling_figure_6(report);
+  const std::string six = report::pulling_figure_6(report);
   EXPECT_EQ(count(six, "<circle"), 3u) << "aligned trials only";
   EXPECT_THAT(six, HasSubstr("R100: Cr/R = 0.0200 (0.0200 input)"));
   EXPECT_THAT(six, HasSubstr("R125: Cr/R = 0.0160 (0.0160 input)"));
-  const std::string seven = pulling_figure_7(report);
+  const std::string seven = report::pulling_figure_7(report);
   EXPECT_EQ(count(seven, "<circle"), 2u + 2u) << "empty trolleys; both phases of R100";
-  const std::string eleven = pulling_figure_11(report);
+  const std::string eleven = report::pulling_figure_11(report);
   EXPECT_EQ(count(eleven, ">closed form<"), 2u);
   EXPECT_THAT(eleven, Not(HasSubstr(">measured<")));
   for (const char* energy : {">W_F: weight and strings<", ">W_R: rolling<", ">E_KT: kinetic<"})
@@ -52,31 +52,31 @@ TEST(PullingReport, FiguresHaveTheirSeries) {
 
 TEST(PullingReport, MeasuredTrialsAreOverlaidWhereTheyAreLike) {
   const TempFolder folder;
-  PullingReport report = small_report(folder);
+  report::PullingReport report = small_report(folder);
   MeasuredTrial measured{report.trials[0].trial, report.trials[0].phases, report.trials[0].averages,
                          ""};
   measured.trial.name = "of the laboratory";
   report.measured = {measured};
-  EXPECT_EQ(count(pulling_figure_11(report), ">synthetic<"), 2u) << "an engine made it";
-  EXPECT_THAT(pulling_text(report), HasSubstr("of the laboratory    simulated"));
+  EXPECT_EQ(count(report::pulling_figure_11(report), ">synthetic<"), 2u) << "an engine made it";
+  EXPECT_THAT(report::pulling_text(report), HasSubstr("of the laboratory    simulated"));
   measured.trial.setup.origin = TrialOrigin::kMeasured;
   measured.trial.setup.mass *= 1.01;  // within 2 %
   report.measured = {measured};
-  EXPECT_EQ(count(pulling_figure_11(report), ">measured<"), 2u);
-  EXPECT_THAT(pulling_text(report), HasSubstr("of the laboratory"));
-  EXPECT_THAT(pulling_figure_11(report), HasSubstr("measured: of the laboratory"));
+  EXPECT_EQ(count(report::pulling_figure_11(report), ">measured<"), 2u);
+  EXPECT_THAT(report::pulling_text(report), HasSubstr("of the laboratory"));
+  EXPECT_THAT(report::pulling_figure_11(report), HasSubstr("measured: of the laboratory"));
   report.shown = 2;
-  EXPECT_EQ(count(pulling_figure_11(report), ">measured<"), 0u) << "another caster";
+  EXPECT_EQ(count(report::pulling_figure_11(report), ">measured<"), 0u) << "another caster";
   report.measured[0].fault = "a.csv:3: cells are empty";
-  EXPECT_THAT(pulling_text(report), HasSubstr("not used: a.csv:3: cells are empty"));
+  EXPECT_THAT(report::pulling_text(report), HasSubstr("not used: a.csv:3: cells are empty"));
 }
 
 TEST(PullingReport, TextAndJsonSayWhatTheyAre) {
   const TempFolder folder;
-  const PullingReport report = small_report(folder);
-  EXPECT_THAT(pulling_text(report), HasSubstr("reproduces no measured finding"));
-  EXPECT_THAT(pulling_text(report), HasSubstr("crosswise        1"));
-  const auto json = nlohmann::json::parse(pulling_json(report));
+  const report::PullingReport report = small_report(folder);
+  EXPECT_THAT(report::pulling_text(report), HasSubstr("reproduces no measured finding"));
+  EXPECT_THAT(report::pulling_text(report), HasSubstr("crosswise        1"));
+  const auto json = nlohmann::json::parse(report::pulling_json(report));
   EXPECT_EQ(json["trials"].size(), 4u);
   EXPECT_EQ(json["trials"][0]["phases"]["end"], "rested");
   EXPECT_EQ(json["bias"][1]["alignment"], "crosswise");
@@ -87,4 +87,4 @@ TEST(PullingReport, TextAndJsonSayWhatTheyAre) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -6,16 +6,17 @@
 #include "studies/study/run/study_file.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// Runs a job of pulling tests into `path`.
 inline void run_pulling_tests(const std::string& text, const std::string& path) {
-  const StudyJob job(text, "a.toml");
-  const StudyMotions motions(job);
-  const Plan plan(job, motions);
-  const Batch batch{job, motions, plan};
-  write_study_file(path, batch,
-                   [&](std::size_t unit) { return run_unit(batch, unit, [] { return true; }); });
+  const study::StudyJob job(text, "a.toml");
+  const study::StudyMotions motions(job);
+  const study::Plan plan(job, motions);
+  const study::Batch batch{job, motions, plan};
+  study::write_study_file(path, batch, [&](std::size_t unit) {
+    return study::run_unit(batch, unit, [] { return true; });
+  });
 }
 
 inline std::string shipped_pulling_tests() {
@@ -29,4 +30,4 @@ inline std::string pulling_tests_of(const std::string& rows) {
   return text.replace(from, to - from, "combinations = [\n" + rows);
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

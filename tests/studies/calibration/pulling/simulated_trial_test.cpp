@@ -13,7 +13,7 @@
 #include "tests/studies/calibration/pulling/pulling_study.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 /// The shipped study, run once.
@@ -23,7 +23,7 @@ class PullingTests : public testing::Test {
     // Each test may be a process of its own, beside others.
     path() = testing::TempDir() + "gurney_pulling_tests_" + std::to_string(getpid()) + ".h5";
     run_pulling_tests(shipped_pulling_tests(), path());
-    trials() = simulated_trials(StudyReader(path()));
+    trials() = simulated_trials(study::StudyReader(path()));
   }
   static void TearDownTestSuite() { std::filesystem::remove(path()); }
 
@@ -149,7 +149,7 @@ TEST(SimulatedTrials, RefuseStudiesThatAreNoPullingTests) {
   const std::string row = "[\"R100\", \"polyflor_mystique\", 0, \"6 kg\", \"aligned\"]";
   const auto mistake = [&](std::string text) {
     run_pulling_tests(text, folder.file("a.h5"));
-    return error_text([&] { simulated_trials(StudyReader(folder.file("a.h5"))); });
+    return error_text([&] { simulated_trials(study::StudyReader(folder.file("a.h5"))); });
   };
   std::string job = pulling_tests_of(row);
   job.replace(job.find("histories = \"all\""), 17, "histories = \"none\"");
@@ -164,4 +164,4 @@ TEST(SimulatedTrials, RefuseStudiesThatAreNoPullingTests) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -7,7 +7,7 @@
 #include "engine/base/units.h"
 #include "studies/calibration/trials/trial.h"
 
-namespace gurney {
+namespace gurney::calibration {
 
 /// A rigid trolley on the pulling rig: uniform acceleration, then uniform deceleration.
 struct MadePull {
@@ -52,4 +52,4 @@ inline Trial make_pull(const MadePull& p) {
   return trial;
 }
 
-}  // namespace gurney
+}  // namespace gurney::calibration

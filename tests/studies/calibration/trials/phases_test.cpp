@@ -5,7 +5,7 @@
 #include "studies/calibration/trials/average_method.h"
 #include "tests/studies/calibration/trials/made_trial.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 using testing::HasSubstr;
@@ -146,4 +146,4 @@ TEST(AverageMethod, IsTheEquilibriumOfFigure5) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -4,7 +4,7 @@
 
 #include "tests/studies/calibration/trials/made_trial.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 using testing::HasSubstr;
@@ -108,4 +108,4 @@ TEST(TrialCheck, NamesPhasesThatAreTooShort) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::calibration

@@ -6,7 +6,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::calibration {
 namespace {
 
 using testing::HasSubstr;
@@ -170,4 +170,4 @@ TEST(TrialFile, ReadsATableOfAverages) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::calibration

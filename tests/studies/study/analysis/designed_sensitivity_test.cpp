@@ -8,7 +8,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::HasSubstr;
@@ -88,11 +88,11 @@ TEST_F(DesignedSensitivity, IndicesAreTheClosedForms) {
   EXPECT_NEAR(named(found, "u").bar.low, 2.75 - 1.8, 0.1);
   EXPECT_FALSE(named(found, "record").drawn);
   EXPECT_FALSE(named(found, "group treads").drawn);
-  const std::string text = sensitivity_text({{"", found, ""}});
+  const std::string text = report::sensitivity_text({{"", found, ""}});
   EXPECT_THAT(text, HasSubstr(" first  95 % interval   total  95 % interval"));
   EXPECT_THAT(text, HasSubstr("an input whose total is 0 does not matter"));
-  EXPECT_THAT(sensitivity_json({{"", found, ""}}), HasSubstr("\"total_interval\""));
-  EXPECT_THAT(sensitivity_figure({"", found, ""}), HasSubstr("total index"));
+  EXPECT_THAT(report::sensitivity_json({{"", found, ""}}), HasSubstr("\"total_interval\""));
+  EXPECT_THAT(report::sensitivity_figure({"", found, ""}), HasSubstr("total index"));
 }
 
 TEST_F(DesignedSensitivity, WhatLevelsAddIsNoVarianceOfTheInputs) {
@@ -104,7 +104,7 @@ TEST_F(DesignedSensitivity, WhatLevelsAddIsNoVarianceOfTheInputs) {
   second.level = 1;
   const StudySensitivity one = study_sensitivity({&study, 0}, second);
   EXPECT_TRUE(both.repeated_draws);
-  EXPECT_THAT(sensitivity_text({{"", both, ""}}),
+  EXPECT_THAT(report::sensitivity_text({{"", both, ""}}),
               HasSubstr("Several angles or levels share 1024 points"));
   EXPECT_FALSE(one.repeated_draws);
   EXPECT_NEAR(one.mean, both.mean + 50, 1e-9);
@@ -120,7 +120,7 @@ TEST_F(DesignedSensitivity, PointsThatAreNotWholeAreLeftOut) {
   const StudySensitivity found = study_sensitivity({&study, 0}, kPeak);
   EXPECT_EQ(found.draws, 99);
   EXPECT_EQ(found.left_out, kMatrices - 1);
-  EXPECT_THAT(sensitivity_text({{"", found, ""}}),
+  EXPECT_THAT(report::sensitivity_text({{"", found, ""}}),
               HasSubstr("4 runs are excluded: they have no such demand, or another run of their "
                         "point has none or failed."));
   for (std::size_t point = 0; point < 81; ++point) runs[point * kMatrices].failed = true;
@@ -130,4 +130,4 @@ TEST_F(DesignedSensitivity, PointsThatAreNotWholeAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -13,7 +13,7 @@
 #include "tests/studies/study/analysis/small_study.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr double kG = kStandardGravity;
@@ -61,7 +61,7 @@ TEST_F(FragilityResultTest, GivesBackTheCurveThatTheDemandsFollow) {
   EXPECT_NEAR(result.cloud_curve->beta, 0.5, 0.005);
   // Cornell: k0 theta^-k exp(k^2 beta^2 / 2) with im in g, k0 = 1e-3, k = 2.
   ASSERT_TRUE(result.rate);
-  const LognormalCurve& curve = *result.fit.curve;
+  const statistics::LognormalCurve& curve = *result.fit.curve;
   EXPECT_NEAR(result.rate->rate,
               1e-3 * std::pow(curve.theta / kG, -2) * std::exp(2 * curve.beta * curve.beta), 1e-9);
 }
@@ -104,13 +104,13 @@ TEST_F(FragilityResultTest, AHuntGivesCapacities) {
   ASSERT_TRUE(result.p_of_fit);
   EXPECT_GT(*result.p_of_fit, 0.05);
   const StudyData study(folder_.file("s.h5"));
-  EXPECT_THAT(fragility_report(study, {result}), testing::HasSubstr("101 of 101 records"));
-  const auto json = nlohmann::json::parse(fragility_json({result}))["fragilities"][0];
+  EXPECT_THAT(report::fragility_report(study, {result}), testing::HasSubstr("101 of 101 records"));
+  const auto json = nlohmann::json::parse(report::fragility_json({result}))["fragilities"][0];
   EXPECT_EQ(json["capacities"]["records"], 101);
   EXPECT_EQ(json["capacities"]["brackets"].size(), 101);
   EXPECT_DOUBLE_EQ(json["theta_interval"][0], result.band.theta.low);
   EXPECT_FALSE(json.contains("profile"));
-  EXPECT_THAT(fragility_figure(study, {result}),
+  EXPECT_THAT(report::fragility_figure(study, {result}),
               testing::AllOf(testing::HasSubstr("empirical distribution"),
                              testing::Not(testing::HasSubstr("<circle"))));
 }
@@ -127,7 +127,7 @@ TEST_F(FragilityResultTest, AnIdaOfOverturningIsCautionedAgainst) {
     runs.push_back({record, 1.05 * capacity, 0.05, true});
   }
   const StudyData study = data(runs, job);
-  const std::string report = fragility_report(study, {fragility_of(study, {1, 0, ""})});
+  const std::string report = report::fragility_report(study, {fragility_of(study, {1, 0, ""})});
   EXPECT_THAT(report, testing::HasSubstr("12 runs of the IDA overturned; rocking is chaotic"));
   EXPECT_THAT(report, testing::HasSubstr("12 of 12 records"));
 }
@@ -140,11 +140,11 @@ TEST_F(FragilityResultTest, AQuasiCompleteSeparationHasNoMedian) {
   }
   const StudyData study = data(runs);
   const FragilityResult result = fragility_of(study, {});
-  const std::string report = fragility_report(study, {result});
+  const std::string report = report::fragility_report(study, {result});
   EXPECT_THAT(report, testing::HasSubstr("quasi-complete separation"));
   EXPECT_THAT(report, testing::HasSubstr("median above about 1.2 g"));
   EXPECT_THAT(report, testing::Not(testing::HasSubstr("theta at")));
-  const auto json = nlohmann::json::parse(fragility_json({result}))["fragilities"][0];
+  const auto json = nlohmann::json::parse(report::fragility_json({result}))["fragilities"][0];
   EXPECT_TRUE(json["curve"].is_null());
   EXPECT_THAT(json["reason"].get<std::string>(),
               testing::HasSubstr("median above about 11.8 m/s2"));
@@ -164,13 +164,13 @@ TEST_F(FragilityResultTest, CautionsAgainstWhatTheRunsDoNotCarry) {
   const StudyData study = data(runs);
   const FragilityResult result = fragility_of(study, {});
   ASSERT_TRUE(result.curve());
-  const std::string report = fragility_report(study, {result});
+  const std::string report = report::fragility_report(study, {result});
   EXPECT_THAT(report, testing::HasSubstr("is extrapolated beyond the highest intensity of the "
                                          "runs, 0.4 g"));
   EXPECT_THAT(report, testing::HasSubstr("only 4 of 60 runs exceed; fewer than 10"));
   EXPECT_THAT(report, testing::HasSubstr("scale factors 0.1 to 60.6; 1 of 20 records above 5, 19 "
                                          "below 0.2"));
-  const auto json = nlohmann::json::parse(fragility_json({result}))["fragilities"][0];
+  const auto json = nlohmann::json::parse(report::fragility_json({result}))["fragilities"][0];
   EXPECT_EQ(json["cautions"].size(), 3);
   EXPECT_EQ(json["audit"]["extrapolated"], "above");
   EXPECT_EQ(json["audit"]["scale_factors"]["records_above"], 1);
@@ -180,13 +180,13 @@ TEST_F(FragilityResultTest, SaysWhyThereIsNoCurve) {
   const StudyData study = data({{0, 1, 0.05}, {1, 1, 0.05}, {0, 2, 0.2}, {1, 2, 0.2}});
   const std::vector<FragilityResult> results{fragility_of(study, {0, 0, ""}),
                                              fragility_of(study, {1, 0, ""})};
-  EXPECT_EQ(results[0].fit.status, FragilityStatus::kSeparated);
+  EXPECT_EQ(results[0].fit.status, statistics::FragilityStatus::kSeparated);
   EXPECT_FALSE(results[0].curve());
-  const std::string report = fragility_report(study, results);
+  const std::string report = report::fragility_report(study, results);
   EXPECT_THAT(report, testing::HasSubstr("median between 0.102 and 0.204 g"));
   EXPECT_THAT(report, testing::HasSubstr("no run exceeds"));
-  EXPECT_THAT(fragility_json(results), testing::HasSubstr("\"curve\": null"));
-  EXPECT_THAT(fragility_figure(study, results), testing::HasSubstr("all (no curve)"));
+  EXPECT_THAT(report::fragility_json(results), testing::HasSubstr("\"curve\": null"));
+  EXPECT_THAT(report::fragility_figure(study, results), testing::HasSubstr("all (no curve)"));
 }
 
 TEST_F(FragilityResultTest, PerformanceLevelsAddUpToOne) {
@@ -206,4 +206,4 @@ TEST_F(FragilityResultTest, PerformanceLevelsAddUpToOne) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

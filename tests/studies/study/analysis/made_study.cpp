@@ -5,7 +5,7 @@
 #include "studies/study/results/columns.h"
 #include "studies/study/results/growing_table.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr std::size_t kWidth = 60;
@@ -105,4 +105,4 @@ std::string made_job(const std::string& in_study, const std::string& after) {
          after;
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

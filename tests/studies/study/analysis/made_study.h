@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace gurney {
+namespace gurney::study {
 
 /// One run of a study that was never simulated; item `cart`.
 struct MadeRun {
@@ -40,4 +40,4 @@ std::string made_job(const std::string& in_study = "", const std::string& after 
 inline constexpr const char* kBrakes =
     "[[study.factor]]\nname = \"brakes\"\nkey = \"item.brakes\"\nvalues = [false, true]\n";
 
-}  // namespace gurney
+}  // namespace gurney::study

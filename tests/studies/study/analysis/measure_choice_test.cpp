@@ -10,7 +10,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::HasSubstr;
@@ -51,8 +51,8 @@ TEST_F(MeasureChoiceTest, FindsTheMeasureThatRules) {
   EXPECT_GT(choice.lead, 50);
   EXPECT_EQ(choice.stays_best, 1);
   EXPECT_THAT(choice.unknown, testing::ElementsAre("PGV h1"));
-  EXPECT_THAT(verdict(choice), HasSubstr("pfv predicts this demand best"));
-  EXPECT_THAT(verdict(choice), HasSubstr("the difference matters"));
+  EXPECT_THAT(report::verdict(choice), HasSubstr("pfv predicts this demand best"));
+  EXPECT_THAT(report::verdict(choice), HasSubstr("the difference matters"));
 }
 
 TEST_F(MeasureChoiceTest, MeasuresInOneProportionAreEquallyGood) {
@@ -61,7 +61,8 @@ TEST_F(MeasureChoiceTest, MeasuresInOneProportionAreEquallyGood) {
   const StudyData study = data(runs, 20);
   const MeasureChoice choice = choose_measure({&study, 0}, 0);
   EXPECT_EQ(choice.ties, 2);
-  EXPECT_THAT(verdict(choice), HasSubstr("as good as pfa, pfv, to which it is proportional"));
+  EXPECT_THAT(report::verdict(choice),
+              HasSubstr("as good as pfa, pfv, to which it is proportional"));
 }
 
 TEST_F(MeasureChoiceTest, NoiseSettlesNothing) {
@@ -69,7 +70,7 @@ TEST_F(MeasureChoiceTest, NoiseSettlesNothing) {
   const StudyData study = data(runs, 10);
   const MeasureChoice choice = choose_measure({&study, 0}, 0);
   EXPECT_LT(choice.stays_best, 0.95);
-  EXPECT_THAT(verdict(choice), testing::Not(HasSubstr("matters")));
+  EXPECT_THAT(report::verdict(choice), testing::Not(HasSubstr("matters")));
 }
 
 TEST_F(MeasureChoiceTest, FallenAndResettingRunsAreCensored) {
@@ -81,7 +82,7 @@ TEST_F(MeasureChoiceTest, FallenAndResettingRunsAreCensored) {
   EXPECT_EQ(choice.overturned, 1);
   EXPECT_EQ(choice.at_floor, 1);
   EXPECT_DOUBLE_EQ(choice.floor, 1e-4);  // of the limit, 0.1 m
-  const std::string text = measure_text({{"", "moved", "", choice}});
+  const std::string text = report::measure_text({{"", "moved", "", choice}});
   EXPECT_THAT(text, HasSubstr("1 overturned: demand at least the limit; 1 below 0.0001 (SI)"));
   EXPECT_THAT(text, HasSubstr("not tested: magnitude and distance"));
 }
@@ -93,4 +94,4 @@ TEST_F(MeasureChoiceTest, EventsHaveNoSize) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

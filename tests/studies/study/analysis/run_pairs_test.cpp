@@ -6,7 +6,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::ElementsAre;
@@ -113,4 +113,4 @@ TEST_F(RunPairsTest, ConfigurationsAreNamedEvenWithCommasInThem) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -8,7 +8,7 @@
 #include "studies/study/results/study_reader.h"
 
 /// A study file with known outcomes, without a simulation.
-namespace gurney {
+namespace gurney::study {
 
 inline constexpr const char* kSmallStudy = R"(schema = "gurney-job/1"
 title = "small"
@@ -90,4 +90,4 @@ inline void write_small_study(const std::string& path, const std::vector<SmallRu
   file.finish();
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

@@ -11,7 +11,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::HasSubstr;
@@ -91,9 +91,9 @@ TEST_F(StudyComparisonTest, MeansAndMediansOfDemands) {
 // Sizes are compared, not directions; in the units of reports, with the names of configurations.
 TEST_F(StudyComparisonTest, ReportsInTheUnitsOfOtherReports) {
   const StudyData study = data(brakes(6, 1));
-  const ComparisonReport report{
+  const report::ComparisonReport report{
       {&study, 0}, {&study, 1}, "free", "locked", {}, compare_studies({&study, 0}, {&study, 1})};
-  const std::string text = comparison_text(report);
+  const std::string text = report::comparison_text(report);
   EXPECT_THAT(text, HasSubstr("|residual_yaw|"));
   EXPECT_THAT(text, HasSubstr("peak_tilt (0 deg)"));
   EXPECT_THAT(text, Not(HasSubstr("[rad")));
@@ -208,10 +208,10 @@ TEST_F(StudyComparisonTest, TheReportSaysWhatWasLeftOutAndWhatItMeans) {
   made.runs[3].failed = true;
   made.runs[0].fell = true;
   const StudyData study = data(made);
-  ComparisonReport report{{&study, 0}, {&study, 1}, "free", "locked", {}, {}};
+  report::ComparisonReport report{{&study, 0}, {&study, 1}, "free", "locked", {}, {}};
   report.inputs = input_differences(report.a, report.b);
   report.found = compare_studies(report.a, report.b, {.demands = {"peak_displacement"}});
-  const std::string text = comparison_text(report);
+  const std::string text = report::comparison_text(report);
   EXPECT_THAT(text, HasSubstr("free: 9 runs paired, 1 excluded because they failed"));
   EXPECT_THAT(text, HasSubstr("locked: 9 runs paired, 1 without a partner"));
   EXPECT_THAT(text, HasSubstr("9 records, each counts once"));
@@ -219,20 +219,21 @@ TEST_F(StudyComparisonTest, TheReportSaysWhatWasLeftOutAndWhatItMeans) {
   EXPECT_THAT(text, HasSubstr("'moved' is exceeded less often in B: in 0 % against 100 %"));
   EXPECT_THAT(text, HasSubstr("less in B: cart: peak_displacement"));
   EXPECT_THAT(text, Not(HasSubstr("caution")));
-  const auto json = nlohmann::json::parse(comparison_json(report));
+  const auto json = nlohmann::json::parse(report::comparison_json(report));
   EXPECT_EQ(json["b"]["runs_without_partner"], 1);
   EXPECT_EQ(json["shares"][0]["name"], "moved");
   EXPECT_EQ(json["shares"][0]["difference"], -1);
   EXPECT_TRUE(json["shares"][1]["interval"].is_array());
-  EXPECT_THAT(comparison_figure(report), HasSubstr("free   against   locked"));
+  EXPECT_THAT(report::comparison_figure(report), HasSubstr("free   against   locked"));
 }
 
 TEST_F(StudyComparisonTest, TooFewGroupsAreWarnedOf) {
   const StudyData study = data(brakes(4, 0));
-  ComparisonReport report{{&study, 0}, {&study, 1}, "free", "locked", {}, {}};
+  report::ComparisonReport report{{&study, 0}, {&study, 1}, "free", "locked", {}, {}};
   report.found = compare_studies(report.a, report.b);
-  EXPECT_THAT(comparison_text(report), HasSubstr("so few groups give a p of 0.1250 or more"));
+  EXPECT_THAT(report::comparison_text(report),
+              HasSubstr("so few groups give a p of 0.1250 or more"));
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

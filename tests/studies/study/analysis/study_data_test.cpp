@@ -7,7 +7,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::ElementsAre;
@@ -54,11 +54,11 @@ TEST_F(StudyDataTest, CloudsCensorWhatFellAndWhatStood) {
   const StudyData study = data({{0, 1, 0.2}, {1, 2, 0.04, true}, {2, 1, 0.0}});
   const auto points = study.cloud(0, 0, study.measure(""), 1e-4);
   ASSERT_EQ(points.size(), 3);
-  EXPECT_EQ(points[0].known, CloudPoint::Known::kExactly);
+  EXPECT_EQ(points[0].known, statistics::CloudPoint::Known::kExactly);
   EXPECT_EQ(points[0].edp, 0.2);
-  EXPECT_EQ(points[1].known, CloudPoint::Known::kAtLeast);
+  EXPECT_EQ(points[1].known, statistics::CloudPoint::Known::kAtLeast);
   EXPECT_EQ(points[1].edp, 0.1);  // the limit: it fell before it had gone so far
-  EXPECT_EQ(points[2].known, CloudPoint::Known::kAtMost);
+  EXPECT_EQ(points[2].known, statistics::CloudPoint::Known::kAtMost);
   EXPECT_ERROR(study.cloud(1, 0, study.measure(""), 1e-4), "a cloud needs a demand above a limit");
 }
 
@@ -76,4 +76,4 @@ TEST_F(StudyDataTest, RefusesFilesOfSingleRuns) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

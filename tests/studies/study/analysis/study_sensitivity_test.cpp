@@ -8,7 +8,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::ElementsAre;
@@ -56,7 +56,7 @@ TEST_F(StudySensitivityTest, SharesOfTheVarianceAreFound) {
   EXPECT_NEAR(found.inputs[0].low, 0.1, 0.05);
   EXPECT_TRUE(found.correlated.empty());
   EXPECT_EQ(found.output, "cart: peak_displacement");
-  const std::string text = sensitivity_text({{"", found, ""}});
+  const std::string text = report::sensitivity_text({{"", found, ""}});
   EXPECT_THAT(text, HasSubstr("big contributes most"));
   EXPECT_THAT(text, HasSubstr("(interactions) is in none of them"));
   EXPECT_THAT(text, testing::Not(HasSubstr("Few runs")));
@@ -75,13 +75,13 @@ TEST_F(StudySensitivityTest, EqualConstantAndCorrelatedInputsAreNamed) {
   EXPECT_THAT(found.inputs[0].names, ElementsAre("big", "big again"));
   ASSERT_EQ(found.correlated.size(), 1);
   EXPECT_THAT(found.correlated[0], ElementsAre("much like small", "small"));
-  const std::string text = sensitivity_text({{"", found, ""}});
+  const std::string text = report::sensitivity_text({{"", found, ""}});
   EXPECT_THAT(text, HasSubstr("big and 1 equal to it"));
   EXPECT_THAT(text, HasSubstr("Equal in every run, so one input: big, big again."));
   EXPECT_THAT(text,
               HasSubstr("the index of each holds what the others do: much like small, small"));
   EXPECT_THAT(text, HasSubstr("Drawn, but the same in every run: fixed."));
-  EXPECT_THAT(sensitivity_figure({"", found, ""}), HasSubstr("big and 1 equal to it"));
+  EXPECT_THAT(report::sensitivity_figure({"", found, ""}), HasSubstr("big and 1 equal to it"));
 }
 
 TEST_F(StudySensitivityTest, CorrelatedInputsCountOnce) {
@@ -104,7 +104,7 @@ TEST_F(StudySensitivityTest, LevelsAreAnInputUnlessOneIsChosen) {
   EXPECT_THAT(all.inputs[0].names, ElementsAre("level"));
   EXPECT_FALSE(all.inputs[0].drawn);
   EXPECT_TRUE(all.repeated_draws);
-  EXPECT_THAT(sensitivity_text({{"", all, ""}}), HasSubstr("200 runs share 100 draws"));
+  EXPECT_THAT(report::sensitivity_text({{"", all, ""}}), HasSubstr("200 runs share 100 draws"));
   SensitivityRequest second = kPeak;
   second.level = 1;
   const StudySensitivity one = study_sensitivity({&study, 0}, second);
@@ -144,4 +144,4 @@ TEST_F(StudySensitivityTest, WhatCannotBeToldIsRefused) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -10,7 +10,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::HasSubstr;
@@ -48,7 +48,7 @@ class VectorResultTest : public testing::Test {
 TEST_F(VectorResultTest, TwoMeasuresThatBothTellMakeOne) {
   const StudyData study = data(runs(1));
   const VectorResult found = vector_of(study, 0, 0, {"PGA h1", "pfv"});
-  ASSERT_EQ(found.fit.status, VectorStatus::kFitted);
+  ASSERT_EQ(found.fit.status, statistics::VectorStatus::kFitted);
   EXPECT_EQ(found.fit.runs, 300);
   EXPECT_EQ(found.fit.groups, 30);
   // ln displacement = ln level + ln pfv + 0.3 z: slopes 1 / 0.3, within 4 standard errors.
@@ -56,12 +56,12 @@ TEST_F(VectorResultTest, TwoMeasuresThatBothTellMakeOne) {
     EXPECT_NEAR(found.fit.plane[i], 1 / 0.3, 4 * std::sqrt(found.fit.cluster_covariance(i, i)));
   EXPECT_GT(found.alone[0].curve->beta, 1.3 * found.fit.beta());
   EXPECT_GT(found.fit.log_likelihood, found.alone[0].log_likelihood + 20);
-  const std::string text = vector_report(study, {found});
+  const std::string text = report::vector_report(study, {found});
   EXPECT_THAT(text, HasSubstr("a = PGA h1 [g], b = pfv [m/s]"));
   EXPECT_THAT(text, HasSubstr("moved: each adds information to the other; together they are one "
                               "measure (PGA h1)^"));
-  EXPECT_THAT(vector_json({found}), HasSubstr("\"share\""));
-  const std::string figure = vector_figure(study, {found});
+  EXPECT_THAT(report::vector_json({found}), HasSubstr("\"share\""));
+  const std::string figure = report::vector_figure(study, {found});
   EXPECT_THAT(figure, HasSubstr("up: pfv (m/s)"));
   EXPECT_EQ(figure.find("nan"), std::string::npos);
 }
@@ -71,7 +71,8 @@ TEST_F(VectorResultTest, AMeasureThatAddsNothingIsNamed) {
   const VectorResult found = vector_of(study, 0, 0, {"pfv", "PGA h1"});
   EXPECT_GT(found.fit.p_of(0), 0.001) << "once in 1000";
   EXPECT_LT(found.fit.p_of(1), 1e-6);
-  EXPECT_THAT(vector_report(study, {found}), HasSubstr("pfv adds nothing beyond chance to PGA h1"));
+  EXPECT_THAT(report::vector_report(study, {found}),
+              HasSubstr("pfv adds nothing beyond chance to PGA h1"));
 }
 
 TEST_F(VectorResultTest, SaysWhatIsMissing) {
@@ -81,11 +82,12 @@ TEST_F(VectorResultTest, SaysWhatIsMissing) {
   const StudyData study = data(all);
   const VectorResult found = vector_of(study, 0, 0, {"PGA h1", "pfv"});
   EXPECT_EQ(found.fit.runs, 298);
-  EXPECT_THAT(vector_report(study, {found}), HasSubstr("; 1 runs lack a measure; 1 runs failed"));
+  EXPECT_THAT(report::vector_report(study, {found}),
+              HasSubstr("; 1 runs lack a measure; 1 runs failed"));
   const VectorResult fell = vector_of(study, 1, 0, {"PGA h1", "pfv"});
-  EXPECT_THAT(vector_report(study, {fell}), HasSubstr("no run exceeds"));
-  EXPECT_THAT(vector_json({fell}), HasSubstr("\"plane\": null"));
-  EXPECT_THAT(vector_figure(study, {fell}), HasSubstr("no fit"));
+  EXPECT_THAT(report::vector_report(study, {fell}), HasSubstr("no run exceeds"));
+  EXPECT_THAT(report::vector_json({fell}), HasSubstr("\"plane\": null"));
+  EXPECT_THAT(report::vector_figure(study, {fell}), HasSubstr("no fit"));
   EXPECT_ERROR(vector_of(study, 0, 0, {"PGA h1", "pfw"}),
                "no intensity measure 'pfw'; did you mean 'pfa'?");
   EXPECT_ERROR(vector_of(study, 0, 0, {"", "PGA h1"}),
@@ -93,4 +95,4 @@ TEST_F(VectorResultTest, SaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -10,7 +10,7 @@
 #include "tests/studies/study/small_study.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::HasSubstr;
@@ -67,7 +67,7 @@ TEST(ConvergenceTest, OfAStudyAreMediansAndSharesOfAnyNumberOfThreads) {
   EXPECT_GT(number_named(found, "peak_displacement").scatter, 0);
   const ConvergedNumber& moved = number_named(found, "exceeds rolled");
   EXPECT_EQ(moved.item, "");
-  EXPECT_EQ(convergence_json(found), convergence_json(converge(cases, 0.02, 3)));
+  EXPECT_EQ(report::convergence_json(found), report::convergence_json(converge(cases, 0.02, 3)));
 }
 
 TEST(ConvergenceTest, ARunThatFailsIsNamedAndLeftOut) {
@@ -95,15 +95,15 @@ TEST(ConvergenceReportTest, TellsVerdictsAndWhatWasVaried) {
                            .step = StepVerdict::kConverging,
                            .step_needed = 0.0013,
                            .solver_change = 0.03});
-  const std::string text = convergence_text(found);
+  const std::string text = report::convergence_text(found);
   EXPECT_THAT(text, HasSubstr("time step   0.004 s, compared with 0.0005 s"));
   EXPECT_THAT(text, HasSubstr("needs a smaller step (0.0013 s); solver tolerance too loose"));
-  const auto json = nlohmann::json::parse(convergence_json(found));
+  const auto json = nlohmann::json::parse(report::convergence_json(found));
   EXPECT_EQ(json["numbers"][0]["verdict"], "needs a smaller step");
   EXPECT_EQ(json["variants"][1]["varied"], "time_step");
   EXPECT_EQ(json["variants"][1]["factor"], 2);
-  EXPECT_THAT(convergence_figure(found), HasSubstr("cart, peak_displacement"));
+  EXPECT_THAT(report::convergence_figure(found), HasSubstr("cart, peak_displacement"));
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

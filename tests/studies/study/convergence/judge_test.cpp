@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// A number that goes as 1 + c h^p with the step h, in units of the job's.
@@ -18,7 +18,7 @@ ConvergedNumber going_as(double c, double p, const std::vector<Variant>& variant
 
 class JudgeTest : public testing::Test {
  protected:
-  void judge(ConvergedNumber& number) { gurney::judge(number, variants_, settings_, 0.02, 1e-6); }
+  void judge(ConvergedNumber& number) { study::judge(number, variants_, settings_, 0.02, 1e-6); }
 
   SimulationSettings settings_;
   std::vector<Variant> variants_ = variants_for(settings_);
@@ -93,4 +93,4 @@ TEST(VariantTest, StifferTreadsKeepTheirShareOfCriticalDamping) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

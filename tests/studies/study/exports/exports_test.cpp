@@ -13,7 +13,7 @@
 #include "tests/support/fabricated_study.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::ElementsAre;
@@ -103,13 +103,14 @@ TEST_F(Exports, TakeCapacitiesAfterAHunt) {
   data_.emplace(path_);
   const ChosenCurves chosen = chosen_curves(*data_, {.configuration = "true"});
   ASSERT_EQ(chosen.curves.size(), 1u);
-  const auto capacities =
-      fit_capacities(ida_capacities(data_->observations(0, 1, data_->measure(""))));
+  const auto capacities = statistics::fit_capacities(
+      statistics::ida_capacities(data_->observations(0, 1, data_->measure(""))));
   ASSERT_TRUE(capacities.curve);
   EXPECT_EQ(chosen.curves[0].curve.theta, capacities.curve->theta);
   EXPECT_EQ(chosen.curves[0].curve.beta, capacities.curve->beta);
   // The outcomes of the runs alone have another curve: the test can tell the two apart.
-  const FragilityFit fit = fit_fragility(data_->observations(0, 1, data_->measure("")));
+  const statistics::FragilityFit fit =
+      statistics::fit_fragility(data_->observations(0, 1, data_->measure("")));
   EXPECT_NE(fit.curve->theta, capacities.curve->theta);
 
   export_responses(*data_, {}, take());  // a hunt has no levels, so no samples at one
@@ -152,4 +153,4 @@ TEST(ExportText, IsQuotedAndPlain) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

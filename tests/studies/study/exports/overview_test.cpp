@@ -10,7 +10,7 @@
 #include "tests/support/fabricated_study.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::ElementsAre;
@@ -49,9 +49,10 @@ TEST_F(Overview, CountsRunsOfEachConfigurationAtEachLevel) {
 
 TEST_F(Overview, PrintsTheScaleFactorsOfAllRecords) {
   const StudyOverview overview = study_overview(path_);
-  EXPECT_THAT(overview_text(overview),
+  EXPECT_THAT(report::overview_text(overview),
               HasSubstr("scaling     factors 0.49 to 5.88; 40 of 40 records above 5"));
-  EXPECT_EQ(nlohmann::json::parse(overview_json(overview))["scale_factors"]["records_above"], 40);
+  EXPECT_EQ(
+      nlohmann::json::parse(report::overview_json(overview))["scale_factors"]["records_above"], 40);
 }
 
 TEST_F(Overview, NamesFailedRunsAndWhatMakesThemAgain) {
@@ -106,11 +107,11 @@ TEST_F(Overview, HasNoCertificateWhereTheStudyHasNone) {
   FabricatedStudy::write(path_, false);
   const StudyOverview overview = study_overview(path_);
   EXPECT_FALSE(overview.certificate);
-  EXPECT_THAT(overview_text(overview), Not(HasSubstr("half the step")));
+  EXPECT_THAT(report::overview_text(overview), Not(HasSubstr("half the step")));
 }
 
 TEST_F(Overview, IsReadInATerminal) {
-  const std::string text = overview_text(study_overview(path_));
+  const std::string text = report::overview_text(study_overview(path_));
   for (const char* line :
        {"Fabricated & <plain>\n", "a study of 480 runs\n", "factor      brakes: false, true\n",
         "intensity   PGA larger: 0.1 g, 0.2 g, 0.3 g, 0.5 g, 0.8 g, 1.2 g\n",
@@ -123,7 +124,7 @@ TEST_F(Overview, IsReadInATerminal) {
 }
 
 TEST_F(Overview, IsJson) {
-  const auto json = nlohmann::json::parse(overview_json(study_overview(path_)));
+  const auto json = nlohmann::json::parse(report::overview_json(study_overview(path_)));
   EXPECT_EQ(json["filetype"], "gurney-study");
   EXPECT_EQ(json["counts"][5]["failed"], 1);
   EXPECT_EQ(json["records"].size(), FabricatedStudy::kRecords);
@@ -141,4 +142,4 @@ TEST_F(Overview, RefusesOtherFiles) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

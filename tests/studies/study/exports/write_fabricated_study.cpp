@@ -11,7 +11,8 @@ int main(int, char** argv) {
   FabricatedStudy::write(argv[1]);
   const StudyData data(argv[1]);
   for (std::size_t i = 0; i < data.configurations().size(); ++i) {
-    const FragilityFit fit = fit_fragility(data.observations(0, i, data.measure("")));
+    const statistics::FragilityFit fit =
+        statistics::fit_fragility(data.observations(0, i, data.measure("")));
     fmt::print("{} {}\n", fit.curve->theta, fit.curve->beta);
   }
 }

@@ -12,7 +12,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::HasSubstr;
@@ -147,4 +147,4 @@ TEST_F(XdmfTest, RefusesWhatHasNoHistories) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -6,7 +6,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr const char* kHead = "schema = \"gurney-job/1\"\n[item]\nequipment = \"icu_ventilator\"\n";
@@ -31,15 +31,15 @@ covering = "carpet"
 )"),
             "a.toml:3:13: item.equipment = \"icu_ventilater\": unknown item of equipment; did you "
             "mean 'icu_ventilator'? (the catalogue has " +
-                catalogue_list(DataKind::kItem) +
+                catalogue_list(equipment::DataKind::kItem) +
                 ")\n"
                 "a.toml:4:11: item.casters = \"R101\": unknown caster; did you mean 'R100'? (the "
                 "catalogue has " +
-                catalogue_list(DataKind::kCaster) +
+                catalogue_list(equipment::DataKind::kCaster) +
                 ")\n"
                 "a.toml:6:12: floor.covering = \"carpet\": unknown floor covering; did you mean "
                 "'carpet_tile'? (the catalogue has " +
-                catalogue_list(DataKind::kFloor) + ")");
+                catalogue_list(equipment::DataKind::kFloor) + ")");
 }
 
 TEST(BadJob, NamesUnknownKeysAndWrongTypesTogether) {
@@ -170,4 +170,4 @@ yaw = { stiffness_n_per_m = 5 }
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -6,7 +6,7 @@
 #include "tests/studies/study/job/job_text.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::HasSubstr;
@@ -79,7 +79,7 @@ draw = 3
   EXPECT_EQ(headings[2], 0);
   EXPECT_EQ(headings[3], 0);
   int drawn_headings = 0;
-  for (const Assumption& each : job.assumptions)
+  for (const equipment::Assumption& each : job.assumptions)
     if (each.key.starts_with("item.headings_deg[") && !each.distribution.empty()) ++drawn_headings;
   EXPECT_EQ(drawn_headings, 2);
 
@@ -214,4 +214,4 @@ TEST(CasterOptions, ALockOfARigidCasterInAnItemIsAnError) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

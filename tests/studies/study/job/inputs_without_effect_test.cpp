@@ -6,7 +6,7 @@
 #include "tests/studies/study/job/job_text.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr const char* kHead = "schema = \"gurney-job/1\"\n[item]\nequipment = \"icu_ventilator\"\n";
@@ -121,4 +121,4 @@ slope = 0  # its usual values have a distribution
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

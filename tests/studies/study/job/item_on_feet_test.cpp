@@ -5,7 +5,7 @@
 #include "studies/study/job/job.h"
 #include "tests/studies/study/job/job_text.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 TEST(Job, BringsTheContactOfAnItemOnFeetToTheSceneAndItsAssumptions) {
@@ -21,7 +21,7 @@ TEST(Job, BringsTheContactOfAnItemOnFeetToTheSceneAndItsAssumptions) {
   for (const char* key :
        {"contact.friction", "contact.restitution", "contact.stiffness_n_per_m", "friction_factor"})
     EXPECT_TRUE(std::any_of(job.assumptions.begin(), job.assumptions.end(),
-                            [&](const Assumption& each) { return each.key == key; }))
+                            [&](const equipment::Assumption& each) { return each.key == key; }))
         << key;
 }
 
@@ -37,4 +37,4 @@ TEST(Job, DrawsTheContactOfAnItemOnFeet) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -9,7 +9,7 @@
 #include "tests/studies/study/job/job_text.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 Job job_of(const std::string& text) { return job_of_text("schema = \"gurney-job/1\"\n" + text); }
@@ -21,7 +21,7 @@ std::string mistakes(const std::string& text) {
 /// Values of what was drawn for the part, by the names without it.
 std::map<std::string, double> drawn_for(const Job& job, const std::string& part) {
   std::map<std::string, double> values;
-  for (const Assumption& each : job.assumptions)
+  for (const equipment::Assumption& each : job.assumptions)
     if (!each.distribution.empty() && each.key.starts_with(part))
       values[each.key.substr(part.size())] = each.value;
   return values;
@@ -174,7 +174,7 @@ caster = [
 TEST(Items, AssumptionsOfEachAreKeptOnce) {
   const auto count = [](const Job& job, const std::string& key) {
     return std::count_if(job.assumptions.begin(), job.assumptions.end(),
-                         [&](const Assumption& each) { return each.key == key; });
+                         [&](const equipment::Assumption& each) { return each.key == key; });
   };
   const Job job = job_of(kThree);
   EXPECT_GT(count(job, "chassis.mass_kg"), 0);
@@ -248,4 +248,4 @@ caster = [
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

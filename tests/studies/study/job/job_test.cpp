@@ -11,7 +11,7 @@
 #include "tests/support/key_table.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr const char* kHead = "schema = \"gurney-job/1\"\n[item]\nequipment = \"icu_ventilator\"\n";
@@ -168,24 +168,24 @@ TEST(Job, ReadsTheRecordRequest) {
   ASSERT_TRUE(job.record);
   ASSERT_EQ(job.record->files.size(), 2u);
   EXPECT_EQ(job.record->files[0].path, folder.path() + "/record_x.at2");
-  EXPECT_EQ(job.record->files[0].direction, Direction::kH1);
+  EXPECT_EQ(job.record->files[0].direction, groundmotions::Direction::kH1);
   EXPECT_EQ(job.record->files[1].path, folder.path() + "/record_z.at2");
-  EXPECT_EQ(job.record->files[1].direction, Direction::kVertical);
+  EXPECT_EQ(job.record->files[1].direction, groundmotions::Direction::kVertical);
   EXPECT_TRUE(job.record->use_x);
   EXPECT_FALSE(job.record->use_y);
   EXPECT_FALSE(job.record->use_z);
   EXPECT_EQ(job.record->scale, 1);
   ASSERT_TRUE(job.record->scale_to);
   EXPECT_EQ(name_of(job.record->scale_to->measure), "Sa(1)");
-  EXPECT_EQ(job.record->scale_to->combination, Combination::kH1);
+  EXPECT_EQ(job.record->scale_to->combination, groundmotions::Combination::kH1);
   EXPECT_DOUBLE_EQ(job.record->scale_to->value, 0.2 * kStandardGravity);
-  EXPECT_EQ(job.record->scale_to->vertical.rule, VerticalScaling::Rule::kKept);
+  EXPECT_EQ(job.record->scale_to->vertical.rule, groundmotions::VerticalScaling::Rule::kKept);
   EXPECT_EQ(job.record->processing.size(), 2u);
   EXPECT_TRUE(job.record->refuse_implausible);
   ASSERT_TRUE(job.record->building);
   EXPECT_EQ(job.record->building->floor, 2);
   EXPECT_EQ(job.record->building->building.storeys, 3);
-  EXPECT_TRUE(rotates(job.record->building->building, 2));
+  EXPECT_TRUE(groundmotions::rotates(job.record->building->building, 2));
   EXPECT_EQ(job.rotation_factor, 0.5);
   EXPECT_DOUBLE_EQ(job.record->angle, 45 * kRadiansPerDegree);
   EXPECT_EQ(job.record->options.unit, "cm/s2");
@@ -276,7 +276,7 @@ TEST(Job, CollectsAssumptionsOfItemCastersFloorAndJob) {
   const Job job = read_job(write_everything(folder));
   const auto count = [&](const std::string& key) {
     return std::count_if(job.assumptions.begin(), job.assumptions.end(),
-                         [&](const Assumption& each) { return each.key == key; });
+                         [&](const equipment::Assumption& each) { return each.key == key; });
   };
   EXPECT_EQ(count("excitation.string_potentiometer[0].tension_n"), 1);
   EXPECT_EQ(count("trail_mm"), 1);  // of R125 only, though the item names R100, and only once
@@ -385,4 +385,4 @@ TEST(JobPage, HasEveryKeyTheReaderKnowsAndNoOther) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -5,7 +5,7 @@
 #include "studies/study/job/job.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::study {
 
 /// The job that this text is, as the file `a.toml`.
 inline Job job_of_text(const std::string& text) {
@@ -18,4 +18,4 @@ inline std::string errors_of_text(const std::string& text) {
   return error_text([&] { job_of_text(text); });
 }
 
-}  // namespace gurney
+}  // namespace gurney::study

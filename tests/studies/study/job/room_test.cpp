@@ -10,7 +10,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::HasSubstr;
@@ -38,7 +38,7 @@ constexpr const char* kWall =
 
 bool rests_on(const Job& job, const std::string& key) {
   return std::ranges::any_of(job.assumptions,
-                             [&](const Assumption& each) { return each.key == key; });
+                             [&](const equipment::Assumption& each) { return each.key == key; });
 }
 
 TEST(JobRoom, WhatTheJobSaysIsAddedToTheFile) {
@@ -324,4 +324,4 @@ TEST(ShippedJob, TenItemsShareTheTheatre) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -15,7 +15,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr const char* kHead = "schema = \"gurney-job/1\"\n[item]\nequipment = \"icu_ventilator\"\n";
@@ -42,15 +42,15 @@ std::string mistakes(const std::string& text) {
   return error_text([&] { job_of(text); });
 }
 
-std::vector<Assumption> drawn_in(const Job& job) {
-  std::vector<Assumption> drawn;
+std::vector<equipment::Assumption> drawn_in(const Job& job) {
+  std::vector<equipment::Assumption> drawn;
   std::copy_if(job.assumptions.begin(), job.assumptions.end(), std::back_inserter(drawn),
-               [](const Assumption& each) { return !each.distribution.empty(); });
+               [](const equipment::Assumption& each) { return !each.distribution.empty(); });
   return drawn;
 }
 
 double drawn_value(const Job& job, const std::string& key) {
-  for (const Assumption& each : drawn_in(job))
+  for (const equipment::Assumption& each : drawn_in(job))
     if (each.key == key) return each.value;
   ADD_FAILURE() << key << " was not drawn";
   return 0;
@@ -112,7 +112,8 @@ TEST(JobDraw, AModelIsSampledWithoutItsFiles) {
   const std::string draw = "[uncertainty]\nseed = 5\ndraw = 7\n";
   const Job expected = job_of(std::string(kUncertain) + draw);
   const TempFolder folder;
-  fs::copy(data_folder() + "/equipment", folder.path() + "/equipment", fs::copy_options::recursive);
+  fs::copy(equipment::data_folder() + "/equipment", folder.path() + "/equipment",
+           fs::copy_options::recursive);
   setenv("GURNEY_DATA", folder.path().c_str(), 1);
   std::optional<JobModel> model;
   {
@@ -159,7 +160,7 @@ TEST(JobDraw, BrakesOfAnItemAreAlikeAndNotTheSame) {
 
 TEST(JobDraw, StreamsAreThoseOfWhatIsUsed) {
   const auto uses = [](const std::string& text, const std::string& stream) {
-    for (const Assumption& each : job_of(text + "[uncertainty]\ndraw = 2\n").assumptions)
+    for (const equipment::Assumption& each : job_of(text + "[uncertainty]\ndraw = 2\n").assumptions)
       if (each.streams.contains(stream)) return true;
     return false;
   };
@@ -201,7 +202,7 @@ TEST(JobDraw, IsTheSameOnEveryThread) {
   std::vector<std::vector<double>> first(6), second(6);
   const auto values = [&](int draw) {
     std::vector<double> list;
-    for (const Assumption& each : drawn_in(job_of(text + std::to_string(draw) + "\n")))
+    for (const equipment::Assumption& each : drawn_in(job_of(text + std::to_string(draw) + "\n")))
       list.push_back(each.value);
     return list;
   };
@@ -286,4 +287,4 @@ TEST(JobVariant, NamesTheNearest) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

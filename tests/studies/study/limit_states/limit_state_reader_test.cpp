@@ -6,7 +6,7 @@
 #include "engine/config/document.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 std::vector<LimitState> read(const std::string& text) {
@@ -120,4 +120,4 @@ TEST(LimitStates, MistakesAreNamed) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -7,7 +7,7 @@
 #include "tests/studies/study/small_study.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::Contains;
@@ -17,7 +17,8 @@ using testing::Pair;
 
 TEST(DataFilesTest, AreThoseTheJobNamesAndThoseTheyName) {
   const TempFolder folder;
-  const std::string item = contents_of(find_data(DataKind::kItem, "xu_trolley", ""));
+  const std::string item =
+      contents_of(equipment::find_data(equipment::DataKind::kItem, "xu_trolley", ""));
   folder.write("items/mine.toml", item);
   std::string text = small_job(
       "[[study.factor]]\nname = \"covering\"\nkey = \"floor.covering\"\n"
@@ -25,7 +26,8 @@ TEST(DataFilesTest, AreThoseTheJobNamesAndThoseTheyName) {
   text.replace(text.find("\"xu_trolley\""), 12, "\"../items/mine.toml\"");
   const auto files = data_files(StudyJob(folder.write("jobs/a.toml", text)));
   EXPECT_THAT(files, Contains(Pair("../items/mine.toml", sha256(item))));
-  const std::string caster = contents_of(find_data(DataKind::kCaster, "R100", ""));
+  const std::string caster =
+      contents_of(equipment::find_data(equipment::DataKind::kCaster, "R100", ""));
   EXPECT_THAT(files, Contains(Pair("equipment/casters/R100.toml", sha256(caster))));
   EXPECT_THAT(files, Contains(Key("equipment/floors/polyflor_mystique.toml")));
   EXPECT_THAT(files, Contains(Key("equipment/floors/rubber.toml")));
@@ -36,7 +38,8 @@ TEST(DataFilesTest, AreThoseTheJobNamesAndThoseTheyName) {
 
 TEST(DataFilesTest, AnEditWhileTheStudyRunsChangesNothing) {
   const TempFolder folder;
-  const std::string item = contents_of(find_data(DataKind::kItem, "xu_trolley", ""));
+  const std::string item =
+      contents_of(equipment::find_data(equipment::DataKind::kItem, "xu_trolley", ""));
   const std::string path = folder.write("mine.toml", item);
   std::string text = small_job("");
   text.replace(text.find("\"xu_trolley\""), 12, "\"mine.toml\"");
@@ -76,4 +79,4 @@ TEST(DataFilesTest, HaveTheListOfRecords) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::ElementsAre;
@@ -97,4 +97,4 @@ TEST(Intensities, NothingComesAfterAFailure) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -9,7 +9,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr const char* kUncertainYaw =
@@ -154,4 +154,4 @@ stiffness_n_per_m = 2e6
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

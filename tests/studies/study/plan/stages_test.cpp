@@ -9,7 +9,7 @@
 #include "studies/study/run/stage_levels.h"
 #include "tests/studies/study/small_study.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::DoubleEq;
@@ -17,13 +17,13 @@ using testing::ElementsAre;
 
 TEST(NextLevels, AreThoseOfTheOptimalDesignAboutTheCurve) {
   // Exact fractions of theta 2, beta 0.5 at 1, 2 and 4: the fit is that curve.
-  std::vector<Stripe> stripes;
+  std::vector<statistics::Stripe> stripes;
   for (const double im : {1.0, 2.0, 4.0})
     stripes.push_back({im, 1000, 1000 * normal_cdf(std::log(im / 2) / 0.5)});
   // 2 exp(-+ 1.138 / 2), in three digits.
   EXPECT_THAT(next_levels(stripes, 1), ElementsAre(DoubleEq(1.13), DoubleEq(3.53)));
   const double g = 9.80665;
-  for (Stripe& stripe : stripes) stripe.im *= g;
+  for (statistics::Stripe& stripe : stripes) stripe.im *= g;
   EXPECT_THAT(next_levels(stripes, g), ElementsAre(DoubleEq(1.13 * g), DoubleEq(3.53 * g)));
 }
 
@@ -44,7 +44,7 @@ TEST(NextLevels, TellMostOfBothNumbers) {
 }
 
 TEST(NextLevels, LookFartherWhereThereIsNoCurve) {
-  using Stripes = std::vector<Stripe>;
+  using Stripes = std::vector<statistics::Stripe>;
   EXPECT_THAT(next_levels(Stripes{{1, 9, 0}, {2, 9, 0}}, 1), ElementsAre(DoubleEq(3), DoubleEq(4)));
   EXPECT_THAT(next_levels(Stripes{{1, 9, 9}, {2, 9, 9}}, 1),
               ElementsAre(DoubleEq(0.5), DoubleEq(0.667)));
@@ -65,7 +65,7 @@ TEST(NextLevels, LookFartherWhereThereIsNoCurve) {
 }
 
 TEST(NextLevels, AreNotThoseThatWereMade) {
-  std::vector<Stripe> stripes;
+  std::vector<statistics::Stripe> stripes;
   for (const double im : {1.13, 2.0, 3.5})
     stripes.push_back({im, 1000, 1000 * normal_cdf(std::log(im / 2) / 0.5)});
   // 1.13 / 1.05; 3.53 is within 1 % of 3.5, so 3.53 x 1.05.
@@ -121,17 +121,18 @@ TEST(Stages, LevelsRestOnTheOutcomesOfAllUnitsBefore) {
       }
     }
     // Each configuration by its own: counted here once more from the responses.
-    std::vector<std::map<double, Stripe>> counted(2);
+    std::vector<std::map<double, statistics::Stripe>> counted(2);
     for (const UnitResult& unit : results)
       for (const StudyRun& run : unit.runs) {
-        Stripe& stripe = counted[study.plan.unit(unit.unit).configuration][run.intensity];
+        statistics::Stripe& stripe =
+            counted[study.plan.unit(unit.unit).configuration][run.intensity];
         stripe.im = run.intensity;
         ++stripe.runs;
         stripe.exceeded += run.response.items[0].demands.peak_displacement > 0.0001;
       }
     levels.advance([&](std::size_t unit) { return results.at(unit); });
     for (std::size_t configuration : {0, 1}) {
-      std::vector<Stripe> stripes;
+      std::vector<statistics::Stripe> stripes;
       for (const auto& [im, stripe] : counted[configuration]) stripes.push_back(stripe);
       EXPECT_EQ(stripes.size(), 2 * (stage + 1));
       EXPECT_EQ(levels.of(configuration), next_levels(stripes, 9.80665));
@@ -141,4 +142,4 @@ TEST(Stages, LevelsRestOnTheOutcomesOfAllUnitsBefore) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -6,7 +6,7 @@
 #include "tests/studies/study/small_study.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::ElementsAre;
@@ -146,4 +146,4 @@ TEST(StudyJob, ReadsTheSameFromTheTextItKeeps) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

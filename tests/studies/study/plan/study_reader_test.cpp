@@ -5,7 +5,7 @@
 #include "tests/studies/study/small_study.h"
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// What is said of a job whose table [study] is in line 10.
@@ -211,4 +211,4 @@ TEST(StudyReader, AJobMustHaveATableStudy) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

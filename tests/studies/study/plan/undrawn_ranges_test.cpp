@@ -5,7 +5,7 @@
 #include "studies/study/run/declared_ranges.h"
 #include "tests/studies/study/small_study.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::AllOf;
@@ -44,4 +44,4 @@ TEST(UndrawnRanges, OfAStudyAreThoseThatNoDrawChanges) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -12,7 +12,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::ElementsAre;
@@ -186,4 +186,4 @@ building = { kind = "shear", storeys = 2, period_s = 0.4, damping_ratio = 0.05, 
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

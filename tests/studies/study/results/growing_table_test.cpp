@@ -7,7 +7,7 @@
 #include "studies/study/results/hdf5_reader.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 /// Writes `rows` rows of an Impact with a text and a whole number before it.
@@ -82,4 +82,4 @@ TEST(GrowingTable, GivesTheSameBytesForTheSameRows) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -6,7 +6,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 std::string saved(Hdf5Writer& file, const TempFolder& folder) {
@@ -85,4 +85,4 @@ TEST(Hdf5File, ErrorsStateTheReasonInOneLine) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -14,7 +14,7 @@
 #include "tests/support/temp_folder.h"
 
 /// Results files that are damaged, or made to crash who reads them.
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 std::string saved(const TempFolder& folder, const std::string& bytes) {
@@ -177,4 +177,4 @@ TEST(HostileFile, FlippedBytesOfAnUnsealedFileNeverCrash) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -12,7 +12,7 @@
 #include "tests/support/temp_folder.h"
 
 /// A study file whose tables do not belong together is refused before a row is looked up.
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using Columns = std::map<std::string, std::vector<double>>;
@@ -99,4 +99,4 @@ TEST(HostileStudy, ColumnsAreAsLongAsTheirTable) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -9,7 +9,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 std::size_t count_files(const TempFolder& folder) {
@@ -148,4 +148,4 @@ TEST(OutputFiles, PutInPlaceWithoutOverwriteLeavesWhatIsThere) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

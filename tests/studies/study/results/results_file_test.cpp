@@ -13,7 +13,7 @@
 #include "tests/support/page_rows.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 class ResultsFile : public testing::Test {
@@ -164,4 +164,4 @@ TEST(Sha256, MatchesThePublishedExample) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

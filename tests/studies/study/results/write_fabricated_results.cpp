@@ -7,5 +7,5 @@
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   std::ofstream(argv[1], std::ios::binary)
-      << gurney::results_image(gurney::fabricated_facts(), gurney::fabricated_response());
+      << gurney::study::results_image(gurney::fabricated_facts(), gurney::fabricated_response());
 }

@@ -7,7 +7,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::ElementsAre;
@@ -85,4 +85,4 @@ TEST(CrashLogTest, ARunThatIsGivenUpFailsAndTheOthersAreMade) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -13,7 +13,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::HasSubstr;
@@ -348,4 +348,4 @@ TEST_F(Parts, OfTwoFirstStartsOneGoesOn) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -10,7 +10,7 @@
 #include "tests/studies/study/small_study.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::Each;
@@ -236,4 +236,4 @@ duration_s = 0.4
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

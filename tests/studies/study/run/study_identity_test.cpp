@@ -7,7 +7,7 @@
 #include "tests/studies/study/small_study.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 using testing::HasSubstr;
@@ -65,4 +65,4 @@ TEST(StudyIdentityTest, TheMergeRefusesResultsOfAnotherUnit) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

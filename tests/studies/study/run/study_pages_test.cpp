@@ -12,7 +12,7 @@
 #include "tests/support/page_rows.h"
 #include "tests/support/temp_folder.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 constexpr const char* kStudyPage = GURNEY_SOURCE_DIR "/docs/formats/study.md";
@@ -141,4 +141,4 @@ TEST(JobSchema, HasEveryKeyOfThePagesAndNoOther) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study

@@ -6,7 +6,7 @@
 
 #include "tests/support/error_text.h"
 
-namespace gurney {
+namespace gurney::study {
 namespace {
 
 // A structured binding names all members, so that a new one must be added here.
@@ -176,4 +176,4 @@ TEST(UnitBytes, ThatEndTooEarlyOrTooLateAreRefused) {
 }
 
 }  // namespace
-}  // namespace gurney
+}  // namespace gurney::study
