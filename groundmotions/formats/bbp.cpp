@@ -1,5 +1,3 @@
-#include "groundmotions/formats/bbp.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/time_column.h"
 #include "groundmotions/formats/unit_text.h"
@@ -162,6 +161,8 @@ bool recognises_bbp(const SourceFile& file) {
   return is_comment(file.lines().front()) && header_of(file).names_columns;
 }
 
+/// @throws Error for velocities and displacements, missing units, rows of another length, what is
+///         no number and times that are not evenly spaced.
 std::vector<Component> read_bbp(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   const Header header = header_of(file);

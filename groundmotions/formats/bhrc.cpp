@@ -1,5 +1,3 @@
-#include "groundmotions/formats/bhrc.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include "engine/base/units.h"
 #include "groundmotions/formats/fortran_fields.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
@@ -128,6 +127,8 @@ bool recognises_bhrc(const SourceFile& file) {
   return false;
 }
 
+/// @returns L, V and T as the file has them.
+/// @throws Error for other volumes, a wrong count, an unknown unit or text among the samples.
 std::vector<Component> read_bhrc(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   ChannelReader reader(file, options, mistakes);

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/base/csv_row.h"
 #include "engine/base/units.h"
 #include "engine/config/nearest_name.h"
 #include "groundmotions/formats/columns_csv_facts.h"
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/time_column.h"
 
 namespace gurney::groundmotions {
@@ -46,23 +48,6 @@ const Column* find_column(std::string_view name) {
   return at == known_columns().end() ? nullptr : &*at;
 }
 
-struct Cell {
-  std::string_view text;
-  std::size_t column = 1;  ///< of its first character, from 1
-};
-
-std::vector<Cell> cells_of(std::string_view line) {
-  std::vector<Cell> cells;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    const auto text = line.substr(begin, end - begin);
-    const auto blanks = std::min(text.find_first_not_of(" \t"), text.size());
-    cells.push_back({trimmed(text), begin + blanks + 1});
-    begin = end + 1;
-  }
-  return cells;
-}
-
 bool is_content(std::string_view line) {
   line = trimmed(line);
   return !line.empty() && line[0] != '#';
@@ -82,17 +67,17 @@ std::vector<std::string> known_names() {
 /// Columns of a file in their order after time_s; unknown ones are null and mistakes.
 std::vector<const Column*> columns_of(const SourceFile& file, std::size_t line,
                                       Mistakes& mistakes) {
-  const auto cells = cells_of(file.lines()[line]);
+  const auto cells = csv_row(file.lines()[line]);
   if (cells[0].text != "time_s")
     mistakes.add(line + 1, cells[0].column,
                  fmt::format("the first column must be time_s, got '{}'", cells[0].text));
   std::vector<const Column*> columns;
-  for (const Cell& cell : std::vector(cells.begin() + 1, cells.end())) {
+  for (const CsvCell& cell : std::vector(cells.begin() + 1, cells.end())) {
     const Column* column = find_column(cell.text);
     if (!column)
       mistakes.add(line + 1, cell.column,
-                   fmt::format("unknown column '{}'{}", std::string(cell.text),
-                               config::suggestion(std::string(cell.text), known_names())));
+                   fmt::format("unknown column '{}'{}", cell.text,
+                               config::suggestion(cell.text, known_names())));
     for (const Column* other : columns)
       if (column && other && column->name[0] == other->name[0])
         mistakes.add(line + 1, cell.column,
@@ -119,12 +104,15 @@ void check_options(const ReadOptions& options, double step, Mistakes& mistakes) 
 bool recognises_columns_csv(const SourceFile& file) {
   const std::size_t line = header_line(file);
   if (line == file.lines().size()) return false;
-  const auto cells = cells_of(file.lines()[line]);
-  return cells.size() > 1 && std::ranges::any_of(cells, [](const Cell& cell) {
+  const auto cells = csv_row(file.lines()[line]);
+  return cells.size() > 1 && std::ranges::any_of(cells, [](const CsvCell& cell) {
            return cell.text == "time_s" || find_column(cell.text);
          });
 }
 
+/// @throws Error for unknown, doubled or missing columns, rows of another length, what is no
+///         number, times that are not evenly spaced, a file that ends within a row,
+///         and azimuths or starts that cannot be read.
 std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   const std::size_t head = header_line(file);
@@ -137,7 +125,7 @@ std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOption
   std::vector<std::size_t> lines;
   for (std::size_t i = head + 1; i < file.lines().size(); ++i) {
     if (!is_content(file.lines()[i])) continue;
-    const auto cells = cells_of(file.lines()[i]);
+    const auto cells = csv_row(file.lines()[i]);
     if (cells.size() != values.size()) {
       mistakes.add(i + 1, 1,
                    fmt::format("{} columns, the header has {}", cells.size(), values.size()));

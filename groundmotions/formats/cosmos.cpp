@@ -1,5 +1,3 @@
-#include "groundmotions/formats/cosmos.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "groundmotions/formats/cosmos_codes.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/words.h"
 
@@ -262,6 +261,10 @@ bool holds_spectra(const SourceFile& file) {
 
 bool recognises_cosmos(const SourceFile& file) { return starts_cosmos_channel(file.lines()[0]); }
 
+/// @returns the channels of acceleration. Raw counts are converted by options.si_per_count, or else
+///          by the sensitivity of the sensor and the recorder that the header states.
+/// @throws Error for spectra (V3), files without acceleration, units that are not acceleration,
+///         counts without a sensitivity, and samples that are not as many as stated.
 std::vector<Component> read_cosmos(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   if (holds_spectra(file)) refuse_spectra(file.name(), "V3", "the V2");

@@ -1,8 +1,7 @@
-#include "groundmotions/formats/csmip_volume.h"
-
 #include "groundmotions/formats/caltech_components.h"
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {
@@ -24,6 +23,8 @@ bool recognises_csmip(const SourceFile& file) {
          line.starts_with("RESPONSE AND FOURIER AMPLITUDE SPECTRA");
 }
 
+/// @returns the acceleration of each channel of the file.
+/// @throws Error for volume 3 (response spectra) and what caltech_components.h says.
 std::vector<Component> read_csmip(const SourceFile& file, const ReadOptions& options) {
   if (first_text(file).starts_with("RESPONSE")) refuse_spectra(file.name(), "volume 3", "the .V2");
   return caltech_components(file, options);

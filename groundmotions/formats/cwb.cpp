@@ -1,5 +1,3 @@
-#include "groundmotions/formats/cwb.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "groundmotions/formats/column_table.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
@@ -197,6 +196,9 @@ bool recognises_cwb(const SourceFile& file) {
   return has_station && has_sequence;
 }
 
+/// @throws Error for statements that are missing or disagree, times that are not evenly spaced, a
+///         length that differs from the stated one by more than a second, and samples that are no
+///         numbers.
 std::vector<Component> read_cwb(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   return CwbReader(file, options, mistakes).read();

@@ -1,5 +1,3 @@
-#include "groundmotions/formats/emod3d.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include "groundmotions/formats/end_mark.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/words.h"
 
@@ -40,6 +39,7 @@ bool recognises_emod3d(const SourceFile& file) {
          is_whole(head[2]) && is_whole(head[3]) && std::abs(head[2]) < 24 && std::abs(head[3]) < 60;
 }
 
+/// @throws Error without options.unit, for a wrong header and a count that does not match.
 std::vector<Component> read_emod3d(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   const auto words = words_of(file.lines()[0], kBlanks);

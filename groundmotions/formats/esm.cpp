@@ -1,5 +1,3 @@
-#include "groundmotions/formats/esm.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "groundmotions/formats/end_mark.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/unit_text.h"
 
@@ -153,6 +152,8 @@ bool recognises_esm(const SourceFile& file) {
   return header.find("NDATA") && header.find("SAMPLING_INTERVAL_S");
 }
 
+/// @throws Error for velocities, displacements and spectra, missing or wrong header lines, a count
+///         that does not match, and a peak far from that of the header.
 std::vector<Component> read_esm(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   const ColonHeader header(file);

@@ -1,5 +1,3 @@
-#include "groundmotions/formats/geonet.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "groundmotions/formats/fortran_fields.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
@@ -193,6 +192,8 @@ bool recognises_geonet(const SourceFile& file) {
           fields.fits(kTextLines, 10, {10, 8, 0, 'I', "10I8"}));
 }
 
+/// @throws Error for counts, time steps and peaks that disagree, a missing component, samples that
+///         are no numbers, and a file that ends early or late.
 std::vector<Component> read_geonet(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   auto components = BlockReader(file, options, mistakes).read();

@@ -1,5 +1,3 @@
-#include "groundmotions/formats/knet.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "groundmotions/formats/end_mark.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/words.h"
 
@@ -170,6 +169,9 @@ bool recognises_knet(const SourceFile& file) {
          find(file, "Station Code").line > 0;
 }
 
+/// The mean over the whole record is taken off, as the peak in the header assumes.
+/// @throws Error for missing or wrong header lines, a count of samples that is not the duration
+///         times the sampling frequency, and a peak far from that of the header.
 std::vector<Component> read_knet(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   Component component;

@@ -1,5 +1,3 @@
-#include "groundmotions/formats/nsmn.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "groundmotions/formats/column_table.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
@@ -133,6 +132,8 @@ bool recognises_nsmn(const SourceFile& file) {
          std::string::npos;
 }
 
+/// @throws Error for statements that are missing or disagree, another number of rows than stated,
+///         and samples that are no numbers.
 std::vector<Component> read_nsmn(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   return NsmnReader(file, options, mistakes).read();

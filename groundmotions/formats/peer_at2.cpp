@@ -1,5 +1,3 @@
-#include "groundmotions/formats/peer_at2.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/plain_rows.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/words.h"
 #include "groundmotions/record/acceleration_unit.h"
@@ -243,6 +242,8 @@ bool recognises_peer_at2(const SourceFile& file) {
   return !header.quantity.empty() && header.has_unit_word && !is_table(file, header);
 }
 
+/// @throws Error for a velocity or displacement file (VT2, DT2), an unknown unit, a missing time
+///         step, text among the numbers, or a count that is not NPTS.
 std::vector<Component> read_peer_at2(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   Header header = header_of(file);

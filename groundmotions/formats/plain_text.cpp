@@ -1,5 +1,3 @@
-#include "groundmotions/formats/plain_text.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include "groundmotions/formats/plain_columns.h"
 #include "groundmotions/formats/plain_facts.h"
 #include "groundmotions/formats/plain_rows.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/time_column.h"
 #include "groundmotions/formats/unit_text.h"
@@ -249,6 +248,9 @@ std::vector<Component> from_table(const PlainColumns& columns, std::vector<Colum
 
 bool recognises_plain_text(const SourceFile& file) { return has_plain_rows(file); }
 
+/// @throws Error if unit, time step or the meaning of the columns are neither stated by the file
+///         nor by the options, for spectra, velocities and displacements that say so, what is no
+///         number, rows of unequal length, and times that are not even.
 std::vector<Component> read_plain_text(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   PlainRows rows = plain_rows(file, mistakes);

@@ -1,5 +1,3 @@
-#include "groundmotions/formats/sac.h"
-
 #include <fmt/format.h>
 
 #include <bit>
@@ -12,6 +10,7 @@
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/record/acceleration_unit.h"
 
@@ -194,6 +193,8 @@ void describe(const SacWords& words, Component& component) {
 
 bool recognises_sac(const SourceFile& file) { return sac_words(file.bytes()).has_value(); }
 
+/// @throws Error for spectra, uneven samples, velocities, displacements and volts, a length that
+///         is not that of the header, samples that are not finite, and options without a unit.
 std::vector<Component> read_sac(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   const SacWords words = *sac_words(file.bytes());

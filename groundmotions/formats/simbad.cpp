@@ -1,11 +1,10 @@
-#include "groundmotions/formats/simbad.h"
-
 #include <fmt/format.h>
 
 #include "groundmotions/formats/colon_header.h"
 #include "groundmotions/formats/end_mark.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
@@ -39,6 +38,8 @@ bool recognises_simbad(const SourceFile& file) {
   return header.find(kStep) && header.find(kCount);
 }
 
+/// @throws Error for velocities and displacements, missing or wrong header lines, a count that does
+///         not match, and a peak far from that of the header.
 std::vector<Component> read_simbad(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   const ColonHeader header(file);

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
+#include "engine/base/input_file.h"
 
 namespace gurney::groundmotions {
 
@@ -14,24 +14,6 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{256} << 20;
-
-std::string bytes_of(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  std::error_code failure;
-  const auto status = std::filesystem::status(path, failure);
-  require(std::filesystem::exists(status), name + ": no such file");
-  require(std::filesystem::is_regular_file(status), name + ": not a file (a folder or a device)");
-  const auto size = std::filesystem::file_size(path, failure);
-  require(!failure && size <= kLargestFile,
-          fmt::format("{}: {} bytes are more than a record can have ({} at most)", name, size,
-                      kLargestFile));
-  std::ifstream stream(path, std::ios::binary);
-  require(stream.is_open(), name + ": cannot be opened for reading");
-  std::string bytes(size, '\0');
-  stream.read(bytes.data(), static_cast<std::streamsize>(size));
-  require(stream.gcount() == static_cast<std::streamsize>(size), name + ": cannot be read");
-  return bytes;
-}
 
 bool is_binary(char c) {
   const auto byte = static_cast<unsigned char>(c);
@@ -41,7 +23,7 @@ bool is_binary(char c) {
 }  // namespace
 
 SourceFile::SourceFile(const std::filesystem::path& path)
-    : SourceFile(path.string(), bytes_of(path)) {}
+    : SourceFile(path.string(), read_input_file(path.string(), kLargestFile)) {}
 
 SourceFile::SourceFile(std::string name, std::string bytes)
     : name_(std::move(name)), bytes_(std::move(bytes)) {

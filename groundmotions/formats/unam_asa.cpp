@@ -1,5 +1,3 @@
-#include "groundmotions/formats/unam_asa.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "groundmotions/formats/column_table.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/unit_text.h"
 
@@ -225,6 +224,8 @@ bool recognises_unam(const SourceFile& file) {
                      });
 }
 
+/// @throws Error for statements that are missing or disagree, fewer rows than stated, and samples
+///         that are no numbers. More rows than stated are a warning.
 std::vector<Component> read_unam(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   return UnamReader(file, options, mistakes).read();

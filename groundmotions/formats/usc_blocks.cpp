@@ -1,5 +1,3 @@
-#include "groundmotions/formats/usc_blocks.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include "groundmotions/formats/fortran_fields.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
@@ -55,6 +54,8 @@ bool recognises_usc_blocks(const SourceFile& file) {
   return !block.type.empty() && block.rate;
 }
 
+/// @returns the acceleration of each component of the file.
+/// @throws Error if a block has not the number of samples it states, or no block is acceleration.
 std::vector<Component> read_usc_blocks(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   FieldReader fields(file, mistakes);

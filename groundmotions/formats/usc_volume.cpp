@@ -1,9 +1,8 @@
-#include "groundmotions/formats/usc_volume.h"
-
 #include <algorithm>
 
 #include "groundmotions/formats/caltech_components.h"
 #include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {
@@ -18,6 +17,7 @@ bool recognises_usc(const SourceFile& file) {
   return is_volume;
 }
 
+/// @throws Error for volume 3 (response spectra) and what caltech_components.h says.
 std::vector<Component> read_usc(const SourceFile& file, const ReadOptions& options) {
   const std::string first = upper(file.lines()[0].substr(0, 200));
   if (first.find("RESPONSE") != std::string::npos || first.find("SPECTR") != std::string::npos)

@@ -1,5 +1,3 @@
-#include "groundmotions/formats/usgs_smc.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include "groundmotions/formats/fortran_fields.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
+#include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/uneven_samples.h"
 #include "groundmotions/formats/words.h"
@@ -306,6 +305,8 @@ bool recognises_smc(const SourceFile& file) {
   return fields.fits(kTextLines, 8, kIntegerFormat) || fields.fits(kRealLine, 5, kRealFormat);
 }
 
+/// @throws Error for velocities, displacements and spectra, a sampling rate, count or peak that the
+///         samples contradict, times that decrease, and a file that ends early or late.
 std::vector<Component> read_smc(const SourceFile& file, const ReadOptions& options) {
   Mistakes mistakes(file);
   return {SmcReader(file, options, mistakes).read()};

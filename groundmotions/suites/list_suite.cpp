@@ -7,12 +7,12 @@
 #include <sstream>
 #include <utility>
 
+#include "engine/base/csv_row.h"
 #include "engine/base/number_text.h"
 #include "engine/config/nearest_name.h"
 #include "groundmotions/formats/mistakes.h"
 #include "groundmotions/record/acceleration_unit.h"
 #include "groundmotions/record/time_step_range.h"
-#include "groundmotions/suites/csv_row.h"
 
 namespace gurney::groundmotions {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/base/csv_row.h"
 #include "engine/base/error.h"
-#include "groundmotions/suites/csv_row.h"
 
 namespace gurney::groundmotions {
 

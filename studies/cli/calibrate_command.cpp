@@ -1,12 +1,12 @@
-#include "studies/cli/calibrate_command.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
 #include "engine/base/error.h"
 #include "studies/calibration/fit/caster_file.h"
+#include "studies/cli/commands.h"
 #include "studies/cli/signals.h"
 #include "studies/report/calibration_report.h"
 #include "studies/study/results/output_files.h"

@@ -1,7 +1,6 @@
-#include "studies/cli/check_command.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -9,6 +8,7 @@
 #include <thread>
 
 #include "engine/base/units.h"
+#include "studies/cli/commands.h"
 #include "studies/cli/json_errors.h"
 #include "studies/cli/study_size.h"
 #include "studies/report/scale_factors_json.h"

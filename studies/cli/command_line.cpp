@@ -15,25 +15,13 @@
 #include "engine/base/printable.h"
 #include "engine/config/nearest_name.h"
 #include "studies/build_info/build_info.h"
-#include "studies/cli/calibrate_command.h"
-#include "studies/cli/check_command.h"
 #include "studies/cli/command_help.h"
-#include "studies/cli/compare_command.h"
-#include "studies/cli/converge_command.h"
-#include "studies/cli/equipment_command.h"
-#include "studies/cli/export_command.h"
-#include "studies/cli/fragility_command.h"
+#include "studies/cli/commands.h"
 #include "studies/cli/json_errors.h"
-#include "studies/cli/measures_command.h"
-#include "studies/cli/pulling_command.h"
-#include "studies/cli/records_command.h"
 #include "studies/cli/replay_command.h"
 #include "studies/cli/run_command.h"
-#include "studies/cli/sensitivity_command.h"
-#include "studies/cli/show_command.h"
 #include "studies/cli/signals.h"
 #include "studies/cli/standard_error.h"
-#include "studies/cli/verify_command.h"
 
 namespace gurney::cli {
 namespace {
@@ -103,6 +91,12 @@ CLI::App& command_at(CLI::App& app, const std::vector<std::string>& words) {
 }
 
 /// What is wrong with the command, before its options are looked at; empty if nothing is.
+/// In the order of the help.
+constexpr AddCommand* kCommands[] = {add_run,       add_check,       add_replay,   add_show,
+                                     add_fragility, add_export,      add_compare,  add_pulling,
+                                     add_measures,  add_sensitivity, add_converge, add_records,
+                                     add_equipment, add_calibrate,   add_verify};
+
 std::string unknown_command(CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* at = &app;
   for (const std::string& word : words) {
@@ -157,21 +151,7 @@ int run_command_line(int argc, char** argv) {
       "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 a run failed or a check failed, "
       "130/143 interrupted.");
   std::function<int()> act;
-  add_run(app, act);
-  add_check(app, act);
-  add_replay(app, act);
-  add_show(app, act);
-  add_fragility(app, act);
-  add_export(app, act);
-  add_compare(app, act);
-  add_pulling(app, act);
-  add_measures(app, act);
-  add_sensitivity(app, act);
-  add_converge(app, act);
-  add_records(app, act);
-  add_equipment(app, act);
-  add_calibrate(app, act);
-  add_verify(app, act);
+  for (AddCommand* const add : kCommands) add(app, act);
   app.add_subcommand("help", "Print this help, or that of a command: help records scale");
   describe_commands(app);
   try {

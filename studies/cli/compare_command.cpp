@@ -1,11 +1,11 @@
-#include "studies/cli/compare_command.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 
 #include "engine/base/error.h"
+#include "studies/cli/commands.h"
 #include "studies/cli/figure_option.h"
 #include "studies/cli/records_output.h"
 #include "studies/report/comparison_report.h"

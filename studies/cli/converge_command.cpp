@@ -1,11 +1,11 @@
-#include "studies/cli/converge_command.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <thread>
 
+#include "studies/cli/commands.h"
 #include "studies/cli/figure_option.h"
 #include "studies/cli/records_output.h"
 #include "studies/report/convergence_report.h"

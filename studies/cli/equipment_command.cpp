@@ -1,7 +1,6 @@
-#include "studies/cli/equipment_command.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +9,7 @@
 #include "equipment/catalogue/check_file.h"
 #include "equipment/catalogue/implausible.h"
 #include "equipment/catalogue/load_item.h"
+#include "studies/cli/commands.h"
 #include "studies/cli/figure_option.h"
 #include "studies/cli/json_errors.h"
 #include "studies/cli/records_output.h"

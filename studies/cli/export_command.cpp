@@ -1,13 +1,13 @@
-#include "studies/cli/export_command.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
 
 #include "engine/base/error.h"
 #include "studies/calibration/pulling/trials.h"
+#include "studies/cli/commands.h"
 #include "studies/cli/new_folder.h"
 #include "studies/cli/standard_error.h"
 #include "studies/study/analysis/overview.h"

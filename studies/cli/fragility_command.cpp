@@ -1,12 +1,12 @@
-#include "studies/cli/fragility_command.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
 #include "engine/base/error.h"
 #include "engine/config/nearest_name.h"
+#include "studies/cli/commands.h"
 #include "studies/cli/figure_option.h"
 #include "studies/cli/records_output.h"
 #include "studies/report/fragility_report.h"

@@ -1,10 +1,10 @@
-#include "studies/cli/measures_command.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "engine/base/error.h"
+#include "studies/cli/commands.h"
 #include "studies/report/measure_report.h"
 #include "studies/study/limit_states/limit_state_reader.h"
 

@@ -1,12 +1,12 @@
-#include "studies/cli/pulling_command.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <optional>
 
 #include "engine/base/error.h"
+#include "studies/cli/commands.h"
 #include "studies/cli/new_folder.h"
 #include "studies/cli/signals.h"
 #include "studies/report/pulling_report.h"

@@ -1,11 +1,6 @@
-#include "studies/cli/records_command.h"
+#include <CLI/CLI.hpp>
 
-#include "studies/cli/records_convert.h"
-#include "studies/cli/records_floor.h"
-#include "studies/cli/records_info.h"
-#include "studies/cli/records_make.h"
-#include "studies/cli/records_plot.h"
-#include "studies/cli/records_scale.h"
+#include "studies/cli/commands.h"
 
 namespace gurney::cli {
 
@@ -13,12 +8,9 @@ void add_records(CLI::App& app, std::function<int()>& act) {
   CLI::App* const records =
       app.add_subcommand("records", "Inspect, convert, generate and scale ground motions");
   records->require_subcommand(1);
-  add_records_info(*records, act);
-  add_records_plot(*records, act);
-  add_records_convert(*records, act);
-  add_records_scale(*records, act);
-  add_records_make(*records, act);
-  add_records_floor(*records, act);
+  for (AddCommand* const add : {add_records_info, add_records_plot, add_records_convert,
+                                add_records_scale, add_records_make, add_records_floor})
+    add(*records, act);
 }
 
 }  // namespace gurney::cli

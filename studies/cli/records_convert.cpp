@@ -1,7 +1,6 @@
-#include "studies/cli/records_convert.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -11,6 +10,7 @@
 #include "engine/base/units.h"
 #include "engine/config/document.h"
 #include "groundmotions/formats/at2_text.h"
+#include "studies/cli/commands.h"
 #include "studies/cli/inline_table.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"

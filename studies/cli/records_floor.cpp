@@ -1,7 +1,6 @@
-#include "studies/cli/records_floor.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "groundmotions/buildings/building_reader.h"
 #include "groundmotions/buildings/floor_record.h"
 #include "groundmotions/measures/peaks.h"
+#include "studies/cli/commands.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"
 #include "studies/cli/standard_error.h"

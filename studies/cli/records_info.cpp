@@ -1,11 +1,11 @@
-#include "studies/cli/records_info.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 
 #include "engine/base/printable.h"
+#include "studies/cli/commands.h"
 #include "studies/cli/record_source.h"
 #include "studies/report/record_report.h"
 #include "studies/report/record_table.h"

@@ -1,12 +1,12 @@
-#include "studies/cli/records_make.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/error.h"
 #include "groundmotions/synthetic/kinds.h"
+#include "studies/cli/commands.h"
 #include "studies/cli/records_output.h"
 #include "studies/cli/standard_error.h"
 

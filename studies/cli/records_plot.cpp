@@ -1,11 +1,11 @@
-#include "studies/cli/records_plot.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
 #include "engine/base/error.h"
+#include "studies/cli/commands.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"
 #include "studies/report/record_figure.h"

@@ -1,7 +1,6 @@
-#include "studies/cli/records_scale.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -16,6 +15,7 @@
 #include "groundmotions/measures/response_spectrum.h"
 #include "groundmotions/scaling/suite_scaling.h"
 #include "groundmotions/scaling/target_reader.h"
+#include "studies/cli/commands.h"
 #include "studies/cli/figure_option.h"
 #include "studies/cli/inline_table.h"
 #include "studies/cli/record_source.h"

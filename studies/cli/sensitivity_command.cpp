@@ -1,10 +1,10 @@
-#include "studies/cli/sensitivity_command.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "engine/base/error.h"
+#include "studies/cli/commands.h"
 #include "studies/cli/figure_option.h"
 #include "studies/cli/records_output.h"
 #include "studies/report/sensitivity_report.h"

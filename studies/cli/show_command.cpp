@@ -1,10 +1,10 @@
-#include "studies/cli/show_command.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
+#include "studies/cli/commands.h"
 #include "studies/report/overview_report.h"
 #include "studies/study/analysis/overview.h"
 

@@ -1,13 +1,13 @@
-#include "studies/cli/verify_command.h"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <thread>
 
+#include "studies/cli/commands.h"
 #include "studies/report/verification_figure.h"
 #include "studies/report/verification_report.h"
 #include "studies/study/results/output_files.h"

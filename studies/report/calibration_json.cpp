@@ -2,17 +2,12 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/report/calibration_report.h"
+#include "studies/report/json_values.h"
 
 namespace gurney::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json interval_json(const statistics::Interval& interval) {
-  return Json::array({number(interval.low), number(interval.high)});
-}
 
 Json constant_json(const calibration::Constant& c) {
   return {{"name", name_of(c.kind)},
@@ -21,24 +16,24 @@ Json constant_json(const calibration::Constant& c) {
           {"caster", c.caster},
           {"floor", c.floor},
           {"against", c.against},
-          {"value", number(c.value)},
+          {"value", json_number(c.value)},
           {"lower_bound", c.at_least},
-          {"interval_95", interval_json(c.interval)},
-          {"scatter_of_logarithm", number(c.scatter)},
+          {"interval_95", json_interval(c.interval)},
+          {"scatter_of_logarithm", json_number(c.scatter)},
           {"degrees", c.degrees},
-          {"prediction_95", interval_json(c.prediction)},
+          {"prediction_95", json_interval(c.prediction)},
           {"trials", c.trials}};
 }
 
 Json test_json(const calibration::RollingTest& t) {
   return {{"name", t.name},
           {"quantity", t.quantity},
-          {"estimate", number(t.estimate)},
-          {"interval_95", interval_json(t.interval)},
+          {"estimate", json_number(t.estimate)},
+          {"interval_95", json_interval(t.interval)},
           {"supposed", t.supposed},
-          {"p", number(t.p)},
-          {"p_adjusted", number(t.p_adjusted)},
-          {"p_no_influence", t.p_without ? number(*t.p_without) : Json()},
+          {"p", json_number(t.p)},
+          {"p_adjusted", json_number(t.p_adjusted)},
+          {"p_no_influence", t.p_without ? json_number(*t.p_without) : Json()},
           {"trials", t.trials}};
 }
 
@@ -97,7 +92,7 @@ std::string calibration_json(const calibration::Calibration& c) {
                                                     {"constant", p.constant},
                                                     {"measured", p.measured},
                                                     {"predicted", p.predicted},
-                                                    {"prediction_95", interval_json(p.interval)},
+                                                    {"prediction_95", json_interval(p.interval)},
                                                     {"misfit", p.misfit()},
                                                     {"inside", p.inside()}};
                                       })},

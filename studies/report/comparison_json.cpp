@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/report/comparison_report.h"
+#include "studies/report/json_values.h"
 
 namespace gurney::report {
 namespace {
@@ -9,12 +10,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// JSON has no NaN and no infinity.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json interval(const statistics::Interval& of) {
-  return Json::array({number(of.low), number(of.high)});
-}
-
 Json differences(const std::vector<study::InputDifference>& of) {
   Json list = Json::array();
   const auto value = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
@@ -41,20 +36,20 @@ Json quantities(const study::StudyComparison& found, study::ComparedQuantity::Ki
                       {"words", row.words},
                       {"units", row.units},
                       {"groups", row.groups},
-                      {"a", number(row.a)},
-                      {"b", number(row.b)},
-                      {"difference", number(row.difference)},
-                      {"interval", interval(row.interval)},
-                      {"p", number(row.p)},
-                      {"p_holm", number(row.p_holm)}});
+                      {"a", json_number(row.a)},
+                      {"b", json_number(row.b)},
+                      {"difference", json_number(row.difference)},
+                      {"interval", json_interval(row.interval)},
+                      {"p", json_number(row.p)},
+                      {"p_holm", json_number(row.p_holm)}});
   return list;
 }
 
 Json curve(const statistics::FragilityFit& fit) {
   Json json{{"status", text(fit.status)}, {"runs", fit.runs}, {"exceeded", fit.exceeded}};
-  if (!fit.curve) json["median_between"] = interval({fit.median.low, fit.median.high});
-  json["theta"] = fit.curve ? number(fit.curve->theta) : Json();
-  json["beta"] = fit.curve ? number(fit.curve->beta) : Json();
+  if (!fit.curve) json["median_between"] = json_interval(fit.median);
+  json["theta"] = fit.curve ? json_number(fit.curve->theta) : Json();
+  json["beta"] = fit.curve ? json_number(fit.curve->beta) : Json();
   return json;
 }
 
@@ -95,7 +90,7 @@ std::string comparison_json(const ComparisonReport& report) {
                    {"curves", found.tests.curves},
                    {"means", found.tests.means},
                    {"medians", found.tests.medians}};
-  json["smallest_p_possible"] = number(found.smallest_p);
+  json["smallest_p_possible"] = json_number(found.smallest_p);
   json["shares"] = quantities(found, Kind::kShare);
   json["means"] = quantities(found, Kind::kMean);
   json["medians"] = quantities(found, Kind::kMedian);
@@ -106,9 +101,9 @@ std::string comparison_json(const ComparisonReport& report) {
     json["curves"].push_back({{"name", row.name},
                               {"a", curve(row.a)},
                               {"b", curve(row.b)},
-                              {"likelihood_ratio", number(row.likelihood_ratio)},
-                              {"p", number(row.p)},
-                              {"p_holm", number(row.p_holm)}});
+                              {"likelihood_ratio", json_number(row.likelihood_ratio)},
+                              {"p", json_number(row.p)},
+                              {"p_holm", json_number(row.p_holm)}});
   json["not_in_both"] = found.not_common;
   return json.dump(2) + "\n";
 }

@@ -1,4 +1,5 @@
 #include "studies/report/convergence_report.h"
+#include "studies/report/json_values.h"
 
 #include <fmt/format.h>
 
@@ -38,8 +39,6 @@ std::string row(const study::ConvergedNumber& number, double tolerance) {
       number.change > 0 && std::isfinite(number.order) ? fmt::format("{:.1f}", number.order) : "-",
       percent(number.solver_change), percent(number.stiffness_change), verdict);
 }
-
-Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 }  // namespace
 
@@ -82,7 +81,7 @@ std::string convergence_json(const study::Convergence& found) {
                                {"values", each.values},
                                {"scatter", each.scatter},
                                {"change", each.change},
-                               {"order", number_or_null(each.order)},
+                               {"order", json_number(each.order)},
                                {"verdict", name_of(each.step)},
                                {"time_step_needed_s", each.step_needed},
                                {"solver_change", each.solver_change},

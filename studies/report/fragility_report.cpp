@@ -8,6 +8,7 @@
 
 #include "studies/report/scale_factors_json.h"
 #include "studies/study/analysis/performance.h"
+#include "studies/report/json_values.h"
 
 namespace gurney::report {
 namespace {
@@ -110,12 +111,6 @@ std::size_t widest(const std::vector<study::FragilityResult>& results, std::size
   return least;
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json interval(const statistics::Interval& of) {
-  return Json::array({number(of.low), number(of.high)});
-}
-
 Json curve_json(const std::optional<statistics::LognormalCurve>& curve) {
   if (!curve) return nullptr;
   return {{"theta", curve->theta}, {"beta", curve->beta}};
@@ -140,7 +135,7 @@ Json capacities_json(const study::FragilityResult& result) {
   for (const statistics::Capacity& each : result.brackets)
     of_records.push_back({{"record", each.group},
                           {"above", each.low},
-                          {"at_most", number(each.high)},
+                          {"at_most", json_number(each.high)},
                           {"resurrections", each.resurrections}});
   return {{"records", result.brackets.size()},
           {"censored", result.capacities->censored},
@@ -163,21 +158,21 @@ Json json_of(const study::FragilityResult& result) {
             {"curve", curve_json(result.curve())}};
   const study::ReportUnit si{result.measure.units, 1};
   if (result.curve()) {
-    json["theta_interval"] = interval(result.band.theta);
-    json["beta_interval"] = interval(result.band.beta);
+    json["theta_interval"] = json_interval(result.band.theta);
+    json["beta_interval"] = json_interval(result.band.beta);
     const Eigen::Matrix2d& c =
         result.capacities ? result.capacities->covariance : result.fit.cluster_covariance;
     json["covariance_of_ln_theta_ln_beta"] = {{c(0, 0), c(0, 1)}, {c(1, 0), c(1, 1)}};
   } else {
     json["reason"] = study::no_curve_text(result.status(), result.median(), si);
-    json["median_between"] = interval({result.median().low, result.median().high});
+    json["median_between"] = json_interval(result.median());
   }
   json["cautions"] = study::cautions(result.audit, si);
   json["audit"] = audit_json(result.audit);
   if (result.profile)
-    json["profile"] = {{"theta", interval(result.profile->theta)},
-                       {"beta", interval(result.profile->beta)}};
-  if (result.p_of_fit) json["p_of_fit"] = number(*result.p_of_fit);
+    json["profile"] = {{"theta", json_interval(result.profile->theta)},
+                       {"beta", json_interval(result.profile->beta)}};
+  if (result.p_of_fit) json["p_of_fit"] = json_number(*result.p_of_fit);
   for (std::size_t i = 0; i < result.stripes.size(); ++i)
     json["stripes"].push_back({{"im", result.stripes[i].im},
                                {"runs", result.stripes[i].runs},
@@ -189,9 +184,9 @@ Json json_of(const study::FragilityResult& result) {
   if (result.capacities) json["capacities"] = capacities_json(result);
   if (result.cloud)
     json["cloud"] = {{"status", text(result.cloud->status)},
-                     {"a", number(result.cloud->a)},
-                     {"b", number(result.cloud->b)},
-                     {"sigma", number(result.cloud->sigma)},
+                     {"a", json_number(result.cloud->a)},
+                     {"b", json_number(result.cloud->b)},
+                     {"sigma", json_number(result.cloud->sigma)},
                      {"curve", curve_json(result.cloud_curve)}};
   if (result.rate)
     json["rate"] = {{"per_year", result.rate->rate},

@@ -1,4 +1,5 @@
 #include "studies/report/measure_report.h"
+#include "studies/report/json_values.h"
 
 #include <fmt/format.h>
 
@@ -48,8 +49,6 @@ std::string sufficiency_text(const study::MeasureChoice& choice) {
          "\nnot tested: magnitude and distance, which the file does not contain\n";
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json row_json(const statistics::IntensityRow& row, const study::MeasureChoice& choice,
               std::size_t i) {
   Json json{{"name", row.name},
@@ -58,13 +57,13 @@ Json row_json(const statistics::IntensityRow& row, const study::MeasureChoice& c
             {"runs", row.runs},
             {"left_out", row.left_out}};
   if (row.status != statistics::CloudStatus::kFitted) return json;
-  json["efficiency"] = number(row.efficiency);
-  json["practicality"] = number(row.practicality);
-  json["proficiency"] = number(row.proficiency);
-  json["r_squared"] = number(row.r_squared);
-  json["log_likelihood"] = number(row.log_likelihood);
+  json["efficiency"] = json_number(row.efficiency);
+  json["practicality"] = json_number(row.practicality);
+  json["proficiency"] = json_number(row.proficiency);
+  json["r_squared"] = json_number(row.r_squared);
+  json["log_likelihood"] = json_number(row.log_likelihood);
   for (std::size_t k = 0; k < choice.properties.size(); ++k)
-    json["sufficiency"][choice.properties[k]] = number(row.sufficiency[k]);
+    json["sufficiency"][choice.properties[k]] = json_number(row.sufficiency[k]);
   return json;
 }
 
@@ -131,8 +130,8 @@ std::string measure_json(const std::vector<MeasureReport>& reports) {
                     {"floor", choice.floor},
                     {"measures", rows},
                     {"unknown", choice.unknown},
-                    {"lead_of_log_likelihood", number(choice.lead)},
-                    {"stays_best", number(choice.stays_best)},
+                    {"lead_of_log_likelihood", json_number(choice.lead)},
+                    {"stays_best", json_number(choice.stays_best)},
                     {"verdict", verdict(choice)}});
   }
   return json.dump(2) + "\n";

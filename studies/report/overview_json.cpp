@@ -4,13 +4,12 @@
 #include "engine/base/units.h"
 #include "studies/report/overview_report.h"
 #include "studies/report/scale_factors_json.h"
+#include "studies/report/json_values.h"
 
 namespace gurney::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json head(const study::FileOverview& file, const char* filetype) {
   Json motions = Json::array(), assumptions = Json::array();
@@ -35,7 +34,7 @@ Json head(const study::FileOverview& file, const char* filetype) {
           {"records", motions},
           {"warnings", file.warnings},
           {"assumptions", assumptions},
-          {"energy_closure", number(file.energy_closure)}};
+          {"energy_closure", json_number(file.energy_closure)}};
 }
 
 Json counts(const study::StudyOverview& overview) {
@@ -114,10 +113,10 @@ std::string overview_json(const study::RunOverview& overview) {
     items.push_back(
         {{"name", each.name},
          {"model", each.model},
-         {"peak_displacement", number(each.peak_displacement)},
-         {"residual_displacement", number(each.residual_displacement)},
-         {"peak_velocity", number(each.peak_velocity)},
-         {"peak_tilt", number(each.peak_tilt)},
+         {"peak_displacement", json_number(each.peak_displacement)},
+         {"residual_displacement", json_number(each.residual_displacement)},
+         {"peak_velocity", json_number(each.peak_velocity)},
+         {"peak_tilt", json_number(each.peak_tilt)},
          {"time_of_overturning",
           each.time_of_overturning < 0 ? Json(nullptr) : Json(each.time_of_overturning)}});
   result["outcome"] = overview.outcome;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/calibration/trials/setup_reader.h"
+#include "studies/report/json_values.h"
 
 namespace gurney::report {
 namespace {
@@ -18,8 +19,6 @@ constexpr const char* kNote =
     "finding";
 
 /// JSON has no NaN.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 std::string percent(double share) {
   return std::isfinite(share) ? fmt::format("{:+.2f}", 100 * share) : "-";
 }
@@ -110,20 +109,20 @@ Json trial_json(const calibration::SimulatedTrial& trial) {
             {"phases", phases_json(trial)}};
   if (trial.averages) {
     const calibration::Resistance found = calibration::average_method(*trial.averages);
-    json["resistance_pulled_n"] = number(found.pulled);
-    json["resistance_coasting_n"] = number(found.coasting);
+    json["resistance_pulled_n"] = json_number(found.pulled);
+    json["resistance_coasting_n"] = json_number(found.coasting);
   } else {
     json["fault"] = trial.fault;
   }
   if (trial.alignment == calibration::Alignment::kAligned) {
-    json["error_at_release"] = number(error.release);
-    json["error_at_rest"] = number(error.rest);
+    json["error_at_release"] = json_number(error.release);
+    json["error_at_rest"] = json_number(error.rest);
   }
   return json;
 }
 
 Json scatter(const calibration::MeanAndScatter& of) {
-  return {{"mean", number(of.mean)}, {"standard_deviation", number(of.deviation)}};
+  return {{"mean", json_number(of.mean)}, {"standard_deviation", json_number(of.deviation)}};
 }
 
 }  // namespace
@@ -161,7 +160,7 @@ std::string pulling_json(const PullingReport& report) {
          {"origin",
           calibration::names_of_origins()[static_cast<std::size_t>(each.trial.setup.origin)]},
          {"resistance_n",
-          each.fault.empty() ? number(calibration::mean_resistance(*each.averages)) : Json()},
+          each.fault.empty() ? json_number(calibration::mean_resistance(*each.averages)) : Json()},
          {"normal_force_n", calibration::normal_force(each.trial.setup)},
          {"fault", each.fault.empty() ? Json() : Json(each.fault)}});
   return json.dump(2) + "\n";

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "studies/study/analysis/report_unit.h"
+#include "studies/report/json_values.h"
 
 namespace gurney::report {
 namespace {
@@ -118,13 +119,11 @@ std::string remarks(const study::StudySensitivity& found) {
   return text;
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 void add_index(Json& json, const std::string& before,
                const std::optional<statistics::VarianceIndex>& index) {
-  json[before + "index"] = index ? number(index->estimate) : Json();
+  json[before + "index"] = index ? json_number(index->estimate) : Json();
   json[before + "interval"] =
-      index ? Json::array({number(index->interval.low), number(index->interval.high)}) : Json();
+      index ? json_interval(index->interval) : Json();
 }
 
 Json input_json(const study::SensitiveInput& input) {
@@ -132,12 +131,12 @@ Json input_json(const study::SensitiveInput& input) {
   add_index(json, "", input.index);
   if (input.total) add_index(json, "total_", input.total);
   if (input.drawn) {
-    json["low"] = number(input.low);
-    json["high"] = number(input.high);
-    json["mean_below"] = number(input.bar.low);
-    json["mean_below_error"] = number(input.bar.low_error);
-    json["mean_above"] = number(input.bar.high);
-    json["mean_above_error"] = number(input.bar.high_error);
+    json["low"] = json_number(input.low);
+    json["high"] = json_number(input.high);
+    json["mean_below"] = json_number(input.bar.low);
+    json["mean_below_error"] = json_number(input.bar.low_error);
+    json["mean_above"] = json_number(input.bar.high);
+    json["mean_above_error"] = json_number(input.bar.high_error);
   }
   return json;
 }
@@ -188,9 +187,9 @@ std::string sensitivity_json(const std::vector<SensitivityReport>& reports) {
                     {"left_out", found.left_out},
                     {"draws", found.draws},
                     {"overturned", found.overturned},
-                    {"mean", number(found.mean)},
-                    {"standard_deviation", number(found.deviation)},
-                    {"sum_of_indices", number(found.sum)},
+                    {"mean", json_number(found.mean)},
+                    {"standard_deviation", json_number(found.deviation)},
+                    {"sum_of_indices", json_number(found.sum)},
                     {"tornado_share", found.share},
                     {"inputs", inputs},
                     {"correlated", found.correlated},

@@ -54,7 +54,7 @@ std::string list(std::span<const study::TableColumn<Row>> columns, const Row& ro
     const double value = column.value(row);
     if (without.count(column.name) > 0 || column.is_missing(value)) continue;
     std::string units = column.units;
-    const std::string text = shown(value, units, column.whole);
+    const std::string text = shown(value, units, column.whole());
     result += number_line(column.name, text, units);
   }
   return result;
@@ -82,7 +82,7 @@ std::string table(const std::string& heading, std::span<const study::TableColumn
       std::string units = column.units;
       const double value = column.value(rows[i]);
       const std::string text =
-          column.is_missing(value) ? "none" : shown(value, units, column.whole);
+          column.is_missing(value) ? "none" : shown(value, units, column.whole());
       result += fmt::format("  {:>{}}", text, words_of(column.name).size());
     }
     result += "\n";

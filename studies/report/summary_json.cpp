@@ -19,7 +19,7 @@ Json object(std::span<const study::TableColumn<Row>> columns, const Row& row) {
     const double value = column.value(row);
     if (column.is_missing(value)) {
       result[column.name] = nullptr;
-    } else if (column.whole) {
+    } else if (column.whole()) {
       result[column.name] = static_cast<std::int64_t>(value);
     } else {
       result[column.name] = value;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/report/fragility_report.h"
+#include "studies/report/json_values.h"
 
 namespace gurney::report {
 namespace {
@@ -67,8 +68,6 @@ std::string meaning(const study::VectorResult& result) {
   return text + "\n";
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 }  // namespace
 
 std::string vector_report(const study::StudyData& data,
@@ -120,7 +119,7 @@ std::string vector_json(const std::vector<study::VectorResult>& results) {
         rows.push_back({covariance(i, 0), covariance(i, 1), covariance(i, 2)});
       of["plane"] = {fit.plane[0], fit.plane[1], fit.plane[2]};
       of["covariance"] = rows;
-      of["p"] = {number(fit.p_of(0)), number(fit.p_of(1))};
+      of["p"] = {json_number(fit.p_of(0)), json_number(fit.p_of(1))};
       of["log_likelihood"] = fit.log_likelihood;
       of["share"] = fit.share();
       of["theta"] = fit.theta();
@@ -132,7 +131,7 @@ std::string vector_json(const std::vector<study::VectorResult>& results) {
       const auto& curve = each.alone[i].curve;
       of["alone"].push_back({{"theta", curve ? Json(curve->theta) : Json()},
                              {"beta", curve ? Json(curve->beta) : Json()},
-                             {"log_likelihood", number(each.alone[i].log_likelihood)}});
+                             {"log_likelihood", json_number(each.alone[i].log_likelihood)}});
     }
     json.push_back(of);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "studies/report/report_table.h"
 #include "studies/report/verification_report.h"
 
 namespace gurney::report {
@@ -10,13 +11,6 @@ namespace {
 using verification::CaseRun;
 using verification::Check;
 using verification::StockRun;
-
-/// `|` would end a cell.
-std::string cell(std::string text) {
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
-    text.insert(at, "\\");
-  return text;
-}
 
 /// Of all cases of a family the check of each quantity that used most of its tolerance.
 struct Row {
@@ -53,49 +47,56 @@ std::string stock_error(const StockRun& stock, const std::string& quantity) {
   return at == stock.findings.checks.end() ? "" : fmt::format("{:.1e}", at->error());
 }
 
+std::string code(const std::string& name) { return "`" + name + "`"; }
+
 }  // namespace
 
 std::string verification_markdown(const std::vector<CaseRun>& runs) {
-  std::string statements =
-      "| closed form | what happens | reference | source | cases |\n"
-      "| --- | --- | --- | --- | --- |\n";
-  std::string checks =
-      "| closed form | quantity | worst case | unit | computed | reference | error | tolerance | "
-      "how the tolerance follows |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
-  std::string stock =
-      "| case | quantity | unit | reference | error of gurney | of bullet | of bullet-dantzig |\n"
-      "| --- | --- | --- | --- | --- | --- | --- |\n";
+  ReportTable statements({{"closed form"}, {"what happens"}, {"reference"}, {"source"}, {"cases"}});
+  ReportTable checks({{"closed form"},
+                      {"quantity"},
+                      {"worst case"},
+                      {"unit"},
+                      {"computed", "", ".5g"},
+                      {"reference", "", ".5g"},
+                      {"error", "", ".1e"},
+                      {"tolerance", "", ".1e"},
+                      {"how the tolerance follows"}});
+  ReportTable stock({{"case"},
+                     {"quantity"},
+                     {"unit"},
+                     {"reference", "", ".5g"},
+                     {"error of gurney", "", ".1e"},
+                     {"of bullet"},
+                     {"of bullet-dantzig"}});
   for (const verification::Family* family : families_of(runs)) {
     const verification::Statement& s = family->statement;
-    statements +=
-        fmt::format("| `{}` | {} | {} | {} | {} |\n", s.name, cell(s.title), cell(s.equation),
-                    cell(s.source), std::ranges::count(runs, family, &CaseRun::family));
+    statements.add({code(s.name), s.title, s.equation, s.source,
+                    static_cast<std::size_t>(std::ranges::count(runs, family, &CaseRun::family))});
     for (const Row& row : rows_of(runs, family))
-      checks += fmt::format("| `{}` | {} | {} | {} | {:.5g} | {:.5g} | {:.1e} | {:.1e} | {} |\n",
-                            s.name, cell(row.quantity), row.run->set.name, row.check->unit,
-                            row.check->computed, row.check->reference, row.check->error(),
-                            row.check->tolerance, cell(row.check->derivation));
+      checks.add({code(s.name), row.quantity, row.run->set.name, row.check->unit,
+                  row.check->computed, row.check->reference, row.check->error(),
+                  row.check->tolerance, row.check->derivation});
   }
   for (const CaseRun& run : runs) {
     if (run.stock.size() != 2) continue;
     for (const Check& c : run.findings.checks) {
       const std::string bullet = stock_error(run.stock[0], c.quantity);
       if (!bullet.empty())
-        stock += fmt::format("| `{}` | {} | {} | {:.5g} | {:.1e} | {} | {} |\n", run.name(),
-                             cell(c.quantity), c.unit, c.reference, c.error(), bullet,
-                             stock_error(run.stock[1], c.quantity));
+        stock.add({code(run.name()), c.quantity, c.unit, c.reference, c.error(), bullet,
+                   stock_error(run.stock[1], c.quantity)});
     }
   }
-  return "### What is compared\n\n" + statements +
+  return "### What is compared\n\n" + statements.markdown() +
          "\n### The worst of each quantity\n\nOf all cases of a closed form the one that uses most "
          "of "
          "its tolerance; every case is in `gurney verify --json`.\n\n" +
-         checks +
+         checks.markdown() +
          "\n### The stock solver of Bullet on the same cases\n\n`bullet` is its iterated contact "
          "solver (50 iterations), `bullet-dantzig` its direct one, with the same steps. It knows "
          "no\nfixtures and no drop weights, so it runs the cases that need none. Its friction is a "
          "pyramid: that is the error of `isotropy_free`.\n\n" +
-         stock;
+         stock.markdown();
 }
 
 }  // namespace gurney::report

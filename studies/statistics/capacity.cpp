@@ -8,7 +8,6 @@
 #include <map>
 
 #include "engine/base/error.h"
-#include "studies/statistics/quantiles.h"
 
 namespace gurney::statistics {
 namespace {
@@ -100,18 +99,6 @@ CapacityFit fit_capacities(const std::vector<Capacity>& capacities) {
   fit.covariance = normal.covariance;
   fit.log_likelihood = normal.log_likelihood;
   return fit;
-}
-
-std::optional<LognormalCurve> curve_of_moments(const std::vector<double>& capacities) {
-  std::vector<double> logs;
-  for (const double capacity : capacities) {
-    require(capacity > 0 && std::isfinite(capacity),
-            fmt::format("capacity = {:g} must be > 0", capacity));
-    logs.push_back(std::log(capacity));
-  }
-  const Moments moments = moments_of(logs);
-  if (!(moments.variance > 0)) return {};
-  return LognormalCurve{std::exp(moments.mean), std::sqrt(moments.variance)};
 }
 
 }  // namespace gurney::statistics

@@ -44,10 +44,4 @@ CapacityFit fit_capacities(const std::vector<Capacity>& capacities);
 /// @throws Error for a bracket that is none
 std::vector<CensoredValue> log_capacities(const std::vector<Capacity>& capacities);
 
-/// Exact capacities by the method of moments: theta = exp(mean ln), beta = standard deviation of ln
-/// with n - 1 (Porter, Kennedy & Bachman 2007, Earthquake Spectra 23(2), 471-489, method A).
-/// None for fewer than two or without spread.
-/// @throws Error unless all are > 0 and finite.
-std::optional<LognormalCurve> curve_of_moments(const std::vector<double>& capacities);
-
 }  // namespace gurney::statistics

@@ -7,14 +7,11 @@
 #include <limits>
 
 #include "engine/base/error.h"
-#include "engine/base/random/normal_draw.h"
 
 namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double logistic(double line) { return 1 / (1 + std::exp(-line)); }
 
 }  // namespace
 
@@ -94,52 +91,6 @@ std::optional<CloudFragility> cloud_fragility(const CloudFit& fit, double limit)
   jacobian << -1 / fit.b, -log_theta / fit.b, 0, 0, -1 / fit.b, 1;
   return CloudFragility{{std::exp(log_theta), fit.sigma / fit.b},
                         jacobian * fit.cluster_covariance * jacobian.transpose()};
-}
-
-double TwoPartCloud::collapse_probability(double im) const {
-  return collapse.status == FragilityStatus::kNoneExceeds ? 0 : logistic(collapse.score(im));
-}
-
-double TwoPartCloud::probability(double limit, double im) const {
-  const double collapsed = collapse_probability(im);
-  const double score = (without.a + without.b * std::log(im) - std::log(limit)) / without.sigma;
-  return collapsed + (1 - collapsed) * normal_cdf(score);
-}
-
-TwoPartCloud fit_two_part_cloud(const std::vector<CloudPoint>& points,
-                                const std::vector<bool>& collapsed) {
-  require(points.size() == collapsed.size(),
-          fmt::format("{} points have {} outcomes: must be one for each", points.size(),
-                      collapsed.size()));
-  std::vector<CloudPoint> standing;
-  std::vector<Observation> outcomes;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    outcomes.push_back({points[i].im, collapsed[i], points[i].group});
-    if (!collapsed[i]) standing.push_back(points[i]);
-  }
-  TwoPartCloud cloud;
-  cloud.without = fit_cloud(standing);
-  cloud.collapse = fit_logistic(StripeTable(outcomes).stripes());
-  cloud.fitted =
-      cloud.without.status == CloudStatus::kFitted &&
-      (cloud.collapse.has_line() || cloud.collapse.status == FragilityStatus::kNoneExceeds);
-  return cloud;
-}
-
-ProbitFit fit_logistic(const std::vector<Stripe>& stripes) {
-  return fit_line(stripes, [&](const Eigen::Vector2d& line) {
-    Quadratic<2> sum{0, Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero()};
-    for (const Stripe& stripe : stripes) {
-      const Eigen::Vector2d x(std::log(stripe.im), 1);
-      const double z = line.dot(x), p = logistic(z);
-      // ln p and ln(1 - p) without overflow
-      const double softplus = std::max(z, 0.0) + std::log1p(std::exp(-std::abs(z)));
-      sum.value += stripe.exceeded * (z - softplus) - (stripe.runs - stripe.exceeded) * softplus;
-      sum.gradient += (stripe.exceeded - stripe.runs * p) * x;
-      sum.curvature += stripe.runs * p * (1 - p) * x * x.transpose();
-    }
-    return sum;
-  });
 }
 
 }  // namespace gurney::statistics

@@ -64,23 +64,4 @@ struct CloudFragility {
 /// @throws Error unless limit > 0.
 std::optional<CloudFragility> cloud_fragility(const CloudFit& fit, double limit);
 
-/// P(EDP > limit | IM) = P(C) + (1 - P(C)) P(EDP > limit | no C), C: collapsed or overturned
-/// (Jalayer, Ebrahimian, Miano, Manfredi & Sezen 2017, EESD 46(15), 2639-2663).
-struct TwoPartCloud {
-  CloudFit without;     ///< of the runs that did not collapse
-  ProbitFit collapse;   ///< logistic: P(C) = 1 / (1 + exp(-line)); kNoneExceeds: P(C) = 0
-  bool fitted = false;  ///< both parts are; else probability() is not to be asked
-
-  double collapse_probability(double im) const;
-  double probability(double limit, double im) const;
-};
-
-/// @param collapsed  for each point; the edp of those is not read, their im is
-/// @throws Error as fit_cloud(), and unless there is one `collapsed` for each point.
-TwoPartCloud fit_two_part_cloud(const std::vector<CloudPoint>& points,
-                                const std::vector<bool>& collapsed);
-
-/// Logistic regression on ln im, statuses as fit_probit(). kFitted and kNotIncreasing have a line.
-ProbitFit fit_logistic(const std::vector<Stripe>& stripes);
-
 }  // namespace gurney::statistics

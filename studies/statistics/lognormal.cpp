@@ -1,10 +1,7 @@
 #include "studies/statistics/lognormal.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
-#include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
 #include "studies/statistics/special.h"
 
@@ -26,15 +23,6 @@ double LognormalCurve::standard_deviation() const {
 
 double LognormalCurve::density(double im) const {
   return im > 0 ? normal_density(std::log(im / theta) / beta) / (beta * im) : 0;
-}
-
-LognormalCurve lognormal_of_moments(double mean, double standard_deviation) {
-  require(mean > 0 && std::isfinite(mean), fmt::format("mean = {:g} must be > 0", mean));
-  require(standard_deviation > 0 && std::isfinite(standard_deviation),
-          fmt::format("standard deviation = {:g} must be > 0", standard_deviation));
-  const double variation = standard_deviation / mean;
-  const double beta = std::sqrt(std::log1p(variation * variation));
-  return {mean * std::exp(-beta * beta / 2), beta};
 }
 
 }  // namespace gurney::statistics

@@ -15,8 +15,4 @@ struct LognormalCurve {
   double density(double im) const;            ///< d probability / d im; 0 for im <= 0
 };
 
-/// The curve of a capacity with this mean and standard deviation, as NRML states it.
-/// @throws Error unless both are > 0 and finite.
-LognormalCurve lognormal_of_moments(double mean, double standard_deviation);
-
 }  // namespace gurney::statistics

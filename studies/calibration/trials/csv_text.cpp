@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
+#include "engine/base/csv_row.h"
 #include "engine/base/error.h"
 #include "engine/base/input_file.h"
 #include "engine/base/printable.h"
@@ -23,17 +25,12 @@ TextCell trimmed(const std::string& line, std::size_t from, std::size_t to, int 
   return {line.substr(first, last - first), number, static_cast<int>(first) + 1};
 }
 
-/// Cells of one line. A quoted cell has no commas to mind here, as numbers and names have none.
-std::vector<TextCell> cells_of(const std::string& line, int number) {
+/// Cells of one line, without empty ones at its end.
+std::vector<TextCell> cells_of(std::string_view line, int number) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
   std::vector<TextCell> cells;
-  for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t to = std::min(line.find(',', from), line.size());
-    TextCell cell = trimmed(line, from, to, number);
-    if (cell.text.size() >= 2 && cell.text.front() == '"' && cell.text.back() == '"')
-      cell.text = cell.text.substr(1, cell.text.size() - 2);
-    cells.push_back(std::move(cell));
-    from = to + 1;
-  }
+  for (CsvCell& cell : csv_row(line))
+    cells.push_back({std::move(cell.text), number, static_cast<int>(cell.column)});
   while (!cells.empty() && cells.back().text.empty()) cells.pop_back();
   return cells;
 }

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
+#include "engine/base/input_file.h"
 #include "engine/base/units.h"
 #include "groundmotions/assembly/plausibility.h"
 #include "groundmotions/buildings/floor_record.h"
@@ -151,9 +150,7 @@ std::optional<std::uint64_t> seed_of(const RecordRequest& request) {
 void add_building_file(const RecordRequest& request, RecordFacts& facts) {
   if (!request.building || request.building->file.empty()) return;
   const std::filesystem::path path = request.building->file;
-  std::ifstream stream(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  facts.files.push_back({path.filename().string(), sha256(bytes)});
+  facts.files.push_back({path.filename().string(), sha256(read_input_file(path.string()))});
 }
 
 groundmotions::Record scaled_as_asked(groundmotions::Record record, const RecordRequest& request) {

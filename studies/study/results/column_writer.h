@@ -20,7 +20,7 @@ void add_columns(Hdf5Writer& file, const std::string& group,
     std::vector<double> values;
     for (const Row& row : rows) values.push_back(column.value(row));
     const Hdf5Spec spec{group + column.name, column.units, column.meaning, scales};
-    if (column.whole) {
+    if (column.whole()) {
       const std::vector<std::int64_t> whole(values.begin(), values.end());
       file.add(spec, whole);
     } else {

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
-#include <sstream>
+#include <limits>
 
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
+#include "engine/base/input_file.h"
 #include "studies/study/results/output_files.h"
 #include "studies/study/run/study_identity.h"
 
@@ -22,11 +23,7 @@ constexpr std::size_t kHashLength = 64;
 constexpr std::size_t kHeadLength = 16 + kHashLength;  ///< of a unit: its number, size and hash
 
 std::string bytes_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  require(stream.is_open(), path.string() + ": cannot be read");
-  std::ostringstream bytes;
-  bytes << stream.rdbuf();
-  return std::move(bytes).str();
+  return read_input_file(path.string(), std::numeric_limits<std::uintmax_t>::max());
 }
 
 void write_whole(const fs::path& path, const std::string& bytes) {

@@ -1,5 +1,6 @@
 #include "studies/study/run/unit_result.h"
 
+#include "studies/study/results/columns.h"
 #include "studies/study/run/archive.h"
 
 // Not in a nameless namespace, where the archive would not find them.
@@ -7,31 +8,23 @@ namespace gurney::study {
 
 template <class A>
 void visit(A& a, WheelDemands& d) {
-  a(d.peak_normal_force, d.peak_tangential_force, d.lifted_time, d.liftoffs, d.skid_distance,
-    d.liftoff_before_overturning);
+  visit_members(a, d, wheel_demand_columns());
 }
 
 template <class A>
 void visit(A& a, PointDemands& d) {
-  a(d.peak_displacement, d.peak_absolute_acceleration, d.impact_acceleration,
-    d.numerical_acceleration);
+  visit_members(a, d, point_demand_columns());
 }
 
 template <class A>
 void visit(A& a, Demands& d) {
-  a(d.peak_displacement, d.peak_displacement_x, d.peak_displacement_y, d.time_of_peak_displacement,
-    d.residual_displacement, d.residual_displacement_x, d.residual_displacement_y, d.peak_velocity,
-    d.path_length, d.peak_yaw, d.residual_yaw, d.peak_tilt, d.time_of_peak_tilt,
-    d.peak_normal_force, d.lifted_time, d.most_wheels_lifted, d.time_of_overturning,
-    d.direction_of_overturning, d.impacts, d.largest_approach_speed, d.largest_impulse,
-    d.peak_impact_force, d.wheels, d.points);
+  visit_members(a, d, demand_columns());
+  a(d.wheels, d.points);
 }
 
 template <class A>
 void visit(A& a, EnergyAccount& e) {
-  a(e.kinetic, e.gravitational, e.elastic, e.weight_energy, e.work_of_floor, e.work_of_forces,
-    e.work_of_fixtures, e.work_of_neighbours, e.rolling_loss, e.sliding_loss, e.relaxation_loss,
-    e.tread_loss, e.axle_loss, e.swivel_loss, e.damper_loss, e.contact_loss, e.numerical_loss);
+  visit_members(a, e, energy_columns());
 }
 
 template <class A>
@@ -65,18 +58,17 @@ void visit(A& a, Impact& i) {
 
 template <class A>
 void visit(A& a, ZoneOutcome& z) {
-  a(z.time_of_entry, z.occupied_time, z.occupied_at_end, z.least_free_width, z.free_width_at_end);
+  visit_members(a, z, zone_columns());
 }
 
 template <class A>
 void visit(A& a, TetherOutcome& t) {
-  a(t.time_taut, t.time_broken, t.peak_tension);
+  visit_members(a, t, tether_columns());
 }
 
 template <class A>
 void visit(A& a, Quality& q) {
-  a(q.energy_closure, q.numerical_loss, q.largest_residual, q.steps, q.subdivided_steps,
-    q.unconverged_steps, q.event_steps, q.newton_iterations, q.collision_passes);
+  visit_members(a, q, quality_columns());
 }
 
 template <class A>

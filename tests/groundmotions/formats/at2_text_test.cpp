@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/units.h"
-#include "groundmotions/formats/peer_at2.h"
+#include "groundmotions/formats/readers.h"
 
 namespace gurney::groundmotions {
 namespace {

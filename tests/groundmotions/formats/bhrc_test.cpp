@@ -1,8 +1,7 @@
-#include "groundmotions/formats/bhrc.h"
-
 #include <gmock/gmock.h>
 
 #include "engine/base/units.h"
+#include "groundmotions/formats/readers.h"
 #include "tests/groundmotions/formats/network_samples.h"
 #include "tests/support/error_text.h"
 

@@ -1,10 +1,9 @@
-#include "groundmotions/formats/csmip_volume.h"
-
 #include <gmock/gmock.h>
 
 #include <limits>
 
 #include "engine/base/units.h"
+#include "groundmotions/formats/readers.h"
 #include "tests/groundmotions/formats/network_samples.h"
 #include "tests/support/error_text.h"
 

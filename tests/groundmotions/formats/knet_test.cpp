@@ -1,10 +1,9 @@
-#include "groundmotions/formats/knet.h"
-
 #include <gmock/gmock.h>
 
 #include <cctype>
 
 #include "engine/base/units.h"
+#include "groundmotions/formats/readers.h"
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 

@@ -1,8 +1,7 @@
-#include "groundmotions/formats/nsmn.h"
-
 #include <gmock/gmock.h>
 
 #include "engine/base/units.h"
+#include "groundmotions/formats/readers.h"
 #include "tests/groundmotions/formats/page_example.h"
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"

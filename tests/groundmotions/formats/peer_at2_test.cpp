@@ -1,8 +1,7 @@
-#include "groundmotions/formats/peer_at2.h"
-
 #include <gmock/gmock.h>
 
 #include "engine/base/units.h"
+#include "groundmotions/formats/readers.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::groundmotions {

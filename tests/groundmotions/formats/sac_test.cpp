@@ -1,10 +1,9 @@
-#include "groundmotions/formats/sac.h"
-
 #include <gmock/gmock.h>
 
 #include <limits>
 
 #include "engine/base/units.h"
+#include "groundmotions/formats/readers.h"
 #include "tests/groundmotions/formats/sac_sample.h"
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"

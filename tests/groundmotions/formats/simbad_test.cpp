@@ -1,7 +1,6 @@
-#include "groundmotions/formats/simbad.h"
-
 #include <gmock/gmock.h>
 
+#include "groundmotions/formats/readers.h"
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 

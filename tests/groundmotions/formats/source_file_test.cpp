@@ -48,9 +48,9 @@ TEST(SourceFile, RefusesWhatCannotBeRead) {
   EXPECT_EQ(error_text([] { SourceFile(std::filesystem::path("no/such.AT2")); }),
             "no/such.AT2: no such file");
   EXPECT_THAT(error_text([] { SourceFile(std::filesystem::temp_directory_path()); }),
-              HasSubstr("not a file (a folder or a device)"));
+              HasSubstr(": is a folder, not a file"));
   EXPECT_THAT(error_text([] { SourceFile(std::filesystem::path("/dev/zero")); }),
-              HasSubstr("not a file (a folder or a device)"));
+              HasSubstr(": is a pipe or a device, not a regular file"));
 }
 
 }  // namespace

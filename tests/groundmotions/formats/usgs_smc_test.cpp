@@ -1,8 +1,7 @@
-#include "groundmotions/formats/usgs_smc.h"
-
 #include <gmock/gmock.h>
 
 #include "engine/base/units.h"
+#include "groundmotions/formats/readers.h"
 #include "tests/groundmotions/formats/array_samples.h"
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "groundmotions/suites/csv_row.h"
+#include "engine/base/csv_row.h"
 #include "groundmotions/suites/name_pattern.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"

@@ -8,6 +8,7 @@
 
 #include "engine/base/random/normal_draw.h"
 #include "studies/statistics/special.h"
+#include "tests/studies/statistics/synthetic.h"
 
 namespace gurney::statistics {
 namespace {
@@ -30,11 +31,11 @@ TEST(CapacityIntervals, AreStudentsAndChiSquaredsForExactCapacities) {
   const auto moments = curve_of_moments(values);
   const CapacityIntervals intervals =
       capacity_intervals(capacities, fit, {fit.curve->theta, 0.4, 3});
-  const double half = 2.776445 * moments->beta / std::sqrt(5.0);
-  EXPECT_NEAR(std::log(intervals.theta.low / moments->theta), -half, 1e-6);
-  EXPECT_NEAR(std::log(intervals.theta.high / moments->theta), half, 1e-6);
-  EXPECT_NEAR(intervals.beta.low, moments->beta * std::sqrt(4 / 11.143287), 1e-6);
-  EXPECT_NEAR(intervals.beta.high, moments->beta * std::sqrt(4 / 0.484419), 1e-6);
+  const double half = 2.776445 * moments.beta / std::sqrt(5.0);
+  EXPECT_NEAR(std::log(intervals.theta.low / moments.theta), -half, 1e-6);
+  EXPECT_NEAR(std::log(intervals.theta.high / moments.theta), half, 1e-6);
+  EXPECT_NEAR(intervals.beta.low, moments.beta * std::sqrt(4 / 11.143287), 1e-6);
+  EXPECT_NEAR(intervals.beta.high, moments.beta * std::sqrt(4 / 0.484419), 1e-6);
 }
 
 // The interval of theta is where the band holds P = 0.5.

@@ -98,43 +98,5 @@ TEST(Cloud, SaysWhyThereIsNoLine) {
   EXPECT_FALSE(cloud_fragility(falling, 1));
 }
 
-// Fractions on a logistic curve give it back.
-TEST(Logistic, ReturnsTheCurveOfExactFractions) {
-  std::vector<Stripe> stripes;
-  for (const double im : {0.5, 1.0, 1.7, 3.0})
-    stripes.push_back({im, 10, 10 / (1 + std::exp(-(2.5 * std::log(im) - 0.7)))});
-  const ProbitFit fit = fit_logistic(stripes);
-  EXPECT_EQ(fit.status, FragilityStatus::kFitted);
-  EXPECT_NEAR(fit.line[0], 2.5, 1e-9);
-  EXPECT_NEAR(fit.line[1], -0.7, 1e-9);
-}
-
-TEST(TwoPartCloud, AddsCollapsesToDemands) {
-  std::vector<CloudPoint> points = synthetic_cloud(3000, 4);
-  std::vector<bool> collapsed;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    collapsed.push_back(uniform_draw(4, 2, i) < 1 / (1 + std::exp(3 - 2 * std::log(points[i].im))));
-  const TwoPartCloud cloud = fit_two_part_cloud(points, collapsed);
-  ASSERT_TRUE(cloud.fitted);
-  const double of_slope = std::sqrt(cloud.collapse.information.inverse()(0, 0));
-  EXPECT_NEAR(cloud.collapse.line[0], 2, 4.5 * of_slope);
-  // At im = 2: collapse 0.1661, without it Phi((ln 0.1 + 1.5 ln 2 - ln 0.3) / 0.4) = 0.4414; the
-  // standard error of both is about 0.02.
-  const double p = 1 / (1 + std::exp(3 - 2 * std::log(2.0)));
-  const double q = normal_cdf((std::log(0.1 / 0.3) + 1.5 * std::log(2.0)) / 0.4);
-  EXPECT_NEAR(cloud.probability(0.3, 2), p + (1 - p) * q, 0.06);
-  EXPECT_NEAR(cloud.probability(1e9, 2), cloud.collapse_probability(2), 1e-15);
-}
-
-TEST(TwoPartCloud, IsTheCloudWithoutCollapses) {
-  const std::vector<CloudPoint> points = synthetic_cloud(50, 5);
-  const TwoPartCloud cloud = fit_two_part_cloud(points, std::vector<bool>(50, false));
-  ASSERT_TRUE(cloud.fitted);
-  const LognormalCurve curve = cloud_fragility(fit_cloud(points), 0.2)->curve;
-  EXPECT_NEAR(cloud.probability(0.2, 1.3), curve.probability(1.3), 1e-12);
-  EXPECT_FALSE(fit_two_part_cloud(points, std::vector<bool>(50, true)).fitted);
-  EXPECT_ERROR(fit_two_part_cloud(points, {}), "50 points have 0 outcomes");
-}
-
 }  // namespace
 }  // namespace gurney::statistics

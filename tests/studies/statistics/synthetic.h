@@ -34,4 +34,14 @@ struct SyntheticStudy {
   }
 };
 
+/// Method of moments for exact capacities: exp(mean ln), standard deviation of ln with n - 1 (Porter,
+/// Kennedy & Bachman 2007, Earthquake Spectra 23(2), 471-489, method A).
+inline LognormalCurve curve_of_moments(const std::vector<double>& capacities) {
+  const double n = static_cast<double>(capacities.size());
+  double mean = 0, squares = 0;
+  for (const double each : capacities) mean += std::log(each) / n;
+  for (const double each : capacities) squares += std::pow(std::log(each) - mean, 2);
+  return {std::exp(mean), std::sqrt(squares / (n - 1))};
+}
+
 }  // namespace gurney::statistics

@@ -39,6 +39,11 @@ fresh() {
   cp "$item" item.toml
 }
 
+records() {
+  printf 'name, h1, unit, time_step_s, scale\nfirst, a.txt, m/s2, 0.01, 1.5\n' > list.csv
+  for i in $(seq 400); do echo "$((i * 7 % 5 - 2))"; done > a.txt
+}
+
 item=$2/equipment/items/xu_trolley.toml
 cp "$item" item.toml
 cat > long.toml <<'TOML'
@@ -57,8 +62,7 @@ draws = 2
 [study.intensity]
 scales = [1, 2]
 TOML
-printf 'name, h1, unit, time_step_s, scale\nfirst, a.txt, m/s2, 0.01, 1.5\n' > list.csv
-for i in $(seq 400); do echo "$((i * 7 % 5 - 2))"; done > a.txt
+records
 study 0 "runs     40, 0 overturned, 0 failed" long.toml -o whole.h5 -j 2
 
 # A second process, whatever it is asked, gets nothing; the first goes on.
@@ -94,8 +98,7 @@ sleep 0.3
 rm item.toml a.txt
 ends 0 "runs     40, 0 overturned, 0 failed"
 same whole.h5 a.h5
-printf 'name, h1, unit, time_step_s, scale\nfirst, a.txt, m/s2, 0.01, 1.5\n' > list.csv
-for i in $(seq 400); do echo "$((i * 7 % 5 - 2))"; done > a.txt
+records
 cp "$item" item.toml
 study 0 "a.h5 (already complete)" long.toml -o a.h5 --resume
 

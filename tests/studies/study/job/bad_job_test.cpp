@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "studies/study/job/job.h"
+#include "tests/studies/study/job/job_text.h"
 #include "tests/support/catalogue_list.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
@@ -10,26 +11,18 @@ namespace {
 
 constexpr const char* kHead = "schema = \"gurney-job/1\"\n[item]\nequipment = \"icu_ventilator\"\n";
 
-/// What `read_job` says of this text.
-std::string mistakes(const std::string& text) {
-  return error_text([&] {
-    config::Document document(text, "a.toml");
-    read_job(document);
-  });
-}
-
 TEST(BadJob, FileThatIsNotThere) {
   EXPECT_EQ(error_text([] { read_job("no_such_job.toml"); }), "no_such_job.toml: no such file");
 }
 
 TEST(BadJob, EmptyFileNamesWhatItNeeds) {
-  EXPECT_EQ(mistakes(""),
+  EXPECT_EQ(errors_of_text(""),
             "a.toml:1:1: schema: missing; must be one of gurney-job/1\n"
             "a.toml:1:1: item: missing; must be a table [item], or tables [[item]] for several");
 }
 
 TEST(BadJob, NamesUnknownItemsCastersAndFloors) {
-  EXPECT_EQ(mistakes(R"(schema = "gurney-job/1"
+  EXPECT_EQ(errors_of_text(R"(schema = "gurney-job/1"
 [item]
 equipment = "icu_ventilater"
 casters = "R101"
@@ -50,7 +43,7 @@ covering = "carpet"
 }
 
 TEST(BadJob, NamesUnknownKeysAndWrongTypesTogether) {
-  EXPECT_EQ(mistakes(std::string(kHead) + R"(headings_deg = [0, 90]
+  EXPECT_EQ(errors_of_text(std::string(kHead) + R"(headings_deg = [0, 90]
 brakes = "on"
 payloads = { paver = 2 }
 brake = true
@@ -74,22 +67,23 @@ velocity_m_per_s = [1, nan, 0]
 
 TEST(BadJob, AnItemWithoutCastersHasNoneToTurnOrBrake) {
   const std::string kBookcase = "schema = \"gurney-job/1\"\n[item]\nequipment = \"bookcase\"\n";
-  EXPECT_EQ(mistakes(kBookcase), "(no error)");
-  EXPECT_EQ(mistakes(kBookcase + "brakes = true\nheadings_deg = [0, 90]\ncasters = \"R100\"\n"),
-            "a.toml:4:10: item.brakes: Bookcase has no casters\n"
-            "a.toml:5:16: item.headings_deg: Bookcase has no casters\n"
-            "a.toml:6:11: item.casters: Bookcase has no casters");
+  EXPECT_EQ(errors_of_text(kBookcase), "(no error)");
+  EXPECT_EQ(
+      errors_of_text(kBookcase + "brakes = true\nheadings_deg = [0, 90]\ncasters = \"R100\"\n"),
+      "a.toml:4:10: item.brakes: Bookcase has no casters\n"
+      "a.toml:5:16: item.headings_deg: Bookcase has no casters\n"
+      "a.toml:6:11: item.casters: Bookcase has no casters");
 }
 
 TEST(BadJob, HistoriesAreSampledAtWholeTimeSteps) {
-  EXPECT_EQ(mistakes(std::string(kHead) + "[settings]\ntime_step_s = 0.004\n"
-                                          "[output]\nhistory_step_s = 0.01\n"),
+  EXPECT_EQ(errors_of_text(std::string(kHead) + "[settings]\ntime_step_s = 0.004\n"
+                                                "[output]\nhistory_step_s = 0.01\n"),
             "a.toml:7:18: output.history_step_s = 0.01: must be a whole number of time steps of "
             "0.004 s, such as 0.012");
 }
 
 TEST(BadJob, NeedsOneItem) {
-  EXPECT_EQ(mistakes("schema = \"gurney-job/1\"\n[item]\n"),
+  EXPECT_EQ(errors_of_text("schema = \"gurney-job/1\"\n[item]\n"),
             "a.toml:2:1: item.equipment: must name an item, or [item.inline] must describe it, not "
             "both");
 }
@@ -107,12 +101,12 @@ TEST(BadJob, PassesOnTheMistakesOfTheItemsFile) {
 TEST(BadJob, ExplainsRecords) {
   const std::string head = std::string(kHead) + "[excitation.record]\n";
   EXPECT_EQ(
-      mistakes(head),
+      errors_of_text(head),
       "a.toml:4:1: excitation.record: no components or too many; must have 'file' (one file "
       "with all components, or an array of files), or files for 'x', 'y', 'z', or 'synthetic', or, "
       "in a study, 'suite'");
   EXPECT_EQ(
-      mistakes(head + "file = \"no.csv\"\nunit = \"m/s\"\nscale = inf\ntime_step_s = 0\n"),
+      errors_of_text(head + "file = \"no.csv\"\nunit = \"m/s\"\nscale = inf\ntime_step_s = 0\n"),
       "a.toml:5:8: excitation.record.file = \"no.csv\": no such file: no.csv\n"
       "a.toml:6:8: excitation.record.unit = \"m/s\": must be one of g, m/s2, cm/s2, gal, "
       "mm/s2, mg, %g, ft/s2, in/s2; did you mean 'm/s2'?\n"
@@ -120,16 +114,16 @@ TEST(BadJob, ExplainsRecords) {
       "a.toml:8:15: excitation.record.time_step_s = 0: must be a finite number >= 1e-05 and <= 1");
   const TempFolder folder;
   const std::string x = folder.write("x.at2", "");
-  EXPECT_EQ(mistakes(head + "x = \"" + x + "\"\nuse = \"xy\"\n"),
+  EXPECT_EQ(errors_of_text(head + "x = \"" + x + "\"\nuse = \"xy\"\n"),
             "a.toml:6:7: excitation.record.use = \"xy\": must name components that are there; 'y' "
             "has no file");
-  EXPECT_EQ(mistakes(head + "x = \"" + folder.path() + "\"\n"),
+  EXPECT_EQ(errors_of_text(head + "x = \"" + folder.path() + "\"\n"),
             "a.toml:5:5: excitation.record.x = \"" + folder.path() +
                 "\": is a folder, not a file: " + folder.path());
 }
 
 TEST(BadJob, ExplainsLoadsAndGuides) {
-  EXPECT_EQ(mistakes(std::string(kHead) + R"([[excitation.force]]
+  EXPECT_EQ(errors_of_text(std::string(kHead) + R"([[excitation.force]]
 point_m = [0, 0, 1]
 direction = [0, 0, 0]
 force_n = 40

@@ -3,6 +3,7 @@
 
 #include "engine/base/units.h"
 #include "studies/study/job/job.h"
+#include "tests/studies/study/job/job_text.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::study {
@@ -46,15 +47,6 @@ position_mm = [-250, -150, 0]
 [item]
 )";
 
-Job job_of(const std::string& text) {
-  config::Document document(text, "a.toml");
-  return read_job(document);
-}
-
-std::string errors(const std::string& text) {
-  return error_text([&] { job_of(text); });
-}
-
 std::vector<double> headings_of(const Job& job) {
   std::vector<double> degrees;
   for (const Caster& caster : job.scene.items[0].model.casters)
@@ -63,9 +55,9 @@ std::vector<double> headings_of(const Job& job) {
 }
 
 TEST(CasterOptions, OneHeadingTurnsTheCastersThatSwivel) {
-  EXPECT_THAT(headings_of(job_of(std::string(kTwoRigid) + "headings_deg = 90\n")),
+  EXPECT_THAT(headings_of(job_of_text(std::string(kTwoRigid) + "headings_deg = 90\n")),
               are({90, 90, 0, 0}));
-  EXPECT_THAT(headings_of(job_of(std::string(kInline) + "headings_deg = 90\n")),
+  EXPECT_THAT(headings_of(job_of_text(std::string(kInline) + "headings_deg = 90\n")),
               are({90, 90, 30, 90}));
 }
 
@@ -80,7 +72,7 @@ draw = 3
   const auto heading = [&](int caster) {
     return -180 + 360 * draw.probability("item.headings_deg[" + std::to_string(caster) + "]");
   };
-  const Job job = job_of(kTwoRigid + drawn);
+  const Job job = job_of_text(kTwoRigid + drawn);
   const std::vector<double> headings = headings_of(job);
   EXPECT_DOUBLE_EQ(headings[0], heading(0));
   EXPECT_DOUBLE_EQ(headings[1], heading(1));
@@ -91,35 +83,36 @@ draw = 3
     if (each.key.starts_with("item.headings_deg[") && !each.distribution.empty()) ++drawn_headings;
   EXPECT_EQ(drawn_headings, 2);
 
-  const std::vector<double> mixed = headings_of(job_of(kInline + drawn));
+  const std::vector<double> mixed = headings_of(job_of_text(kInline + drawn));
   EXPECT_DOUBLE_EQ(mixed[3], heading(3));
   EXPECT_DOUBLE_EQ(mixed[2], 25 + 10 * draw.probability("item.inline.caster[2].heading_deg"));
 }
 
 TEST(CasterOptions, AnotherHeadingForARigidCasterIsAnError) {
-  EXPECT_EQ(errors(std::string(kTwoRigid) + "headings_deg = [90, 90, 90, 180]\n"),
+  EXPECT_EQ(errors_of_text(std::string(kTwoRigid) + "headings_deg = [90, 90, 90, 180]\n"),
             "a.toml:4:25: item.headings_deg[2] = 90: caster 'rear left' of Ultrasound machine on "
             "two rigid wheels and two casters does not swivel: must be its heading there, 0\n"
             "a.toml:4:29: item.headings_deg[3] = 180: caster 'rear right' of Ultrasound machine on "
             "two rigid wheels and two casters does not swivel: must be its heading there, 0");
-  EXPECT_THAT(
-      errors(std::string(kInline) + "headings_deg = { value = [0, 0, 0, 0], source = \"s\" }\n"),
-      HasSubstr("item.headings_deg[2] = 0: caster 'rear left' of cart does not swivel: "
-                "must be its heading there, 30"));
+  EXPECT_THAT(errors_of_text(std::string(kInline) +
+                             "headings_deg = { value = [0, 0, 0, 0], source = \"s\" }\n"),
+              HasSubstr("item.headings_deg[2] = 0: caster 'rear left' of cart does not swivel: "
+                        "must be its heading there, 30"));
 }
 
 TEST(CasterOptions, ItsOwnHeadingForARigidCasterIsNone) {
-  EXPECT_THAT(headings_of(job_of(std::string(kTwoRigid) + "headings_deg = [90, -90, 0, 360]\n")),
-              are({90, -90, 0, 0}));
+  EXPECT_THAT(
+      headings_of(job_of_text(std::string(kTwoRigid) + "headings_deg = [90, -90, 0, 360]\n")),
+      are({90, -90, 0, 0}));
   const std::string own = std::string(kInline) + "headings_deg = [1, 2, 30, 4]\n";
-  EXPECT_THAT(headings_of(job_of(own)), are({1, 2, 30, 4}));
+  EXPECT_THAT(headings_of(job_of_text(own)), are({1, 2, 30, 4}));
   // In a draw the item's own heading is drawn, and what the job repeats is its value.
-  EXPECT_DOUBLE_EQ(headings_of(job_of(own + "[uncertainty]\ndraw = 3\n"))[2],
+  EXPECT_DOUBLE_EQ(headings_of(job_of_text(own + "[uncertainty]\ndraw = 3\n"))[2],
                    25 + 10 * Draw(1, 3).probability("item.inline.caster[2].heading_deg"));
 }
 
 TEST(CasterOptions, ALockedSwivelTurnsAsItWasLeftBeforeItWasLocked) {
-  const Job job = job_of(
+  const Job job = job_of_text(
       "schema = \"gurney-job/1\"\n[item]\nequipment = \"icu_ventilator\"\nheadings_deg = 90\n"
       "swivel_locks = true\n");
   EXPECT_THAT(headings_of(job), are({90, 90, 90, 90}));
@@ -128,12 +121,12 @@ TEST(CasterOptions, ALockedSwivelTurnsAsItWasLeftBeforeItWasLocked) {
 }
 
 TEST(CasterOptions, OneLockIsForTheCastersThatSwivel) {
-  const Job job = job_of(std::string(kTwoRigid) + "swivel_locks = true\n");
+  const Job job = job_of_text(std::string(kTwoRigid) + "swivel_locks = true\n");
   const std::vector<Caster>& casters = job.scene.items[0].model.casters;
   EXPECT_GT(casters[0].swivel_lock_torque, 0);
   EXPECT_EQ(casters[2].swivel_lock_torque, 0);
   EXPECT_TRUE(job.warnings.empty());
-  EXPECT_THAT(errors(std::string(kTwoRigid) + "swivel_locks = [true, true, true, false]\n"),
+  EXPECT_THAT(errors_of_text(std::string(kTwoRigid) + "swivel_locks = [true, true, true, false]\n"),
               HasSubstr("a.toml:4:29: item.swivel_locks[2] = true: caster 'rear left' of "
                         "Ultrasound machine on two rigid wheels and two casters does not swivel, "
                         "or has no lock"));
@@ -180,21 +173,22 @@ kinetic_friction = 0.6
 }
 
 TEST(CasterOptions, BrakesThatNoCasterHasAreAnError) {
-  EXPECT_EQ(errors(plain_cart(false, true) + "brakes = false\n"), "(no error)");
-  EXPECT_THAT(errors(plain_cart(false, true) + "brakes = true\n"),
+  EXPECT_EQ(errors_of_text(plain_cart(false, true) + "brakes = false\n"), "(no error)");
+  EXPECT_THAT(errors_of_text(plain_cart(false, true) + "brakes = true\n"),
               HasSubstr("item.brakes: has no effect: every caster of cart has no brake "
                         "(brake_torque_n_m of its caster)"));
   // Its value is false, a draw would have set them.
-  EXPECT_THAT(errors(plain_cart(false, true) +
+  EXPECT_THAT(
+      errors_of_text(plain_cart(false, true) +
                      "brakes = { value = false, distribution = { kind = \"discrete\", values = "
                      "[0, 1], probabilities = [0.5, 0.5], source = \"s\" } }\n"),
-              HasSubstr("item.brakes: has no effect"));
-  EXPECT_THAT(errors(plain_cart(true, true) + "brakes = [true, false, true, false]\n"),
+      HasSubstr("item.brakes: has no effect"));
+  EXPECT_THAT(errors_of_text(plain_cart(true, true) + "brakes = [true, false, true, false]\n"),
               HasSubstr("item.brakes[2] = true: caster 'caster 3' of cart has no brake"));
 }
 
 TEST(CasterOptions, BrakesThatSomeCastersHaveNotAreAWarning) {
-  const Job job = job_of(plain_cart(true, true) + "brakes = true\n");
+  const Job job = job_of_text(plain_cart(true, true) + "brakes = true\n");
   EXPECT_GT(job.scene.items[0].model.casters[0].brake_torque, 0);
   EXPECT_EQ(job.scene.items[0].model.casters[1].brake_torque, 0);
   EXPECT_THAT(job.warnings,
@@ -204,17 +198,17 @@ TEST(CasterOptions, BrakesThatSomeCastersHaveNotAreAWarning) {
 
 TEST(CasterOptions, LocksAndHeadingsWhereNothingSwivelsAreErrors) {
   const std::string rigid = plain_cart(false, false);
-  EXPECT_THAT(errors(rigid + "swivel_locks = true\n"),
+  EXPECT_THAT(errors_of_text(rigid + "swivel_locks = true\n"),
               HasSubstr("item.swivel_locks: has no effect: every caster of cart does not swivel"));
-  EXPECT_THAT(errors(rigid + "headings_deg = 5\n"),
+  EXPECT_THAT(errors_of_text(rigid + "headings_deg = 5\n"),
               HasSubstr("item.headings_deg: has no effect: no caster of cart swivels"));
-  EXPECT_EQ(errors(rigid + "headings_deg = [0, 0, 0, 0]\n"), "(no error)");
+  EXPECT_EQ(errors_of_text(rigid + "headings_deg = [0, 0, 0, 0]\n"), "(no error)");
 }
 
 TEST(CasterOptions, ALockOfARigidCasterInAnItemIsAnError) {
   std::string locked = kInline;
   locked.replace(locked.find("swivels = false"), 15, "swivels = false\nswivel_lock = true");
-  EXPECT_EQ(errors(locked),
+  EXPECT_EQ(errors_of_text(locked),
             "a.toml:20:15: item.inline.caster[2].swivel_lock: has no effect: the caster does not "
             "swivel (swivels = false)");
 }

@@ -3,6 +3,7 @@
 
 #include "studies/study/job/job.h"
 #include "studies/study/plan/study_job.h"
+#include "tests/studies/study/job/job_text.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::study {
@@ -10,12 +11,7 @@ namespace {
 
 constexpr const char* kHead = "schema = \"gurney-job/1\"\n[item]\nequipment = \"icu_ventilator\"\n";
 
-std::string errors(const std::string& text) {
-  return error_text([&] {
-    config::Document document(kHead + text, "a.toml");
-    read_job(document);
-  });
-}
+std::string errors(const std::string& text) { return errors_of_text(kHead + text); }
 
 std::string errors_of_study(const std::string& text) {
   return error_text([&] { StudyJob(kHead + text, "a.toml"); });
@@ -36,8 +32,7 @@ TEST(InputsWithoutEffect, SettingsOfASolverThatIsNotUsed) {
 
 TEST(InputsWithoutEffect, WarnsWhereADurationEndsTheRun) {
   const std::string text = std::string(kHead) + "[settings]\nduration_s = 3\nrest_hold_s = 1\n";
-  config::Document document(text, "a.toml");
-  EXPECT_THAT(read_job(document).warnings,
+  EXPECT_THAT(job_of_text(text).warnings,
               testing::Contains("settings.rest_hold_s: no effect beside duration_s, which ends the "
                                 "run"));
   EXPECT_EQ(errors("[settings]\nduration_s = 3\nsettle_time_s = 0\n"), "(no error)");
@@ -63,13 +58,8 @@ TEST(InputsWithoutEffect, TheSpacingOfHistoriesThatAreNotKept) {
 
 TEST(InputsWithoutEffect, WheelsOfAnItemWithoutThem) {
   EXPECT_EQ(errors("[initial]\nwheels_roll = false\n"), "(no error)");
-  EXPECT_EQ(error_text([] {
-              config::Document document(
-                  "schema = \"gurney-job/1\"\n[item]\nequipment = \"bookcase\"\n"
-                  "[initial]\nwheels_roll = false\n",
-                  "a.toml");
-              read_job(document);
-            }),
+  EXPECT_EQ(errors_of_text("schema = \"gurney-job/1\"\n[item]\nequipment = \"bookcase\"\n"
+                           "[initial]\nwheels_roll = false\n"),
             "a.toml:5:15: initial.wheels_roll: has no effect on an item without casters");
 }
 
@@ -123,14 +113,8 @@ contact = { material = "wood", friction = 0.4, stiffness_n_per_m = 1e6, restitut
 [floor]
 slope = 0  # its usual values have a distribution
 )";
-  const auto single = [&](const std::string& text) {
-    return error_text([&] {
-      config::Document document(block + text, "a.toml");
-      read_job(document);
-    });
-  };
-  EXPECT_EQ(single(""), "(no error)");
-  EXPECT_EQ(single("[uncertainty]\ndraw = 2\n"),
+  EXPECT_EQ(errors_of_text(block), "(no error)");
+  EXPECT_EQ(errors_of_text(block + "[uncertainty]\ndraw = 2\n"),
             "a.toml:9:1: uncertainty: has no effect: no number of the job has a distribution");
   EXPECT_EQ(error_text([&] { StudyJob(block + "[study]\ndraws = 3\n", "a.toml"); }),
             "a.toml:10:9: study.draws: has no effect: no number of the job has a distribution");

@@ -3,17 +3,13 @@
 #include <algorithm>
 
 #include "studies/study/job/job.h"
+#include "tests/studies/study/job/job_text.h"
 
 namespace gurney::study {
 namespace {
 
-Job job_of(const std::string& text) {
-  config::Document document(text, "a.toml");
-  return read_job(document);
-}
-
 TEST(Job, BringsTheContactOfAnItemOnFeetToTheSceneAndItsAssumptions) {
-  const Job job = job_of(
+  const Job job = job_of_text(
       "schema = \"gurney-job/1\"\n[item]\nequipment = \"bookcase\"\n"
       "[floor]\ncovering = \"rubber\"\n");
   EXPECT_TRUE(job.scene.items[0].model.casters.empty());
@@ -31,8 +27,8 @@ TEST(Job, BringsTheContactOfAnItemOnFeetToTheSceneAndItsAssumptions) {
 
 TEST(Job, DrawsTheContactOfAnItemOnFeet) {
   const auto friction = [](int draw) {
-    const Job job = job_of("schema = \"gurney-job/1\"\n[item]\nequipment = \"bookcase\"\n" +
-                           ("[uncertainty]\ndraw = " + std::to_string(draw)) + "\n");
+    const Job job = job_of_text("schema = \"gurney-job/1\"\n[item]\nequipment = \"bookcase\"\n" +
+                                ("[uncertainty]\ndraw = " + std::to_string(draw)) + "\n");
     return job.scene.pairs.at(0).constants.friction;
   };
   EXPECT_NE(friction(1), friction(2));

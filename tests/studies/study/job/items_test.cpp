@@ -6,15 +6,13 @@
 #include "engine/base/random/draw.h"
 #include "engine/base/units.h"
 #include "studies/study/job/items_reader.h"
+#include "tests/studies/study/job/job_text.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::study {
 namespace {
 
-Job job_of(const std::string& text) {
-  config::Document document("schema = \"gurney-job/1\"\n" + text, "a.toml");
-  return read_job(document);
-}
+Job job_of(const std::string& text) { return job_of_text("schema = \"gurney-job/1\"\n" + text); }
 
 std::string mistakes(const std::string& text) {
   return error_text([&] { job_of(text); });

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "engine/base/units.h"
+#include "tests/studies/study/job/job_text.h"
 #include "tests/support/error_text.h"
 #include "tests/support/key_table.h"
 #include "tests/support/temp_folder.h"
@@ -14,19 +15,6 @@ namespace gurney::study {
 namespace {
 
 constexpr const char* kHead = "schema = \"gurney-job/1\"\n[item]\nequipment = \"icu_ventilator\"\n";
-
-/// What `read_job` says of this text.
-std::string mistakes(const std::string& text) {
-  return error_text([&] {
-    config::Document document(text, "a.toml");
-    read_job(document);
-  });
-}
-
-Job job_of(const std::string& text) {
-  config::Document document(text, "a.toml");
-  return read_job(document);
-}
 
 /// A job with every key there is.
 constexpr const char* kEverything = R"toml(schema = "gurney-job/1"
@@ -262,16 +250,17 @@ TEST(Job, ReadsTheSettings) {
   EXPECT_DOUBLE_EQ(settings.overturn_tilt, 45 * kRadiansPerDegree);
   EXPECT_FALSE(settings.skip_clear_collision_passes);
   EXPECT_EQ(settings.history_step, 0.02);
-  EXPECT_EQ(job_of(std::string(kHead) + "[output]\nhistories = false\n").settings.history_step, 0);
+  EXPECT_EQ(job_of_text(std::string(kHead) + "[output]\nhistories = false\n").settings.history_step,
+            0);
   EXPECT_EQ(
-      job_of(std::string(kHead) + "[settings]\nsolver = \"bullet-dantzig\"\n").settings.solver,
+      job_of_text(std::string(kHead) + "[settings]\nsolver = \"bullet-dantzig\"\n").settings.solver,
       Solver::kBulletDantzig);
-  EXPECT_EQ(job_of(std::string(kHead) + "[settings]\nsolver = \"bullet\"\n").settings.solver,
+  EXPECT_EQ(job_of_text(std::string(kHead) + "[settings]\nsolver = \"bullet\"\n").settings.solver,
             Solver::kBullet);
 }
 
 TEST(Job, DefaultsAreThoseOfTheEngine) {
-  const Job job = job_of(kHead);
+  const Job job = job_of_text(kHead);
   const SimulationSettings defaults;
   EXPECT_EQ(job.settings.solver, defaults.solver);
   EXPECT_EQ(job.settings.time_step, defaults.time_step);
@@ -296,14 +285,14 @@ TEST(Job, CollectsAssumptionsOfItemCastersFloorAndJob) {
 }
 
 TEST(Job, WarnsAboutAnUnstableItem) {
-  const Job job = job_of(std::string(kHead) + "headings_deg = 0\n");
+  const Job job = job_of_text(std::string(kHead) + "headings_deg = 0\n");
   EXPECT_TRUE(job.warnings.empty());
   std::string text = kEverything;
   text.replace(text.find("[0, 0, 400], inertia"), 11, "[0, 0, 1900]");
   text.erase(text.find("[excitation.record]"),
              text.find("[[excitation.force]]") - text.find("[excitation.record]"));
-  ASSERT_EQ(job_of(text).warnings.size(), 1u + 3);  // and three of what duration_s makes idle
-  EXPECT_NE(job_of(text).warnings[0].find("IEC 60601-1"), std::string::npos);
+  ASSERT_EQ(job_of_text(text).warnings.size(), 1u + 3);  // and three of what duration_s makes idle
+  EXPECT_NE(job_of_text(text).warnings[0].find("IEC 60601-1"), std::string::npos);
 }
 
 TEST(BadJob, RefusesBrakesTheCasterDoesNotHave) {
@@ -322,7 +311,7 @@ TEST(BadJob, RefusesBrakesTheCasterDoesNotHave) {
       R"(tangential_stiffness_n_per_m = 1, tangential_damping_n_s_per_m = 0, )"
       R"(relaxation_length_mm = 1, patch_width_mm = 33, rolling_resistance_mm = 0, )"
       R"(static_friction = 0.4, kinetic_friction = 0.5 } })");
-  const std::string wrong = mistakes(text);
+  const std::string wrong = errors_of_text(text);
   EXPECT_NE(wrong.find("item.inline.caster[0].inline.tread.patch_width_mm = 33: must be a finite "
                        "number >= 0 and <= 32"),
             std::string::npos)
@@ -332,7 +321,7 @@ TEST(BadJob, RefusesBrakesTheCasterDoesNotHave) {
       << wrong;
   text.replace(text.find("patch_width_mm = 33"), 19, "patch_width_mm = 3");
   text.replace(text.find("kinetic_friction = 0.5"), 22, "kinetic_friction = 0.4");
-  EXPECT_EQ(mistakes(text),
+  EXPECT_EQ(errors_of_text(text),
             "a.toml:6:11: item.brakes[0] = true: caster 'caster 1' of cart has no brake "
             "(brake_torque_n_m of its caster): must be false");
 }

@@ -6,6 +6,7 @@
 #include "engine/run/simulate.h"
 #include "studies/study/job/room_reader.h"
 #include "studies/study/prepare/run_job.h"
+#include "tests/studies/study/job/job_text.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
@@ -14,10 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-Job job_of(const std::string& text) {
-  config::Document document("schema = \"gurney-job/1\"\n" + text, "a.toml");
-  return read_job(document);
-}
+Job job_of(const std::string& text) { return job_of_text("schema = \"gurney-job/1\"\n" + text); }
 
 std::string mistakes(const std::string& text) {
   return error_text([&] { job_of(text); });

@@ -11,6 +11,7 @@
 #include "equipment/catalogue/catalogue.h"
 #include "studies/study/job/job.h"
 #include "studies/study/prepare/run_job.h"
+#include "tests/studies/study/job/job_text.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
@@ -35,10 +36,7 @@ value = false
 distribution = { kind = "discrete", values = [0, 1], probabilities = [0.5, 0.5], source = "count" }
 )";
 
-Job job_of(const std::string& text) {
-  config::Document document(kHead + text, "a.toml");
-  return read_job(document);
-}
+Job job_of(const std::string& text) { return job_of_text(kHead + text); }
 
 std::string mistakes(const std::string& text) {
   return error_text([&] { job_of(text); });
@@ -282,11 +280,10 @@ TEST(JobVariant, NamesTheNearest) {
             "on'?");
   EXPECT_THAT(mistakes("variant = 3\n"),
               testing::HasSubstr("a.toml:4:11: item.variant = 3: must be a text or an array"));
-  config::Document document(
-      "schema = \"gurney-job/1\"\n[item]\nvariant = \"full\"\n[item.inline]\n", "a.toml");
-  EXPECT_THAT(error_text([&] { read_job(document); }),
-              testing::HasSubstr("a.toml:3:11: item.variant: only an item with a file of its own "
-                                 "has variants"));
+  EXPECT_THAT(
+      errors_of_text("schema = \"gurney-job/1\"\n[item]\nvariant = \"full\"\n[item.inline]\n"),
+      testing::HasSubstr("a.toml:3:11: item.variant: only an item with a file of its own "
+                         "has variants"));
 }
 
 }  // namespace

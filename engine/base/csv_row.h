@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gurney::groundmotions {
+namespace gurney {
 
 /// One cell of a row.
 struct CsvCell {
@@ -16,4 +16,4 @@ struct CsvCell {
 /// inside stands for one (RFC 4180).
 std::vector<CsvCell> csv_row(std::string_view line);
 
-}  // namespace gurney::groundmotions
+}  // namespace gurney

@@ -1,8 +1,8 @@
-#include "groundmotions/suites/csv_row.h"
+#include "engine/base/csv_row.h"
 
 #include "engine/base/number_text.h"
 
-namespace gurney::groundmotions {
+namespace gurney {
 
 namespace {
 
@@ -39,4 +39,4 @@ std::vector<CsvCell> csv_row(std::string_view line) {
   }
 }
 
-}  // namespace gurney::groundmotions
+}  // namespace gurney
