@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "engine/base/units.h"
+#include "engine/baselines/any_solver.h"
 #include "engine/run/energy_balance.h"
 #include "engine/run/simulate.h"
 #include "studies/verification/scenes/scenes.h"
@@ -119,9 +120,10 @@ TEST(FloorRotation, TheBaselinesRefuseIt) {
   const FloorMotion floor = still().with_rotation(rocking(0.01, 1, true));
   SimulationSettings settings = scenes::run_for(1, 0.004);
   settings.solver = Solver::kBullet;
-  EXPECT_EQ(error_text([&] { simulate(standing_trolley(), floor, settings); }),
-            "the stock Bullet baselines know no rotation of the floor; use solver = \"star\" for "
-            "this job");
+  EXPECT_EQ(
+      error_text([&] { baselines::simulate_with_any_solver(standing_trolley(), floor, settings); }),
+      "the stock Bullet baselines know no rotation of the floor; use solver = \"star\" for "
+      "this job");
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ struct Body {
   double normal_stiffness = 3e5, tangential_stiffness = 1e5;
 };
 
-Scene scene_of(const Body& c) {
+Scene scene_of_body(const Body& c) {
   Tread tread = small::bare_tread(c.normal_stiffness, c.tangential_stiffness);
   tread.normal_damping = c.normal_damping;
   tread.tangential_damping = c.tangential_damping;
@@ -156,7 +156,7 @@ void heave(const Body& c, const Scene& scene, const Runner& runner, Findings& fi
 
 Findings vibrations(const Body& c, const Runner& runner) {
   Findings findings;
-  const Scene scene = scene_of(c);
+  const Scene scene = scene_of_body(c);
   follow(scene, linear_model(c, scene.items[0].model), runner, findings);
   heave(c, scene, runner, findings);
   return findings;

@@ -36,6 +36,7 @@ TEST(Story, TellsEachOutcomeOfASingleItem) {
             "The run is UNTRUSTED; it ended at 24 s: energy from nowhere. Its results must not be "
             "used.");
   response = {};
+  response.items.resize(1);
   response.items[0].demands.wheels.resize(4);
   response.outcome = Outcome::kRested;
   EXPECT_THAT(story(facts, response),

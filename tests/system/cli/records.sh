@@ -95,8 +95,7 @@ records 1 "perod_s" make ricker perod_s=1 -o x.csv
 
 records 0 "isolators" floor "$record" --building "$building" -o roof.csv
 grep -q "energy closes" roof.csv || complain "the building is not in the processing of its floor"
-wall=$source/groundmotions/buildings/wall_hospital.toml
-[ -f "$wall" ] || wall=${building%/*}/wall_hospital.toml
+wall=$2/groundmotions/buildings/wall_hospital.toml
 records 0 "floor rotates by up to" floor "$record" --building "$wall" -o wall_roof.csv
 grep -q "the floor rotates: peak" wall_roof.csv || complain "the rotation is not in the floor's processing"
 records 0 "peak_dip_rad" floor "$record" --building "$wall" -o wall_roof2.csv --json

@@ -53,6 +53,13 @@ yaw_deg = 12
 name = "b"
 position_m = [-1.2, 0]
 equipment = "infusion_pole"
+[[item.force]]
+point_m = [0, 0, 0.5]
+direction = [1, 0, 0]
+force_n = [0, 30, 0]
+time_s = [0, 0.1, 0.2]
+[item.initial]
+velocity_m_per_s = [0.1, 0, 0]
 [[room.kerb]]
 from_m = [-3, -2]
 to_m = [-3, 2]
@@ -76,13 +83,6 @@ slope = 0.01
 synthetic = { kind = "ricker" }
 scale = 0.3
 angle_deg = 20
-[[excitation.force]]
-point_m = [0, 0, 0.5]
-direction = [1, 0, 0]
-force_n = [0, 30, 0]
-time_s = [0, 0.1, 0.2]
-[initial]
-velocity_m_per_s = [0.1, 0, 0]
 [settings]
 duration_s = 0.04
 time_step_s = 0.004

@@ -275,8 +275,9 @@ TEST(Job, CollectsAssumptionsOfItemCastersFloorAndJob) {
   const TempFolder folder;
   const Job job = read_job(write_everything(folder));
   const auto count = [&](const std::string& key) {
-    return std::count_if(job.assumptions.begin(), job.assumptions.end(),
-                         [&](const equipment::Assumption& each) { return each.key == key; });
+    return std::count_if(
+        job.assumptions.begin(), job.assumptions.end(),
+        [&](const equipment::Assumption& each) { return each.key.ends_with(key); });
   };
   EXPECT_EQ(count("excitation.string_potentiometer[0].tension_n"), 1);
   EXPECT_EQ(count("trail_mm"), 1);  // of R125 only, though the item names R100, and only once

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "engine/base/hash/sha256.h"
 #include "studies/study/results/hdf5_reader.h"
@@ -121,19 +122,29 @@ TEST_F(StudyFile, NamesConfigurationsRecordsDrawsAndItself) {
   EXPECT_EQ(file.text_attribute("intensity_units"), "m/s2");
   EXPECT_THAT(file.strings("/configurations/brakes"), ElementsAre("false", "true"));
   EXPECT_THAT(file.strings("/records/name"), ElementsAre("synthetic ricker"));
-  const std::size_t variables = results_[0].drawn.size();
+  // One angle stands for all. With brakes on the four torques are drawn as well.
+  const std::size_t free = results_.front().drawn.size(), braked = free + 4;
+  ASSERT_EQ(results_.back().drawn.size(), braked);
   const std::vector<double> configuration = file.numbers("/drawn/configuration"),
                             draw = file.numbers("/drawn/draw"),
                             value = file.numbers("/drawn/value");
-  ASSERT_EQ(value.size(), 2 * 2 * variables) << "one angle stands for all";
+  const std::vector<std::string> variable = file.strings("/drawn/variable");
+  ASSERT_EQ(value.size(), 2 * free + 2 * braked);
+  std::map<std::pair<double, std::string>, double> of_free;
   for (std::size_t i = 0; i < value.size(); ++i) {
-    EXPECT_EQ(configuration[i], double(i / (2 * variables)));
-    EXPECT_EQ(draw[i], double(i / variables % 2));
-    EXPECT_EQ(value[i], value[i % (2 * variables)]) << "paired";
+    const bool first = i < 2 * free;
+    EXPECT_EQ(configuration[i], first ? 0 : 1);
+    EXPECT_EQ(draw[i], double(first ? i / free : (i - 2 * free) / braked));
+    if (first)
+      of_free[{draw[i], variable[i]}] = value[i];
+    else if (of_free.contains({draw[i], variable[i]}))
+      EXPECT_EQ(value[i], (of_free[{draw[i], variable[i]}])) << "paired";
+    else
+      EXPECT_THAT(variable[i], testing::EndsWith("brake_torque_n_m"));
   }
-  EXPECT_EQ(file.strings("/drawn/variable")[variables], "item.yaw_deg");
+  EXPECT_EQ(variable[free], variable[0]);
   EXPECT_EQ(value[0], results_[0].drawn[0]);
-  EXPECT_NE(value[0], value[variables]);
+  EXPECT_NE(value[0], value[free]);
 }
 
 TEST_F(StudyFile, HasTheHistoriesThatAreKept) {
