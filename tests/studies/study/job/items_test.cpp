@@ -136,8 +136,8 @@ TEST(Items, AreDrawnApartWhateverElseStandsThere) {
       kYaw;
   const Job both = job_of(a + b + draw), turned = job_of(b + a + draw), alone = job_of(a + draw);
   const auto of_a = drawn_for(both, "a/"), of_b = drawn_for(both, "b/");
-  // mass, three of the centre of mass, yaw; four constants of each caster.
-  EXPECT_EQ(of_a.size(), 4u + 1 + 4 * 4);
+  // mass, three of the centre of mass, yaw; nine constants of each caster.
+  EXPECT_EQ(of_a.size(), 4u + 1 + 4 * 9);
   EXPECT_EQ(of_b.size(), of_a.size());
   EXPECT_EQ(of_a, drawn_for(turned, "a/"));
   EXPECT_EQ(of_a, drawn_for(alone, "a/"));

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "engine/base/hash/sha256.h"
 #include "studies/study/results/hdf5_reader.h"
@@ -121,17 +123,31 @@ TEST_F(StudyFile, NamesConfigurationsRecordsDrawsAndItself) {
   EXPECT_EQ(file.text_attribute("intensity_units"), "m/s2");
   EXPECT_THAT(file.strings("/configurations/brakes"), ElementsAre("false", "true"));
   EXPECT_THAT(file.strings("/records/name"), ElementsAre("synthetic ricker"));
-  const std::size_t variables = results_[0].drawn.size();
+  // The brakes of the second configuration are on: their torques are drawn as well.
+  const std::size_t variables = results_[0].drawn.size(), braked = variables + 4;
   const std::vector<double> configuration = file.numbers("/drawn/configuration"),
                             draw = file.numbers("/drawn/draw"),
                             value = file.numbers("/drawn/value");
-  ASSERT_EQ(value.size(), 2 * 2 * variables) << "one angle stands for all";
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    EXPECT_EQ(configuration[i], double(i / (2 * variables)));
-    EXPECT_EQ(draw[i], double(i / variables % 2));
-    EXPECT_EQ(value[i], value[i % (2 * variables)]) << "paired";
+  const std::vector<std::string> variable = file.strings("/drawn/variable");
+  ASSERT_EQ(value.size(), 2 * (variables + braked)) << "one angle stands for all";
+  std::map<std::pair<double, std::string>, double> unbraked;
+  for (std::size_t i = 0; i < 2 * variables; ++i) {
+    EXPECT_EQ(configuration[i], 0);
+    EXPECT_EQ(draw[i], double(i / variables));
+    unbraked[{draw[i], variable[i]}] = value[i];
   }
-  EXPECT_EQ(file.strings("/drawn/variable")[variables], "item.yaw_deg");
+  std::size_t torques = 0;
+  for (std::size_t i = 2 * variables; i < value.size(); ++i) {
+    EXPECT_EQ(configuration[i], 1);
+    EXPECT_EQ(draw[i], double((i - 2 * variables) / braked));
+    const auto pair = unbraked.find({draw[i], variable[i]});
+    if (pair == unbraked.end())
+      torques += variable[i].ends_with("/brake_torque_n_m");
+    else
+      EXPECT_EQ(value[i], pair->second) << "paired: " << variable[i];
+  }
+  EXPECT_EQ(torques, 2 * 4u);
+  EXPECT_EQ(variable[variables], "item.yaw_deg");
   EXPECT_EQ(value[0], results_[0].drawn[0]);
   EXPECT_NE(value[0], value[variables]);
 }
