@@ -165,7 +165,7 @@ TEST(Uncertainty, ADrawnNumberBeyondAnotherIsAnErrorAtItsPlace) {
     const double high = 4 * Draw(1, run).probability("sub.high");
     const std::string said = error_text([&] { sample(part, Draw(1, run)); });
     if (high > 1)
-      EXPECT_EQ(said, "no error)");
+      EXPECT_EQ(said, "(no error)");
     else
       EXPECT_TRUE(said.starts_with("a.toml:3:8: sub.high = 0.")) << said;
   }

@@ -280,8 +280,13 @@ TEST(Job, CollectsAssumptionsOfItemCastersFloorAndJob) {
         [&](const equipment::Assumption& each) { return each.key.ends_with(key); });
   };
   EXPECT_EQ(count("excitation.string_potentiometer[0].tension_n"), 1);
-  EXPECT_EQ(count("trail_mm"), 1);  // of R125 only, though the item names R100, and only once
-  EXPECT_EQ(count("brake_torque_n_m"), 1);
+  EXPECT_EQ(count("wheel_mass_kg"), 1);  // of R125 only, though the item names R100, and only once
+  std::ptrdiff_t braked = 0;
+  for (const Caster& caster : job.scene.items[0].model.casters) {
+    braked += caster.brake_torque > 0;
+    EXPECT_EQ(count(caster.name + "/brake_torque_n_m"), caster.brake_torque > 0);
+  }
+  EXPECT_GT(braked, 0);
   EXPECT_EQ(count("friction_factor"), 1);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "engine/base/hash/sha256.h"
 #include "studies/study/results/hdf5_reader.h"
@@ -122,29 +123,33 @@ TEST_F(StudyFile, NamesConfigurationsRecordsDrawsAndItself) {
   EXPECT_EQ(file.text_attribute("intensity_units"), "m/s2");
   EXPECT_THAT(file.strings("/configurations/brakes"), ElementsAre("false", "true"));
   EXPECT_THAT(file.strings("/records/name"), ElementsAre("synthetic ricker"));
-  // One angle stands for all. With brakes on the four torques are drawn as well.
-  const std::size_t free = results_.front().drawn.size(), braked = free + 4;
-  ASSERT_EQ(results_.back().drawn.size(), braked);
+  // The brakes of the second configuration are on: their torques are drawn as well.
+  const std::size_t variables = results_[0].drawn.size(), braked = variables + 4;
   const std::vector<double> configuration = file.numbers("/drawn/configuration"),
                             draw = file.numbers("/drawn/draw"),
                             value = file.numbers("/drawn/value");
   const std::vector<std::string> variable = file.strings("/drawn/variable");
-  ASSERT_EQ(value.size(), 2 * free + 2 * braked);
-  std::map<std::pair<double, std::string>, double> of_free;
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    const bool first = i < 2 * free;
-    EXPECT_EQ(configuration[i], first ? 0 : 1);
-    EXPECT_EQ(draw[i], double(first ? i / free : (i - 2 * free) / braked));
-    if (first)
-      of_free[{draw[i], variable[i]}] = value[i];
-    else if (of_free.contains({draw[i], variable[i]}))
-      EXPECT_EQ(value[i], (of_free[{draw[i], variable[i]}])) << "paired";
-    else
-      EXPECT_THAT(variable[i], testing::EndsWith("brake_torque_n_m"));
+  ASSERT_EQ(value.size(), 2 * (variables + braked)) << "one angle stands for all";
+  std::map<std::pair<double, std::string>, double> unbraked;
+  for (std::size_t i = 0; i < 2 * variables; ++i) {
+    EXPECT_EQ(configuration[i], 0);
+    EXPECT_EQ(draw[i], double(i / variables));
+    unbraked[{draw[i], variable[i]}] = value[i];
   }
-  EXPECT_EQ(variable[free], variable[0]);
+  std::size_t torques = 0;
+  for (std::size_t i = 2 * variables; i < value.size(); ++i) {
+    EXPECT_EQ(configuration[i], 1);
+    EXPECT_EQ(draw[i], double((i - 2 * variables) / braked));
+    const auto pair = unbraked.find({draw[i], variable[i]});
+    if (pair == unbraked.end())
+      torques += variable[i].ends_with("/brake_torque_n_m");
+    else
+      EXPECT_EQ(value[i], pair->second) << "paired: " << variable[i];
+  }
+  EXPECT_EQ(torques, 2 * 4u);
+  EXPECT_EQ(variable[variables], "item.yaw_deg");
   EXPECT_EQ(value[0], results_[0].drawn[0]);
-  EXPECT_NE(value[0], value[free]);
+  EXPECT_NE(value[0], value[variables]);
 }
 
 TEST_F(StudyFile, HasTheHistoriesThatAreKept) {
