@@ -92,7 +92,7 @@ CLI::App& command_at(CLI::App& app, const std::vector<std::string>& words) {
 
 /// What is wrong with the command, before its options are looked at; empty if nothing is.
 /// In the order of the help.
-constexpr AddCommand* kCommands[] = {add_run,       add_check,       add_replay,   add_show,
+constexpr AddCommand* kAddCommands[] = {add_run,       add_check,       add_replay,   add_show,
                                      add_fragility, add_export,      add_compare,  add_pulling,
                                      add_measures,  add_sensitivity, add_converge, add_records,
                                      add_equipment, add_calibrate,   add_verify};
@@ -151,7 +151,7 @@ int run_command_line(int argc, char** argv) {
       "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 a run failed or a check failed, "
       "130/143 interrupted.");
   std::function<int()> act;
-  for (AddCommand* const add : kCommands) add(app, act);
+  for (AddCommand* const add : kAddCommands) add(app, act);
   app.add_subcommand("help", "Print this help, or that of a command: help records scale");
   describe_commands(app);
   try {

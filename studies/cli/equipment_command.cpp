@@ -117,7 +117,7 @@ void add_list(CLI::App& equipment, std::function<int()>& act) {
   });
 }
 
-void add_show(CLI::App& equipment, std::function<int()>& act) {
+void add_equipment_show(CLI::App& equipment, std::function<int()>& act) {
   auto options = std::make_shared<ShowOptions>();
   CLI::App* const command = equipment.add_subcommand(
       "show", "Mass, inertia, support, tilt, wheel loads and resistance of an item");
@@ -137,7 +137,7 @@ void add_show(CLI::App& equipment, std::function<int()>& act) {
   command->callback([options, &act] { act = [options] { return show(*options); }; });
 }
 
-void add_check(CLI::App& equipment, std::function<int()>& act) {
+void add_equipment_check(CLI::App& equipment, std::function<int()>& act) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* const command = equipment.add_subcommand(
       "check", "Validate files of items, casters, floor coverings, rooms and tethers");
@@ -153,8 +153,8 @@ void add_equipment(CLI::App& app, std::function<int()>& act) {
       app.add_subcommand("equipment", "List, inspect and validate equipment");
   equipment->require_subcommand(1);
   add_list(*equipment, act);
-  add_show(*equipment, act);
-  add_check(*equipment, act);
+  add_equipment_show(*equipment, act);
+  add_equipment_check(*equipment, act);
 }
 
 }  // namespace gurney::cli

@@ -39,7 +39,7 @@ void print(const RunOutput& output, const study::PreparedRun& run, const Respons
     fmt::print("{}", report::summary_json(run.facts, response));
     return;
   }
-  fmt::print("{}\n", summary(run.facts, response));
+  fmt::print("{}\n", report::summary(run.facts, response));
   if (seconds > 0) fmt::print("speed    {:.0f} x real time\n", response.end_time / seconds);
   fmt::print("results  {}\n", output.results.string());
   if (!output.no_figure) fmt::print("figure   {}\n", output.figure().string());

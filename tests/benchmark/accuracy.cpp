@@ -52,7 +52,9 @@ void print_pulling_accuracy() {
                            {3e5, 1e5, 5e-4}}) {
     Scene scene = trolley({0, 0, 0, 0});
     make_rigid(scene, s.normal, s.tangential);
-    const Response response = simulate(scene, pull(), {.time_step = s.step, .history_step = 0.5});
+    scene.items[0].loads = {pull()};
+    const Response response =
+        simulate(scene, FloorMotion(), {.time_step = s.step, .history_step = 0.5});
     const PullReference reference = pull_reference(scene);
     double at_release = 0;
     for (const Sample& sample : response.items[0].history)

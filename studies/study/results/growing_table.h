@@ -25,7 +25,7 @@ class GrowingTable {
   template <class Row>
   void add(std::span<const TableColumn<Row>> columns) {
     for (const TableColumn<Row>& column : columns) {
-      if (column.whole)
+      if (column.whole())
         add_whole(column.name, column.meaning);
       else
         add_number(column.name, column.units, column.meaning);

@@ -11,6 +11,7 @@
 
 namespace {
 
+using namespace gurney;
 using namespace gurney::calibration;
 
 constexpr double kScatter = 0.03;  // of ln Cr between trials

@@ -9,7 +9,7 @@
 int main(int, char** argv) {
   using namespace gurney;
   FabricatedStudy::write(argv[1]);
-  const StudyData data(argv[1]);
+  const study::StudyData data(argv[1]);
   for (std::size_t i = 0; i < data.configurations().size(); ++i) {
     const statistics::FragilityFit fit =
         statistics::fit_fragility(data.observations(0, i, data.measure("")));
