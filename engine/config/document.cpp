@@ -6,12 +6,12 @@
 #include <set>
 #include <utility>
 
+#include "engine/base/diagnostics.h"
 #include "engine/config/file_snapshot.h"
 #include "engine/config/json_reader.h"
 #include "engine/config/nearest_name.h"
 #include "engine/config/table.h"
 #include "engine/config/toml_reader.h"
-#include "engine/base/diagnostics.h"
 
 namespace gurney::config {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/config/node.h"
 #include "engine/base/error.h"
+#include "engine/config/node.h"
 
 namespace gurney::config {
 

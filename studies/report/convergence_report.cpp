@@ -1,10 +1,11 @@
 #include "studies/report/convergence_report.h"
-#include "studies/report/json_values.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "studies/report/json_values.h"
 
 namespace gurney::report {
 namespace {

@@ -27,8 +27,10 @@ ReportTable items() {
                      {"casters", ">8", "", "casters"},
                      {"assumptions", ">12", "", "assumptions"}});
   for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kItem)) {
-    const equipment::LoadedItem item = equipment::load_item(equipment::find_data(equipment::DataKind::kItem, key, ""));
-    const equipment::ItemSheet sheet = equipment::item_sheet(item.model, equipment::floor_contact(item));
+    const equipment::LoadedItem item =
+        equipment::load_item(equipment::find_data(equipment::DataKind::kItem, key, ""));
+    const equipment::ItemSheet sheet =
+        equipment::item_sheet(item.model, equipment::floor_contact(item));
     table.add({key, item.model.name, sheet.whole.mass, sheet.size.z(),
                sheet.stability.base / sheet.stability.height, sheet.stability.tilt,
                item.model.casters.size(), item.assumptions.size()});
@@ -47,7 +49,9 @@ ReportTable casters() {
                      {"friction mu_s", ">13", ".2f", "static_friction"},
                      {"brake [N m]", ">11", ".3g", "brake_torque_n_m"}});
   for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kCaster)) {
-    const equipment::CasterType type = equipment::load_caster_type(equipment::find_data(equipment::DataKind::kCaster, key, "")).stated();
+    const equipment::CasterType type =
+        equipment::load_caster_type(equipment::find_data(equipment::DataKind::kCaster, key, ""))
+            .stated();
     const Caster& c = type.properties;
     table.add({key, type.name, c.wheel_radius, c.height, c.trail,
                c.tread.rolling_resistance / c.wheel_radius, c.tread.rolling_resistance,
@@ -62,7 +66,9 @@ ReportTable floors() {
                      {"factor on Cr", ">12", ".2f", "rolling_resistance_factor"},
                      {"on friction", ">12", ".2f", "friction_factor"}});
   for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kFloor)) {
-    const equipment::FloorCovering floor = equipment::load_floor_covering(equipment::find_data(equipment::DataKind::kFloor, key, "")).stated();
+    const equipment::FloorCovering floor =
+        equipment::load_floor_covering(equipment::find_data(equipment::DataKind::kFloor, key, ""))
+            .stated();
     table.add({key, floor.name, floor.rolling_resistance_factor, floor.friction_factor});
   }
   return table;
@@ -78,7 +84,8 @@ ReportTable rooms() {
   for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kRoom)) {
     equipment::RoomNames names;
     equipment::Uncertain<equipment::RoomDescription> model;
-    const std::string name = equipment::load_room(equipment::find_data(equipment::DataKind::kRoom, key, ""), names, model);
+    const std::string name = equipment::load_room(
+        equipment::find_data(equipment::DataKind::kRoom, key, ""), names, model);
     const equipment::RoomDescription& room = model.stated();
     table.add({key, name, room.shapes.size(), room.zones.size(), room.points.size(),
                room.assumptions.size()});
@@ -93,7 +100,9 @@ ReportTable tethers() {
                      {"", "", "", "damping_n_s_per_m"},
                      {"strength [N]", ">12", "g", "strength_n"}});
   for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kTether)) {
-    const equipment::TetherType type = equipment::load_tether_type(equipment::find_data(equipment::DataKind::kTether, key, "")).stated();
+    const equipment::TetherType type =
+        equipment::load_tether_type(equipment::find_data(equipment::DataKind::kTether, key, ""))
+            .stated();
     table.add({key, type.name, type.axial_stiffness, type.damping, type.strength});
   }
   return table;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "studies/report/json_values.h"
 #include "studies/report/scale_factors_json.h"
 #include "studies/study/analysis/performance.h"
-#include "studies/report/json_values.h"
 
 namespace gurney::report {
 namespace {

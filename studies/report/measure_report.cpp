@@ -1,11 +1,12 @@
 #include "studies/report/measure_report.h"
-#include "studies/report/json_values.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "studies/report/json_values.h"
 
 namespace gurney::report {
 namespace {

@@ -2,9 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/units.h"
+#include "studies/report/json_values.h"
 #include "studies/report/overview_report.h"
 #include "studies/report/scale_factors_json.h"
-#include "studies/report/json_values.h"
 
 namespace gurney::report {
 namespace {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "studies/study/analysis/report_unit.h"
 #include "studies/report/json_values.h"
+#include "studies/study/analysis/report_unit.h"
 
 namespace gurney::report {
 namespace {
@@ -122,8 +122,7 @@ std::string remarks(const study::StudySensitivity& found) {
 void add_index(Json& json, const std::string& before,
                const std::optional<statistics::VarianceIndex>& index) {
   json[before + "index"] = index ? json_number(index->estimate) : Json();
-  json[before + "interval"] =
-      index ? json_interval(index->interval) : Json();
+  json[before + "interval"] = index ? json_interval(index->interval) : Json();
 }
 
 Json input_json(const study::SensitiveInput& input) {

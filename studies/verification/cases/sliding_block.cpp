@@ -39,8 +39,7 @@ Response slide(Findings& findings, const Runner& runner, const Scene& scene, dou
                const ImpactSteps& steps, double rubbed) {
   constexpr double kStep = 0.004;
   const double speed = scene.items[0].initial.velocity.norm();
-  Response response =
-      runner(findings, scene, {}, blocks::run_for(travel / speed, kStep, kStep));
+  Response response = runner(findings, scene, {}, blocks::run_for(travel / speed, kStep, kStep));
   findings.checks.push_back({"closure of the energy account", "", response.quality.energy_closure,
                              0, steps.closure() + rubbed * steps.phase / 2,
                              "(1 - 2 gamma)^2 phi^2, phi the phase of a step: what a spring that "
