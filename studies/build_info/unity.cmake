@@ -67,4 +67,9 @@ function(gurney_unity target)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP batch_${chosen})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # A class of a source may have a base in the source's anonymous namespace; here the source is
+    # included, and the compiler takes it for a header.
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
 endfunction()
