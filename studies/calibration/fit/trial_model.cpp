@@ -89,7 +89,8 @@ TrialModel::Motion TrialModel::run(const Unknowns& unknowns) const {
   add(release, force_.value(release) + unknowns.force);
   add(release + kFalls, 0);
   std::vector<Load>& loads = scene.items[0].loads;
-  loads = {std::move(pull), Blocks{{point.x(), 0, point.z()}, 1e7, 1e4, held}};
+  loads.push_back(std::move(pull));
+  loads.push_back(Blocks{{point.x(), 0, point.z()}, 1e7, 1e4, held});
   if (trial_.setup.string_tension > 0)
     loads.push_back(StringPotentiometer{point, -Vector3::UnitX(), trial_.setup.string_tension});
   SimulationSettings settings;
