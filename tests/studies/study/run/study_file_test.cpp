@@ -147,7 +147,7 @@ TEST_F(StudyFile, NamesConfigurationsRecordsDrawsAndItself) {
       EXPECT_EQ(value[i], pair->second) << "paired: " << variable[i];
   }
   EXPECT_EQ(torques, 2 * 4u);
-  EXPECT_EQ(variable[variables], "item.yaw_deg");
+  EXPECT_EQ(variable[variables], variable[0]);
   EXPECT_EQ(value[0], results_[0].drawn[0]);
   EXPECT_NE(value[0], value[variables]);
 }
