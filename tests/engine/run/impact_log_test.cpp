@@ -70,7 +70,12 @@ double impulse(double first, double end) {
 TEST(ImpactLog, TimesAnImpactByWhereTheGapCrossesZeroAndSumsItsImpulse) {
   Log log;
   log.step({{.from = -5e-3, .to = -1e-3}});
-  log.step({{.from = -1e-3, .to = 3e-3, .first = 100, .end = 400, .speed = -0.3, .approach = 0.4,
+  log.step({{.from = -1e-3,
+             .to = 3e-3,
+             .first = 100,
+             .end = 400,
+             .speed = -0.3,
+             .approach = 0.4,
              .point = {1, 2, 3}}});
   log.step({{.from = 3e-3, .to = 3e-3, .first = 600, .end = 500, .speed = 0.1, .approach = 9}});
   log.step({{.from = 3e-3, .to = -2e-3, .first = 200, .speed = 0.4}});
@@ -164,7 +169,12 @@ TEST(ImpactLog, EndsAnImpactWhoseContactIsGoneAndCutsOffWhatLasts) {
 TEST(ImpactLog, KeepsPairsApartAndSortsImpactsByTime) {
   Log log;
   log.step({{.from = -3e-3, .to = 1e-3, .first = 0, .end = 10, .speed = -1, .approach = 0.2},
-            {.from = -1e-3, .to = 3e-3, .first = 1, .end = 20, .speed = -1, .approach = 0.4,
+            {.from = -1e-3,
+             .to = 3e-3,
+             .first = 1,
+             .end = 20,
+             .speed = -1,
+             .approach = 0.4,
              .other = 0}});
   const std::vector<Impact> impacts = log.impacts();
   ASSERT_EQ(impacts.size(), 2u);

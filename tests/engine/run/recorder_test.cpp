@@ -44,9 +44,15 @@ class Block {
     end.items.resize(1);
     end.items[0].acceleration.chassis << motion.acceleration, 0, 0, motion.yaw_acceleration;
     const Island island{{0}, 0, 0};
-    recorder_.observe(
-        {&island, state_.items[0].time, duration, &state_, &to, &first, &end, {motion.floor, motion.floor, Vector3::Zero()}},
-        impacts);
+    recorder_.observe({&island,
+                       state_.items[0].time,
+                       duration,
+                       &state_,
+                       &to,
+                       &first,
+                       &end,
+                       {motion.floor, motion.floor, Vector3::Zero()}},
+                      impacts);
     state_ = to;
   }
   Recorder& recorder() { return recorder_; }
@@ -199,8 +205,11 @@ TEST(Recorder, NamesTheWayInWhichTheItemLeans) {
 /// A trolley of 96.5 kg at rest on treads of 1e6 N/m, whose wheels are lifted by hand.
 class Wheels {
  public:
-  Wheels() : scene_(scene()), assembly_(scene_), state_(start()),
-             recorder_(scene_, assembly_, 0, state_) {}
+  Wheels()
+      : scene_(scene()),
+        assembly_(scene_),
+        state_(start()),
+        recorder_(scene_, assembly_, 0, state_) {}
 
   /// All wheels sink in by 1 mm but the first, which is `height` above the floor and moves with
   /// `rate` at the end.
@@ -219,9 +228,8 @@ class Wheels {
       tread.slip_speed = 0.2;
     }
     const Island island{{0}, 0, 0};
-    recorder_.observe(
-        {&island, state_.items[0].time, duration, &state_, &to, &first, &end, {}},
-        {});
+    recorder_.observe({&island, state_.items[0].time, duration, &state_, &to, &first, &end, {}},
+                      {});
     state_ = to;
   }
   Demands demands() {
@@ -234,8 +242,7 @@ class Wheels {
 
  private:
   static Scene scene() {
-    Scene scene;
-    scene.items[0].model = small::trolley({0, 0, 0, 0}, small::bare_tread(1e6, 1e6));
+    Scene scene = scene_of(small::trolley({0, 0, 0, 0}, small::bare_tread(1e6, 1e6)));
     return scene;
   }
   SceneState start() const {

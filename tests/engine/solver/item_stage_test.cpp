@@ -77,8 +77,7 @@ TEST(ItemStage, ItsMatrixIsTheInertia) {
   Matrix6 inertia = Matrix6::Zero();
   inertia.diagonal().head<3>().setConstant(kMass);
   const Matrix3 turned = Eigen::AngleAxisd(2 * kTau, Vector3::UnitZ()).toRotationMatrix();
-  inertia.bottomRightCorner<3, 3>() =
-      turned * solid_box_inertia(kMass, kSize) * turned.transpose();
+  inertia.bottomRightCorner<3, 3>() = turned * solid_box_inertia(kMass, kSize) * turned.transpose();
   EXPECT_LT((block.stage.matrix() - inertia).norm(), 1e-12);
   EXPECT_LT(block.stage.right_side().norm(), 1e-12);
 }
@@ -152,8 +151,7 @@ TEST(ItemStage, KnowsHowFarAVelocityTurnsItFromItsGeometry) {
 // The joints are eliminated: with them put back, Newton's step solves every equation of a trolley
 // on springs, of whatever start, as its forces are linear as long as wheels stay on the floor.
 TEST(ItemStage, ItsStepSolvesTheJointsToo) {
-  Scene scene;
-  scene.items[0].model = small::trolley({20, 80, 140, -60}, small::bare_tread(1e5, 1e5));
+  const Scene scene = scene_of(small::trolley({20, 80, 140, -60}, small::bare_tread(1e5, 1e5)));
   const Mechanism mechanism(scene, 0);
   State start = mechanism.placed({});
   start.position.z() -= 2e-3;

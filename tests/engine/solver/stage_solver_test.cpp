@@ -17,7 +17,8 @@ constexpr double kStiffness = 4e4, kMass = 10, kTau = 0.002;  // [N/m], [kg], [s
 constexpr double kShare = kTau * kTau * kStiffness / kMass;   // (tau omega)^2
 
 ContactConstants spring(double friction = 0) {
-  return {.kind = ContactConstants::Kind::kCompliant, .stiffness = kStiffness, .friction = friction};
+  return {
+      .kind = ContactConstants::Kind::kCompliant, .stiffness = kStiffness, .friction = friction};
 }
 
 Scene blocks_at_wall(std::size_t count, double friction = 0) {
