@@ -160,7 +160,7 @@ TEST(StageSolver, SaysThatItDidNotConverge) {
   EXPECT_GT(out.residual, 0.1);
   EXPECT_EQ(out.end.items[0].velocity.chassis[0], 0);  // the last iterate is its guess
 
-  Pressed lost(std::numeric_limits<double>::quiet_NaN());
+  Pressed lost(1e-3, std::numeric_limits<double>::quiet_NaN());
   StageSolver::Output untouched;
   EXPECT_FALSE(lost.solver.solve(lost.input(lost.state), untouched));
   EXPECT_FALSE(std::isfinite(untouched.residual));
