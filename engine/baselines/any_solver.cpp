@@ -7,8 +7,8 @@ namespace gurney::baselines {
 
 Response simulate_with_any_solver(const Scene& scene, const FloorMotion& floor,
                                   const SimulationSettings& settings) {
-  return settings.solver == Solver::kStar ? simulate(scene, floor, settings)
-                                          : simulate_on_stock_bullet(scene, floor, settings);
+  return settings.solver == Solver::kImplicit ? simulate(scene, floor, settings)
+                                              : simulate_on_stock_bullet(scene, floor, settings);
 }
 
 }  // namespace gurney::baselines

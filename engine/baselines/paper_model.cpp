@@ -202,7 +202,7 @@ class PaperModel : public StockModel {
     motion.z() = 0;
     if (motion.norm() > 0) {
       const double resistance =
-          c.caster.tread.rolling_resistance / c.caster.wheel_radius * normal_[i];
+          c.caster.tread.rolling_friction_length / c.caster.wheel_radius * normal_[i];
       c.rolling.body->applyCentralForce(to_bullet(Vector3(-resistance / motion.norm() * motion)));
     }
     const double turned = before.legs[i].swivel_angle - c.caster.heading;
@@ -272,7 +272,7 @@ std::unique_ptr<StockModel> make_paper_model(const Scene& scene, const Mechanism
     require(c.brake_torque == 0 && c.swivel_lock_torque == 0,
             "caster '" + c.name +
                 "': the model of the paper (solver = \"bullet-paper\") has no brakes and no swivel "
-                "locks; use solver = \"star\" for this job");
+                "locks; use solver = \"implicit\" for this job");
   return std::make_unique<PaperModel>(item, mechanism, direct);
 }
 

@@ -43,16 +43,16 @@ Response simulate_on_stock_bullet(const Scene& scene, const FloorMotion& floor,
   require(scene.room.empty() && scene.tethers.empty() && scene.zones.empty() &&
               scene.items.size() == 1 && !scene.items[0].model.casters.empty(),
           "the stock Bullet baselines know one item on casters and no room; use solver = "
-          "\"star\" for this job");
+          "\"implicit\" for this job");
   const PlacedItem& item = scene.items.front();
   require(is_free(item.fixture) && loads_of<DropWeight>(item.loads).empty() &&
               loads_of<Blocks>(item.loads).empty(),
           "the stock Bullet baselines know no drop weights, blocks or fixtures; use solver = "
-          "\"star\" for this job");
-  require(
-      !floor.rotates(),
-      "the stock Bullet baselines know no rotation of the floor; use solver = \"star\" for this "
-      "job");
+          "\"implicit\" for this job");
+  require(!floor.rotates(),
+          "the stock Bullet baselines know no rotation of the floor; use solver = \"implicit\" for "
+          "this "
+          "job");
   const Assembly assembly(scene);
   const Mechanism& mechanism = assembly.items[0];
   SceneState scene_state{{mechanism.placed(item.initial)}, {}};

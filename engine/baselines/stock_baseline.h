@@ -13,7 +13,7 @@ namespace gurney::baselines {
 /// The floor's acceleration is the exact mean of each step in gravity. What differs is the item:
 /// stock_multibody.h of `bullet` and `bullet-dantzig`, paper_model.h of the others.
 ///
-/// Limits: rigid treads (no compliance, damping or scrub); no energy account beyond kinetic and
+/// Limits: rigid treads (no compliance, damping or scrub); no energy balance beyond kinetic and
 /// gravitational energy.
 /// @throws Error for drop weights, blocks, fixtures and a floor that rotates, which it does not
 ///         know; the paper's model for brakes and locks too.

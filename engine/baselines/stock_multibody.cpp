@@ -50,7 +50,7 @@ class StockMultibody : public StockModel {
       };
       axles_.push_back(add_motor(link + 1));
       swivels_.push_back(c.swivels ? add_motor(link) : nullptr);
-      resistance_.push_back(c.tread.rolling_resistance);
+      resistance_.push_back(c.tread.rolling_friction_length);
       normal_.push_back(mechanism.total_mass * -mechanism.gravity.z() /
                         static_cast<double>(mechanism.legs.size()));
     }
@@ -74,7 +74,7 @@ class StockMultibody : public StockModel {
       item_.body().addBaseTorque(to_bullet(Vector3(row.force * row.direction.tail<3>())));
     }
     for (std::size_t i = 0; i < axles_.size(); ++i) {
-      const Leg& leg = mechanism_.legs[i];
+      const CasterDynamics& leg = mechanism_.legs[i];
       const Eigen::Vector2d& rates = before.velocity.joints[i];
       const int fork = static_cast<int>(2 * i);
       if (leg.swivels())

@@ -58,7 +58,7 @@ double sweep_of(const Mechanism& mechanism, State state) {
 }
 
 /// What Bullet's world needs before it can be made.
-struct Foundations {
+struct BulletComponents {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
@@ -67,7 +67,7 @@ struct Foundations {
 
 }  // namespace
 
-class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld {
+class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsWorld {
  public:
   World(const Scene& scene, const Assembly& assembly, bool skip_clear_passes)
       : btMultiBodyDynamicsWorld(&dispatcher, &broadphase, &solver, &configuration),
@@ -113,7 +113,7 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
     const double needed = kContactMargin + 2 * step_ * speed_;
     if (skip_clear_passes_ && clearance_ - travelled_ > needed) return;
     for (std::size_t i = 0; i < items_.size(); ++i) items_[i]->set(state_->items[i]);
-    forget_last_pass();
+    clear_cached_manifolds();
     btMultiBodyDynamicsWorld::performDiscreteCollisionDetection();
     ++passes_;
     travelled_ = 0;
@@ -150,7 +150,7 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
   /// A point that turned with a wheel since the last pass is no contact any more, and Bullet's
   /// search would start from the axis it found then: results would depend on which passes are
   /// skipped.
-  void forget_last_pass() {
+  void clear_cached_manifolds() {
     const auto& objects = getCollisionObjectArray();
     for (int i = 0; i < objects.size(); ++i)
       getBroadphase()->getOverlappingPairCache()->cleanProxyFromPairs(
@@ -202,7 +202,7 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
     if (body.m_link < 0) return {item, -1, state.rotation.conjugate() * (point - state.position)};
     const int leg = body.m_link / 2;
     const auto i = static_cast<std::size_t>(leg);
-    const Leg& wheel = assembly_.items[item].legs[i];
+    const CasterDynamics& wheel = assembly_.items[item].legs[i];
     const Pose pose = state.pose();
     const double angle = state.legs[i].swivel_angle;
     const Vector3 origin = wheel.point(pose, angle, Vector3::Zero());
@@ -220,7 +220,7 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
   }
 
   /// A tread before a polyhedron.
-  void sharpen(const btMultiBodyLinkCollider& body, BodyContact& contact) const {
+  void refine_normal(const btMultiBodyLinkCollider& body, BodyContact& contact) const {
     const auto& obstacle = obstacles_[static_cast<std::size_t>(contact.other) - 1];
     if (!obstacle || body.m_link < 0) return;
     const Mechanism& mechanism = assembly_.items[contact.side.item];
@@ -243,11 +243,11 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
     const auto& obstacle = obstacles_[static_cast<std::size_t>(contact.other) - 1];
     if (!obstacle || at.leg < 0) return false;
     const auto i = static_cast<std::size_t>(at.leg);
-    const Leg& leg = assembly_.items[at.item].legs[i];
+    const CasterDynamics& leg = assembly_.items[at.item].legs[i];
     const State& state = state_->items[at.item];
     const double angle = state.legs[i].swivel_angle;
     const Vector3 across = leg.across(state.pose(), angle, -contact.normal);
-    if (!Leg::lies(Vector3(0, 0, across.y()))) return false;
+    if (!CasterDynamics::lies(Vector3(0, 0, across.y()))) return false;
     const std::size_t before = contacts_.size();
     for (const Vector3& point : leg.rim(across.y() > 0)) {
       const Vector3 here = state.position + leg.point(state.pose(), angle, point);
@@ -282,7 +282,7 @@ class BulletWorld::World : private Foundations, public btMultiBodyDynamicsWorld 
         } else {
           contact.other = other->getUserIndex();
           contact.offset = contact.normal.dot(first ? on_b : on_a);
-          sharpen(*body, contact);
+          refine_normal(*body, contact);
           if (add_side(contact)) continue;
         }
         contacts_.push_back(contact);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 #include <utility>
 
 #include "engine/base/diagnostics.h"
@@ -60,6 +61,40 @@ std::optional<Node> Document::take(const std::string& key) {
   std::optional<Node> taken(std::move(*found));
   tree_.elements.erase(found);
   return taken;
+}
+
+Node* Document::find_table(const std::string& path) {
+  Node* table = &tree_;
+  std::istringstream keys(path);
+  for (std::string key; std::getline(keys, key, '.');) {
+    const auto found = std::ranges::find(table->elements, key, &Node::key);
+    if (table->kind != Node::Kind::kTable || found == table->elements.end()) return nullptr;
+    table = &*found;
+  }
+  return table->kind == Node::Kind::kTable ? table : nullptr;
+}
+
+std::optional<std::string> Document::rename_key(const std::string& table, const std::string& old,
+                                                const std::string& now) {
+  Node* const in = find_table(table);
+  if (in == nullptr || in->find(now) != nullptr) return {};
+  const auto found = std::ranges::find(in->elements, old, &Node::key);
+  if (found == in->elements.end()) return {};
+  found->key = now;
+  return fmt::format("{}: {}: the key is now called {}; the old name is still read",
+                     where(found->key_place), joined(table, old), now);
+}
+
+std::optional<std::string> Document::rename_text(const std::string& table, const std::string& key,
+                                                 const std::string& old, const std::string& now) {
+  Node* const in = find_table(table);
+  if (in == nullptr) return {};
+  const auto found = std::ranges::find(in->elements, key, &Node::key);
+  if (found == in->elements.end() || found->kind != Node::Kind::kText || found->text != old)
+    return {};
+  found->text = now;
+  return fmt::format("{}: {} = \"{}\": is now called \"{}\"; the old name is still read",
+                     where(found->place), joined(table, key), old, now);
 }
 
 Table Document::root() { return Table(*this, tree_, ""); }

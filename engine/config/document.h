@@ -23,9 +23,9 @@ struct Spot {
 ///
 ///     Document document("trolley.toml");
 ///     const double mass = document.root().number("mass_kg", Range::positive());
-///     document.finish();  // throws one Error with every mistake, unread keys included
+///     document.finish();  // throws one Error with every error, unread keys included
 ///
-/// A getter that meets a mistake notes it and gives a harmless value, so that one pass finds all;
+/// A getter that meets an error notes it and gives a harmless value, so that one pass finds all;
 /// nothing read may be used before `finish`. A file whose name ends in .json is JSON, any other
 /// TOML.
 class Document {
@@ -50,15 +50,24 @@ class Document {
   /// Takes an element out of the root, which then knows nothing of it.
   std::optional<Node> take(const std::string& key);
 
+  /// A key or a text of an earlier version gets its name of today, so that old files stay readable.
+  /// Does nothing where the table has a key `now` as well: `old` is unknown then.
+  /// @param table  path of the table, empty for the root
+  /// @returns a note on it with its place; none if the file does not have it
+  std::optional<std::string> rename_key(const std::string& table, const std::string& old,
+                                        const std::string& now);
+  std::optional<std::string> rename_text(const std::string& table, const std::string& key,
+                                         const std::string& old, const std::string& now);
+
   std::string where(Place place) const;  ///< `path:line:column`; of JSON `path:/item/0/name`
 
   void note(Place place, const std::string& message);
   void note(const Spot& spot, const std::string& message);  ///< its name and then the message
-  void note(const Error& error);  ///< mistakes of another file that this one names
-  std::size_t mistakes() const { return problems_.size() + foreign_.size(); }
-  bool clean() const { return mistakes() == 0; }
+  void note(const Error& error);  ///< errors of another file that this one names
+  std::size_t errors() const { return problems_.size() + foreign_.size(); }
+  bool clean() const { return errors() == 0; }
 
-  /// @throws Error with every noted mistake and every key nobody asked for, sorted by line.
+  /// @throws Error with every noted error and every key nobody asked for, sorted by line.
   void finish();
 
   /// Every key asked for so far: `item.headings_deg`, `excitation.force[].name`.
@@ -70,6 +79,7 @@ class Document {
     std::string message;
   };
 
+  Node* find_table(const std::string& path);
   void note_unread(const Node& table, const std::string& path);
 
   std::string path_, text_;

@@ -10,7 +10,7 @@
 
 namespace gurney::config {
 
-/// A table of a Document: typed getters that note every mistake with its place. A getter without a
+/// A table of a Document: typed getters that note every error with its place. A getter without a
 /// fallback reads a required key. Handles are cheap and live no longer than their Document.
 class Table {
  public:
@@ -47,7 +47,7 @@ class Table {
   bool is_text(const std::string& key);
   std::vector<std::string> keys() const;  ///< as the file has them
 
-  /// Notes a mistake at `key`, or at the table itself where the key is absent: `path.key` and then
+  /// Notes an error at `key`, or at the table itself where the key is absent: `path.key` and then
   /// `message`, which begins with ": " or " = ".
   void note(const std::string& key, const std::string& message);
 

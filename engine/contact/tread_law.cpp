@@ -14,7 +14,7 @@ Vector3 slip_rates(const Vector5& u) { return {u[0], u[1], u[3]}; }
 }  // namespace
 
 TreadLaw::TreadLaw(const Tread& tread, double wheel_radius)
-    : tread_(tread), radius_(wheel_radius), spin_radius_(tread.patch_width / 4) {
+    : tread_(tread), spin_radius_(tread.patch_width / 4) {
   roll_.stiffness = kStickStiffnessRatio * tread.tangential_stiffness * wheel_radius * wheel_radius;
 }
 
@@ -59,10 +59,10 @@ Vector5 TreadLaw::force(const Stage& stage, const Vector5& u, Matrix5& slope) co
   }
 
   const auto roll = roll_.evaluate(stage.start.roll_deflection, u[4],
-                                   tread_.rolling_resistance * n.force, stage.tau);
+                                   tread_.rolling_friction_length * n.force, stage.tau);
   force[4] = roll.torque;
   slope(4, 4) = roll.rate_slope;
-  slope(4, 2) = roll.limit_slope * tread_.rolling_resistance * n.slope;
+  slope(4, 2) = roll.limit_slope * tread_.rolling_friction_length * n.slope;
   return force;
 }
 
@@ -96,7 +96,7 @@ TreadLaw::Result TreadLaw::finish(const Stage& stage, const Vector5& u) const {
     result.damping_power += -patch.dot(slip);  // zero but for rounding
   }
 
-  const double roll_limit = tread_.rolling_resistance * n.force;
+  const double roll_limit = tread_.rolling_friction_length * n.force;
   const auto roll = roll_.evaluate(stage.start.roll_deflection, u[4], roll_limit, stage.tau);
   result.end.roll_deflection = roll.deflection;
   result.end.rolling = roll.slips;

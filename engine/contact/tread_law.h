@@ -91,7 +91,6 @@ class TreadLaw {
   Normal normal(double compression, double u_z, double tau) const;
 
   Tread tread_;
-  double radius_;
   double spin_radius_;
   DryFriction roll_;
 };

@@ -2,7 +2,7 @@
 
 namespace gurney {
 
-/// The energy account since the start [J]. In the floor's frame the floor's inertia does work and
+/// The energy balance since the start [J]. In the floor's frame the floor's inertia does work and
 /// gravity is constant. Every entry is computed from its own force and velocity; `closure()` is
 /// what they miss.
 struct EnergyAccount {

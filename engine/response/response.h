@@ -36,7 +36,7 @@ struct WheelSample {
   double longitudinal_force = 0;  ///< of the floor on the wheel, along its rolling direction [N]
   double lateral_force = 0;       ///< along the axle, to the left [N]
   double scrub_torque = 0;        ///< about the vertical [N m]
-  double rolling_resistance = 0;  ///< signed torque over R [N]
+  double rolling_resistance_force = 0;  ///< signed torque over R [N]
   WheelMode mode = WheelMode::kSticks;
 };
 

@@ -15,7 +15,7 @@ double tilt_of(const Matrix3& rotation) { return std::acos(std::clamp(rotation(2
 
 double horizontal(const Vector3& v) { return v.head<2>().norm(); }
 
-WheelMode mode_of(const Leg& leg, const TreadLaw::Result& tread, bool axle_slips) {
+WheelMode mode_of(const CasterDynamics& leg, const TreadLaw::Result& tread, bool axle_slips) {
   if (tread.force[2] <= 0) return WheelMode::kLifted;
   if (tread.end.sliding) return WheelMode::kSkids;
   if (leg.braked() && !axle_slips) return WheelMode::kBraked;
@@ -57,7 +57,7 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
       mechanism.loads.pull_force(start.time, start.pose(), start.velocity.chassis);
   demands_.peak_velocity = horizontal(current_.velocity);
   for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
-    Leg::Geometry g;
+    CasterDynamics::Geometry g;
     mechanism.legs[i].evaluate(start.pose(), start.legs[i].swivel_angle, start.velocity.chassis,
                                start.velocity.joints[i], Vector3::Zero(), g);
     gaps_[i] = {g.height, 0, g.height >= 0, start.time};
@@ -119,7 +119,7 @@ void Recorder::overturned() {
 void Recorder::observe_wheels(const Stepper::Step& step) {
   const State& to = step.to->items[item_];
   for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
-    const Leg& leg = mechanism_.legs[i];
+    const CasterDynamics& leg = mechanism_.legs[i];
     const TreadLaw::Result& tread = step.end->items[item_].treads[i];
     const Eigen::Vector2d& rates = to.velocity.joints[i];
     WheelSample& wheel = current_.wheels[i];
@@ -132,7 +132,7 @@ void Recorder::observe_wheels(const Stepper::Step& step) {
     wheel.longitudinal_force = heading.dot(tangential);
     wheel.lateral_force = heading.x() * tangential.y() - heading.y() * tangential.x();
     wheel.scrub_torque = leg.tread().spin_radius() * tread.force[3];
-    wheel.rolling_resistance = tread.force[4] / leg.wheel_radius();
+    wheel.rolling_resistance_force = tread.force[4] / leg.wheel_radius();
     wheel.mode = mode_of(leg, tread, step.end->items[item_].axle_slips[i]);
     // A wheel in the air may spin on a free axle for ever; that is no motion of the item.
     const double spin = wheel.mode == WheelMode::kLifted ? 0 : std::abs(rates[1]);

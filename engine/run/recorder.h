@@ -13,7 +13,7 @@
 
 namespace gurney {
 
-/// Turns the accepted steps of one item into demands, histories and the energy account.
+/// Turns the accepted steps of one item into demands, histories and the energy balance.
 class Recorder {
  public:
   Recorder(const Scene& scene, const Assembly& assembly, std::size_t item, const SceneState& start);
@@ -25,7 +25,7 @@ class Recorder {
   /// Notes which way the item fell and which wheels were in the air, at the last step.
   void overturned();
 
-  /// Checks the energy account at `state` and, when `keep`, appends a sample to the history.
+  /// Checks the energy balance at `state` and, when `keep`, appends a sample to the history.
   void sample(const SceneState& state, const EnergyAccount& account, bool keep);
 
   /// Checks it for the verdict on the run, which must not depend on the history's spacing.

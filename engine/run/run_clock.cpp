@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kTimeTolerance = 1e-8;  // [s]; stops nearer than this are one
 constexpr double kNoMotion = 1e-7;       // [m/s]
-constexpr double kAccountStep = 0.1;     // [s]; checks of the energy account
+constexpr double kAccountStep = 0.1;     // [s]; checks of the energy balance
 
 }  // namespace
 

@@ -23,7 +23,7 @@ class RunClock {
 
   /// Whether the next stop after this one is due to a load that changes at target().
   bool at_breakpoint() const { return at_breakpoint_; }
-  /// Whether a sample of the history (or, without one, of the energy account) is due at target().
+  /// Whether a sample of the history (or, without one, of the energy balance) is due at target().
   bool sample_due() const { return on_grid_ && grid_ % stride_ == 0; }
   /// Whether a check of the energy balance is due at target().
   bool check_due() const { return on_grid_ && grid_ % check_stride_ == 0; }

@@ -48,7 +48,7 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
                   const SimulationSettings& settings) {
   validate(scene);
   validate(settings);
-  require(settings.solver == Solver::kStar,
+  require(settings.solver == Solver::kImplicit,
           "settings.solver names a baseline, which simulate() does not run");
   const Assembly assembly(scene);
   const std::size_t count = assembly.items.size();

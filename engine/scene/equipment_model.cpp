@@ -20,7 +20,7 @@ void check_tread(const Tread& tread, Problems& problems) {
   problems.check(tread.relaxation_length >= 1e-4 && std::isfinite(tread.relaxation_length),
                  "tread.relaxation_length", tread.relaxation_length, ">= 0.0001 m and finite");
   problems.not_negative("tread.patch_width", tread.patch_width);
-  problems.not_negative("tread.rolling_resistance", tread.rolling_resistance);
+  problems.not_negative("tread.rolling_friction_length", tread.rolling_friction_length);
   problems.not_negative("tread.kinetic_friction", tread.kinetic_friction);
   problems.check(
       tread.static_friction >= tread.kinetic_friction && std::isfinite(tread.static_friction),

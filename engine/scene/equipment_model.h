@@ -30,15 +30,15 @@ struct MarkedPoint {
 
 /// Wheel on floor: the constants of the tread law (docs/theory/tread.md).
 struct Tread {
-  double normal_stiffness = 3e5;      ///< k_n > 0 [N/m]
-  double normal_damping = 500;        ///< c_n >= 0 [N s/m]
-  double tangential_stiffness = 1e5;  ///< k_t > 0 [N/m]
-  double tangential_damping = 150;    ///< c_t >= 0 [N s/m]
-  double relaxation_length = 0.01;    ///< sigma >= 1e-4: over this roll the patch forgets [m]
-  double patch_width = 0.008;         ///< w >= 0: scrub torque is at most mu N w / 4 [m]
-  double rolling_resistance = 1e-3;   ///< Cr >= 0, a length: f_r = (Cr / R) N [m]
-  double static_friction = 0.6;       ///< mu_s >= mu_k [-]
-  double kinetic_friction = 0.6;      ///< mu_k >= 0 [-]
+  double normal_stiffness = 3e5;          ///< k_n > 0 [N/m]
+  double normal_damping = 500;            ///< c_n >= 0 [N s/m]
+  double tangential_stiffness = 1e5;      ///< k_t > 0 [N/m]
+  double tangential_damping = 150;        ///< c_t >= 0 [N s/m]
+  double relaxation_length = 0.01;        ///< sigma >= 1e-4: over this roll the patch forgets [m]
+  double patch_width = 0.008;             ///< w >= 0: scrub torque is at most mu N w / 4 [m]
+  double rolling_friction_length = 1e-3;  ///< Cr >= 0, a length: f_r = (Cr / R) N [m]
+  double static_friction = 0.6;           ///< mu_s >= mu_k [-]
+  double kinetic_friction = 0.6;          ///< mu_k >= 0 [-]
 };
 
 /// Friction of a bearing: |torque| <= coulomb at rest, coulomb + viscous |rate| in motion.

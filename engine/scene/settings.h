@@ -6,8 +6,8 @@ namespace gurney {
 
 /// Who solves the contact problem of each step.
 enum class Solver {
-  kStar,    ///< ours: casters eliminated analytically, one 6x6 system (docs/theory/solver.md)
-  kBullet,  ///< stock Bullet: sequential impulse, 50 iterations; a baseline
+  kImplicit,  ///< ours: casters eliminated analytically, one 6x6 system (docs/theory/solver.md)
+  kBullet,    ///< stock Bullet: sequential impulse, 50 iterations; a baseline
   kBulletDantzig,  ///< stock Bullet, well configured: direct (Dantzig) contact solver; a baseline
   kBulletPaper,    ///< the model of Xu, Ma & Kurata 2022 on stock Bullet; a baseline
   kBulletPaperDantzig,  ///< the same with the direct solver; a baseline
@@ -15,7 +15,7 @@ enum class Solver {
 
 /// How a run is integrated. Defaults are written here and nowhere else.
 struct SimulationSettings {
-  Solver solver = Solver::kStar;
+  Solver solver = Solver::kImplicit;
   double time_step = 0.004;  ///< (0, 0.02] [s]
   double residual = 1e-9;    ///< momentum residual per step, as a fraction of M g dt, (0, 1e-3]
   int max_newton_iterations = 40;  ///< per stage before the step is subdivided, 4..1000

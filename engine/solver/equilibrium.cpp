@@ -86,7 +86,7 @@ void settle(const Assembly& assembly, const Scene& scene, std::size_t index, Sce
   // Nothing pushes sideways: without friction the treads settle without holding each other.
   for (Caster& caster : held.model.casters) {
     caster.tread.static_friction = caster.tread.kinetic_friction = 0;
-    caster.tread.rolling_resistance = 0;
+    caster.tread.rolling_friction_length = 0;
     caster.brake_torque = caster.swivel_lock_torque = std::numeric_limits<double>::infinity();
   }
   stand_on_springs(level, 0);

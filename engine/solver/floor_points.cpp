@@ -10,7 +10,7 @@ namespace {
 /// A wheel with a steeper axle may soon lie on its side.
 constexpr double kSteepAxle = 0.5;
 
-Vector3 axle_of(const Leg& leg, const State& state, std::size_t i) {
+Vector3 axle_of(const CasterDynamics& leg, const State& state, std::size_t i) {
   const double angle = state.legs[i].swivel_angle;
   return leg.point(state.pose(), angle, Vector3::UnitY()) -
          leg.point(state.pose(), angle, Vector3::Zero());
@@ -36,8 +36,8 @@ void FloorPoints::collect(const State& state, double margin,
   };
   for (const Vector3& corner : corners_) add_if_low({item_, -1, corner});
   for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
-    const Leg& leg = mechanism_.legs[i];
-    if (!Leg::lies(axle_of(leg, state, i))) continue;
+    const CasterDynamics& leg = mechanism_.legs[i];
+    if (!CasterDynamics::lies(axle_of(leg, state, i))) continue;
     for (const bool left : {false, true})
       for (const Vector3& point : leg.rim(left)) add_if_low({item_, static_cast<int>(i), point});
   }

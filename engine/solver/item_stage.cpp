@@ -33,7 +33,7 @@ void ItemStage::update_geometry(const Input& input, const Velocity& v, bool firs
   bias_ << -chassis.mass * gravity, w.cross(inertia * w);
 
   for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
-    const Leg& leg = mechanism_.legs[i];
+    const CasterDynamics& leg = mechanism_.legs[i];
     LegWork& work = legs_[i];
     work.kept = false;
     const double swivel = start.legs[i].swivel_angle + tau * v.joints[i][0];
@@ -64,7 +64,7 @@ void ItemStage::begin_forces(const Input& input, const Velocity& v) {
   if (input.floor.rotates) chassis_change += tau * carried_;
   momentum_ = mass_ * chassis_change;
   for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
-    const Leg& leg = mechanism_.legs[i];
+    const CasterDynamics& leg = mechanism_.legs[i];
     LegWork& work = legs_[i];
     const Eigen::Vector2d& rates = v.joints[i];
     work.rates.noalias() = work.g.jacobian_chassis * v.chassis + work.g.jacobian_joints * rates;
@@ -118,7 +118,7 @@ double ItemStage::end_forces(const Input& input, const Velocity& v) {
 void ItemStage::begin_matrix() {
   matrix_ = mass_;
   for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
-    const Leg& leg = mechanism_.legs[i];
+    const CasterDynamics& leg = mechanism_.legs[i];
     LegWork& work = legs_[i];
     const auto& jc = work.g.jacobian_chassis;
     const auto& jl = work.g.jacobian_joints;

@@ -65,7 +65,7 @@ class ItemStage {
   void finish(const Input& input, const Velocity& v, State& end, Output& out) const;
 
   struct LegWork {
-    Leg::Geometry g;
+    CasterDynamics::Geometry g;
     TreadLaw::Stage tread;
     Vector5 rates;
     Vector5 force;

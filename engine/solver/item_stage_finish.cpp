@@ -26,7 +26,7 @@ void ItemStage::finish(const Input& input, const Velocity& v, State& end, Output
   double rates = a.dot(mass_ * a);
   Vector3 momentum = mechanism_.chassis.mass * v.chassis.head<3>();
   for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
-    const Leg& leg = mechanism_.legs[i];
+    const CasterDynamics& leg = mechanism_.legs[i];
     const LegWork& work = legs_[i];
     const LegState& was = start.legs[i];
     LegState& is = end.legs[i];

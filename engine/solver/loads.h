@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/caster/leg.h"
+#include "engine/caster/caster_dynamics.h"
 #include "engine/response/energy_account.h"
 #include "engine/scene/scene.h"
 #include "engine/solver/loads_state.h"

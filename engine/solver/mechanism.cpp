@@ -7,8 +7,8 @@
 namespace gurney {
 namespace {
 
-Leg::Geometry geometry(const Leg& leg, const State& state, std::size_t i) {
-  Leg::Geometry g;
+CasterDynamics::Geometry geometry(const CasterDynamics& leg, const State& state, std::size_t i) {
+  CasterDynamics::Geometry g;
   leg.evaluate(state.pose(), state.legs[i].swivel_angle, state.velocity.chassis,
                state.velocity.joints[i], Vector3::Zero(), g);
   return g;
@@ -16,7 +16,7 @@ Leg::Geometry geometry(const Leg& leg, const State& state, std::size_t i) {
 
 }  // namespace
 
-Vector3 point_of(const Leg& leg, const Pose& pose, double swivel_angle,
+Vector3 point_of(const CasterDynamics& leg, const Pose& pose, double swivel_angle,
                  const BodyContact::Side& side) {
   return side.outwards.isZero() ? leg.point(pose, swivel_angle, side.local)
                                 : leg.tread_point(pose, swivel_angle, side.outwards, side.local);
@@ -67,14 +67,15 @@ double Mechanism::kinetic_energy(const State& state) const {
   const Vector3 w = R.transpose() * v.tail<3>();
   double energy = 0.5 * chassis.mass * v.head<3>().squaredNorm() + 0.5 * w.dot(chassis.inertia * w);
   for (std::size_t i = 0; i < legs.size(); ++i)
-    energy += Leg::kinetic_energy(geometry(legs[i], state, i), v, state.velocity.joints[i]);
+    energy +=
+        CasterDynamics::kinetic_energy(geometry(legs[i], state, i), v, state.velocity.joints[i]);
   return energy;
 }
 
 double Mechanism::elastic_energy(const State& state) const {
   double energy = loads.stored_energy(state.loads) + tethers.stored_energy(state);
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    const Leg& leg = legs[i];
+    const CasterDynamics& leg = legs[i];
     const LegState& s = state.legs[i];
     energy += leg.tread().stored_energy(-geometry(leg, state, i).height, s.tread) +
               0.5 * leg.swivel_friction().stiffness * s.swivel_wind * s.swivel_wind +

@@ -10,7 +10,7 @@ SlipReversals::SlipReversals(const Assembly& assembly, double time_step)
     : assembly_(assembly), time_step_(time_step) {
   for (const Mechanism& item : assembly.items) {
     double stiffness = 0;
-    for (const Leg& leg : item.legs) stiffness += leg.tread().tangential_stiffness();
+    for (const CasterDynamics& leg : item.legs) stiffness += leg.tread().tangential_stiffness();
     stiff_treads_.push_back(item.total_mass < stiffness * time_step * time_step);
   }
 }
@@ -20,8 +20,8 @@ void SlipReversals::collect_treads(std::size_t item, const State& state, const C
   for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
     const TreadState& tread = state.legs[i].tread;
     if (!tread.sliding && !tread.rolling) continue;
-    const Leg& leg = mechanism.legs[i];
-    Leg::Geometry g;
+    const CasterDynamics& leg = mechanism.legs[i];
+    CasterDynamics::Geometry g;
     leg.evaluate(state.pose(), state.legs[i].swivel_angle, state.velocity.chassis,
                  state.velocity.joints[i], Vector3::Zero(), g);
     const auto rates = [&](const Velocity& v) -> Vector5 {

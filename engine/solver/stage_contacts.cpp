@@ -11,8 +11,8 @@ void StageSolver::place(const Input& input, const std::vector<Velocity>& v, cons
     side.point = item.pose().rotation * at.local;
   } else {
     const auto i = static_cast<std::size_t>(at.leg);
-    const Leg& leg = item.mechanism().legs[i];
-    const Leg::Geometry& g = item.leg(at.leg).g;
+    const CasterDynamics& leg = item.mechanism().legs[i];
+    const CasterDynamics::Geometry& g = item.leg(at.leg).g;
     const double swivel =
         input.start->items[at.item].legs[i].swivel_angle + input.tau * v[at.item].joints[i][0];
     side.point = point_of(leg, item.pose(), swivel, at);

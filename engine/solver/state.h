@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/base/vector.h"
-#include "engine/caster/leg.h"
+#include "engine/caster/caster_dynamics.h"
 #include "engine/contact/body_contact.h"
 #include "engine/scene/equipment_model.h"
 #include "engine/solver/loads_state.h"

@@ -258,7 +258,8 @@ void Stepper::accept(const Island& island, SceneState& state, double duration,
     accounts_[i].numerical_loss += 0.5 * tau * tau * (second.spring_rates - first.spring_rates);
     predictions_[i] = {second.acceleration, floor_second_.acceleration, true};
     const Tethers& tethers = assembly_.items[i].tethers;
-    if (!tethers.empty()) accounts_[i].damper_loss += tethers.give_way(second_.end.items[i]);
+    if (!tethers.empty())
+      accounts_[i].damper_loss += tethers.break_overstressed(second_.end.items[i]);
   }
   quality_.largest_residual =
       std::max({quality_.largest_residual, first_.residual, second_.residual});

@@ -82,7 +82,7 @@ double Tethers::finish(double tau, const State& start, const Pose& pose, const V
   return rates;
 }
 
-double Tethers::give_way(State& state) const {
+double Tethers::break_overstressed(State& state) const {
   double lost = 0;
   for (std::size_t i = 0; i < tethers_.size(); ++i) {
     if (broken(state, i)) continue;

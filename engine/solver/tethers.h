@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/caster/leg.h"
+#include "engine/caster/caster_dynamics.h"
 #include "engine/response/energy_account.h"
 #include "engine/scene/scene.h"
 #include "engine/solver/loads.h"
@@ -38,7 +38,7 @@ class Tethers {
                 EnergyAccount& power) const;
 
   /// Breaks those loaded beyond their strength; returns the energy lost [J].
-  double give_way(State& state) const;
+  double break_overstressed(State& state) const;
 
   double stored_energy(const State& state) const;
   /// T of the i-th [N].

@@ -32,7 +32,7 @@ void read_tread(Quantities in, Uncertain<CasterType>& type) {
             in.number("tangential_damping_n_s_per_m", Range::not_negative()));
   tread.set(&Tread::relaxation_length, in.length_mm("relaxation_length_mm", Range::at_least(0.1)));
   tread.set(&Tread::patch_width, patch);
-  tread.set(&Tread::rolling_resistance,
+  tread.set(&Tread::rolling_friction_length,
             in.length_mm("rolling_resistance_mm", Range::not_negative()));
   tread.set(&Tread::static_friction, adhering);
   tread.set(&Tread::kinetic_friction, sliding);

@@ -24,10 +24,10 @@ struct CasterType {
   std::vector<Assumption> lock_assumptions;
 };
 
-/// Notes mistakes in the table's document; the result is for use only after its `finish`.
+/// Notes errors in the table's document; the result is for use only after its `finish`.
 Uncertain<CasterType> read_caster_type(config::Table table);
 
-/// @throws Error with every mistake of the file.
+/// @throws Error with every error of the file.
 Uncertain<CasterType> load_caster_type(const std::string& file);
 
 }  // namespace gurney::equipment

@@ -7,7 +7,7 @@
 
 namespace gurney::equipment {
 
-/// A data file without mistakes.
+/// A data file without errors.
 struct CheckedFile {
   DataKind kind = DataKind::kItem;
   std::string name;                   ///< what the file calls it
@@ -15,7 +15,7 @@ struct CheckedFile {
 };
 
 /// Reads an item (with all its variants), a caster or a floor covering, whichever `schema` says.
-/// @throws Error with every mistake of the file.
+/// @throws Error with every error of the file.
 CheckedFile check_data_file(const std::string& file);
 
 }  // namespace gurney::equipment

@@ -7,7 +7,7 @@
 namespace gurney::equipment {
 
 /// The keys of a contact's constants: friction, and restitution, with a numerical stiffness if
-/// wanted, or stiffness and damping of a compliant contact. Mistakes are noted in the document.
+/// wanted, or stiffness and damping of a compliant contact. Errors are noted in the document.
 Uncertain<ContactConstants> read_contact_constants(Quantities in);
 
 }  // namespace gurney::equipment

@@ -19,11 +19,11 @@ struct MaterialContact {
 using ContactTable = Uncertain<std::vector<MaterialContact>>;
 
 /// The tables [[contact]] of `parent`. Each is drawn as a part with the names of its materials.
-/// Mistakes are noted in the document.
+/// Errors are noted in the document.
 ContactTable read_contacts(config::Table& parent);
 
 /// Those of equipment/contacts.toml.
-/// @throws Error with every mistake of the file.
+/// @throws Error with every error of the file.
 ContactTable usual_contacts();
 
 /// The first of the two materials, in either order; nullptr if there is none.

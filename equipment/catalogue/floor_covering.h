@@ -16,10 +16,10 @@ struct FloorCovering {
   std::vector<Assumption> assumptions;
 };
 
-/// Notes mistakes in the table's document; the result is for use only after its `finish`.
+/// Notes errors in the table's document; the result is for use only after its `finish`.
 Uncertain<FloorCovering> read_floor(config::Table table);
 
-/// @throws Error with every mistake of the file.
+/// @throws Error with every error of the file.
 Uncertain<FloorCovering> load_floor_covering(const std::string& file);
 
 }  // namespace gurney::equipment

@@ -16,7 +16,7 @@ struct ItemContact {
   std::vector<Assumption> assumptions;
 };
 
-/// Reads a table [contact]: restitution, or damping for a compliant contact, not both. Mistakes are
+/// Reads a table [contact]: restitution, or damping for a compliant contact, not both. Errors are
 /// noted in the table's document; the result is for use only after its `finish`.
 Uncertain<ItemContact> read_item_contact(config::Table table);
 

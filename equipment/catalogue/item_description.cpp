@@ -17,7 +17,7 @@ namespace {
 using config::Range;
 using config::Table;
 
-constexpr int kMostPayloads = 100;
+constexpr int kMaxPayloads = 100;
 
 void read_chassis(Quantities in, Uncertain<ItemDescription>& item) {
   item.set(&ItemDescription::chassis_mass, in.number("mass_kg", Range::positive()));
@@ -50,7 +50,7 @@ void read_chassis(Quantities in, Uncertain<ItemDescription>& item) {
   });
 }
 
-/// Casters named in one item. A file is read once, and its mistakes are noted once.
+/// Casters named in one item. A file is read once, and its errors are noted once.
 class CasterTypes {
  public:
   /// Into the place's type. One from a file is a part of its own in a draw, with the place's name.
@@ -121,7 +121,7 @@ Uncertain<CasterPlace> read_place(Table table, std::size_t index, CasterTypes& t
 Uncertain<PayloadKind> read_payload(Table table) {
   PayloadKind fixed;
   fixed.name = table.text("name");
-  fixed.count = table.integer("count", 0, kMostPayloads, 0);
+  fixed.count = table.integer("count", 0, kMaxPayloads, 0);
   Uncertain<PayloadKind> payload(std::move(fixed));
   Quantities in(table);
   payload.set(&PayloadKind::mass, in.number("mass_kg", Range::positive()));

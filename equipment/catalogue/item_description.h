@@ -55,7 +55,7 @@ struct ItemDescription {
   std::vector<Assumption> assumptions;  ///< besides those of casters and payloads
 };
 
-/// Reads an item from its own file's root or from a table of a job. Mistakes are noted in the
+/// Reads an item from its own file's root or from a table of a job. Errors are noted in the
 /// table's document; the result is for use only after its `finish`.
 Uncertain<ItemDescription> read_item(config::Table table);
 

@@ -9,7 +9,7 @@ namespace gurney::equipment {
 
 /// Every variant is checked, whether selected or not.
 /// @param variants  laid over the item in this order
-/// @throws Error with every mistake of the file, its variants and the casters it names, and for a
+/// @throws Error with every error of the file, its variants and the casters it names, and for a
 ///         variant it does not have.
 Uncertain<ItemDescription> load_item_description(const std::string& file,
                                                  const std::vector<std::string>& variants = {});

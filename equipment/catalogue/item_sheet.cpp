@@ -60,14 +60,14 @@ ItemSheet item_sheet(const EquipmentModel& item, const ContactConstants& floor) 
     sheet.wheels.push_back(
         {caster.name, contacts[i].center, load, load / caster.tread.normal_stiffness});
     const double rolling =
-        (caster.tread.rolling_resistance * load + caster.axle.coulomb) / caster.wheel_radius;
+        (caster.tread.rolling_friction_length * load + caster.axle.coulomb) / caster.wheel_radius;
     const double grip = caster.tread.static_friction * load;
-    sheet.rolling_resistance += rolling;
+    sheet.rolling_resistance_force += rolling;
     sliding += grip;
     holding += std::min(grip, rolling + caster.brake_torque / caster.wheel_radius);
   }
   if (item.casters.empty()) sliding = holding = floor.friction * weight;
-  sheet.rolling_share = sheet.rolling_resistance / weight;
+  sheet.rolling_resistance_coefficient = sheet.rolling_resistance_force / weight;
   sheet.sliding_share = sliding / weight;
   sheet.holding_share = holding / weight;
   sheet.tipping_share = std::tan(sheet.stability.tilt_as_placed);

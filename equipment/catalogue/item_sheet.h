@@ -36,9 +36,11 @@ struct ItemSheet {
   std::vector<WheelAtRest> wheels;       ///< one for each caster
   std::vector<Vector2> support_polygon;  ///< as placed, anticlockwise [m]
 
-  double rolling_resistance = 0;  ///< sum of (Cr / R) N and of axle friction / R, brakes off [N]
-  double rolling_share = 0;       ///< over the weight: from this floor acceleration it rolls [g]
-  double sliding_share = 0;       ///< sum of mu_s N over the weight: held wheels or feet slide [g]
+  double rolling_resistance_force =
+      0;  ///< sum of (Cr / R) N and of axle friction / R, brakes off [N]
+  double rolling_resistance_coefficient =
+      0;                     ///< over the weight: from this floor acceleration it rolls [g]
+  double sliding_share = 0;  ///< sum of mu_s N over the weight: held wheels or feet slide [g]
   /// Brakes as they are, wheels in line: sum of min(mu_s N, (brake + axle friction + Cr N) / R)
   /// over the weight; from there some wheels turn or slide [g]. Without casters: sliding_share.
   double holding_share = 0;

@@ -84,7 +84,7 @@ Caster make_caster(const CasterPlace& place, std::size_t i, const ItemOptions& o
     add_assumptions(assumptions, type.lock_assumptions);
   }
   if (options.floor) {
-    caster.tread.rolling_resistance *= options.floor->rolling_resistance_factor;
+    caster.tread.rolling_friction_length *= options.floor->rolling_resistance_factor;
     caster.tread.static_friction *= options.floor->friction_factor;
     caster.tread.kinetic_friction *= options.floor->friction_factor;
   }

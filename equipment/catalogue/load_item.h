@@ -38,7 +38,7 @@ struct LoadedItem {
 
 /// Base axes become item axes: the base plate is as high as its casters, or where there are none as
 /// high as it stands on its lowest boxes.
-/// @throws Error with a line for each mistake (a brake that is on but does not exist, base heights
+/// @throws Error with a line for each error (a brake that is on but does not exist, base heights
 ///         that differ between casters, constants outside the engine's ranges), with the place of a
 ///         caster that was read from a file.
 LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options = {});
@@ -47,7 +47,7 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
 const ContactConstants& floor_contact(const LoadedItem& item);
 
 /// Every number at its value.
-/// @throws Error for mistakes of the file and of `assemble_item`.
+/// @throws Error for errors of the file and of `assemble_item`.
 LoadedItem load_item(const std::string& file, const ItemOptions& options = {},
                      const std::vector<std::string>& variants = {});
 

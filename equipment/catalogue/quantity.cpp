@@ -35,7 +35,7 @@ StatedQuantity Quantities::number(const std::string& key, const Range& range,
                                   std::optional<double> fallback) {
   if (!table_.is_table(key)) return plain(key, table_.number(key, range, fallback), "");
   Table quantity = *table_.table(key);
-  const std::size_t mistakes = table_.document().mistakes();
+  const std::size_t errors = table_.document().errors();
   const double value = quantity.number("value", range);
   const Provenance found = provenance(quantity, key);
   StatedQuantity stated = plain(key, value, "");
@@ -44,7 +44,7 @@ StatedQuantity Quantities::number(const std::string& key, const Range& range,
     const std::vector<double> ends = quantity.numbers("range", range, 2);
     stated.low = ends[0];
     stated.high = ends[1];
-    if (table_.document().mistakes() == mistakes &&
+    if (table_.document().errors() == errors &&
         !(ends[0] <= value && value <= ends[1] && ends[0] < ends[1]))
       quantity.note("range",
                     fmt::format(" = [{}, {}]: must be [low, high] with low < high around {}",
@@ -52,7 +52,7 @@ StatedQuantity Quantities::number(const std::string& key, const Range& range,
   }
   std::optional<Uncertainty> uncertainty;
   if (quantity.has("distribution")) uncertainty = read_uncertainty(quantity, "distribution", range);
-  if (table_.document().mistakes() > mistakes || !uncertainty) return stated;
+  if (table_.document().errors() > errors || !uncertainty) return stated;
   stated.uncertainty = std::move(uncertainty);
   note_outside(key, *stated.uncertainty, value);
   if (!found.given) rest_on_distribution(stated);
@@ -91,7 +91,7 @@ std::vector<StatedQuantity> Quantities::read_components(
     return all;
   }
   Table quantity = *table_.table(key);
-  const std::size_t mistakes = table_.document().mistakes();
+  const std::size_t errors = table_.document().errors();
   const std::vector<double> values = quantity.numbers("value", range, size);
   add_plain(values);
   const Provenance found = provenance(quantity, key);
@@ -102,7 +102,7 @@ std::vector<StatedQuantity> Quantities::read_components(
     bool ordered = true;
     for (std::size_t i = 0; i < size; ++i)
       ordered = ordered && low[i] <= values[i] && values[i] <= high[i];
-    if (table_.document().mistakes() == mistakes && !(ordered && low != high))
+    if (table_.document().errors() == errors && !(ordered && low != high))
       quantity.note("low",
                     ": low <= value <= high must hold for each number, and low < high for one");
   }
@@ -115,7 +115,7 @@ std::vector<StatedQuantity> Quantities::read_components(
         quantity.note("distribution", std::string(".") + kAxes[i] +
                                           ": missing; the value needs a source or an assumption");
     }
-  if (table_.document().mistakes() > mistakes) return all;
+  if (table_.document().errors() > errors) return all;
   for (std::size_t i = 0; i < size; ++i) {
     all[i].reason = low[i] < high[i] ? found.reason : "";
     all[i].low = low[i];
@@ -180,12 +180,12 @@ bool Quantities::is_one_for_all(const std::string& key) {
 QuantityList Quantities::parts(const std::string& key, Table& quantity, const Range& range,
                                const std::vector<double>& values, const std::vector<bool>& drawn,
                                bool flags) {
-  const std::size_t mistakes = table_.document().mistakes();
+  const std::size_t errors = table_.document().errors();
   const Provenance found = provenance(quantity, key);
   std::optional<Uncertainty> uncertainty;
   if (quantity.has("distribution")) uncertainty = read_uncertainty(quantity, "distribution", range);
   QuantityList list = plain(key, values);
-  if (table_.document().mistakes() > mistakes) return list;
+  if (table_.document().errors() > errors) return list;
   list.choice = choice(key, fmt::format("{}", fmt::join(values, ", ")),
                        found.given ? found.reason : uncertainty->reason);
   if (!uncertainty) return list;
@@ -196,7 +196,7 @@ QuantityList Quantities::parts(const std::string& key, Table& quantity, const Ra
     quantity.note("distribution", ": must be discrete, with the values 0 (false) and 1 (true)");
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!drawn[i]) continue;
-    if (table_.document().mistakes() == mistakes) note_outside(key, *uncertainty, values[i]);
+    if (table_.document().errors() == errors) note_outside(key, *uncertainty, values[i]);
     list.quantities[i].uncertainty = uncertainty;
   }
   return list;

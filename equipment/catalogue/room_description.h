@@ -31,12 +31,12 @@ struct RoomNames {
   UniqueNames shapes, zones, points;
 };
 
-/// Appends the keys of a room. Mistakes are noted in the table's document; the result is for use
+/// Appends the keys of a room. Errors are noted in the table's document; the result is for use
 /// only after its `finish`.
 void read_room(config::Table table, RoomNames& names, Uncertain<RoomDescription>& room);
 
 /// Appends a file of its own, drawn as the part "room".
-/// @throws Error with every mistake of the file; what could be read is there.
+/// @throws Error with every error of the file; what could be read is there.
 /// @return its name
 std::string load_room(const std::string& file, RoomNames& names, Uncertain<RoomDescription>& room);
 

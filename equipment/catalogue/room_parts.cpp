@@ -16,11 +16,11 @@ std::array<StatedQuantity, 2> read_plan_point(Quantities& in, const std::string&
 
 Uncertain<PlanLine> read_plan_line(Quantities& in) {
   config::Document& document = in.table().document();
-  const std::size_t mistakes = document.mistakes();
+  const std::size_t errors = document.errors();
   Uncertain<PlanLine> line;
   line.set(&PlanLine::from, read_plan_point(in, "from_m"));
   line.set(&PlanLine::to, read_plan_point(in, "to_m"));
-  if (document.mistakes() > mistakes) return Uncertain<PlanLine>();
+  if (document.errors() > errors) return Uncertain<PlanLine>();
   line.add(document, [to = in.table().spot("to_m")](PlanLine& of_draw, Sampler& of) {
     if (of_draw.length() > 0) return;
     of.error(to, ": must differ from from_m");

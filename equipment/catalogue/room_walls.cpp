@@ -51,14 +51,14 @@ void check_last_door(const Wall& wall, const DoorSpots& spots, Sampler& of) {
 }
 
 void read_door(Table& table, Uncertain<Wall>& wall) {
-  const std::size_t mistakes = table.document().mistakes();
+  const std::size_t errors = table.document().errors();
   Quantities in(table);
   Uncertain<Door> door;
   door.set(&Door::begin, in.number("at_m", Range::not_negative()));
   door.set(&Door::width, in.number("width_m", Range::positive()));
   door.set(&Door::height, in.number("height_m", Range::positive()));
   wall.append(&Wall::doors, std::move(door));
-  if (table.document().mistakes() > mistakes) return;
+  if (table.document().errors() > errors) return;
   const DoorSpots spots{table.spot("at_m"), table.spot("width_m"), table.spot("height_m")};
   wall.add(table.document(),
            [spots](Wall& of_draw, Sampler& of) { check_last_door(of_draw, spots, of); });
@@ -94,14 +94,14 @@ std::vector<RoomShape> boxes_of(Wall wall, const std::string& name, const std::s
 void read_wall(Table& table, const std::string& name, const std::vector<MaterialContact>& known,
                RoomNames& names, Uncertain<RoomDescription>& result) {
   Quantities in(table);
-  const std::size_t mistakes = table.document().mistakes();
+  const std::size_t errors = table.document().errors();
   Uncertain<Wall> wall;
   wall.set(&Wall::line, read_plan_line(in));
   wall.set(&Wall::thickness, in.number("thickness_m", Range::positive()));
   wall.set(&Wall::height, in.number("height_m", Range::positive()));
   const std::string material = read_material(table, known, "plasterboard");
   table.has("door");
-  if (table.document().mistakes() > mistakes) return;
+  if (table.document().errors() > errors) return;
   for (Table& door : table.tables("door")) read_door(door, wall);
   for (const RoomShape& box : boxes_of(wall.stated(), name, material))
     if (box.name != name) names.shapes.take(table, box.name);

@@ -18,7 +18,7 @@ struct TetherType {
   std::vector<Assumption> assumptions;
 };
 
-/// @throws Error with every mistake of the file.
+/// @throws Error with every error of the file.
 Uncertain<TetherType> load_tether_type(const std::string& file);
 
 }  // namespace gurney::equipment

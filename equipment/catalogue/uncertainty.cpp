@@ -82,9 +82,9 @@ std::optional<Uncertainty> read_uncertainty(Table& parent, const std::string& ke
   if (!found) return {};
   Table& in = *found;
   const config::Document& document = in.document();
-  const std::size_t before = document.mistakes();
+  const std::size_t before = document.errors();
   const std::size_t kind = in.choice("kind", kKinds);
-  if (document.mistakes() > before) {
+  if (document.errors() > before) {
     for (const std::string& each : in.keys()) in.has(each);  // whose they are is not known
     return {};
   }
@@ -92,15 +92,15 @@ std::optional<Uncertainty> read_uncertainty(Table& parent, const std::string& ke
   const std::string source = in.text("source", ""), reason = in.text("assumption", "");
   if (source.empty() && reason.empty())
     parent.note(key, ": must have a source, an assumption, or both");
-  const std::size_t before_numbers = document.mistakes();
-  const auto numbers_are_right = [&] { return document.mistakes() == before_numbers; };
+  const std::size_t before_numbers = document.errors();
+  const auto numbers_are_right = [&] { return document.errors() == before_numbers; };
   try {
     Distribution distribution = kReaders[kind](in);
     if (numbers_are_right() && !stays_within(distribution, range))
       parent.note(key, fmt::format(": {} gives numbers from {:g} to {:g}: each must be {}",
                                    distribution.text(), distribution.low(), distribution.high(),
                                    range.text()));
-    if (document.mistakes() == before)
+    if (document.errors() == before)
       return Uncertainty{std::move(distribution), std::move(group), reason};
   } catch (const Error& error) {
     if (numbers_are_right()) parent.note(key, std::string(": ") + error.what());

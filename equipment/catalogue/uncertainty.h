@@ -17,7 +17,7 @@ struct Uncertainty {
   std::string reason;  ///< assumption behind it; empty: it has a source
 };
 
-/// Reads the table `key` of `parent`. Mistakes are noted; the result is empty then.
+/// Reads the table `key` of `parent`. Errors are noted; the result is empty then.
 /// @param range  what the number may be: the distribution must stay within
 std::optional<Uncertainty> read_uncertainty(config::Table& parent, const std::string& key,
                                             const config::Range& range);

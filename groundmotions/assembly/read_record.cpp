@@ -36,16 +36,16 @@ std::vector<Component> read_file(const RecordFile& file, const ReadOptions& opti
 std::vector<UnplacedComponent> read_files(const std::vector<RecordFile>& files,
                                           const ReadOptions& options) {
   std::vector<UnplacedComponent> components;
-  std::string mistakes;
+  std::string errors;
   for (const RecordFile& file : files) {
     try {
       for (Component& component : read_file(file, options))
         components.push_back({std::move(component), file.direction});
     } catch (const Error& error) {
-      mistakes += fmt::format("{}{}", mistakes.empty() ? "" : "\n", error.what());
+      errors += fmt::format("{}{}", errors.empty() ? "" : "\n", error.what());
     }
   }
-  require(mistakes.empty(), mistakes);
+  require(errors.empty(), errors);
   return components;
 }
 

@@ -24,7 +24,7 @@ struct RecordFile {
 ///
 /// @throws Error for no files, a file that cannot be read, a place that is not known, stated twice
 ///         or stated against the file, horizontal components that are too far from a right angle,
-///         starts that do not belong together, and a record that is all zero. The mistakes of all
+///         starts that do not belong together, and a record that is all zero. The errors of all
 ///         files are told in one Error.
 Record read_record(const std::vector<RecordFile>& files, const ReadOptions& options = {});
 

@@ -19,7 +19,7 @@ using config::Range;
 using config::Table;
 using std::numbers::pi;
 
-constexpr int kMostStoreys = 200;
+constexpr int kMaxStoreys = 200;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 const Range kDamping = Range::within(0, 0.99);
@@ -93,7 +93,7 @@ std::array<ModalAxis, 2> read_shear(Table& table, int storeys) {
   const char* kKeys[] = {"storey_stiffness_h1_n_per_m", "storey_stiffness_h2_n_per_m"};
   std::array<Eigen::VectorXd, 2> stiffness;
   std::optional<std::array<double, 2>> period;
-  const std::size_t before = table.document().mistakes();
+  const std::size_t before = table.document().errors();
   if (table.has(kKeys[0]) || table.has(kKeys[1])) {
     exclude(table, "period_s", "storey stiffnesses");
     exclude(table, "top_stiffness_ratio", "storey stiffnesses");
@@ -107,7 +107,7 @@ std::array<ModalAxis, 2> read_shear(Table& table, int storeys) {
     stiffness.fill(tapered_storeys(storeys, top));
   }
   std::array<ModalAxis, 2> axes;
-  if (table.document().mistakes() > before || vector(mass).minCoeff() <= 0) return axes;
+  if (table.document().errors() > before || vector(mass).minCoeff() <= 0) return axes;
   for (std::size_t i = 0; i < 2; ++i) {
     axes[i] = modes_of(vector(mass), shear_stiffness(stiffness[i]));
     if (period) scale_to_period(axes[i], (*period)[i]);
@@ -119,7 +119,7 @@ std::array<ModalAxis, 2> read_shear(Table& table, int storeys) {
 /// @param height  is set where the building's keys state it
 std::array<ModalAxis, 2> read_generic(Table& table, int storeys, std::optional<double>& height) {
   const Damper damper(table, storeys);
-  const std::size_t before = table.document().mistakes();
+  const std::size_t before = table.document().errors();
   std::array<double, 2> period;
   if (table.has("frame")) {
     exclude(table, "period_s", "frame");
@@ -135,7 +135,7 @@ std::array<ModalAxis, 2> read_generic(Table& table, int storeys, std::optional<d
   const double alpha0 = table.number(
       "shear_flexure_ratio", Range::within(0, 1000).open_above().with_infinity(), kInfinity);
   std::array<ModalAxis, 2> axes;
-  if (table.document().mistakes() > before) return axes;
+  if (table.document().errors() > before) return axes;
   for (std::size_t i = 0; i < 2; ++i) {
     axes[i] = modes_of(Eigen::VectorXd::Ones(storeys), shear_flexure_stiffness(storeys, alpha0));
     scale_to_period(axes[i], period[i]);
@@ -177,7 +177,7 @@ ModalAxis read_modes(Table& table, const std::string& key, int storeys) {
 
 ModalAxis read_vertical(Table in, int storeys) {
   VerticalFloors floors;
-  const std::size_t before = in.document().mistakes();
+  const std::size_t before = in.document().errors();
   floors.floor_omega = 2 * pi * in.number("floor_frequency_hz", Range::positive());
   floors.damping = in.number("damping_ratio", kDamping);
   floors.column_omega =
@@ -185,20 +185,20 @@ ModalAxis read_vertical(Table in, int storeys) {
   floors.mass_share = in.number("floor_mass_ratio", Range::within(0.01, 0.99), plate_mass_share());
   floors.participation =
       in.number("floor_participation", Range::not_negative(), plate_participation());
-  if (in.document().mistakes() > before) return {};
+  if (in.document().errors() > before) return {};
   return vertical_modes(storeys, floors);
 }
 
 /// Rotation of the floors of a shear or generic building.
 /// @param height  of a building whose keys state it
 void read_rotation(Table in, std::optional<double> height, std::array<ModalAxis, 3>& axes) {
-  const std::size_t before = in.document().mistakes();
+  const std::size_t before = in.document().errors();
   if (height)
     exclude(in, "height_m", "the height_m of a frame");
   else
     height = in.number("height_m", Range::positive());
   const double share = in.number("bending_share", Range::within(0, 1));
-  if (in.document().mistakes() > before) return;
+  if (in.document().errors() > before) return;
   for (const Direction direction : {Direction::kH1, Direction::kH2})
     set_rotation(axes[static_cast<std::size_t>(direction)], *height, share);
 }
@@ -215,10 +215,10 @@ void check_masses(Table& table, const Building& building) {
 }  // namespace
 
 Building read_building(Table& table, const std::string& name) {
-  const std::size_t before = table.document().mistakes();
+  const std::size_t before = table.document().errors();
   Building building;
   building.name = table.text("name", name);
-  building.storeys = table.integer("storeys", 1, kMostStoreys);
+  building.storeys = table.integer("storeys", 1, kMaxStoreys);
   const std::size_t kind = table.choice("kind", {"shear", "generic", "modal"});
   const bool modal = kind == 2;
   if (modal) {
@@ -239,7 +239,7 @@ Building read_building(Table& table, const std::string& name) {
     building.isolation = read_isolation(*isolation);
     if (modal) check_masses(table, building);
   }
-  if (table.document().mistakes() == before) return building;
+  if (table.document().errors() == before) return building;
   Building rigid;
   rigid.name = building.name;
   rigid.storeys = building.storeys;

@@ -7,7 +7,7 @@
 
 namespace gurney::groundmotions {
 
-/// Reads the keys of a building; docs/formats/building_file.md. Mistakes are noted in the table's
+/// Reads the keys of a building; docs/formats/building_file.md. Errors are noted in the table's
 /// document, and the building is then a rigid one.
 /// @param name  if the table has none
 Building read_building(config::Table& table, const std::string& name = "building");
@@ -16,7 +16,7 @@ Building read_building(config::Table& table, const std::string& name = "building
 int read_floor(config::Table& table, const Building& building);
 
 /// A file of its own: `schema = "gurney-building/1"`, `name`, and the keys of a building.
-/// @throws Error with every mistake of the file.
+/// @throws Error with every error of the file.
 Building building_from_file(const std::string& path);
 
 }  // namespace gurney::groundmotions

@@ -29,7 +29,7 @@ constexpr double kShareOfPeak = 0.1;          ///< and of the peak displacement;
 constexpr const char* kBaselineStep = "\"baseline kind=end_at_rest\"";
 constexpr double kLargestRotation = 0.05;  ///< sin and cos are 1 and 0 within 0.13 % [rad]
 constexpr int kMaxHalvings = 10;
-constexpr double kMostSteps = 1.5e7;      ///< of one pass; some ten seconds in all
+constexpr double kMaxSteps = 1.5e7;       ///< of one pass; some ten seconds in all
 constexpr double kEnergyAccuracy = 1e-6;  ///< of the largest input
 
 std::array<ModalAxis, 2> horizontal(const Building& building) {
@@ -191,10 +191,10 @@ IsolatedHistory solve_isolated(const Ground& ground, const Building& building, i
   const double first = std::max(1.0, std::ceil(time_step / largest));
   const auto steps = static_cast<double>(ground.steps());
   require(
-      first * steps <= kMostSteps,
+      first * steps <= kMaxSteps,
       fmt::format("building '{}': its isolators and shortest period need time steps of {:.2g} s, "
                   "{:.2g} of them for this record; must be at most {:g}",
-                  building.name, time_step / first, first * steps, kMostSteps));
+                  building.name, time_step / first, first * steps, kMaxSteps));
   int substeps = static_cast<int>(first);
   const auto solve = [&] {
     return run_isolated(ground, building, floor, time_step, window, substeps);
@@ -205,7 +205,7 @@ IsolatedHistory solve_isolated(const Ground& ground, const Building& building, i
     IsolatedHistory fine = solve();
     fine.isolators.change = change(coarse, fine);
     const double next = 2.0 * substeps * static_cast<double>(fine.history.floor.size());
-    if (fine.isolators.change <= kAccuracy || halving + 1 == kMaxHalvings || next > kMostSteps)
+    if (fine.isolators.change <= kAccuracy || halving + 1 == kMaxHalvings || next > kMaxSteps)
       return fine;
     coarse = std::move(fine);
   }

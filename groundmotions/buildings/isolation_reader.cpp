@@ -24,17 +24,17 @@ Isolation read_linear(Table& table) {
 }
 
 Isolation read_lead_rubber(Table& table) {
-  const std::size_t before = table.document().mistakes();
+  const std::size_t before = table.document().errors();
   const double period = table.number("period_s", Range::positive());
   const double strength = table.number("strength_ratio", Range::positive());
   const double yield = meters(table.number("yield_displacement_mm", Range::positive()));
   const double damping = table.number("damping_ratio", Range::not_negative(), 0.0);
-  if (table.document().mistakes() > before) return linear_isolation(1, 0);
+  if (table.document().errors() > before) return linear_isolation(1, 0);
   return lead_rubber(period, strength, yield, damping);
 }
 
 Isolation read_friction_pendulum(Table& table) {
-  const std::size_t before = table.document().mistakes();
+  const std::size_t before = table.document().errors();
   const double radius = table.number("radius_m", Range::positive());
   const double slow = table.number("friction_slow", Range::within(0, 1));
   const double fast = table.number("friction_fast", Range::within(0, 1));
@@ -45,7 +45,7 @@ Isolation read_friction_pendulum(Table& table) {
   if (!(fast >= slow))
     table.note("friction_fast",
                fmt::format(" = {}: must be at least friction_slow = {}", fast, slow));
-  if (table.document().mistakes() > before) return linear_isolation(1, 0);
+  if (table.document().errors() > before) return linear_isolation(1, 0);
   Isolation isolation = friction_pendulum(radius, slow, fast, rate, yield);
   isolation.follows_vertical = vertical;
   return isolation;

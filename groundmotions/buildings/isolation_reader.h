@@ -5,7 +5,7 @@
 
 namespace gurney::groundmotions {
 
-/// Reads the table `isolation` of a building; mistakes are noted in the table's document, and a
+/// Reads the table `isolation` of a building; errors are noted in the table's document, and a
 /// linear isolation that means nothing is returned.
 Isolation read_isolation(config::Table& table);
 

@@ -164,55 +164,55 @@ bool recognises_bbp(const SourceFile& file) {
 /// @throws Error for velocities and displacements, missing units, rows of another length, what is
 ///         no number and times that are not evenly spaced.
 std::vector<Component> read_bbp(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
+  FileErrors errors(file);
   const Header header = header_of(file);
   if (const auto quantity = other_quantity(header.unit)) {
-    mistakes.add(header.unit_line, 1,
-                 fmt::format("a record must be acceleration, but this is a {} file ({}); take the "
-                             ".acc.bbp file of this station",
-                             *quantity, header.unit));
-    mistakes.throw_if_any();
+    errors.add(header.unit_line, 1,
+               fmt::format("a record must be acceleration, but this is a {} file ({}); take the "
+                           ".acc.bbp file of this station",
+                           *quantity, header.unit));
+    errors.throw_if_any();
   }
   const auto seconds = header.time_unit.empty() ? std::optional(1.0) : time_unit(header.time_unit);
   if (!seconds)
-    mistakes.add(
+    errors.add(
         header.time_line, 1,
         fmt::format("'{}' is not a unit of time: s, ms, us or min are allowed", header.time_unit));
   if (header.other_unit_line > 0)
-    mistakes.add(header.other_unit_line, 1,
-                 fmt::format("this column has another unit than line {}; one unit is allowed",
-                             mistakes.line_in_file(header.unit_line)));
+    errors.add(header.other_unit_line, 1,
+               fmt::format("this column has another unit than line {}; one unit is allowed",
+                           errors.line_in_file(header.unit_line)));
   auto names = header.names;
   std::ranges::sort(names);
   if (std::ranges::adjacent_find(names) != names.end())
-    mistakes.add(1, 1,
-                 fmt::format("the comments name the columns {}, {} and {}: one is named twice",
-                             header.names[0], header.names[1], header.names[2]));
-  const AccelerationUnit unit =
-      header.unit.empty() ? agreed_unit({}, 0, options, mistakes)
-                          : checked_unit(header.unit, header.unit_line, options, mistakes);
+    errors.add(1, 1,
+               fmt::format("the comments name the columns {}, {} and {}: one is named twice",
+                           header.names[0], header.names[1], header.names[2]));
+  const AccelerationUnit unit = header.unit.empty()
+                                    ? agreed_unit({}, 0, options, errors)
+                                    : checked_unit(header.unit, header.unit_line, options, errors);
 
-  NumberReader reader(file, mistakes);
+  NumberReader reader(file, errors);
   std::vector<std::size_t> lines;
   for (std::size_t i = header.lines; i < file.lines().size(); ++i) {
     if (is_comment(file.lines()[i]) || trimmed(file.lines()[i]).empty()) continue;
     lines.push_back(i + 1);
     if (const auto count = reader.read_line(i); count != 4)
-      mistakes.add(i + 1, 1,
-                   fmt::format("{} numbers on a line, time and three components are 4", count));
+      errors.add(i + 1, 1,
+                 fmt::format("{} numbers on a line, time and three components are 4", count));
   }
   reader.check_end();
   if (lines.size() < 2)
-    mistakes.add(fmt::format("{} samples are no record (2 at least)", lines.size()));
-  mistakes.throw_if_any();
+    errors.add(fmt::format("{} samples are no record (2 at least)", lines.size()));
+  errors.throw_if_any();
 
   std::array<std::vector<double>, 4> columns;
   for (std::size_t i = 0; i < reader.values().size(); ++i)
     columns[i % 4].push_back(reader.values()[i]);
   for (double& time : columns[0]) time *= seconds.value_or(1);
-  const double step = even_step(columns[0], lines, mistakes);
-  checked_time_step(step, "the time step", lines[0], options, mistakes);
-  mistakes.throw_if_any();
+  const double step = even_step(columns[0], lines, errors);
+  checked_time_step(step, "the time step", lines[0], options, errors);
+  errors.throw_if_any();
 
   std::vector<Component> components(3);
   for (std::size_t k = 0; k < 3; ++k) {

@@ -15,8 +15,8 @@ namespace gurney::groundmotions {
 
 namespace {
 
-constexpr std::size_t kMostHeaderLines = 40;  ///< 27 in the files of this volume
-constexpr double kRateTolerance = 0.01;       ///< the duration may count steps or samples
+constexpr std::size_t kMaxHeaderLines = 40;  ///< 27 in the files of this volume
+constexpr double kRateTolerance = 0.01;      ///< the duration may count steps or samples
 constexpr auto kNone = std::string::npos;
 
 bool starts_channel(std::string_view line) {
@@ -25,8 +25,8 @@ bool starts_channel(std::string_view line) {
 
 class ChannelReader {
  public:
-  ChannelReader(const SourceFile& file, const ReadOptions& options, Mistakes& mistakes)
-      : file_(file), options_(options), mistakes_(mistakes), fields_(file, mistakes) {}
+  ChannelReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
+      : file_(file), options_(options), errors_(errors), fields_(file, errors) {}
 
   /// @param line  index from 0 of the channel's first line, of the line behind it afterwards
   Component read(std::size_t& line) {
@@ -34,28 +34,28 @@ class ChannelReader {
     first_ = line;
     text_.clear();
     if (upper(file_.lines()[line]).find("VOL1") == kNone) {
-      mistakes_.add(line + 1, 1, "only volume 1 (VOL1DS) of BHRC is read");
+      errors_.add(line + 1, 1, "only volume 1 (VOL1DS) of BHRC is read");
       return component;
     }
     const FortranFormat format = *fortran_format("10E13.6");
-    const std::size_t end = std::min(file_.lines().size(), first_ + kMostHeaderLines);
+    const std::size_t end = std::min(file_.lines().size(), first_ + kMaxHeaderLines);
     for (; line < end && !fields_.fits(line, 10, format); ++line)
       text_.push_back(upper(file_.lines()[line]));
     const auto points = find("NO. OF POINTS"), unit_line = find("UNITS ARE");
     const auto count = points ? number_after(text_[*points], "NO. OF POINTS") : std::nullopt;
     if (line == end || !count || !(*count >= 2 && *count <= 1e7 && *count == std::floor(*count))) {
-      mistakes_.add(first_ + 1, 1,
-                    "this channel has no header with NO. OF POINTS = (a whole number above 1) and "
-                    "samples in 10E13.6 within 40 lines");
+      errors_.add(first_ + 1, 1,
+                  "this channel has no header with NO. OF POINTS = (a whole number above 1) and "
+                  "samples in 10E13.6 within 40 lines");
       return component;
     }
     const auto unit = agreed_unit(unit_line ? unit_in(text_[*unit_line]) : std::nullopt,
-                                  first_ + unit_line.value_or(0) + 1, options_, mistakes_);
-    const auto values = fields_.read(line, static_cast<std::size_t>(*count), format,
-                                     EmptyField::kMistake, "samples");
+                                  first_ + unit_line.value_or(0) + 1, options_, errors_);
+    const auto values =
+        fields_.read(line, static_cast<std::size_t>(*count), format, EmptyField::kError, "samples");
     component.unit = unit.name;
     take_time_step(*points, *count, component);
-    if (mistakes_.any()) return component;
+    if (errors_.any()) return component;
     component.acceleration = scaled(values, unit.to_si);
     orient(component);
     return component;
@@ -87,7 +87,7 @@ class ChannelReader {
       else
         step = 1 / *rate;
     }
-    component.time_step = agreed_time_step(step, first_ + points + 1, options_, mistakes_);
+    component.time_step = agreed_time_step(step, first_ + points + 1, options_, errors_);
   }
 
   /// "COMP L1" names the component, "Azimuth L 50    T 140" its direction.
@@ -112,7 +112,7 @@ class ChannelReader {
 
   const SourceFile& file_;
   const ReadOptions& options_;
-  Mistakes& mistakes_;
+  FileErrors& errors_;
   FieldReader fields_;
   std::size_t first_ = 0;
   std::vector<std::string> text_;
@@ -130,23 +130,23 @@ bool recognises_bhrc(const SourceFile& file) {
 /// @returns L, V and T as the file has them.
 /// @throws Error for other volumes, a wrong count, an unknown unit or text among the samples.
 std::vector<Component> read_bhrc(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
-  ChannelReader reader(file, options, mistakes);
+  FileErrors errors(file);
+  ChannelReader reader(file, options, errors);
   std::vector<Component> components;
-  for (std::size_t line = 0; line < file.lines().size() && !mistakes.any();) {
+  for (std::size_t line = 0; line < file.lines().size() && !errors.any();) {
     const auto text = trimmed(file.lines()[line]);
     if (starts_channel(text)) {
       components.push_back(reader.read(line));
     } else if (text.empty() || text.starts_with("/&")) {
       ++line;
     } else {
-      mistakes.add(line + 1, 1,
-                   fmt::format("the samples of this channel end here, but neither the next channel "
-                               "nor the end of the file follows: '{}'",
-                               text.substr(0, 60)));
+      errors.add(line + 1, 1,
+                 fmt::format("the samples of this channel end here, but neither the next channel "
+                             "nor the end of the file follows: '{}'",
+                             text.substr(0, 60)));
     }
   }
-  mistakes.throw_if_any();
+  errors.throw_if_any();
   return components;
 }
 

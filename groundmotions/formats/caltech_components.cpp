@@ -31,26 +31,26 @@ using Quantity = CaltechSeries::Quantity;
 
 class ChannelReader {
  public:
-  ChannelReader(const SourceFile& file, const ReadOptions& options, Mistakes& mistakes)
-      : file_(file), options_(options), mistakes_(mistakes) {}
+  ChannelReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
+      : file_(file), options_(options), errors_(errors) {}
 
   Component component_of(const CaltechChannel& channel) {
     Component component;
     const auto series =
         std::ranges::find(channel.series, Quantity::kAcceleration, &CaltechSeries::quantity);
     if (series == channel.series.end()) {
-      mistakes_.add(channel.first_line + 1, 1,
-                    "this channel holds velocity or displacement only; a record must be "
-                    "acceleration");
+      errors_.add(channel.first_line + 1, 1,
+                  "this channel holds velocity or displacement only; a record must be "
+                  "acceleration");
       return component;
     }
     const AccelerationUnit unit = unit_of(channel, *series, component);
     component.unit = unit.name;
     take_samples(channel, *series, component);
-    if (mistakes_.any()) return component;
+    if (errors_.any()) return component;
     component.acceleration *= unit.to_si;
     check_length(channel.reals[channel.corrected() ? 59 : 2], channel.first_line + 1, component,
-                 mistakes_);
+                 errors_);
     check_step(channel, component);
     check_peak_of(channel, *series, unit.to_si, component);
     if (!channel.trailing.empty())
@@ -69,7 +69,7 @@ class ChannelReader {
 
   AccelerationUnit unit_of(const CaltechChannel& channel, const CaltechSeries& series,
                            Component& component) {
-    if (series.unit) return agreed_unit(series.unit, series.line + 1, options_, mistakes_);
+    if (series.unit) return agreed_unit(series.unit, series.line + 1, options_, errors_);
     const auto at = channel.find(channel.corrected() ? "PEAK ACCELERATION" : "UNITS");
     const auto stated = at ? unit_in(channel.text[*at]) : std::nullopt;
     const double fraction = channel.reals[4];  // of g, in volume 1; some files state 1 for g/10
@@ -79,7 +79,7 @@ class ChannelReader {
           fmt::format("the text states the unit {}, which was taken, but real number 5 of the "
                       "header {} g",
                       stated->name, fraction));
-    return agreed_unit(stated, line_of(channel, at), options_, mistakes_);
+    return agreed_unit(stated, line_of(channel, at), options_, errors_);
   }
 
   void take_samples(const CaltechChannel& channel, const CaltechSeries& series,
@@ -90,7 +90,7 @@ class ChannelReader {
     if (series.times.empty()) {
       auto step = series.time_step;
       if (!step && channel.corrected() && channel.reals[60] > 0) step = channel.reals[60];
-      component.time_step = agreed_time_step(step, series.line + 1, options_, mistakes_);
+      component.time_step = agreed_time_step(step, series.line + 1, options_, errors_);
       return;
     }
     if (series.times.size() < 2) return;
@@ -98,7 +98,7 @@ class ChannelReader {
       const double mean = (series.times.back() - series.times.front()) /
                           static_cast<double>(series.times.size() - 1);
       const double step = std::round(mean / kGrid) * kGrid;
-      component.time_step = agreed_time_step(step, series.line + 1, options_, mistakes_);
+      component.time_step = agreed_time_step(step, series.line + 1, options_, errors_);
       return;
     }
     component.time_step = options_.time_step.value_or(kEvenTimeStep);
@@ -106,7 +106,7 @@ class ChannelReader {
       component.acceleration = evenly_spaced(series.times, values, component.time_step);
       component.warnings.push_back(uneven_warning(series.times, component.time_step));
     } catch (const Error& error) {
-      mistakes_.add(series.line + 1, 1, error.what());
+      errors_.add(series.line + 1, 1, error.what());
     }
   }
 
@@ -130,15 +130,15 @@ class ChannelReader {
     const double rounding = corrected ? kPeakOfVolume2 : kPeakOfVolume1 * kStandardGravity;
     const Eigen::VectorXd samples = scaled(series.values, to_si);
     check_peak({size, std::max(rounding, kPeakShare * size), line_of(channel, at)}, samples,
-               component, mistakes_);
+               component, errors_);
     const double raw = samples.cwiseAbs().maxCoeff();
     const double centred = (samples.array() - samples.mean()).abs().maxCoeff();
     const double difference = std::min(std::abs(raw - size), std::abs(centred - size));
-    if (difference > kPeakTooFar * size + rounding && !mistakes_.any())
-      mistakes_.add(line_of(channel, at), 1,
-                    fmt::format("the header states a peak of {:.5g} m/s2, but the samples have "
-                                "{:.5g} m/s2: one of them is damaged",
-                                size, raw));
+    if (difference > kPeakTooFar * size + rounding && !errors_.any())
+      errors_.add(line_of(channel, at), 1,
+                  fmt::format("the header states a peak of {:.5g} m/s2, but the samples have "
+                              "{:.5g} m/s2: one of them is damaged",
+                              size, raw));
   }
 
   /// "CHAN  1:  90 DEG  (STA CHN: 14)", "Chan  1: Up   Location: Roof" of CSMIP, "COMP N08W" of
@@ -244,19 +244,19 @@ class ChannelReader {
 
   const SourceFile& file_;
   const ReadOptions& options_;
-  Mistakes& mistakes_;
+  FileErrors& errors_;
 };
 
 }  // namespace
 
 std::vector<Component> caltech_components(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
-  const auto channels = caltech_channels(file, mistakes);
-  mistakes.throw_if_any();
+  FileErrors errors(file);
+  const auto channels = caltech_channels(file, errors);
+  errors.throw_if_any();
   std::vector<Component> components;
-  ChannelReader reader(file, options, mistakes);
+  ChannelReader reader(file, options, errors);
   for (const CaltechChannel& channel : channels) components.push_back(reader.component_of(channel));
-  mistakes.throw_if_any();
+  errors.throw_if_any();
   return components;
 }
 

@@ -16,23 +16,23 @@ namespace gurney::groundmotions {
 
 namespace {
 
-constexpr std::size_t kMostTextLines = 40;  ///< 13 in volume 1, 25 in volume 2
-constexpr double kMostSamples = 1e7;
+constexpr std::size_t kMaxTextLines = 40;  ///< 13 in volume 1, 25 in volume 2
+constexpr double kMaxSamples = 1e7;
 constexpr auto kNone = std::string_view::npos;
 
 /// Formats of samples in the order they are tried; the first that fits the first line is taken,
-/// or else (that line has a mistake) the first of its length.
+/// or else (that line has an error) the first of its length.
 constexpr std::array kSampleFormats = {"8F10.3", "8F9.6", "10F8.3", "10F7.3"};
 constexpr std::array kPairFormats = {"10F7.3", "1X,10F7.3", "8F7.3", "1X,8F7.3", "8F10.3"};
 
 class VolumeReader {
  public:
-  VolumeReader(const SourceFile& file, Mistakes& mistakes)
-      : file_(file), mistakes_(mistakes), fields_(file, mistakes) {}
+  VolumeReader(const SourceFile& file, FileErrors& errors)
+      : file_(file), errors_(errors), fields_(file, errors) {}
 
   std::vector<CaltechChannel> read() {
     std::vector<CaltechChannel> channels;
-    for (skip_blanks(); line_ < file_.lines().size() && !mistakes_.any(); skip_blanks())
+    for (skip_blanks(); line_ < file_.lines().size() && !errors_.any(); skip_blanks())
       channels.push_back(read_channel());
     return channels;
   }
@@ -54,13 +54,13 @@ class VolumeReader {
   /// The text ends where the first line of whole integers begins: its number of lines varies.
   bool read_header(CaltechChannel& channel) {
     const FortranFormat wide = *fortran_format("16I5"), narrow = *fortran_format("20I4");
-    const std::size_t end = std::min(file_.lines().size(), line_ + kMostTextLines);
+    const std::size_t end = std::min(file_.lines().size(), line_ + kMaxTextLines);
     while (line_ < end && !fields_.fits(line_, 16, wide) && !fields_.fits(line_, 20, narrow))
       channel.text.push_back(upper(line(line_++)));
     if (line_ == end) {
-      mistakes_.add(channel.first_line + 1, 1,
-                    fmt::format("no integer header (16I5) within {} lines of this channel's header",
-                                kMostTextLines));
+      errors_.add(channel.first_line + 1, 1,
+                  fmt::format("no integer header (16I5) within {} lines of this channel's header",
+                              kMaxTextLines));
       return false;
     }
     const auto& format = fields_.fits(line_, 16, wide) ? wide : narrow;
@@ -70,16 +70,16 @@ class VolumeReader {
         !channel.text.empty() && trimmed(channel.text[0]).starts_with("CORRECTED");
     channel.reals = fields_.read(line_, corrected ? 100 : 50, *fortran_format("8F10.3"),
                                  EmptyField::kZero, "real numbers of the header");
-    return !mistakes_.any();
+    return !errors_.any();
   }
 
   void read_all_series(CaltechChannel& channel) {
     skip_blanks();
     do channel.series.push_back(read_series(channel));
-    while (!mistakes_.any() && next_is_series());
+    while (!errors_.any() && next_is_series());
     if (!at_end() && is_end_mark(line(line_))) ++line_;
     skip_blanks();
-    if (mistakes_.any() || at_end() || upper(line(line_)).find("ACCELEROGRAM") != kNone) return;
+    if (errors_.any() || at_end() || upper(line(line_)).find("ACCELEROGRAM") != kNone) return;
     const std::size_t behind = line_;
     const auto text = trimmed(line(line_++));
     skip_blanks();
@@ -88,10 +88,10 @@ class VolumeReader {
       return;
     }
     line_ = behind;
-    mistakes_.add(line_ + 1, 1,
-                  fmt::format("the samples of this channel end here, but neither the next channel "
-                              "nor the end of the file follows: '{}'",
-                              trimmed(line(line_)).substr(0, 60)));
+    errors_.add(line_ + 1, 1,
+                fmt::format("the samples of this channel end here, but neither the next channel "
+                            "nor the end of the file follows: '{}'",
+                            trimmed(line(line_)).substr(0, 60)));
   }
 
   bool next_is_series() {
@@ -112,7 +112,7 @@ class VolumeReader {
     CaltechSeries series;
     series.line = line_;
     if (at_end()) {
-      mistakes_.add(file_.lines().size(), 1, "the file ends behind the header: no samples");
+      errors_.add(file_.lines().size(), 1, "the file ends behind the header: no samples");
       return series;
     }
     const std::string text = upper(line(line_));
@@ -124,11 +124,10 @@ class VolumeReader {
   }
 
   std::size_t checked_count(double count, std::size_t index) {
-    if (count >= 2 && count <= kMostSamples && count == std::floor(count))
+    if (count >= 2 && count <= kMaxSamples && count == std::floor(count))
       return static_cast<std::size_t>(count);
-    mistakes_.add(
-        index + 1, 1,
-        fmt::format("the number of samples must be a whole number above 1, got {}", count));
+    errors_.add(index + 1, 1,
+                fmt::format("the number of samples must be a whole number above 1, got {}", count));
     return 0;
   }
 
@@ -142,12 +141,12 @@ class VolumeReader {
     series.unit = unit_in(rest);
     ++line_;
     if (count == 0 || at_end()) {
-      if (at_end()) mistakes_.add(file_.lines().size(), 1, "the file ends behind this line");
+      if (at_end()) errors_.add(file_.lines().size(), 1, "the file ends behind this line");
       return;
     }
     const auto format = announced_format(rest);
     series.values = fields_.read(line_, count, format ? *format : fitting(kSampleFormats, count),
-                                 EmptyField::kMistake, "samples");
+                                 EmptyField::kError, "samples");
   }
 
   static std::optional<FortranFormat> announced_format(std::string_view text) {
@@ -188,7 +187,7 @@ class VolumeReader {
     const std::size_t pairs = checked_count(*count, channel.first_line + at.value_or(0));
     if (pairs == 0) return;
     const auto numbers = fields_.read(line_, 2 * pairs, fitting(kPairFormats, 2 * pairs),
-                                      EmptyField::kMistake, "numbers (a time and a value each)");
+                                      EmptyField::kError, "numbers (a time and a value each)");
     for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
       series.times.push_back(numbers[i]);
       series.values.push_back(numbers[i + 1]);
@@ -196,7 +195,7 @@ class VolumeReader {
   }
 
   const SourceFile& file_;
-  Mistakes& mistakes_;
+  FileErrors& errors_;
   FieldReader fields_;
   std::size_t line_ = 0;
 };
@@ -209,8 +208,8 @@ std::optional<std::size_t> CaltechChannel::find(std::string_view key, std::size_
   return {};
 }
 
-std::vector<CaltechChannel> caltech_channels(const SourceFile& file, Mistakes& mistakes) {
-  return VolumeReader(file, mistakes).read();
+std::vector<CaltechChannel> caltech_channels(const SourceFile& file, FileErrors& errors) {
+  return VolumeReader(file, errors).read();
 }
 
 }  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/source_file.h"
 #include "groundmotions/record/acceleration_unit.h"
 
@@ -41,6 +41,6 @@ struct CaltechChannel {
 };
 
 /// All channels of a file. Counts are checked against the numbers that are there.
-std::vector<CaltechChannel> caltech_channels(const SourceFile& file, Mistakes& mistakes);
+std::vector<CaltechChannel> caltech_channels(const SourceFile& file, FileErrors& errors);
 
 }  // namespace gurney::groundmotions

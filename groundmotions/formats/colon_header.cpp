@@ -33,13 +33,13 @@ std::string_view ColonHeader::value(std::string_view key) const {
   return entry ? entry->value : std::string_view();
 }
 
-double ColonHeader::number_of(std::string_view key, Mistakes& mistakes) const {
+double ColonHeader::number_of(std::string_view key, FileErrors& errors) const {
   const Entry* entry = find(key);
   const auto value = entry ? number(entry->value) : std::nullopt;
   if (!entry)
-    mistakes.add(fmt::format("the header has no line '{}'", key));
+    errors.add(fmt::format("the header has no line '{}'", key));
   else if (!value)
-    mistakes.add(entry->line, 1, fmt::format("{} must be a number, got '{}'", key, entry->value));
+    errors.add(entry->line, 1, fmt::format("{} must be a number, got '{}'", key, entry->value));
   return value.value_or(0);
 }
 

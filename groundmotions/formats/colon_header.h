@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/source_file.h"
 
 namespace gurney::groundmotions {
@@ -33,8 +33,8 @@ class ColonHeader {
   /// The value of `key`, empty if there is none.
   std::string_view value(std::string_view key) const;
 
-  /// The number of `key`; a mistake and 0 if it is no number or not there.
-  double number_of(std::string_view key, Mistakes& mistakes) const;
+  /// The number of `key`; an error and 0 if it is no number or not there.
+  double number_of(std::string_view key, FileErrors& errors) const;
 
  private:
   std::vector<Entry> entries_;

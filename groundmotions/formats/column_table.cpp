@@ -20,9 +20,9 @@ std::optional<std::string_view> value_behind(const std::vector<std::string_view>
 }
 
 std::string_view needed_behind(const std::vector<std::string_view>& lines, std::string_view key,
-                               std::size_t& line, Mistakes& mistakes) {
+                               std::size_t& line, FileErrors& errors) {
   const auto found = value_behind(lines, key, line);
-  if (!found) mistakes.add(fmt::format("the header lacks '{}'", key));
+  if (!found) errors.add(fmt::format("the header lacks '{}'", key));
   return found.value_or("");
 }
 
@@ -34,14 +34,14 @@ double rounding_of(std::string_view printed) {
 }
 
 std::vector<Eigen::VectorXd> read_table(const SourceFile& file, std::size_t first_line,
-                                        const FortranFormat& format, Mistakes& mistakes) {
+                                        const FortranFormat& format, FileErrors& errors) {
   std::size_t end = file.lines().size();
   while (end > first_line && trimmed(file.lines()[end - 1]).empty()) --end;
   const std::size_t columns = format.per_line, rows = end - std::min(first_line, end);
   std::size_t line = first_line;
-  const auto values = FieldReader(file, mistakes)
-                          .read(line, rows * columns, format, EmptyField::kMistake, "samples");
-  if (mistakes.any()) return {};
+  const auto values =
+      FieldReader(file, errors).read(line, rows * columns, format, EmptyField::kError, "samples");
+  if (errors.any()) return {};
   using Row = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Map<const Row> table(values.data(), static_cast<Eigen::Index>(rows),
                                     static_cast<Eigen::Index>(columns));

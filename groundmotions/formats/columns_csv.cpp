@@ -11,7 +11,7 @@
 #include "engine/base/units.h"
 #include "engine/config/nearest_name.h"
 #include "groundmotions/formats/columns_csv_facts.h"
-#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/time_column.h"
@@ -64,39 +64,39 @@ std::vector<std::string> known_names() {
   return names;
 }
 
-/// Columns of a file in their order after time_s; unknown ones are null and mistakes.
+/// Columns of a file in their order after time_s; unknown ones are null and errors.
 std::vector<const Column*> columns_of(const SourceFile& file, std::size_t line,
-                                      Mistakes& mistakes) {
+                                      FileErrors& errors) {
   const auto cells = csv_row(file.lines()[line]);
   if (cells[0].text != "time_s")
-    mistakes.add(line + 1, cells[0].column,
-                 fmt::format("the first column must be time_s, got '{}'", cells[0].text));
+    errors.add(line + 1, cells[0].column,
+               fmt::format("the first column must be time_s, got '{}'", cells[0].text));
   std::vector<const Column*> columns;
   for (const CsvCell& cell : std::vector(cells.begin() + 1, cells.end())) {
     const Column* column = find_column(cell.text);
     if (!column)
-      mistakes.add(line + 1, cell.column,
-                   fmt::format("unknown column '{}'{}", cell.text,
-                               config::suggestion(cell.text, known_names())));
+      errors.add(line + 1, cell.column,
+                 fmt::format("unknown column '{}'{}", cell.text,
+                             config::suggestion(cell.text, known_names())));
     for (const Column* other : columns)
       if (column && other && column->name[0] == other->name[0])
-        mistakes.add(line + 1, cell.column,
-                     fmt::format("column '{}' repeats component {}", cell.text, column->name[0]));
+        errors.add(line + 1, cell.column,
+                   fmt::format("column '{}' repeats component {}", cell.text, column->name[0]));
     columns.push_back(column);
   }
-  if (columns.empty()) mistakes.add(line + 1, 1, "no column of accelerations");
+  if (columns.empty()) errors.add(line + 1, 1, "no column of accelerations");
   if (columns.size() > 1 && std::ranges::any_of(columns, [](auto c) { return c && !c->direction; }))
-    mistakes.add(line + 1, 1, "column a stands alone; with others, name it x, y or z");
+    errors.add(line + 1, 1, "column a stands alone; with others, name it x, y or z");
   return columns;
 }
 
-void check_options(const ReadOptions& options, double step, Mistakes& mistakes) {
+void check_options(const ReadOptions& options, double step, FileErrors& errors) {
   if (!options.unit.empty())
-    mistakes.add(fmt::format(
+    errors.add(fmt::format(
         "unit = \"{}\" was given, but the columns of this file state their units", options.unit));
   if (options.time_step && std::abs(*options.time_step - step) > 1e-6 * step)
-    mistakes.add(fmt::format("the file has a time step of {} s, but time_step_s = {} was given",
-                             step, *options.time_step));
+    errors.add(fmt::format("the file has a time step of {} s, but time_step_s = {} was given", step,
+                           *options.time_step));
 }
 
 }  // namespace
@@ -114,12 +114,12 @@ bool recognises_columns_csv(const SourceFile& file) {
 ///         number, times that are not evenly spaced, a file that ends within a row,
 ///         and azimuths or starts that cannot be read.
 std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
+  FileErrors errors(file);
   const std::size_t head = header_line(file);
-  const auto columns = columns_of(file, head, mistakes);
+  const auto columns = columns_of(file, head, errors);
   if (!file.ends_with_line_end())
-    mistakes.add(file.lines().size(), file.lines().back().size(),
-                 "the last line has no line end: the file seems to be cut");
+    errors.add(file.lines().size(), file.lines().back().size(),
+               "the last line has no line end: the file seems to be cut");
 
   std::vector<std::vector<double>> values(columns.size() + 1);
   std::vector<std::size_t> lines;
@@ -127,25 +127,25 @@ std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOption
     if (!is_content(file.lines()[i])) continue;
     const auto cells = csv_row(file.lines()[i]);
     if (cells.size() != values.size()) {
-      mistakes.add(i + 1, 1,
-                   fmt::format("{} columns, the header has {}", cells.size(), values.size()));
+      errors.add(i + 1, 1,
+                 fmt::format("{} columns, the header has {}", cells.size(), values.size()));
       continue;
     }
     lines.push_back(i + 1);
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const auto value = number(cells[k].text);
       if (!value)
-        mistakes.add(i + 1, cells[k].column,
-                     fmt::format("'{}' is not a finite number", cells[k].text.substr(0, 40)));
+        errors.add(i + 1, cells[k].column,
+                   fmt::format("'{}' is not a finite number", cells[k].text.substr(0, 40)));
       values[k].push_back(value.value_or(0));
     }
   }
   if (lines.size() < 2)
-    mistakes.add(fmt::format("{} samples are no record (2 at least)", lines.size()));
-  mistakes.throw_if_any();
-  const double step = even_step(values[0], lines, mistakes);
-  check_options(options, step, mistakes);
-  mistakes.throw_if_any();
+    errors.add(fmt::format("{} samples are no record (2 at least)", lines.size()));
+  errors.throw_if_any();
+  const double step = even_step(values[0], lines, errors);
+  check_options(options, step, errors);
+  errors.throw_if_any();
 
   std::vector<Component> components;
   for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -159,8 +159,8 @@ std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOption
       component.warnings.push_back(late);
     components.push_back(std::move(component));
   }
-  read_columns_csv_facts(file, head, components, mistakes);
-  mistakes.throw_if_any();
+  read_columns_csv_facts(file, head, components, errors);
+  errors.throw_if_any();
   return components;
 }
 

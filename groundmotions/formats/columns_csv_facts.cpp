@@ -72,7 +72,7 @@ std::string columns_csv_facts(const Record& record) {
 }
 
 void read_columns_csv_facts(const SourceFile& file, std::size_t head,
-                            std::vector<Component>& components, Mistakes& mistakes) {
+                            std::vector<Component>& components, FileErrors& errors) {
   static constexpr std::array<std::string_view, 4> kPlaces = {"h1", "h2", "vertical", "a"};
   for (std::size_t i = 0; i < head; ++i) {
     std::string_view line = trimmed(file.lines()[i]);
@@ -87,7 +87,7 @@ void read_columns_csv_facts(const SourceFile& file, std::size_t head,
     const std::string wrong = at == components.end()
                                   ? fmt::format("the file has no column of {}", place)
                                   : read_fact(fact, *at);
-    if (!wrong.empty()) mistakes.add(i + 1, 1, wrong);
+    if (!wrong.empty()) errors.add(i + 1, 1, wrong);
   }
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/source_file.h"
 #include "groundmotions/record/record.h"
 
@@ -21,6 +21,6 @@ std::string columns_csv_facts(const Record& record);
 /// Reads them from the lines before the header row into the components of the file.
 /// @param head  number of lines before the header row
 void read_columns_csv_facts(const SourceFile& file, std::size_t head,
-                            std::vector<Component>& components, Mistakes& mistakes);
+                            std::vector<Component>& components, FileErrors& errors);
 
 }  // namespace gurney::groundmotions

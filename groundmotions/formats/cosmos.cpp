@@ -37,8 +37,8 @@ std::string quantity_of(const CosmosChannel& channel, const CosmosSeries& series
 
 class ChannelReader {
  public:
-  ChannelReader(const SourceFile& file, const ReadOptions& options, Mistakes& mistakes)
-      : file_(file), options_(options), mistakes_(mistakes) {}
+  ChannelReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
+      : file_(file), options_(options), errors_(errors) {}
 
   Component component_of(const CosmosChannel& channel, const CosmosSeries& series) {
     line_ = series.line + 1;
@@ -47,11 +47,11 @@ class ChannelReader {
     component.time_step = time_step_of(channel, component);
     component.acceleration = scaled(series.values, to_si);
     check_holes(channel, series);
-    if (mistakes_.any()) return component;
-    check_length(channel.real(63).value_or(0), line_, component, mistakes_);
+    if (errors_.any()) return component;
+    check_length(channel.real(63).value_or(0), line_, component, errors_);
     if (const auto peak = channel.real(64); peak && *peak != 0) {
       const double size = std::abs(*peak) * to_si;
-      check_peak({size, kPeakRounding * size, line_}, component.acceleration, component, mistakes_);
+      check_peak({size, kPeakRounding * size, line_}, component.acceleration, component, errors_);
     }
     orient(channel, component);
     state_facts(channel, component);
@@ -65,20 +65,18 @@ class ChannelReader {
     if (header && *header != code) state_other_unit(static_cast<int>(*header), code, component);
     if (code == kCosmosCounts) return si_per_count(channel, component);
     if (options_.si_per_count)
-      mistakes_.add(
-          line_, 1,
-          fmt::format("count_m_per_s2 was given, but the samples are not counts (unit code "
-                      "{})",
-                      code));
+      errors_.add(line_, 1,
+                  fmt::format("count_m_per_s2 was given, but the samples are not counts (unit code "
+                              "{})",
+                              code));
     auto unit = cosmos_unit(code);
     if (!unit && code > 0)
-      mistakes_.add(
-          line_, 1,
-          fmt::format("unit code {} is no unit of acceleration (2 is g, 4 cm/s2, 7 in/s2, "
-                      "10 gal, 11 mg, 12 micro g, 50 counts)",
-                      code));
+      errors_.add(line_, 1,
+                  fmt::format("unit code {} is no unit of acceleration (2 is g, 4 cm/s2, 7 in/s2, "
+                              "10 gal, 11 mg, 12 micro g, 50 counts)",
+                              code));
     else
-      unit = agreed_unit(unit, line_, options_, mistakes_);
+      unit = agreed_unit(unit, line_, options_, errors_);
     component.unit = unit ? unit->name : "";
     return unit ? unit->to_si : 0;
   }
@@ -89,7 +87,7 @@ class ChannelReader {
         "the line of the samples states the unit code {}, but integer 3 of the header {}", code,
         header);
     if (cosmos_unit(header) || header == kCosmosCounts)
-      mistakes_.add(line_, 1, text);
+      errors_.add(line_, 1, text);
     else
       component.warnings.push_back(text + ", which is no unit of acceleration");
   }
@@ -98,11 +96,10 @@ class ChannelReader {
   double si_per_count(const CosmosChannel& channel, Component& component) {
     component.unit = "counts";
     if (!options_.unit.empty())
-      mistakes_.add(
-          line_, 1,
-          fmt::format("unit = \"{}\" was given, but the samples are raw counts (unit code "
-                      "{})",
-                      options_.unit, kCosmosCounts));
+      errors_.add(line_, 1,
+                  fmt::format("unit = \"{}\" was given, but the samples are raw counts (unit code "
+                              "{})",
+                              options_.unit, kCosmosCounts));
     const auto volts = channel.real(22), sensitivity = channel.real(42);
     const double gain = channel.real(47).value_or(1);
     double stated = 0;
@@ -116,7 +113,7 @@ class ChannelReader {
       return *given;
     }
     if (!(stated > 0)) {
-      mistakes_.add(
+      errors_.add(
           line_, 1,
           "the samples are raw counts, and the header states no sensitivity (real numbers "
           "22, 42 and 47); state count_m_per_s2 or gurney records --count, or take the .V1c or "
@@ -145,7 +142,7 @@ class ChannelReader {
           fmt::format("the header states two time steps: {} s (real number 62, of these samples; "
                       "taken) and {} s (34, of the raw samples)",
                       *step, *raw));
-    return agreed_time_step(step, line_, options_, mistakes_);
+    return agreed_time_step(step, line_, options_, errors_);
   }
 
   /// Samples that are the value for "unknown" are holes, unless the motion passes through it.
@@ -156,9 +153,9 @@ class ChannelReader {
     for (std::size_t i = 0; i < values.size(); ++i)
       if (values[i] == hole &&
           ((i > 0 && is_far(values[i - 1])) || (i + 1 < values.size() && is_far(values[i + 1]))))
-        return mistakes_.add(line_, 1,
-                             fmt::format("sample {} of {} is {}, which stands for an unknown value",
-                                         i + 1, values.size(), hole));
+        return errors_.add(line_, 1,
+                           fmt::format("sample {} of {} is {}, which stands for an unknown value",
+                                       i + 1, values.size(), hole));
   }
 
   /// "Sta Chan  1: 360 deg (Rcrdr Chan  1) Location: ..."
@@ -248,7 +245,7 @@ class ChannelReader {
 
   const SourceFile& file_;
   const ReadOptions& options_;
-  Mistakes& mistakes_;
+  FileErrors& errors_;
   std::size_t line_ = 1;
 };
 
@@ -266,13 +263,13 @@ bool recognises_cosmos(const SourceFile& file) { return starts_cosmos_channel(fi
 /// @throws Error for spectra (V3), files without acceleration, units that are not acceleration,
 ///         counts without a sensitivity, and samples that are not as many as stated.
 std::vector<Component> read_cosmos(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
+  FileErrors errors(file);
   if (holds_spectra(file)) refuse_spectra(file.name(), "V3", "the V2");
-  const auto channels = cosmos_channels(file, mistakes);
-  mistakes.throw_if_any();
+  const auto channels = cosmos_channels(file, errors);
+  errors.throw_if_any();
   std::vector<Component> components;
   std::string others;
-  ChannelReader reader(file, options, mistakes);
+  ChannelReader reader(file, options, errors);
   for (const CosmosChannel& channel : channels) {
     for (const CosmosSeries& series : channel.series) {
       const std::string quantity = quantity_of(channel, series);
@@ -283,11 +280,11 @@ std::vector<Component> read_cosmos(const SourceFile& file, const ReadOptions& op
     }
   }
   if (components.empty())
-    mistakes.add(1, 1,
-                 fmt::format("a record must be acceleration, but this file holds {}; take the "
-                             "acceleration file of this record (.V1c, .acc.V2c)",
-                             others));
-  mistakes.throw_if_any();
+    errors.add(1, 1,
+               fmt::format("a record must be acceleration, but this file holds {}; take the "
+                           "acceleration file of this record (.V1c, .acc.V2c)",
+                           others));
+  errors.throw_if_any();
   if (!others.empty())
     for (Component& component : components)
       component.header.emplace_back("also in the file", others);

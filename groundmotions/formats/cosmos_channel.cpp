@@ -12,7 +12,7 @@ namespace gurney::groundmotions {
 
 namespace {
 
-constexpr double kMostNumbers = 1e8;
+constexpr double kMaxNumbers = 1e8;
 constexpr auto kNone = std::string_view::npos;
 
 /// The format behind "Format=" of a line in capitals.
@@ -35,12 +35,12 @@ std::optional<int> unit_code_in(std::string_view text) {
 
 class CosmosFileReader {
  public:
-  CosmosFileReader(const SourceFile& file, Mistakes& mistakes)
-      : file_(file), mistakes_(mistakes), fields_(file, mistakes) {}
+  CosmosFileReader(const SourceFile& file, FileErrors& errors)
+      : file_(file), errors_(errors), fields_(file, errors) {}
 
   std::vector<CosmosChannel> read() {
     std::vector<CosmosChannel> channels;
-    for (skip_ends(); !at_end() && !mistakes_.any(); skip_ends()) {
+    for (skip_ends(); !at_end() && !errors_.any(); skip_ends()) {
       channels.emplace_back();
       read_channel(channels.back());
     }
@@ -61,9 +61,9 @@ class CosmosFileReader {
     }
   }
 
-  void mistake(const std::string& what) {
+  void error(const std::string& what) {
     const std::string found = at_end() ? "the end of the file" : "'" + text().substr(0, 60) + "'";
-    mistakes_.add(std::min(line_ + 1, file_.lines().size()), 1, what + ", got " + found);
+    errors_.add(std::min(line_ + 1, file_.lines().size()), 1, what + ", got " + found);
   }
 
   void read_channel(CosmosChannel& channel) {
@@ -71,13 +71,13 @@ class CosmosFileReader {
     const std::string first = text();
     const auto lines = number_after(first, " WITH");
     if (!starts_cosmos_channel(first) || !lines || !(*lines >= 1 && *lines <= 100))
-      return mistake("a channel must begin with a line '(Format vNN.NN with NN text lines)'");
+      return error("a channel must begin with a line '(Format vNN.NN with NN text lines)'");
     for (double i = 0; i < *lines && !at_end(); ++i, ++line_) channel.text.push_back(text());
     read_unknowns(channel);
     read_numbers("INTEGER", channel.integers);
     read_numbers("REAL", channel.reals);
     read_comments(channel);
-    if (!mistakes_.any()) read_all_series(channel);
+    if (!errors_.any()) read_all_series(channel);
   }
 
   /// The last line of text ends with "-999, -999.0", the values for what is not known.
@@ -95,28 +95,28 @@ class CosmosFileReader {
   std::optional<std::size_t> count_of(std::string_view line) {
     line = trimmed(line);
     const auto count = take_number(line);
-    if (!count || !(*count >= 0 && *count <= kMostNumbers && *count == std::floor(*count)))
+    if (!count || !(*count >= 0 && *count <= kMaxNumbers && *count == std::floor(*count)))
       return {};
     return static_cast<std::size_t>(*count);
   }
 
   void read_numbers(const std::string& kind, std::vector<double>& numbers) {
-    if (mistakes_.any()) return;
+    if (errors_.any()) return;
     const std::string line = text();
     const auto count = count_of(line);
     const auto format = format_in(line);
     if (!count || !format || line.find(kind) == kNone)
-      return mistake(fmt::format("expected 'NNN {}-header values follow on NN lines, Format=(...)'",
-                                 kind == "REAL" ? "Real" : "Integer"));
+      return error(fmt::format("expected 'NNN {}-header values follow on NN lines, Format=(...)'",
+                               kind == "REAL" ? "Real" : "Integer"));
     ++line_;
     numbers = fields_.read(line_, *count, *format, EmptyField::kZero, "numbers of the header");
   }
 
   void read_comments(CosmosChannel& channel) {
     const std::string line = text();
-    if (mistakes_.any() || line.find("COMMENT") == kNone) return;
+    if (errors_.any() || line.find("COMMENT") == kNone) return;
     const auto count = count_of(line);
-    if (!count) return mistake("expected 'NN Comment line(s) follow'");
+    if (!count) return error("expected 'NN Comment line(s) follow'");
     const std::size_t end = std::min(line_ + 1 + *count, file_.lines().size());
     for (++line_; line_ < end; ++line_) {
       const std::string comment = text();
@@ -134,23 +134,22 @@ class CosmosFileReader {
 
   void read_all_series(CosmosChannel& channel) {
     if (!is_announcement(text()))
-      return mistake(
-          "expected 'NNNN acceleration pts, approx NN secs, units=...(NN),Format=(...)'");
-    while (!mistakes_.any() && is_announcement(text())) {
+      return error("expected 'NNNN acceleration pts, approx NN secs, units=...(NN),Format=(...)'");
+    while (!errors_.any() && is_announcement(text())) {
       CosmosSeries series{.line = line_, .text = text(), .unit_code = {}, .values = {}};
       series.unit_code = unit_code_in(series.text);
       ++line_;
       series.values = fields_.read(line_, *count_of(series.text), *format_in(series.text),
-                                   EmptyField::kMistake, "samples");
-      if (!mistakes_.any() && series.values.size() < 2)
-        mistakes_.add(series.line + 1, 1,
-                      fmt::format("{} samples are no record (2 at least)", series.values.size()));
+                                   EmptyField::kError, "samples");
+      if (!errors_.any() && series.values.size() < 2)
+        errors_.add(series.line + 1, 1,
+                    fmt::format("{} samples are no record (2 at least)", series.values.size()));
       channel.series.push_back(std::move(series));
     }
   }
 
   const SourceFile& file_;
-  Mistakes& mistakes_;
+  FileErrors& errors_;
   FieldReader fields_;
   std::size_t line_ = 0;
 };
@@ -176,8 +175,8 @@ bool starts_cosmos_channel(std::string_view line) {
   return text.find("(FORMAT V") != kNone && text.find("TEXT LINES)") != kNone;
 }
 
-std::vector<CosmosChannel> cosmos_channels(const SourceFile& file, Mistakes& mistakes) {
-  return CosmosFileReader(file, mistakes).read();
+std::vector<CosmosChannel> cosmos_channels(const SourceFile& file, FileErrors& errors) {
+  return CosmosFileReader(file, errors).read();
 }
 
 }  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/source_file.h"
 
 namespace gurney::groundmotions {
@@ -39,6 +39,6 @@ struct CosmosChannel {
 bool starts_cosmos_channel(std::string_view line);
 
 /// All channels of a file. Counts are checked against the numbers that are there.
-std::vector<CosmosChannel> cosmos_channels(const SourceFile& file, Mistakes& mistakes);
+std::vector<CosmosChannel> cosmos_channels(const SourceFile& file, FileErrors& errors);
 
 }  // namespace gurney::groundmotions

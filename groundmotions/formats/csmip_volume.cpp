@@ -1,5 +1,5 @@
 #include "groundmotions/formats/caltech_components.h"
-#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/words.h"

@@ -20,34 +20,34 @@ constexpr double kTimeRounding = 0.00051;  ///< times have three decimals [s]
 
 class CwbReader {
  public:
-  CwbReader(const SourceFile& file, const ReadOptions& options, Mistakes& mistakes)
-      : file_(file), options_(options), mistakes_(mistakes) {}
+  CwbReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
+      : file_(file), options_(options), errors_(errors) {}
 
   std::vector<Component> read() {
     std::size_t line = 0;
     const auto rate = value("#SampleRate", line);
     const auto per_second = number(rate);
     time_step_ = agreed_time_step(per_second ? std::optional(1 / *per_second) : std::nullopt,
-                                  line + 1, options_, mistakes_);
+                                  line + 1, options_, errors_);
     const auto unit_text = value("#AmplitudeUnit", line);
-    const AccelerationUnit unit = agreed_unit(unit_in(unit_text), line + 1, options_, mistakes_);
+    const AccelerationUnit unit = agreed_unit(unit_in(unit_text), line + 1, options_, errors_);
     const auto length = number(value("#RecordLength", length_line_)).value_or(0);
     read_sequence();
     const auto text = value("#Data:", line);
     const auto format = fortran_format(text.substr(0, text.find(' ')));
     if (!format || format->per_line != names_.size() + 1)
-      mistakes_.add(line + 1, 1,
-                    fmt::format("'{}' is no format of a time and {} samples", text, names_.size()));
-    mistakes_.throw_if_any();
+      errors_.add(line + 1, 1,
+                  fmt::format("'{}' is no format of a time and {} samples", text, names_.size()));
+    errors_.throw_if_any();
 
-    const auto columns = read_table(file_, first_row(), *format, mistakes_);
-    mistakes_.throw_if_any();
+    const auto columns = read_table(file_, first_row(), *format, errors_);
+    errors_.throw_if_any();
     check_times(columns[0], length);
-    mistakes_.throw_if_any();
+    errors_.throw_if_any();
     std::vector<Component> components;
     for (std::size_t i = 0; i < names_.size(); ++i)
       components.push_back(component(i, unit, columns[i + 1]));
-    mistakes_.throw_if_any();
+    errors_.throw_if_any();
     return components;
   }
 
@@ -58,7 +58,7 @@ class CwbReader {
   };
 
   std::string_view value(std::string_view key, std::size_t& line) {
-    return needed_behind(file_.lines(), key, line, mistakes_);
+    return needed_behind(file_.lines(), key, line, errors_);
   }
 
   static bool is_header(std::string_view line) {
@@ -85,19 +85,19 @@ class CwbReader {
       if (is_sound) names_.push_back({part[0], part[2] == '-'});
     }
     if (!is_sound || names_.empty())
-      mistakes_.add(line + 1, 1,
-                    fmt::format("'{}' is no sequence of Time and U, N, E with their signs", text));
+      errors_.add(line + 1, 1,
+                  fmt::format("'{}' is no sequence of Time and U, N, E with their signs", text));
   }
 
   void check_times(const Eigen::VectorXd& times, double length) {
     if (times.size() < 2) {
-      mistakes_.add(fmt::format("{} samples are no record (2 at least)", times.size()));
+      errors_.add(fmt::format("{} samples are no record (2 at least)", times.size()));
       return;
     }
     for (Eigen::Index i = 0; i < times.size(); ++i) {
       const double even = times[0] + static_cast<double>(i) * time_step_;
       if (!(std::abs(times[i] - even) <= 2 * kTimeRounding)) {
-        mistakes_.add(
+        errors_.add(
             first_row() + static_cast<std::size_t>(i) + 1, 1,
             fmt::format("time {} s where the sampling rate gives {:.6g} s", times[i], even));
         return;
@@ -105,10 +105,10 @@ class CwbReader {
     }
     const double found = static_cast<double>(times.size()) * time_step_;
     if (!(std::abs(found - length) <= 1 + 1e-9))  // stated in whole seconds
-      mistakes_.add(length_line_ + 1, 1,
-                    fmt::format("the header states a length of {} s, but {} rows at {} s have "
-                                "{:.6g} s",
-                                length, times.size(), time_step_, found));
+      errors_.add(length_line_ + 1, 1,
+                  fmt::format("the header states a length of {} s, but {} rows at {} s have "
+                              "{:.6g} s",
+                              length, times.size(), time_step_, found));
     else if (std::abs(found - length) > 0.5 * time_step_)
       warning_ =
           fmt::format("the header states a length of {} s, but {} rows at {} s have {:.6g} s",
@@ -149,7 +149,7 @@ class CwbReader {
     if (largest && smallest)
       check_peak({std::max(std::abs(*largest), std::abs(*smallest)) * unit.to_si,
                   rounding * unit.to_si, line + 1},
-                 component.acceleration, component, mistakes_);
+                 component.acceleration, component, errors_);
   }
 
   void describe(Component& component) {
@@ -177,7 +177,7 @@ class CwbReader {
 
   const SourceFile& file_;
   const ReadOptions& options_;
-  Mistakes& mistakes_;
+  FileErrors& errors_;
   double time_step_ = 0;
   std::size_t length_line_ = 0;
   std::vector<Name> names_;
@@ -200,8 +200,8 @@ bool recognises_cwb(const SourceFile& file) {
 ///         length that differs from the stated one by more than a second, and samples that are no
 ///         numbers.
 std::vector<Component> read_cwb(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
-  return CwbReader(file, options, mistakes).read();
+  FileErrors errors(file);
+  return CwbReader(file, options, errors).read();
 }
 
 }  // namespace gurney::groundmotions

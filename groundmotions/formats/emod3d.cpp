@@ -41,17 +41,17 @@ bool recognises_emod3d(const SourceFile& file) {
 
 /// @throws Error without options.unit, for a wrong header and a count that does not match.
 std::vector<Component> read_emod3d(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
+  FileErrors errors(file);
   const auto words = words_of(file.lines()[0], kBlanks);
   const auto head = numbers_of(file.lines()[1]);
   Component component;
-  component.time_step = checked_time_step(head[1], "dt", 2, options, mistakes);
-  const AccelerationUnit unit = agreed_unit({}, 0, options, mistakes);
+  component.time_step = checked_time_step(head[1], "dt", 2, options, errors);
+  const AccelerationUnit unit = agreed_unit({}, 0, options, errors);
   component.unit = unit.name;
-  NumberReader reader(file, mistakes);
+  NumberReader reader(file, errors);
   read_to_end(file, 2, reader);
-  if (!mistakes.any()) check_count(head[0], "npts", 2, reader.values().size(), mistakes);
-  mistakes.throw_if_any();
+  if (!errors.any()) check_count(head[0], "npts", 2, reader.values().size(), errors);
+  errors.throw_if_any();
 
   component.acceleration = scaled(reader.values(), unit.to_si);
   component.name = words[1];

@@ -21,33 +21,32 @@ bool has(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-void refuse_other_quantities(const ColonHeader& header, Mistakes& mistakes) {
+void refuse_other_quantities(const ColonHeader& header, FileErrors& errors) {
   const auto* type = header.find("DATA_TYPE");
   const auto* units = header.find("UNITS");
   for (const char* wrong : {"SPECTRUM", "VELOCITY", "DISPLACEMENT"})
     if (type && has(type->value, wrong)) {
-      mistakes.add(type->line, 1,
-                   fmt::format("a record must be acceleration, but DATA_TYPE is '{}'; take the "
-                               "acceleration file of this component (.ACC.ASC)",
-                               type->value));
-      mistakes.throw_if_any();
+      errors.add(type->line, 1,
+                 fmt::format("a record must be acceleration, but DATA_TYPE is '{}'; take the "
+                             "acceleration file of this component (.ACC.ASC)",
+                             type->value));
+      errors.throw_if_any();
     }
   if (const auto quantity = units ? other_quantity(units->value) : std::nullopt)
-    mistakes.add(units->line, 1,
-                 fmt::format("a record must be acceleration, but UNITS are '{}': {}; take the "
-                             "acceleration file of this component (.ACC.ASC)",
-                             units->value, *quantity));
-  mistakes.throw_if_any();
+    errors.add(units->line, 1,
+               fmt::format("a record must be acceleration, but UNITS are '{}': {}; take the "
+                           "acceleration file of this component (.ACC.ASC)",
+                           units->value, *quantity));
+  errors.throw_if_any();
 }
 
-void set_start(const ColonHeader& header, Component& component, Mistakes& mistakes) {
+void set_start(const ColonHeader& header, Component& component, FileErrors& errors) {
   const auto* sample = header.find("DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS");
   if (sample && !sample->value.empty()) {
     component.start_time = utc_seconds(sample->value);
     if (!component.start_time)
-      mistakes.add(
-          sample->line, 1,
-          fmt::format("{} must be a date and a time, got '{}'", sample->key, sample->value));
+      errors.add(sample->line, 1,
+                 fmt::format("{} must be a date and a time, got '{}'", sample->key, sample->value));
     return;
   }
   // The old header has no date of the first sample: that of the event, unless midnight is between.
@@ -90,23 +89,22 @@ void set_facts(const ColonHeader& header, Component& component) {
 }
 
 /// The duration counts samples or steps and has three decimals.
-bool check_duration(const ColonHeader& header, const Component& component, Mistakes& mistakes) {
+bool check_duration(const ColonHeader& header, const Component& component, FileErrors& errors) {
   const auto* entry = header.find("DURATION_S");
   const auto stated = entry ? number(entry->value) : std::nullopt;
   if (!stated || !(*stated > 0)) return false;
   const double held = static_cast<double>(component.acceleration.size()) * component.time_step;
   if (!(std::abs(held - *stated) <= 1.5 * component.time_step + 0.001 * held))
-    mistakes.add(
-        entry->line, 1,
-        fmt::format("DURATION_S is {}, but {} samples at SAMPLING_INTERVAL_S {} have "
-                    "{:.6g} s",
-                    entry->value, component.acceleration.size(), component.time_step, held));
+    errors.add(entry->line, 1,
+               fmt::format("DURATION_S is {}, but {} samples at SAMPLING_INTERVAL_S {} have "
+                           "{:.6g} s",
+                           entry->value, component.acceleration.size(), component.time_step, held));
   return true;
 }
 
 /// Without a duration the time of the peak is the only check of the time step.
 void check_time_of_peak(const ColonHeader& header, bool step_is_sure, Component& component,
-                        Mistakes& mistakes) {
+                        FileErrors& errors) {
   const auto* entry = header.find("TIME_PGA_S");
   const auto time = entry ? number(entry->value) : std::nullopt;
   if (!time) return;
@@ -125,15 +123,15 @@ void check_time_of_peak(const ColonHeader& header, bool step_is_sure, Component&
   if (step_is_sure)
     component.warnings.push_back(message);
   else
-    mistakes.add(entry->line, 1, message + ": SAMPLING_INTERVAL_S or TIME_PGA_S is wrong");
+    errors.add(entry->line, 1, message + ": SAMPLING_INTERVAL_S or TIME_PGA_S is wrong");
 }
 
-void check_against_header(const ColonHeader& header, Component& component, Mistakes& mistakes) {
-  const bool step_is_sure = check_duration(header, component, mistakes);
+void check_against_header(const ColonHeader& header, Component& component, FileErrors& errors) {
+  const bool step_is_sure = check_duration(header, component, errors);
   const auto* peak = header.find("PGA_CM/S^2");
   if (!peak || peak->value.empty()) return;
-  check_peak(peak->value, {"cm/s2", 0.01}, peak->line, component, mistakes);
-  check_time_of_peak(header, step_is_sure, component, mistakes);
+  check_peak(peak->value, {"cm/s2", 0.01}, peak->line, component, errors);
+  check_time_of_peak(header, step_is_sure, component, errors);
 }
 
 void warn_of_state(const ColonHeader& header, Component& component) {
@@ -155,35 +153,35 @@ bool recognises_esm(const SourceFile& file) {
 /// @throws Error for velocities, displacements and spectra, missing or wrong header lines, a count
 ///         that does not match, and a peak far from that of the header.
 std::vector<Component> read_esm(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
+  FileErrors errors(file);
   const ColonHeader header(file);
-  refuse_other_quantities(header, mistakes);
+  refuse_other_quantities(header, errors);
 
   Component component;
   component.time_step =
-      checked_time_step(header.number_of("SAMPLING_INTERVAL_S", mistakes), "SAMPLING_INTERVAL_S",
-                        header.find("SAMPLING_INTERVAL_S")->line, options, mistakes);
+      checked_time_step(header.number_of("SAMPLING_INTERVAL_S", errors), "SAMPLING_INTERVAL_S",
+                        header.find("SAMPLING_INTERVAL_S")->line, options, errors);
   const auto* units = header.find("UNITS");
   const AccelerationUnit unit = units && !units->value.empty()
-                                    ? checked_unit(units->value, units->line, options, mistakes)
-                                    : agreed_unit({}, 0, options, mistakes);
+                                    ? checked_unit(units->value, units->line, options, errors)
+                                    : agreed_unit({}, 0, options, errors);
   component.unit = unit.name;
-  const double count = header.number_of("NDATA", mistakes);
+  const double count = header.number_of("NDATA", errors);
 
-  NumberReader reader(file, mistakes);
+  NumberReader reader(file, errors);
   read_to_end(file, header.lines(), reader);
-  if (!mistakes.any())
-    check_count(count, "NDATA", header.find("NDATA")->line, reader.values().size(), mistakes);
-  mistakes.throw_if_any();
+  if (!errors.any())
+    check_count(count, "NDATA", header.find("NDATA")->line, reader.values().size(), errors);
+  errors.throw_if_any();
 
   component.acceleration = scaled(reader.values(), unit.to_si);
   component.name = header.value(header.find("STREAM") ? "STREAM" : "COMPONENT");
   orient(component.name, component);
   set_facts(header, component);
-  set_start(header, component, mistakes);
-  check_against_header(header, component, mistakes);
+  set_start(header, component, errors);
+  check_against_header(header, component, errors);
   warn_of_state(header, component);
-  mistakes.throw_if_any();
+  errors.throw_if_any();
   return {component};
 }
 

@@ -73,33 +73,32 @@ void check(const ReadOptions& options) {
 /// Options that are of no use to a format, one line each.
 std::string useless_options(const Format& format, const std::string& file,
                             const ReadOptions& options) {
-  std::string mistakes;
+  std::string errors;
   if (options.si_per_count && !format.takes_counts)
-    mistakes +=
+    errors +=
         fmt::format("{}: count_m_per_s2 = {} was given, but the file does not hold raw counts\n",
                     file, *options.si_per_count);
   else if (options.si_per_count && !options.unit.empty())
-    mistakes +=
+    errors +=
         fmt::format("{}: unit and count_m_per_s2 were both given; one of them is allowed\n", file);
   if (!options.columns.empty() && !format.takes_columns)
-    mistakes +=
-        fmt::format("{}: columns = \"{}\" was given, but the layout of this file is known\n", file,
-                    options.columns);
-  return mistakes;
+    errors += fmt::format("{}: columns = \"{}\" was given, but the layout of this file is known\n",
+                          file, options.columns);
+  return errors;
 }
 
-/// The mistakes of the file follow those of the options.
+/// The errors of the file follow those of the options.
 std::vector<Component> read_as(const Format& format, const SourceFile& file,
                                const ReadOptions& options) {
-  std::string mistakes = useless_options(format, file.name(), options);
+  std::string errors = useless_options(format, file.name(), options);
   std::vector<Component> components;
   try {
     components = format.read(file, options);
   } catch (const Error& error) {
-    throw Error(mistakes + error.what());
+    throw Error(errors + error.what());
   }
-  if (!mistakes.empty()) mistakes.pop_back();  // the last line end
-  require(mistakes.empty(), mistakes);
+  if (!errors.empty()) errors.pop_back();  // the last line end
+  require(errors.empty(), errors);
   return components;
 }
 

@@ -30,7 +30,7 @@ struct Format {
 
   /// @returns at least one component, warnings included; `file`, `format` and `sha256` are left to
   ///          the caller.
-  /// @throws  Error with a line for each mistake in the file.
+  /// @throws  Error with a line for each error in the file.
   std::vector<Component> (*read)(const SourceFile& file, const ReadOptions& options);
 
   bool is_binary = false;      ///< formats of text never see a binary file, nor the other way round

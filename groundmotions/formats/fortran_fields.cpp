@@ -15,7 +15,7 @@ namespace gurney::groundmotions {
 namespace {
 
 constexpr std::size_t kWidest = 40;  ///< a number has no more characters
-constexpr std::size_t kMostPerLine = 200;
+constexpr std::size_t kMaxPerLine = 200;
 
 std::optional<std::size_t> take_count(std::string_view& text) {
   std::size_t value = 0;
@@ -67,7 +67,7 @@ std::optional<FortranFormat> fortran_format(std::string_view spelling) {
     rest.remove_prefix(1);
     if (!take_count(rest)) return {};
   }
-  const bool sound = rest.empty() && format.per_line > 0 && format.per_line <= kMostPerLine &&
+  const bool sound = rest.empty() && format.per_line > 0 && format.per_line <= kMaxPerLine &&
                      format.width > 0 && format.width <= kWidest;
   return sound ? std::optional(format) : std::nullopt;
 }
@@ -79,12 +79,12 @@ std::vector<double> FieldReader::read(std::size_t& line, std::size_t count,
   bool all_fit = true;
   for (; values.size() < count; ++line) {
     if (line >= file_.lines().size()) {
-      mistakes_.add(file_.lines().size(), 1,
-                    fmt::format("the file ends after {} of {} {}", values.size(), count, what));
+      errors_.add(file_.lines().size(), 1,
+                  fmt::format("the file ends after {} of {} {}", values.size(), count, what));
       return values;
     }
     const std::size_t expected = std::min(format.per_line, count - values.size());
-    Mistakes of_line(file_);
+    FileErrors of_line(file_);
     if (read_fields(line, expected, format, empty, of_line, values)) continue;
     // Only the last field is short, on the last line.
     const std::size_t length = file_.lines()[line].size();
@@ -93,21 +93,21 @@ std::vector<double> FieldReader::read(std::size_t& line, std::size_t count,
     const bool cut = line + 1 == file_.lines().size() && (!file_.ends_with_line_end() || is_short);
     all_fit = false;
     if (!cut && read_freely(line, expected, values)) continue;
-    read_fields(line, expected, format, empty, mistakes_, values);
+    read_fields(line, expected, format, empty, errors_, values);
     return values;
   }
   return values;
 }
 
 bool FieldReader::fits(std::size_t line, std::size_t count, const FortranFormat& format) const {
-  Mistakes mistakes(file_);
+  FileErrors errors(file_);
   std::vector<double> values;
   return line < file_.lines().size() &&
-         read_fields(line, count, format, EmptyField::kMistake, mistakes, values);
+         read_fields(line, count, format, EmptyField::kError, errors, values);
 }
 
 bool FieldReader::read_fields(std::size_t index, std::size_t count, const FortranFormat& format,
-                              EmptyField empty, Mistakes& mistakes,
+                              EmptyField empty, FileErrors& errors,
                               std::vector<double>& values) const {
   const std::string_view line = file_.lines()[index];
   const std::size_t end = format.skip + count * format.width;
@@ -124,16 +124,16 @@ bool FieldReader::read_fields(std::size_t index, std::size_t count, const Fortra
     }
     const auto value = field_number(field, format.kind, empty == EmptyField::kZero);
     if (!value || field.size() < format.width) {
-      mistakes.add(index + 1, begin + 1,
-                   fmt::format("'{}' is not a number of the format {}", field, format.text));
+      errors.add(index + 1, begin + 1,
+                 fmt::format("'{}' is not a number of the format {}", field, format.text));
       return false;
     }
     numbers.push_back(*value);
   }
   if (line.size() > end && !trimmed(line.substr(end)).empty()) {
-    mistakes.add(index + 1, end + 1,
-                 fmt::format("'{}' follows the {} numbers of this line",
-                             trimmed(line.substr(end)).substr(0, 40), count));
+    errors.add(index + 1, end + 1,
+               fmt::format("'{}' follows the {} numbers of this line",
+                           trimmed(line.substr(end)).substr(0, 40), count));
     return false;
   }
   values.insert(values.end(), numbers.begin(), numbers.end());
@@ -142,9 +142,9 @@ bool FieldReader::read_fields(std::size_t index, std::size_t count, const Fortra
 
 bool FieldReader::read_freely(std::size_t index, std::size_t count,
                               std::vector<double>& values) const {
-  Mistakes mistakes(file_);
-  NumberReader reader(file_, mistakes);
-  if (reader.read_line(index) != count || mistakes.any()) return false;
+  FileErrors errors(file_);
+  NumberReader reader(file_, errors);
+  if (reader.read_line(index) != count || errors.any()) return false;
   values.insert(values.end(), reader.values().begin(), reader.values().end());
   return true;
 }

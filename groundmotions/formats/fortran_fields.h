@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/source_file.h"
 
 namespace gurney::groundmotions {
@@ -24,21 +24,21 @@ struct FortranFormat {
 /// means; nothing for any other, also for several formats in one such as "(2(F8.3,F9.6))".
 std::optional<FortranFormat> fortran_format(std::string_view spelling);
 
-/// What an empty field is: a mistake as among samples, or 0 as in a header, where `****` (a number
+/// What an empty field is: an error as among samples, or 0 as in a header, where `****` (a number
 /// too long for its field) is NaN and real numbers may lack their point.
-enum class EmptyField { kMistake, kZero };
+enum class EmptyField { kError, kZero };
 
 /// Reads numbers from fixed columns, where they may stick together: "9012001" in 2I5 is 90 and
 /// 12001. A line that does not fit its format is read by its blanks if it then has as many numbers
-/// as it must have; what fits neither way is a mistake.
+/// as it must have; what fits neither way is an error.
 class FieldReader {
  public:
-  FieldReader(const SourceFile& file, Mistakes& mistakes) : file_(file), mistakes_(mistakes) {}
+  FieldReader(const SourceFile& file, FileErrors& errors) : file_(file), errors_(errors) {}
 
   /// Reads `count` numbers, row by row.
   /// @param line   index from 0 of the first line; of the line behind the last one afterwards
   /// @param what   of the numbers, for messages: "samples"
-  /// @returns `count` finite numbers, fewer if there were mistakes.
+  /// @returns `count` finite numbers, fewer if there were errors.
   std::vector<double> read(std::size_t& line, std::size_t count, const FortranFormat& format,
                            EmptyField empty, std::string_view what);
 
@@ -47,11 +47,11 @@ class FieldReader {
 
  private:
   bool read_fields(std::size_t line, std::size_t count, const FortranFormat& format,
-                   EmptyField empty, Mistakes& mistakes, std::vector<double>& values) const;
+                   EmptyField empty, FileErrors& errors, std::vector<double>& values) const;
   bool read_freely(std::size_t line, std::size_t count, std::vector<double>& values) const;
 
   const SourceFile& file_;
-  Mistakes& mistakes_;
+  FileErrors& errors_;
 };
 
 }  // namespace gurney::groundmotions

@@ -24,19 +24,19 @@ constexpr double kLargestCount = 1e8;
 
 class BlockReader {
  public:
-  BlockReader(const SourceFile& file, const ReadOptions& options, Mistakes& mistakes)
-      : file_(file), options_(options), mistakes_(mistakes), fields_(file, mistakes) {}
+  BlockReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
+      : file_(file), options_(options), errors_(errors), fields_(file, errors) {}
 
   std::vector<Component> read() {
     std::vector<Component> components;
-    while (skip_blank_lines() && components.size() < kComponents && !mistakes_.any())
+    while (skip_blank_lines() && components.size() < kComponents && !errors_.any())
       components.push_back(read_block());
-    if (!mistakes_.any() && components.size() < kComponents)
-      mistakes_.add(
+    if (!errors_.any() && components.size() < kComponents)
+      errors_.add(
           file_.lines().size(), 1,
           fmt::format("the file ends after {} of {} components", components.size(), kComponents));
-    if (!mistakes_.any() && line_ < file_.lines().size())
-      mistakes_.add(line_ + 1, 1, fmt::format("more lines follow the {} components", kComponents));
+    if (!errors_.any() && line_ < file_.lines().size())
+      errors_.add(line_ + 1, 1, fmt::format("more lines follow the {} components", kComponents));
     return components;
   }
 
@@ -52,20 +52,20 @@ class BlockReader {
     start_ = line_;
     Component component;
     if (start_ + kTextLines >= file_.lines().size()) {
-      mistakes_.add(file_.lines().size(), 1, "the file ends within the header of a component");
+      errors_.add(file_.lines().size(), 1, "the file ends within the header of a component");
       return component;
     }
     line_ = start_ + kTextLines;
     integers_ = fields_.read(line_, kIntegers, {10, 8, 0, 'I', "10I8"}, EmptyField::kZero,
                              "integers of the header");
-    if (!mistakes_.any())
+    if (!errors_.any())
       reals_ = fields_.read(line_, kReals, {10, 8, 0, 'F', "10F8.0"}, EmptyField::kZero,
                             "real numbers of the header");
-    const std::size_t count = mistakes_.any() ? 0 : sample_count();
-    if (mistakes_.any()) return component;
+    const std::size_t count = errors_.any() ? 0 : sample_count();
+    if (errors_.any()) return component;
     component.time_step = time_step();
     read_samples(count, component);
-    if (!mistakes_.any()) describe(component);
+    if (!errors_.any()) describe(component);
     return component;
   }
 
@@ -78,12 +78,12 @@ class BlockReader {
     const double stated = integers_[33] > 0 ? integers_[33] : integers_[30];
     const auto line = start_ + kTextLines + 4;
     if (!(stated >= 2 && stated <= kLargestCount))
-      mistakes_.add(line, 25, fmt::format("{} samples of acceleration are no record", stated));
+      errors_.add(line, 25, fmt::format("{} samples of acceleration are no record", stated));
     const auto in_text = number_after(upper(text(kCountLine)), "NUMBER OF POINTS");
     if (in_text && *in_text != stated)
-      mistakes_.add(line, 25,
-                    fmt::format("the header states {} samples here, but {} in line {}", stated,
-                                *in_text, start_ + kCountLine + 1));
+      errors_.add(line, 25,
+                  fmt::format("the header states {} samples here, but {} in line {}", stated,
+                              *in_text, start_ + kCountLine + 1));
     return whole(stated);
   }
 
@@ -94,11 +94,11 @@ class BlockReader {
     const auto at = line.find("INTERVALS OF") != line.npos ? number_after(line, "INTERVALS OF")
                                                            : number_after(line, " AT ");
     if (at && !(std::abs(*at - stated) <= 0.0005))  // printed with three decimals
-      mistakes_.add(start_ + kUnitLine + 1, 1,
-                    fmt::format("the time step is {} s here, but {} s in the real numbers of the "
-                                "header",
-                                *at, stated));
-    return agreed_time_step(stated, start_ + kTextLines + 7, options_, mistakes_);
+      errors_.add(start_ + kUnitLine + 1, 1,
+                  fmt::format("the time step is {} s here, but {} s in the real numbers of the "
+                              "header",
+                              *at, stated));
+    return agreed_time_step(stated, start_ + kTextLines + 7, options_, errors_);
   }
 
   /// Of V1A the unit line ("in units of 1.00 mm/s/s"), of V2A the peak line.
@@ -106,10 +106,10 @@ class BlockReader {
     const std::string line = upper(text(kUnitLine));
     const auto factor = number_after(line, "UNITS OF");
     if (!factor)
-      return agreed_unit(unit_in(text(kPeakLine)), start_ + kPeakLine + 1, options_, mistakes_);
-    AccelerationUnit unit = agreed_unit(unit_in(line), start_ + kUnitLine + 1, options_, mistakes_);
+      return agreed_unit(unit_in(text(kPeakLine)), start_ + kPeakLine + 1, options_, errors_);
+    AccelerationUnit unit = agreed_unit(unit_in(line), start_ + kUnitLine + 1, options_, errors_);
     if (!(*factor > 0))
-      mistakes_.add(start_ + kUnitLine + 1, 1, fmt::format("a unit of {} mm/s/s", *factor));
+      errors_.add(start_ + kUnitLine + 1, 1, fmt::format("a unit of {} mm/s/s", *factor));
     unit.to_si *= *factor;
     return unit;
   }
@@ -117,15 +117,15 @@ class BlockReader {
   void read_samples(std::size_t count, Component& component) {
     const FortranFormat format{10, 8, 0, 'F', "10F8.1"};
     const auto read = [&](std::size_t number_of, std::string_view what) {
-      return mistakes_.any() ? std::vector<double>()
-                             : fields_.read(line_, number_of, format, EmptyField::kMistake, what);
+      return errors_.any() ? std::vector<double>()
+                           : fields_.read(line_, number_of, format, EmptyField::kError, what);
     };
     const AccelerationUnit in_file = unit();
     component.unit = in_file.name;
     const auto values = read(count, "accelerations");
     const std::size_t velocities = read(whole(integers_[34]), "velocities").size();
     const std::size_t displacements = read(whole(integers_[35]), "displacements").size();
-    if (mistakes_.any()) return;
+    if (errors_.any()) return;
     component.acceleration = scaled(values, in_file.to_si);
     if (velocities + displacements > 0)
       component.header.emplace_back("also in the file", "velocity and displacement");
@@ -134,9 +134,9 @@ class BlockReader {
       const double rounding = std::abs(*peak) < 9999 ? 0.11 : 1.01;
       check_peak(
           {std::abs(*peak) * in_file.to_si, rounding * in_file.to_si, start_ + kPeakLine + 1},
-          component.acceleration, component, mistakes_);
+          component.acceleration, component, errors_);
     }
-    check_length(reals_[23], start_ + kTextLines + 7, component, mistakes_);
+    check_length(reals_[23], start_ + kTextLines + 7, component, errors_);
   }
 
   void describe(Component& component) {
@@ -173,7 +173,7 @@ class BlockReader {
 
   const SourceFile& file_;
   const ReadOptions& options_;
-  Mistakes& mistakes_;
+  FileErrors& errors_;
   FieldReader fields_;
   std::size_t line_ = 0;   ///< that comes next, from 0
   std::size_t start_ = 0;  ///< first line of the component
@@ -183,7 +183,7 @@ class BlockReader {
 }  // namespace
 
 bool recognises_geonet(const SourceFile& file) {
-  Mistakes ignored(file);
+  FileErrors ignored(file);
   const FieldReader fields(file, ignored);
   const std::string first = upper(file.lines().front().substr(0, 100));
   return first.find("CORRECTED ACCELEROGRAM") != first.npos && file.lines().size() > kTextLines &&
@@ -195,9 +195,9 @@ bool recognises_geonet(const SourceFile& file) {
 /// @throws Error for counts, time steps and peaks that disagree, a missing component, samples that
 ///         are no numbers, and a file that ends early or late.
 std::vector<Component> read_geonet(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
-  auto components = BlockReader(file, options, mistakes).read();
-  mistakes.throw_if_any();
+  FileErrors errors(file);
+  auto components = BlockReader(file, options, errors).read();
+  errors.throw_if_any();
   return components;
 }
 

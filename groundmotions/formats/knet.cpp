@@ -50,26 +50,26 @@ Entry find(const SourceFile& file, std::string_view key) {
 
 /// @param key, other  spellings of the key; @param unit  what may follow the number
 double number_at(const SourceFile& file, std::string_view key, std::string_view other,
-                 std::string_view unit, Mistakes& mistakes) {
+                 std::string_view unit, FileErrors& errors) {
   Entry entry = find(file, key);
   if (entry.line == 0) entry = find(file, other);
   if (entry.line == 0) {
-    mistakes.add(fmt::format("the header has no line '{}'", key));
+    errors.add(fmt::format("the header has no line '{}'", key));
     return 0;
   }
   std::string_view rest = entry.value;
   const auto value = take_number(rest);
   rest = trimmed(rest);
   if (value && (rest.empty() || lower(rest) == lower(unit))) return *value;
-  mistakes.add(entry.line, 1, fmt::format("{} must be a number, got '{}'", key, entry.value));
+  errors.add(entry.line, 1, fmt::format("{} must be a number, got '{}'", key, entry.value));
   return 0;
 }
 
 /// "3920(gal)/6182761" [m/s2 for one count].
-double scale_factor(const SourceFile& file, Mistakes& mistakes) {
+double scale_factor(const SourceFile& file, FileErrors& errors) {
   const Entry entry = find(file, "Scale Factor");
   if (entry.line == 0) {
-    mistakes.add("the header has no line 'Scale Factor': the samples are raw counts without it");
+    errors.add("the header has no line 'Scale Factor': the samples are raw counts without it");
     return 0;
   }
   std::string text = lower(entry.value);
@@ -82,8 +82,8 @@ double scale_factor(const SourceFile& file, Mistakes& mistakes) {
     const auto counts = number(rest);
     if (counts && *gal > 0 && *counts > 0) return *gal / *counts * kGal.to_si;
   }
-  mistakes.add(entry.line, 1,
-               fmt::format("Scale Factor must be like 3920(gal)/6182761, got '{}'", entry.value));
+  errors.add(entry.line, 1,
+             fmt::format("Scale Factor must be like 3920(gal)/6182761, got '{}'", entry.value));
   return 0;
 }
 
@@ -99,14 +99,14 @@ constexpr std::array kChannels = {
     Channel{"1", "NS1", true},   Channel{"2", "EW1", true},   Channel{"3", "UD1", true},
     Channel{"4", "NS2", false},  Channel{"5", "EW2", false},  Channel{"6", "UD2", false}};
 
-void set_channel(const SourceFile& file, Component& component, Mistakes& mistakes) {
+void set_channel(const SourceFile& file, Component& component, FileErrors& errors) {
   const Entry entry = find(file, "Dir.");
   std::string dir = upper(entry.value);
   if (dir == "NS" || dir == "EW" || dir == "UD") dir.insert(1, "-");
   const auto channel = std::ranges::find(kChannels, dir, &Channel::dir);
   if (channel == kChannels.end()) {
-    mistakes.add(std::max<std::size_t>(entry.line, 1), 1,
-                 fmt::format("Dir. must be N-S, E-W, U-D or 1 to 6, got '{}'", entry.value));
+    errors.add(std::max<std::size_t>(entry.line, 1), 1,
+               fmt::format("Dir. must be N-S, E-W, U-D or 1 to 6, got '{}'", entry.value));
     return;
   }
   component.name = channel->name;
@@ -119,13 +119,13 @@ void set_channel(const SourceFile& file, Component& component, Mistakes& mistake
         component.name));
 }
 
-void set_start(const SourceFile& file, Component& component, Mistakes& mistakes) {
+void set_start(const SourceFile& file, Component& component, FileErrors& errors) {
   const Entry entry = find(file, "Record Time");
   if (entry.value.empty()) return;
   const auto seconds = utc_seconds(entry.value);
   if (!seconds)
-    mistakes.add(entry.line, 1,
-                 fmt::format("Record Time must be a date and a time, got '{}'", entry.value));
+    errors.add(entry.line, 1,
+               fmt::format("Record Time must be a date and a time, got '{}'", entry.value));
   else
     component.start_time = *seconds - kTriggerDelay - kJapanTime;
 }
@@ -150,16 +150,16 @@ void set_facts(const SourceFile& file, Component& component) {
 
 /// The mean and the peak are of these very samples: rounding explains no more than a digit.
 void refuse_other_peak(std::string_view text, std::size_t line, const Component& component,
-                       Mistakes& mistakes) {
+                       FileErrors& errors) {
   const auto stated = number(text);
-  if (!stated || mistakes.any()) return;
+  if (!stated || errors.any()) return;
   const double held = component.acceleration.cwiseAbs().maxCoeff() / kGal.to_si;
   const double rounding = rounding_of(text);
   if (std::abs(std::abs(*stated) - held) <= kPeakTooFar * held + rounding) return;
-  mistakes.add(line, 1,
-               fmt::format("the file states a peak of {} gal, but its samples have {:.6g} gal: one "
-                           "of them is damaged",
-                           text, held));
+  errors.add(line, 1,
+             fmt::format("the file states a peak of {} gal, but its samples have {:.6g} gal: one "
+                         "of them is damaged",
+                         text, held));
 }
 
 }  // namespace
@@ -173,28 +173,27 @@ bool recognises_knet(const SourceFile& file) {
 /// @throws Error for missing or wrong header lines, a count of samples that is not the duration
 ///         times the sampling frequency, and a peak far from that of the header.
 std::vector<Component> read_knet(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
+  FileErrors errors(file);
   Component component;
   const Entry scale = find(file, "Scale Factor");
-  component.unit = checked_unit(kGal.name, scale.line, options, mistakes).name;
-  const double to_si = scale_factor(file, mistakes);
-  const double frequency = number_at(file, "Sampling Freq(Hz)", "Sampling Freq", "Hz", mistakes);
-  const double duration = number_at(file, "Duration Time(s)", "Duration Time", "s", mistakes);
+  component.unit = checked_unit(kGal.name, scale.line, options, errors).name;
+  const double to_si = scale_factor(file, errors);
+  const double frequency = number_at(file, "Sampling Freq(Hz)", "Sampling Freq", "Hz", errors);
+  const double duration = number_at(file, "Duration Time(s)", "Duration Time", "s", errors);
   const Entry rate = find(file, "Sampling Freq");
-  if (!mistakes.any() && !(frequency >= 1))
-    mistakes.add(rate.line, 1,
-                 fmt::format("Sampling Freq must be at least 1 Hz, got {}", frequency));
-  mistakes.throw_if_any();
+  if (!errors.any() && !(frequency >= 1))
+    errors.add(rate.line, 1, fmt::format("Sampling Freq must be at least 1 Hz, got {}", frequency));
+  errors.throw_if_any();
   component.time_step =
-      checked_time_step(1 / frequency, "1 / Sampling Freq", rate.line, options, mistakes);
+      checked_time_step(1 / frequency, "1 / Sampling Freq", rate.line, options, errors);
 
-  NumberReader reader(file, mistakes);
+  NumberReader reader(file, errors);
   read_to_end(file, header_end(file), reader);
   const auto& counts = reader.values();
-  if (!mistakes.any())
+  if (!errors.any())
     check_count(std::round(duration * frequency), "Duration Time times Sampling Freq",
-                find(file, "Duration Time").line, counts.size(), mistakes);
-  mistakes.throw_if_any();
+                find(file, "Duration Time").line, counts.size(), errors);
+  errors.throw_if_any();
 
   component.acceleration = scaled(counts, to_si);
   const double mean = component.acceleration.mean();
@@ -206,12 +205,12 @@ std::vector<Component> read_knet(const SourceFile& file, const ReadOptions& opti
   if (peak.line == 0) peak = find(file, "Max Acc. (gal)");
   if (!peak.value.empty()) {
     component.header.emplace_back("published peak", fmt::format("{} cm/s2", peak.value));
-    check_peak(peak.value, kGal, peak.line, component, mistakes);
-    refuse_other_peak(peak.value, peak.line, component, mistakes);
+    check_peak(peak.value, kGal, peak.line, component, errors);
+    refuse_other_peak(peak.value, peak.line, component, errors);
   }
-  set_start(file, component, mistakes);
-  set_channel(file, component, mistakes);
-  mistakes.throw_if_any();
+  set_start(file, component, errors);
+  set_channel(file, component, errors);
+  errors.throw_if_any();
   return {component};
 }
 

@@ -20,36 +20,36 @@ constexpr std::size_t kHeaderLines = 40;  ///< at most; real files have 18
 
 class NsmnReader {
  public:
-  NsmnReader(const SourceFile& file, const ReadOptions& options, Mistakes& mistakes)
-      : file_(file), options_(options), mistakes_(mistakes) {}
+  NsmnReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
+      : file_(file), options_(options), errors_(errors) {}
 
   std::vector<Component> read() {
     std::size_t line = 0;
     const auto step = number(value("SAMPLING INTERVAL", line));
-    const double time_step = agreed_time_step(step, line + 1, options_, mistakes_);
+    const double time_step = agreed_time_step(step, line + 1, options_, errors_);
     value("RAW PGA VALUES", peak_line_);
     const std::string peaks(peak_line_ > 0 ? file_.lines()[peak_line_] : "");
-    const AccelerationUnit unit = agreed_unit(unit_in(peaks), peak_line_ + 1, options_, mistakes_);
+    const AccelerationUnit unit = agreed_unit(unit_in(peaks), peak_line_ + 1, options_, errors_);
     const auto count = number(value("NUMBER OF DATA", line));
     find_columns();
-    mistakes_.throw_if_any();
+    errors_.throw_if_any();
     read_rows();
-    if (!mistakes_.any())
+    if (!errors_.any())
       check_count(count.value_or(0), "NUMBER OF DATA", line + 1, samples_.size() / names_.size(),
-                  mistakes_);
-    mistakes_.throw_if_any();
+                  errors_);
+    errors_.throw_if_any();
     std::vector<Component> components;
     for (std::size_t i = 0; i < names_.size(); ++i) {
       components.push_back(component(i, unit, peaks));
       components.back().time_step = time_step;
     }
-    mistakes_.throw_if_any();
+    errors_.throw_if_any();
     return components;
   }
 
  private:
   std::string_view value(std::string_view key, std::size_t& line) {
-    return needed_behind(file_.lines(), key, line, mistakes_);
+    return needed_behind(file_.lines(), key, line, errors_);
   }
 
   void find_columns() {
@@ -65,18 +65,18 @@ class NsmnReader {
     auto sorted = names_;
     std::ranges::sort(sorted);
     if (sorted != std::vector<std::string>{"E-W", "N-S", "U-D"})
-      mistakes_.add(std::max<std::size_t>(first_row_, 1), 1,
-                    "no row that names the columns N-S, E-W and U-D");
+      errors_.add(std::max<std::size_t>(first_row_, 1), 1,
+                  "no row that names the columns N-S, E-W and U-D");
   }
 
   void read_rows() {
-    NumberReader reader(file_, mistakes_);
+    NumberReader reader(file_, errors_);
     for (std::size_t i = first_row_; i < file_.lines().size(); ++i) {
       if (trimmed(file_.lines()[i]).empty()) continue;
       const std::size_t found = reader.read_line(i);
       if (found != names_.size())
-        mistakes_.add(i + 1, 1,
-                      fmt::format("{} numbers, the row must have {}", found, names_.size()));
+        errors_.add(i + 1, 1,
+                    fmt::format("{} numbers, the row must have {}", found, names_.size()));
     }
     reader.check_end();
     samples_ = reader.values();
@@ -93,7 +93,7 @@ class NsmnReader {
     component.acceleration = unit.to_si * table.col(static_cast<Eigen::Index>(i));
     if (const auto peak = number_after(peaks, "(" + names_[i] + ")"))
       check_peak({std::abs(*peak) * unit.to_si, 2e-6 * unit.to_si, peak_line_ + 1},
-                 component.acceleration, component, mistakes_);
+                 component.acceleration, component, errors_);
     orient(names_[i], component);
     describe(component);
     return component;
@@ -119,7 +119,7 @@ class NsmnReader {
 
   const SourceFile& file_;
   const ReadOptions& options_;
-  Mistakes& mistakes_;
+  FileErrors& errors_;
   std::size_t peak_line_ = 0, first_row_ = 0;  ///< from 0
   std::vector<std::string> names_;
   std::vector<double> samples_;  ///< row by row
@@ -135,8 +135,8 @@ bool recognises_nsmn(const SourceFile& file) {
 /// @throws Error for statements that are missing or disagree, another number of rows than stated,
 ///         and samples that are no numbers.
 std::vector<Component> read_nsmn(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
-  return NsmnReader(file, options, mistakes).read();
+  FileErrors errors(file);
+  return NsmnReader(file, options, errors).read();
 }
 
 }  // namespace gurney::groundmotions

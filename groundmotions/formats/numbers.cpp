@@ -25,9 +25,9 @@ Eigen::VectorXd scaled(const std::vector<double>& values, double factor) {
          Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-NumberReader::NumberReader(const SourceFile& file, Mistakes& mistakes, std::string_view separators)
+NumberReader::NumberReader(const SourceFile& file, FileErrors& errors, std::string_view separators)
     : file_(file),
-      mistakes_(mistakes),
+      errors_(errors),
       separators_(std::string(kNumberBlanks) + std::string(separators)) {}
 
 std::size_t NumberReader::read_line(std::size_t index) {
@@ -78,8 +78,8 @@ void NumberReader::read_word(std::string_view word, std::size_t line, std::size_
     const bool glued = start.size() < word.size() || !rest.empty();
     const bool ends_well = rest.empty() || is_sign(rest[0]);
     if (!value || !ends_well || (glued && point == std::string_view::npos)) {
-      mistakes_.add(line, column + (word.size() - start.size()),
-                    fmt::format("'{}' is not a finite number", word.substr(0, 40)));
+      errors_.add(line, column + (word.size() - start.size()),
+                  fmt::format("'{}' is not a finite number", word.substr(0, 40)));
       return;
     }
     values_.push_back(*value);
@@ -93,10 +93,10 @@ void NumberReader::check_end() const {
   const bool is_short = last_tail_ < shortest_tail_;
   const bool ends_early = is_flush_right_ && all_in_columns_ && !last_in_columns_;
   if (!is_short && !ends_early) return;
-  mistakes_.add(file_.lines().size(), file_.lines().back().size(),
-                fmt::format("the file ends within a line and its last number {}: the file seems to "
-                            "be cut",
-                            is_short ? "is shorter than all others" : "ends left of its column"));
+  errors_.add(file_.lines().size(), file_.lines().back().size(),
+              fmt::format("the file ends within a line and its last number {}: the file seems to "
+                          "be cut",
+                          is_short ? "is shorter than all others" : "ends left of its column"));
 }
 
 }  // namespace gurney::groundmotions

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/base/number_text.h"
-#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/source_file.h"
 
 namespace gurney::groundmotions {
@@ -23,9 +23,9 @@ Eigen::VectorXd scaled(const std::vector<double>& values, double factor);
 class NumberReader {
  public:
   /// @param separators  characters that part numbers besides blanks
-  NumberReader(const SourceFile& file, Mistakes& mistakes, std::string_view separators = {});
+  NumberReader(const SourceFile& file, FileErrors& errors, std::string_view separators = {});
 
-  /// Reads a line (index from 0); what is no number becomes a mistake.
+  /// Reads a line (index from 0); what is no number becomes an error.
   /// @returns how many numbers it holds.
   std::size_t read_line(std::size_t index);
 
@@ -44,7 +44,7 @@ class NumberReader {
   void read_word(std::string_view word, std::size_t line, std::size_t column);
 
   const SourceFile& file_;
-  Mistakes& mistakes_;
+  FileErrors& errors_;
   std::string separators_;
   std::vector<double> values_;
   std::size_t shortest_tail_ = std::string_view::npos;  ///< of all but the last number

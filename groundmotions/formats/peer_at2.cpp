@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "groundmotions/formats/end_mark.h"
+#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/header_text.h"
-#include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/plain_rows.h"
@@ -171,38 +171,38 @@ void name_component(const SourceFile& file, const Header& header, Component& com
 }
 
 /// The lines above the samples speak of a velocity or a displacement.
-void refuse_other_quantities(const SourceFile& file, const Header& header, Mistakes& mistakes) {
+void refuse_other_quantities(const SourceFile& file, const Header& header, FileErrors& errors) {
   const auto& lines = file.lines();
   const std::size_t end = std::min(header.first_data_line(), lines.size());
   const auto other = other_quantity_in({lines.begin(), lines.begin() + static_cast<long>(end)});
   if (!other) return;
-  mistakes.add(other->line + 1, 1,
-               fmt::format("a record must be acceleration, but this is a {} file ('{}'); "
-                           "take the .AT2 file of this component",
-                           other->quantity, trimmed(lines[other->line])));
-  mistakes.throw_if_any();
+  errors.add(other->line + 1, 1,
+             fmt::format("a record must be acceleration, but this is a {} file ('{}'); "
+                         "take the .AT2 file of this component",
+                         other->quantity, trimmed(lines[other->line])));
+  errors.throw_if_any();
 }
 
-double time_step_of(const Header& header, const ReadOptions& options, Mistakes& mistakes) {
+double time_step_of(const Header& header, const ReadOptions& options, FileErrors& errors) {
   const auto& [value, line] = header.time_step;
-  return value ? checked_time_step(*value, "DT", line + 1, options, mistakes)
-               : agreed_time_step({}, 0, options, mistakes);
+  return value ? checked_time_step(*value, "DT", line + 1, options, errors)
+               : agreed_time_step({}, 0, options, errors);
 }
 
-AccelerationUnit unit_of(const Header& header, const ReadOptions& options, Mistakes& mistakes) {
-  return header.unit.empty() ? agreed_unit({}, 0, options, mistakes)
-                             : checked_unit(header.unit, header.unit_line + 1, options, mistakes);
+AccelerationUnit unit_of(const Header& header, const ReadOptions& options, FileErrors& errors) {
+  return header.unit.empty() ? agreed_unit({}, 0, options, errors)
+                             : checked_unit(header.unit, header.unit_line + 1, options, errors);
 }
 
 void check_samples(const Header& header, std::size_t count, Component& component,
-                   Mistakes& mistakes) {
+                   FileErrors& errors) {
   if (header.samples.value) {
-    check_count(*header.samples.value, "NPTS", header.samples.line + 1, count, mistakes);
+    check_count(*header.samples.value, "NPTS", header.samples.line + 1, count, errors);
     return;
   }
   component.warnings.push_back(
       fmt::format("the header states no NPTS: all {} numbers were taken", count));
-  if (count < 2) mistakes.add(fmt::format("{} samples are no record (2 at least)", count));
+  if (count < 2) errors.add(fmt::format("{} samples are no record (2 at least)", count));
 }
 
 /// `2000 0.0200` alone on the line after the header.
@@ -245,23 +245,23 @@ bool recognises_peer_at2(const SourceFile& file) {
 /// @throws Error for a velocity or displacement file (VT2, DT2), an unknown unit, a missing time
 ///         step, text among the numbers, or a count that is not NPTS.
 std::vector<Component> read_peer_at2(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
+  FileErrors errors(file);
   Header header = header_of(file);
   find_bare_pair(file, header);
-  refuse_other_quantities(file, header, mistakes);
+  refuse_other_quantities(file, header, errors);
 
   Component component;
-  component.time_step = time_step_of(header, options, mistakes);
-  const AccelerationUnit unit = unit_of(header, options, mistakes);
+  component.time_step = time_step_of(header, options, errors);
+  const AccelerationUnit unit = unit_of(header, options, errors);
   component.unit = unit.name;
-  NumberReader reader(file, mistakes);
+  NumberReader reader(file, errors);
   std::size_t first = header.first_data_line();
   for (; first < file.lines().size() && is_text_line(file.lines()[first]); ++first)
     component.warnings.push_back(fmt::format("a line of text after the header, skipped: '{}'",
                                              trimmed(file.lines()[first]).substr(0, 60)));
   read_to_end(file, first, reader);
-  if (!mistakes.any()) check_samples(header, reader.values().size(), component, mistakes);
-  mistakes.throw_if_any();
+  if (!errors.any()) check_samples(header, reader.values().size(), component, errors);
+  errors.throw_if_any();
 
   component.acceleration = scaled(reader.values(), unit.to_si);
   component.header.emplace_back("title", trimmed(file.lines()[0]));

@@ -27,7 +27,7 @@ std::vector<std::string> names_in(std::string_view text) {
   return names;
 }
 
-PlainColumns from_names(const std::string& text, Mistakes& mistakes) {
+PlainColumns from_names(const std::string& text, FileErrors& errors) {
   const std::vector<std::string> known = {"time", "h1", "h2", "vertical", "skip", "samples"};
   const auto names = names_in(text);
   PlainColumns result;
@@ -46,19 +46,19 @@ PlainColumns from_names(const std::string& text, Mistakes& mistakes) {
     } else {
       const auto at = std::ranges::find(kDirections, name, name_of);
       if (at == kDirections.end())
-        mistakes.add(fmt::format("columns = \"{}\": unknown name '{}'{}", text, name,
-                                 config::suggestion(name, known)));
+        errors.add(fmt::format("columns = \"{}\": unknown name '{}'{}", text, name,
+                               config::suggestion(name, known)));
       else
         column.direction = *at;
       component = true;
     }
     if (name != "skip" && std::find(names.begin(), names.begin() + static_cast<long>(i), name) !=
                               names.begin() + static_cast<long>(i))
-      mistakes.add(fmt::format("columns = \"{}\": '{}' is named twice", text, name));
+      errors.add(fmt::format("columns = \"{}\": '{}' is named twice", text, name));
     result.columns.push_back(column);
   }
   if (!component)
-    mistakes.add(fmt::format("columns = \"{}\" names no component: h1, h2 or vertical", text));
+    errors.add(fmt::format("columns = \"{}\" names no component: h1, h2 or vertical", text));
   return result;
 }
 
@@ -78,10 +78,10 @@ bool first_column_grows(const PlainRows& rows, std::size_t width) {
 }  // namespace
 
 PlainColumns plain_columns(const PlainRows& rows, bool stated, const ReadOptions& options,
-                           Mistakes& mistakes) {
+                           FileErrors& errors) {
   PlainColumns result;
-  if (!options.columns.empty()) result = from_names(options.columns, mistakes);
-  if (rows.lengths.empty() || mistakes.any()) return result;
+  if (!options.columns.empty()) result = from_names(options.columns, errors);
+  if (rows.lengths.empty() || errors.any()) return result;
 
   const std::size_t odd = odd_row(rows);
   const bool even = odd == rows.lengths.size();
@@ -89,23 +89,23 @@ PlainColumns plain_columns(const PlainRows& rows, bool stated, const ReadOptions
   if (result.samples || (options.columns.empty() && stated)) {
     result.samples = true;
     if (!wrapped && !stated)
-      mistakes.add(rows.lines[odd], 1,
-                   fmt::format("{} numbers in a row, the first row has {}", rows.lengths[odd],
-                               rows.lengths[0]));
+      errors.add(rows.lines[odd], 1,
+                 fmt::format("{} numbers in a row, the first row has {}", rows.lengths[odd],
+                             rows.lengths[0]));
     return result;
   }
   if (!even && !(wrapped && options.columns.empty())) {
-    mistakes.add(rows.lines[odd], 1,
-                 fmt::format("{} numbers in a row, the first row has {}", rows.lengths[odd],
-                             rows.lengths[0]));
+    errors.add(rows.lines[odd], 1,
+               fmt::format("{} numbers in a row, the first row has {}", rows.lengths[odd],
+                           rows.lengths[0]));
     return result;
   }
   const std::size_t width = rows.lengths[0];
   if (!options.columns.empty()) {
     if (result.columns.size() != width)
-      mistakes.add(rows.lines[0], 1,
-                   fmt::format("columns = \"{}\" names {} columns, but the rows have {}",
-                               options.columns, result.columns.size(), width));
+      errors.add(rows.lines[0], 1,
+                 fmt::format("columns = \"{}\" names {} columns, but the rows have {}",
+                             options.columns, result.columns.size(), width));
     return result;
   }
   if (width == 1) {
@@ -114,15 +114,15 @@ PlainColumns plain_columns(const PlainRows& rows, bool stated, const ReadOptions
     result.columns.resize(width);
     result.columns[0].kind = Kind::kTime;
   } else if (!even && odd + 1 == rows.lengths.size() && first_column_grows(rows, width)) {
-    mistakes.add(rows.lines[odd], 1,
-                 fmt::format("{} of {} numbers in the last row: the file seems to be cut",
-                             rows.lengths[odd], width));
-    mistakes.throw_if_any();
+    errors.add(rows.lines[odd], 1,
+               fmt::format("{} of {} numbers in the last row: the file seems to be cut",
+                           rows.lengths[odd], width));
+    errors.throw_if_any();
   } else {
-    mistakes.add(rows.lines[0], 1,
-                 fmt::format("{} numbers in a row, and the first is no time that grows from row to "
-                             "row; {}",
-                             width, kHowToState));
+    errors.add(rows.lines[0], 1,
+               fmt::format("{} numbers in a row, and the first is no time that grows from row to "
+                           "row; {}",
+                           width, kHowToState));
   }
   return result;
 }

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/format.h"
-#include "groundmotions/formats/mistakes.h"
 #include "groundmotions/formats/plain_rows.h"
 
 namespace gurney::groundmotions {
@@ -25,9 +25,9 @@ struct PlainColumns {
 /// @param options  `columns` if not empty, else: one number in a row, or a first number that grows
 ///                 from row to row (a time), says it
 /// @param stated   the file states how many samples it has, as many as it has numbers
-/// Mistakes: names that are unknown or repeated, no component, another number of columns, rows of
+/// Errors: names that are unknown or repeated, no component, another number of columns, rows of
 /// unequal length, and rows that do not say what they are.
 PlainColumns plain_columns(const PlainRows& rows, bool stated, const ReadOptions& options,
-                           Mistakes& mistakes);
+                           FileErrors& errors);
 
 }  // namespace gurney::groundmotions

@@ -16,13 +16,13 @@ struct PlainFacts {
   double time_unit = 1;  ///< of a column of times without a title of its own [s]
 };
 
-/// Mistakes: samples that are velocity or displacement as the text says, a unit that is none of
+/// Errors: samples that are velocity or displacement as the text says, a unit that is none of
 /// acceleration, and lines that contradict each other.
 /// @param with_titles  the last line of text has the titles of columns and is not looked at
-PlainFacts plain_facts(const PlainRows& rows, bool with_titles, Mistakes& mistakes);
+PlainFacts plain_facts(const PlainRows& rows, bool with_titles, FileErrors& errors);
 
-/// A mistake if `step` [s], which `what` gives, is farther from that of the text than its rounding
+/// An error if `step` [s], which `what` gives, is farther from that of the text than its rounding
 /// explains: 1 %, an assumption.
-void check_step(const PlainFacts& facts, double step, std::string_view what, Mistakes& mistakes);
+void check_step(const PlainFacts& facts, double step, std::string_view what, FileErrors& errors);
 
 }  // namespace gurney::groundmotions

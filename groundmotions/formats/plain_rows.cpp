@@ -106,7 +106,7 @@ bool has_plain_rows(const SourceFile& file) {
   return row && is_row(file.lines()[*row]);
 }
 
-PlainRows plain_rows(const SourceFile& file, Mistakes& mistakes) {
+PlainRows plain_rows(const SourceFile& file, FileErrors& errors) {
   PlainRows rows;
   const std::size_t first = first_row(file).value_or(file.lines().size());
   for (std::size_t i = 0; i < first; ++i)
@@ -120,12 +120,12 @@ PlainRows plain_rows(const SourceFile& file, Mistakes& mistakes) {
     if (!is_blank(file.lines()[i])) rows.end.push_back(trimmed(file.lines()[i]));
 
   bool commas = false, points = false;
-  NumberReader reader(file, mistakes, kSeparators);
+  NumberReader reader(file, errors, kSeparators);
   for (std::size_t i = first; i < last; ++i) {
     const auto line = file.lines()[i];
     if (is_blank(line) || is_comment(line)) continue;
     if (const auto column = empty_cell(line); column > 0)
-      mistakes.add(i + 1, column, "an empty cell");
+      errors.add(i + 1, column, "an empty cell");
     commas = commas || line.find(',') != std::string_view::npos;
     points = points || line.find('.') != std::string_view::npos;
     const std::size_t length = reader.read_line(i);

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/source_file.h"
 
 namespace gurney::groundmotions {
@@ -32,8 +32,8 @@ bool is_text_line(std::string_view line);
 /// Whether a row of numbers comes after at most 40 lines of text.
 bool has_plain_rows(const SourceFile& file);
 
-/// What is no number after the first row, save an end mark, and empty cells become mistakes.
-PlainRows plain_rows(const SourceFile& file, Mistakes& mistakes);
+/// What is no number after the first row, save an end mark, and empty cells become errors.
+PlainRows plain_rows(const SourceFile& file, FileErrors& errors);
 
 /// The cells of the last line of text, if it names `count` columns: `Time[s] Accel[g]`; else none.
 /// A bracket belongs to the word before it; titles of several words are apart by two blanks.

@@ -21,17 +21,17 @@ namespace gurney::groundmotions {
 
 namespace {
 
-/// Tables that look like records but are none; their other mistakes do not matter.
+/// Tables that look like records but are none; their other errors do not matter.
 void refuse_spectra(const PlainRows& rows, const SourceFile& file) {
-  Mistakes mistakes(file);
+  FileErrors errors(file);
   for (const std::string_view line : rows.header) {
     const std::string text = lower(line);
     for (const char* word : {"psa", "rotd", "spectral", "spectrum", "spectra", "arias"})
       if (text.find(word) != std::string::npos) {
-        mistakes.add(fmt::format(
+        errors.add(fmt::format(
             "a record must be an acceleration history, but the header speaks of '{}' ('{}')", word,
             line.substr(0, 80)));
-        mistakes.throw_if_any();
+        errors.throw_if_any();
       }
   }
 }
@@ -67,7 +67,7 @@ struct Table {
   const PlainFacts& facts;
   const CountRow& count;
   const ReadOptions& options;
-  Mistakes& mistakes;
+  FileErrors& errors;
 
   std::size_t title_line() const {
     return rows.header_lines.empty() ? 1 : rows.header_lines.back();
@@ -76,36 +76,35 @@ struct Table {
 
 void refuse_other_quantities(const ColumnTitle& title, const Table& table) {
   if (!title.quantity.empty())
-    table.mistakes.add(
+    table.errors.add(
         fmt::format("a record must be acceleration, but the column '{}' is a {}; name "
                     "the columns of accelerations, such as columns = \"time,h1,skip\"",
                     title.text, title.quantity));
 }
 
 ColumnUnit unit_of(const ColumnTitle& title, const Table& table) {
-  const auto& [rows, facts, count, options, mistakes] = table;
+  const auto& [rows, facts, count, options, errors] = table;
   const std::size_t line = title.unit.empty() ? facts.unit_line : table.title_line();
   auto stated = acceleration_unit(title.unit);
   if (!title.unit.empty() && !stated && title.quantity.empty())
-    mistakes.add(line, 1,
-                 fmt::format("the column '{}' states '{}', which is not a unit of acceleration: {} "
-                             "are allowed",
-                             title.text, title.unit, kAccelerationUnits));
+    errors.add(line, 1,
+               fmt::format("the column '{}' states '{}', which is not a unit of acceleration: {} "
+                           "are allowed",
+                           title.text, title.unit, kAccelerationUnits));
   if (stated && facts.unit && stated->to_si != facts.unit->to_si)
-    mistakes.add(
-        line, 1,
-        fmt::format("the column '{}' states the unit {}, but line {} states {}", title.text,
-                    stated->name, mistakes.line_in_file(facts.unit_line), facts.unit->name));
+    errors.add(line, 1,
+               fmt::format("the column '{}' states the unit {}, but line {} states {}", title.text,
+                           stated->name, errors.line_in_file(facts.unit_line), facts.unit->name));
   if (!stated) stated = facts.unit;
   if (!title.quantity.empty() || (!title.unit.empty() && !stated)) return {};
   if (options.si_per_count) {
     if (stated)
-      mistakes.add(line, 1,
-                   fmt::format("count_m_per_s2 is for raw counts, but the file states the unit {}",
-                               stated->name));
+      errors.add(line, 1,
+                 fmt::format("count_m_per_s2 is for raw counts, but the file states the unit {}",
+                             stated->name));
     return {"counts", *options.si_per_count};
   }
-  const AccelerationUnit unit = agreed_unit(stated, line, options, mistakes);
+  const AccelerationUnit unit = agreed_unit(stated, line, options, errors);
   return {unit.name, unit.to_si};
 }
 
@@ -129,16 +128,16 @@ void warn_of_text(const PlainRows& rows, Component& component) {
 }
 
 double time_step_of(const Table& table) {
-  const auto& [rows, facts, count, options, mistakes] = table;
+  const auto& [rows, facts, count, options, errors] = table;
   if (count.line > 0) {
-    check_step(facts, count.time_step, "the first row", mistakes);
-    return agreed_time_step(count.time_step, count.line, options, mistakes);
+    check_step(facts, count.time_step, "the first row", errors);
+    return agreed_time_step(count.time_step, count.line, options, errors);
   }
   if (options.time_step) {  // the text may be rounded
-    check_step(facts, *options.time_step, "time_step_s was given as", mistakes);
+    check_step(facts, *options.time_step, "time_step_s was given as", errors);
     return *options.time_step;
   }
-  return agreed_time_step(facts.time_step, facts.step_line, options, mistakes);
+  return agreed_time_step(facts.time_step, facts.step_line, options, errors);
 }
 
 std::vector<double> column(const PlainRows& rows, std::size_t at, std::size_t width) {
@@ -174,35 +173,34 @@ double time_unit_of(const ColumnTitle& title, const Table& table) {
   if (title.unit.empty()) return table.facts.time_unit;
   const auto unit = time_unit(title.unit);
   if (!unit && lower(title.name).starts_with('t'))
-    table.mistakes.add(table.title_line(), 1,
-                       fmt::format("the column '{}' states '{}', which is not a unit of time: s, "
-                                   "ms, us or min are allowed",
-                                   title.text, title.unit));
+    table.errors.add(table.title_line(), 1,
+                     fmt::format("the column '{}' states '{}', which is not a unit of time: s, "
+                                 "ms, us or min are allowed",
+                                 title.text, title.unit));
   return unit.value_or(1);
 }
 
 /// @returns the first of the times [s]
 double take_times(std::vector<double> times, const ColumnTitle& title, const Table& table,
                   double& step) {
-  const auto& [rows, facts, count, options, mistakes] = table;
+  const auto& [rows, facts, count, options, errors] = table;
   const std::string name = lower(title.name);
   if (name.starts_with("per") || name.starts_with("freq"))
-    mistakes.add(
-        table.title_line(), 1,
-        fmt::format("a record must be a history, but the first column is '{}'", title.text));
+    errors.add(table.title_line(), 1,
+               fmt::format("a record must be a history, but the first column is '{}'", title.text));
   const double unit = time_unit_of(title, table);
   for (double& time : times) time *= unit;
-  step = even_step(times, rows.lines, mistakes);
-  if (mistakes.any()) return times[0];
-  checked_time_step(step, "the time step", rows.lines[0], options, mistakes);
-  check_step(facts, step, "the times have", mistakes);
+  step = even_step(times, rows.lines, errors);
+  if (errors.any()) return times[0];
+  checked_time_step(step, "the time step", rows.lines[0], options, errors);
+  check_step(facts, step, "the times have", errors);
   return times[0];
 }
 
 std::vector<Component> from_table(const PlainColumns& columns, std::vector<ColumnTitle> titles,
                                   const Table& table) {
   using Kind = PlainColumns::Kind;
-  const auto& [rows, facts, count, options, mistakes] = table;
+  const auto& [rows, facts, count, options, errors] = table;
   const std::size_t width = columns.columns.size();
   titles.resize(width);
   double step = 0, first = 0;
@@ -220,10 +218,10 @@ std::vector<Component> from_table(const PlainColumns& columns, std::vector<Colum
     const auto& stated = columns.columns[k].direction;
     refuse_other_quantities(title, table);
     if (title.is_doubtful && stated != Direction::kVertical)
-      mistakes.add(table.title_line(), 1,
-                   fmt::format("the column '{}' may be a velocity or the vertical; say which by "
-                               "columns, such as \"time,vertical\" or \"time,h1,skip\"",
-                               title.text));
+      errors.add(table.title_line(), 1,
+                 fmt::format("the column '{}' may be a velocity or the vertical; say which by "
+                             "columns, such as \"time,vertical\" or \"time,h1,skip\"",
+                             title.text));
     const ColumnUnit unit = unit_of(title, table);
     Component component;
     component.time_step = step;
@@ -234,7 +232,7 @@ std::vector<Component> from_table(const PlainColumns& columns, std::vector<Colum
     if (component.name.empty()) component.name = fmt::format("column {}", k + 1);
     components.push_back(std::move(component));
   }
-  if (const auto late = late_start(first, step); !mistakes.any() && !late.empty())
+  if (const auto late = late_start(first, step); !errors.any() && !late.empty())
     components[0].warnings.push_back(late);
   if (options.columns.empty() && components.size() > 1)
     components[0].warnings.push_back(
@@ -252,27 +250,27 @@ bool recognises_plain_text(const SourceFile& file) { return has_plain_rows(file)
 ///         nor by the options, for spectra, velocities and displacements that say so, what is no
 ///         number, rows of unequal length, and times that are not even.
 std::vector<Component> read_plain_text(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
-  PlainRows rows = plain_rows(file, mistakes);
+  FileErrors errors(file);
+  PlainRows rows = plain_rows(file, errors);
   refuse_spectra(rows, file);
   if (rows.doubtful_commas && !options.si_per_count && !rows.lines.empty())
-    mistakes.add(rows.lines[0], 1,
-                 "commas between whole numbers: decimal commas are not read, write points (and "
-                 "whole numbers as 12.)");
+    errors.add(rows.lines[0], 1,
+               "commas between whole numbers: decimal commas are not read, write points (and "
+               "whole numbers as 12.)");
   const CountRow count = take_count_row(rows);
-  if (count.line > 0 && !mistakes.any())
-    check_count(count.count, "the first row", count.line, rows.values.size(), mistakes);
-  const PlainColumns columns = plain_columns(rows, count.line > 0, options, mistakes);
+  if (count.line > 0 && !errors.any())
+    check_count(count.count, "the first row", count.line, rows.values.size(), errors);
+  const PlainColumns columns = plain_columns(rows, count.line > 0, options, errors);
   const std::size_t samples = columns.samples ? rows.values.size() : rows.lengths.size();
-  if (samples < 2) mistakes.add(fmt::format("{} samples are no record (2 at least)", samples));
+  if (samples < 2) errors.add(fmt::format("{} samples are no record (2 at least)", samples));
 
-  const bool is_table = !columns.samples && !mistakes.any();
+  const bool is_table = !columns.samples && !errors.any();
   const auto titles = parsed_titles(is_table ? column_titles(rows, columns.columns.size())
                                              : std::vector<std::string>());
-  const PlainFacts facts = plain_facts(rows, !titles.empty(), mistakes);
-  const Table table{rows, facts, count, options, mistakes};
+  const PlainFacts facts = plain_facts(rows, !titles.empty(), errors);
+  const Table table{rows, facts, count, options, errors};
   auto components = is_table ? from_table(columns, titles, table) : one_component(table);
-  mistakes.throw_if_any();
+  errors.throw_if_any();
   for (Component& component : components) set_header(rows, component);
   warn_of_text(rows, components[0]);
   return components;

@@ -7,7 +7,7 @@
 
 #include "engine/base/units.h"
 #include "groundmotions/formats/calendar.h"
-#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/readers.h"
@@ -75,17 +75,17 @@ std::optional<SacWords> sac_words(std::string_view bytes) {
   return {};
 }
 
-void check_layout(const SacWords& words, Mistakes& mistakes) {
+void check_layout(const SacWords& words, FileErrors& errors) {
   if (words.integer(kFileType) != kTimeSeries)
-    mistakes.add(
+    errors.add(
         fmt::format("a SAC file of type {} (a spectrum or a surface), not a time series "
                     "(IFTYPE 1)",
                     words.integer(kFileType)));
   if (words.integer(kEven) != 1)
-    mistakes.add("unevenly spaced samples (LEVEN is not 1): bring them to even steps first");
+    errors.add("unevenly spaced samples (LEVEN is not 1): bring them to even steps first");
   const int quantity = words.integer(kQuantity);
   if (quantity == kDisplacement || quantity == kVelocity || quantity == kVolts)
-    mistakes.add(
+    errors.add(
         fmt::format("a record must be acceleration, but this file holds {} (IDEP {}); "
                     "take the acceleration, or differentiate it before",
                     quantity == kVelocity       ? "velocity"
@@ -93,14 +93,14 @@ void check_layout(const SacWords& words, Mistakes& mistakes) {
                                                 : "volts",
                     quantity));
   else if (quantity != kAcceleration && quantity != kUnknown && quantity != kUndefined)
-    mistakes.add(fmt::format("an unknown quantity (IDEP {})", quantity));
+    errors.add(fmt::format("an unknown quantity (IDEP {})", quantity));
   const double count = words.integer(kCount);
   const std::size_t footer = words.integer(kVersion) == 7 ? kFooterBytes : 0;
   const double expected = kHeaderBytes + 4 * count + static_cast<double>(footer);
   if (!(count >= 2))
-    mistakes.add(fmt::format("{} samples are no record (2 at least)", count));
+    errors.add(fmt::format("{} samples are no record (2 at least)", count));
   else if (expected != static_cast<double>(words.bytes().size()))
-    mistakes.add(
+    errors.add(
         fmt::format("{} samples make {:.0f} bytes, but the file has {}: it was cut or "
                     "changed",
                     count, expected, words.bytes().size()));
@@ -118,10 +118,10 @@ double stated_step(const SacWords& words) {
 }
 
 /// The unit of the samples [m/s2]; the header's nominal nm/s2 is seldom what a file holds.
-AccelerationUnit unit_of(const ReadOptions& options, Mistakes& mistakes) {
+AccelerationUnit unit_of(const ReadOptions& options, FileErrors& errors) {
   const auto given = acceleration_unit(options.unit);
   if (!given && !options.si_per_count)
-    mistakes.add(
+    errors.add(
         fmt::format("a SAC file does not state its unit; state it as unit = \"...\" or gurney "
                     "records --unit ({}) "
                     "or, of counts, as count_m_per_s2 or gurney records --count (1e-9 for nm/s2)",
@@ -196,18 +196,18 @@ bool recognises_sac(const SourceFile& file) { return sac_words(file.bytes()).has
 /// @throws Error for spectra, uneven samples, velocities, displacements and volts, a length that
 ///         is not that of the header, samples that are not finite, and options without a unit.
 std::vector<Component> read_sac(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
+  FileErrors errors(file);
   const SacWords words = *sac_words(file.bytes());
-  check_layout(words, mistakes);
-  mistakes.throw_if_any();
+  check_layout(words, errors);
+  errors.throw_if_any();
   Component component;
-  component.time_step = agreed_time_step(stated_step(words), 1, options, mistakes);
-  const AccelerationUnit unit = unit_of(options, mistakes);
+  component.time_step = agreed_time_step(stated_step(words), 1, options, errors);
+  const AccelerationUnit unit = unit_of(options, errors);
   Eigen::VectorXd values(words.integer(kCount));
   for (Eigen::Index i = 0; i < values.size(); ++i)
     values[i] = words.real(kData + static_cast<std::size_t>(i));
-  if (!values.allFinite()) mistakes.add("not all samples are finite numbers");
-  mistakes.throw_if_any();
+  if (!values.allFinite()) errors.add("not all samples are finite numbers");
+  errors.throw_if_any();
 
   component.name = words.text(20);
   component.unit = unit.name;

@@ -26,15 +26,15 @@ double half_digit(std::string_view text) {
 }
 
 /// @param line  0: of the whole file
-void tell(Mistakes& mistakes, std::size_t line, const std::string& message) {
-  line > 0 ? mistakes.add(line, 1, message) : mistakes.add(message);
+void tell(FileErrors& errors, std::size_t line, const std::string& message) {
+  line > 0 ? errors.add(line, 1, message) : errors.add(message);
 }
 
-/// A mistake if what is held is not within a factor of 1.5 of what is stated, else a warning.
+/// An error if what is held is not within a factor of 1.5 of what is stated, else a warning.
 void tell_difference(double stated, double held, const std::string& message, std::size_t line,
-                     Component& component, Mistakes& mistakes) {
+                     Component& component, FileErrors& errors) {
   if (!(held <= kTooFar * stated && stated <= kTooFar * held))
-    mistakes.add(line, 1, message);
+    errors.add(line, 1, message);
   else
     component.warnings.push_back(message);
 }
@@ -42,77 +42,77 @@ void tell_difference(double stated, double held, const std::string& message, std
 }  // namespace
 
 AccelerationUnit agreed_unit(const std::optional<AccelerationUnit>& stated, std::size_t line,
-                             const ReadOptions& options, Mistakes& mistakes) {
+                             const ReadOptions& options, FileErrors& errors) {
   const auto given = acceleration_unit(options.unit);
   if (!stated && !given)
-    tell(mistakes, line,
+    tell(errors, line,
          fmt::format("the file does not state its unit; state it as unit = \"...\" or gurney "
                      "records --unit ({})",
                      kAccelerationUnits));
   else if (stated && given && stated->to_si != given->to_si)
-    tell(mistakes, line,
+    tell(errors, line,
          fmt::format("the file states the unit {}, but unit = \"{}\" was given", stated->name,
                      options.unit));
   return stated ? *stated : given.value_or(AccelerationUnit{"", 1});
 }
 
 AccelerationUnit checked_unit(std::string_view stated, std::size_t line, const ReadOptions& options,
-                              Mistakes& mistakes) {
+                              FileErrors& errors) {
   if (const auto unit = acceleration_unit(trimmed(stated)))
-    return agreed_unit(unit, line, options, mistakes);
-  mistakes.add(line, 1,
-               fmt::format("'{}' is not a unit of acceleration: {} are allowed", trimmed(stated),
-                           kAccelerationUnits));
+    return agreed_unit(unit, line, options, errors);
+  errors.add(line, 1,
+             fmt::format("'{}' is not a unit of acceleration: {} are allowed", trimmed(stated),
+                         kAccelerationUnits));
   return {"", 1};
 }
 
 double agreed_time_step(const std::optional<double>& stated, std::size_t line,
-                        const ReadOptions& options, Mistakes& mistakes) {
-  if (stated) return checked_time_step(*stated, "the time step", line, options, mistakes);
+                        const ReadOptions& options, FileErrors& errors) {
+  if (stated) return checked_time_step(*stated, "the time step", line, options, errors);
   if (!options.time_step)
-    tell(mistakes, line,
+    tell(errors, line,
          "the file does not state its time step; state it as time_step_s or gurney records "
          "--time-step");
   return options.time_step.value_or(0);
 }
 
 double checked_time_step(double stated, std::string_view key, std::size_t line,
-                         const ReadOptions& options, Mistakes& mistakes) {
+                         const ReadOptions& options, FileErrors& errors) {
   if (!is_time_step(stated))
-    tell(mistakes, line,
+    tell(errors, line,
          fmt::format("{} must be in [{:g}, {:g}] s, got {}", key, kShortestTimeStep,
                      kLongestTimeStep, stated));
   else if (options.time_step && !(std::abs(*options.time_step - stated) <= 1e-6 * stated))
-    mistakes.add(line, 1,
-                 fmt::format("the file states a time step of {} s, but time_step_s = {} was given",
-                             stated, *options.time_step));
+    errors.add(line, 1,
+               fmt::format("the file states a time step of {} s, but time_step_s = {} was given",
+                           stated, *options.time_step));
   return stated;
 }
 
 void check_count(double stated, std::string_view key, std::size_t line, std::size_t held,
-                 Mistakes& mistakes) {
+                 FileErrors& errors) {
   if (!(stated >= 2 && stated == std::floor(stated)))
-    mistakes.add(line, 1, fmt::format("{} must be a whole number above 1, got {}", key, stated));
+    errors.add(line, 1, fmt::format("{} must be a whole number above 1, got {}", key, stated));
   else if (stated != static_cast<double>(held))
-    mistakes.add(line, 1,
-                 fmt::format("{} states {} samples, but the file holds {}", key, stated, held));
+    errors.add(line, 1,
+               fmt::format("{} states {} samples, but the file holds {}", key, stated, held));
 }
 
-void check_length(double length, std::size_t line, Component& component, Mistakes& mistakes) {
+void check_length(double length, std::size_t line, Component& component, FileErrors& errors) {
   const double held = static_cast<double>(component.acceleration.size()) * component.time_step;
   if (!(length > 0) || std::abs(held - length) <= 2.5 * component.time_step + 0.01) return;
   tell_difference(length, held,
                   fmt::format("the file states a length of {:.6g} s, but its {} samples at {} s "
                               "have {:.6g} s",
                               length, component.acceleration.size(), component.time_step, held),
-                  line, component, mistakes);
+                  line, component, errors);
 }
 
 void check_peak(std::string_view stated, const AccelerationUnit& unit, std::size_t line,
-                Component& component, Mistakes& mistakes) {
+                Component& component, FileErrors& errors) {
   const auto value = number(stated);
   if (!value) {
-    mistakes.add(line, 1, fmt::format("the peak must be a number, got '{}'", trimmed(stated)));
+    errors.add(line, 1, fmt::format("the peak must be a number, got '{}'", trimmed(stated)));
     return;
   }
   const double told = std::abs(*value) * unit.to_si;
@@ -121,11 +121,11 @@ void check_peak(std::string_view stated, const AccelerationUnit& unit, std::size
   tell_difference(told, held,
                   fmt::format("the file states a peak of {} {}, but its samples have {:.6g} {}",
                               trimmed(stated), unit.name, held / unit.to_si, unit.name),
-                  line, component, mistakes);
+                  line, component, errors);
 }
 
 void check_peak(const StatedPeak& peak, const Eigen::VectorXd& a, Component& component,
-                Mistakes& mistakes) {
+                FileErrors& errors) {
   const double raw = a.cwiseAbs().maxCoeff();
   const double centred = (a.array() - a.mean()).abs().maxCoeff();
   const double held = std::abs(raw - peak.size) <= std::abs(centred - peak.size) ? raw : centred;
@@ -134,7 +134,7 @@ void check_peak(const StatedPeak& peak, const Eigen::VectorXd& a, Component& com
                   fmt::format("the file states a peak of {:.5g} m/s2, but its samples have {:.5g} "
                               "m/s2",
                               peak.size, held),
-                  peak.line, component, mistakes);
+                  peak.line, component, errors);
 }
 
 }  // namespace gurney::groundmotions

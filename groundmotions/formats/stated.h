@@ -3,8 +3,8 @@
 #include <optional>
 #include <string_view>
 
+#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/format.h"
-#include "groundmotions/formats/mistakes.h"
 #include "groundmotions/record/acceleration_unit.h"
 #include "groundmotions/record/time_step_range.h"
 
@@ -12,42 +12,42 @@
 /// are counted from 1.
 namespace gurney::groundmotions {
 
-/// The unit a file states, or else options.unit; a mistake if there is none or both differ.
+/// The unit a file states, or else options.unit; an error if there is none or both differ.
 /// @param line  that states it or should; 0: no line in particular
 AccelerationUnit agreed_unit(const std::optional<AccelerationUnit>& stated, std::size_t line,
-                             const ReadOptions& options, Mistakes& mistakes);
+                             const ReadOptions& options, FileErrors& errors);
 
-/// The unit that a file states on `line`; a mistake if it is no unit of acceleration or differs
+/// The unit that a file states on `line`; an error if it is no unit of acceleration or differs
 /// from options.unit.
 AccelerationUnit checked_unit(std::string_view stated, std::size_t line, const ReadOptions& options,
-                              Mistakes& mistakes);
+                              FileErrors& errors);
 
-/// The time step that a file states, or else options.time_step [s]; a mistake if there is none,
+/// The time step that a file states, or else options.time_step [s]; an error if there is none,
 /// both differ, or it is not is_time_step().
 /// @param line  that states it or should; 0: no line in particular
 double agreed_time_step(const std::optional<double>& stated, std::size_t line,
-                        const ReadOptions& options, Mistakes& mistakes);
+                        const ReadOptions& options, FileErrors& errors);
 
-/// The time step that a file states as `key` on `line` [s]; a mistake unless it is_time_step() and
+/// The time step that a file states as `key` on `line` [s]; an error unless it is_time_step() and
 /// agrees with options.time_step to 1e-6.
 double checked_time_step(double stated, std::string_view key, std::size_t line,
-                         const ReadOptions& options, Mistakes& mistakes);
+                         const ReadOptions& options, FileErrors& errors);
 
-/// A mistake unless the file holds as many samples as it states as `key` on `line`, 2 at least.
+/// An error unless the file holds as many samples as it states as `key` on `line`, 2 at least.
 void check_count(double stated, std::string_view key, std::size_t line, std::size_t held,
-                 Mistakes& mistakes);
+                 FileErrors& errors);
 
-/// A warning if the component has not the length that `line` states; a mistake if it is not within
+/// A warning if the component has not the length that `line` states; an error if it is not within
 /// a factor of 1.5.
 /// @param length  [s]; not above 0: not stated
-void check_length(double length, std::size_t line, Component& component, Mistakes& mistakes);
+void check_length(double length, std::size_t line, Component& component, FileErrors& errors);
 
 /// Compares the peak that a file states with that of its samples: a warning if they differ by more
 /// than half of the last digit of `stated` and 0.1 % (an assumption: samples have four digits), a
-/// mistake if by more than a factor of 1.5.
+/// error if by more than a factor of 1.5.
 /// @param unit  of `stated`
 void check_peak(std::string_view stated, const AccelerationUnit& unit, std::size_t line,
-                Component& component, Mistakes& mistakes);
+                Component& component, FileErrors& errors);
 
 /// The peak a header states: its size and by how much it may be rounded [m/s2]; its line.
 struct StatedPeak {
@@ -56,10 +56,10 @@ struct StatedPeak {
   std::size_t line = 1;
 };
 
-/// A warning if the samples, as they are or without their mean, have another peak; a mistake if
+/// A warning if the samples, as they are or without their mean, have another peak; an error if
 /// theirs is not within a factor of 1.5.
 /// @param samples  as the file has them [m/s2]
 void check_peak(const StatedPeak& peak, const Eigen::VectorXd& samples, Component& component,
-                Mistakes& mistakes);
+                FileErrors& errors);
 
 }  // namespace gurney::groundmotions

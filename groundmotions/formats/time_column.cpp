@@ -12,23 +12,23 @@
 namespace gurney::groundmotions {
 
 double even_step(const std::vector<double>& times, const std::vector<std::size_t>& lines,
-                 Mistakes& mistakes) {
+                 FileErrors& errors) {
   std::vector<double> steps(times.size());
   std::adjacent_difference(times.begin(), times.end(), steps.begin());
   auto sorted = std::vector(steps.begin() + 1, steps.end());
   std::ranges::nth_element(sorted, sorted.begin() + static_cast<long>(sorted.size() / 2));
   const double usual = sorted[sorted.size() / 2];
   if (!is_time_step(usual)) {
-    mistakes.add(lines[1], 1,
-                 fmt::format("time steps must be in [{:g}, {:g}] s, got {:.9g}", kShortestTimeStep,
-                             kLongestTimeStep, usual));
+    errors.add(lines[1], 1,
+               fmt::format("time steps must be in [{:g}, {:g}] s, got {:.9g}", kShortestTimeStep,
+                           kLongestTimeStep, usual));
     return usual;
   }
   for (std::size_t i = 1; i < steps.size(); ++i)
     if (!(std::abs(steps[i] - usual) <= 0.5 * usual)) {
-      mistakes.add(lines[i], 1,
-                   fmt::format("the time goes from {} to {} s where the step is {:.9g} s",
-                               times[i - 1], times[i], usual));
+      errors.add(lines[i], 1,
+                 fmt::format("the time goes from {} to {} s where the step is {:.9g} s",
+                             times[i - 1], times[i], usual));
       return usual;
     }
   const double mean = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
@@ -39,10 +39,10 @@ double even_step(const std::vector<double>& times, const std::vector<std::size_t
     if (!(std::abs(times[i] - even(i)) <= std::abs(times[worst] - even(worst)))) worst = i;
   const double deviation = std::abs(times[worst] - even(worst)) / mean;
   if (!(deviation <= kTimeTolerance))
-    mistakes.add(lines[worst], 1,
-                 fmt::format("time {} s is off the even grid ({:.9g} s, step {:.9g} s) by {:.3g} "
-                             "of the step, {} is allowed; no other time is farther off",
-                             times[worst], even(worst), step, deviation, kTimeTolerance));
+    errors.add(lines[worst], 1,
+               fmt::format("time {} s is off the even grid ({:.9g} s, step {:.9g} s) by {:.3g} "
+                           "of the step, {} is allowed; no other time is farther off",
+                           times[worst], even(worst), step, deviation, kTimeTolerance));
   return step;
 }
 

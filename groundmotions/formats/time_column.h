@@ -3,19 +3,19 @@
 #include <string>
 #include <vector>
 
-#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/file_errors.h"
 
 namespace gurney::groundmotions {
 
 inline constexpr double kTimeTolerance = 0.01;  ///< of a time from the even grid, in steps
 
 /// The step of evenly spaced times, (last - first) / (count - 1), to twelve digits so that 0.005 is
-/// 0.005 [s]. A mistake unless it is in (0, 1] and every time is within kTimeTolerance of the even
+/// 0.005 [s]. An error unless it is in (0, 1] and every time is within kTimeTolerance of the even
 /// grid; the message names the largest deviation.
 /// @param times  at least 2
 /// @param lines  of the times in the file, from 1
 double even_step(const std::vector<double>& times, const std::vector<std::size_t>& lines,
-                 Mistakes& mistakes);
+                 FileErrors& errors);
 
 /// A warning for a first time that is not 0; empty if it is.
 std::string late_start(double first_time, double step);

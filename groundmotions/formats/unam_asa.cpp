@@ -25,25 +25,25 @@ struct ChannelValues {
 
 class UnamReader {
  public:
-  UnamReader(const SourceFile& file, const ReadOptions& options, Mistakes& mistakes)
-      : file_(file), options_(options), mistakes_(mistakes) {}
+  UnamReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
+      : file_(file), options_(options), errors_(errors) {}
 
   std::vector<Component> read() {
     find_data();
     names_ = channels("ORIENTACION");
-    mistakes_.throw_if_any();
+    errors_.throw_if_any();
     check_order();
     const AccelerationUnit unit = stated_unit();
     std::size_t line = 0;
     const auto text = value("FORMATO DATOS", line);
     auto format = fortran_format(text.substr(0, text.find(' ')));
     if (!format || format->per_line != names_.values.size())
-      mistakes_.add(
+      errors_.add(
           line + 1, 1,
           fmt::format("'{}' is no format of {} numbers in a row", text, names_.values.size()));
-    mistakes_.throw_if_any();
-    const auto columns = read_table(file_, first_row_, *format, mistakes_);
-    mistakes_.throw_if_any();
+    errors_.throw_if_any();
+    const auto columns = read_table(file_, first_row_, *format, errors_);
+    errors_.throw_if_any();
     std::vector<Component> components;
     for (std::size_t i = 0; i < columns.size(); ++i)
       components.push_back(component(i, unit, columns[i]));
@@ -52,7 +52,7 @@ class UnamReader {
 
  private:
   std::string_view value(std::string_view key, std::size_t& line) {
-    return needed_behind(file_.lines(), key, line, mistakes_);
+    return needed_behind(file_.lines(), key, line, errors_);
   }
 
   std::string_view optional_value(std::string_view key) const {
@@ -80,7 +80,7 @@ class UnamReader {
         rest.remove_prefix(end);
       }
     }
-    if (is_first) mistakes_.add(fmt::format("the header lacks '{}'", key));
+    if (is_first) errors_.add(fmt::format("the header lacks '{}'", key));
     return result;
   }
 
@@ -96,11 +96,11 @@ class UnamReader {
         lines, [](std::string_view line) { return trimmed(line).starts_with(kData); });
     data_line_ = static_cast<std::size_t>(at - lines.begin());
     if (at == lines.end())
-      mistakes_.add(lines.size(), 1, fmt::format("the file ends before '{}'", kData));
+      errors_.add(lines.size(), 1, fmt::format("the file ends before '{}'", kData));
     for (std::size_t i = data_line_ + 1; i < std::min(lines.size(), data_line_ + 8); ++i)
       if (trimmed(lines[i]).starts_with("CANAL")) names_line_ = i + 1;
     if (at != lines.end() && (names_line_ == 0 || names_line_ + 1 >= lines.size()))
-      mistakes_.add(data_line_ + 1, 1, "no row with the names of the channels above the samples");
+      errors_.add(data_line_ + 1, 1, "no row with the names of the channels above the samples");
     first_row_ =
         names_line_ +
         (names_line_ + 1 < lines.size() && trimmed(lines[names_line_ + 1]).starts_with("---") ? 2
@@ -118,17 +118,17 @@ class UnamReader {
       rest = trimmed(rest.substr(end));
     }
     if (in_header.empty() || in_header != above)
-      mistakes_.add(names_line_ + 1, 1,
-                    fmt::format("the columns are{} here, but{} in line {}", above, in_header,
-                                mistakes_.line_in_file(names_.line + 1)));
+      errors_.add(names_line_ + 1, 1,
+                  fmt::format("the columns are{} here, but{} in line {}", above, in_header,
+                              errors_.line_in_file(names_.line + 1)));
   }
 
   AccelerationUnit stated_unit() {
     std::size_t line = 0;
     const auto text = value("UNIDADES DE LOS DATOS", line);
     if (!text.empty() && !unit_in(text))
-      mistakes_.add(line + 1, 1, fmt::format("'{}' names no unit of acceleration", text));
-    return agreed_unit(unit_in(text), line + 1, options_, mistakes_);
+      errors_.add(line + 1, 1, fmt::format("'{}' names no unit of acceleration", text));
+    return agreed_unit(unit_in(text), line + 1, options_, errors_);
   }
 
   Component component(std::size_t i, const AccelerationUnit& unit, const Eigen::VectorXd& samples) {
@@ -142,9 +142,9 @@ class UnamReader {
     if (const auto peak = channel_number(all, i); peak && samples.size() > 1) {
       const double rounding = 1.1 * rounding_of(all.values[std::min(i, all.values.size() - 1)]);
       check_peak({std::abs(*peak) * unit.to_si, rounding * unit.to_si, all.line + 1},
-                 component.acceleration, component, mistakes_);
+                 component.acceleration, component, errors_);
     }
-    mistakes_.throw_if_any();
+    errors_.throw_if_any();
     orient_by_label(component.name.substr(0, component.name.find(';')), component);
     describe(component);
     return component;
@@ -154,30 +154,29 @@ class UnamReader {
     const auto steps = channels("INTERVALO DE MUESTREO");
     const auto rates = channels("VEL. DE MUESTREO");
     const auto step = channel_number(steps, i), rate = channel_number(rates, i);
-    component.time_step = agreed_time_step(step, steps.line + 1, options_, mistakes_);
+    component.time_step = agreed_time_step(step, steps.line + 1, options_, errors_);
     if (step && rate && !(std::abs(*step * *rate - 1) <= 0.01))
-      mistakes_.add(steps.line + 1, 1,
-                    fmt::format("a time step of {} s is not that of {} samples in a second (line "
-                                "{})",
-                                *step, *rate, mistakes_.line_in_file(rates.line + 1)));
+      errors_.add(steps.line + 1, 1,
+                  fmt::format("a time step of {} s is not that of {} samples in a second (line "
+                              "{})",
+                              *step, *rate, errors_.line_in_file(rates.line + 1)));
   }
 
   void check_count(std::size_t i, Component& component) {
     const auto counts = channels("NUM. TOTAL DE MUESTRAS");
     const auto count = channel_number(counts, i).value_or(0);
     const auto rows = component.acceleration.size();
-    if (rows < 2) mistakes_.add(fmt::format("{} samples are no record (2 at least)", rows));
+    if (rows < 2) errors_.add(fmt::format("{} samples are no record (2 at least)", rows));
     if (!(static_cast<double>(rows) >= count))
-      mistakes_.add(counts.line + 1, 1,
-                    fmt::format("the header states {} samples, but the file has {} rows: it seems "
-                                "to be cut",
-                                count, rows));
+      errors_.add(counts.line + 1, 1,
+                  fmt::format("the header states {} samples, but the file has {} rows: it seems "
+                              "to be cut",
+                              count, rows));
     else if (static_cast<double>(rows) != count)
       component.warnings.push_back(fmt::format(
           "the header states {} samples, but the file has {} rows; all were taken", count, rows));
     const auto durations = channels("DURACION DEL REGISTRO");
-    check_length(channel_number(durations, i).value_or(0), durations.line + 1, component,
-                 mistakes_);
+    check_length(channel_number(durations, i).value_or(0), durations.line + 1, component, errors_);
   }
 
   void describe(Component& component) {
@@ -209,7 +208,7 @@ class UnamReader {
 
   const SourceFile& file_;
   const ReadOptions& options_;
-  Mistakes& mistakes_;
+  FileErrors& errors_;
   ChannelValues names_;
   std::size_t data_line_ = 0, names_line_ = 0, first_row_ = 0;  ///< from 0
 };
@@ -227,8 +226,8 @@ bool recognises_unam(const SourceFile& file) {
 /// @throws Error for statements that are missing or disagree, fewer rows than stated, and samples
 ///         that are no numbers. More rows than stated are a warning.
 std::vector<Component> read_unam(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
-  return UnamReader(file, options, mistakes).read();
+  FileErrors errors(file);
+  return UnamReader(file, options, errors).read();
 }
 
 }  // namespace gurney::groundmotions

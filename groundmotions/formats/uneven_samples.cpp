@@ -13,7 +13,7 @@ namespace {
 
 /// Of a step: a last time that misses the grid by less is on it.
 constexpr double kGridTolerance = 1e-6;
-constexpr double kMostSamples = 1e7;
+constexpr double kMaxSamples = 1e7;
 
 void check(const std::vector<double>& times, const std::vector<double>& values, double time_step) {
   require(times.size() >= 2 && times.size() == values.size(),
@@ -26,7 +26,7 @@ void check(const std::vector<double>& times, const std::vector<double>& values, 
   require(spacing_of(times).largest <= kLongestGap,
           fmt::format("times that follow each other are up to {:g} s apart, {} s is allowed",
                       spacing_of(times).largest, kLongestGap));
-  require(time_step > 0 && duration >= time_step && duration <= kMostSamples * time_step,
+  require(time_step > 0 && duration >= time_step && duration <= kMaxSamples * time_step,
           fmt::format("samples over {} s cannot be brought to a time step of {} s", duration,
                       time_step));
 }

@@ -57,11 +57,11 @@ bool recognises_usc_blocks(const SourceFile& file) {
 /// @returns the acceleration of each component of the file.
 /// @throws Error if a block has not the number of samples it states, or no block is acceleration.
 std::vector<Component> read_usc_blocks(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
-  FieldReader fields(file, mistakes);
+  FileErrors errors(file);
+  FieldReader fields(file, errors);
   const FortranFormat format = *fortran_format("10F8.2");
   std::vector<Component> components;
-  for (std::size_t line = 0; line < file.lines().size() && !mistakes.any();) {
+  for (std::size_t line = 0; line < file.lines().size() && !errors.any();) {
     if (trimmed(file.lines()[line]).empty()) {
       ++line;
       continue;
@@ -70,14 +70,14 @@ std::vector<Component> read_usc_blocks(const SourceFile& file, const ReadOptions
     const std::size_t first = line + 1;
     if (block.type.empty() || !block.rate || !block.count || !(*block.rate > 0) ||
         !(*block.count >= 2 && *block.count <= 1e7 && *block.count == std::floor(*block.count))) {
-      mistakes.add(first, 1,
-                   "no header of a block here: 7 lines with SAMPLES/SEC= above 0, DATA TYPE= and "
-                   "NO OF POINTS= above 1");
+      errors.add(first, 1,
+                 "no header of a block here: 7 lines with SAMPLES/SEC= above 0, DATA TYPE= and "
+                 "NO OF POINTS= above 1");
       break;
     }
     line += kHeaderLines;
     auto values = fields.read(line, static_cast<std::size_t>(*block.count), format,
-                              EmptyField::kMistake, "samples");
+                              EmptyField::kError, "samples");
     if (block.type != "AC") {
       if (!components.empty())
         components.back().header.emplace_back("also in the file", "data type " + block.type);
@@ -85,19 +85,19 @@ std::vector<Component> read_usc_blocks(const SourceFile& file, const ReadOptions
     }
     const std::size_t unit_line = first + kHeaderLines - 1;
     const auto unit =
-        agreed_unit(unit_in(block.text[kHeaderLines - 1]), unit_line, options, mistakes);
+        agreed_unit(unit_in(block.text[kHeaderLines - 1]), unit_line, options, errors);
     Component component;
     component.unit = unit.name;
-    component.time_step = agreed_time_step(1 / *block.rate, first + 5, options, mistakes);
+    component.time_step = agreed_time_step(1 / *block.rate, first + 5, options, errors);
     component.acceleration = scaled(values, unit.to_si);
     take_facts(file, block, component);
     components.push_back(component);
   }
-  if (!mistakes.any() && components.empty())
-    mistakes.add(1, 1,
-                 "this file holds velocity (VL) or displacement (DP) only; a record must be "
-                 "acceleration (DATA TYPE=AC)");
-  mistakes.throw_if_any();
+  if (!errors.any() && components.empty())
+    errors.add(1, 1,
+               "this file holds velocity (VL) or displacement (DP) only; a record must be "
+               "acceleration (DATA TYPE=AC)");
+  errors.throw_if_any();
   return components;
 }
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "groundmotions/formats/caltech_components.h"
-#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/words.h"
 

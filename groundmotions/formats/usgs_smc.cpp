@@ -38,24 +38,24 @@ const char* structure_name(double code) {
 
 class SmcReader {
  public:
-  SmcReader(const SourceFile& file, const ReadOptions& options, Mistakes& mistakes)
-      : file_(file), options_(options), mistakes_(mistakes), fields_(file, mistakes) {}
+  SmcReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
+      : file_(file), options_(options), errors_(errors), fields_(file, errors) {}
 
   Component read() {
     Component component;
     check_type(component);
     check_options();
     read_header();
-    mistakes_.throw_if_any();
+    errors_.throw_if_any();
     const std::vector<double> numbers = read_numbers(component);
-    mistakes_.throw_if_any();
+    errors_.throw_if_any();
     is_uneven() ? take_pairs(numbers, component) : take_samples(numbers, component);
-    mistakes_.throw_if_any();
+    errors_.throw_if_any();
     component.unit = "cm/s2";
     orient(component);
     describe(component);
     warn_of_structure(component);
-    mistakes_.throw_if_any();
+    errors_.throw_if_any();
     return component;
   }
 
@@ -78,37 +78,37 @@ class SmcReader {
           title));
       return;
     }
-    mistakes_.add(1, 1,
-                  fmt::format("a record must be acceleration, but this file holds '{}'; take the "
-                              "accelerogram of this component (type 1 or 2)",
-                              title));
-    mistakes_.throw_if_any();
+    errors_.add(1, 1,
+                fmt::format("a record must be acceleration, but this file holds '{}'; take the "
+                            "accelerogram of this component (type 1 or 2)",
+                            title));
+    errors_.throw_if_any();
   }
 
   void check_options() {
-    agreed_unit(AccelerationUnit{"cm/s2", kCentimetre}, 1, options_, mistakes_);
+    agreed_unit(AccelerationUnit{"cm/s2", kCentimetre}, 1, options_, errors_);
   }
 
   void read_header() {
     std::size_t line = kTextLines;
     integers_ =
         fields_.read(line, kIntegers, kIntegerFormat, EmptyField::kZero, "integers of the header");
-    if (!mistakes_.any())
+    if (!errors_.any())
       reals_ =
           fields_.read(line, kReals, kRealFormat, EmptyField::kZero, "real numbers of the header");
-    if (mistakes_.any()) return;
+    if (errors_.any()) return;
     const double comments = has_integer(15) ? integers_[15] : 0;
     first_line_ = kCommentLine;
     while (first_line_ < file_.lines().size() && file_.lines()[first_line_].starts_with('|'))
       ++first_line_;
     const auto found = first_line_ - kCommentLine;
     if (comments != static_cast<double>(found))
-      mistakes_.add(kTextLines + 2, 71,
-                    fmt::format("the header states {} lines of comments, but the file has {}",
-                                comments, found));
+      errors_.add(kTextLines + 2, 71,
+                  fmt::format("the header states {} lines of comments, but the file has {}",
+                              comments, found));
     const double count = integers_[16];
     if (!(count >= 2 && count <= kLargestCount))
-      mistakes_.add(kTextLines + 3, 1, fmt::format("{} numbers are no record", count));
+      errors_.add(kTextLines + 3, 1, fmt::format("{} numbers are no record", count));
   }
 
   /// Without a sampling rate the numbers are pairs of time and sample.
@@ -122,28 +122,28 @@ class SmcReader {
         format = &candidate;
     std::size_t line = first_line_;
     const char* what = is_uneven() ? "numbers" : "samples";
-    auto numbers = fields_.read(line, count, *format, EmptyField::kMistake, what);
+    auto numbers = fields_.read(line, count, *format, EmptyField::kError, what);
     const std::size_t end = data_end(file_, line);
     const std::string more = fmt::format("more lines follow the {} {} of the header", count, what);
-    if (mistakes_.any() || line == end) return numbers;
+    if (errors_.any() || line == end) return numbers;
     // Digitised files may have one line more than they state.
     if (is_uneven() && line + 1 == end)
       component.warnings.push_back(more + "; they were ignored");
     else
-      mistakes_.add(line + 1, 1, more);
+      errors_.add(line + 1, 1, more);
     return numbers;
   }
 
   void take_samples(const std::vector<double>& values, Component& component) {
     const double rate = reals_[1];
-    component.time_step = agreed_time_step(1 / rate, kRealLine + 1, options_, mistakes_);
+    component.time_step = agreed_time_step(1 / rate, kRealLine + 1, options_, errors_);
     component.acceleration = scaled(values, kCentimetre);
     check_stated_peak(component.acceleration, component);
     check_times_of_peaks(component);
   }
 
   /// Reals 29 and 31: the times of the largest and the smallest sample, to a step (samples may be
-  /// counted from 0 or 1) and the rounding of the print. Both must be wrong to be a mistake.
+  /// counted from 0 or 1) and the rounding of the print. Both must be wrong to be an error.
   void check_times_of_peaks(const Component& component) {
     const auto& a = component.acceleration;
     std::size_t stated = 0, wrong = 0;
@@ -158,11 +158,11 @@ class SmcReader {
                           std::abs(a[i] - peak) <= 0.01 * std::abs(peak));
       wrong += !found;
     }
-    if (stated == 0 || wrong < stated || mistakes_.any()) return;
-    mistakes_.add(kRealLine + 6, 1,
-                  fmt::format("the times that the header states for its peaks do not fit {:g} "
-                              "samples in a second (line {})",
-                              reals_[1], mistakes_.line_in_file(kRealLine + 1)));
+    if (stated == 0 || wrong < stated || errors_.any()) return;
+    errors_.add(kRealLine + 6, 1,
+                fmt::format("the times that the header states for its peaks do not fit {:g} "
+                            "samples in a second (line {})",
+                            reals_[1], errors_.line_in_file(kRealLine + 1)));
   }
 
   void take_pairs(const std::vector<double>& numbers, Component& component) {
@@ -172,15 +172,15 @@ class SmcReader {
       values.push_back(numbers[i + 1]);
     }
     if (numbers.size() % 2 != 0) {
-      mistakes_.add(kTextLines + 3, 1,
-                    fmt::format("{} numbers are no pairs of time and sample", numbers.size()));
+      errors_.add(kTextLines + 3, 1,
+                  fmt::format("{} numbers are no pairs of time and sample", numbers.size()));
       return;
     }
     component.time_step = options_.time_step.value_or(kEvenTimeStep);
     try {
       component.acceleration = kCentimetre * evenly_spaced(times, values, component.time_step);
     } catch (const Error& error) {
-      mistakes_.add(first_line_ + 1, 1, error.what());
+      errors_.add(first_line_ + 1, 1, error.what());
       return;
     }
     component.warnings.push_back(uneven_warning(times, component.time_step));
@@ -192,7 +192,7 @@ class SmcReader {
     if (!has_real(29) || !has_real(31)) return;
     const double peak = std::max(std::abs(reals_[29]), std::abs(reals_[31])) * kCentimetre;
     // Samples have five digits.
-    check_peak({peak, 1e-4 * peak, kRealLine + 6}, samples, component, mistakes_);
+    check_peak({peak, 1e-4 * peak, kRealLine + 6}, samples, component, errors_);
   }
 
   /// Integer 13 counts degrees from up, integer 14 clockwise from north.
@@ -286,7 +286,7 @@ class SmcReader {
 
   const SourceFile& file_;
   const ReadOptions& options_;
-  Mistakes& mistakes_;
+  FileErrors& errors_;
   FieldReader fields_;
   std::vector<double> integers_, reals_;
   std::size_t first_line_ = 0;  ///< of the samples, from 0
@@ -300,7 +300,7 @@ bool recognises_smc(const SourceFile& file) {
       first == "*" || (first.size() > 2 && std::isdigit(static_cast<unsigned char>(first[0])) &&
                        first[1] == ' ' && std::isalpha(static_cast<unsigned char>(first[2])));
   if (!has_type || file.lines().size() <= kRealLine) return false;
-  Mistakes ignored(file);
+  FileErrors ignored(file);
   const FieldReader fields(file, ignored);
   return fields.fits(kTextLines, 8, kIntegerFormat) || fields.fits(kRealLine, 5, kRealFormat);
 }
@@ -308,8 +308,8 @@ bool recognises_smc(const SourceFile& file) {
 /// @throws Error for velocities, displacements and spectra, a sampling rate, count or peak that the
 ///         samples contradict, times that decrease, and a file that ends early or late.
 std::vector<Component> read_smc(const SourceFile& file, const ReadOptions& options) {
-  Mistakes mistakes(file);
-  return {SmcReader(file, options, mistakes).read()};
+  FileErrors errors(file);
+  return {SmcReader(file, options, errors).read()};
 }
 
 }  // namespace gurney::groundmotions

@@ -19,7 +19,7 @@ using Lanes = OscillatorPack::Lanes;
 constexpr int kLanes = OscillatorPack::kLanes;
 constexpr double kTwoPi = 2 * std::numbers::pi;
 constexpr int kStepsPerPeriod = 200;     ///< of PeakAt::kBetweenSamples
-constexpr int kMostSubsteps = 2000;      ///< reached at T = 0.1 dt: what rings is 3 % of Sa there
+constexpr int kMaxSubsteps = 2000;       ///< reached at T = 0.1 dt: what rings is 3 % of Sa there
 constexpr int kPeriodsOfFreeTail = 2;    ///< of PeakAt::kBetweenSamples
 constexpr double kResolvedSamples = 10;  ///< in a period that needs no warning
 
@@ -88,7 +88,7 @@ ResponseSpectrum response_spectrum(double time_step, const Eigen::VectorXd& acce
     int substeps = 0;
     if (peak_at == PeakAt::kBetweenSamples)
       substeps = static_cast<int>(std::min<double>(
-          kMostSubsteps, std::ceil(time_step * kStepsPerPeriod / periods[order[first]])));
+          kMaxSubsteps, std::ceil(time_step * kStepsPerPeriod / periods[order[first]])));
     const PackPeaks peaks = peaks_of(omega, damping, time_step, acceleration, substeps);
     for (std::size_t i = 0; i < count; ++i) {
       const int lane = static_cast<int>(i);

@@ -13,7 +13,7 @@ namespace gurney::groundmotions {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kMostPadSamples = 1e7;
+constexpr double kMaxPadSamples = 1e7;
 
 enum class Kind { kHighPass, kLowPass };
 
@@ -89,10 +89,10 @@ Eigen::Index pad_samples(const Butterworth& filter, double time_step) {
   const double seconds = 1.5 * filter.order / lowest;
   const double samples = std::ceil(seconds / time_step * (1 - 1e-12));
   require(
-      samples <= kMostPadSamples,
+      samples <= kMaxPadSamples,
       fmt::format("a corner of {:g} Hz needs {:g} s of zeros at each end, more than {:g} samples "
                   "of {:g} s",
-                  lowest, seconds, kMostPadSamples, time_step));
+                  lowest, seconds, kMaxPadSamples, time_step));
   return static_cast<Eigen::Index>(samples);
 }
 

@@ -16,7 +16,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kStopBand = 100;                     // [dB]
 constexpr double kBeta = 0.1102 * (kStopBand - 8.7);  // Kaiser 1974, for more than 50 dB
 constexpr double kPassBand = 0.9;                     // of the Nyquist frequency
-constexpr double kMostSamples = 1e7;
+constexpr double kMaxSamples = 1e7;
 constexpr double kSameTime = 1e-9;  // of a step
 
 /// Steps to each side that Kaiser's formula asks for a transition band of `width` cycles per step.
@@ -66,10 +66,10 @@ Eigen::VectorXd resampled(double time_step, const Eigen::VectorXd& acceleration,
   const double ratio = new_time_step / time_step;
   const double steps = std::floor(static_cast<double>(old_samples - 1) / ratio + kSameTime);
   require(
-      new_time_step > 0 && steps >= 1 && steps < kMostSamples,
+      new_time_step > 0 && steps >= 1 && steps < kMaxSamples,
       fmt::format("the new time step must be > 0 and give 2 to {:g} samples for {:g} s, got {:g} "
                   "s",
-                  kMostSamples, time_step * static_cast<double>(old_samples - 1), new_time_step));
+                  kMaxSamples, time_step * static_cast<double>(old_samples - 1), new_time_step));
   if (std::abs(ratio - 1) < 1e-12) return acceleration;
   const bool finer = ratio < 1;
   const double cut = finer ? 1 : (1 + kPassBand) / 2 / ratio;

@@ -13,7 +13,7 @@ namespace gurney::groundmotions {
 ///     processing = [{ step = "high_pass", corner_hz = 0.1 }, { step = "rotate", azimuth_deg = 30
 ///     }]
 ///
-/// Mistakes are noted in the table's document. Empty if the key is absent. What depends on the
+/// Errors are noted in the table's document. Empty if the key is absent. What depends on the
 /// record, such as a corner above its Nyquist frequency, is for processed() to refuse.
 std::vector<ProcessingStep> read_processing_steps(config::Table& table,
                                                   const std::string& key = "processing");

@@ -6,7 +6,7 @@
 
 #include "engine/base/number_text.h"
 #include "engine/base/units.h"
-#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/scaling/target_spectrum.h"
 
 namespace gurney::groundmotions {
@@ -47,7 +47,7 @@ double interpolated(const std::vector<Row>& rows, double period) {
 }  // namespace
 
 TargetSpectrum table_spectrum(const SourceFile& file) {
-  Mistakes mistakes(file);
+  FileErrors errors(file);
   std::vector<Row> rows;
   double unit = 0;
   for (std::size_t i = 0; i < file.lines().size(); ++i) {
@@ -57,10 +57,10 @@ TargetSpectrum table_spectrum(const SourceFile& file) {
     if (unit == 0) {
       unit = unit_of(words);
       if (unit == 0) {
-        mistakes.add(i + 1, 1,
-                     fmt::format("header '{}': must be 'period_s, sa_g' or 'period_s, "
-                                 "sa_m_per_s2'",
-                                 line));
+        errors.add(i + 1, 1,
+                   fmt::format("header '{}': must be 'period_s, sa_g' or 'period_s, "
+                               "sa_m_per_s2'",
+                               line));
         break;
       }
       continue;
@@ -68,17 +68,17 @@ TargetSpectrum table_spectrum(const SourceFile& file) {
     const auto period = words.size() == 2 ? number(words[0]) : std::nullopt;
     const auto value = words.size() == 2 ? number(words[1]) : std::nullopt;
     if (!period || !value)
-      mistakes.add(i + 1, 1, fmt::format("'{}': must be two numbers apart by a comma", line));
+      errors.add(i + 1, 1, fmt::format("'{}': must be two numbers apart by a comma", line));
     else if (!(*period >= 0) || (!rows.empty() && !(*period > rows.back().period)))
-      mistakes.add(i + 1, 1, fmt::format("period {:g} s: must be >= 0 and grow", *period));
+      errors.add(i + 1, 1, fmt::format("period {:g} s: must be >= 0 and grow", *period));
     else if (!(*value > 0))
-      mistakes.add(i + 1, 1, fmt::format("spectral acceleration {:g}: must be > 0", *value));
+      errors.add(i + 1, 1, fmt::format("spectral acceleration {:g}: must be > 0", *value));
     else
       rows.push_back({*period, *value * unit});
   }
-  if (!mistakes.any() && rows.size() < 2)
-    mistakes.add("a spectrum needs a header 'period_s, sa_g' and at least two rows");
-  mistakes.throw_if_any();
+  if (!errors.any() && rows.size() < 2)
+    errors.add("a spectrum needs a header 'period_s, sa_g' and at least two rows");
+  errors.throw_if_any();
   const double first = rows.front().period, last = rows.back().period;
   return {"table " + file.name(), first, last,
           [rows = std::move(rows)](double t) { return interpolated(rows, t); }};

@@ -59,17 +59,17 @@ TargetSpectrum read_table(Table& in) {
 std::optional<TargetSpectrum> read_target(Table& in) {
   constexpr TargetSpectrum (*kReaders[])(Table&) = {read_asce7, read_eurocode8, read_nzs1170,
                                                     read_ac156, read_table};
-  const std::size_t mistakes = in.document().mistakes();
+  const std::size_t errors = in.document().errors();
   const std::size_t kind = in.choice("target", {"asce7", "eurocode8", "nzs1170", "ac156", "table"});
-  if (in.document().mistakes() > mistakes) {
+  if (in.document().errors() > errors) {
     for (const std::string& key : in.keys()) in.has(key);  // of which target is not known
     return {};
   }
   try {
     TargetSpectrum target = kReaders[kind](in);
-    if (in.document().mistakes() == mistakes) return target;
+    if (in.document().errors() == errors) return target;
   } catch (const Error& error) {
-    if (in.document().mistakes() == mistakes) in.note("target", std::string(": ") + error.what());
+    if (in.document().errors() == errors) in.note("target", std::string(": ") + error.what());
   }
   return {};
 }

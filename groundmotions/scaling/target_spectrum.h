@@ -63,7 +63,7 @@ TargetSpectrum ac156_spectrum(double short_period_acceleration, double height_ra
 /// A table with the columns `period_s, sa_g` or `period_s, sa_m_per_s2`: `#` comments, a header
 /// row, then rows with growing periods. Straight in logarithms between the rows (straight where a
 /// row is at 0 s); undefined outside.
-/// @throws Error for anything else, one line for each mistake.
+/// @throws Error for anything else, one line for each error.
 TargetSpectrum table_spectrum(const SourceFile& file);
 
 }  // namespace gurney::groundmotions

@@ -10,7 +10,7 @@
 #include "engine/base/csv_row.h"
 #include "engine/base/number_text.h"
 #include "engine/config/nearest_name.h"
-#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/record/acceleration_unit.h"
 #include "groundmotions/record/time_step_range.h"
 
@@ -30,7 +30,7 @@ bool is_content(std::string_view line) {
 class ListReader {
  public:
   ListReader(const SourceFile& file, const ReadOptions& options)
-      : file_(file), options_(options), mistakes_(file) {}
+      : file_(file), options_(options), errors_(file) {}
 
   Suite read() {
     bool first = true;
@@ -41,8 +41,8 @@ class ListReader {
       else
         read_row();
     }
-    if (suite_.records.empty()) mistakes_.add("the list has no records");
-    mistakes_.throw_if_any();
+    if (suite_.records.empty()) errors_.add("the list has no records");
+    errors_.throw_if_any();
     return std::move(suite_);
   }
 
@@ -50,38 +50,37 @@ class ListReader {
   void read_titles() {
     for (const CsvCell& cell : csv_row(file_.lines()[line_])) {
       if (std::ranges::find(kColumns, cell.text) == kColumns.end())
-        mistakes_.add(
+        errors_.add(
             line_ + 1, cell.column,
             fmt::format("unknown column '{}'{}; allowed are {}", cell.text,
                         config::suggestion(cell.text, kColumns), fmt::join(kColumns, ", ")));
       if (std::ranges::find(titles_, cell.text) != titles_.end())
-        mistakes_.add(line_ + 1, cell.column, fmt::format("column '{}' comes twice", cell.text));
+        errors_.add(line_ + 1, cell.column, fmt::format("column '{}' comes twice", cell.text));
       titles_.push_back(cell.text);
     }
     const auto has = [this](const char* title) {
       return std::ranges::find(titles_, title) != titles_.end();
     };
     if (!has("file") && !has("h1") && !has("h2") && !has("vertical"))
-      mistakes_.add(line_ + 1, 1,
-                    "a list needs a column 'file', or columns 'h1', 'h2', 'vertical'");
+      errors_.add(line_ + 1, 1, "a list needs a column 'file', or columns 'h1', 'h2', 'vertical'");
   }
 
   void read_row() {
     const auto row = csv_row(file_.lines()[line_]);
     if (row.size() != titles_.size()) {
-      mistakes_.add(line_ + 1, 1,
-                    fmt::format("{} cells, the header has {} columns", row.size(), titles_.size()));
+      errors_.add(line_ + 1, 1,
+                  fmt::format("{} cells, the header has {} columns", row.size(), titles_.size()));
       return;
     }
     SuiteRecord record{.name = {}, .files = {}, .options = options_, .facts = {}};
     for (std::size_t i = 0; i < row.size(); ++i) read_cell(titles_[i], row[i], record);
-    if (record.files.empty()) mistakes_.add(line_ + 1, 1, "the record has no file");
+    if (record.files.empty()) errors_.add(line_ + 1, 1, "the record has no file");
     take_channels(row, record);
     const auto stated = std::ranges::count_if(
         record.files, [](const RecordFile& file) { return file.direction.has_value(); });
     if (stated != 0 && stated != std::ssize(record.files))
-      mistakes_.add(line_ + 1, 1,
-                    "a record has files in 'file' or in 'h1', 'h2', 'vertical', not in both");
+      errors_.add(line_ + 1, 1,
+                  "a record has files in 'file' or in 'h1', 'h2', 'vertical', not in both");
     suite_.records.push_back(std::move(record));
   }
 
@@ -90,17 +89,17 @@ class ListReader {
       const bool known = std::ranges::any_of(
           suite_.records, [&](const SuiteRecord& other) { return other.name == cell.text; });
       if (cell.text.empty() || known)
-        mistakes_.add(line_ + 1, cell.column,
-                      cell.text.empty() ? "a record needs a name"
-                                        : fmt::format("the name '{}' comes twice", cell.text));
+        errors_.add(line_ + 1, cell.column,
+                    cell.text.empty() ? "a record needs a name"
+                                      : fmt::format("the name '{}' comes twice", cell.text));
       record.name = cell.text;
     } else if (cell.text.empty()) {
       return;
     } else if (title == "unit") {
       if (!acceleration_unit(cell.text))
-        mistakes_.add(line_ + 1, cell.column,
-                      fmt::format("'{}' is not a unit of acceleration: {} are allowed", cell.text,
-                                  kAccelerationUnits));
+        errors_.add(line_ + 1, cell.column,
+                    fmt::format("'{}' is not a unit of acceleration: {} are allowed", cell.text,
+                                kAccelerationUnits));
       record.options.unit = cell.text;
     } else if (title == "time_step_s") {
       record.options.time_step = positive(cell, title, kLongestTimeStep);
@@ -122,7 +121,7 @@ class ListReader {
     const CsvCell& cell = row[static_cast<std::size_t>(title - titles_.begin())];
     if (cell.text.empty()) return;
     if (record.files.size() != 1 || record.files[0].direction) {
-      mistakes_.add(line_ + 1, cell.column, "channels must go with one file in 'file'");
+      errors_.add(line_ + 1, cell.column, "channels must go with one file in 'file'");
       return;
     }
     const RecordFile file = record.files[0];
@@ -131,7 +130,7 @@ class ListReader {
     for (std::string text; std::getline(texts, text, ';');) {
       const auto channel = number(text);
       if (!channel || !(*channel >= 1 && *channel <= 1000 && *channel == std::floor(*channel)))
-        mistakes_.add(
+        errors_.add(
             line_ + 1, cell.column,
             fmt::format("channels must be whole numbers from 1 to 1000 apart by semicolons, "
                         "got '{}'",
@@ -150,7 +149,7 @@ class ListReader {
       for (const Direction direction : kDirections)
         if (title == name_of(direction)) file.direction = direction;
       if (!std::filesystem::is_regular_file(file.path))
-        mistakes_.add(line_ + 1, cell.column, fmt::format("'{}': no such file", plain));
+        errors_.add(line_ + 1, cell.column, fmt::format("'{}': no such file", plain));
       record.files.push_back(std::move(file));
     }
   }
@@ -158,7 +157,7 @@ class ListReader {
   double positive(const CsvCell& cell, const std::string& title, double most) {
     const auto value = number(cell.text);
     if (!value || !(*value > 0 && *value <= most))
-      mistakes_.add(
+      errors_.add(
           line_ + 1, cell.column,
           fmt::format("{} must be a number in (0, {:g}], got '{}'", title, most, cell.text));
     return value.value_or(1);
@@ -166,7 +165,7 @@ class ListReader {
 
   const SourceFile& file_;
   const ReadOptions& options_;
-  Mistakes mistakes_;
+  FileErrors errors_;
   std::vector<std::string> titles_;
   std::size_t line_ = 0;
   Suite suite_;

@@ -162,7 +162,7 @@ std::vector<double> ac156_frequencies(int per_octave) {
 Record ac156_motion(const Ac156Motion& motion) {
   constexpr double kLongestStep = 0.005;  // six samples in a period of 33.3 Hz
   constexpr double kIndependent = 0.3, kRecommended = 1.3;
-  constexpr std::uint64_t kMostStreams = 20;
+  constexpr std::uint64_t kMaxStreams = 20;
   require(motion.time_step > 0 && motion.time_step <= kLongestStep,
           fmt::format("time step {:g} s: must be > 0 and at most {:g} s", motion.time_step,
                       kLongestStep));
@@ -175,11 +175,11 @@ Record ac156_motion(const Ac156Motion& motion) {
     const bool up = direction == Direction::kVertical;
     Fit fit;
     double worst = 1;
-    for (const std::uint64_t last = stream + kMostStreams; worst >= kIndependent;) {
+    for (const std::uint64_t last = stream + kMaxStreams; worst >= kIndependent;) {
       require(stream < last,
               fmt::format("{}: none of {} noises has a correlation below {:g} with the other "
                           "components; another seed may, or a longer motion",
-                          name_of(direction), kMostStreams, kIndependent));
+                          name_of(direction), kMaxStreams, kIndependent));
       fit = Matching(motion, up ? vertical : horizontal, stream++).best();
       worst = 0;
       for (const auto& other : record.components)

@@ -12,12 +12,12 @@ namespace gurney::groundmotions {
 
 Eigen::VectorXd sampled(double time_step, double duration,
                         const std::function<double(double)>& function) {
-  constexpr double kFewest = 4, kMost = 1e7;
+  constexpr double kFewest = 4, kMax = 1e7;
   // A duration that is a whole number of steps but for rounding needs no further step.
   const double steps = std::ceil(duration / time_step - 1e-6);
-  require(steps + 1 >= kFewest && steps < kMost,
+  require(steps + 1 >= kFewest && steps < kMax,
           fmt::format("duration {:g} s at time step {:g} s: a motion needs {:g} to {:g} samples",
-                      duration, time_step, kFewest, kMost));
+                      duration, time_step, kFewest, kMax));
   Eigen::VectorXd values(static_cast<Eigen::Index>(steps) + 1);
   for (Eigen::Index i = 0; i < values.size(); ++i)
     values[i] = function(static_cast<double>(i) * time_step);

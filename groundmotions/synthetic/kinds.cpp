@@ -48,9 +48,9 @@ std::string without_positions(const std::string& message, const std::string& whe
 }  // namespace
 
 std::optional<SyntheticRequest> read_synthetic_request(config::Table& table) {
-  const std::size_t mistakes = table.document().mistakes();
+  const std::size_t errors = table.document().errors();
   const std::size_t index = table.choice("kind", kind_names());
-  if (table.document().mistakes() != mistakes) {
+  if (table.document().errors() != errors) {
     for (const std::string& key : table.keys()) table.has(key);  // of which kind is not known
     return {};
   }

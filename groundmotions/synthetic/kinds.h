@@ -41,14 +41,14 @@ struct SyntheticRequest {
   SyntheticValues values;
 };
 
-/// Reads `kind` and the parameters of that kind from a table of a job file. Mistakes are noted in
+/// Reads `kind` and the parameters of that kind from a table of a job file. Errors are noted in
 /// its document; unknown keys are found by Document::finish().
 /// @returns nothing for an unknown kind.
 std::optional<SyntheticRequest> read_synthetic_request(config::Table& table);
 
 /// The same from the words of a command line.
 /// @param settings  "key=value"
-/// @throws Error with one line for each mistake: `records make KIND:N:column: ...`, N the number of
+/// @throws Error with one line for each error: `records make KIND:N:column: ...`, N the number of
 /// the setting.
 SyntheticRequest synthetic_request(const std::string& kind,
                                    const std::vector<std::string>& settings);

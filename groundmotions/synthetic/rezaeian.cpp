@@ -94,11 +94,11 @@ Eigen::VectorXd acceleration(const StochasticMotion& motion, const StochasticCom
 }  // namespace
 
 GammaEnvelope gamma_envelope(double duration, double middle) {
-  constexpr double kMostSpread = 4.5;  // shape 1, a density that is finite at 0, has 4.92
-  require(duration < kMostSpread * middle,
+  constexpr double kMaxSpread = 4.5;  // shape 1, a density that is finite at 0, has 4.92
+  require(duration < kMaxSpread * middle,
           fmt::format("significant duration {:g} s: must be less than {:g} times the time of the "
                       "middle of strong shaking, {:g} s",
-                      duration, kMostSpread, middle));
+                      duration, kMaxSpread, middle));
   const auto spread = [](double shape) {
     return gamma_quantile(shape, 0.95) - gamma_quantile(shape, 0.05);
   };

@@ -70,9 +70,9 @@ int run_calibrate(const CalibrateOptions& options) {
 
 }  // namespace
 
-void add_calibrate(CLI::App& app, std::function<int()>& act) {
-  auto held = std::make_shared<CalibrateOptions>();
-  CalibrateOptions& options = *held;
+void add_calibrate(CLI::App& app, std::function<int()>& action) {
+  auto shared = std::make_shared<CalibrateOptions>();
+  CalibrateOptions& options = *shared;
   CLI::App* const command =
       app.add_subcommand("calibrate", "Estimate caster parameters from measured pulls and impacts");
   command
@@ -86,7 +86,7 @@ void add_calibrate(CLI::App& app, std::function<int()>& act) {
                       "catalogue's of the same name)");
   command->add_flag("--overwrite", options.overwrite, "Replace files that exist");
   command->add_flag("--json", options.json, "Print JSON, in SI units");
-  command->callback([held, &act] { act = [held] { return run_calibrate(*held); }; });
+  command->callback([shared, &action] { action = [shared] { return run_calibrate(*shared); }; });
 }
 
 }  // namespace gurney::cli

@@ -69,7 +69,7 @@ void add_intensity(Answer& answer, const study::IntensityPlan& plan) {
                fmt::format("{}: {:g} {} of {}", levels.size(), fmt::join(levels, ", "), plan.unit,
                            measure));
   else
-    answer.add("hunt", plan.most_runs,
+    answer.add("ida", plan.most_runs,
                fmt::format("at most {} runs per analysis case, from {:g} {} of {}", plan.most_runs,
                            plan.first / plan.unit_in_si, plan.unit, measure));
   if (plan.more_stages > 0)
@@ -82,7 +82,7 @@ void add_intensity(Answer& answer, const study::IntensityPlan& plan) {
 /// Of the levels as stated: of an IDA the first, for the others are not known before it runs.
 void add_scale_factors(Answer& answer, const study::Batch& batch) {
   const study::IntensityPlan& plan = batch.job.study().intensity;
-  const bool ida = plan.kind == study::IntensityPlan::Kind::kHunt;
+  const bool ida = plan.kind == study::IntensityPlan::Kind::kIda;
   const bool stated = plan.kind == study::IntensityPlan::Kind::kScales;
   const std::vector<double> levels = ida ? std::vector<double>{plan.first} : plan.levels;
   study::ScaleFactors factors;
@@ -101,7 +101,7 @@ void add_scale_factors(Answer& answer, const study::Batch& batch) {
 
 /// Warnings of the items, each with the configurations that it is of.
 std::vector<std::string> job_warnings(const study::StudyJob& job) {
-  std::vector<std::string> order;
+  std::vector<std::string> order = job.notes();
   std::map<std::string, std::vector<std::string>> of;
   for (std::size_t i = 0; i < job.configurations().size(); ++i)
     for (const std::string& warning : job.job(i, {}).warnings) {
@@ -109,7 +109,8 @@ std::vector<std::string> job_warnings(const study::StudyJob& job) {
       of[warning].push_back(fmt::format("{}", fmt::join(job.configurations()[i].levels, ", ")));
     }
   for (std::string& warning : order)
-    if (const auto& found = of[warning]; found.size() < job.configurations().size())
+    if (const auto& found = of[warning];
+        !found.empty() && found.size() < job.configurations().size())
       warning += " (" + list_of(found) + ")";
   return order;
 }
@@ -165,9 +166,9 @@ Answer check_study(const study::StudyJob& job, int threads) {
   answer.add("job", job.file(), job.file() + ": a valid study");
   add_plan(answer, batch);
   const study::Estimate needs = study::estimate(batch);
-  const bool hunt = job.study().intensity.kind == study::IntensityPlan::Kind::kHunt;
-  const char* const most = hunt ? "at most " : "";
-  answer.add("units", plan.units(), fmt::format("{}", plan.units()));
+  const bool ida = job.study().intensity.kind == study::IntensityPlan::Kind::kIda;
+  const char* const most = ida ? "at most " : "";
+  answer.add("cases", plan.tasks(), fmt::format("{}", plan.tasks()));
   answer.add("runs", needs.runs, fmt::format("{}{}", most, needs.runs));
   answer.add("time_s", needs.seconds(threads),
              fmt::format("{}about {} with {} threads (two runs were timed: {:.2g} s each)", most,
@@ -209,7 +210,7 @@ int check_command(const CheckOptions& options) {
 
 }  // namespace
 
-void add_check(CLI::App& app, std::function<int()>& act) {
+void add_check(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* const check =
       app.add_subcommand("check", "Validate a job and estimate its cost (dry run)");
@@ -217,8 +218,8 @@ void add_check(CLI::App& app, std::function<int()>& act) {
   check->add_flag("--json", options->json, "Print the answer as JSON");
   check->add_option("-j,--threads", options->threads, "Threads of the study")
       ->check(CLI::Range(1, 4096));
-  check->callback([options, &act] {
-    act = [options] {
+  check->callback([options, &action] {
+    action = [options] {
       return with_json_errors(options->json, [&] { return check_command(*options); });
     };
   });

@@ -37,9 +37,9 @@ std::string version() {
       build.cpu_class);
 }
 
-void add_run(CLI::App& app, std::function<int()>& act) {
-  auto held = std::make_shared<RunOptions>();
-  RunOptions& options = *held;
+void add_run(CLI::App& app, std::function<int()>& action) {
+  auto shared = std::make_shared<RunOptions>();
+  RunOptions& options = *shared;
   CLI::App* const run = app.add_subcommand("run", "Run a job: a single run or a study");
   run->add_option("JOB", options.job,
                   "The job file, such as studies/jobs/icu_ventilator_shake.toml")
@@ -54,14 +54,16 @@ void add_run(CLI::App& app, std::function<int()>& act) {
   run->add_option("-j,--threads", options.threads,
                   "Threads for a study (default: all hardware threads)")
       ->check(CLI::Range(1, 4096));
-  run->callback([held, &act] {
-    act = [held] { return with_json_errors(held->json, [held] { return run_command(*held); }); };
+  run->callback([shared, &action] {
+    action = [shared] {
+      return with_json_errors(shared->json, [shared] { return run_command(*shared); });
+    };
   });
 }
 
-void add_replay(CLI::App& app, std::function<int()>& act) {
-  auto held = std::make_shared<ReplayOptions>();
-  ReplayOptions& options = *held;
+void add_replay(CLI::App& app, std::function<int()>& action) {
+  auto shared = std::make_shared<ReplayOptions>();
+  ReplayOptions& options = *shared;
   CLI::App* const replay =
       app.add_subcommand("replay", "Re-run one case of a study with full output");
   replay->add_option("FILE", options.file, "The results file of the study")->required();
@@ -72,7 +74,7 @@ void add_replay(CLI::App& app, std::function<int()>& act) {
   replay->add_flag("--overwrite", options.overwrite, "Replace files that exist");
   replay->add_flag("--json", options.json, "Print the summary as JSON");
   replay->add_flag("--no-figure", options.no_figure, "Draw no figure");
-  replay->callback([held, &act] { act = [held] { return replay_command(*held); }; });
+  replay->callback([shared, &action] { action = [shared] { return replay_command(*shared); }; });
 }
 
 std::vector<std::string> command_names(const CLI::App& app) {
@@ -117,7 +119,7 @@ int flushed(int code) {
   return code;
 }
 
-int parse_and_act(CLI::App& app, const std::function<int()>& act, int argc, char** argv) {
+int parse_and_run(CLI::App& app, const std::function<int()>& action, int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   const bool wants_help = !words.empty() && words[0] == "help";
   if (wants_help) words.erase(words.begin());
@@ -134,7 +136,7 @@ int parse_and_act(CLI::App& app, const std::function<int()>& act, int argc, char
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kBadUsage;
   }
-  if (!app.get_subcommands().empty()) return act();
+  if (!app.get_subcommands().empty()) return action();
   print_error("a command is needed\n\n{}", app.help());
   return kBadUsage;
 }
@@ -150,12 +152,12 @@ int run_command_line(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 a run failed or a check failed, "
       "130/143 interrupted.");
-  std::function<int()> act;
-  for (AddCommand* const add : kAddCommands) add(app, act);
+  std::function<int()> action;
+  for (AddCommand* const add : kAddCommands) add(app, action);
   app.add_subcommand("help", "Print this help, or that of a command: help records scale");
   describe_commands(app);
   try {
-    return flushed(parse_and_act(app, act, argc, argv));
+    return flushed(parse_and_run(app, action, argc, argv));
   } catch (const Error& error) {
     print_error("{}\n", printable(error.what()));
   } catch (const std::bad_alloc&) {

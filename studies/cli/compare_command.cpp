@@ -64,7 +64,7 @@ void choose(const study::StudyData& a, const study::StudyData& b, const std::str
                       listed(b)));
   report.a = {&a, *first};
   report.b = {&b, *second};
-  const auto name = [](const study::StudySide& side) {
+  const auto name = [](const study::ConfigurationView& side) {
     const std::string& of = side.configuration_name();
     return side.data->file().path() + (of.empty() ? "" : " (" + of + ")");
   };
@@ -97,9 +97,9 @@ int compare(const CompareOptions& options) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, std::function<int()>& act) {
-  auto held = std::make_shared<CompareOptions>();
-  CompareOptions& options = *held;
+void add_compare(CLI::App& app, std::function<int()>& action) {
+  auto shared = std::make_shared<CompareOptions>();
+  CompareOptions& options = *shared;
   CLI::App* const command = app.add_subcommand("compare", "Compare configurations pairwise");
   command->add_option("A", options.a, "The results file of a study")->required();
   command->add_option("B", options.b, "A second results file (default: two configurations of A)");
@@ -114,7 +114,7 @@ void add_compare(CLI::App& app, std::function<int()>& act) {
   add_figure_option(*command, options.figure, "Draw the fragility curves");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
   command->add_flag("--json", options.json, "Print JSON, in SI units");
-  command->callback([held, &act] { act = [held] { return compare(*held); }; });
+  command->callback([shared, &action] { action = [shared] { return compare(*shared); }; });
 }
 
 }  // namespace gurney::cli

@@ -40,9 +40,9 @@ int converge_command(const ConvergeOptions& options) {
 
 }  // namespace
 
-void add_converge(CLI::App& app, std::function<int()>& act) {
-  auto held = std::make_shared<ConvergeOptions>();
-  ConvergeOptions& options = *held;
+void add_converge(CLI::App& app, std::function<int()>& action) {
+  auto shared = std::make_shared<ConvergeOptions>();
+  ConvergeOptions& options = *shared;
   CLI::App* const command =
       app.add_subcommand("converge", "Time-step, solver and stiffness convergence of a job");
   command->add_option("JOB", options.job, "The job file, of one run or of a study")->required();
@@ -57,7 +57,7 @@ void add_converge(CLI::App& app, std::function<int()>& act) {
   add_figure_option(*command, options.figure, "Draw the changes with the time step");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
   command->add_flag("--json", options.json, "Print JSON, in SI units");
-  command->callback([held, &act] { act = [held] { return converge_command(*held); }; });
+  command->callback([shared, &action] { action = [shared] { return converge_command(*shared); }; });
 }
 
 }  // namespace gurney::cli

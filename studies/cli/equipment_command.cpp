@@ -104,20 +104,20 @@ int check(const CheckOptions& options) {
   return code;
 }
 
-void add_list(CLI::App& equipment, std::function<int()>& act) {
+void add_list(CLI::App& equipment, std::function<int()>& action) {
   auto json = std::make_shared<bool>(false);
   CLI::App* const command =
       equipment.add_subcommand("ls", "List items, casters, floor coverings, rooms and tethers");
   command->add_flag("--json", *json, "Print JSON, in SI units");
-  command->callback([json, &act] {
-    act = [json] {
+  command->callback([json, &action] {
+    action = [json] {
       fmt::print("{}", *json ? report::equipment_list_json() : report::equipment_list());
       return 0;
     };
   });
 }
 
-void add_equipment_show(CLI::App& equipment, std::function<int()>& act) {
+void add_equipment_show(CLI::App& equipment, std::function<int()>& action) {
   auto options = std::make_shared<ShowOptions>();
   CLI::App* const command = equipment.add_subcommand(
       "show", "Mass, inertia, support, tilt, wheel loads and resistance of an item");
@@ -134,27 +134,27 @@ void add_equipment_show(CLI::App& equipment, std::function<int()>& act) {
   add_figure_option(*command, options->figure, "A figure to write: plan and two sides");
   command->add_flag("--json", options->json, "Print JSON, in SI units");
   command->add_flag("--overwrite", options->overwrite, "Replace a figure that exists");
-  command->callback([options, &act] { act = [options] { return show(*options); }; });
+  command->callback([options, &action] { action = [options] { return show(*options); }; });
 }
 
-void add_equipment_check(CLI::App& equipment, std::function<int()>& act) {
+void add_equipment_check(CLI::App& equipment, std::function<int()>& action) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* const command = equipment.add_subcommand(
       "check", "Validate files of items, casters, floor coverings, rooms and tethers");
   command->add_option("FILE", options->files, "Files (docs/formats/equipment_file.md)")->required();
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options, &act] { act = [options] { return check(*options); }; });
+  command->callback([options, &action] { action = [options] { return check(*options); }; });
 }
 
 }  // namespace
 
-void add_equipment(CLI::App& app, std::function<int()>& act) {
+void add_equipment(CLI::App& app, std::function<int()>& action) {
   CLI::App* const equipment =
       app.add_subcommand("equipment", "List, inspect and validate equipment");
   equipment->require_subcommand(1);
-  add_list(*equipment, act);
-  add_equipment_show(*equipment, act);
-  add_equipment_check(*equipment, act);
+  add_list(*equipment, action);
+  add_equipment_show(*equipment, action);
+  add_equipment_check(*equipment, action);
 }
 
 }  // namespace gurney::cli

@@ -91,9 +91,9 @@ int export_command(const ExportOptions& options) {
 
 }  // namespace
 
-void add_export(CLI::App& app, std::function<int()>& act) {
-  auto held = std::make_shared<ExportOptions>();
-  ExportOptions& options = *held;
+void add_export(CLI::App& app, std::function<int()>& action) {
+  auto shared = std::make_shared<ExportOptions>();
+  ExportOptions& options = *shared;
   CLI::App* const command =
       app.add_subcommand("export", "Export results to the formats of other programs");
   command->add_option("FILE", options.file, "The results file")->required();
@@ -113,7 +113,7 @@ void add_export(CLI::App& app, std::function<int()>& act) {
                       "Intensity measure of the curves (default: the study's own)");
   command->add_option("--limit", options.choice.limit, "This limit state only (default: all)");
   command->add_flag("--overwrite", options.overwrite, "Replace files that exist");
-  command->callback([held, &act] { act = [held] { return export_command(*held); }; });
+  command->callback([shared, &action] { action = [shared] { return export_command(*shared); }; });
 }
 
 }  // namespace gurney::cli

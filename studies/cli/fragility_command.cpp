@@ -83,9 +83,9 @@ int fragility(const FragilityOptions& options) {
 
 }  // namespace
 
-void add_fragility(CLI::App& app, std::function<int()>& act) {
-  auto held = std::make_shared<FragilityOptions>();
-  FragilityOptions& options = *held;
+void add_fragility(CLI::App& app, std::function<int()>& action) {
+  auto shared = std::make_shared<FragilityOptions>();
+  FragilityOptions& options = *shared;
   CLI::App* const command =
       app.add_subcommand("fragility", "Fit fragility functions and confidence bands");
   command->add_option("FILE", options.file, "The results file of the study")->required();
@@ -97,7 +97,7 @@ void add_fragility(CLI::App& app, std::function<int()>& act) {
   add_figure_option(*command, options.figure, "Draw the curves");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
   command->add_flag("--json", options.json, "Print JSON, in SI units");
-  command->callback([held, &act] { act = [held] { return fragility(*held); }; });
+  command->callback([shared, &action] { action = [shared] { return fragility(*shared); }; });
 }
 
 }  // namespace gurney::cli

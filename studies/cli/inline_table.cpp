@@ -34,8 +34,8 @@ std::string inline_table(const std::string& first_key, const std::vector<std::st
   return table + " }";
 }
 
-std::string told_of_option(const std::string& option, const std::string& text,
-                           const std::string& path, const std::string& message) {
+std::string option_error(const std::string& option, const std::string& text,
+                         const std::string& path, const std::string& message) {
   std::istringstream lines(message);
   std::string result;
   for (std::string line; std::getline(lines, line);) {

@@ -16,8 +16,8 @@ std::string inline_table(const std::string& first_key, const std::vector<std::st
 /// `--step:1:49: processing[0].corner_hz = -1: must be ...` becomes
 /// `--step "high_pass corner_hz=-1": corner_hz = -1: must be ...`.
 /// @param path  of the table in the document, such as "processing[0]"
-std::string told_of_option(const std::string& option, const std::string& text,
-                           const std::string& path, const std::string& message);
+std::string option_error(const std::string& option, const std::string& text,
+                         const std::string& path, const std::string& message);
 
 /// Cut at blanks.
 std::vector<std::string> words_of(const std::string& text);

@@ -53,10 +53,10 @@ Json json_errors(const std::string& text) {
   return errors;
 }
 
-int with_json_errors(bool json, const std::function<int()>& act) {
-  if (!json) return act();
+int with_json_errors(bool json, const std::function<int()>& action) {
+  if (!json) return action();
   try {
-    return act();
+    return action();
   } catch (const Error& error) {
     fmt::print("{}\n", Json{{"errors", json_errors(error.what())}}.dump(2));
     return 1;

@@ -10,8 +10,8 @@ namespace gurney::cli {
 /// state is null. JSON files have places of another kind: `pointer` instead of line and column.
 nlohmann::ordered_json json_errors(const std::string& text);
 
-/// Runs `act`; with `json` an Error is printed as {"errors": [...]} to the standard output.
+/// Runs `action`; with `json` an Error is printed as {"errors": [...]} to the standard output.
 /// @returns the exit code
-int with_json_errors(bool json, const std::function<int()>& act);
+int with_json_errors(bool json, const std::function<int()>& action);
 
 }  // namespace gurney::cli

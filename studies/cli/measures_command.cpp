@@ -40,9 +40,9 @@ int measures(const MeasuresOptions& options) {
 
 }  // namespace
 
-void add_measures(CLI::App& app, std::function<int()>& act) {
-  auto held = std::make_shared<MeasuresOptions>();
-  MeasuresOptions& options = *held;
+void add_measures(CLI::App& app, std::function<int()>& action) {
+  auto shared = std::make_shared<MeasuresOptions>();
+  MeasuresOptions& options = *shared;
   CLI::App* const command =
       app.add_subcommand("measures", "Compare intensity measures: efficiency and sufficiency");
   command->add_option("FILE", options.file, "The results file of the study")->required();
@@ -54,7 +54,7 @@ void add_measures(CLI::App& app, std::function<int()>& act) {
   command->add_option("--configuration", options.configurations, "Configurations (default: all)")
       ->allow_extra_args(false);
   command->add_flag("--json", options.json, "Print JSON, in SI units");
-  command->callback([held, &act] { act = [held] { return measures(*held); }; });
+  command->callback([shared, &action] { action = [shared] { return measures(*shared); }; });
 }
 
 }  // namespace gurney::cli

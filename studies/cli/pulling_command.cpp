@@ -29,7 +29,7 @@ std::size_t shown(const PullingOptions& options, const report::PullingReport& re
   const auto& trials = report.trials;
   const auto found = std::ranges::find_if(trials, [&](const calibration::SimulatedTrial& trial) {
     return options.run ? trial.run == *options.run
-                       : calibration::like(trial, report.measured) != nullptr;
+                       : calibration::find_matching(trial, report.measured) != nullptr;
   });
   require(!options.run || found != trials.end(),
           fmt::format("{}: has no run {} that did not fail; its last is {}", options.file,
@@ -71,9 +71,9 @@ int pulling(const PullingOptions& options) {
 
 }  // namespace
 
-void add_pulling(CLI::App& app, std::function<int()>& act) {
-  auto held = std::make_shared<PullingOptions>();
-  PullingOptions& options = *held;
+void add_pulling(CLI::App& app, std::function<int()>& action) {
+  auto shared = std::make_shared<PullingOptions>();
+  PullingOptions& options = *shared;
   CLI::App* const command =
       app.add_subcommand("pulling", "Evaluate the simulated pulling tests of a study");
   command->add_option("FILE", options.file, "The results file of the study, with histories")
@@ -84,7 +84,7 @@ void add_pulling(CLI::App& app, std::function<int()>& act) {
                       "File or folder of measured trials, to be drawn beside the simulated ones");
   command->add_flag("--overwrite", options.overwrite, "Replace figures that exist");
   command->add_flag("--json", options.json, "Print JSON, in SI units");
-  command->callback([held, &act] { act = [held] { return pulling(*held); }; });
+  command->callback([shared, &action] { action = [shared] { return pulling(*shared); }; });
 }
 
 }  // namespace gurney::cli

@@ -29,7 +29,7 @@ groundmotions::ProcessingStep step_of(const std::string& text) {
     document.finish();
     return steps.at(0);
   } catch (const Error& error) {
-    throw Error(told_of_option("--step", text, "processing[0]", error.what()));
+    throw Error(option_error("--step", text, "processing[0]", error.what()));
   }
 }
 

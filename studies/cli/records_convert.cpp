@@ -71,7 +71,7 @@ study::ScaleTo scale_to_of(const std::string& text) {
     document.finish();
     return request;
   } catch (const Error& error) {
-    throw Error(told_of_option("--scale-to", text, "scale_to", error.what()));
+    throw Error(option_error("--scale-to", text, "scale_to", error.what()));
   }
 }
 
@@ -113,7 +113,7 @@ int convert(const ConvertOptions& options) {
 
 }  // namespace
 
-void add_records_convert(CLI::App& records, std::function<int()>& act) {
+void add_records_convert(CLI::App& records, std::function<int()>& action) {
   auto options = std::make_shared<ConvertOptions>();
   CLI::App* const command = records.add_subcommand(
       "convert", "Write records as Gurney's CSV or as AT2, processed on the way");
@@ -127,7 +127,7 @@ void add_records_convert(CLI::App& records, std::function<int()>& act) {
   command->add_option("--format", options->format, "csv or at2 (one file for each component)")
       ->check(CLI::IsMember({"csv", "at2"}));
   command->add_flag("--overwrite", options->overwrite, "Replace files that exist");
-  command->callback([options, &act] { act = [options] { return convert(*options); }; });
+  command->callback([options, &action] { action = [options] { return convert(*options); }; });
 }
 
 }  // namespace gurney::cli

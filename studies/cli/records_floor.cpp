@@ -121,7 +121,7 @@ int floor(const FloorOptions& options) {
 
 }  // namespace
 
-void add_records_floor(CLI::App& records, std::function<int()>& act) {
+void add_records_floor(CLI::App& records, std::function<int()>& action) {
   auto options = std::make_shared<FloorOptions>();
   CLI::App* const command = records.add_subcommand(
       "floor", "Compute floor motions from a ground motion and a building model");
@@ -134,7 +134,7 @@ void add_records_floor(CLI::App& records, std::function<int()>& act) {
   command->add_option("-o,--output", options->output, "The .csv file to write")->required();
   command->add_flag("--json", options->json, "Print the peaks as JSON");
   command->add_flag("--overwrite", options->overwrite, "Replace a file that exists");
-  command->callback([options, &act] { act = [options] { return floor(*options); }; });
+  command->callback([options, &action] { action = [options] { return floor(*options); }; });
 }
 
 }  // namespace gurney::cli

@@ -63,21 +63,21 @@ int list(const InfoOptions& options) {
 }
 
 void add(CLI::App& records, const char* name, const char* description,
-         int (*command)(const InfoOptions&), std::function<int()>& act) {
+         int (*command)(const InfoOptions&), std::function<int()>& action) {
   auto options = std::make_shared<InfoOptions>();
   options->source.tells_findings = false;
   CLI::App* const app = records.add_subcommand(name, description);
   add_source_options(*app, options->source);
   app->add_flag("--json", options->json, "Print JSON, in SI units");
-  app->callback([options, command, &act] { act = [=] { return command(*options); }; });
+  app->callback([options, command, &action] { action = [=] { return command(*options); }; });
 }
 
 }  // namespace
 
-void add_records_info(CLI::App& records, std::function<int()>& act) {
+void add_records_info(CLI::App& records, std::function<int()>& action) {
   add(records, "info", "Everything about records: headers, intensity measures, warnings", info,
-      act);
-  add(records, "ls", "A table with one line for each record", list, act);
+      action);
+  add(records, "ls", "A table with one line for each record", list, action);
 }
 
 }  // namespace gurney::cli

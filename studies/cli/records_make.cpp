@@ -69,7 +69,7 @@ int make(const MakeOptions& options) {
 
 }  // namespace
 
-void add_records_make(CLI::App& records, std::function<int()>& act) {
+void add_records_make(CLI::App& records, std::function<int()>& action) {
   auto options = std::make_shared<MakeOptions>();
   CLI::App* const command = records.add_subcommand(
       "make", "Generate a synthetic motion: pulses, sines, noise, AC156, stochastic ground motion");
@@ -79,7 +79,7 @@ void add_records_make(CLI::App& records, std::function<int()>& act) {
   command->add_flag("--list", options->list, "Print the kinds, or the parameters of KIND");
   command->add_flag("--json", options->json, "With --list: all kinds and parameters as JSON");
   command->add_flag("--overwrite", options->overwrite, "Replace a file that exists");
-  command->callback([options, &act] { act = [options] { return make(*options); }; });
+  command->callback([options, &action] { action = [options] { return make(*options); }; });
 }
 
 }  // namespace gurney::cli

@@ -39,7 +39,7 @@ int plot(const PlotOptions& options) {
 
 }  // namespace
 
-void add_records_plot(CLI::App& records, std::function<int()>& act) {
+void add_records_plot(CLI::App& records, std::function<int()>& action) {
   auto options = std::make_shared<PlotOptions>();
   CLI::App* const command = records.add_subcommand(
       "plot", "Draw acceleration, velocity, displacement and spectra of records");
@@ -47,7 +47,7 @@ void add_records_plot(CLI::App& records, std::function<int()>& act) {
   command->add_option("-o,--output", options->output, "An .svg file, or a folder that exists")
       ->required();
   command->add_flag("--overwrite", options->overwrite, "Replace files that exist");
-  command->callback([options, &act] { act = [options] { return plot(*options); }; });
+  command->callback([options, &action] { action = [options] { return plot(*options); }; });
 }
 
 }  // namespace gurney::cli

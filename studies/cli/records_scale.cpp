@@ -60,7 +60,7 @@ groundmotions::TargetSpectrum target_of(const std::string& text) {
     document.finish();
     return *target;
   } catch (const Error& error) {
-    throw Error(told_of_option("--target", text, "spectrum", error.what()));
+    throw Error(option_error("--target", text, "spectrum", error.what()));
   }
 }
 
@@ -223,7 +223,7 @@ int scale(const ScaleOptions& options) {
 
 }  // namespace
 
-void add_records_scale(CLI::App& records, std::function<int()>& act) {
+void add_records_scale(CLI::App& records, std::function<int()>& action) {
   auto options = std::make_shared<ScaleOptions>();
   CLI::App* const command =
       records.add_subcommand("scale", "Factors that bring a suite of records to a target spectrum");
@@ -250,7 +250,7 @@ void add_records_scale(CLI::App& records, std::function<int()>& act) {
   add_figure_option(*command, options->figure, "A figure to write");
   command->add_flag("--json", options->json, "Print the factors as JSON");
   command->add_flag("--overwrite", options->overwrite, "Replace files that exist");
-  command->callback([options, &act] { act = [options] { return scale(*options); }; });
+  command->callback([options, &action] { action = [options] { return scale(*options); }; });
 }
 
 }  // namespace gurney::cli

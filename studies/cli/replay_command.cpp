@@ -15,7 +15,7 @@
 #include "studies/study/plan/data_files.h"
 #include "studies/study/results/columns.h"
 #include "studies/study/results/study_reader.h"
-#include "studies/study/run/run_unit.h"
+#include "studies/study/run/run_task.h"
 #include "studies/study/run/study_identity.h"
 
 namespace gurney::cli {
@@ -106,12 +106,12 @@ int replay_command(const ReplayOptions& options) {
   const study::StudyJob study(output.job);
   const study::StudyMotions motions(study);
   const study::Plan plan(study, motions);
-  const study::Unit unit = plan.unit(whole(file, "unit", options.run));
-  const study::Job job = study.job(unit.configuration, plan.draw(unit));
+  const study::Task task = plan.task(whole(file, "unit", options.run));
+  const study::Job job = study.job(task.configuration, plan.draw(task));
   const double scale = file.numbers("runs/scale")[options.run];
   const study::PreparedRun run =
-      study::prepare_run(job, motions.set_of(unit.configuration)
-                                  .motion(unit.record, scale, study.study().angles[unit.angle]));
+      study::prepare_run(job, motions.set_of(task.configuration)
+                                  .motion(task.record, scale, study.study().angles[task.angle]));
   const Response response = run_and_write(run, output);
   const std::string differs = difference(file, options.run, response);
   if (!differs.empty()) {

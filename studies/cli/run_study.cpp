@@ -79,7 +79,7 @@ bool is_complete(const RunOptions& options, const Paths& paths, const study::Bat
           fmt::format("{}: holds the results of another study: {}{}", paths.results.string(),
                       difference, has_parts ? "; --resume --overwrite replaces them" : ""));
   if (has_parts)
-    study::PartFolder(paths.parts, study::identity_of(batch), batch.plan.units(),
+    study::PartFolder(paths.parts, study::identity_of(batch), batch.plan.tasks(),
                       study::PartFolder::Start::kResume)
         .remove();
   fmt::print("results  {} (already complete)\n", paths.results.string());
@@ -118,13 +118,13 @@ std::string shell_word(const std::string& word) {
 }
 
 std::string resume_hint(const RunOptions& options, const Paths& paths,
-                        const study::PartFolder& folder, std::size_t units) {
+                        const study::PartFolder& folder, std::size_t tasks) {
   if (!folder.holds())
     return fmt::format("{}: the finished runs are lost with it; start again", paths.parts.string());
   return fmt::format(
       "{} of {} analysis cases are finished and kept in {}\ncontinue with: gurney run {} -o {} "
       "--resume{}{}{}",
-      folder.size(), units, paths.parts.string(), shell_word(options.job),
+      folder.size(), tasks, paths.parts.string(), shell_word(options.job),
       shell_word(paths.results.string()), options.overwrite ? " --overwrite" : "",
       options.threads > 0 ? fmt::format(" -j {}", options.threads) : "",
       options.json ? " --json" : "");
@@ -137,8 +137,8 @@ study::StudyCounts merge(const study::Batch& batch, const study::PartFolder& fol
   study::StudyCounts counts;
   try {
     fs::remove(made);
-    counts = study::write_study_file(made.string(), batch, [&](std::size_t unit) {
-      return study::unit_from_bytes(folder.read(unit));
+    counts = study::write_study_file(made.string(), batch, [&](std::size_t task) {
+      return study::task_from_bytes(folder.read(task));
     });
   } catch (...) {
     std::error_code ignored;
@@ -175,8 +175,9 @@ int run_study(const RunOptions& options) {
 
   if (options.output.empty()) fs::create_directory("out");
   study::OutputFiles(options.overwrite).check(paths.results.string());
-  study::PartFolder folder(paths.parts, study::identity_of(batch), plan.units(), start_of(options));
+  study::PartFolder folder(paths.parts, study::identity_of(batch), plan.tasks(), start_of(options));
   const study::CrashLog crashes(folder.path() / "crashes");
+  for (const std::string& note : batch.job.notes()) print_error("{}\n", note);
   for (const std::string& warning : folder.warnings()) print_error("{}\n", warning);
   for (const std::string& warning : crashes.warnings()) print_error("{}\n", warning);
 
@@ -185,21 +186,21 @@ int run_study(const RunOptions& options) {
   study::BatchProgress progress;
   study::StudyCounts counts;
   const auto fail = [&](const std::string& reason) {
-    throw Error(reason + '\n' + resume_hint(options, paths, folder, plan.units()));
+    throw Error(reason + '\n' + resume_hint(options, paths, folder, plan.tasks()));
   };
   try {
     progress = study::run_batch(
         batch, folder, crashes, threads, [] { return interruption() == 0; },
         [&](const study::BatchProgress& now) { line(now); });
-    if (progress.done == progress.units) counts = merge(batch, folder, paths, options.overwrite);
+    if (progress.done == progress.tasks) counts = merge(batch, folder, paths, options.overwrite);
   } catch (const Error& error) {
     fail(error.what());
   } catch (const std::bad_alloc&) {
     fail("not enough memory");
   }
-  if (progress.done < progress.units) {
+  if (progress.done < progress.tasks) {
     append_log(paths, log_entry(options, threads, progress, "interrupted"));
-    print_error("\ngurney: interrupted; {}\n", resume_hint(options, paths, folder, plan.units()));
+    print_error("\ngurney: interrupted; {}\n", resume_hint(options, paths, folder, plan.tasks()));
     return 128 + interruption();
   }
   append_log(paths, log_entry(options, threads, progress, "finished"));

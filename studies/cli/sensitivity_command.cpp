@@ -25,7 +25,7 @@ int sensitivity(const SensitivityCommand& options) {
   study::SensitivityRequest request{.demand = options.demand, .limit = options.limit, .level = {}};
   if (options.demand.empty() && options.limit.empty()) request.demand = "peak_displacement";
   if (options.level > 0) {
-    require(data.study().intensity.kind != study::IntensityPlan::Kind::kHunt,
+    require(data.study().intensity.kind != study::IntensityPlan::Kind::kIda,
             options.file + ": an IDA has no levels common to all records; omit --level");
     request.level = static_cast<std::size_t>(options.level - 1);
   }
@@ -57,9 +57,9 @@ int sensitivity(const SensitivityCommand& options) {
 
 }  // namespace
 
-void add_sensitivity(CLI::App& app, std::function<int()>& act) {
-  auto held = std::make_shared<SensitivityCommand>();
-  SensitivityCommand& options = *held;
+void add_sensitivity(CLI::App& app, std::function<int()>& action) {
+  auto shared = std::make_shared<SensitivityCommand>();
+  SensitivityCommand& options = *shared;
   CLI::App* const command =
       app.add_subcommand("sensitivity", "Rank uncertain parameters by their influence on a demand");
   command->add_option("FILE", options.file, "The results file of a study with draws")->required();
@@ -76,7 +76,7 @@ void add_sensitivity(CLI::App& app, std::function<int()>& act) {
   add_figure_option(*command, options.figure, "Draw indices and tornado of one configuration");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
   command->add_flag("--json", options.json, "Print JSON, in SI units");
-  command->callback([held, &act] { act = [held] { return sensitivity(*held); }; });
+  command->callback([shared, &action] { action = [shared] { return sensitivity(*shared); }; });
 }
 
 }  // namespace gurney::cli

@@ -30,12 +30,12 @@ int show_command(const ShowOptions& options) {
 
 }  // namespace
 
-void add_show(CLI::App& app, std::function<int()>& act) {
-  auto held = std::make_shared<ShowOptions>();
+void add_show(CLI::App& app, std::function<int()>& action) {
+  auto options = std::make_shared<ShowOptions>();
   CLI::App* const show = app.add_subcommand("show", "Summarize a results file");
-  show->add_option("FILE", held->file, "The results file of a study or of one run")->required();
-  show->add_flag("--json", held->json, "Print it as JSON");
-  show->callback([held, &act] { act = [held] { return show_command(*held); }; });
+  show->add_option("FILE", options->file, "The results file of a study or of one run")->required();
+  show->add_flag("--json", options->json, "Print it as JSON");
+  show->callback([options, &action] { action = [options] { return show_command(*options); }; });
 }
 
 }  // namespace gurney::cli

@@ -14,15 +14,15 @@ namespace gurney::cli {
 StudyProgress::StudyProgress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
 
 void StudyProgress::operator()(const study::BatchProgress& now) {
-  if (quiet_ || complete_ || now.units_now == 0) return;
-  const bool last = complete_ = now.done == now.units;
+  if (quiet_ || complete_ || now.tasks_now == 0) return;
+  const bool last = complete_ = now.done == now.tasks;
   if (!terminal_ && !last && now.seconds - shown_ < 10) return;
   shown_ = now.seconds;
   const double seconds = std::max(now.seconds, 1e-9);
   const double to_go =
-      static_cast<double>(now.units - now.done) * seconds / static_cast<double>(now.units_now);
+      static_cast<double>(now.tasks - now.done) * seconds / static_cast<double>(now.tasks_now);
   print_error("{}{:3.0f} %  {} runs, {:.1f} runs/s, {} overturned, {}{}{}", terminal_ ? "\r" : "",
-              100.0 * static_cast<double>(now.done) / static_cast<double>(now.units), now.runs,
+              100.0 * static_cast<double>(now.done) / static_cast<double>(now.tasks), now.runs,
               static_cast<double>(now.runs_now) / seconds, now.overturned,
               report::failed_runs(now.failed, now.untrusted),
               last ? std::string() : ", " + duration_text(to_go) + " to go",

@@ -22,14 +22,14 @@ std::string size_text(double bytes) {
 }
 
 void refuse_oversized(const study::Batch& batch) {
-  if (static_cast<double>(batch.plan.runs()) <= kMostRuns) return;
+  if (static_cast<double>(batch.plan.runs()) <= kMaxRuns) return;
   const study::Estimate needs = study::estimate(batch);
   throw Error(fmt::format(
       "{}: the study has {} runs, which would take about {} on one core and {} of disk: at most "
       "{:.0f} runs are allowed; take fewer draws, records, angles or levels, or make several "
       "studies with other seeds",
       batch.job.file(), needs.runs, duration_text(needs.seconds(1)), size_text(needs.bytes()),
-      kMostRuns));
+      kMaxRuns));
 }
 
 }  // namespace gurney::cli

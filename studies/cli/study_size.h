@@ -2,18 +2,18 @@
 
 #include <string>
 
-#include "studies/study/run/run_unit.h"
+#include "studies/study/run/run_task.h"
 
 namespace gurney::cli {
 
 /// Runs that a study may have: 10 million take 28 hours on one core at 10 ms each, and 1 GB of
 /// memory for their bookkeeping at most.
-inline constexpr double kMostRuns = 1e7;
+inline constexpr double kMaxRuns = 1e7;
 
 std::string duration_text(double seconds);
 std::string size_text(double bytes);
 
-/// @throws Error for a study with more runs than kMostRuns, with what it would take
+/// @throws Error for a study with more runs than kMaxRuns, with what it would take
 void refuse_oversized(const study::Batch& batch);
 
 }  // namespace gurney::cli

@@ -91,9 +91,9 @@ int verify(VerifyOptions options, bool drawn) {
 
 }  // namespace
 
-void add_verify(CLI::App& app, std::function<int()>& act) {
-  auto held = std::make_shared<VerifyOptions>();
-  VerifyOptions& options = *held;
+void add_verify(CLI::App& app, std::function<int()>& action) {
+  auto shared = std::make_shared<VerifyOptions>();
+  VerifyOptions& options = *shared;
   CLI::App* const command =
       app.add_subcommand("verify", "Verify the engine against closed-form solutions");
   command->add_option("NAME", options.selection.names,
@@ -114,9 +114,9 @@ void add_verify(CLI::App& app, std::function<int()>& act) {
       ->check(CLI::Range(1, 1000000));
   command->add_option("-j,--threads", options.threads, "Threads (default: all hardware threads)")
       ->check(CLI::Range(1, 4096));
-  command->callback([held, draw, &act] {
+  command->callback([shared, draw, &action] {
     const bool drawn = draw->count() > 0;
-    act = [held, drawn] { return verify(*held, drawn); };
+    action = [shared, drawn] { return verify(*shared, drawn); };
   });
 }
 

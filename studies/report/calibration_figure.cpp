@@ -11,7 +11,7 @@
 namespace gurney::report {
 namespace {
 
-constexpr double kWidth = 1180, kTop = 100, kMostRows = 40, kRow = 13;
+constexpr double kWidth = 1180, kTop = 100, kMaxRows = 40, kRow = 13;
 constexpr Frame kLoads{80, kTop, 480, 380};
 constexpr Frame kDisplacement{660, kTop, 470, 150};
 constexpr Frame kForce{660, kTop + 230, 470, 150};
@@ -125,7 +125,7 @@ void draw_pull(Svg& svg, const calibration::PhasedPull& pull) {
 
 void draw_bars(Svg& svg, const calibration::Calibration& c) {
   if (c.pulls.empty()) return;
-  const auto rows = std::min(c.pulls.size(), static_cast<std::size_t>(kMostRows));
+  const auto rows = std::min(c.pulls.size(), static_cast<std::size_t>(kMaxRows));
   double first = c.pulls[0].trial.signals.time.front(), last = first;
   for (std::size_t i = 0; i < rows; ++i) {
     first = std::min(first, c.pulls[i].trial.signals.time.front());
@@ -159,7 +159,7 @@ void draw_bars(Svg& svg, const calibration::Calibration& c) {
 }  // namespace
 
 std::string calibration_figure(const calibration::Calibration& c) {
-  const double rows = std::min(static_cast<double>(c.pulls.size()), kMostRows);
+  const double rows = std::min(static_cast<double>(c.pulls.size()), kMaxRows);
   Svg svg(kWidth, c.pulls.empty() ? kBarsTop : kBarsTop + kRow * rows + 60);
   svg.text(24, 34, "Calibration from " + c.source, {.size = 16, .bold = true});
   svg.text(24, 55,

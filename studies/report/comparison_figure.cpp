@@ -96,8 +96,9 @@ std::string comparison_figure(const ComparisonReport& report) {
     panel.x_range = {std::log10(extent.low / unit.in_si), std::log10(extent.high / unit.in_si)};
     add_side(panel, a, each.of_a, each.a, extent);
     add_side(panel, b, each.of_b, each.b, extent);
+    const std::size_t row = i / 2;
     const Frame frame{kLeft + static_cast<double>(i % 2) * kColumn,
-                      kTop + static_cast<double>(i / 2) * kRow, kPanelWidth, kPanelHeight};
+                      kTop + static_cast<double>(row) * kRow, kPanelWidth, kPanelHeight};
     const Scaling scaling = draw(svg, frame, panel);
     draw_shares(svg, scaling, each.of_a, a);
     draw_shares(svg, scaling, each.of_b, b);

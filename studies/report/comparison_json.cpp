@@ -18,7 +18,7 @@ Json differences(const std::vector<study::InputDifference>& of) {
   return list;
 }
 
-Json side(const std::string& name, const study::StudySide& of, std::size_t paired,
+Json side(const std::string& name, const study::ConfigurationView& of, std::size_t paired,
           std::size_t left_out) {
   return {{"name", name},
           {"file", of.data->file().path()},

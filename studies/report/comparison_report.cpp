@@ -58,7 +58,7 @@ std::string inputs_text(const study::InputDifferences& inputs) {
   return text + "\n";
 }
 
-std::string side_text(char letter, const std::string& name, const study::StudySide& side,
+std::string side_text(char letter, const std::string& name, const study::ConfigurationView& side,
                       std::size_t paired, std::size_t left_out) {
   std::string text = fmt::format("{:<12} {}: {} runs paired", letter, name, paired);
   if (left_out > 0) text += fmt::format(", {} without a partner", left_out);

@@ -9,7 +9,7 @@ namespace gurney::report {
 
 /// What `gurney compare` tells of two configurations.
 struct ComparisonReport {
-  study::StudySide a, b;
+  study::ConfigurationView a, b;
   std::string name_a, name_b;  ///< to tell them apart
   study::InputDifferences inputs;
   study::StudyComparison found;

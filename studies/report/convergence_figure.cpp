@@ -11,7 +11,7 @@ namespace gurney::report {
 namespace {
 
 constexpr double kWidth = 760, kHeight = 400, kLeft = 80, kTitle = 16;
-constexpr std::size_t kMostCurves = 7;
+constexpr std::size_t kMaxCurves = 7;
 constexpr double kLeast = 1e-5;  ///< smaller changes are drawn here
 
 /// Change of a number against the smallest step, over the steps above it.
@@ -38,7 +38,7 @@ std::string convergence_figure(const study::Convergence& found) {
   std::vector<const study::ConvergedNumber*> shown;
   for (const study::ConvergedNumber& number : found.numbers)
     if ((number.name.starts_with("peak_") || number.name == "path_length") &&
-        number.values.front() != 0 && shown.size() < kMostCurves)
+        number.values.front() != 0 && shown.size() < kMaxCurves)
       shown.push_back(&number);
   Panel panel{.title = "",
               .x_label = "Time step (ms)",

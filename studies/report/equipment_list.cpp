@@ -54,7 +54,7 @@ ReportTable casters() {
             .stated();
     const Caster& c = type.properties;
     table.add({key, type.name, c.wheel_radius, c.height, c.trail,
-               c.tread.rolling_resistance / c.wheel_radius, c.tread.rolling_resistance,
+               c.tread.rolling_friction_length / c.wheel_radius, c.tread.rolling_friction_length,
                c.tread.static_friction, type.brake_torque});
   }
   return table;

@@ -107,8 +107,8 @@ std::string motion_text(const EquipmentFacts& facts) {
   std::string text = "\nunder a slowly increasing acceleration of the floor\n";
   if (rolls) {
     text += fmt::format("  {:<36} {:.3f} g ({:.1f} N); a slope of {:.1f} %\n",
-                        "brakes off, straight, rolls from", sheet.rolling_share,
-                        sheet.rolling_resistance, 100 * sheet.rolling_share);
+                        "brakes off, straight, rolls from", sheet.rolling_resistance_coefficient,
+                        sheet.rolling_resistance_force, 100 * sheet.rolling_resistance_coefficient);
     text +=
         fmt::format("  {:<36} {:.3f} g\n", "brakes as configured, moves from", sheet.holding_share);
   }

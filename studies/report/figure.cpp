@@ -72,7 +72,7 @@ Panel wheel_panel(const std::string& title, const std::string& y_label,
 }
 
 Panel energy_panel(const std::vector<Sample>& history, double stored_at_start) {
-  Panel panel = time_panel("Energy account", "Energy (J)", 4);
+  Panel panel = time_panel("Energy balance", "Energy (J)", 4);
   const auto add = [&](const char* label, auto get) {
     panel.curves.push_back(
         curve(label, history, panel.curves.size(), [&](const Sample& s) { return get(s.energy); }));
@@ -189,7 +189,8 @@ std::string figure(const study::RunFacts& facts, const Response& response) {
   const double height =
       std::clamp(kPlanWidth * plan_aspect(facts.scene, response), kPlanWidth / 3, kPlanWidth);
   const double top = kTop + height + 75;
-  Svg svg(kWidth, top + (count + 1) / 2 * kRow - 25);
+  const int rows = (count + 1) / 2;
+  Svg svg(kWidth, top + rows * kRow - 25);
   draw_heading(svg, facts, response);
   draw_plan(svg, {kLeft, kTop, kPlanWidth, height}, facts.scene, response);
   for (int i = 0; i < count; ++i)

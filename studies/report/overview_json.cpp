@@ -53,7 +53,7 @@ Json counts(const study::StudyOverview& overview) {
   return result;
 }
 
-Json certificate(const study::StepCertificate& of) {
+Json step_check(const study::StepCheck& of) {
   Json demands = Json::array(), states = Json::array();
   for (const study::StepChange& each : of.changes) {
     const bool any = each.compared > 0;
@@ -102,7 +102,7 @@ std::string overview_json(const study::StudyOverview& overview) {
   result["limit_states"] = states;
   result["counts"] = counts(overview);
   result["failures"] = failures;
-  result["certificate"] = overview.certificate ? certificate(*overview.certificate) : Json(nullptr);
+  result["step_check"] = overview.step_check ? step_check(*overview.step_check) : Json(nullptr);
   return result.dump(2) + "\n";
 }
 

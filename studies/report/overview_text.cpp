@@ -11,7 +11,7 @@
 namespace gurney::report {
 namespace {
 
-constexpr std::ptrdiff_t kMostLines = 20;
+constexpr std::ptrdiff_t kMaxLines = 20;
 
 /// Rows of cells; columns as wide as their widest cell, numbers to the right.
 class TextTable {
@@ -53,7 +53,7 @@ std::string shortened(const std::vector<std::string>& entries, const char* what)
   std::ptrdiff_t lines = 0;
   for (; shown < entries.size(); ++shown) {
     lines += 1 + std::ranges::count(entries[shown], '\n');
-    if (shown > 0 && lines > kMostLines) break;
+    if (shown > 0 && lines > kMaxLines) break;
     all += entries[shown] + "\n";
   }
   if (shown < entries.size())
@@ -135,9 +135,9 @@ std::string failures(const study::StudyOverview& overview) {
   return "\nruns that failed, why, and the command that re-runs each\n" + shortened(lines, "runs");
 }
 
-std::string certificate(const study::StudyOverview& overview) {
-  if (!overview.certificate) return {};
-  const study::StepCertificate& of = *overview.certificate;
+std::string step_check(const study::StudyOverview& overview) {
+  if (!overview.step_check) return {};
+  const study::StepCheck& of = *overview.step_check;
   std::string all = fmt::format(
       "\ntime step: {} runs were repeated with half the step; relative change of their demands\n",
       of.runs);
@@ -185,7 +185,7 @@ std::string overview_text(const study::StudyOverview& overview) {
                                          overview.warned, overview.first_warning));
   all += tail(overview.file, fmt::format(" (worst: run {})", overview.energy_closure_run));
   return all + motions(overview.file) + counts(overview) + failures(overview) +
-         certificate(overview);
+         step_check(overview);
 }
 
 std::string overview_text(const study::RunOverview& overview) {

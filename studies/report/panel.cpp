@@ -134,7 +134,8 @@ void draw_legend(Svg& svg, const Frame& frame, const Panel& panel) {
       longest = std::max(longest, shown[i]->label.size());
     x -= kKey + kGap + kCharacter * static_cast<double>(longest);
     for (std::size_t i = column; i < shown.size(); i += columns) {
-      const double y = frame.y - 13 - kRow * static_cast<double>(rows - 1 - i / columns);
+      const auto below = rows - 1 - i / columns;
+      const double y = frame.y - 13 - kRow * static_cast<double>(below);
       svg.line(x, y, x + kKey, y, shown[i]->pen);
       svg.text(x + kKey + kGap, y + 3.5, shown[i]->label, {.size = 10});
     }

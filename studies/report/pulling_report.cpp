@@ -74,7 +74,7 @@ std::string measured_text(const PullingReport& report) {
     }
     std::string runs;
     for (const calibration::SimulatedTrial& trial : report.trials)
-      if (calibration::like(trial, report.measured) == &each)
+      if (calibration::find_matching(trial, report.measured) == &each)
         runs += fmt::format("{}{}", runs.empty() ? "" : ", ", trial.run);
     const double f = calibration::mean_resistance(*each.averages),
                  n = calibration::normal_force(each.trial.setup);

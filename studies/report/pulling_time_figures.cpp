@@ -133,7 +133,8 @@ std::string pulling_figure_4(const PullingReport& report) {
 std::string pulling_figure_11(const PullingReport& report) {
   const calibration::SimulatedTrial& trial = report.trials.at(report.shown);
   const calibration::TrialSignals& s = trial.trial.signals;
-  const calibration::MeasuredTrial* const measured = calibration::like(trial, report.measured);
+  const calibration::MeasuredTrial* const measured =
+      calibration::find_matching(trial, report.measured);
   const bool overlaid = measured != nullptr && !measured->trial.signals.displacement.empty();
   Svg svg(kWidth, kTop + 2 * kRow);
   heading(svg, "Pulling test against its reference (as Figure 11 of Xu, Ma & Kurata 2022)", trial,

@@ -10,7 +10,7 @@
 namespace gurney::report {
 namespace {
 
-constexpr std::size_t kMostRows = 20, kLongestName = 46;
+constexpr std::size_t kMaxRows = 20, kLongestName = 46;
 constexpr std::size_t kFirst = 5, kTotal = 4;  // of the palette
 constexpr double kNames = 320, kWidth = 330, kGap = 60, kRow = 24, kTop = 110, kBar = 13;
 
@@ -91,7 +91,7 @@ std::string sensitivity_figure(const SensitivityReport& report) {
   const study::ReportUnit unit = study::report_unit(report.found.units);
   const study::StudySensitivity found = in_unit(report.found, unit.in_si);
   std::vector<study::SensitiveInput> inputs = found.inputs;
-  if (inputs.size() > kMostRows) inputs.resize(kMostRows);
+  if (inputs.size() > kMaxRows) inputs.resize(kMaxRows);
   const double height = kRow * static_cast<double>(std::max<std::size_t>(1, inputs.size()));
   Svg svg(kNames + 2 * kWidth + kGap + 40, kTop + height + 55);
   svg.text(24, 34, "Sensitivity of " + found.output, {.size = 16, .bold = true});
@@ -99,7 +99,7 @@ std::string sensitivity_figure(const SensitivityReport& report) {
   if (!found.level.empty()) about += (about.empty() ? "" : ", ") + found.level;
   svg.text(24, 55,
            fmt::format("{}{}{} runs{}", about, about.empty() ? "" : ", ", found.runs,
-                       found.inputs.size() > kMostRows ? ", first 20 inputs" : ""),
+                       found.inputs.size() > kMaxRows ? ", first 20 inputs" : ""),
            {.size = 12, .color = "#555555"});
   const Frame left{kNames, kTop, kWidth, height};
   const Frame right{kNames + kWidth + kGap, kTop, kWidth, height};

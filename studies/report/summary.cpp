@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "engine/base/units.h"
-#include "studies/report/story.h"
+#include "studies/report/narrative.h"
 #include "studies/report/wrapped.h"
 #include "studies/study/results/columns.h"
 #include "studies/study/results/names.h"
@@ -104,9 +104,9 @@ std::string item_line(const std::string& name, const EquipmentModel& model) {
                                            : fmt::format("on {} casters", model.casters.size()));
 }
 
-/// The story, its lines broken; what belongs to a heading stays indented.
-std::string story_text(const study::RunFacts& facts, const Response& response) {
-  std::istringstream lines(story(facts, response));
+/// The narrative, its lines broken; what belongs to a heading stays indented.
+std::string narrative_text(const study::RunFacts& facts, const Response& response) {
+  std::istringstream lines(narrative(facts, response));
   std::string text = "\n";
   for (std::string line; std::getline(lines, line);) {
     const std::size_t indent = line.find_first_not_of(' ');
@@ -244,7 +244,7 @@ std::string summary(const study::RunFacts& facts, const Response& response) {
   std::string text = (facts.title.empty() ? facts.job_name : facts.title) + "\n\n";
   for (std::size_t i = 0; i < names.size(); ++i)
     text += item_line(names[i], facts.scene.items[i].model);
-  text += record_text(facts) + story_text(facts, response);
+  text += record_text(facts) + narrative_text(facts, response);
   text += names.size() == 1 ? demands_text(facts.scene.items[0].model, response.items[0].demands)
                             : items_text(names, response.items);
   text += numerical_text(response.items);

@@ -2,7 +2,7 @@
 
 #include "studies/build_info/build_info.h"
 #include "studies/report/fall.h"
-#include "studies/report/story.h"
+#include "studies/report/narrative.h"
 #include "studies/report/summary.h"
 #include "studies/study/results/columns.h"
 #include "studies/study/results/names.h"
@@ -74,7 +74,7 @@ Json impacts(const study::RunFacts& facts, const Response& response) {
   return result;
 }
 
-Json falls_of(const study::RunFacts& facts, const Response& response) {
+Json overturnings_of(const study::RunFacts& facts, const Response& response) {
   const std::vector<std::string> names = study::item_names(facts.scene);
   Json result = Json::array();
   for (const Fall& fall : falls(facts, response)) {
@@ -150,11 +150,11 @@ std::string summary_json(const study::RunFacts& facts, const Response& response)
             {"record", facts.record ? record(*facts.record) : Json(nullptr)},
             {"outcome", name_of(response.outcome)},
             {"cause", response.cause},
-            {"story", story(facts, response)},
+            {"narrative", narrative(facts, response)},
             {"end_time_s", response.end_time}};
   json["items"] = items(facts, response);
   json["impacts"] = impacts(facts, response);
-  json["falls"] = falls_of(facts, response);
+  json["overturnings"] = overturnings_of(facts, response);
   json["zones"] = named_objects(study::zone_columns(), response.zones, facts.scene.zones);
   json["tethers"] = named_objects(study::tether_columns(), response.tethers, facts.scene.tethers);
   json["quality"] = object(study::quality_columns(), response.quality);

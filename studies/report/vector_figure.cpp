@@ -123,8 +123,9 @@ std::string vector_figure(const study::StudyData& data,
   svg.text(24, 62, "P of the fit 50 % along the line, 16 and 84 % along the dashes",
            {.color = "#555555"});
   for (std::size_t i = 0; i < results.size(); ++i) {
+    const std::size_t row = i / across;
     const Frame frame{kLeft + static_cast<double>(i % across) * (kSide + kGap),
-                      kTop + kRow * static_cast<double>(i / across), kSide, kSide};
+                      kTop + kRow * static_cast<double>(row), kSide, kSide};
     draw_result(svg, frame, results[i],
                 {study::report_unit(data, results[i].measures[0]),
                  study::report_unit(data, results[i].measures[1])});

@@ -30,10 +30,10 @@ struct Maximum {
 /// @param start     where the value is finite
 template <int kSize, typename Function>
 Maximum<kSize> maximize(const Function& function, Eigen::Matrix<double, kSize, 1> start) {
-  constexpr int kMostSteps = 100;
+  constexpr int kMaxSteps = 100;
   constexpr double kClose = 1e-13;  // expected gain of a step, in units of ln likelihood
   Maximum<kSize> best{false, start, function(start)};
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const Eigen::LDLT<Eigen::Matrix<double, kSize, kSize>> factor(best.at.curvature);
     const Eigen::Matrix<double, kSize, 1> way = factor.solve(best.at.gradient);
     const double gain = best.at.gradient.dot(way);

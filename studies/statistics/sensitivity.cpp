@@ -15,7 +15,7 @@
 namespace gurney::statistics {
 namespace {
 
-constexpr int kMostBins = 50;
+constexpr int kMaxBins = 50;
 
 using Rows = std::vector<std::size_t>;
 
@@ -126,7 +126,7 @@ std::optional<VarianceIndex> first_order_index(const std::vector<double>& x,
   const double n = static_cast<double>(y.size());
   const int bins = options.bins > 0
                        ? options.bins
-                       : std::min(kMostBins, static_cast<int>(std::lround(std::sqrt(n))));
+                       : std::min(kMaxBins, static_cast<int>(std::lround(std::sqrt(n))));
   std::vector<std::size_t> classes;
   for (const double rank : ranks_of(x))
     classes.push_back(static_cast<std::size_t>((rank - 0.5) / n * bins));

@@ -15,7 +15,7 @@ namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kMostEnumerated = 20;
+constexpr std::size_t kMaxEnumerated = 20;
 constexpr int kSignFlips = 99999;
 constexpr double kRounding = 1e-12;  // sums that are equal but for the order of addition
 
@@ -47,7 +47,7 @@ double sign_flip_test(const std::vector<double>& all, std::uint64_t seed) {
   for (const double d : differences) scale += std::abs(d);
   const double seen = std::abs(signed_sum(differences, [](std::size_t) { return false; }));
   const auto as_far = [&](double sum) { return std::abs(sum) >= seen - kRounding * scale; };
-  if (differences.size() <= kMostEnumerated) {
+  if (differences.size() <= kMaxEnumerated) {
     const std::uint64_t ways = std::uint64_t{1} << differences.size();
     std::uint64_t count = 0;
     for (std::uint64_t way = 0; way < ways; ++way)

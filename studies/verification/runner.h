@@ -10,7 +10,7 @@ namespace gurney::verification {
 /// Runs the scenes of a case with one solver.
 class Runner {
  public:
-  explicit Runner(Solver solver = Solver::kStar) : solver_(solver) {}
+  explicit Runner(Solver solver = Solver::kImplicit) : solver_(solver) {}
 
   /// simulate() with this solver. A run that diverges, or steps of our solver that do not converge,
   /// are checks that fail.
@@ -18,7 +18,7 @@ class Runner {
                       SimulationSettings settings) const;
 
   /// Stock Bullet knows no fixtures (engine/baselines/stock_baseline.h): a case leaves them out.
-  bool stock() const { return solver_ != Solver::kStar; }
+  bool stock() const { return solver_ != Solver::kImplicit; }
 
  private:
   Solver solver_;

@@ -76,7 +76,7 @@ std::vector<CaseRun> choose(const std::vector<Family>& families, const Selection
 
 void run(CaseRun& chosen, bool stock) {
   const auto start = std::chrono::steady_clock::now();
-  chosen.findings = findings_of(chosen, Solver::kStar);
+  chosen.findings = findings_of(chosen, Solver::kImplicit);
   chosen.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!stock || !chosen.family->on_stock) return;
   chosen.stock = {{"bullet", findings_of(chosen, Solver::kBullet)},

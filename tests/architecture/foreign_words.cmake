@@ -19,7 +19,7 @@ foreach(file ${all_files} README.md CHANGELOG.md CMakeLists.txt dev .ci/run)
   endif()
 endforeach()
 
-# The field reports errors, runs an IDA (its key is `hunt`), balances energy, compares and excludes.
+# The field reports errors, runs an IDA (its key is `ida`), balances energy, compares and excludes.
 set(private "([Tt]old|[Tt]ells|[Mm]istakes?|[Ff]ells|is no [a-z]+ file|([Aa]|[Tt]he) hunt|hunts|(held|hold it) against|left out|went in|made again)")
 set(of_pages "(${private}|energy account)")
 
@@ -64,5 +64,18 @@ foreach(source IN LISTS sources)
         message(SEND_ERROR "${source} prints a private word: ${texts}")
       endif()
     endforeach()
+  endif()
+endforeach()
+
+# Names in the code; the old names of keys of a job are in one file.
+set(identifiers "([Mm]istakes?|k?[Hh]unt(ed)?|StudySide|[Cc]ertificate|kMost[A-Z][A-Za-z]*|kStar|kSaysNothing|give_way|told_of_option)")
+foreach(source IN LISTS sources)
+  if(NOT source STREQUAL studies/study/job/old_names.cpp)
+    read_lines(${source} lines)
+    list(FILTER lines INCLUDE REGEX "(^|[^A-Za-z_])${identifiers}($|[^A-Za-z_])")
+    list(FILTER lines EXCLUDE REGEX "Hunt & Crossley")
+    if(lines)
+      message(SEND_ERROR "${source} names what the field calls otherwise: ${lines}")
+    endif()
   endif()
 endforeach()

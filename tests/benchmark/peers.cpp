@@ -52,7 +52,7 @@ void print_peers() {
   double peers_apart = 0;
   for (unsigned record : kRecords) {
     const FloorMotion floor = shaking(record, 0.4);
-    settings.solver = Solver::kStar;
+    settings.solver = Solver::kImplicit;
     settings.time_step = 6.25e-5;
     references.push_back(baselines::simulate_with_any_solver(scene, floor, settings));
     settings.solver = Solver::kBulletDantzig;
@@ -66,7 +66,7 @@ void print_peers() {
   fmt::print("{:>16} {:>8} {:>12} {:>9} {:>10}\n", "solver", "dt ms", "distance mm", "x real",
              "us a step");
   const Peer peers[] = {
-      {"star", Solver::kStar, {0.01, 0.005, 0.004, 0.0025, 0.00125}},
+      {"implicit", Solver::kImplicit, {0.01, 0.005, 0.004, 0.0025, 0.00125}},
       {"bullet-dantzig", Solver::kBulletDantzig, {0.01, 0.005, 0.004, 0.0025, 0.00125, 0.000625}},
       {"bullet", Solver::kBullet, {0.005, 0.0025, 0.00125, 0.000625, 0.00025}}};
   double our_speed = 0;
@@ -81,7 +81,7 @@ void print_peers() {
       for (std::size_t i = 0; i < std::size(kRecords); ++i) {
         const FloorMotion floor = shaking(kRecords[i], 0.4);
         settings.history_step = kSampling;
-        const Scene& mine = peer.solver == Solver::kStar ? ours : scene;
+        const Scene& mine = peer.solver == Solver::kImplicit ? ours : scene;
         distance += path_distance(references[i],
                                   baselines::simulate_with_any_solver(mine, floor, settings)) /
                     static_cast<double>(std::size(kRecords));
@@ -100,13 +100,14 @@ void print_peers() {
       }
       if (distance <= kPathTolerance && (!best_speed || speed > *best_speed)) best_speed = speed;
     }
-    if (peer.solver == Solver::kStar) our_speed = best_speed.value_or(0);
+    if (peer.solver == Solver::kImplicit) our_speed = best_speed.value_or(0);
     if (best_speed) {
-      fmt::print("{:>16} within 5 mm: {:.0f} x real time; star is {:.1f} times as fast\n",
+      fmt::print("{:>16} within 5 mm: {:.0f} x real time; Gurney is {:.1f} times as fast\n",
                  peer.name, *best_speed, our_speed / *best_speed);
     } else {
       fmt::print(
-          "{:>16} does not come within 5 mm; {:.0f} mm at {:.0f} x real time is its nearest, star "
+          "{:>16} does not come within 5 mm; {:.0f} mm at {:.0f} x real time is its nearest, "
+          "Gurney "
           "is {:.0f} "
           "times as fast\n",
           peer.name, 1e3 * nearest, nearest_speed, our_speed / nearest_speed);

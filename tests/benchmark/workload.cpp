@@ -59,7 +59,7 @@ PullReference pull_reference(const Scene& scene) {
   for (const Caster& c : scene.items[0].model.casters)
     rolling_inertia += c.wheel_axial_inertia / (c.wheel_radius * c.wheel_radius);
   const Caster& c = scene.items[0].model.casters.front();
-  const double resistance = c.tread.rolling_resistance / c.wheel_radius * mass * scene.gravity;
+  const double resistance = c.tread.rolling_friction_length / c.wheel_radius * mass * scene.gravity;
   const double a1 = (40 - resistance) / (mass + rolling_inertia);
   const double a2 = resistance / (mass + rolling_inertia);
   const double speed = 3 * a1;

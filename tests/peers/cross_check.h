@@ -23,7 +23,7 @@ struct CrossCheck {
 /// Most that holds an axle or a swivel axis in both engines [N m]: Cr N, or a lock.
 inline constexpr double kLocked = 1e5;
 inline double axle_friction(const Caster& caster, double load) {
-  return caster.brake_torque > 0 ? kLocked : caster.tread.rolling_resistance * load;
+  return caster.brake_torque > 0 ? kLocked : caster.tread.rolling_friction_length * load;
 }
 inline double swivel_friction(const Caster& caster) { return caster.swivels ? 0 : kLocked; }
 

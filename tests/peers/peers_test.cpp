@@ -23,7 +23,7 @@ CrossCheck free_casters(unsigned record, bool resistance) {
   for (Caster& caster : check.scene.items[0].model.casters) {
     caster.tread.static_friction = caster.tread.kinetic_friction;
     caster.axle = {};
-    if (!resistance) caster.tread.rolling_resistance = 0;
+    if (!resistance) caster.tread.rolling_friction_length = 0;
   }
   check.floor = benchmark::shaking(record, 0.4);
   check.duration = 12;

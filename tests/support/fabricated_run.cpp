@@ -18,7 +18,7 @@ WheelSample wheel_sample(std::size_t i, double t, double calm) {
   w.longitudinal_force = 20 * calm * std::sin(5 * t + phase);
   w.lateral_force = 15 * calm * std::cos(5 * t + phase);
   w.scrub_torque = 0.2 * calm * std::sin(3 * t);
-  w.rolling_resistance = -2.9 * calm;
+  w.rolling_resistance_force = -2.9 * calm;
   w.mode = static_cast<WheelMode>((i + static_cast<std::size_t>(t)) % 5);
   return w;
 }

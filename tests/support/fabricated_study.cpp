@@ -21,7 +21,7 @@ constexpr const char* kJob = R"toml(title = "Fabricated & <plain>"
 [study]
 draws = 1
 synthetic_records = 40
-certificate = 0.02
+step_check = 0.02
 measures = ["PGA larger", "Sa(1.0) RotD50", "Sa(1.0, 2%) RotD50", "FIV3(1.0)"]
 [study.intensity]
 measure = "PGA"
@@ -34,11 +34,11 @@ key = "item.brakes"
 values = [false, true]
 )toml";
 
-std::string job_text(bool hunt) {
+std::string job_text(bool ida) {
   const std::string levels = "levels = [0.1, 0.2, 0.3, 0.5, 0.8, 1.2]";
-  const std::string hunted = R"(hunt = { first = 0.1, increment = 0.1, until = "moved" })";
+  const std::string traced = R"(ida = { first = 0.1, increment = 0.1, until = "moved" })";
   std::string text = kJob;
-  return text.replace(text.find('@'), 1, hunt ? hunted : levels);
+  return text.replace(text.find('@'), 1, ida ? traced : levels);
 }
 
 struct TextColumn {
@@ -57,11 +57,11 @@ void write_texts(study::Hdf5Writer& file, const std::string& name,
   table.finish();
 }
 
-void write_heads(study::Hdf5Writer& file, bool hunt) {
+void write_heads(study::Hdf5Writer& file, bool ida) {
   study::add_program(file, "gurney-study", study::kStudyFormatVersion);
   for (const auto& [name, value] :
        std::vector<std::pair<std::string, std::string>>{{"job_name", "fabricated"},
-                                                        {"job_text", job_text(hunt)},
+                                                        {"job_text", job_text(ida)},
                                                         {"job_sha256", "abc"},
                                                         {"title", "Fabricated & <plain>"},
                                                         {"seed", "1"},
@@ -96,11 +96,11 @@ class Tables {
  public:
   explicit Tables(study::Hdf5Writer& file) : file_(file) {}
 
-  void write(bool certificate) {
+  void write(bool step_check) {
     write_runs();
     write_motions();
     write_items("items", Study::kRecords * 2 * Study::kLevels.size(), 0);
-    if (certificate) write_items("half_step", 10, 0.01);
+    if (step_check) write_items("half_step", 10, 0.01);
     write_points();
     write_drawn();
     study::GrowingTable failures(file_, "failures");
@@ -229,10 +229,10 @@ bool FabricatedStudy::moved(std::size_t configuration, std::size_t record, std::
   return kLevels[level] >= curve(configuration).quantile((double(record) + 0.5) / kRecords);
 }
 
-void FabricatedStudy::write(const std::string& path, bool certificate, bool hunt) {
+void FabricatedStudy::write(const std::string& path, bool step_check, bool ida) {
   study::Hdf5Writer file(path);
-  write_heads(file, hunt);
-  Tables(file).write(certificate);
+  write_heads(file, ida);
+  Tables(file).write(step_check);
   file.finish();
 }
 

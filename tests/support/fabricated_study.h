@@ -26,9 +26,9 @@ struct FabricatedStudy {
 
   static bool moved(std::size_t configuration, std::size_t record, std::size_t level);
 
-  /// @param certificate  with the runs at half the step
-  /// @param hunt         as if the levels had been found by a hunt for `moved`
-  static void write(const std::string& path, bool certificate = true, bool hunt = false);
+  /// @param step_check  with the runs at half the step
+  /// @param ida         as if the levels had been found by an IDA for `moved`
+  static void write(const std::string& path, bool step_check = true, bool ida = false);
 };
 
 }  // namespace gurney

@@ -13,7 +13,7 @@
 #include "engine/solver/mechanism.h"
 #include "studies/verification/scenes/small_scenes.h"
 
-// The mechanics of engine/caster/leg.h (mass matrix, bias, contact Jacobian) against Bullet's own
+// The mechanics of engine/caster/caster_dynamics.h (mass matrix, bias, contact Jacobian) against Bullet's own
 // reduced-coordinate multibody (Featherstone's articulated-body algorithm), at random states.
 namespace gurney {
 namespace {
@@ -102,7 +102,7 @@ class BulletMechanics : public testing::Test {
   MultibodyItem item_;
   std::mt19937 random_{7};
   Vector3 gravity_{0.7, -1.3, -9.0};
-  std::array<Leg::Geometry, 4> legs_;
+  std::array<CasterDynamics::Geometry, 4> legs_;
 };
 
 TEST_F(BulletMechanics, AccelerationsAgreeUnderRandomForces) {
@@ -134,7 +134,7 @@ TEST_F(BulletMechanics, AccelerationsAgreeUnderRandomForces) {
 
     for (int i = 0; i < 4; ++i) {
       const auto leg = static_cast<std::size_t>(i);
-      const Leg::Geometry& g = legs_[leg];
+      const CasterDynamics::Geometry& g = legs_[leg];
       const int joint = 6 + 2 * i;
       mass.topLeftCorner<6, 6>() += g.mass_chassis;
       mass.block<6, 2>(0, joint) = g.mass_coupling;
@@ -185,7 +185,7 @@ TEST_F(BulletMechanics, ContactJacobianAgrees) {
     ASSERT_EQ(dofs, 7);  // one caster does not swivel
     for (int i = 0; i < 4; ++i) {
       const auto leg = static_cast<std::size_t>(i);
-      const Leg::Geometry& g = legs_[leg];
+      const CasterDynamics::Geometry& g = legs_[leg];
       const Vector3 point = state.position + g.contact;
       for (int axis = 0; axis < 3; ++axis) {
         std::vector<btScalar> row(static_cast<std::size_t>(6 + dofs), 0.0);

@@ -122,7 +122,7 @@ TEST(FloorRotation, TheBaselinesRefuseIt) {
   settings.solver = Solver::kBullet;
   EXPECT_EQ(
       error_text([&] { baselines::simulate_with_any_solver(standing_trolley(), floor, settings); }),
-      "the stock Bullet baselines know no rotation of the floor; use solver = \"star\" for "
+      "the stock Bullet baselines know no rotation of the floor; use solver = \"implicit\" for "
       "this job");
 }
 

@@ -25,7 +25,7 @@ TEST(HalfLockedCart, RatchetsTowardsTheFreeAxle) {
   stiffen(options.caster.tread);
   options.caster.swivels = false;
   options.caster.trail = 0;
-  options.caster.tread.rolling_resistance = 0;
+  options.caster.tread.rolling_friction_length = 0;
   options.caster.tread.static_friction = options.caster.tread.kinetic_friction = kFriction;
   options.half_wheelbase = kWheelbase / 2;
   options.chassis_center = {0, 0, 0.45};

@@ -57,7 +57,7 @@ TEST(Overturning, IsFollowedUntilTheTrolleyLiesOnTheFloor) {
   }
 }
 
-TEST(Overturning, TellsWhichWayItFellAndWhichWheelsLeftTheFloor) {
+TEST(Overturning, ReportsWhichWayItFellAndWhichWheelsLeftTheFloor) {
   // Pushed to the left, the trolley turns over its left wheels and the right ones lift off.
   const Demands demands = push_over({0, 1, 0}).items[0].demands;
   // Trailing wheels make it not quite symmetric; a wrong axis or sign is off by 90 degrees.

@@ -23,7 +23,7 @@ struct Pull {
 
   Pull() {
     ItemOptions options;
-    options.caster.tread.rolling_resistance = kResistance * options.caster.wheel_radius;
+    options.caster.tread.rolling_friction_length = kResistance * options.caster.wheel_radius;
     scene.items[0].model = trolley(options);
     scene.items[0].loads = {constant_force(kForce, kPull, {0.55, 0, 0.14})};
     const double mass = total_mass(scene.items[0].model);
@@ -120,14 +120,14 @@ TEST(PaperModel, RefusesBrakesAndDropWeights) {
   pull.scene.items[0].loads = {DropWeight{.mass = 5, .drop_height = 1}};
   EXPECT_EQ(error_text([&] { pull.run(Solver::kBulletPaper, 0.005); }),
             "the stock Bullet baselines know no drop weights, blocks or fixtures; use solver = "
-            "\"star\" for this job");
+            "\"implicit\" for this job");
   pull.scene.items[0].loads.clear();
   pull.scene.items[0].model.casters[1].name = "front right";
   pull.scene.items[0].model.casters[1].brake_torque = 10;
   EXPECT_EQ(
       error_text([&] { pull.run(Solver::kBulletPaper, 0.005); }),
       "caster 'front right': the model of the paper (solver = \"bullet-paper\") has no brakes "
-      "and no swivel locks; use solver = \"star\" for this job");
+      "and no swivel locks; use solver = \"implicit\" for this job");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ constexpr double kStands = 5e-3;          // [m/s]
 constexpr double kShortest = 0.2;         // [s]
 constexpr double kBefore = 0.3;           // of the onset, at least [s]
 constexpr double kNewton = 3, kSure = 4;  // a factor; standard errors
-constexpr double kLeastFriction = 0.02, kMostFriction = 3, kMostRolling = 0.5;
+constexpr double kLeastFriction = 0.02, kMaxFriction = 3, kMaxRolling = 0.5;
 
 double mean(const std::vector<double>& series, std::size_t from, std::size_t to) {
   double sum = 0;
@@ -169,7 +169,7 @@ std::optional<Breakaway> breakaway_of(const Trial& trial, TrialFault& fault) {
       friction_of({(onset->force - string) / normal, onset->force_error / normal}, setup);
   const Ratio kinetic =
       friction_of({(motion.force - string) / normal, motion.error / normal}, setup);
-  const double least = locked ? kLeastFriction : 0, most = locked ? kMostFriction : kMostRolling;
+  const double least = locked ? kLeastFriction : 0, most = locked ? kMaxFriction : kMaxRolling;
   for (const double value : {peak.value, kinetic.value})
     if (!(value > least && value < most))
       return fail(moved, fmt::format("{} is {:.3g} at the start and {:.3g} in motion: must be > {} "

@@ -13,12 +13,12 @@
 namespace gurney::calibration {
 namespace {
 
-constexpr int kUnknowns = 5, kMostIterations = 25;
-constexpr double kSettled = 1e-2;     // of a step, in standard errors squared
-constexpr double kSaysNothing = 0.5;  // relative error
-constexpr double kLeastNoise = 1e-5;  // of any series [m, rad]
-constexpr double kFarthest = 0.03;    // of start and release from those of the phases [s]
-constexpr double kBeforeStop = 0.15;  // [s]
+constexpr int kUnknowns = 5, kMaxIterations = 25;
+constexpr double kConverged = 1e-2;        // of a step, in standard errors squared
+constexpr double kMaxRelativeError = 0.5;  // relative error
+constexpr double kLeastNoise = 1e-5;       // of any series [m, rad]
+constexpr double kFarthest = 0.03;         // of start and release from those of the phases [s]
+constexpr double kBeforeStop = 0.15;       // [s]
 
 using Vector = Eigen::Matrix<double, kUnknowns, 1>;
 using Square = Eigen::Matrix<double, kUnknowns, kUnknowns>;
@@ -75,7 +75,7 @@ struct Minimum {
 std::optional<Minimum> minimise(const Residuals& of, Vector x, double widest) {
   const Vector step{{1e-4, 2e-4, 1e-3, 1e-3, 0.05}};  // of differences: Cr / R, m, s, s, N
   Eigen::VectorXd r = of.at(x);
-  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     Eigen::MatrixXd slope(r.size(), kUnknowns);
     for (int k = 0; k < kUnknowns; ++k) {
       Vector moved = x;
@@ -109,7 +109,7 @@ std::optional<Minimum> minimise(const Residuals& of, Vector x, double widest) {
       x = next;
       r = r_next;
     }
-    if (!better || moved.dot(normal * moved) < kSettled * variance)
+    if (!better || moved.dot(normal * moved) < kConverged * variance)
       return Minimum{x, r, variance * factor.solve(Square::Identity())};
   }
   return {};
@@ -155,7 +155,7 @@ std::optional<CrosswiseFit> fit_crosswise(const Trial& trial, TrialFault& fault)
     fit.misfit =
         residuals.noise() * std::sqrt(found->residuals.head(residuals.samples()).squaredNorm() /
                                       static_cast<double>(residuals.samples()));
-    require(fit.torque_length_error < kSaysNothing * fit.torque_length,
+    require(fit.torque_length_error < kMaxRelativeError * fit.torque_length,
             "it says nothing of swivelling: are the casters in line?");
     return fit;
   } catch (const Error& error) {

@@ -15,7 +15,7 @@ namespace {
 constexpr double kBefore = 0.3, kAfter = 0.4;  // the wall [s]
 constexpr double kTimeStep = 1.0 / 240;        // at most [s]
 constexpr double kAgrees = 1e-4, kLeast = 0.01;
-constexpr int kMostRuns = 8;
+constexpr int kMaxRuns = 8;
 constexpr double kWallSize = 20, kWallDepth = 0.1;  // [m]
 
 class WallRun {
@@ -69,7 +69,7 @@ ContactRestitution contact_restitution(const Trial& trial, const Rebound& reboun
   const double wanted = rebound.leaving / rebound.approach;
   double before = std::clamp(wanted, kLeast, 1.0), ratio_before = run.ratio(before);
   double value = std::clamp(before + wanted - ratio_before, kLeast, 1.0), slope = 1;
-  for (int i = 1; i < kMostRuns && value != before; ++i) {
+  for (int i = 1; i < kMaxRuns && value != before; ++i) {
     const double ratio = run.ratio(value);
     slope = (value - before) / (ratio - ratio_before);
     if (std::abs(ratio - wanted) < kAgrees) return {value, slope};

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kWindow = 0.25, kAway = 0.03;   // [s]
 constexpr double kSlowest = 0.02, kFastest = 5;  // [m/s]
-constexpr double kMostSlowing = 1;               // [m/s2]
+constexpr double kMaxSlowing = 1;                // [m/s2]
 constexpr std::size_t kFewest = 12;
 
 }  // namespace
@@ -47,10 +47,10 @@ std::optional<Rebound> rebound_of(const Trial& trial, TrialFault& fault) {
                 fmt::format("it meets the wall with {:.3g} m/s: must be > {} and < {} m/s; are "
                             "the units right?",
                             result.approach, kSlowest, kFastest));
-  if (!(result.slowing < kMostSlowing + 4 * in.acceleration_error()))
+  if (!(result.slowing < kMaxSlowing + 4 * in.acceleration_error()))
     return fail(top, fmt::format("it slows down by {:.3g} m/s2 before it meets the wall: must be < "
                                  "{} m/s2; are the units right?",
-                                 result.slowing, kMostSlowing));
+                                 result.slowing, kMaxSlowing));
   if (!(result.restitution > 0 && result.restitution <= 1))
     return fail(top, fmt::format("it leaves with {:.3g} m/s after {:.3g} m/s: restitution must be "
                                  "in (0, 1]",

@@ -40,7 +40,8 @@ TrialModel::TrialModel(const Trial& trial, const Phases& phases)
 
 TrialModel::Unknowns TrialModel::usual() const {
   const Caster& caster = scene_.items[0].model.casters[0];
-  return {caster.tread.rolling_resistance / caster.wheel_radius, caster.tread.patch_width, 0, 0, 0};
+  return {caster.tread.rolling_friction_length / caster.wheel_radius, caster.tread.patch_width, 0,
+          0, 0};
 }
 
 double TrialModel::friction() const {
@@ -63,7 +64,7 @@ TrialModel::Motion TrialModel::run(const Unknowns& unknowns) const {
   const TrialSignals& s = trial_.signals;
   Scene scene = scene_;
   for (Caster& caster : scene.items[0].model.casters) {
-    caster.tread.rolling_resistance = unknowns.resistance * caster.wheel_radius;
+    caster.tread.rolling_friction_length = unknowns.resistance * caster.wheel_radius;
     caster.tread.patch_width = unknowns.patch_width;
   }
   const std::vector<double>& at = trial_.setup.pull_point;

@@ -60,8 +60,8 @@ std::vector<MeasuredTrial> measured_trials(const std::string& path) {
   return all;
 }
 
-const MeasuredTrial* like(const SimulatedTrial& simulated,
-                          const std::vector<MeasuredTrial>& measured) {
+const MeasuredTrial* find_matching(const SimulatedTrial& simulated,
+                                   const std::vector<MeasuredTrial>& measured) {
   for (const MeasuredTrial& each : measured)
     if (each.fault.empty() && alike(simulated.trial.setup, simulated.alignment, each.trial.setup))
       return &each;

@@ -17,12 +17,12 @@ struct MeasuredTrial {
 };
 
 /// Pulls of a file or folder; other kinds of trials are left out.
-/// @throws Error with every mistake of every file
+/// @throws Error with every error of every file
 std::vector<MeasuredTrial> measured_trials(const std::string& path);
 
 /// The first one like a simulated trial: same caster, floor and alignment, mass and drop weight
 /// within 2 %. None: nullptr.
-const MeasuredTrial* like(const SimulatedTrial& simulated,
-                          const std::vector<MeasuredTrial>& measured);
+const MeasuredTrial* find_matching(const SimulatedTrial& simulated,
+                                   const std::vector<MeasuredTrial>& measured);
 
 }  // namespace gurney::calibration

@@ -17,7 +17,7 @@ void add_item(const Scene& scene, PullTheory& theory) {
   const double each = theory.normal_force / static_cast<double>(item.casters.size());
   for (const Caster& c : item.casters) {
     theory.added_mass += c.wheel_axial_inertia / (c.wheel_radius * c.wheel_radius);
-    theory.resistance += c.tread.rolling_resistance / c.wheel_radius * each;
+    theory.resistance += c.tread.rolling_friction_length / c.wheel_radius * each;
   }
 }
 

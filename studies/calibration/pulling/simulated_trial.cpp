@@ -176,7 +176,7 @@ std::vector<SimulatedTrial> simulated_trials(const study::StudyReader& file) {
     made.run = run;
     made.configuration = names[configuration];
     made.solver = text_at(study.configurations()[configuration].tree, "settings", "solver");
-    if (made.solver.empty()) made.solver = "star";
+    if (made.solver.empty()) made.solver = "implicit";
     made.time_step = job.settings.time_step;
     try {
       made.theory = theory_of(job.scene);

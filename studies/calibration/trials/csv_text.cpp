@@ -14,7 +14,7 @@
 namespace gurney::calibration {
 namespace {
 
-constexpr std::size_t kMostMistakes = 20;
+constexpr std::size_t kMaxErrors = 20;
 constexpr const char* kBlanks = " \t\r";
 
 TextCell trimmed(const std::string& line, std::size_t from, std::size_t to, int number) {
@@ -35,7 +35,7 @@ std::vector<TextCell> cells_of(std::string_view line, int number) {
   return cells;
 }
 
-void read_fact(std::string line, int number, CsvText& text, CsvMistakes& mistakes) {
+void read_fact(std::string line, int number, CsvText& text, CsvErrors& errors) {
   while (!line.empty() && std::string(", \t\r").find(line.back()) != std::string::npos)
     line.pop_back();
   std::size_t begin = line.find('#') + 1;
@@ -44,8 +44,8 @@ void read_fact(std::string line, int number, CsvText& text, CsvMistakes& mistake
   }
   const std::size_t equals = line.find('=', begin);
   if (equals == std::string::npos) {
-    mistakes.note(number, static_cast<int>(begin),
-                  "a line with # must be `# key = value`; free text is `# note = ...`");
+    errors.note(number, static_cast<int>(begin),
+                "a line with # must be `# key = value`; free text is `# note = ...`");
     return;
   }
   CsvFact fact{trimmed(line, begin, equals, number),
@@ -53,20 +53,20 @@ void read_fact(std::string line, int number, CsvText& text, CsvMistakes& mistake
   if (fact.key.text != "note" && std::ranges::any_of(text.facts, [&](const CsvFact& f) {
         return f.key.text == fact.key.text;
       }))
-    mistakes.note(fact.key, fact.key.text + ": stands here twice");
+    errors.note(fact.key, fact.key.text + ": stands here twice");
   text.facts.push_back(std::move(fact));
 }
 
 void read_row(std::vector<TextCell> cells, const std::string& line, int number, CsvText& text,
-              CsvMistakes& mistakes) {
+              CsvErrors& errors) {
   const std::size_t size = text.header.size();
   if (cells.size() > size) {
-    mistakes.note(cells[size], fmt::format("{} cells, but {} columns", cells.size(), size));
+    errors.note(cells[size], fmt::format("{} cells, but {} columns", cells.size(), size));
     return;
   }
   while (cells.size() < size) {
     if (static_cast<std::size_t>(std::ranges::count(line, ',')) + 1 < size) {
-      mistakes.note(number, 1, fmt::format("{} cells, but {} columns", cells.size(), size));
+      errors.note(number, 1, fmt::format("{} cells, but {} columns", cells.size(), size));
       return;
     }
     cells.push_back({"", number, static_cast<int>(line.size()) + 1});
@@ -74,29 +74,29 @@ void read_row(std::vector<TextCell> cells, const std::string& line, int number, 
   text.rows.push_back(std::move(cells));
 }
 
-void note_control_character(std::string_view line, int number, CsvMistakes& mistakes) {
+void note_control_character(std::string_view line, int number, CsvErrors& errors) {
   if (line.ends_with('\r')) line.remove_suffix(1);
   if (const auto at = find_control_character(line); at != line.npos)
-    mistakes.note(number, static_cast<int>(at) + 1, "a control character; must be text");
+    errors.note(number, static_cast<int>(at) + 1, "a control character; must be text");
 }
 
 }  // namespace
 
-void CsvMistakes::note(const TextCell& at, const std::string& message) {
+void CsvErrors::note(const TextCell& at, const std::string& message) {
   note(at.line, at.column, message);
 }
 
-void CsvMistakes::note(int line, int column, const std::string& message) {
+void CsvErrors::note(int line, int column, const std::string& message) {
   errors_.add(line, column, fmt::format("{}:{}:{}: {}", file_, line, column, message));
 }
 
-void CsvMistakes::finish() const {
+void CsvErrors::finish() const {
   Diagnostics errors = errors_;
   errors.sort();
-  errors.raise(kMostMistakes, file_ + ": and ", " more errors");
+  errors.raise(kMaxErrors, file_ + ": and ", " more errors");
 }
 
-CsvText read_csv_text(const std::string& file, CsvMistakes& mistakes) {
+CsvText read_csv_text(const std::string& file, CsvErrors& errors) {
   std::string all = read_input_file(file);
   if (all.starts_with("\xEF\xBB\xBF")) all.erase(0, 3);
   CsvText text{file, {}, {}, {}};
@@ -106,18 +106,18 @@ CsvText read_csv_text(const std::string& file, CsvMistakes& mistakes) {
     const std::string line = all.substr(from, to - from);
     from = to + 1;
     ++number;
-    note_control_character(line, number, mistakes);
+    note_control_character(line, number, errors);
     std::vector<TextCell> cells = cells_of(line, number);
     if (cells.empty()) continue;
     if (cells[0].text.starts_with('#')) {
       if (text.header.empty())
-        read_fact(line, number, text, mistakes);
+        read_fact(line, number, text, errors);
       else
-        mistakes.note(cells[0], "lines with # stand above the names of the columns");
+        errors.note(cells[0], "lines with # stand above the names of the columns");
     } else if (text.header.empty()) {
       text.header = std::move(cells);
     } else {
-      read_row(std::move(cells), line, number, text, mistakes);
+      read_row(std::move(cells), line, number, text, errors);
     }
   }
   require(!text.header.empty(), file + ": has no row with the names of the columns");

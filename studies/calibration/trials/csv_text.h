@@ -26,16 +26,16 @@ struct CsvText {
   std::vector<std::vector<TextCell>> rows;  ///< each as long as the header
 };
 
-/// Mistakes of one file, each with its place.
-class CsvMistakes {
+/// Errors of one file, each with its place.
+class CsvErrors {
  public:
-  explicit CsvMistakes(std::string file) : file_(std::move(file)) {}
+  explicit CsvErrors(std::string file) : file_(std::move(file)) {}
 
   void note(const TextCell& at, const std::string& message);
   void note(int line, int column, const std::string& message);
   std::size_t count() const { return errors_.count(); }
 
-  /// @throws Error with the mistakes by line, the first 20 in full.
+  /// @throws Error with the errors by line, the first 20 in full.
   void finish() const;
 
  private:
@@ -48,6 +48,6 @@ class CsvMistakes {
 /// shorter than the header, lines with `#` that are no `# key = value`, and such lines below the
 /// header.
 /// @throws Error if the file is missing, cannot be read or has no table.
-CsvText read_csv_text(const std::string& file, CsvMistakes& mistakes);
+CsvText read_csv_text(const std::string& file, CsvErrors& errors);
 
 }  // namespace gurney::calibration

@@ -36,7 +36,7 @@ const TextCell* Facts::find(const std::string& key, bool needed) {
   asked_.insert(key);
   const auto found = values_.find(key);
   if (found != values_.end()) return &found->second;
-  if (needed) mistakes_->note(at_, key + ": missing");
+  if (needed) errors_->note(at_, key + ": missing");
   return nullptr;
 }
 
@@ -56,7 +56,7 @@ double Facts::number(const std::string& key, const config::Range& range,
   if (cell == nullptr) return fallback.value_or(1);
   const std::optional<double> value = number_in(cell->text);
   if (!value)
-    mistakes_->note(*cell, not_a_number(key, cell->text));
+    errors_->note(*cell, not_a_number(key, cell->text));
   else
     note_outside(*cell, key, range, cell->text, *value);
   return value.value_or(1);
@@ -66,8 +66,7 @@ void Facts::note_outside(const TextCell& cell, const std::string& key, const con
                          const std::string& text, double value) {
   const std::string allowed =
       range.contains(value) ? config::beyond_unit(key, range, value) : range.text();
-  if (!allowed.empty())
-    mistakes_->note(cell, fmt::format("{} = {}: must be {}", key, text, allowed));
+  if (!allowed.empty()) errors_->note(cell, fmt::format("{} = {}: must be {}", key, text, allowed));
 }
 
 std::size_t Facts::choice(const std::string& key, const std::vector<std::string>& allowed) {
@@ -75,8 +74,8 @@ std::size_t Facts::choice(const std::string& key, const std::vector<std::string>
   if (cell == nullptr) return 0;
   const auto found = std::ranges::find(allowed, cell->text);
   if (found != allowed.end()) return static_cast<std::size_t>(found - allowed.begin());
-  mistakes_->note(*cell, fmt::format("{} = \"{}\": unknown{}", key, cell->text,
-                                     config::suggestion(cell->text, allowed)));
+  errors_->note(*cell, fmt::format("{} = \"{}\": unknown{}", key, cell->text,
+                                   config::suggestion(cell->text, allowed)));
   return 0;
 }
 
@@ -88,7 +87,7 @@ std::vector<double> Facts::numbers(const std::string& key, const config::Range& 
   for (std::string word; words >> word;) {
     const std::optional<double> value = number_in(word);
     if (!value)
-      mistakes_->note(*cell, not_a_number(key, word));
+      errors_->note(*cell, not_a_number(key, word));
     else
       note_outside(*cell, key, range, word, *value);
     values.push_back(value.value_or(1));

@@ -12,11 +12,11 @@
 namespace gurney::calibration {
 
 /// What is known of a trial by key, from `# key = value` lines and, in a table of averages, from
-/// the cells of its row. Mistakes are noted; the results are for use only without any.
+/// the cells of its row. Errors are noted; the results are for use only without any.
 class Facts {
  public:
   /// @param at  the place for keys that are missing
-  Facts(CsvMistakes& mistakes, TextCell at) : mistakes_(&mistakes), at_(std::move(at)) {}
+  Facts(CsvErrors& errors, TextCell at) : errors_(&errors), at_(std::move(at)) {}
 
   void add(const std::string& key, const TextCell& value);
 
@@ -31,7 +31,7 @@ class Facts {
 
   bool has(const std::string& key) const { return values_.contains(key); }
   const TextCell& at(const std::string& key) const;  ///< the value's place, else the trial's
-  CsvMistakes& mistakes() { return *mistakes_; }
+  CsvErrors& errors() { return *errors_; }
 
   /// Every key asked for so far.
   std::vector<std::string> asked() const { return {asked_.begin(), asked_.end()}; }
@@ -41,7 +41,7 @@ class Facts {
   void note_outside(const TextCell& cell, const std::string& key, const config::Range& range,
                     const std::string& text, double value);
 
-  CsvMistakes* mistakes_;
+  CsvErrors* errors_;
   TextCell at_;
   std::map<std::string, TextCell> values_;
   std::set<std::string> asked_;

@@ -15,11 +15,11 @@ using config::Range;
 double read_added_mass(Facts& facts, const TrialSetup& setup, bool needed) {
   const bool inertia = facts.has("wheel_inertia_kg_m2");
   if (inertia && facts.has("added_mass_kg"))
-    facts.mistakes().note(facts.at("added_mass_kg"),
-                          "added_mass_kg: wheel_inertia_kg_m2 says it already; give one");
+    facts.errors().note(facts.at("added_mass_kg"),
+                        "added_mass_kg: wheel_inertia_kg_m2 says it already; give one");
   if (!inertia && needed && !facts.has("added_mass_kg"))
-    facts.mistakes().note(facts.at("added_mass_kg"),
-                          "wheel_inertia_kg_m2 (of one wheel) or added_mass_kg: one must be given");
+    facts.errors().note(facts.at("added_mass_kg"),
+                        "wheel_inertia_kg_m2 (of one wheel) or added_mass_kg: one must be given");
   const double stated = facts.number("added_mass_kg", Range::not_negative(), 0.0);
   const double of_wheel = facts.number("wheel_inertia_kg_m2", Range::not_negative(), 0.0);
   return inertia ? setup.wheels * of_wheel / (setup.wheel_radius * setup.wheel_radius) : stated;
@@ -34,8 +34,8 @@ void read_item(Facts& facts, TrialSetup& setup, bool needed) {
   for (const double mm : facts.numbers("pull_point_mm", Range::any()))
     setup.pull_point.push_back(mm / kMillimetersPerMeter);
   if (setup.pull_point.size() != 3 && (needed || !setup.pull_point.empty()))
-    facts.mistakes().note(facts.at("pull_point_mm"),
-                          "pull_point_mm: must be three numbers, x y z in item axes");
+    facts.errors().note(facts.at("pull_point_mm"),
+                        "pull_point_mm: must be three numbers, x y z in item axes");
 }
 
 void read_headings(Facts& facts, TrialSetup& setup) {
@@ -43,10 +43,10 @@ void read_headings(Facts& facts, TrialSetup& setup) {
     setup.headings.push_back(degrees * kRadiansPerDegree);
   const std::size_t count = setup.headings.size();
   if (count > 1 && count != static_cast<std::size_t>(setup.wheels))
-    facts.mistakes().note(facts.at("headings_deg"),
-                          fmt::format("headings_deg: {} numbers, but one for all or one for each "
-                                      "of the {} wheels are needed",
-                                      count, setup.wheels));
+    facts.errors().note(facts.at("headings_deg"),
+                        fmt::format("headings_deg: {} numbers, but one for all or one for each "
+                                    "of the {} wheels are needed",
+                                    count, setup.wheels));
 }
 
 /// One locked axle carries what the cable's moment leaves it.
@@ -101,7 +101,7 @@ TrialSetup read_setup(Facts& facts, TrialKind kind) {
   const double most = EquipmentModel::kMaxCasters;
   const double wheels = facts.number("wheels", Range::within(1, most), 4.0);
   if (wheels != std::floor(wheels))
-    facts.mistakes().note(facts.at("wheels"), "wheels: must be a whole number");
+    facts.errors().note(facts.at("wheels"), "wheels: must be a whole number");
   setup.wheels = static_cast<int>(wheels);
   setup.wheel_radius = facts.number("wheel_diameter_mm", Range::positive(),
                                     rolls ? needed_number : std::optional(0.0)) /
@@ -110,8 +110,8 @@ TrialSetup read_setup(Facts& facts, TrialKind kind) {
       facts.number("mass_kg", Range::positive(), impact ? std::optional(0.0) : needed_number);
   setup.payload = facts.number("payload_kg", Range::not_negative(), 0.0);
   if (!impact && setup.payload >= setup.mass)
-    facts.mistakes().note(facts.at("payload_kg"),
-                          "payload_kg: must be less than mass_kg, which holds it");
+    facts.errors().note(facts.at("payload_kg"),
+                        "payload_kg: must be less than mass_kg, which holds it");
   setup.added_mass = read_added_mass(facts, setup, rolls);
   if (facts.number("drop_mass_kg", Range::positive(), 1.0) > 0 && facts.has("drop_mass_kg"))
     setup.drop_mass = facts.number("drop_mass_kg", Range::any());

@@ -56,29 +56,29 @@ std::vector<std::string> column_names() {
 }
 
 /// The columns of the header; nullptr for those that are unknown.
-std::vector<const Column*> find_columns(const CsvText& text, CsvMistakes& mistakes) {
+std::vector<const Column*> find_columns(const CsvText& text, CsvErrors& errors) {
   std::vector<const Column*> found;
   for (const TextCell& cell : text.header) {
     const auto column =
         std::ranges::find_if(columns(), [&](const Column& each) { return each.name == cell.text; });
     if (column == columns().end()) {
-      mistakes.note(cell, fmt::format("{}: unknown column{}", cell.text,
-                                      config::suggestion(cell.text, column_names())));
+      errors.note(cell, fmt::format("{}: unknown column{}", cell.text,
+                                    config::suggestion(cell.text, column_names())));
       found.push_back(nullptr);
       continue;
     }
     for (const Column* other : found)
       if (other != nullptr && other->series == column->series)
-        mistakes.note(cell, fmt::format("{}: {} has it already", cell.text, other->name));
+        errors.note(cell, fmt::format("{}: {} has it already", cell.text, other->name));
     found.push_back(&*column);
   }
   return found;
 }
 
-void require_columns(const Trial& trial, const CsvText& text, CsvMistakes& mistakes) {
+void require_columns(const Trial& trial, const CsvText& text, CsvErrors& errors) {
   const TrialSignals& s = trial.signals;
   const auto missing = [&](const char* names) {
-    mistakes.note(text.header[0], std::string(names) + ": column missing");
+    errors.note(text.header[0], std::string(names) + ": column missing");
   };
   if (s.time.empty()) missing("time_s or time_ms");
   if (s.force.empty() && trial.kind != TrialKind::kImpact) missing("force_n or force_kn");
@@ -88,41 +88,40 @@ void require_columns(const Trial& trial, const CsvText& text, CsvMistakes& mista
                                            : "displacement_mm (_cm, _m)");
 }
 
-void read_samples(const CsvText& text, Trial& trial, CsvMistakes& mistakes) {
-  const std::vector<const Column*> found = find_columns(text, mistakes);
+void read_samples(const CsvText& text, Trial& trial, CsvErrors& errors) {
+  const std::vector<const Column*> found = find_columns(text, errors);
   for (const std::vector<TextCell>& row : text.rows) {
     trial.lines.push_back(row[0].line);
     for (std::size_t i = 0; i < found.size(); ++i) {
       if (found[i] == nullptr) continue;
       const std::optional<double> value = number_in(row[i].text);
       if (!value && !row[i].text.empty())
-        mistakes.note(row[i], not_a_number(found[i]->name, row[i].text));
+        errors.note(row[i], not_a_number(found[i]->name, row[i].text));
       if (const std::string allowed =
               config::beyond_unit(found[i]->name, Range::any(), value.value_or(0));
           !allowed.empty())
-        mistakes.note(row[i],
-                      fmt::format("{} = {}: must be {}", found[i]->name, row[i].text, allowed));
+        errors.note(row[i],
+                    fmt::format("{} = {}: must be {}", found[i]->name, row[i].text, allowed));
       (trial.signals.*(found[i]->series))
           .push_back(value ? *value * found[i]->unit : std::numeric_limits<double>::quiet_NaN());
     }
   }
   if (text.rows.empty())
-    mistakes.note(text.header[0], "no samples below the names of the columns");
+    errors.note(text.header[0], "no samples below the names of the columns");
   else
-    require_columns(trial, text, mistakes);
+    require_columns(trial, text, errors);
 }
 
 void note_unknown(const TextCell& cell, const char* what, std::vector<std::string> known,
-                  CsvMistakes& mistakes) {
+                  CsvErrors& errors) {
   if (std::ranges::find(known, cell.text) != known.end()) return;
-  mistakes.note(
+  errors.note(
       cell, fmt::format("{}: unknown {}{}", cell.text, what, config::suggestion(cell.text, known)));
 }
 
-void note_unknown_facts(const CsvText& text, std::vector<std::string> known,
-                        CsvMistakes& mistakes) {
+void note_unknown_facts(const CsvText& text, std::vector<std::string> known, CsvErrors& errors) {
   known.push_back("note");
-  for (const CsvFact& fact : text.facts) note_unknown(fact.key, "key", known, mistakes);
+  for (const CsvFact& fact : text.facts) note_unknown(fact.key, "key", known, errors);
 }
 
 TrialAverages read_average(Facts& facts) {
@@ -136,10 +135,10 @@ TrialAverages read_average(Facts& facts) {
   return average;
 }
 
-void read_averages(const CsvText& text, TrialSet& set, CsvMistakes& mistakes) {
+void read_averages(const CsvText& text, TrialSet& set, CsvErrors& errors) {
   std::vector<std::string> known;
   for (const std::vector<TextCell>& row : text.rows) {
-    Facts facts(mistakes, row[0]);
+    Facts facts(errors, row[0]);
     for (const CsvFact& fact : text.facts) facts.add(fact.key.text, fact.value);
     for (std::size_t i = 0; i < row.size(); ++i) facts.add(text.header[i].text, row[i]);
     facts.text("schema");
@@ -149,15 +148,15 @@ void read_averages(const CsvText& text, TrialSet& set, CsvMistakes& mistakes) {
     known = facts.asked();
   }
   if (text.rows.empty()) {
-    mistakes.note(text.header[0], "no trials below the names of the columns");
+    errors.note(text.header[0], "no trials below the names of the columns");
     return;
   }
-  note_unknown_facts(text, known, mistakes);
-  for (const TextCell& cell : text.header) note_unknown(cell, "column", known, mistakes);
+  note_unknown_facts(text, known, errors);
+  for (const TextCell& cell : text.header) note_unknown(cell, "column", known, errors);
 }
 
-void read_trial(const CsvText& text, TrialSet& set, CsvMistakes& mistakes) {
-  Facts facts(mistakes, {"", 1, 1});
+void read_trial(const CsvText& text, TrialSet& set, CsvErrors& errors) {
+  Facts facts(errors, {"", 1, 1});
   for (const CsvFact& fact : text.facts) facts.add(fact.key.text, fact.value);
   facts.text("schema");
   Trial trial;
@@ -165,23 +164,23 @@ void read_trial(const CsvText& text, TrialSet& set, CsvMistakes& mistakes) {
   trial.name = std::filesystem::path(text.file).stem().string();
   trial.kind = static_cast<TrialKind>(facts.choice("kind", names_of_kinds()));
   trial.setup = read_setup(facts, trial.kind);
-  note_unknown_facts(text, facts.asked(), mistakes);
-  read_samples(text, trial, mistakes);
+  note_unknown_facts(text, facts.asked(), errors);
+  read_samples(text, trial, errors);
   set.trials.push_back(std::move(trial));
 }
 
 }  // namespace
 
 TrialSet read_trial_file(const std::string& file) {
-  CsvMistakes mistakes(file);
-  const CsvText text = read_csv_text(file, mistakes);
-  Facts facts(mistakes, {"", 1, 1});
+  CsvErrors errors(file);
+  const CsvText text = read_csv_text(file, errors);
+  Facts facts(errors, {"", 1, 1});
   for (const CsvFact& fact : text.facts) facts.add(fact.key.text, fact.value);
   TrialSet set;
-  const std::size_t before = mistakes.count();
+  const std::size_t before = errors.count();
   const std::size_t schema = facts.choice("schema", {kTrialSchema, kAveragesSchema});
-  if (mistakes.count() == before) (schema == 0 ? read_trial : read_averages)(text, set, mistakes);
-  mistakes.finish();
+  if (errors.count() == before) (schema == 0 ? read_trial : read_averages)(text, set, errors);
+  errors.finish();
   return set;
 }
 
@@ -194,17 +193,17 @@ TrialSet read_trials(const std::string& path) {
   require(!files.empty(), path + ": has no .csv file of a trial");
   std::ranges::sort(files);
   TrialSet all;
-  std::string mistakes;
+  std::string errors;
   for (const std::string& file : files) {
     try {
       TrialSet set = read_trial_file(file);
       std::ranges::move(set.trials, std::back_inserter(all.trials));
       std::ranges::move(set.averages, std::back_inserter(all.averages));
     } catch (const Error& error) {
-      mistakes += (mistakes.empty() ? "" : "\n") + std::string(error.what());
+      errors += (errors.empty() ? "" : "\n") + std::string(error.what());
     }
   }
-  require(mistakes.empty(), mistakes);
+  require(errors.empty(), errors);
   return all;
 }
 

@@ -14,11 +14,11 @@ struct TrialSet {
 };
 
 /// Reads one file: a trial, or a table of averages, as its `schema` says.
-/// @throws Error with every mistake of the file.
+/// @throws Error with every error of the file.
 TrialSet read_trial_file(const std::string& file);
 
 /// Reads one file, or every .csv file of a folder in the order of their names.
-/// @throws Error with every mistake of every file; if there is none.
+/// @throws Error with every error of every file; if there is none.
 TrialSet read_trials(const std::string& path);
 
 /// The trial as text of a file that reads back equal but for rounding: 1 us, 1 mN, 0.1 um,

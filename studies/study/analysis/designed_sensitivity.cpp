@@ -25,7 +25,8 @@ struct Design {
   std::size_t left_out = 0;                  ///< runs of points that are not whole
 };
 
-Design design_of(const StudySide& side, const SensitivityOutput& output, std::size_t matrices) {
+Design design_of(const ConfigurationView& side, const SensitivityOutput& output,
+                 std::size_t matrices) {
   const Levels levels(*side.data);
   const std::vector<double> angle = side.data->file().numbers("runs/angle");
   using Scene = std::pair<double, std::size_t>;
@@ -75,7 +76,7 @@ std::vector<double> joined(const std::vector<double>& a, const std::vector<doubl
 }
 
 /// Quantiles and the tornado of those inputs that are one drawn number, from A and B.
-void add_tornado(const StudySide& side, const Design& design, double share,
+void add_tornado(const ConfigurationView& side, const Design& design, double share,
                  const std::vector<std::optional<std::string>>& variables,
                  StudySensitivity& result) {
   std::vector<std::size_t> draws = design.draw_a;
@@ -102,7 +103,8 @@ std::vector<std::string> design_inputs(const StudyData& data) {
   return data.file().strings("design/input");
 }
 
-StudySensitivity designed_sensitivity(const StudySide& side, const SensitivityRequest& request) {
+StudySensitivity designed_sensitivity(const ConfigurationView& side,
+                                      const SensitivityRequest& request) {
   constexpr std::string_view kVariable = "variable ";
   const std::string& file = side.data->file().path();
   const std::vector<std::string> inputs = design_inputs(*side.data);

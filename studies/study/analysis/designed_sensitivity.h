@@ -16,6 +16,7 @@ std::vector<std::string> design_inputs(const StudyData& data);
 /// Of each angle and level the output's mean is taken off, so that the variance is that under one
 /// of them. A point counts if all its runs do.
 /// @throws Error as study_sensitivity() does, and where fewer than kFewestRuns points are whole
-StudySensitivity designed_sensitivity(const StudySide& side, const SensitivityRequest& request);
+StudySensitivity designed_sensitivity(const ConfigurationView& side,
+                                      const SensitivityRequest& request);
 
 }  // namespace gurney::study

@@ -9,7 +9,7 @@ namespace {
 
 bool has_capacities(const StudyData& data, std::size_t state, const std::string& measure) {
   const IntensityPlan& plan = data.study().intensity;
-  return plan.kind == IntensityPlan::Kind::kHunt && plan.until == state &&
+  return plan.kind == IntensityPlan::Kind::kIda && plan.until == state &&
          measure == data.file().text_attribute("intensity_measure");
 }
 

@@ -10,7 +10,7 @@ namespace gurney::study {
 namespace {
 
 constexpr int kGridPoints = 61;
-constexpr std::size_t kMostStripes = 40;  ///< more distinct intensities are a cloud, not stripes
+constexpr std::size_t kMaxStripes = 40;  ///< more distinct intensities are a cloud, not stripes
 
 std::vector<double> grid(const std::vector<statistics::Stripe>& stripes) {
   if (stripes.empty()) return {};
@@ -72,7 +72,7 @@ FragilityResult fragility_of(const StudyData& data, const FragilityRequest& requ
   result.im = grid(table.stripes());
   result.band = statistics::fragility_band(
       table, result.im, {.confidence = request.confidence, .seed = data.study().seed});
-  if (table.stripes().size() <= kMostStripes) {
+  if (table.stripes().size() <= kMaxStripes) {
     result.stripes = table.stripes();
     result.isotonic = statistics::isotonic_curve(result.stripes);
   }

@@ -17,7 +17,7 @@ using config::Node;
 using Entries = std::map<std::string, std::string>;
 
 /// The job of one configuration, with [study] but without its factors.
-Entries job_of(const StudySide& side) {
+Entries job_of(const ConfigurationView& side) {
   const StudyReader& file = side.data->file();
   config::Document document(file.job_text(), file.path());
   Entries entries;
@@ -34,7 +34,7 @@ Entries job_of(const StudySide& side) {
   return entries;
 }
 
-Entries assumptions_of(const StudySide& side) {
+Entries assumptions_of(const ConfigurationView& side) {
   const StudyReader& file = side.data->file();
   const auto configuration = file.strings("assumptions/configuration");
   const auto keys = file.strings("assumptions/key"), values = file.strings("assumptions/value"),
@@ -46,7 +46,7 @@ Entries assumptions_of(const StudySide& side) {
   return entries;
 }
 
-Entries data_files_of(const StudySide& side) {
+Entries data_files_of(const ConfigurationView& side) {
   const StudyReader& file = side.data->file();
   const auto names = file.strings("data_files/name"), hashes = file.strings("data_files/sha256");
   Entries entries;
@@ -54,7 +54,7 @@ Entries data_files_of(const StudySide& side) {
   return entries;
 }
 
-Entries program_of(const StudySide& side) {
+Entries program_of(const ConfigurationView& side) {
   Entries entries;
   for (const char* name :
        {"program_version", "git_commit", "compiler", "bullet_precision", "cpu_class"})
@@ -63,7 +63,7 @@ Entries program_of(const StudySide& side) {
 }
 
 /// Name of each record with what it came from.
-Entries records_of(const StudySide& side) {
+Entries records_of(const ConfigurationView& side) {
   const StudyReader& file = side.data->file();
   const auto files = file.strings("records/files"), processing = file.strings("records/processing");
   const std::vector<std::string> names = record_names(side);
@@ -94,7 +94,7 @@ bool InputDifferences::none() const {
          records_of_a.empty() && records_of_b.empty() && records_changed.empty();
 }
 
-InputDifferences input_differences(const StudySide& a, const StudySide& b) {
+InputDifferences input_differences(const ConfigurationView& a, const ConfigurationView& b) {
   InputDifferences result;
   result.job = differences(job_of(a), job_of(b));
   result.assumptions = differences(assumptions_of(a), assumptions_of(b));

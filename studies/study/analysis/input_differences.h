@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/study/analysis/study_side.h"
+#include "studies/study/analysis/configuration_view.h"
 
 namespace gurney::study {
 
@@ -26,6 +26,6 @@ struct InputDifferences {
   bool none() const;
 };
 
-InputDifferences input_differences(const StudySide& a, const StudySide& b);
+InputDifferences input_differences(const ConfigurationView& a, const ConfigurationView& b);
 
 }  // namespace gurney::study

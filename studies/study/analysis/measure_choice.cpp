@@ -98,7 +98,7 @@ std::vector<std::size_t> sized_states(const StudyData& data) {
   return states;
 }
 
-MeasureChoice choose_measure(const StudySide& side, std::size_t state, int resamples,
+MeasureChoice choose_measure(const ConfigurationView& side, std::size_t state, int resamples,
                              std::uint64_t seed) {
   const StudyData& data = *side.data;
   const std::vector<std::size_t>& runs = side.runs();

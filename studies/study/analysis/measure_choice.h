@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "studies/statistics/intensity_table.h"
+#include "studies/study/analysis/configuration_view.h"
 #include "studies/study/analysis/fragility_result.h"
-#include "studies/study/analysis/study_side.h"
 
 namespace gurney::study {
 
@@ -34,7 +34,7 @@ struct MeasureChoice {
 /// them: sufficiency against it says whether scaling biases the demand.
 /// @param state  one whose demand has a size, as StudyData::cloud()
 /// @throws Error as StudyData::cloud()
-MeasureChoice choose_measure(const StudySide& side, std::size_t state, int resamples = 200,
+MeasureChoice choose_measure(const ConfigurationView& side, std::size_t state, int resamples = 200,
                              std::uint64_t seed = 1);
 
 /// The states that choose_measure() takes.

@@ -178,7 +178,7 @@ StudyOverview study_overview(const std::string& path) {
   add_failures(data.file(), overview);
   add_energy(data.file(), overview);
   overview.factors_on_records = scale_factors(data);
-  overview.certificate = step_certificate(data);
+  overview.step_check = step_check(data);
   return overview;
 }
 

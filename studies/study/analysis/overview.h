@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "studies/study/analysis/scale_factors.h"
-#include "studies/study/analysis/step_certificate.h"
+#include "studies/study/analysis/step_check.h"
 
 namespace gurney::study {
 
@@ -63,7 +63,7 @@ struct StudyOverview {
   std::string first_warning;        ///< of them; empty: none
   std::vector<LevelCounts> counts;  ///< levels of a configuration follow each other
   std::vector<FailedRun> failures;
-  std::optional<StepCertificate> certificate;
+  std::optional<StepCheck> step_check;
 };
 
 /// @throws Error unless it is the results file of a study

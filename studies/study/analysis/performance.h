@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/statistics/department.h"
+#include "studies/statistics/joint_failure.h"
 #include "studies/study/analysis/fragility_result.h"
 
 namespace gurney::study {

@@ -21,8 +21,8 @@ std::size_t nearest(const std::vector<double>& levels, double value) {
 RunLevels run_levels(const StudyData& data) {
   const IntensityPlan& plan = data.study().intensity;
   RunLevels levels;
-  levels.hunted = plan.kind == IntensityPlan::Kind::kHunt;
-  if (levels.hunted) {
+  levels.traced = plan.kind == IntensityPlan::Kind::kIda;
+  if (levels.traced) {
     levels.texts = {"all"};
     levels.of_run.assign(data.file().runs(), 0);
     return levels;

@@ -41,7 +41,7 @@ bool same_draws(const StudyData& a, const StudyData& b) {
          of_a.sampling == of_b.sampling && size_of_plan(a) == size_of_plan(b);
 }
 
-std::vector<RunKey> keys_of(const StudySide& side, bool by_intensity) {
+std::vector<RunKey> keys_of(const ConfigurationView& side, bool by_intensity) {
   const StudyReader& file = side.data->file();
   const std::vector<double> level = file.numbers(by_intensity ? "runs/intensity" : "runs/scale");
   const std::vector<double> angle = file.numbers("runs/angle"), draw = file.numbers("runs/draw");
@@ -67,8 +67,8 @@ std::set<std::string> common_values(const std::vector<RunKey>& a, const std::vec
   return both;
 }
 
-void require_common(const std::set<std::string>& common, const char* what, const StudySide& a,
-                    const StudySide& b) {
+void require_common(const std::set<std::string>& common, const char* what,
+                    const ConfigurationView& a, const ConfigurationView& b) {
   require(!common.empty(),
           fmt::format("{} '{}' and {} '{}' have no {} in common: nothing can be compared with each "
                       "other",
@@ -78,7 +78,7 @@ void require_common(const std::set<std::string>& common, const char* what, const
 
 }  // namespace
 
-RunPairs pair_runs(const StudySide& a, const StudySide& b) {
+RunPairs pair_runs(const ConfigurationView& a, const ConfigurationView& b) {
   RunPairs result;
   const std::string measure = intensity_of(*a.data);
   result.by_intensity = !measure.empty() && measure == intensity_of(*b.data);

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/study/analysis/study_side.h"
+#include "studies/study/analysis/configuration_view.h"
 
 namespace gurney::study {
 
@@ -40,6 +40,6 @@ struct RunPairs {
 /// records. Draws are the same numbers where both studies have the same seed, number and sampling
 /// of draws; angles are left out of sight where the two have none in common.
 /// @throws Error where no run of one has a partner in the other
-RunPairs pair_runs(const StudySide& a, const StudySide& b);
+RunPairs pair_runs(const ConfigurationView& a, const ConfigurationView& b);
 
 }  // namespace gurney::study

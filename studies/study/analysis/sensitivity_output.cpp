@@ -13,7 +13,7 @@
 namespace gurney::study {
 namespace {
 
-std::vector<std::size_t> runs_at(const StudySide& side, const Levels& levels,
+std::vector<std::size_t> runs_at(const ConfigurationView& side, const Levels& levels,
                                  const SensitivityRequest& request) {
   if (!request.level) return side.runs();
   std::vector<std::size_t> runs;
@@ -22,7 +22,7 @@ std::vector<std::size_t> runs_at(const StudySide& side, const Levels& levels,
   return runs;
 }
 
-std::vector<double> values_of(const StudySide& side, const SensitivityRequest& request,
+std::vector<double> values_of(const ConfigurationView& side, const SensitivityRequest& request,
                               const std::vector<std::size_t>& runs, SensitivityOutput& output) {
   const StudyData& data = *side.data;
   if (!request.limit.empty()) {
@@ -46,7 +46,8 @@ std::vector<double> values_of(const StudySide& side, const SensitivityRequest& r
 
 }  // namespace
 
-SensitivityOutput sensitivity_output(const StudySide& side, const SensitivityRequest& request) {
+SensitivityOutput sensitivity_output(const ConfigurationView& side,
+                                     const SensitivityRequest& request) {
   const StudyData& data = *side.data;
   const Levels levels(data);
   require(!request.level || *request.level < levels.values().size(),
@@ -93,7 +94,7 @@ std::vector<double> DrawnNumbers::column(const std::string& name,
   return column;
 }
 
-DrawnNumbers drawn_numbers(const StudySide& side) {
+DrawnNumbers drawn_numbers(const ConfigurationView& side) {
   const StudyReader& file = side.data->file();
   const auto configuration = file.numbers("drawn/configuration"), draw = file.numbers("drawn/draw"),
              value = file.numbers("drawn/value");

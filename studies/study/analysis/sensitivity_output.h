@@ -21,7 +21,8 @@ struct SensitivityOutput {
 };
 
 /// @throws Error for a level or a demand that the study does not have
-SensitivityOutput sensitivity_output(const StudySide& side, const SensitivityRequest& request);
+SensitivityOutput sensitivity_output(const ConfigurationView& side,
+                                     const SensitivityRequest& request);
 
 /// @throws Error where fewer than kFewestRuns are left, or all have the same output
 void require_variation(const SensitivityOutput& output, const std::string& file);
@@ -34,6 +35,6 @@ struct DrawnNumbers {
   std::vector<double> column(const std::string& name, const std::vector<std::size_t>& draws) const;
 };
 
-DrawnNumbers drawn_numbers(const StudySide& side);
+DrawnNumbers drawn_numbers(const ConfigurationView& side);
 
 }  // namespace gurney::study

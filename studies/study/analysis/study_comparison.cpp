@@ -53,7 +53,7 @@ double mean_over(const std::vector<std::size_t>& runs, const RunValues& values) 
 
 class Comparer {
  public:
-  Comparer(const StudySide& a, const StudySide& b, const ComparisonOptions& options)
+  Comparer(const ConfigurationView& a, const ConfigurationView& b, const ComparisonOptions& options)
       : a_(a), b_(b), options_(options) {
     result_.pairs = pair_runs(a, b);
     runs_a_ = runs_in(result_.pairs.common_a);
@@ -82,7 +82,7 @@ class Comparer {
   void count_overturned();
   void adjust();
 
-  StudySide a_, b_;
+  ConfigurationView a_, b_;
   const ComparisonOptions& options_;
   StudyComparison result_;
   std::vector<std::size_t> runs_a_, runs_b_;
@@ -212,7 +212,7 @@ void Comparer::compare_states() {
 }
 
 void Comparer::compare_demands() {
-  const auto asked = [&](const StudySide& side) {
+  const auto asked = [&](const ConfigurationView& side) {
     return options_.demands.empty()
                ? demands_of(*side.data, side.configuration)
                : demands_named(*side.data, side.configuration, options_.demands);
@@ -270,7 +270,7 @@ void Comparer::adjust() {
 
 }  // namespace
 
-StudyComparison compare_studies(const StudySide& a, const StudySide& b,
+StudyComparison compare_studies(const ConfigurationView& a, const ConfigurationView& b,
                                 const ComparisonOptions& options) {
   return Comparer(a, b, options).compare();
 }

@@ -75,7 +75,7 @@ struct ComparisonOptions {
 /// within each family: shares, curves, means, medians (why: docs/compare.md). A quantity that is
 /// equal in all pairs cannot be significant whatever the level, so it is no test.
 /// @throws Error as pair_runs()
-StudyComparison compare_studies(const StudySide& a, const StudySide& b,
+StudyComparison compare_studies(const ConfigurationView& a, const ConfigurationView& b,
                                 const ComparisonOptions& options = {});
 
 }  // namespace gurney::study

@@ -89,7 +89,8 @@ std::vector<double> picked(const std::vector<double>& all, const std::vector<std
 
 }  // namespace
 
-StudySensitivity study_sensitivity(const StudySide& side, const SensitivityRequest& request) {
+StudySensitivity study_sensitivity(const ConfigurationView& side,
+                                   const SensitivityRequest& request) {
   const StudyData& data = *side.data;
   const StudyReader& file = data.file();
   require(file.has("drawn"), file.path() +

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "studies/statistics/sensitivity.h"
-#include "studies/study/analysis/study_side.h"
+#include "studies/study/analysis/configuration_view.h"
 
 namespace gurney::study {
 
@@ -55,6 +55,7 @@ inline constexpr std::size_t kFewestRuns = 20;
 /// too.
 /// @throws Error where the study has no draws, too few runs, no such level, or an output that does
 ///   not vary
-StudySensitivity study_sensitivity(const StudySide& side, const SensitivityRequest& request);
+StudySensitivity study_sensitivity(const ConfigurationView& side,
+                                   const SensitivityRequest& request);
 
 }  // namespace gurney::study

@@ -187,7 +187,7 @@ void export_responses(const StudyData& data, const ExportChoice& choice, const T
       if (static_cast<std::size_t>(of[run]) == configuration) runs.push_back(run);
     const std::set<std::size_t> all(runs.begin(), runs.end());
     take_once("response" + tail + ".csv", csv_of(responses(data, configuration, all), runs));
-    if (levels.hunted) continue;
+    if (levels.traced) continue;
     const std::vector<RunColumn> demands = pelicun_demands(data, all);
     for (std::size_t level = 0; level < levels.texts.size(); ++level) {
       std::vector<std::size_t> at_level;

@@ -11,7 +11,7 @@ namespace gurney::study {
 /// drawn number, intensity measure and demand of each item and point, and ERROR.
 ///
 /// `demands_CONFIGURATION_LEVEL.csv`, as pelicun loads it, for each level of a study (none after a
-/// hunt): columns TYPE-LOCATION-DIRECTION, units pelicun knows; the floor's PFA and PFV at location
+/// ida): columns TYPE-LOCATION-DIRECTION, units pelicun knows; the floor's PFA and PFV at location
 /// 0 in direction 1, demands of items at the item's name.
 ///
 /// The second row has the units. Failed runs have ERROR 1 and no demand; a number that does not

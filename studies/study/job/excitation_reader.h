@@ -5,7 +5,7 @@
 
 namespace gurney::study {
 
-/// Each reader notes mistakes in its table's document.
+/// Each reader notes errors in its table's document.
 
 /// The forces, drop weights, string potentiometers and blocks of a table [item] or [excitation],
 /// after those that the item has.

@@ -16,7 +16,7 @@ namespace {
 using config::Range;
 using config::Table;
 
-constexpr int kMostPayloads = 100;
+constexpr int kMaxPayloads = 100;
 
 std::optional<equipment::Uncertain<equipment::ItemDescription>> read_description(Table& item) {
   std::vector<std::string> variants = item.texts("variant");
@@ -64,7 +64,7 @@ std::map<std::string, int> read_payloads(Table& item,
   std::vector<std::string> known;
   for (const equipment::PayloadKind& kind : description.payloads) known.push_back(kind.name);
   for (const std::string& name : table->keys()) {
-    counts[name] = table->integer(name, 0, kMostPayloads);
+    counts[name] = table->integer(name, 0, kMaxPayloads);
     if (std::find(known.begin(), known.end(), name) == known.end())
       table->note(
           name, ": " + description.name + " has no such payload" + config::suggestion(name, known));
@@ -84,9 +84,10 @@ equipment::Uncertain<JobItem> read_job_item(Table& item, Remarks& remarks) {
   for (const char* key : {"headings_deg", "brakes", "swivel_locks", "payloads"}) item.has(key);
 
   std::optional<equipment::Uncertain<equipment::ItemDescription>> found = read_description(item);
-  if (found) result.set(&JobItem::description, *std::move(found));
+  const bool described = found.has_value();
+  if (described) result.set(&JobItem::description, *std::move(found));
   read_casters(item, result);
-  if (!found) return result;
+  if (!described) return result;
   const equipment::ItemDescription& description = result.stated().description;
   if (description.casters.empty())
     note_keys_of_casters(item, description);

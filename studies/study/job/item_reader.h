@@ -15,7 +15,7 @@ struct JobItem {
   equipment::ItemOptions options;
 };
 
-/// A table [item] or [[item]] of a job. Mistakes are noted in the document; then the description
+/// A table [item] or [[item]] of a job. Errors are noted in the document; then the description
 /// and options are not for use.
 /// @param remarks  on options that reach no caster, or not all
 equipment::Uncertain<JobItem> read_job_item(config::Table& item, Remarks& remarks);

@@ -17,9 +17,9 @@ using config::Table;
 
 std::vector<Table> item_tables(Table& root) {
   if (root.is_array("item")) {
-    const std::size_t mistakes = root.document().mistakes();
+    const std::size_t errors = root.document().errors();
     std::vector<Table> tables = root.tables("item");
-    if (tables.empty() && root.document().mistakes() == mistakes)
+    if (tables.empty() && root.document().errors() == errors)
       root.note("item", ": must be tables [[item]], 1 or more");
     return tables;
   }
@@ -95,7 +95,7 @@ bool has_a_place(const std::string& line, const equipment::ItemDescription& desc
   });
 }
 
-/// Mistakes in how an item is put together: at its casters, else where the job names it.
+/// Errors in how an item is put together: at its casters, else where the job names it.
 void note_lines(const Error& error, const equipment::ItemDescription& description,
                 const config::Spot& spot, equipment::Sampler& of) {
   std::istringstream lines(error.what());
@@ -126,12 +126,12 @@ void place(JobItem item, const ItemStep& step, JobParts& job, equipment::Sampler
 
 void read_one(Table& table, ItemStep step, JobReading& job) {
   config::Document& document = table.document();
-  const std::size_t mistakes = document.mistakes();
+  const std::size_t errors = document.errors();
   const equipment::Uncertain<JobItem> item = read_job_item(table, step.remarks);
   step.description = description_spot(table);
   equipment::Uncertain<PlacedItem> acting;
   read_acting(table, acting);
-  const bool complete = document.mistakes() == mistakes;
+  const bool complete = document.errors() == errors;
   job.add(document, [item, acting, step, complete](JobParts& of_draw, equipment::Sampler& of) {
     PlacedItem& placed = of_draw.scene.items[step.index];
     const equipment::Sampler own =
@@ -153,13 +153,13 @@ std::vector<Table> read_items(Table& root, equipment::UniqueNames& names, JobRea
     of_draw.item_contacts.resize(of_draw.scene.items.size());
     for (std::size_t i = 0; i < item_names.size(); ++i) of_draw.scene.items[i].name = item_names[i];
   });
-  const std::size_t mistakes = root.document().mistakes();
+  const std::size_t errors = root.document().errors();
   const bool several = root.is_array("item");
   for (std::size_t i = 0; i < tables.size(); ++i)
     read_one(tables[i], {.index = i, .several = several}, job);
   if (tables.size() == 1)
     for (const char* key : {"fixture", "initial"}) note_twice(root, tables.front(), key);
-  return root.document().mistakes() == mistakes ? tables : std::vector<Table>{};
+  return root.document().errors() == errors ? tables : std::vector<Table>{};
 }
 
 void read_acting_at_top(Table& root, JobReading& job) {

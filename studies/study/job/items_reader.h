@@ -7,9 +7,9 @@
 namespace gurney::study {
 
 /// The tables [item] or [[item]] of a job. Each of [[item]] is drawn as a part with its name.
-/// Mistakes are noted in the document.
+/// Errors are noted in the document.
 /// @param names  takes the name of each
-/// @return as Scene::items; empty where there is a mistake in them
+/// @return as Scene::items; empty where there is an error in them
 std::vector<config::Table> read_items(config::Table& root, equipment::UniqueNames& names,
                                       JobReading& job);
 

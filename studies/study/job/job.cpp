@@ -15,6 +15,7 @@
 #include "equipment/catalogue/quantity.h"
 #include "studies/study/job/items_reader.h"
 #include "studies/study/job/load_named.h"
+#include "studies/study/job/old_names.h"
 #include "studies/study/job/overlap_check.h"
 #include "studies/study/job/record_reader.h"
 #include "studies/study/job/room_reader.h"
@@ -27,7 +28,7 @@ using config::Range;
 using config::Table;
 
 constexpr double kLongestRun = 7200;  ///< [s]; the longest records have some 20 min
-constexpr double kMostSteps = 2e7;
+constexpr double kMaxSteps = 2e7;
 
 /// Notes each of these keys that is there, as one that `reason` leaves without effect.
 void note_without_effect(Table& table, const std::vector<const char*>& keys,
@@ -57,7 +58,7 @@ void read_settings(Table& root, JobReading& job) {
   if (!found) return;
   SimulationSettings settings;
   Table& in = *found;
-  static const std::vector<std::string> kSolvers = {"star", "bullet", "bullet-dantzig",
+  static const std::vector<std::string> kSolvers = {"implicit", "bullet", "bullet-dantzig",
                                                     "bullet-paper", "bullet-paper-dantzig"};
   settings.solver =
       static_cast<Solver>(in.choice("solver", kSolvers, static_cast<std::size_t>(settings.solver)));
@@ -72,10 +73,10 @@ void read_settings(Table& root, JobReading& job) {
   settings.duration =
       in.number("duration_s", Range::within(0, kLongestRun).open_below(), settings.duration);
   const double steps = settings.duration / settings.time_step;
-  if (steps > kMostSteps)
+  if (steps > kMaxSteps)
     in.note("duration_s",
             fmt::format(" = {:g}: takes {:g} time steps of {:g} s; must take at most {:g}",
-                        settings.duration, steps, settings.time_step, kMostSteps));
+                        settings.duration, steps, settings.time_step, kMaxSteps));
   settings.rest_speed = in.number("rest_speed_m_per_s", Range::positive(), settings.rest_speed);
   settings.rest_hold = in.number("rest_hold_s", Range::positive(), settings.rest_hold);
   if (in.has("follow_overturning")) settings.follow_overturning = in.boolean("follow_overturning");
@@ -85,7 +86,7 @@ void read_settings(Table& root, JobReading& job) {
         kRadiansPerDegree;
   settings.skip_clear_collision_passes =
       in.boolean("skip_clear_collision_passes", settings.skip_clear_collision_passes);
-  if (settings.solver != Solver::kStar)
+  if (settings.solver != Solver::kImplicit)
     note_without_effect(
         in,
         {"residual", "max_newton_iterations", "max_subdivisions", "skip_clear_collision_passes"},
@@ -166,16 +167,17 @@ void read_rotation_factor(Table& excitation, JobReading& job) {
 }
 
 std::optional<Draw> read_draw(Table& root) {
-  constexpr int kMost = std::numeric_limits<int>::max();
+  constexpr int kMax = std::numeric_limits<int>::max();
   auto table = root.table("uncertainty");
   if (!table) return {};
-  const int seed = table->integer("seed", 0, kMost, 1);
+  const int seed = table->integer("seed", 0, kMax, 1);
   return Draw(static_cast<std::uint64_t>(seed),
-              static_cast<std::uint64_t>(table->integer("draw", 0, kMost)));
+              static_cast<std::uint64_t>(table->integer("draw", 0, kMax)));
 }
 
 JobReading read(config::Document& document) {
   equipment::refuse_other_kind(document, "gurney-job/1");
+  std::vector<std::string> notes = rename_old_keys(document);
   Table root = document.root();
   root.choice("schema", {"gurney-job/1"});
   document.tree().asked.insert("study");  // is read by StudyJob
@@ -183,6 +185,7 @@ JobReading read(config::Document& document) {
   fixed.file = document.path();
   fixed.text = document.text();
   fixed.title = root.text("title", "");
+  fixed.warnings = std::move(notes);
   JobReading job(std::move(fixed));
 
   read_floor(root, job);

@@ -71,7 +71,7 @@ struct Job {
   std::vector<std::string> without_effect;  ///< inputs: see Remarks
 };
 
-/// @throws Error with every mistake of the job, and of the data files it names.
+/// @throws Error with every error of the job, and of the data files it names.
 Job read_job(const std::string& path);
 
 /// The same from an open document, which it finishes.

@@ -8,8 +8,8 @@
 
 namespace gurney::study {
 
-/// Loads what `key` of a job's table names; a mistake in the name is noted there, mistakes in the
-/// file after ours. Empty without the key or with a mistake.
+/// Loads what `key` of a job's table names; an error in the name is noted there, errors in the
+/// file after ours. Empty without the key or with an error.
 template <typename Load>
 auto load_named(config::Table& table, const std::string& key, equipment::DataKind kind, Load load)
     -> std::optional<decltype(load(std::string()))> {

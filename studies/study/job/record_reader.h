@@ -7,7 +7,7 @@
 
 namespace gurney::study {
 
-/// [excitation.record], if it is there; the files it names exist. Mistakes are noted in the table's
+/// [excitation.record], if it is there; the files it names exist. Errors are noted in the table's
 /// document.
 std::optional<RecordRequest> read_record_request(config::Table& excitation);
 

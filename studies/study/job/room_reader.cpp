@@ -118,10 +118,10 @@ void furnish(Table& root, std::vector<Table>& items, JobReading& job) {
   const equipment::RoomDescription& room = job.stated().room;
   const bool more = spots.size() > 1 || !room.shapes.empty() || !room.zones.empty() ||
                     !job.stated().scene.tethers.empty();
-  if (more && job.stated().settings.solver != Solver::kStar)
+  if (more && job.stated().settings.solver != Solver::kImplicit)
     if (auto settings = root.table("settings"))
       settings->note("solver",
-                     ": must be \"star\" with a room, tethers or several items; Bullet's "
+                     ": must be \"implicit\" with a room, tethers or several items; Bullet's "
                      "own solvers are baselines for one item on a floor");
   job.add(root.document(), [spots, floor_material](JobParts& of_draw, equipment::Sampler& of) {
     of_draw.scene.floor_material = floor_material;

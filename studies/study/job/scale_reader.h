@@ -15,7 +15,7 @@ struct ScalingTarget {
   double unit_in_si = 1;
 };
 
-/// Reads the keys `measure`, `component` and `unit`. Mistakes are noted in the table's document.
+/// Reads the keys `measure`, `component` and `unit`. Errors are noted in the table's document.
 ScalingTarget read_scaling_target(config::Table& table);
 
 /// Reads the keys `measure` and `component`.
@@ -27,7 +27,7 @@ groundmotions::Combination read_combination(config::Table& table,
 groundmotions::VerticalScaling read_vertical_scaling(config::Table& table);
 
 /// Reads `scale_to` of a record, such as
-/// `{ measure = "Sa(1.0)", component = "RotD50", value = 0.6, unit = "g" }`. Mistakes are noted in
+/// `{ measure = "Sa(1.0)", component = "RotD50", value = 0.6, unit = "g" }`. Errors are noted in
 /// the table's document.
 ScaleTo read_scale_to(config::Table& table);
 

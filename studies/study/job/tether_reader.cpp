@@ -65,7 +65,7 @@ Constants read_constants(equipment::Quantities& in) {
   Constants constants;
   constants.kind =
       load_named(table, "kind", equipment::DataKind::kTether, equipment::load_tether_type);
-  const bool known = table.has("kind");  // its mistakes are noted; it is not missing
+  const bool known = table.has("kind");  // its errors are noted; it is not missing
   const auto read =
       [&](const char* key, const Range& range,
           std::optional<double> fallback = {}) -> std::optional<equipment::StatedQuantity> {
@@ -117,7 +117,7 @@ void check_length(const Tether& tether, const PlacedItem& item, const config::Sp
 void read_tether(Table& table, const std::string& element, const std::string& name,
                  JobReading& job) {
   config::Document& document = table.document();
-  const std::size_t mistakes = document.mistakes();
+  const std::size_t errors = document.errors();
   equipment::Quantities in(table);
   Tether fixed;
   fixed.name = name;
@@ -125,7 +125,7 @@ void read_tether(Table& table, const std::string& element, const std::string& na
   const auto point = in.vector("point_m", Range::any());
   const Anchor anchor = read_anchor(in, job.stated().room.points);
   const equipment::StatedQuantity slack = in.number("slack_length_m", Range::positive());
-  const bool clean = document.mistakes() == mistakes;
+  const bool clean = document.errors() == errors;
   const Constants constants = read_constants(in);
   job.add(document, [=](JobParts& of_draw, equipment::Sampler& of_job) {
     equipment::Sampler of = of_job.of_element(element, name);

@@ -6,7 +6,7 @@
 namespace gurney::study {
 
 /// The tables [[tether]] of a job; the items must be placed and the room read, where a tether may
-/// end. Mistakes are noted in the document.
+/// end. Errors are noted in the document.
 void read_tethers(config::Table& root, JobReading& job);
 
 }  // namespace gurney::study

@@ -7,7 +7,7 @@
 
 namespace gurney::study {
 
-/// Reads the tables [[study.limit_state]]; without any, default_limit_states(). Mistakes are noted
+/// Reads the tables [[study.limit_state]]; without any, default_limit_states(). Errors are noted
 /// in the document.
 std::vector<LimitState> read_limit_states(config::Table& study);
 

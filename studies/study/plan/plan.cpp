@@ -20,7 +20,7 @@ Plan::Plan(const StudyJob& job, const StudyMotions& motions) {
   stages_ = 1 + static_cast<std::size_t>(study.intensity.more_stages);
   angles_ = study.angles.size();
   draws_ = static_cast<std::size_t>(std::max(1, study.draws));
-  runs_of_unit_ = study.intensity.kind == IntensityPlan::Kind::kHunt
+  runs_of_task_ = study.intensity.kind == IntensityPlan::Kind::kIda
                       ? static_cast<std::size_t>(study.intensity.most_runs)
                       : study.intensity.levels.size();
   seed_ = study.seed;
@@ -53,34 +53,34 @@ Plan::Plan(const StudyJob& job, const StudyMotions& motions) {
 }
 
 void Plan::refuse_uncountable(const std::string& job, double motions) const {
-  constexpr double kMost = 1e15;  // so that indices and counts of runs fit into their integers
+  constexpr double kMax = 1e15;  // so that indices and counts of runs fit into their integers
   const double of_unit =
-      static_cast<double>(runs_of_unit_) + static_cast<double>((stages_ - 1) * kLevelsOfAStage);
+      static_cast<double>(runs_of_task_) + static_cast<double>((stages_ - 1) * kLevelsOfAStage);
   const double runs =
       motions * static_cast<double>(angles_) * static_cast<double>(draws_) * of_unit;
-  require(runs < kMost, fmt::format("{}: the study has about {:.2g} runs: too many", job, runs));
+  require(runs < kMax, fmt::format("{}: the study has about {:.2g} runs: too many", job, runs));
 }
 
 std::size_t Plan::runs() const {
-  return units_of_stage() * (runs_of_unit_ + (stages_ - 1) * kLevelsOfAStage);
+  return tasks_of_stage() * (runs_of_task_ + (stages_ - 1) * kLevelsOfAStage);
 }
 
-Unit Plan::unit(std::size_t index) const {
-  const std::size_t stage = index / units_of_stage();
-  index %= units_of_stage();
+Task Plan::task(std::size_t index) const {
+  const std::size_t stage = index / tasks_of_stage();
+  index %= tasks_of_stage();
   const auto next = std::ranges::upper_bound(first_, index);
-  Unit unit;
-  unit.stage = stage;
-  unit.configuration = static_cast<std::size_t>(next - first_.begin()) - 1;
-  std::size_t rest = index - first_[unit.configuration];
-  unit.draw = rest % draws_;
+  Task task;
+  task.stage = stage;
+  task.configuration = static_cast<std::size_t>(next - first_.begin()) - 1;
+  std::size_t rest = index - first_[task.configuration];
+  task.draw = rest % draws_;
   rest /= draws_;
-  unit.angle = rest % angles_;
-  unit.record = rest / angles_;
-  unit.draw += unit.record * draws_;
-  if (const auto row = row_of(unit.draw); row && record_input_ && row->from_b(*record_input_))
-    unit.record = record_in_b(unit.configuration, row->point);
-  return unit;
+  task.angle = rest % angles_;
+  task.record = rest / angles_;
+  task.draw += task.record * draws_;
+  if (const auto row = row_of(task.draw); row && record_input_ && row->from_b(*record_input_))
+    task.record = record_in_b(task.configuration, row->point);
+  return task;
 }
 
 std::size_t Plan::draws(std::size_t configuration) const {
@@ -104,14 +104,14 @@ std::size_t Plan::record_in_b(std::size_t configuration, std::uint64_t point) co
   return std::min(records - 1, static_cast<std::size_t>(place * static_cast<double>(records)));
 }
 
-std::optional<Draw> Plan::draw(const Unit& unit) const {
+std::optional<Draw> Plan::draw(const Task& task) const {
   if (stated_draws_ == 0) return {};
-  if (const auto row = row_of(unit.draw))
-    return Draw::of_saltelli(seed_, unit.draw, *row, streams_);
+  if (const auto row = row_of(task.draw))
+    return Draw::of_saltelli(seed_, task.draw, *row, streams_);
   if (sampling_ == Sampling::kLatinHypercube)
-    return Draw::of_hypercube(seed_, unit.draw, most_records_ * draws_);
-  if (sampling_ == Sampling::kSobol) return Draw::of_sobol(seed_, unit.draw, streams_);
-  return Draw(seed_, unit.draw);
+    return Draw::of_hypercube(seed_, task.draw, most_records_ * draws_);
+  if (sampling_ == Sampling::kSobol) return Draw::of_sobol(seed_, task.draw, streams_);
+  return Draw(seed_, task.draw);
 }
 
 }  // namespace gurney::study

@@ -31,10 +31,10 @@ struct IntensityPlan {
   enum class Kind {
     kScales,   ///< factors on the records
     kStripes,  ///< values of the measure
-    kHunt      ///< incremental dynamic analysis: values found one after the other
+    kIda       ///< incremental dynamic analysis: values found one after the other
   };
   Kind kind = Kind::kScales;
-  groundmotions::Measure measure;  ///< of kStripes and kHunt
+  groundmotions::Measure measure;  ///< of kStripes and kIda
   groundmotions::Combination combination = groundmotions::Combination::kGeometricMean;
   std::string unit = "1";           ///< as the job states levels, for display
   double unit_in_si = 1;            ///< one `unit` in SI
@@ -43,14 +43,14 @@ struct IntensityPlan {
       0;  ///< of kStripes: after the levels, each planned from those before (stages.h)
   groundmotions::VerticalScaling vertical;
 
-  double first = 0;       ///< of kHunt: first value [SI]
+  double first = 0;       ///< of kIda: first value [SI]
   double increment = 0;   ///< added at the second step, growing by itself at each more [SI]
   int most_runs = 0;      ///< of one record, >= 3
   double resolution = 0;  ///< the bracket of the capacity is halved until it is narrower than this
                           ///< fraction of its lower end
   int fill = 0;           ///< runs below the capacity once the bracket is narrow
 
-  /// Limit state that ends the hunt, or that more stages look for: index in Study::limit_states.
+  /// Limit state that ends the IDA, or that more stages look for: index in Study::limit_states.
   std::size_t until = 0;
 };
 
@@ -64,7 +64,7 @@ struct KeptMeasure {
 enum class Histories { kNone, kFailed, kOverturned, kAll };
 
 /// What a study's results keep besides runs, items and points.
-struct Keep {
+struct OutputOptions {
   Histories histories = Histories::kNone;
   bool events = true, zones = true, tethers = true, wheels = false, energy = false;
 };
@@ -84,8 +84,8 @@ struct Study {
   int draws = 0;  ///< of each record; 0: every number has its value
   Sampling sampling = Sampling::kMonteCarlo;
   std::vector<KeptMeasure> measures;
-  Keep keep;
-  double certificate = 0;  ///< fraction of the runs that are repeated with half the time step
+  OutputOptions keep;
+  double step_check = 0;  ///< fraction of the runs that are repeated with half the time step
 };
 
 }  // namespace gurney::study

@@ -12,6 +12,7 @@
 #include "engine/base/error.h"
 #include "engine/config/overlay.h"
 #include "engine/config/table.h"
+#include "studies/study/job/old_names.h"
 #include "studies/study/limit_states/response_values.h"
 #include "studies/study/plan/study_reader.h"
 
@@ -37,7 +38,7 @@ std::vector<std::vector<std::size_t>> all_combinations(const Study& study) {
   return all;
 }
 
-/// @param document  takes the mistakes
+/// @param document  takes the errors
 std::vector<Configuration> combined(const Node& job, const Study& study, Document& document) {
   std::vector<Configuration> all;
   for (const std::vector<std::size_t>& levels :
@@ -45,7 +46,7 @@ std::vector<Configuration> combined(const Node& job, const Study& study, Documen
     Configuration next{{}, job};
     for (std::size_t i = 0; i < levels.size(); ++i) {
       const Factor& factor = study.factors[i];
-      if (factor.levels.empty()) continue;  // a mistake that is noted
+      if (factor.levels.empty()) continue;  // an error that is noted
       const FactorLevel& level = factor.levels[levels[i]];
       next.levels.push_back(level.name);
       config::overlay(next.tree, level.patch, "study.factor." + factor.name, document);
@@ -132,6 +133,7 @@ StudyJob::StudyJob(const std::string& text, const std::string& path)
 
 StudyJob::StudyJob(std::unique_ptr<FileSnapshot> files, std::unique_ptr<Document> document)
     : files_(std::move(files)), document_(std::move(document)) {
+  notes_ = rename_old_keys(*document_);
   Diagnostics errors;  // of all configurations, each line once
   auto taken = document_->take("study");
   require(taken.has_value(), file() + ": the job has no table [study]");

@@ -22,7 +22,7 @@ struct Configuration {
 /// of which each is opened once: an edit while the study runs changes nothing.
 class StudyJob {
  public:
-  /// @throws Error with every mistake: of the study, and of the job in any configuration.
+  /// @throws Error with every error: of the study, and of the job in any configuration.
   explicit StudyJob(const std::string& path);
 
   /// The same from text, such as that kept in a results file.
@@ -33,6 +33,9 @@ class StudyJob {
   const std::vector<Configuration>& configurations() const { return configurations_; }
   const std::string& text() const { return document_->text(); }
   const std::string& file() const { return document_->path(); }
+
+  /// On keys of earlier versions, which are still read.
+  const std::vector<std::string>& notes() const { return notes_; }
 
   /// The job file and those it names, as they were read. What else belongs to the study is to be
   /// read in their scope.
@@ -51,6 +54,7 @@ class StudyJob {
 
   std::unique_ptr<config::FileSnapshot> files_;
   std::unique_ptr<config::Document> document_;
+  std::vector<std::string> notes_;
   Study study_;
   std::vector<Configuration> configurations_;
   std::vector<JobModel> models_;  ///< as configurations_

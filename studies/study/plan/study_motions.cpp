@@ -166,19 +166,19 @@ void StudyMotions::read_all(int threads) const {
   std::vector<std::pair<const MotionSet*, std::size_t>> all;
   for (const auto& set : sets_)
     for (std::size_t i = 0; i < set->size(); ++i) all.emplace_back(set.get(), i);
-  std::vector<std::string> mistakes(all.size());
+  std::vector<std::string> errors(all.size());
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (std::size_t i = 0; i < all.size(); ++i) {
     try {
       all[i].first->ground(all[i].second);
     } catch (const std::bad_alloc&) {
-      mistakes[i] = "not enough memory for the records";
+      errors[i] = "not enough memory for the records";
     } catch (const std::exception& error) {
-      mistakes[i] = error.what();
+      errors[i] = error.what();
     }
   }
   std::string text;
-  for (const std::string& each : mistakes)
+  for (const std::string& each : errors)
     if (!each.empty() && text.find(each) == std::string::npos)
       text += (text.empty() ? "" : "\n") + each;
   require(text.empty(), text);

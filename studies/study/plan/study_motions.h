@@ -76,7 +76,7 @@ class StudyMotions {
   }
 
   /// Reads every record, with several threads.
-  /// @throws Error with the mistakes of all
+  /// @throws Error with the errors of all
   void read_all(int threads) const;
 
  private:

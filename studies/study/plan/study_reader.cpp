@@ -21,7 +21,7 @@ using config::Node;
 using config::Range;
 using config::Table;
 
-constexpr int kMost = std::numeric_limits<int>::max();
+constexpr int kMax = std::numeric_limits<int>::max();
 
 void note_disorder(Table& in, const std::string& key, const std::vector<double>& values) {
   if (values.empty()) in.note(key, " = []: must have 1 or more values");
@@ -118,7 +118,7 @@ void read_factors(Table& in, const Node& node, Study& study) {
   }
 }
 
-/// One row: a level of each factor; empty with a mistake.
+/// One row: a level of each factor; empty with an error.
 std::vector<std::size_t> read_combination(Table& in, const Node& row, std::size_t index,
                                           const std::vector<Factor>& factors) {
   const std::string at = fmt::format("combinations[{}] = ", index);
@@ -173,14 +173,14 @@ std::vector<std::string> names_of(const std::vector<LimitState>& states) {
   return names;
 }
 
-void read_hunt(Table hunt, const std::vector<LimitState>& states, IntensityPlan& plan) {
-  plan.kind = IntensityPlan::Kind::kHunt;
-  plan.first = hunt.number("first", Range::positive()) * plan.unit_in_si;
-  plan.increment = hunt.number("increment", Range::positive()) * plan.unit_in_si;
-  plan.most_runs = hunt.integer("most_runs", 3, 1000, 12);
-  plan.resolution = hunt.number("resolution", Range::within(0, 10).open_below(), 0.1);
-  plan.fill = hunt.integer("fill", 0, 1000, 0);
-  plan.until = hunt.choice("until", names_of(states));
+void read_ida(Table ida, const std::vector<LimitState>& states, IntensityPlan& plan) {
+  plan.kind = IntensityPlan::Kind::kIda;
+  plan.first = ida.number("first", Range::positive()) * plan.unit_in_si;
+  plan.increment = ida.number("increment", Range::positive()) * plan.unit_in_si;
+  plan.most_runs = ida.integer("most_runs", 3, 1000, 12);
+  plan.resolution = ida.number("resolution", Range::within(0, 10).open_below(), 0.1);
+  plan.fill = ida.integer("fill", 0, 1000, 0);
+  plan.until = ida.choice("until", names_of(states));
 }
 
 void read_adaptive(Table adaptive, const std::vector<LimitState>& states, IntensityPlan& plan) {
@@ -204,13 +204,13 @@ IntensityPlan read_intensity(Table in, const std::vector<LimitState>& states) {
   plan.vertical = read_vertical_scaling(in);
   if (in.has("scales"))
     in.note("scales", ": must go without a measure, which has levels or an IDA");
-  if (in.has("levels") == in.has("hunt"))
-    in.note("levels", ": must be given, or a table hunt, not both");
-  if (in.has("adaptive") && in.has("hunt"))
+  if (in.has("levels") == in.has("ida"))
+    in.note("levels", ": must be given, or a table ida, not both");
+  if (in.has("adaptive") && in.has("ida"))
     in.note("adaptive", ": must not be combined with an IDA, which finds its own levels");
   if (auto adaptive = in.table("adaptive")) read_adaptive(*adaptive, states, plan);
-  if (auto hunt = in.table("hunt")) {
-    read_hunt(*hunt, states, plan);
+  if (auto ida = in.table("ida")) {
+    read_ida(*ida, states, plan);
     return plan;
   }
   plan.kind = IntensityPlan::Kind::kStripes;
@@ -255,8 +255,8 @@ void read_measures(Table& in, Study& study) {
   }
 }
 
-Keep read_keep(Table in) {
-  Keep keep;
+OutputOptions read_keep(Table in) {
+  OutputOptions keep;
   keep.histories = static_cast<Histories>(
       in.choice("histories", {"none", "failed", "overturned", "all"}, std::size_t{0}));
   keep.events = in.boolean("events", keep.events);
@@ -291,21 +291,21 @@ Study read_study(Table& in, const Node& node) {
       in.note("performance", std::string(": ") + error.what());
     }
   }
-  study.seed = static_cast<std::uint64_t>(in.integer("seed", 0, kMost, 1));
-  if (in.has("draws")) study.draws = in.integer("draws", 1, kMost);
+  study.seed = static_cast<std::uint64_t>(in.integer("seed", 0, kMax, 1));
+  if (in.has("draws")) study.draws = in.integer("draws", 1, kMax);
   static const std::vector<std::string> kSamplings = {"monte-carlo", "latin-hypercube", "sobol",
                                                       "saltelli"};
   if (in.has("sampling")) {
     study.sampling = static_cast<Sampling>(in.choice("sampling", kSamplings));
     if (!in.has("draws")) in.note("sampling", ": must go with draws");
-    if (study.sampling == Sampling::kSaltelli && study.intensity.kind == IntensityPlan::Kind::kHunt)
+    if (study.sampling == Sampling::kSaltelli && study.intensity.kind == IntensityPlan::Kind::kIda)
       in.note("sampling",
-              " = \"saltelli\": must not go with intensity.hunt, whose intensities "
+              " = \"saltelli\": must not go with intensity.ida, whose intensities "
               "differ from draw to draw; state levels");
   }
   read_measures(in, study);
   if (auto table = in.table("keep")) study.keep = read_keep(*table);
-  study.certificate = in.number("certificate", Range::within(0, 1), 0.0);
+  study.step_check = in.number("step_check", Range::within(0, 1), 0.0);
   return study;
 }
 

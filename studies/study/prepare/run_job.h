@@ -23,7 +23,7 @@ struct PreparedRun {
 PreparedRun prepare_run(const Job& job, std::optional<Motion> motion);
 
 /// Reads a job file and the record it asks for.
-/// @throws Error with every mistake found in the job, its data files and its record.
+/// @throws Error with every error found in the job, its data files and its record.
 PreparedRun prepare_run(const std::string& job_path);
 
 }  // namespace gurney::study

@@ -37,7 +37,7 @@ constexpr TableColumn<Demands> kDemands[] = {
     {"time_of_overturning", "s", "time at which the item overturned; -1: it did not",
      &Demands::time_of_overturning, -1},
     {"direction_of_overturning", "rad",
-     "where the item fell to, from the floor's x axis; NaN: it did not",
+     "direction in which the item overturned, from the floor's x axis; NaN: it did not",
      &Demands::direction_of_overturning, kNaN},
     {"impacts", "1", "number of impacts of the item", &Demands::impacts},
     {"largest_approach_speed", "m/s", "largest approach speed of its impacts",
@@ -76,7 +76,7 @@ constexpr TableColumn<PointDemands> kPointDemands[] = {
 };
 
 constexpr TableColumn<Quality> kQuality[] = {
-    {"energy_closure", "1", "largest closure error of the energy account over the energy in play",
+    {"energy_closure", "1", "largest energy balance error over the energy in play",
      &Quality::energy_closure},
     {"numerical_loss", "1", "energy dissipated by the integrator over the energy in play",
      &Quality::numerical_loss},
@@ -188,7 +188,7 @@ constexpr TableColumn<WheelSample> kWheelSample[] = {
     {"scrub_torque", "N m", "torque of the floor on the wheel about the vertical",
      &WheelSample::scrub_torque},
     {"rolling_resistance", "N", "rolling-resistance torque over the wheel radius",
-     &WheelSample::rolling_resistance},
+     &WheelSample::rolling_resistance_force},
 };
 
 // Every member has its column: study parts are written by these tables too.

@@ -8,7 +8,7 @@ namespace gurney::hdf5 {
 namespace {
 
 /// Deflate makes 1032 bytes of one at most (RFC 1951: 258 bytes of 2 bits).
-constexpr double kMostInflation = 1032;
+constexpr double kMaxInflation = 1032;
 constexpr double kSmall = 4096;  // [bytes] are always allowed
 
 herr_t take_soft_link(hid_t, const char* name, const H5L_info_t* info, void* found) {
@@ -40,7 +40,7 @@ void check_storage(hid_t dataset, const std::string& name) {
   for (int i = 0; i < rank; ++i) values *= static_cast<double>(extent[i]);
   const double bytes = values * static_cast<double>(H5Tget_size(type));
   const auto stored = static_cast<double>(H5Dget_storage_size(dataset));
-  require(bytes <= kMostInflation * stored + (stored > 0 ? kSmall : 0),
+  require(bytes <= kMaxInflation * stored + (stored > 0 ? kSmall : 0),
           fmt::format("{}: states {:.0f} values, but only {:.0f} bytes of them are in the file",
                       name, values, stored));
 }

@@ -20,7 +20,7 @@ using hdf5::silence_printing;
 
 namespace {
 
-constexpr std::uint64_t kMostProbed = std::uint64_t{1} << 22;  // values of one dataset
+constexpr std::uint64_t kMaxProbed = std::uint64_t{1} << 22;  // values of one dataset
 
 std::vector<std::string> take_strings(hid_t type, hid_t space, std::vector<char*>& raw) {
   std::vector<std::string> result;
@@ -200,7 +200,7 @@ void Hdf5Reader::read_all() const {
   for (const Hdf5Dataset& each : datasets_) {
     if (each.type == "string")
       strings(each.path);
-    else if (each.type != "other" && size_of(each) <= kMostProbed)
+    else if (each.type != "other" && size_of(each) <= kMaxProbed)
       numbers(each.path);
   }
 }

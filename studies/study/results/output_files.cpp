@@ -44,12 +44,12 @@ struct NewFile {
 /// A file that nobody has, beside `path`: `path.part`, or where that is taken `path.part2` and so
 /// on. It never follows a link nor touches what is there, which may be somebody's.
 NewFile new_file_beside(const std::string& path) {
-  constexpr int kMost = 1000;
+  constexpr int kMax = 1000;
   for (int number = 1;; ++number) {
     std::string name = path + ".part" + (number == 1 ? "" : std::to_string(number));
     Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (file.get() >= 0) return {std::move(name), std::move(file)};
-    if (errno != EEXIST || number == kMost) fail(path, "cannot be written", errno);
+    if (errno != EEXIST || number == kMax) fail(path, "cannot be written", errno);
   }
 }
 

@@ -10,7 +10,7 @@ namespace gurney::study {
 
 namespace {
 
-constexpr double kMostDraws = 2147483648.0;
+constexpr double kMaxDraws = 2147483648.0;
 
 /// "items" of "/items/peak_displacement"
 std::string table_of(const std::string& path) { return path.substr(1, path.rfind('/') - 1); }
@@ -57,17 +57,17 @@ void StudyReader::check_indices() const {
   };
   const auto rows = [&](const std::string& table) {  // nobody can look up one that is absent
     const auto found = rows_.find(table);
-    return found == rows_.end() ? kMostDraws : static_cast<double>(found->second);
+    return found == rows_.end() ? kMaxDraws : static_cast<double>(found->second);
   };
   for (const auto& [table, length] : rows_) check(table + "/run", 0, rows("runs"));
   for (const char* table : {"runs", "drawn"}) {
     check(table + std::string("/configuration"), 0, rows("configurations"));
-    check(table + std::string("/draw"), -1, kMostDraws);
+    check(table + std::string("/draw"), -1, kMaxDraws);
   }
   check("runs/motion", 0, rows("motions"));
   for (const char* table : {"runs", "motions"})
     check(table + std::string("/record"), 0, rows("records"));
-  check("motions/set", 0, kMostDraws);
+  check("motions/set", 0, kMaxDraws);
   for (const char* column : {"runs/scale", "runs/intensity", "runs/angle"}) {
     if (!columns_.contains(column)) continue;
     for (const double value : numbers(column))

@@ -22,7 +22,7 @@ constexpr std::array kSignals = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr int kTries = 2;
 
 int log_file = -1;  ///< of the one CrashLog there is
-thread_local std::size_t unit_of_thread = 0, run_of_thread = 0;
+thread_local std::size_t task_of_thread = 0, run_of_thread = 0;
 thread_local volatile sig_atomic_t in_a_run = 0;
 
 /// Text in a buffer: what a signal handler may use.
@@ -52,12 +52,12 @@ extern "C" void crashed(int signal_number) {
   if (in_a_run != 0) {
     const auto number = static_cast<std::size_t>(signal_number);
     Line line;
-    line << unit_of_thread << " " << run_of_thread << " " << number << "\n";
+    line << task_of_thread << " " << run_of_thread << " " << number << "\n";
     line.write_to(log_file);
     ::fsync(log_file);
     Line word;
     word << "\ngurney: crashed (signal " << number << ") in run " << run_of_thread << " of unit "
-         << unit_of_thread << "; finished runs are kept, --resume goes on with the others\n";
+         << task_of_thread << "; finished runs are kept, --resume goes on with the others\n";
     word.write_to(STDERR_FILENO);
   }
   ::raise(signal_number);  // SA_RESETHAND: this time it ends the process
@@ -98,15 +98,15 @@ void CrashLog::read(const std::filesystem::path& file, const std::string& text) 
   for (std::string each; std::getline(lines, each);) {
     ++number;
     std::istringstream line(each);
-    std::size_t unit = 0, run = 0;
+    std::size_t task = 0, run = 0;
     int signal_number = 0;
     std::string rest;
-    if (!(line >> unit >> run >> signal_number) || line >> rest)
+    if (!(line >> task >> run >> signal_number) || line >> rest)
       warnings_.push_back(
           fmt::format("{}:{}: is not a line `unit run signal` and was ignored: '{}'", file.string(),
                       number, each));
-    else if (++times[{unit, run}] == kTries)
-      given_up_[{unit, run}] =
+    else if (++times[{task, run}] == kTries)
+      given_up_[{task, run}] =
           fmt::format("crashed the program {} times: {}", kTries, strsignal(signal_number));
   }
 }
@@ -117,8 +117,8 @@ CrashLog::~CrashLog() {
   log_file = -1;
 }
 
-RunMark::RunMark(std::size_t unit, std::size_t run) {
-  unit_of_thread = unit;
+RunMark::RunMark(std::size_t task, std::size_t run) {
+  task_of_thread = task;
   run_of_thread = run;
   in_a_run = 1;
 }

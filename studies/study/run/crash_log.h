@@ -9,10 +9,10 @@
 
 namespace gurney::study {
 
-/// Runs that must not be tried again, by unit and index in it: why.
+/// Runs that must not be tried again, by task and index in it: why.
 using CrashedRuns = std::map<std::pair<std::size_t, std::size_t>, std::string>;
 
-/// Remembers the runs in which a process crashed: a line `unit run signal` for each thread that was
+/// Remembers the runs in which a process crashed: a line `task run signal` for each thread that was
 /// in a run when a signal such as a segmentation fault ended the process. A process that is killed
 /// from outside leaves no line.
 ///
@@ -43,7 +43,7 @@ class CrashLog {
 /// While one exists, this thread is in a run.
 class RunMark {
  public:
-  RunMark(std::size_t unit, std::size_t run);
+  RunMark(std::size_t task, std::size_t run);
   ~RunMark();
   RunMark(const RunMark&) = delete;
   RunMark& operator=(const RunMark&) = delete;

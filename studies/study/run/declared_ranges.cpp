@@ -16,8 +16,8 @@ Job drawn_job(const Batch& batch, std::size_t configuration) {
   if (batch.job.study().draws > 0)
     for (std::size_t draw = 0; draw < batch.plan.draws(configuration); ++draw) {
       try {
-        const Unit unit{.configuration = configuration, .draw = draw};
-        return batch.job.job(configuration, batch.plan.draw(unit));
+        const Task task{.configuration = configuration, .draw = draw};
+        return batch.job.job(configuration, batch.plan.draw(task));
       } catch (const Error&) {
         continue;
       }

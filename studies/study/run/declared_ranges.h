@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "studies/study/plan/undrawn_ranges.h"
-#include "studies/study/run/run_unit.h"
+#include "studies/study/run/run_task.h"
 
 namespace gurney::study {
 

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kMagic = "gurney part 2\n";
 constexpr std::size_t kHashLength = 64;
-constexpr std::size_t kHeadLength = 16 + kHashLength;  ///< of a unit: its number, size and hash
+constexpr std::size_t kHeadLength = 16 + kHashLength;  ///< of a task: its number, size and hash
 
 std::string bytes_of(const fs::path& path) {
   return read_input_file(path.string(), std::numeric_limits<std::uintmax_t>::max());
@@ -78,8 +78,8 @@ std::string identity_in(const fs::path& folder) {
   return fs::exists(study) ? bytes_of(study) : std::string();
 }
 
-PartFolder::PartFolder(fs::path folder, const std::string& identity, std::size_t units, Start start)
-    : lock_(std::move(folder)), identity_hash_(sha256(identity)), units_(units) {
+PartFolder::PartFolder(fs::path folder, const std::string& identity, std::size_t tasks, Start start)
+    : lock_(std::move(folder)), identity_hash_(sha256(identity)), tasks_(tasks) {
   if (!lock_.warning().empty()) warnings_.push_back(lock_.warning());
   if (start == Start::kReplace) remove_parts(path());
   this->start(identity, start);
@@ -112,11 +112,11 @@ fs::path PartFolder::path_of(std::uint32_t part) const {
   return path() / fmt::format("{:08}.part", part);
 }
 
-std::string PartFolder::hash_of(std::size_t unit, std::string_view bytes) const {
-  return sha256(identity_hash_ + bytes_of(unit) + std::string(bytes));
+std::string PartFolder::hash_of(std::size_t task, std::string_view bytes) const {
+  return sha256(identity_hash_ + bytes_of(task) + std::string(bytes));
 }
 
-/// Finds the units of a part that is whole. @return what is wrong with it; empty: nothing
+/// Finds the tasks of a part that is whole. @return what is wrong with it; empty: nothing
 std::string PartFolder::damage_of(std::uint32_t part, const std::string& bytes) {
   const std::size_t content = bytes.size() - std::min(bytes.size(), kHashLength);
   const bool whole = bytes.starts_with(kMagic) &&
@@ -126,16 +126,16 @@ std::string PartFolder::damage_of(std::uint32_t part, const std::string& bytes) 
   std::map<std::size_t, Place> found;
   for (std::size_t at = kMagic.size(); at < content;) {
     if (content - at < kHeadLength) return "a unit is cut off";
-    const std::uint64_t unit = number_at(bytes, at), size = number_at(bytes, at + 8);
+    const std::uint64_t task = number_at(bytes, at), size = number_at(bytes, at + 8);
     if (size > content - at - kHeadLength) return "a unit is larger than the part";
-    if (unit >= units_) return fmt::format("it has unit {} of {}", unit, units_);
-    const std::string_view unit_bytes = std::string_view(bytes).substr(at + kHeadLength, size);
-    if (hash_of(unit, unit_bytes) != bytes.substr(at + 16, kHashLength))
-      return fmt::format("its unit {} belongs to another study", unit);
-    found[unit] = {part, at + kHeadLength, size};
+    if (task >= tasks_) return fmt::format("it has unit {} of {}", task, tasks_);
+    const std::string_view task_bytes = std::string_view(bytes).substr(at + kHeadLength, size);
+    if (hash_of(task, task_bytes) != bytes.substr(at + 16, kHashLength))
+      return fmt::format("its unit {} belongs to another study", task);
+    found[task] = {part, at + kHeadLength, size};
     at += kHeadLength + size;
   }
-  for (const auto& [unit, where] : found) place(unit, where);
+  for (const auto& [task, where] : found) place(task, where);
   return {};
 }
 
@@ -149,41 +149,41 @@ void PartFolder::take_over(std::uint32_t part) {
                                   path.string(), bytes.size(), damage));
 }
 
-void PartFolder::add(const std::map<std::size_t, std::string>& units) {
-  if (units.empty()) return;
+void PartFolder::add(const std::map<std::size_t, std::string>& tasks) {
+  if (tasks.empty()) return;
   lock_.check();
   std::string bytes(kMagic);
   std::map<std::size_t, Place> places;
-  for (const auto& [unit, content] : units) {
-    bytes += bytes_of(unit) + bytes_of(content.size()) + hash_of(unit, content);
-    places[unit] = {next_, bytes.size(), content.size()};
+  for (const auto& [task, content] : tasks) {
+    bytes += bytes_of(task) + bytes_of(content.size()) + hash_of(task, content);
+    places[task] = {next_, bytes.size(), content.size()};
     bytes += content;
   }
   bytes += sha256(bytes);
   write_whole(path_of(next_), bytes);
   ++next_;
-  for (const auto& [unit, where] : places) place(unit, where);
+  for (const auto& [task, where] : places) place(task, where);
 }
 
-void PartFolder::place(std::size_t unit, const Place& place) {
-  if (places_.size() <= unit) places_.resize(unit + 1);
-  if (places_[unit].part == 0) ++size_;
-  places_[unit] = place;
+void PartFolder::place(std::size_t task, const Place& place) {
+  if (places_.size() <= task) places_.resize(task + 1);
+  if (places_[task].part == 0) ++size_;
+  places_[task] = place;
 }
 
-std::string PartFolder::read(std::size_t unit) const {
-  const Place& place = places_.at(unit);
+std::string PartFolder::read(std::size_t task) const {
+  const Place& place = places_.at(task);
   const fs::path path = path_of(place.part);
   std::ifstream stream(path, std::ios::binary);
   std::string bytes(kHeadLength + place.size, '\0');
   stream.seekg(static_cast<std::streamoff>(place.offset - kHeadLength));
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   require(bool(stream), path.string() + ": cannot be read any more");
-  const std::string head = bytes_of(unit) + bytes_of(place.size);
+  const std::string head = bytes_of(task) + bytes_of(place.size);
   const std::string content = bytes.substr(kHeadLength);
-  require(bytes.starts_with(head + hash_of(unit, content)),
+  require(bytes.starts_with(head + hash_of(task, content)),
           fmt::format("{}: was changed while the study ran: the checksum of unit {} does not match",
-                      path.string(), unit));
+                      path.string(), task));
   return content;
 }
 

@@ -10,11 +10,11 @@
 
 namespace gurney::study {
 
-/// The finished units of a study that is not complete: a folder beside its results file.
+/// The finished tasks of a study that is not complete: a folder beside its results file.
 ///
-/// A part file holds whole units, each with a SHA-256 that binds it to its study and its number,
+/// A part file holds whole tasks, each with a SHA-256 that binds it to its study and its number,
 /// and ends with the SHA-256 of all before. It is written under another name, synced and renamed,
-/// so that a killed process loses only units it had not reported. The file `study` says whose parts
+/// so that a killed process loses only tasks it had not reported. The file `study` says whose parts
 /// these are. One process works in the folder at a time (FolderLock).
 class PartFolder {
  public:
@@ -24,55 +24,55 @@ class PartFolder {
     kReplace  ///< parts are removed
   };
 
-  /// @param identity  what must be equal for units to belong together: lines `key value`, an empty
+  /// @param identity  what must be equal for tasks to belong together: lines `key value`, an empty
   ///                  line, and whatever else is to be kept with it
-  /// @param units     of the study: their numbers are below
+  /// @param tasks     of the study: their numbers are below
   /// @throws Error for parts that must not be there, for parts of another study, where nothing can
   ///         be written, and as FolderLock does. Damaged parts are renamed to `.damaged` and
-  ///         reported in warnings(): their units are not done.
-  PartFolder(std::filesystem::path folder, const std::string& identity, std::size_t units,
+  ///         reported in warnings(): their tasks are not done.
+  PartFolder(std::filesystem::path folder, const std::string& identity, std::size_t tasks,
              Start start);
   PartFolder(const PartFolder&) = delete;
   PartFolder& operator=(const PartFolder&) = delete;
 
   const std::filesystem::path& path() const { return lock_.folder(); }
   const std::vector<std::string>& warnings() const { return warnings_; }
-  bool has(std::size_t unit) const { return unit < places_.size() && places_[unit].part > 0; }
+  bool has(std::size_t task) const { return task < places_.size() && places_[task].part > 0; }
   std::size_t size() const { return size_; }
 
   /// Whether the folder with its parts is still there.
   bool holds() const { return lock_.holds(); }
 
-  /// Writes a part of these units, in any order.
-  /// @param units  by index: the bytes of each
+  /// Writes a part of these tasks, in any order.
+  /// @param tasks  by index: the bytes of each
   /// @throws Error with the system's reason, such as a full disk, and where the folder was removed:
   ///         then none of them counts
-  void add(const std::map<std::size_t, std::string>& units);
+  void add(const std::map<std::size_t, std::string>& tasks);
 
-  /// The bytes of a unit.
+  /// The bytes of a task.
   /// @throws Error unless they are those that were added
-  std::string read(std::size_t unit) const;
+  std::string read(std::size_t task) const;
 
   /// Removes what this program put there, and the folder unless somebody put other files into it.
   void remove();
 
  private:
   struct Place {
-    std::uint32_t part = 0;  ///< from 1; 0: the unit is not done
+    std::uint32_t part = 0;  ///< from 1; 0: the task is not done
     std::uint64_t offset = 0, size = 0;
   };
   std::filesystem::path path_of(std::uint32_t part) const;
   void start(const std::string& identity, Start start);
   void take_over(std::uint32_t part);
   std::string damage_of(std::uint32_t part, const std::string& bytes);
-  void place(std::size_t unit, const Place& place);
-  std::string hash_of(std::size_t unit, std::string_view bytes) const;
+  void place(std::size_t task, const Place& place);
+  std::string hash_of(std::size_t task, std::string_view bytes) const;
 
   FolderLock lock_;
   std::string identity_hash_;
   std::uint32_t next_ = 1;
-  std::size_t units_, size_ = 0;
-  std::vector<Place> places_;  ///< by unit
+  std::size_t tasks_, size_ = 0;
+  std::vector<Place> places_;  ///< by task
   std::vector<std::string> warnings_;
 };
 

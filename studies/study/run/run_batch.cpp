@@ -15,9 +15,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-using Part = std::map<std::size_t, std::string>;  ///< bytes of units
+using Part = std::map<std::size_t, std::string>;  ///< bytes of tasks
 
-void count(const UnitResult& result, BatchProgress& progress) {
+void count(const TaskResult& result, BatchProgress& progress) {
   for (const StudyRun& run : result.runs) {
     progress.failed += is_failure(run.response.outcome);
     progress.untrusted += run.response.outcome == Outcome::kUntrusted;
@@ -29,13 +29,13 @@ void count(const UnitResult& result, BatchProgress& progress) {
 
 BatchProgress done_before(const Batch& batch, const PartFolder& folder) {
   BatchProgress progress;
-  progress.units = batch.plan.units();
-  for (std::size_t unit = 0; unit < progress.units; ++unit)
-    if (folder.has(unit)) count(unit_from_bytes(folder.read(unit)), progress);
+  progress.tasks = batch.plan.tasks();
+  for (std::size_t task = 0; task < progress.tasks; ++task)
+    if (folder.has(task)) count(task_from_bytes(folder.read(task)), progress);
   return progress;
 }
 
-/// Collects finished units into parts: soon at first, later after 2 % of the time the batch has
+/// Collects finished tasks into parts: soon at first, later after 2 % of the time the batch has
 /// run, so that parts stay few and little is lost.
 class Collector {
  public:
@@ -43,18 +43,18 @@ class Collector {
       : report_(report), progress_(before) {}
 
   /// @return a part that is due to be written; else empty
-  Part add(UnitResult result) {
+  Part add(TaskResult result) {
     count(result, progress_);
     progress_.runs_now += result.runs.size();
-    ++progress_.units_now;
-    const std::size_t unit = result.unit;
-    bytes_ += (waiting_[unit] = to_bytes(result)).size();
+    ++progress_.tasks_now;
+    const std::size_t task = result.task;
+    bytes_ += (waiting_[task] = to_bytes(result)).size();
     progress_.seconds = since(start_);
     if (since(reported_) > 0.5) {
       report_(progress_);
       reported_ = Clock::now();
     }
-    const bool due = since(taken_) > std::max(1.0, 0.02 * progress_.seconds) || bytes_ > kMostBytes;
+    const bool due = since(taken_) > std::max(1.0, 0.02 * progress_.seconds) || bytes_ > kMaxBytes;
     return due ? take() : Part();
   }
 
@@ -71,7 +71,7 @@ class Collector {
   }
 
  private:
-  static constexpr std::size_t kMostBytes = 8 << 20;
+  static constexpr std::size_t kMaxBytes = 8 << 20;
 
   static double since(Clock::time_point time) {
     return std::chrono::duration<double>(Clock::now() - time).count();
@@ -85,12 +85,12 @@ class Collector {
 };
 
 /// Units of the stage that the folder lacks.
-std::vector<std::size_t> missing_units(const Batch& batch, std::size_t stage,
+std::vector<std::size_t> missing_tasks(const Batch& batch, std::size_t stage,
                                        const PartFolder& folder) {
-  const std::size_t units = batch.plan.units_of_stage();
+  const std::size_t tasks = batch.plan.tasks_of_stage();
   std::vector<std::size_t> missing;
-  for (std::size_t unit = stage * units; unit < (stage + 1) * units; ++unit)
-    if (!folder.has(unit)) missing.push_back(unit);
+  for (std::size_t task = stage * tasks; task < (stage + 1) * tasks; ++task)
+    if (!folder.has(task)) missing.push_back(task);
   return missing;
 }
 
@@ -103,18 +103,18 @@ struct Work {
   const std::function<bool()>& go_on;
 };
 
-void run_units(const Work& work, const std::vector<std::size_t>& units, const StageLevels& levels,
+void run_tasks(const Work& work, const std::vector<std::size_t>& tasks, const StageLevels& levels,
                int threads) {
   std::mutex collecting, writing;  // a thread that waits for the disk holds up no other
   std::exception_ptr problem;
   std::atomic<bool> broken = false;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-  for (std::size_t i = 0; i < units.size(); ++i) {
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
     if (broken || !work.go_on()) continue;
     try {
-      const Unit unit = work.batch.plan.unit(units[i]);
-      UnitResult result = run_unit(work.batch, units[i], work.go_on, work.crashes.given_up(),
-                                   &levels.of(unit.configuration));
+      const Task task = work.batch.plan.task(tasks[i]);
+      TaskResult result = run_task(work.batch, tasks[i], work.go_on, work.crashes.given_up(),
+                                   &levels.of(task.configuration));
       Part part;
       {
         const std::lock_guard lock(collecting);
@@ -140,11 +140,11 @@ BatchProgress run_batch(const Batch& batch, PartFolder& folder, const CrashLog& 
   Collector collector(progress, done_before(batch, folder));
   const Work work{batch, folder, crashes, collector, go_on};
   StageLevels levels(batch);
-  run_units(work, missing_units(batch, 0, folder), levels, threads);
+  run_tasks(work, missing_tasks(batch, 0, folder), levels, threads);
   while (levels.stage() + 1 < batch.plan.stages() && go_on()) {
-    if (!missing_units(batch, levels.stage(), folder).empty()) break;
-    levels.advance([&](std::size_t unit) { return unit_from_bytes(folder.read(unit)); });
-    run_units(work, missing_units(batch, levels.stage(), folder), levels, threads);
+    if (!missing_tasks(batch, levels.stage(), folder).empty()) break;
+    levels.advance([&](std::size_t task) { return task_from_bytes(folder.read(task)); });
+    run_tasks(work, missing_tasks(batch, levels.stage(), folder), levels, threads);
   }
   return collector.finish();
 }

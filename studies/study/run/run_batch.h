@@ -4,25 +4,25 @@
 #include <functional>
 
 #include "studies/study/run/part_folder.h"
-#include "studies/study/run/run_unit.h"
+#include "studies/study/run/run_task.h"
 
 namespace gurney::study {
 
 /// What is known of a batch on its way.
 struct BatchProgress {
-  std::size_t units = 0, done = 0;  ///< those of earlier attempts included
-  std::size_t runs = 0, failed = 0, untrusted = 0, overturned = 0;  ///< of the units that are done
-  std::size_t units_now = 0, runs_now = 0;                          ///< of this attempt
+  std::size_t tasks = 0, done = 0;  ///< those of earlier attempts included
+  std::size_t runs = 0, failed = 0, untrusted = 0, overturned = 0;  ///< of the tasks that are done
+  std::size_t tasks_now = 0, runs_now = 0;                          ///< of this attempt
   double seconds = 0;                                               ///< of this attempt
 };
 
-/// Runs every unit that the folder lacks, and puts it there. A run that crashed the program twice
+/// Runs every task that the folder lacks, and puts it there. A run that crashed the program twice
 /// (crash_log.h) fails without being tried again.
 /// @param crashes   of this folder
 /// @param threads   >= 1
 /// @param go_on     false: runs in flight are dropped, what is finished goes to the folder
 /// @param progress  called about twice a second, from one thread at a time
-/// @throws Error where the folder cannot take the parts; finished units before that stay in it
+/// @throws Error where the folder cannot take the parts; finished tasks before that stay in it
 BatchProgress run_batch(const Batch& batch, PartFolder& folder, const CrashLog& crashes,
                         int threads, const std::function<bool()>& go_on,
                         const std::function<void(const BatchProgress&)>& progress);

@@ -52,11 +52,11 @@ constexpr std::size_t kLongestOutcome = 12, kLongestCause = 512;
 std::vector<std::string> variables_of(const Batch& batch, std::size_t configuration) {
   if (batch.job.study().draws == 0) return {};
   for (std::size_t draw = 0; draw < batch.plan.draws(configuration); ++draw) {
-    const Unit unit{.configuration = configuration, .draw = draw};
+    const Task task{.configuration = configuration, .draw = draw};
     try {
       std::vector<std::string> names;
       for (const equipment::Assumption& each :
-           batch.job.job(configuration, batch.plan.draw(unit)).assumptions)
+           batch.job.job(configuration, batch.plan.draw(task)).assumptions)
         if (!each.distribution.empty()) names.push_back(each.key);
       return names;
     } catch (const Error&) {
@@ -98,7 +98,7 @@ GrowingTable& RunTables::make(const std::string& name) {
 RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
     : file_(file), batch_(batch), names_(names_of(batch)) {
   const Study& study = batch.job.study();
-  const Keep& keep = study.keep;
+  const OutputOptions& keep = study.keep;
   const std::size_t item = widest(names_, [](auto& n) { return n.items; });
   const std::size_t wheel = widest(names_, [](auto& n) { return flat(n.wheels); });
   const std::size_t point = widest(names_, [](auto& n) { return flat(n.points); });
@@ -123,8 +123,7 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
   runs.add_number("pfv", "m/s", "largest horizontal velocity of the floor");
   runs.add_text("outcome", "how the run ended", kLongestOutcome);
   runs.add_number("end_time", "s", "end of the run");
-  runs.add_number("energy_closure", "1",
-                  "largest closure error of the energy account over the energy in play");
+  runs.add_number("energy_closure", "1", "largest energy balance error over the energy in play");
 
   GrowingTable& motions = make("motions");
   motions.add_whole("set", "set of ground motions: configurations that shake alike share one");
@@ -174,7 +173,7 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
     histories.add(sample_columns());
     if (keep.energy) histories.add(energy_columns());
   }
-  if (study.certificate > 0) item_table("half_step").add(demand_columns());
+  if (study.step_check > 0) item_table("half_step").add(demand_columns());
   if (study.draws > 0) {
     GrowingTable& drawn = make("drawn");
     drawn.add_whole("configuration", "row of /configurations");
@@ -190,45 +189,45 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
                 kLongestCause);
 }
 
-void RunTables::add(const UnitResult& result) {
-  const Unit unit = batch_.plan.unit(result.unit);
-  const auto draw = batch_.plan.draw(unit);
-  if (draw && unit.angle == 0) {
-    const std::vector<std::string>& variables = names_[unit.configuration].variables;
+void RunTables::add(const TaskResult& result) {
+  const Task task = batch_.plan.task(result.task);
+  const auto draw = batch_.plan.draw(task);
+  if (draw && task.angle == 0) {
+    const std::vector<std::string>& variables = names_[task.configuration].variables;
     for (std::size_t i = 0; i < std::min(variables.size(), result.drawn.size()); ++i) {
-      table("drawn").put(double(unit.configuration)).put(double(draw->run()));
+      table("drawn").put(double(task.configuration)).put(double(draw->run()));
       table("drawn").put(variables[i]).put(result.drawn[i]).end_row();
     }
   }
-  for (const StudyRun& run : result.runs) add_run(result, unit, run);
+  for (const StudyRun& run : result.runs) add_run(result, task, run);
 }
 
-std::int64_t RunTables::motion_of(const Unit& unit, double scale) {
-  const std::size_t set = batch_.motions.index_of(unit.configuration);
+std::int64_t RunTables::motion_of(const Task& task, double scale) {
+  const std::size_t set = batch_.motions.index_of(task.configuration);
   GrowingTable& motions = table("motions");
-  const auto [place, fresh] = motions_.try_emplace({set, unit.record, scale}, motions.rows());
+  const auto [place, fresh] = motions_.try_emplace({set, task.record, scale}, motions.rows());
   if (!fresh) return place->second;
-  motions.put(double(set)).put(double(unit.record)).put(scale);
+  motions.put(double(set)).put(double(task.record)).put(scale);
   const std::vector<KeptMeasure>& kept = batch_.job.study().measures;
-  const std::vector<double>& values = batch_.motions.set(set).ground(unit.record).measures;
+  const std::vector<double>& values = batch_.motions.set(set).ground(task.record).measures;
   for (std::size_t i = 0; i < kept.size(); ++i)
     motions.put(values[i] * std::pow(scale, groundmotions::scaling_power(kept[i].measure)));
   motions.end_row();
   return place->second;
 }
 
-void RunTables::add_run(const UnitResult& result, const Unit& unit, const StudyRun& run) {
-  const auto draw = batch_.plan.draw(unit);
+void RunTables::add_run(const TaskResult& result, const Task& task, const StudyRun& run) {
+  const auto draw = batch_.plan.draw(task);
   GrowingTable& runs = table("runs");
-  runs.put(double(runs_)).put(double(result.unit)).put(double(unit.configuration));
-  runs.put(double(unit.record)).put(double(motion_of(unit, run.scale)));
-  runs.put(batch_.job.study().angles[unit.angle]).put(draw ? double(draw->run()) : -1.0);
+  runs.put(double(runs_)).put(double(result.task)).put(double(task.configuration));
+  runs.put(double(task.record)).put(double(motion_of(task, run.scale)));
+  runs.put(batch_.job.study().angles[task.angle]).put(draw ? double(draw->run()) : -1.0);
   runs.put(run.scale).put(run.intensity).put(run.pfa).put(run.pfv);
   runs.put(std::string(name_of(run.response.outcome))).put(run.response.end_time);
   runs.put(run.response.quality.energy_closure).end_row();
   for (const std::string& warning : run.warnings)
     table("warnings").put(double(runs_)).put(warning.substr(0, kLongestCause)).end_row();
-  const ConfigurationNames& names = names_[unit.configuration];
+  const ConfigurationNames& names = names_[task.configuration];
   if (is_failure(run.response.outcome)) {
     table("failures").put(double(runs_)).put(run.response.cause.substr(0, kLongestCause)).end_row();
   } else {

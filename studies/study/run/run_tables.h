@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "studies/study/results/growing_table.h"
-#include "studies/study/run/run_unit.h"
+#include "studies/study/run/run_task.h"
 
 namespace gurney::study {
 
@@ -25,15 +25,15 @@ class RunTables {
  public:
   RunTables(Hdf5Writer& file, const Batch& batch);
 
-  void add(const UnitResult& result);
+  void add(const TaskResult& result);
   void finish();
 
  private:
-  void add_run(const UnitResult& result, const Unit& unit, const StudyRun& run);
+  void add_run(const TaskResult& result, const Task& task, const StudyRun& run);
   void add_items(const StudyRun& run, const ConfigurationNames& names);
   void add_events(const StudyRun& run, const ConfigurationNames& names);
   void add_histories(const StudyRun& run, const ConfigurationNames& names);
-  std::int64_t motion_of(const Unit& unit, double scale);
+  std::int64_t motion_of(const Task& task, double scale);
   GrowingTable& table(const std::string& name) { return *tables_.at(name); }
   GrowingTable& make(const std::string& name);
 

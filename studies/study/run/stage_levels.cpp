@@ -12,10 +12,10 @@ StageLevels::StageLevels(const Batch& batch)
     for (const double level : levels_[i]) stripes_[i][level].im = level;
 }
 
-void StageLevels::advance(const std::function<UnitResult(std::size_t)>& read) {
-  const std::size_t units = batch_.plan.units_of_stage();
-  for (std::size_t index = stage_ * units; index < (stage_ + 1) * units; ++index) {
-    auto& stripes = stripes_[batch_.plan.unit(index).configuration];
+void StageLevels::advance(const std::function<TaskResult(std::size_t)>& read) {
+  const std::size_t tasks = batch_.plan.tasks_of_stage();
+  for (std::size_t index = stage_ * tasks; index < (stage_ + 1) * tasks; ++index) {
+    auto& stripes = stripes_[batch_.plan.task(index).configuration];
     for (const StudyRun& run : read(index).runs) {
       if (is_failure(run.response.outcome)) continue;
       statistics::Stripe& stripe = stripes[run.intensity];

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "studies/statistics/stripes.h"
-#include "studies/study/run/run_unit.h"
+#include "studies/study/run/run_task.h"
 
 namespace gurney::study {
 
 /// The levels of each configuration in one stage after the other. They rest on the outcomes of all
-/// units of the stages before, in the order of the units, and on nothing else.
+/// tasks of the stages before, in the order of the tasks, and on nothing else.
 class StageLevels {
  public:
   explicit StageLevels(const Batch& batch);
@@ -19,9 +19,9 @@ class StageLevels {
   std::size_t stage() const { return stage_; }
   const std::vector<double>& of(std::size_t configuration) const { return levels_[configuration]; }
 
-  /// The next stage; all units of this one are done.
-  /// @param read  gives a unit's result
-  void advance(const std::function<UnitResult(std::size_t)>& read);
+  /// The next stage; all tasks of this one are done.
+  /// @param read  gives a task's result
+  void advance(const std::function<TaskResult(std::size_t)>& read);
 
  private:
   const Batch& batch_;

@@ -138,7 +138,7 @@ void add_assumptions(Hdf5Writer& file, const Batch& batch) {
 }  // namespace
 
 StudyCounts write_study_file(const std::string& path, const Batch& batch,
-                             const std::function<UnitResult(std::size_t)>& read) {
+                             const std::function<TaskResult(std::size_t)>& read) {
   Hdf5Writer file(path);
   add_root(file, batch);
   add_configurations(file, batch);
@@ -148,11 +148,11 @@ StudyCounts write_study_file(const std::string& path, const Batch& batch,
   add_design(file, batch);
   StudyCounts counts;
   RunTables tables(file, batch);
-  for (std::size_t unit = 0; unit < batch.plan.units(); ++unit) {
-    const UnitResult result = read(unit);
-    require(result.unit == unit,
-            fmt::format("the results of unit {} stand where those of unit {} must be", result.unit,
-                        unit));
+  for (std::size_t task = 0; task < batch.plan.tasks(); ++task) {
+    const TaskResult result = read(task);
+    require(result.task == task,
+            fmt::format("the results of unit {} stand where those of unit {} must be", result.task,
+                        task));
     for (const StudyRun& run : result.runs) {
       ++counts.runs;
       counts.failed += is_failure(run.response.outcome);

@@ -19,7 +19,7 @@ namespace {
 using Entries = std::map<std::string, std::string>;
 
 constexpr const char* kJob = "job_sha256";
-constexpr std::size_t kMostShown = 3;
+constexpr std::size_t kMaxShown = 3;
 
 std::string input_lines(const Batch& batch) {
   std::string lines;
@@ -59,10 +59,10 @@ std::string differences(const Entries& theirs, const Entries& ours) {
   std::size_t count = 0;
   for (const auto& [key, ignored] : all) {
     const std::string there = value_in(theirs, key), here = value_in(ours, key);
-    if (there == here || ++count > kMostShown) continue;
+    if (there == here || ++count > kMaxShown) continue;
     text += fmt::format("{}{}: there {}, here {}", count > 1 ? "; " : "", key, there, here);
   }
-  return text + (count > kMostShown ? fmt::format("; and {} more", count - kMostShown) : "");
+  return text + (count > kMaxShown ? fmt::format("; and {} more", count - kMaxShown) : "");
 }
 
 Entries keys_of_job(const std::string& text) {
@@ -106,7 +106,7 @@ std::string identity_of(const Batch& batch) {
   const build_info::BuildInfo build = build_info::build_info();
   return inputs_from(
       fmt::format("{}units = {}\nprogram = {} {}\ncpu_class = {}\n", input_lines(batch),
-                  batch.plan.units(), build.program_version, build.git_commit, build.cpu_class),
+                  batch.plan.tasks(), build.program_version, build.git_commit, build.cpu_class),
       batch.job.text());
 }
 

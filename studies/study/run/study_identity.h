@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "studies/study/run/run_unit.h"
+#include "studies/study/run/run_task.h"
 
 namespace gurney::study {
 

@@ -24,7 +24,7 @@ Findings relax(const Soft& c, const Runner& runner) {
   ItemOptions options;
   options.total_mass = c.mass;
   options.caster.tread.tangential_stiffness = c.stiffness;
-  options.caster.tread.rolling_resistance = c.resistance * options.caster.wheel_radius;
+  options.caster.tread.rolling_friction_length = c.resistance * options.caster.wheel_radius;
   Scene scene = scene_of(trolley(options));
   scene.items[0].initial.velocity.x() = c.speed;
   scene.items[0].fixture = hold_rotations(false, true, false);

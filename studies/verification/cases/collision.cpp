@@ -101,10 +101,9 @@ Findings collide(const Collision& c, const Runner& runner) {
                       "m/s", yaw_rate_at_end(response, i) * 0.5 * kSecond.y(),
                       exact.after[1 - i].yaw_rate * 0.5 * kSecond.y(), share * v + stays(1 - i),
                       terms});
-  checks.push_back({"closure of the energy account", "", response.quality.energy_closure, 0,
-                    steps.closure(),
+  checks.push_back({"energy balance error", "", response.quality.energy_closure, 0, steps.closure(),
                     "(1 - 2 gamma)^2 phi^2: what a spring that touches or parts inside a step "
-                    "costs the account"});
+                    "costs the balance"});
   if (c.aside == 0)
     checks.push_back({"impulse", "N s", m * b, (1 + e) * v * effective, share * v * effective,
                       std::string("the reduced mass times ") + terms});
@@ -155,10 +154,10 @@ Findings press(const Row& c, const Runner& runner) {
                &second = response.items[1].history.back();
   const char* const residual = "what an oscillation below the resolved 0.01 m/s leaves: 0.2 %";
   auto& checks = findings.checks;
-  checks.push_back({"way of the second block", "m", second.displacement.x(), kSlit + pressed,
-                    0.002 * pressed, residual});
-  checks.push_back({"way of the first block", "m", first.displacement.x(), 2 * kSlit + 2 * pressed,
-                    0.004 * pressed, residual});
+  checks.push_back({"displacement of the second block", "m", second.displacement.x(),
+                    kSlit + pressed, 0.002 * pressed, residual});
+  checks.push_back({"displacement of the first block", "m", first.displacement.x(),
+                    2 * kSlit + 2 * pressed, 0.004 * pressed, residual});
   checks.push_back({"speed at the end", "m/s", first.velocity.norm(), 0, 1e-6, "at rest"});
   checks.push_back({"steps that were divided", "",
                     static_cast<double>(response.quality.subdivided_steps), 0, 0,

@@ -5,7 +5,7 @@
 #include "studies/verification/scenes/scenes.h"
 
 // What moves at v0 comes to rest when a force has taken its kinetic energy: the way tells the
-// force, the energy account tells whose it was.
+// force, the energy balance tells whose it was.
 namespace gurney::verification {
 namespace {
 
@@ -22,7 +22,7 @@ EquipmentModel stiff_trolley(const Coast& c, double rolling_resistance, double b
   ItemOptions options;
   options.total_mass = c.mass;
   stiffen(options.caster.tread);
-  options.caster.tread.rolling_resistance = rolling_resistance * options.caster.wheel_radius;
+  options.caster.tread.rolling_friction_length = rolling_resistance * options.caster.wheel_radius;
   options.caster.brake_torque = brake;
   return trolley(options);
 }
@@ -61,11 +61,12 @@ void compare(const Response& response, double loss, const std::string& of, doubl
   velocity.report(findings);
   findings.checks.push_back({"distance", "m", item.demands.residual_displacement, distance,
                              wound + stop + residual, terms});
-  findings.checks.push_back({of, "J", loss, inertia * speed * speed / 2,
-                             force * (wound + stop + residual + slip * distance),
-                             std::string("the force times the tolerance of the way, and the slip "
-                                         "of rolling treads, f / (n k_t sigma), times the way: ") +
-                                 terms});
+  findings.checks.push_back(
+      {of, "J", loss, inertia * speed * speed / 2,
+       force * (wound + stop + residual + slip * distance),
+       std::string("the force times the tolerance of the distance, and the slip "
+                   "of rolling treads, f / (n k_t sigma), times the distance: ") +
+           terms});
 }
 
 Findings rolls(const Coast& c, const Runner& runner) {

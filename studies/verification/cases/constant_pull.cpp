@@ -27,7 +27,7 @@ EquipmentModel pulled_trolley(const Pull& c, double normal_stiffness) {
   caster.wheel_mass = c.wheel_mass;
   caster.wheel_radius = c.wheel_radius;
   caster.height = c.wheel_radius + 0.081;
-  caster.tread.rolling_resistance = c.resistance * c.wheel_radius;
+  caster.tread.rolling_friction_length = c.resistance * c.wheel_radius;
   set_wheel_inertia(caster);
   return trolley(options);
 }

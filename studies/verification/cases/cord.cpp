@@ -62,8 +62,7 @@ Findings throw_back(const Cord& c, const Runner& runner) {
   checks.push_back({"energy that the damper took", "J", response.items[0].energy.damper_loss,
                     energy * (1 - exact.restitution * exact.restitution), 2 * error * energy,
                     "twice that of the speed"});
-  checks.push_back(
-      {"closure of the energy account", "", response.quality.energy_closure, 0, error, terms});
+  checks.push_back({"energy balance error", "", response.quality.energy_closure, 0, error, terms});
   return findings;
 }
 
@@ -96,7 +95,7 @@ Findings break_it(const Weak& c, const Runner& runner) {
                     0.5 * (left(strength) + left(most)),
                     0.5 * (left(strength) - left(most)) + kStepPhase * kStepPhase * v,
                     "that of tensions between the strength and k v dt more; (omega dt)^2 of it"});
-  checks.push_back({"closure of the energy account", "", response.quality.energy_closure, 0,
+  checks.push_back({"energy balance error", "", response.quality.energy_closure, 0,
                     kStepPhase * kStepPhase, "(omega dt)^2 of a method of second order"});
   return findings;
 }

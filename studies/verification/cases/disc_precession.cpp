@@ -100,8 +100,8 @@ Findings precess(const Precession& c, const Runner& runner) {
   Track moment("moment that is left", "N m",
                "a nutation of the height's tolerance changes the yaw rate by C w3 / A = 2 w3 times "
                "its size: that share of m g r cos(theta)");
-  Track middle("way of the circle's middle", "m",
-               "that share of its radius, at both ends of the way");
+  Track middle("path of the circle's middle", "m",
+               "that share of its radius, at both ends of the path");
   const auto& history = fine.items[0].history;
   Vector2 first = Vector2::Zero();
   bool begun = false;

@@ -104,7 +104,7 @@ Findings run_ahead(const Slack& c, const Runner& runner) {
   tension.report(findings);
   energy.report(findings);
   findings.checks.push_back({"time at which the cable is taut", "s", first_taut, taut, 2 * kStep,
-                             "one step to tighten, one to be told of it: 2 dt"});
+                             "one step to tighten, one to report it: 2 dt"});
   // Locked wheels hold the weight: all rests, the cable carries it.
   const Sample& end = response.items[0].history.back();
   const double swings = std::exp(-weight.cable_damping / (2 * c.weight) * (3 - 1.5));

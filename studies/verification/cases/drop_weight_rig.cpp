@@ -39,7 +39,7 @@ EquipmentModel pulled_trolley(const Rig& rig, double normal_stiffness) {
   options.total_mass = rig.mass;
   stiffen(options.caster.tread);
   options.caster.tread.normal_stiffness = normal_stiffness;
-  options.caster.tread.rolling_resistance = rig.resistance * options.caster.wheel_radius;
+  options.caster.tread.rolling_friction_length = rig.resistance * options.caster.wheel_radius;
   return trolley(options);
 }
 

@@ -43,7 +43,7 @@ struct Flight {
   }
 };
 
-/// The compression s [m] that the energy account books wrongly, as k / 2 s^2, for a spring that
+/// The compression s [m] that the energy balance books wrongly, as k / 2 s^2, for a spring that
 /// touches or leaves inside a step: too much when it touches, too little when it leaves.
 ///
 /// The method (engine/solver/quadrature.h) counts the forces at the ends d1, d2 of its two stages,
@@ -65,7 +65,7 @@ double misbooked(double d0, double rate, double free, double omega) {
 void close(const EquipmentModel& item, const Response& response, const Drop& drop, double speed,
            Findings& findings) {
   const double mass = whole_item(item).mass, omega = std::sqrt(4 * kStiff / mass);
-  Track closure("closure of the energy account", "J",
+  Track closure("energy balance error", "J",
                 "residual of the solve, 1e-9 M g dt of momentum in each step, at the speed of the "
                 "landing; the reference is what touching and leaving inside a step costs the "
                 "account, 4 k s^2 / 2 each");
@@ -130,8 +130,7 @@ Findings fly(const Drop& drop, const Runner& runner) {
                     static_cast<double>(response.items[0].demands.most_wheels_lifted), 4, 0,
                     "it flies"});
   close(scene.items[0].model, response, {a, T}, flight.speed, findings);
-  checks.push_back({"closure of the energy account over the energy", "",
-                    response.quality.energy_closure, 0,
+  checks.push_back({"energy balance error over the energy", "", response.quality.energy_closure, 0,
                     std::pow((std::numbers::sqrt2 - 1) * omega * kStep, 2),
                     "(1 - 2 gamma)^2 (omega dt)^2, gamma = 1 - 1 / sqrt(2): the line above at the "
                     "worst instant, s = (1 - 2 gamma) v dt, over M v^2 / 2"});
@@ -166,7 +165,7 @@ Findings bounce(const Wall& c, const Runner& runner) {
                     2 * steps.speed_error() * c.speed,
                     "gamma^2 phi^2 of the speed for each of two treads, phi = pi/32 the phase of a "
                     "step: where they touch and part inside steps"});
-  checks.push_back({"closure of the energy account", "", response.quality.energy_closure, 0,
+  checks.push_back({"energy balance error", "", response.quality.energy_closure, 0,
                     4 * steps.speed_error(), "twice that of the speed"});
   checks.push_back({"wheels that hit the wall", "", static_cast<double>(response.impacts.size()), 2,
                     0, "both front wheels, once"});

@@ -48,7 +48,7 @@ struct Tilted {
 Scene on_level_floor(const Tilted& c) {
   ItemOptions options;
   options.total_mass = c.mass;
-  options.caster.tread.rolling_resistance = c.share * c.angle * options.caster.wheel_radius;
+  options.caster.tread.rolling_friction_length = c.share * c.angle * options.caster.wheel_radius;
   stiffen(options.caster.tread);
   set_wheel_inertia(options.caster);
   options.headings.assign(4, 0);
@@ -174,7 +174,8 @@ Findings stood(const Stood& c, const Runner& runner) {
   ItemOptions options;
   options.total_mass = c.mass;
   options.chassis_center.z() = c.height;
-  options.caster.tread.rolling_resistance = 0;  // or Cr N of the moment goes through the patches
+  options.caster.tread.rolling_friction_length =
+      0;  // or Cr N of the moment goes through the patches
   stiffen(options.caster.tread);
   Scene scene = scene_of(locked_block(options));
   const EquipmentModel& item = scene.items[0].model;

@@ -132,7 +132,8 @@ Findings two_steps(const Steps& c, const Runner& runner) {
   const double found =
       locate(expected - 2 * tolerance, expected + 2 * tolerance, kBracket * expected,
              [&](double speed) { return floor.falls(speed, floor.pause(speed, landing)); });
-  findings.checks.push_back({"speed of two steps that fell it", "m/s", found, expected, tolerance,
+  findings.checks.push_back({"speed of two steps that overturns it", "m/s", found, expected,
+                             tolerance,
                              "what a pause longer by the time of landing, pi sqrt(M / k), adds; "
                              "the rebound, e (1 - eta) / "
                              "(1 + eta); p times the delay of a step; half of the last bracket"});
@@ -148,7 +149,7 @@ Findings two_steps(const Steps& c, const Runner& runner) {
     ought += floor.rigid_block_falls(speed, pause) ? 1 : 0;
     fell += floor.falls(speed, pause) ? 1 : 0;
   }
-  findings.checks.push_back({"falls for steps at another time", "", fell, ought, 0,
+  findings.checks.push_back({"overturns for steps at another time", "", fell, ought, 0,
                              "as the rigid block, at 0.4 to 1.4 of the time of the impact"});
   return findings;
 }
@@ -169,7 +170,7 @@ const std::vector<std::pair<std::string, Steps>> kBlocks{{"tall", {0.351, 0.799}
 Family floor_step() {
   return make_family<Steps>(
       {"floor_step", "blocks", "The floor's velocity steps once under a block",
-       "falls from V1 = (1/h) sqrt(2 g (R - h) I_O / M) on",
+       "overturns from V1 = (1/h) sqrt(2 g (R - h) I_O / M) on",
        "Mallet 1862, The Great Neapolitan Earthquake of 1857, part I"},
       fields(), kBlocks, one_step);
 }
@@ -177,7 +178,7 @@ Family floor_step() {
 Family floor_double_step() {
   return make_family<Steps>(
       {"floor_double_step", "blocks", "The floor's velocity steps and steps back under a block",
-       "falls from V1 / (1 + eta) on when the second step is just after the impact",
+       "overturns from V1 / (1 + eta) on when the second step is just after the impact",
        "Nabeshima, Taniguchi, Kojima & Takewaki 2016, Frontiers in Built Environment 2"},
       fields(), kBlocks, two_steps);
 }

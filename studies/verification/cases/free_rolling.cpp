@@ -20,7 +20,7 @@ Findings roll(const Roll& c, const Runner& runner) {
   Caster& caster = options.caster;
   if (c.stiff != 0) stiffen(caster.tread);
   caster.swivels = c.swivels != 0;
-  caster.tread.rolling_resistance = 0;
+  caster.tread.rolling_friction_length = 0;
   caster.tread.tangential_damping = 100;  // above I_p v / trail^3: no flutter
   Scene scene = scene_of(trolley(options));
   scene.items[0].initial.velocity.x() = c.speed;

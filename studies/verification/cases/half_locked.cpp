@@ -28,7 +28,7 @@ EquipmentModel half_locked_cart(const Cart& cart) {
   stiffen(options.caster.tread);
   options.caster.swivels = false;
   options.caster.trail = 0;
-  options.caster.tread.rolling_resistance = 0;
+  options.caster.tread.rolling_friction_length = 0;
   options.caster.tread.static_friction = options.caster.tread.kinetic_friction = cart.friction;
   options.half_wheelbase = cart.wheelbase / 2;
   options.chassis_center = {cart.offset, 0, cart.height};

@@ -64,10 +64,10 @@ Findings same_everywhere(const Push& p, const Runner& runner) {
   const double mass = total_mass(item), friction = p.friction * mass * kG;
   const double wind_up = friction * friction / (2 * 4e9 * mass * kSpeed) * kDuration;
   const double residual = 1e-9 * kG * kDuration * kDuration;
-  Track along("way along the push", "m",
+  Track along("displacement along the push", "m",
               "1.1 f^2 / (2 k M v) t, wind-up of treads and locked axles; residual 1e-9 g t^2",
               kAxis);
-  Track across("way across the push", "m",
+  Track across("displacement across the push", "m",
                "0.1 f^2 / (2 k M v) t, wind-up of the locked axles; residual 1e-9 g t^2", kAxis);
   for (int degrees = 0; degrees <= 90; degrees += 10) {
     const Vector3 direction = towards(degrees);
@@ -92,7 +92,7 @@ Findings free_to_tilt(const Push& p, const Runner& runner) {
   Findings findings;
   constexpr double kDuration = 0.5;
   EquipmentModel item = block(p, {});
-  for (Caster& each : item.casters) each.tread.rolling_resistance = 0;
+  for (Caster& each : item.casters) each.tread.rolling_friction_length = 0;
   const MassProperties whole = whole_item(item);
   const Caster& caster = item.casters[0];
   const double exact = exact_path(p, kDuration), h = whole.center_of_mass.z();
@@ -112,8 +112,8 @@ Findings free_to_tilt(const Push& p, const Runner& runner) {
   const char* const terms =
       "heave of a base behind the centre of mass, 2 mu trail f h / sqrt(k_r I_r); wind-up; tilt "
       "2 f h^2 / k_r; residual";
-  Track along("way along the push", "m", terms, kAxis),
-      across("way across the push", "m", terms, kAxis);
+  Track along("displacement along the push", "m", terms, kAxis),
+      across("displacement across the push", "m", terms, kAxis);
   Track yaw(
       "yaw", "rad",
       "mu^2 M g h / I_z times the square of sqrt(I / k) of the slower of pitch and roll and a "
@@ -159,7 +159,7 @@ Findings same_limit(const Limit& c, const Runner& runner) {
   const double first = (kRatio - 1) * c.friction * kG;  // its acceleration when it goes
   Track limit("push from which it goes, over mu_s M g", "", "half of the last bracket, 0.001",
               kAxis);
-  Track way("way in 1 s at 1.01 of it", "m",
+  Track way("displacement in 1 s at 1.01 of it", "m",
             "one step's delay of the start, 2 a dt t, and what it goes while its speed is below "
             "that of the treads, 1e-5 m",
             kAxis);

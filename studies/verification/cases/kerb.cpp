@@ -63,10 +63,10 @@ void trip(const Scene& scene, double speed, double share, const char* terms, dou
   const double found =
       locate((1 - 2 * share) * speed, (1 + 2 * share) * speed, bracket * speed,
              [&](double v) { return falls(scene, v, step, runner, findings, closure); });
-  findings.checks.push_back({"speed from which it falls over", "m/s", found, speed,
-                             (share + bracket / 2) * speed, terms});
   findings.checks.push_back(
-      {"closure of the energy account of falls", "", closure, 0, 0.01,
+      {"speed from which it overturns", "m/s", found, speed, (share + bracket / 2) * speed, terms});
+  findings.checks.push_back(
+      {"energy balance error of what overturns", "", closure, 0, 0.01,
        "1 %: 32 steps or more in the impact lose (pi/32)^2 of what it takes"});
 }
 
@@ -189,7 +189,7 @@ Family cart_at_kerb() {
   return make_family<Cart>(
       {"cart_at_kerb", "blocks",
        "The front wheels of a cart meet a kerb that is higher than their axle",
-       "falls from V = (1/h) sqrt(2 g (R - h) I_O / M) on, h and R from the front axle",
+       "overturns from V = (1/h) sqrt(2 g (R - h) I_O / M) on, h and R from the front axle",
        "Mallet 1862, The Great Neapolitan Earthquake of 1857, part I; angular momentum"},
       {{{"mass", "kg", 30, 200}, &Cart::mass},
        {{"height", "m", 0.4, 1.2}, &Cart::height},
@@ -209,7 +209,7 @@ Family cart_at_kerb() {
 Family slider_at_kerb() {
   return make_family<Slider>(
       {"slider_at_kerb", "blocks", "A block slides without friction against a low kerb",
-       "falls from V = (1/h) sqrt(2 g (R - h) I_O / M) on, h and R from the front edge",
+       "overturns from V = (1/h) sqrt(2 g (R - h) I_O / M) on, h and R from the front edge",
        "Mallet 1862, The Great Neapolitan Earthquake of 1857, part I; angular momentum"},
       {{{"mass", "kg", 30, 300}, &Slider::mass},
        {{"width", "m", 0.25, 0.7}, &Slider::width},

@@ -76,7 +76,7 @@ Findings rock(const Rocking& c, const Runner& runner) {
          2 * kStep + 2 * body.loading_time(),
          "samples of 1 ms, two; an edge unloads and one loads, pi/2 sqrt(M / k) each"});
   }
-  checks.push_back({"closure of the energy account", "", response.quality.energy_closure, 0, 0.01,
+  checks.push_back({"energy balance error", "", response.quality.energy_closure, 0, 0.01,
                     "1 %: 32 steps in the loading of an edge lose (pi/32)^2 of what it takes"});
   return findings;
 }

@@ -47,7 +47,7 @@ Caster foot(const Feet& c) {
   caster.wheel_axial_inertia = caster.wheel_transverse_inertia = kInertia;
   caster.brake_torque = std::numeric_limits<double>::infinity();
   caster.tread.patch_width = 0;
-  caster.tread.rolling_resistance = 0;
+  caster.tread.rolling_friction_length = 0;
   caster.tread.relaxation_length = 1e6;  // it does not roll
   caster.tread.static_friction = caster.tread.kinetic_friction = c.friction;
   return caster;

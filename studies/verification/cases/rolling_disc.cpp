@@ -109,7 +109,7 @@ struct Turning {
 /// Each 0.01 s: the axle's direction and the way of the centre over r.
 struct Path {
   std::vector<Vector3> axle, way;
-  double closure = 0;  ///< of the energy account
+  double closure = 0;  ///< of the energy balance
 };
 
 Path run(const Turning& c, double step, double tread, const Runner& runner, Findings& findings) {
@@ -157,8 +157,8 @@ Findings turn(const Turning& c, const Runner& runner) {
                       kDiscTolerance});
   };
   check("axle's direction", "rad", &Path::axle);
-  check("way of the centre, over r", "", &Path::way);
-  checks.push_back({"closure of the energy account", "", fine.closure, 0, coarse.closure / 3 + 1e-9,
+  check("path of the centre, over r", "", &Path::way);
+  checks.push_back({"energy balance error", "", fine.closure, 0, coarse.closure / 3 + 1e-9,
                     "a third of that with the double step, for a method of second order; rounding, "
                     "1e-9"});
   return findings;
@@ -187,7 +187,7 @@ std::vector<Parameter> disc_parameters() {
 Family disc_straight() {
   const auto p = disc_parameters();
   return make_family<Straight>(
-      {"disc_straight", "rolling disc", "A disc that rolls straight wobbles or falls",
+      {"disc_straight", "rolling disc", "A disc that rolls straight wobbles or falls over",
        "x = X (1 - cos(sqrt(L) t)), L = [C (C + m r^2) n^2 / A - m g r] / (A + m r^2)",
        "Routh 1905, Advanced Rigid Dynamics; O'Reilly 1996, Nonlinear Dynamics 10"},
       {{p[0], &Straight::mass},

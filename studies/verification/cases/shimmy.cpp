@@ -168,7 +168,8 @@ Findings known(const Known& k, const Runner&) {
 
 Family shimmy() {
   return make_family<Pivot>(
-      {"shimmy", "casters", "A caster on a pivot that a spring holds across the way",
+      {"shimmy", "casters",
+       "A caster on a pivot that a spring holds across the direction of rolling",
        "[Ic + m (L-a)^2 + M L^2] th''' + [m (L-a) + M L] v th'' + k L^2 th' + k L v th = 0; onset "
        "at Ic = m a (L - a)",
        "after Den Hartog, Mechanical Vibrations; Routh"},

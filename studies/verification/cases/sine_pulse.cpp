@@ -60,11 +60,11 @@ Findings find_regions(const Sine& c, const Runner& runner) {
          "boundary moves with the rebound of an edge, e (1 - eta) of eta; half of the last "
          "bracket, an eighth of these"});
   };
-  check("falls without impact from", regions.c, 0, true, RockingEnd::kWithoutImpact);
+  check("overturns without impact from", regions.c, 0, true, RockingEnd::kWithoutImpact);
   if (regions.a == 0) {
-    findings.checks.push_back({"falls at 0.6 of it", "",
+    findings.checks.push_back({"overturns at 0.6 of it", "",
                                end(0.6 * regions.c) == RockingEnd::kStands ? 0. : 1., 0, 0,
-                               "no impact helps it to fall"});
+                               "no impact helps it to overturn"});
     return findings;
   }
   const double inside = 0.5 * (regions.a + regions.b);
@@ -81,8 +81,8 @@ Findings find_regions(const Sine& c, const Runner& runner) {
   };
   const double at_a = moved(regions.a, 0.9 * regions.a);
   const double at_b = moved(regions.b, 0.5 * (regions.b + regions.c));
-  check("falls after an impact from", regions.a, at_a, true, RockingEnd::kAfterImpact);
-  check("falls after an impact up to", regions.b, at_b, false, RockingEnd::kAfterImpact);
+  check("overturns after an impact from", regions.a, at_a, true, RockingEnd::kAfterImpact);
+  check("overturns after an impact up to", regions.b, at_b, false, RockingEnd::kAfterImpact);
   return findings;
 }
 

@@ -20,7 +20,7 @@ struct Skid {
 
 Caster wheel_of(const Skid& c) {
   Caster caster = rubber_caster();
-  caster.tread.rolling_resistance = 0;
+  caster.tread.rolling_friction_length = 0;
   caster.swivels = false;
   caster.height += c.radius - caster.wheel_radius;
   caster.wheel_radius = c.radius;
@@ -100,19 +100,19 @@ Findings skid(const Skid& c, const Runner& runner) {
   const double relaxed = force / (kStiffness * Tread().relaxation_length) * v_end * roll_time / 2;
   const double slipped = last + 2 * force / kStiffness + relaxed;
   findings.checks.push_back({"time at which it rolls", "s", first_roll, roll_time, 2 * kStep,
-                             "one step to change, one to be told of it: 2 dt"});
+                             "one step to change, one to report it: 2 dt"});
   findings.checks.push_back(
       {"lowest rim speed", "m/s", slowest, 0, 1e-9 * kG, "it never turns back; residual 1e-9 g t"});
   findings.checks.push_back({"rim speed at the end", "m/s", radius * end.wheels[0].wheel_rate,
                              v_end, ring / k + wound + residual * duration,
                              "the ringing of the velocity, over k; wind-up; residual"});
-  findings.checks.push_back({"way that the patch slipped", "m",
+  findings.checks.push_back({"distance that the patch slipped", "m",
                              response.items[0].demands.wheels[0].skid_distance, slip, slipped,
                              "mu g (1 + 1/k) dt^2 in the last step; wind-up of the tread, 2 f/k_t; "
                              "what rolls out of the patch, f / (k_t sigma) v_end t / 2"});
   findings.checks.push_back({"energy lost in sliding", "J", response.items[0].energy.sliding_loss,
                              loss, force * slipped,
-                             "the tolerance of the slipped way times mu m g"});
+                             "the tolerance of the slipped distance times mu m g"});
   roll_on(c, runner, findings);
   return findings;
 }

@@ -15,7 +15,7 @@ Slider make_slider(bool rolls, double mu, double tangential_stiffness) {
   stiffen(caster.tread);
   caster.tread.tangential_stiffness = tangential_stiffness;
   if (rolls) {
-    caster.tread.rolling_resistance = mu * caster.wheel_radius;
+    caster.tread.rolling_friction_length = mu * caster.wheel_radius;
     caster.swivels = false;
   } else {
     caster.tread.static_friction = caster.tread.kinetic_friction = mu;

@@ -23,7 +23,7 @@ inline constexpr double kFloorPoints = 4;  ///< on which a block stands
 /// e gamma^2 phi^2 v for e in 0.05 to 1, and that of a damper whose force is capped, with two kinks
 /// more, within 2 gamma^2 phi^2 v.
 ///
-/// The energy account of such a step misses k s^2 / 2, s = (1 - 2 gamma) v h (flight.cpp), which is
+/// The energy balance of such a step misses k s^2 / 2, s = (1 - 2 gamma) v h (flight.cpp), which is
 /// (1 - 2 gamma)^2 phi^2 of the energy.
 struct ImpactSteps {
   double phase;
@@ -34,7 +34,7 @@ struct ImpactSteps {
   ImpactSteps(double mass, double mass_at_point, double points, double near);
 
   double speed_error() const;  ///< of an elastic rebound, over the speed
-  double closure() const;      ///< of the energy account, over the energy
+  double closure() const;      ///< of the energy balance, over the energy
 };
 
 struct SlidingBlock {
@@ -51,7 +51,7 @@ struct SlidingBlock {
 
 inline constexpr double kWayToImpact = 0.1;  ///< of the block before it touches [m]
 
-/// Runs for the time that the block takes for `travel`. Adds the check of the energy account and of
+/// Runs for the time that the block takes for `travel`. Adds the check of the energy balance and of
 /// the number of impacts, one.
 /// @param rubbed  share of the energy that friction takes in the impact
 Response slide(Findings& findings, const Runner& runner, const Scene& scene, double travel,

@@ -23,7 +23,7 @@ Scene on_slope(const Ramp& c, double slope, double resistance, bool stiff) {
   ItemOptions options;
   options.total_mass = c.mass;
   options.caster.wheel_mass = c.wheel_mass;
-  options.caster.tread.rolling_resistance = resistance * options.caster.wheel_radius;
+  options.caster.tread.rolling_friction_length = resistance * options.caster.wheel_radius;
   if (stiff) stiffen(options.caster.tread);
   set_wheel_inertia(options.caster);
   options.headings.assign(4, std::numbers::pi);

@@ -77,7 +77,7 @@ Findings climb(const Step& c, const Runner& runner) {
                              "h high, and lowers the push, twice (s / l) (h / l + F / N); half of "
                              "the last bracket, 0.05 %"});
   for (const double share : {0.99, 1.01})
-    findings.checks.push_back({fmt::format("closure of the energy account at {} of it", share), "",
+    findings.checks.push_back({fmt::format("energy balance error at {} of it", share), "",
                                pushed(c, share * force, runner, findings).quality.energy_closure, 0,
                                0.003, "0.3 % of the energy in play at steps of 1 ms"});
   return findings;

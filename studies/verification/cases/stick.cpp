@@ -30,7 +30,7 @@ Findings hold(const Slope& c, const Runner& runner) {
   ItemOptions options;
   options.total_mass = c.mass;
   Caster& caster = options.caster;
-  caster.tread.rolling_resistance = c.slope / kShare * caster.wheel_radius;
+  caster.tread.rolling_friction_length = c.slope / kShare * caster.wheel_radius;
   options.headings.assign(4, c.down * std::numbers::pi);
   if (c.odd != 0) {
     options.headings = {0.3, 1.6, 2.8, 5.2};
@@ -72,7 +72,7 @@ Response shaken(const Harmonic& c, double resistance, const Runner& runner, Find
   ItemOptions options;
   options.total_mass = c.mass;
   options.caster.tread.tangential_stiffness = c.stiffness;
-  options.caster.tread.rolling_resistance = resistance * options.caster.wheel_radius;
+  options.caster.tread.rolling_friction_length = resistance * options.caster.wheel_radius;
   Scene scene = scene_of(trolley(options));
   const FloorMotion floor = floor_motion(0.004, 60, Vector3::UnitX(), [&](double t) {
     return c.amplitude * kG * std::min({1.0, t / 5, (60 - t) / 5}) *

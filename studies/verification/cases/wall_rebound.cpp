@@ -86,7 +86,7 @@ std::vector<std::pair<std::string, Rebound>> sets() {
 Family wall_rebound() {
   return make_family<Rebound>(
       {"wall_rebound", "impacts", "A block meets a wall with its face",
-       "v' = -e v, J = (1 + e) m v, after the way over the speed",
+       "v' = -e v, J = (1 + e) m v, after the distance over the speed",
        "Newton's law of restitution; Hunt & Crossley 1975, J. Applied Mechanics 42"},
       {{{"restitution", "", 0.05, 1}, &Rebound::restitution},
        {{"speed", "m/s", 0.1, 3}, &Rebound::speed},

@@ -29,7 +29,7 @@ Findings pull(const Soft& c, const Runner& runner) {
   ItemOptions options;
   options.total_mass = c.mass;
   options.caster.tread.tangential_stiffness = c.stiffness;
-  options.caster.tread.rolling_resistance = c.resistance * options.caster.wheel_radius;
+  options.caster.tread.rolling_friction_length = c.resistance * options.caster.wheel_radius;
   Scene scene = scene_of(trolley(options));
   const Tread& tread = scene.items[0].model.casters[0].tread;
   scene.items[0].fixture = hold_rotations(false, true, false);

@@ -30,7 +30,7 @@ Tread bare_tread(double normal_stiffness, double tangential_stiffness) {
           .tangential_damping = 0,
           .relaxation_length = 0.01,
           .patch_width = 0,
-          .rolling_resistance = 0,
+          .rolling_friction_length = 0,
           .static_friction = 0.6,
           .kinetic_friction = 0.6};
 }

@@ -1,5 +1,3 @@
-#include "engine/caster/leg.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -8,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "engine/caster/caster_dynamics.h"
 #include "studies/verification/scenes/small_scenes.h"
 
 // The mass matrix, bias and contact Jacobian of a leg against an independent sum over its parts:
@@ -82,8 +81,9 @@ std::array<Part, 2> parts(const Caster& c, const Motion& m) {
          fork_spin + m.rates[1] * fork.col(1), Vector3(t, c.wheel_axial_inertia, t).asDiagonal())};
 }
 
-Leg::Geometry geometry(const Leg& leg, const Motion& m, const Vector3& gravity = Vector3::Zero()) {
-  Leg::Geometry g;
+CasterDynamics::Geometry geometry(const CasterDynamics& leg, const Motion& m,
+                                  const Vector3& gravity = Vector3::Zero()) {
+  CasterDynamics::Geometry g;
   leg.evaluate(m.pose, m.swivel_angle, m.velocity, m.rates, gravity, g);
   return g;
 }
@@ -102,26 +102,26 @@ Motion later(const Motion& m, const Vector6& acceleration, const Eigen::Vector2d
   return n;
 }
 
-TEST(Leg, KineticEnergyIsTheSumOverItsParts) {
+TEST(CasterDynamics, KineticEnergyIsTheSumOverItsParts) {
   Random random;
   for (bool swivels : {true, false}) {
     const Caster caster = odd_caster(swivels);
-    const Leg leg(caster, kChassisCenter);
+    const CasterDynamics leg(caster, kChassisCenter);
     for (int trial = 0; trial < 50; ++trial) {
       const Motion m = random.motion(swivels);
       double expected = 0;
       for (const Part& p : parts(caster, m))
         expected += 0.5 * p.mass * p.velocity.squaredNorm() + 0.5 * p.spin.dot(p.inertia * p.spin);
-      const double found = Leg::kinetic_energy(geometry(leg, m), m.velocity, m.rates);
+      const double found = CasterDynamics::kinetic_energy(geometry(leg, m), m.velocity, m.rates);
       EXPECT_NEAR(found, expected, 1e-12 * expected);
     }
   }
 }
 
-TEST(Leg, MomentumIsTheSumOverItsParts) {
+TEST(CasterDynamics, MomentumIsTheSumOverItsParts) {
   Random random;
   const Caster caster = odd_caster();
-  const Leg leg(caster, kChassisCenter);
+  const CasterDynamics leg(caster, kChassisCenter);
   for (int trial = 0; trial < 50; ++trial) {
     const Motion m = random.motion(true);
     Vector6 expected = Vector6::Zero();
@@ -136,7 +136,7 @@ TEST(Leg, MomentumIsTheSumOverItsParts) {
   }
 }
 
-TEST(Leg, ForcesAreTheRateOfMomentumOfItsParts) {
+TEST(CasterDynamics, ForcesAreTheRateOfMomentumOfItsParts) {
   // M a + bias = d/dt of the momentum about O minus gravity (O itself moves: + v x p), by central
   // differences over 1e-5 s: truncation of the third derivative, 1e-10 times 40^3 of the momentum,
   // is about 1e-5.
@@ -144,7 +144,7 @@ TEST(Leg, ForcesAreTheRateOfMomentumOfItsParts) {
   const Vector3 gravity(0.5, -1, -9);
   for (bool swivels : {true, false}) {
     const Caster caster = odd_caster(swivels);
-    const Leg leg(caster, kChassisCenter);
+    const CasterDynamics leg(caster, kChassisCenter);
     for (int trial = 0; trial < 20; ++trial) {
       const Motion m = random.motion(swivels);
       Vector6 a;
@@ -172,9 +172,9 @@ TEST(Leg, ForcesAreTheRateOfMomentumOfItsParts) {
   }
 }
 
-TEST(Leg, AForkThatDoesNotSwivelHasNoSwivelInertiaOrForce) {
+TEST(CasterDynamics, AForkThatDoesNotSwivelHasNoSwivelInertiaOrForce) {
   Random random;
-  const Leg leg(odd_caster(false), kChassisCenter);
+  const CasterDynamics leg(odd_caster(false), kChassisCenter);
   const auto g = geometry(leg, random.motion(false), {0, 0, -9});
   EXPECT_EQ(g.mass_coupling.col(0).norm(), 0);
   EXPECT_EQ(g.mass_joints(0, 1), 0);
@@ -183,14 +183,14 @@ TEST(Leg, AForkThatDoesNotSwivelHasNoSwivelInertiaOrForce) {
   EXPECT_EQ(g.jacobian_joints.col(0).norm(), 0);
 }
 
-TEST(Leg, ContactIsTheLowestPointOfACrownedTread) {
+TEST(CasterDynamics, ContactIsTheLowestPointOfACrownedTread) {
   // The tread as circles side by side: at y from the middle its slope is the lean of 10 to 30
   // degrees that stands on it, so the radius there is smaller by the integral of tan(lean) dy.
   constexpr double kBegin = std::numbers::pi / 18, kEnd = std::numbers::pi / 6;
   constexpr int kCircles = 2000;
   Random random;
   const Caster caster = odd_caster();
-  const Leg leg(caster, kChassisCenter);
+  const CasterDynamics leg(caster, kChassisCenter);
   const double half = 0.5 * caster.wheel_width;
   int upright = 0, crown = 0, edge = 0;
   for (int trial = 0; trial < 400; ++trial) {
@@ -219,10 +219,10 @@ TEST(Leg, ContactIsTheLowestPointOfACrownedTread) {
   EXPECT_GT(edge, 2);
 }
 
-TEST(Leg, JacobianGivesTheVelocityOfTheMaterialContactPoint) {
+TEST(CasterDynamics, JacobianGivesTheVelocityOfTheMaterialContactPoint) {
   Random random;
   const Caster caster = odd_caster();
-  const Leg leg(caster, kChassisCenter);
+  const CasterDynamics leg(caster, kChassisCenter);
   for (int trial = 0; trial < 20; ++trial) {
     const Motion m = random.motion(true);
     const auto g = geometry(leg, m);
@@ -238,8 +238,8 @@ TEST(Leg, JacobianGivesTheVelocityOfTheMaterialContactPoint) {
   }
 }
 
-TEST(Leg, AWheelThatRollsForwardTurnsPositively) {
-  const Leg leg(odd_caster(), kChassisCenter);
+TEST(CasterDynamics, AWheelThatRollsForwardTurnsPositively) {
+  const CasterDynamics leg(odd_caster(), kChassisCenter);
   Motion m;
   m.pose.position = {0, 0, kChassisCenter.z()};
   m.swivel_angle = 0.4;

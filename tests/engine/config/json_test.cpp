@@ -17,7 +17,7 @@ constexpr const char* kToml =
     "mass_kg = 3\nname = \"bed\"\nbrake = true\nat = [1, 2.5]\n"
     "wall = [{ x = 1 }, { x = -1e3 }]\n";
 
-std::string mistakes(const std::string& json) {
+std::string errors(const std::string& json) {
   return error_text([&] {
     Document document(json, "a.json");
     Table root = document.root();
@@ -43,25 +43,25 @@ TEST(Json, IsKnownByItsBraceWithoutItsName) {
 }
 
 TEST(Json, PlacesAreJsonPointers) {
-  EXPECT_EQ(mistakes(kJson),
+  EXPECT_EQ(errors(kJson),
             "a.json:/brake: brake: unknown key; known: mass_kg, name, wall\n"
             "a.json:/at: at: unknown key; known: mass_kg, name, wall\n"
             "a.json:/wall/1/x: wall[1].x = -1000: must be a finite number > 0\n"
             "a.json:/a~1b~0c: a/b~c: unknown key; known: mass_kg, name, wall");
-  EXPECT_EQ(mistakes("{\"name\": 3}"),
+  EXPECT_EQ(errors("{\"name\": 3}"),
             "a.json:/: mass_kg: missing; must be a finite number > 0\n"
             "a.json:/name: name = 3: must be text in quotes");
-  EXPECT_EQ(mistakes(R"({"mass_kg": 1, "name": null})"),
+  EXPECT_EQ(errors(R"({"mass_kg": 1, "name": null})"),
             "a.json:/name: name = null: must be text in quotes");
 }
 
 TEST(Json, TextThatIsNoneIsRefused) {
-  EXPECT_THAT(mistakes("{\"mass_kg\": 1,\n  \"name\" \"a\"}"),
+  EXPECT_THAT(errors("{\"mass_kg\": 1,\n  \"name\" \"a\"}"),
               testing::StartsWith("a.json: not valid JSON: parse error at line 2, column 12: "));
-  EXPECT_EQ(mistakes("[1]"), "a.json: must be a JSON object");
-  EXPECT_EQ(mistakes(R"({"wall": [{"x": 1, "x": 2}]})"),
+  EXPECT_EQ(errors("[1]"), "a.json: must be a JSON object");
+  EXPECT_EQ(errors(R"({"wall": [{"x": 1, "x": 2}]})"),
             "a.json: the key \"x\" comes twice in one object");
-  EXPECT_EQ(mistakes(R"({"mass_kg": 1, "name": "a", "wall": [{"x": 1}, {"x": 2}]})"), "(no error)");
+  EXPECT_EQ(errors(R"({"mass_kg": 1, "name": "a", "wall": [{"x": 1}, {"x": 2}]})"), "(no error)");
 }
 
 }  // namespace

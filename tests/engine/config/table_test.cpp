@@ -13,7 +13,7 @@ namespace {
 
 /// What `finish` says after `read` has read a document of this text.
 template <typename Read>
-std::string mistakes(const std::string& text, Read read) {
+std::string errors(const std::string& text, Read read) {
   return error_text([&] {
     Document document(text, "a.toml");
     Table root = document.root();
@@ -78,8 +78,8 @@ TEST(Table, FallsBackOnlyWhereAKeyIsAbsent) {
   document.finish();
 }
 
-TEST(Table, CollectsEveryMistakeSortedByLine) {
-  const std::string text = mistakes(R"(mass_kg = -3
+TEST(Table, CollectsEveryErrorSortedByLine) {
+  const std::string text = errors(R"(mass_kg = -3
 radius = 0
 name = 4
 solver = "stra"
@@ -88,17 +88,17 @@ x = "one"
 p = [1, 2]
 colour = "red"
 )",
-                                    [](Table& root) {
-                                      auto part = *root.table("part");
-                                      part.numbers("p", Range::any(), 3);
-                                      part.number("x", Range::any());
-                                      part.text("color", "blue");
-                                      part.number("y", Range::any());
-                                      root.choice("solver", {"star", "general"});
-                                      root.text("name");
-                                      root.number("radius", Range::positive());
-                                      root.number("mass_kg", Range::positive());
-                                    });
+                                  [](Table& root) {
+                                    auto part = *root.table("part");
+                                    part.numbers("p", Range::any(), 3);
+                                    part.number("x", Range::any());
+                                    part.text("color", "blue");
+                                    part.number("y", Range::any());
+                                    root.choice("solver", {"star", "general"});
+                                    root.text("name");
+                                    root.number("radius", Range::positive());
+                                    root.number("mass_kg", Range::positive());
+                                  });
   EXPECT_EQ(text,
             "a.toml:1:11: mass_kg = -3: must be a finite number > 0\n"
             "a.toml:2:10: radius = 0: must be a finite number > 0\n"
@@ -112,33 +112,33 @@ colour = "red"
 
 TEST(Table, RefusesNumbersThatAreNone) {
   const auto read = [](Table& root) { root.number("x", Range::positive()); };
-  EXPECT_EQ(mistakes("x = nan", read), "a.toml:1:5: x = nan: must be a finite number > 0");
-  EXPECT_EQ(mistakes("x = inf", read), "a.toml:1:5: x = inf: must be a finite number > 0");
-  EXPECT_EQ(mistakes("x = true", read), "a.toml:1:5: x = true: must be a finite number > 0");
-  EXPECT_EQ(mistakes("x = 2024-01-01", read),
+  EXPECT_EQ(errors("x = nan", read), "a.toml:1:5: x = nan: must be a finite number > 0");
+  EXPECT_EQ(errors("x = inf", read), "a.toml:1:5: x = inf: must be a finite number > 0");
+  EXPECT_EQ(errors("x = true", read), "a.toml:1:5: x = true: must be a finite number > 0");
+  EXPECT_EQ(errors("x = 2024-01-01", read),
             "a.toml:1:5: x = 2024-01-01: must be a finite number > 0");
-  EXPECT_EQ(mistakes("x = {}", read), "a.toml:1:5: x = a table: must be a finite number > 0");
+  EXPECT_EQ(errors("x = {}", read), "a.toml:1:5: x = a table: must be a finite number > 0");
 }
 
 TEST(Table, RefusesElementsAndCountsOutsideTheirRange) {
-  EXPECT_EQ(mistakes("v = [1, nan, 3]", [](Table& t) { t.vector("v", Range::any()); }),
+  EXPECT_EQ(errors("v = [1, nan, 3]", [](Table& t) { t.vector("v", Range::any()); }),
             "a.toml:1:9: v[1] = nan: must be a finite number");
-  EXPECT_EQ(mistakes("n = 2.5", [](Table& t) { t.integer("n", 0, 9); }),
+  EXPECT_EQ(errors("n = 2.5", [](Table& t) { t.integer("n", 0, 9); }),
             "a.toml:1:5: n = 2.5: must be a whole number in 0..9");
-  EXPECT_EQ(mistakes("b = [true, 1]", [](Table& t) { t.booleans("b", 2); }),
+  EXPECT_EQ(errors("b = [true, 1]", [](Table& t) { t.booleans("b", 2); }),
             "a.toml:1:5: b = [true, 1]: must be an array of 2 times true or false");
   for (const char* wrong : {"[\"a\", 1]", "[]", "1"})
-    EXPECT_EQ(mistakes(std::string("f = ") + wrong, [](Table& t) { t.texts("f"); }),
+    EXPECT_EQ(errors(std::string("f = ") + wrong, [](Table& t) { t.texts("f"); }),
               std::string("a.toml:1:5: f = ") + wrong + ": must be a text or an array of texts");
-  EXPECT_EQ(mistakes("t = 1", [](Table& t) { t.table("t"); }),
+  EXPECT_EQ(errors("t = 1", [](Table& t) { t.table("t"); }),
             "a.toml:1:5: t = 1: must be a table [t]");
-  EXPECT_EQ(mistakes("t = [1]", [](Table& t) { t.tables("t"); }),
+  EXPECT_EQ(errors("t = [1]", [](Table& t) { t.tables("t"); }),
             "a.toml:1:5: t = [1]: must be an array of tables [[t]]");
 }
 
 TEST(Table, FindsUnreadKeysAtEveryDepth) {
   const std::string text =
-      mistakes("[[part]]\nx = 1\n[[part]]\nx = 2\nz = { w = 1 }\n[sub]\nq = 1", [](Table& root) {
+      errors("[[part]]\nx = 1\n[[part]]\nx = 2\nz = { w = 1 }\n[sub]\nq = 1", [](Table& root) {
         for (Table& part : root.tables("part")) part.number("x", Range::any());
       });
   EXPECT_EQ(text,
@@ -175,7 +175,7 @@ TEST(Document, ExplainsFilesItCannotRead) {
   EXPECT_EQ(open(twice).rfind(twice + ":2:", 0), 0u) << open(twice);
 }
 
-TEST(Document, PutsMistakesOfOtherFilesAfterItsOwn) {
+TEST(Document, PutsErrorsOfOtherFilesAfterItsOwn) {
   Document document("x = 1", "a.toml");
   document.note(Error("b.toml:1:1: y: unknown key"));
   EXPECT_FALSE(document.clean());

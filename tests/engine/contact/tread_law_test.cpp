@@ -14,7 +14,7 @@ Tread tread() {
   Tread t;
   t.tangential_damping = 20;
   t.patch_width = 0.008;
-  t.rolling_resistance = 1e-3;
+  t.rolling_friction_length = 1e-3;
   t.static_friction = 0.8;
   t.kinetic_friction = 0.5;
   return t;

@@ -56,7 +56,7 @@ inline Caster caster(Draw& d, double mass) {
   t.tangential_damping = critical * d.log_between(1e-3, 0.5);
   t.relaxation_length = d.log_between(1e-3, 0.03);
   t.patch_width = d.between(0, c.wheel_width);
-  t.rolling_resistance = d.log_between(1e-4, 4e-3);
+  t.rolling_friction_length = d.log_between(1e-4, 4e-3);
   t.static_friction = d.between(0.1, 1);
   t.kinetic_friction = t.static_friction * d.between(0.5, 1);
   c.axle.coulomb = d.happens(0.5) ? 0 : 0.05;

@@ -21,7 +21,7 @@ struct Job {
 Job coasting(double rolling_resistance) {
   Job job;
   Tread tread;
-  tread.rolling_resistance = rolling_resistance;
+  tread.rolling_friction_length = rolling_resistance;
   tread.tangential_damping = 500;
   job.scene.items[0].model = small::trolley({0, 0, 0, 0}, tread);
   job.scene.items[0].initial.velocity = {0.3, 0, 0};

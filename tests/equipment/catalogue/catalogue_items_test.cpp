@@ -194,7 +194,7 @@ TEST_P(EveryItem, ComesToRestAfterAPush) {
   scene.items[0].initial.velocity = Vector3(kSpeed, kSpeed, 0) / std::sqrt(2.0);
   double least = 1;
   for (const Caster& caster : scene.items[0].model.casters)
-    least = std::min(least, caster.tread.rolling_resistance / caster.wheel_radius);
+    least = std::min(least, caster.tread.rolling_friction_length / caster.wheel_radius);
   SimulationSettings until_rest = settings(0);
   const Response response = simulate(scene, {}, until_rest);
   ASSERT_EQ(response.outcome, Outcome::kRested) << response.cause;

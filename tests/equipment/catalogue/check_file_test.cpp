@@ -45,7 +45,7 @@ TEST(CheckFile, EveryFileOfTheCatalogueIsPlausible) {
       EXPECT_THAT(check_data_file(find_data(kind, name, "")).warnings, IsEmpty()) << name;
 }
 
-TEST(CheckFile, TellsEveryMistakeWithItsPlace) {
+TEST(CheckFile, ReportsEveryErrorWithItsPlace) {
   const TempFolder folder;
   std::string text = replaced(shipped_caster(), "value = 131", "value = -131");
   text = replaced(text, "wheel_width_mm", "wheel_widht_mm");
@@ -62,7 +62,7 @@ TEST(CheckFile, RefusesAnUnknownSchema) {
               AllOf(StartsWith(file + ":1:"), HasSubstr("gurney-caster/1")));
 }
 
-TEST(Implausible, TellsOfACasterThatHardlyIsMeant) {
+TEST(Implausible, ReportsOfACasterThatHardlyIsMeant) {
   CasterType caster;
   caster.name = "odd";
   caster.properties.wheel_width = 0.03;
@@ -78,7 +78,7 @@ TEST(Implausible, TellsOfACasterThatHardlyIsMeant) {
   EXPECT_THAT(implausible(caster), IsEmpty());
 }
 
-TEST(Implausible, TellsOfADensityAndACentreOfMassOutOfTheShape) {
+TEST(Implausible, ReportsOfADensityAndACentreOfMassOutOfTheShape) {
   EquipmentModel item;
   item.name = "block";
   item.chassis_mass = 301;  // 0.1 m3
@@ -93,7 +93,7 @@ TEST(Implausible, TellsOfADensityAndACentreOfMassOutOfTheShape) {
                           "block: the centre of mass (0, 0.06, 0.6) m lies outside the shapes"));
 }
 
-TEST(Implausible, TellsOfASwivelWithoutTrailButNotOfARigidWheel) {
+TEST(Implausible, ReportsOfASwivelWithoutTrailButNotOfARigidWheel) {
   EquipmentModel item;
   item.name = "block";
   item.chassis_mass = 100;

@@ -111,7 +111,7 @@ std::string caster_row(const std::string& name) {
       "| `{}` | {:.0f} | {:.0f} | {:.0f} | {:.1f} | {:.3f} | {:.0f} | {} | {} | {} |", name,
       2 * kMillimetersPerMeter * c.wheel_radius, kMillimetersPerMeter * c.wheel_width,
       kMillimetersPerMeter * c.height, kMillimetersPerMeter * c.trail,
-      c.tread.rolling_resistance / c.wheel_radius, kMillimetersPerMeter * c.tread.patch_width,
+      c.tread.rolling_friction_length / c.wheel_radius, kMillimetersPerMeter * c.tread.patch_width,
       torque(type.brake_torque), torque(type.swivel_lock_torque), provenance_of(file));
 }
 

@@ -35,7 +35,7 @@ TEST(Feet, SheetOfAnItemWithoutCasters) {
   EXPECT_TRUE(sheet.wheels.empty());
   EXPECT_DOUBLE_EQ(sheet.sliding_share, 0.4);
   EXPECT_DOUBLE_EQ(sheet.holding_share, 0.4);
-  EXPECT_EQ(sheet.rolling_resistance, 0);
+  EXPECT_EQ(sheet.rolling_resistance_force, 0);
 }
 
 /// One half-sine of acceleration along `direction`, as a share of gravity.

@@ -42,7 +42,7 @@ class ItemContactFile : public testing::Test {
   LoadedItem load(const std::string& contact, const ItemOptions& options = {}) {
     return load_item(write(contact), options);
   }
-  std::string mistake(const std::string& contact) {
+  std::string error(const std::string& contact) {
     const std::string file = write(contact);
     std::string text = error_text([&] { load_item(file); });
     EXPECT_EQ(text.rfind(file + ":", 0), 0u) << text;
@@ -104,22 +104,22 @@ TEST_F(ItemContactFile, MayBeCompliant) {
 }
 
 TEST_F(ItemContactFile, IsNeededWithoutCasters) {
-  EXPECT_EQ(mistake(""),
+  EXPECT_EQ(error(""),
             "1:1: contact: missing; an item without casters needs a table [contact], how it meets "
             "the floor");
 }
 
-TEST_F(ItemContactFile, TellsEveryMistake) {
+TEST_F(ItemContactFile, ReportsEveryError) {
   EXPECT_THAT(
-      mistake("[contact]\nmaterial = \"\"\nfriction = -0.1\nstiffness_n_per_m = 0\n"),
+      error("[contact]\nmaterial = \"\"\nfriction = -0.1\nstiffness_n_per_m = 0\n"),
       testing::AllOf(HasSubstr("17:12: contact.material = \"\": must be the name of a"),
                      HasSubstr("18:12: contact.friction = -0.1: must be a finite number >= 0"),
                      HasSubstr("19:21: contact.stiffness_n_per_m = 0: must be a finite number > 0"),
                      HasSubstr("contact.restitution: must be given, or "
                                "damping_n_s_per_m, not both")));
-  EXPECT_THAT(mistake(std::string(kContact) + "damping_n_s_per_m = 3\n"), HasSubstr("not both"));
-  EXPECT_THAT(mistake("[contact]\nmaterial = \"steel\"\nfriktion = 0.3\nrestitution = 2\n"
-                      "stiffness_n_per_m = 1e6\n"),
+  EXPECT_THAT(error(std::string(kContact) + "damping_n_s_per_m = 3\n"), HasSubstr("not both"));
+  EXPECT_THAT(error("[contact]\nmaterial = \"steel\"\nfriktion = 0.3\nrestitution = 2\n"
+                    "stiffness_n_per_m = 1e6\n"),
               testing::AllOf(
                   HasSubstr("did you mean 'friction'?"),
                   HasSubstr("contact.restitution = 2: must be a finite number >= 0.01 and <= 1")));

@@ -59,7 +59,7 @@ class ItemFile : public testing::Test {
   }
 
   /// What is said of these variants, without the file.
-  std::string mistake(const std::string& variants) {
+  std::string error(const std::string& variants) {
     const std::string file = folder_.write("cart.toml", kCart + variants);
     std::string text = error_text([&] { load_item_description(file); });
     for (std::size_t at; (at = text.find(file + ":")) != std::string::npos;)
@@ -111,17 +111,17 @@ TEST_F(ItemFile, NamesTheNearestVariant) {
 }
 
 TEST_F(ItemFile, EveryVariantIsCheckedAtItsOwnLine) {
-  EXPECT_EQ(mistake("[variant.a]\nchassis.mas_kg = 3\n[variant.b]\nchassis.mass_kg = -3\n"),
+  EXPECT_EQ(error("[variant.a]\nchassis.mas_kg = 3\n[variant.b]\nchassis.mass_kg = -3\n"),
             "28:9: chassis.mas_kg: unknown key; did you mean 'mass_kg'? (variant 'a')\n"
             "30:19: chassis.mass_kg = -3: must be a finite number > 0 (variant 'b')");
-  EXPECT_EQ(mistake("[variant.a]\npayload.drawr.count = 3\ncaster.brake = true\n"),
+  EXPECT_EQ(error("[variant.a]\npayload.drawr.count = 3\ncaster.brake = true\n"),
             "28:9: variant.a.payload.drawr: no [[payload]] has this name; did you mean 'drawer'?\n"
             "29:8: variant.a.caster.brake: no [[caster]] has this name; known: left, right, rear");
-  EXPECT_EQ(mistake("[variant.a]\ncaster.left = true\n"),
+  EXPECT_EQ(error("[variant.a]\ncaster.left = true\n"),
             "28:15: variant.a.caster.left = true: must be a table");
-  EXPECT_EQ(mistake("[variant]\na = 3\n"), "28:5: variant.a = 3: must be a table [variant.a]");
-  // A mistake of the item itself comes once, not again for each variant.
-  const std::string wrong = mistake("count = -1\n[variant.a]\n[variant.b]\n");
+  EXPECT_EQ(error("[variant]\na = 3\n"), "28:5: variant.a = 3: must be a table [variant.a]");
+  // An error of the item itself comes once, not again for each variant.
+  const std::string wrong = error("count = -1\n[variant.a]\n[variant.b]\n");
   EXPECT_EQ(wrong, "27:9: payload[0].count = -1: must be a whole number in 0..100");
 }
 
@@ -133,21 +133,21 @@ TEST_F(ItemFile, EachPlaceDrawsItsOwnWheel) {
   for (const CasterPlace& place : item.casters) {
     const double p = draw.of_part(place.name)
                          .probability("tread.rolling_resistance_mm", {"rolling resistance", 0.8});
-    EXPECT_EQ(place.type.properties.tread.rolling_resistance, resistance.quantile(p) / 1000);
+    EXPECT_EQ(place.type.properties.tread.rolling_friction_length, resistance.quantile(p) / 1000);
     EXPECT_EQ(place.type.properties.tread.static_friction,  // one floor for all wheels
               item.casters[0].type.properties.tread.static_friction);
   }
-  EXPECT_NE(item.casters[0].type.properties.tread.rolling_resistance,
-            item.casters[1].type.properties.tread.rolling_resistance);
+  EXPECT_NE(item.casters[0].type.properties.tread.rolling_friction_length,
+            item.casters[1].type.properties.tread.rolling_friction_length);
   // A variant does not change what is drawn.
   const ItemDescription heavy = sample(load_item_description(file, {"heavy"}), draw);
-  EXPECT_EQ(heavy.casters[2].type.properties.tread.rolling_resistance,
-            item.casters[2].type.properties.tread.rolling_resistance);
+  EXPECT_EQ(heavy.casters[2].type.properties.tread.rolling_friction_length,
+            item.casters[2].type.properties.tread.rolling_friction_length);
 }
 
 /// What is said of a caster like R100 with these distributions of its friction, without the place.
-std::string friction_mistake(const TempFolder& folder, const std::string& kinetic,
-                             const std::string& fixed = "") {
+std::string friction_error(const TempFolder& folder, const std::string& kinetic,
+                           const std::string& fixed = "") {
   std::string text = contents_of(find_data(DataKind::kCaster, "R100", ""));
   const std::size_t first = text.find("[tread.static_friction]"), end = text.find("[axle");
   const std::string upper =
@@ -167,15 +167,15 @@ TEST_F(ItemFile, NoDrawMayPutKineticAboveStaticFriction) {
   const std::string could =
       "tread.kinetic_friction: a draw could make it larger than static_friction: the bounds must "
       "be apart, or both in one group and in order";
-  EXPECT_EQ(friction_mistake(folder_, "low = 0.4, high = 0.6"), could);
-  EXPECT_EQ(friction_mistake(folder_, "low = 0.4, high = 0.6, group = 'g'"), could);
-  EXPECT_EQ(friction_mistake(folder_, "low = 0.4, high = 0.6, group = 'f', correlation = 0.9"),
+  EXPECT_EQ(friction_error(folder_, "low = 0.4, high = 0.6"), could);
+  EXPECT_EQ(friction_error(folder_, "low = 0.4, high = 0.6, group = 'g'"), could);
+  EXPECT_EQ(friction_error(folder_, "low = 0.4, high = 0.6, group = 'f', correlation = 0.9"),
             could);
-  EXPECT_EQ(friction_mistake(folder_, "low = 0.4, high = 0.8, group = 'f'"), could);
-  EXPECT_EQ(friction_mistake(folder_, "low = 0.4, high = 0.6, group = 'f'"), "no error)");
-  EXPECT_EQ(friction_mistake(folder_, "low = 0.4, high = 0.5"), "no error)");
-  EXPECT_EQ(friction_mistake(folder_, "low = 0.4, high = 0.6", "0.55"), could);
-  EXPECT_EQ(friction_mistake(folder_, "low = 0.4, high = 0.6", "0.6"), "no error)");
+  EXPECT_EQ(friction_error(folder_, "low = 0.4, high = 0.8, group = 'f'"), could);
+  EXPECT_EQ(friction_error(folder_, "low = 0.4, high = 0.6, group = 'f'"), "no error)");
+  EXPECT_EQ(friction_error(folder_, "low = 0.4, high = 0.5"), "no error)");
+  EXPECT_EQ(friction_error(folder_, "low = 0.4, high = 0.6", "0.55"), could);
+  EXPECT_EQ(friction_error(folder_, "low = 0.4, high = 0.6", "0.6"), "no error)");
 }
 
 // Every shipped item in some draws: all its distributions are read, and no draw is refused.

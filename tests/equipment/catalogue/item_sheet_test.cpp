@@ -49,8 +49,8 @@ TEST(ItemSheet, FollowsFromTheConstants) {
   EXPECT_NEAR(sheet.wheels[2].load, weight / 6, weight * kLight);
   EXPECT_NEAR(sheet.wheels[0].sink, weight / 3 / 3e5, 1e-9);
   // Equal wheels: Cr / R of the weight; mu_s of it.
-  EXPECT_NEAR(sheet.rolling_resistance, 1e-3 / 0.05 * weight, weight * kLight);
-  EXPECT_NEAR(sheet.rolling_share, 0.02, kLight);
+  EXPECT_NEAR(sheet.rolling_resistance_force, 1e-3 / 0.05 * weight, weight * kLight);
+  EXPECT_NEAR(sheet.rolling_resistance_coefficient, 0.02, kLight);
   EXPECT_NEAR(sheet.sliding_share, 0.6, kLight);
   EXPECT_NEAR(sheet.tipping_share, 0.2 / 0.5, kLight);
   EXPECT_EQ(sheet.support_polygon.size(), 4u);

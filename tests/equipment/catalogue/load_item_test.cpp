@@ -67,13 +67,13 @@ TEST(LoadItem, PutsTheTrolleyOfThePaperOnItsCasters) {
   EXPECT_DOUBLE_EQ(trolley.casters[0].trail, 0.034);
   EXPECT_DOUBLE_EQ(trolley.casters[0].mount.z(), 0.131);
   // Cr / R = 0.02 for 100 mm and 0.016 for 125 mm.
-  EXPECT_DOUBLE_EQ(trolley.casters[0].tread.rolling_resistance / trolley.casters[0].wheel_radius,
-                   0.02);
+  EXPECT_DOUBLE_EQ(
+      trolley.casters[0].tread.rolling_friction_length / trolley.casters[0].wheel_radius, 0.02);
   ItemOptions options;
   options.caster = caster("R125");
   const EquipmentModel higher = load_item(item_file("xu_trolley"), options).model;
   EXPECT_DOUBLE_EQ(higher.chassis_center_of_mass.z(), 0.647);
-  EXPECT_DOUBLE_EQ(higher.casters[0].tread.rolling_resistance / higher.casters[0].wheel_radius,
+  EXPECT_DOUBLE_EQ(higher.casters[0].tread.rolling_friction_length / higher.casters[0].wheel_radius,
                    0.016);
 }
 
@@ -102,7 +102,7 @@ TEST(LoadItem, OptionsChangeHeadingsBrakesLocksAndFloor) {
   EXPECT_EQ(cart.casters[0].brake_torque, 10);
   EXPECT_EQ(cart.casters[2].brake_torque, 0);
   EXPECT_EQ(cart.casters[1].swivel_lock_torque, 20);
-  EXPECT_DOUBLE_EQ(cart.casters[0].tread.rolling_resistance, 3e-3);
+  EXPECT_DOUBLE_EQ(cart.casters[0].tread.rolling_friction_length, 3e-3);
   EXPECT_DOUBLE_EQ(cart.casters[0].tread.static_friction, 0.3);
   EXPECT_DOUBLE_EQ(cart.casters[0].tread.kinetic_friction, 0.3);
 }
@@ -142,7 +142,7 @@ TEST(LoadItem, ListsOnlyAssumptionsInUse) {
   EXPECT_TRUE(assumes(braked, "payload[0].size_mm.x"));
 }
 
-TEST(LoadItem, NotesEveryMistakeOfAnItemAndItsCasters) {
+TEST(LoadItem, NotesEveryErrorOfAnItemAndItsCasters) {
   const TempFolder folder;
   const std::string caster_file = folder.write("bad.toml", R"(schema = "gurney-caster/1"
 name = "bad"

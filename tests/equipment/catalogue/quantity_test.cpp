@@ -11,7 +11,7 @@ namespace {
 using config::Document;
 using config::Range;
 
-std::string mistakes(const std::string& text, bool vector = false) {
+std::string errors(const std::string& text, bool vector = false) {
   return error_text([&] {
     Document document(text, "a.toml");
     Quantities in(document.root());
@@ -61,22 +61,22 @@ type = { value = "R100", assumption = "likely" }
 }
 
 TEST(Quantity, SaysWhatIsWrong) {
-  EXPECT_EQ(mistakes("x = -1"), "a.toml:1:5: x = -1: must be a finite number > 0");
-  EXPECT_EQ(mistakes("x = { value = 0, source = 's' }"),
+  EXPECT_EQ(errors("x = -1"), "a.toml:1:5: x = -1: must be a finite number > 0");
+  EXPECT_EQ(errors("x = { value = 0, source = 's' }"),
             "a.toml:1:15: x.value = 0: must be a finite number > 0");
-  EXPECT_EQ(mistakes("x = { value = 1 }"),
+  EXPECT_EQ(errors("x = { value = 1 }"),
             "a.toml:1:5: x: must have a source, an assumption with its range, or both");
-  EXPECT_EQ(mistakes("x = { value = 1, assumption = 'a' }"),
+  EXPECT_EQ(errors("x = { value = 1, assumption = 'a' }"),
             "a.toml:1:5: x.range: missing; must be an array of 2 numbers");
-  EXPECT_EQ(mistakes("x = { value = 1, assumption = 'a', range = [2, 3] }"),
+  EXPECT_EQ(errors("x = { value = 1, assumption = 'a', range = [2, 3] }"),
             "a.toml:1:44: x.range = [2, 3]: must be [low, high] with low < high around 1");
-  EXPECT_EQ(mistakes("x = { value = 1, assumption = 'a', range = [0.1, 0.5] }"),
+  EXPECT_EQ(errors("x = { value = 1, assumption = 'a', range = [0.1, 0.5] }"),
             "a.toml:1:44: x.range = [0.1, 0.5]: must be [low, high] with low < high around 1");
-  EXPECT_EQ(mistakes("x = { value = 1, sauce = 's' }"),
+  EXPECT_EQ(errors("x = { value = 1, sauce = 's' }"),
             "a.toml:1:5: x: must have a source, an assumption with its range, or both\n"
             "a.toml:1:18: x.sauce: unknown key; did you mean 'source'?");
   EXPECT_EQ(
-      mistakes("x = { value = [1,1,1], assumption = 'a', low = [1,1,1], high = [1,1,0.5] }", true),
+      errors("x = { value = [1,1,1], assumption = 'a', low = [1,1,1], high = [1,1,0.5] }", true),
       "a.toml:1:48: x.low: low <= value <= high must hold for each number, and low < high "
       "for one");
 }

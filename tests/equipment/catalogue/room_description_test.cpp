@@ -20,7 +20,7 @@ RoomDescription room_of(const std::string& text) {
   return room.stated();
 }
 
-std::string mistakes(const std::string& text) {
+std::string errors(const std::string& text) {
   return error_text([&] { room_of(text); });
 }
 
@@ -109,7 +109,7 @@ position_m = [0, 0, 1]
 
 TEST(BadRoom, DoorsMustFitTheirWall) {
   const auto door = [](const std::string& doors) {
-    return mistakes(std::string(kWall) + "door = [" + doors + "]\n");
+    return errors(std::string(kWall) + "door = [" + doors + "]\n");
   };
   EXPECT_EQ(
       door("{ at_m = 0, width_m = 4.5, height_m = 2 }"),
@@ -126,8 +126,8 @@ TEST(BadRoom, DoorsMustFitTheirWall) {
             "to 2 m");
 }
 
-TEST(BadRoom, AllMistakesAtOnce) {
-  EXPECT_EQ(mistakes(R"([[wall]]
+TEST(BadRoom, AllErrorsAtOnce) {
+  EXPECT_EQ(errors(R"([[wall]]
 name = "w"
 from_m = [1, 1]
 to_m = [1, 1]
@@ -209,7 +209,7 @@ TEST(Contacts, TheUsualOnesAreAssumptionsThroughout) {
 }
 
 TEST(BadContacts, AreExplained) {
-  EXPECT_EQ(mistakes(R"([[contact]]
+  EXPECT_EQ(errors(R"([[contact]]
 materials = ["equipment"]
 restitution = 0.3
 stiffness_n_per_m = 1e5

@@ -18,8 +18,8 @@ using config::Document;
 using config::Range;
 
 /// What is said of `x_mm = { value = 30, distribution = { ... } }`, without the place.
-std::string mistake(const std::string& distribution, const Range& range = Range::positive(),
-                    const std::string& value = "30") {
+std::string error(const std::string& distribution, const Range& range = Range::positive(),
+                  const std::string& value = "30") {
   const std::string text = error_text([&] {
     Document document("x_mm = { value = " + value + ", distribution = { " + distribution + " } }",
                       "a.toml");
@@ -31,44 +31,44 @@ std::string mistake(const std::string& distribution, const Range& range = Range:
 
 TEST(Uncertainty, SaysWhatIsWrong) {
   const std::string s = ", source = 's'";
-  EXPECT_EQ(mistake("kind = 'normal', mean = 30, sd = 2, low = 25, high = 35" + s), "no error)");
-  EXPECT_EQ(mistake("kind = 'lognormal', median = 30, beta = 0.1"),
+  EXPECT_EQ(error("kind = 'normal', mean = 30, sd = 2, low = 25, high = 35" + s), "no error)");
+  EXPECT_EQ(error("kind = 'lognormal', median = 30, beta = 0.1"),
             "x_mm.distribution: must have a source, an assumption, or both");
-  EXPECT_EQ(mistake("kind = 'lognorml', median = 30, beta = 0.1" + s),
+  EXPECT_EQ(error("kind = 'lognorml', median = 30, beta = 0.1" + s),
             "x_mm.distribution.kind = \"lognorml\": must be one of normal, lognormal, uniform, "
             "discrete, table; did you mean 'lognormal'?");
-  EXPECT_EQ(mistake("median = 30, beta = 0.1" + s),
+  EXPECT_EQ(error("median = 30, beta = 0.1" + s),
             "x_mm.distribution.kind: missing; must be one of normal, lognormal, uniform, discrete, "
             "table");
-  EXPECT_EQ(mistake("kind = 'normal', mean = 30, sd = 2" + s),
+  EXPECT_EQ(error("kind = 'normal', mean = 30, sd = 2" + s),
             "x_mm.distribution: normal, mean 30, sd 2 gives numbers from -inf to inf: each must be "
             "a finite number > 0");
-  EXPECT_EQ(mistake("kind = 'normal', mean = 30, sd = 2, cov = 0.1" + s, Range::any()),
+  EXPECT_EQ(error("kind = 'normal', mean = 30, sd = 2, cov = 0.1" + s, Range::any()),
             "x_mm.distribution.sd: must be given, or cov (sd over |mean|), not both");
-  EXPECT_EQ(mistake("kind = 'normal', mean = 30, sd = 2, low = 40, high = 35" + s),
+  EXPECT_EQ(error("kind = 'normal', mean = 30, sd = 2, low = 40, high = 35" + s),
             "x_mm.distribution: low = 40 must be below high = 35");
-  EXPECT_EQ(mistake("kind = 'lognormal', mean = 30, beta = 0.1" + s),
+  EXPECT_EQ(error("kind = 'lognormal', mean = 30, beta = 0.1" + s),
             "x_mm.distribution.median: missing; must be a finite number > 0\n"
             "a.toml:1:59: x_mm.distribution.mean: unknown key; did you mean 'median'?");
-  EXPECT_EQ(mistake("kind = 'uniform', low = 31, high = 35" + s),
+  EXPECT_EQ(error("kind = 'uniform', low = 31, high = 35" + s),
             "x_mm: the value 30 must be one that its distribution can give (uniform, 31 to 35)");
-  EXPECT_EQ(mistake("kind = 'discrete', values = [29, 31], probabilities = [0.5, 0.5]" + s),
+  EXPECT_EQ(error("kind = 'discrete', values = [29, 31], probabilities = [0.5, 0.5]" + s),
             "x_mm: the value 30 must be one that its distribution can give (discrete, 29 (0.5), "
             "31 (0.5))");
-  EXPECT_EQ(mistake("kind = 'discrete', values = [0, 30], probabilities = [0.5, 0.5]" + s),
+  EXPECT_EQ(error("kind = 'discrete', values = [0, 30], probabilities = [0.5, 0.5]" + s),
             "x_mm.distribution: discrete, 0 (0.5), 30 (0.5) gives numbers from 0 to 30: each must "
             "be a finite number > 0");
-  EXPECT_EQ(mistake("kind = 'discrete', values = [20, 30], probabilities = [0.5, 0.4]" + s),
+  EXPECT_EQ(error("kind = 'discrete', values = [20, 30], probabilities = [0.5, 0.4]" + s),
             "x_mm.distribution: the probabilities sum to 0.9: must be 1");
-  EXPECT_EQ(mistake("kind = 'table', samples = [20, 30], values = [1]" + s),
+  EXPECT_EQ(error("kind = 'table', samples = [20, 30], values = [1]" + s),
             "x_mm.distribution.values: must be given with cumulative, or samples, not both");
-  EXPECT_EQ(mistake("kind = 'table', values = [20, 40], cumulative = [0, 0.9]" + s),
+  EXPECT_EQ(error("kind = 'table', values = [20, 40], cumulative = [0, 0.9]" + s),
             "x_mm.distribution: the cumulative probabilities must increase from 0 to 1");
-  EXPECT_EQ(mistake("kind = 'uniform', low = 20, high = 35, correlation = 0.5" + s),
+  EXPECT_EQ(error("kind = 'uniform', low = 20, high = 35, correlation = 0.5" + s),
             "x_mm.distribution.correlation: needs the group it is with");
-  EXPECT_EQ(mistake("kind = 'uniform', low = 20, high = 35, group = ''" + s),
+  EXPECT_EQ(error("kind = 'uniform', low = 20, high = 35, group = ''" + s),
             "x_mm.distribution.group: must have a name");
-  EXPECT_EQ(mistake("kind = 'uniform', low = 20, high = 35, group = 'g', correlation = 2" + s),
+  EXPECT_EQ(error("kind = 'uniform', low = 20, high = 35, group = 'g', correlation = 2" + s),
             "x_mm.distribution.correlation = 2: must be a finite number >= -1 and <= 1");
 }
 
@@ -139,7 +139,8 @@ item = [{ x = 1 }, { x = 1, sub = { x = 1 } }]
   const Distribution law = Distribution::uniform(0, 2);
   const auto drawn = [&](config::Table table) {
     StatedQuantity x = Quantities(table).number("x", Range::any());
-    x.uncertainty = Uncertainty{law, {}, ""};
+    const Uncertainty uniform{.distribution = law, .group = CorrelationGroup(), .reason = {}};
+    x.uncertainty = uniform;
     std::vector<Assumption> list;
     SampleErrors errors;
     Sampler(list, errors, Draw(1, 2)).of_element("item[1]", "bed")(x);

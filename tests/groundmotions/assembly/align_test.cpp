@@ -58,7 +58,7 @@ TEST(Align, IsSilentOnWhatIsRoundedInAFile) {
   EXPECT_THAT(record.warnings, IsEmpty());
 }
 
-TEST(Align, TellsThatStartsAreNotUsed) {
+TEST(Align, ReportsThatStartsAreNotUsed) {
   Record some = pair(component("a", {1, 2, 3}, 1000.0), component("b", {5, 6, 7}, {}));
   align(some);
   EXPECT_EQ(some[Direction::kH2]->acceleration, Eigen::Vector3d(5, 6, 7));

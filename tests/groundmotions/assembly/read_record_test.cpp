@@ -148,7 +148,7 @@ TEST_F(ReadRecord, RefusesNoPlaceTwoPlacesAndWrongPlaces) {
             one.string() + ": given as vertical, but its component x_g is h1");
 }
 
-TEST_F(ReadRecord, TellsTheMistakesOfAllFiles) {
+TEST_F(ReadRecord, ReportsTheErrorsOfAllFiles) {
   const auto bad = file("bad.AT2", "nonsense\n");
   EXPECT_EQ(error_text([&] {
               read_record({{folder_ / "none.AT2", Direction::kH1}, {bad, Direction::kH2}});

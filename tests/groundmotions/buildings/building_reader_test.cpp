@@ -24,7 +24,7 @@ Building read(const std::string& text) {
   return building;
 }
 
-std::string mistakes(const std::string& text) {
+std::string errors(const std::string& text) {
   return error_text([&] { read(text); });
 }
 
@@ -122,8 +122,8 @@ TEST(BuildingReader, FloorsAreNumbersOrTheRoof) {
             "b.toml:1:9: floor = \"rof\": must be one of roof; did you mean 'roof'?");
 }
 
-TEST(BuildingReader, SaysEveryMistakeInOnePass) {
-  EXPECT_EQ(mistakes("kind = 'shaer'\nstoreys = 0\n"),
+TEST(BuildingReader, SaysEveryErrorInOnePass) {
+  EXPECT_EQ(errors("kind = 'shaer'\nstoreys = 0\n"),
             "b.toml:1:1: damping_ratio: missing; must be a finite number >= 0 and <= 0.99\n"
             "b.toml:1:1: period_s: missing; must be a finite number > 0\n"
             "b.toml:1:8: kind = \"shaer\": must be one of shear, generic, modal; did you mean "
@@ -132,38 +132,38 @@ TEST(BuildingReader, SaysEveryMistakeInOnePass) {
 }
 
 TEST(BuildingReader, RefusesKeysThatContradictEachOther) {
-  EXPECT_THAT(mistakes(kShear + "storey_stiffness_h1_n_per_m = [1, 1, 1]\n"
-                                "storey_stiffness_h2_n_per_m = [1, 1, 1]\n"),
+  EXPECT_THAT(errors(kShear + "storey_stiffness_h1_n_per_m = [1, 1, 1]\n"
+                              "storey_stiffness_h2_n_per_m = [1, 1, 1]\n"),
               testing::AllOf(HasSubstr("period_s: must not be given with storey stiffnesses"),
                              HasSubstr("storey_mass_kg: missing; storey stiffnesses need masses")));
   const std::string generic = "kind = 'generic'\nstoreys = 3\ndamping_ratio = 0.05\n";
-  EXPECT_THAT(mistakes(generic + "period_s = 1\nframe = 'other'\nheight_m = 9\n"),
+  EXPECT_THAT(errors(generic + "period_s = 1\nframe = 'other'\nheight_m = 9\n"),
               HasSubstr("period_s: must not be given with frame"));
-  EXPECT_THAT(mistakes(generic + "period_s = 1\nheight_m = 9\n"),
+  EXPECT_THAT(errors(generic + "period_s = 1\nheight_m = 9\n"),
               HasSubstr("height_m: must not be given with period_s"));
 }
 
 TEST(BuildingReader, RefusesImpossibleValues) {
-  EXPECT_THAT(mistakes(kShear + "rayleigh_modes = [2, 1]\n"),
+  EXPECT_THAT(errors(kShear + "rayleigh_modes = [2, 1]\n"),
               HasSubstr("b.toml:5:18: rayleigh_modes = [2, 1]: must be two whole numbers, the "
                         "first lower"));
   // With omega_2 = 2.998 omega_1, omega_8 = 14.79 omega_1: 0.3 (2.998 / 14.79 + 14.79) / 3.998
   // = 1.12.
-  EXPECT_EQ(mistakes("kind = 'shear'\nstoreys = 40\nperiod_s = 4\ndamping_ratio = 0.3\n"
-                     "rayleigh_modes = [1, 2]\n"),
+  EXPECT_EQ(errors("kind = 'shear'\nstoreys = 40\nperiod_s = 4\ndamping_ratio = 0.3\n"
+                   "rayleigh_modes = [1, 2]\n"),
             "b.toml:5:18: rayleigh_modes: gives mode 8 the damping ratio 1.12; must be below 1: "
             "choose a higher second mode, or fewer `modes`");
-  EXPECT_THAT(mistakes(kShear + "[isolation]\nkind = 'friction_pendulum'\nradius_m = 2\n"
-                                "friction_slow = 0.07\nfriction_fast = 0.06\n"
-                                "friction_rate_s_per_m = 50\nbase_mass_ratio = 0.2\n"),
+  EXPECT_THAT(errors(kShear + "[isolation]\nkind = 'friction_pendulum'\nradius_m = 2\n"
+                              "friction_slow = 0.07\nfriction_fast = 0.06\n"
+                              "friction_rate_s_per_m = 50\nbase_mass_ratio = 0.2\n"),
               HasSubstr("isolation.friction_fast = 0.06: must be at least friction_slow = 0.07"));
   const std::string mode = "{ damping_ratio = 0.05, effective_shape = [1], ";
-  EXPECT_THAT(mistakes("kind = 'modal'\nstoreys = 1\nh1 = [" + mode + "period_s = 0.5 }, " + mode +
-                       "period_s = 0.6 }]\n"),
+  EXPECT_THAT(errors("kind = 'modal'\nstoreys = 1\nh1 = [" + mode + "period_s = 0.5 }, " + mode +
+                     "period_s = 0.6 }]\n"),
               HasSubstr("h1[1].period_s = 0.6: must be shorter than that of the mode before, 0.5"));
-  EXPECT_THAT(mistakes("kind = 'modal'\nstoreys = 1\nh1 = [" + mode +
-                       "period_s = 0.5 }]\n[isolation]\nkind = 'linear'\nperiod_s = 2\n"
-                       "damping_ratio = 0.1\nbase_mass_ratio = 0.2\n"),
+  EXPECT_THAT(errors("kind = 'modal'\nstoreys = 1\nh1 = [" + mode +
+                     "period_s = 0.5 }]\n[isolation]\nkind = 'linear'\nperiod_s = 2\n"
+                     "damping_ratio = 0.1\nbase_mass_ratio = 0.2\n"),
               HasSubstr("h1: effective_mass_ratio must be > 0 for each mode of an isolated"));
 }
 
@@ -185,30 +185,29 @@ TEST(BuildingReader, ReadsRotationOfTheFloors) {
 
 TEST(BuildingReader, RefusesRotationsWithTheirPlace) {
   const std::string table = kShear + "[floor_rotation]\n";
-  EXPECT_EQ(mistakes(table + "height_m = 12\nbending_share = 1.5\n"),
+  EXPECT_EQ(errors(table + "height_m = 12\nbending_share = 1.5\n"),
             "b.toml:7:17: floor_rotation.bending_share = 1.5: must be a finite number "
             ">= 0 and <= 1");
-  EXPECT_EQ(mistakes(table + "height_m = -3\nbending_share = 1\n"),
+  EXPECT_EQ(errors(table + "height_m = -3\nbending_share = 1\n"),
             "b.toml:6:12: floor_rotation.height_m = -3: must be a finite number > 0");
-  EXPECT_THAT(mistakes(table + "bending_share = 1\n"),
-              HasSubstr("floor_rotation.height_m: missing"));
-  EXPECT_THAT(mistakes(table + "height_m = 12\nbending_share = 1\nbend_share = 1\n"),
+  EXPECT_THAT(errors(table + "bending_share = 1\n"), HasSubstr("floor_rotation.height_m: missing"));
+  EXPECT_THAT(errors(table + "height_m = 12\nbending_share = 1\nbend_share = 1\n"),
               HasSubstr("did you mean 'bending_share'?"));
-  EXPECT_THAT(mistakes("kind = 'generic'\nstoreys = 3\ndamping_ratio = 0.05\nframe = 'other'\n"
-                       "height_m = 9\n[floor_rotation]\nheight_m = 9\nbending_share = 1\n"),
+  EXPECT_THAT(errors("kind = 'generic'\nstoreys = 3\ndamping_ratio = 0.05\nframe = 'other'\n"
+                     "height_m = 9\n[floor_rotation]\nheight_m = 9\nbending_share = 1\n"),
               HasSubstr("floor_rotation.height_m: must not be given with the height_m of a frame"));
   EXPECT_THAT(
-      mistakes("kind = 'modal'\nstoreys = 1\nvertical = [{ period_s = 0.5, damping_ratio = "
-               "0.05, effective_shape = [1], effective_rotation_rad_per_m = [1] }]\n"),
+      errors("kind = 'modal'\nstoreys = 1\nvertical = [{ period_s = 0.5, damping_ratio = "
+             "0.05, effective_shape = [1], effective_rotation_rad_per_m = [1] }]\n"),
       HasSubstr("vertical[0].effective_rotation_rad_per_m: must go with a mode of h1 or h2"));
-  EXPECT_THAT(mistakes("kind = 'modal'\nstoreys = 2\nh1 = [{ period_s = 0.5, damping_ratio = "
-                       "0.05, effective_shape = [1, 1], effective_rotation_rad_per_m = [1] }]\n"),
+  EXPECT_THAT(errors("kind = 'modal'\nstoreys = 2\nh1 = [{ period_s = 0.5, damping_ratio = "
+                     "0.05, effective_shape = [1, 1], effective_rotation_rad_per_m = [1] }]\n"),
               HasSubstr("h1[0].effective_rotation_rad_per_m"));
 }
 
-TEST(BuildingReader, UnknownKeysAreMistakes) {
-  EXPECT_THAT(mistakes(kShear + "storey = 3\n"), HasSubstr("storey"));
-  EXPECT_THAT(mistakes(kShear + "dampin_ratio = 3\n"), HasSubstr("did you mean 'damping_ratio'?"));
+TEST(BuildingReader, UnknownKeysAreErrors) {
+  EXPECT_THAT(errors(kShear + "storey = 3\n"), HasSubstr("storey"));
+  EXPECT_THAT(errors(kShear + "dampin_ratio = 3\n"), HasSubstr("did you mean 'damping_ratio'?"));
 }
 
 /// Keys asked for by a building with everything in it; the last part of each.

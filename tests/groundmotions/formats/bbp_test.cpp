@@ -103,7 +103,7 @@ TEST(Bbp, RefusesVelocityAndDisplacement) {
               HasSubstr("f:4:1: a record must be acceleration, but this is a displacement file"));
 }
 
-TEST(Bbp, TellsWhatIsWrong) {
+TEST(Bbp, ReportsWhatIsWrong) {
   EXPECT_EQ(error_text([] { read_text(replaced(kFile, "\t6.000000e+00", "")); }),
             "f:4:1: 3 numbers on a line, time and three components are 4");
   EXPECT_THAT(

@@ -57,7 +57,7 @@ TEST(ColumnsCsvFacts, LeavesOtherCommentsAlone) {
   EXPECT_TRUE(read("# a: azimuth 0 deg\ntime_s,a_g\n0,1\n1,2\n")[0].azimuth);
 }
 
-TEST(ColumnsCsvFacts, TellsWhatIsWrong) {
+TEST(ColumnsCsvFacts, ReportsWhatIsWrong) {
   EXPECT_EQ(error_text([] {
               read(
                   "# h1: azimuth 30\n# h1: azimuth 400 deg\n# h1: start yesterday\n"

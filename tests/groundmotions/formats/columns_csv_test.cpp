@@ -59,7 +59,7 @@ TEST(ColumnsCsv, RefusesUnknownDoubledAndMissingColumns) {
               HasSubstr("column a stands alone"));
 }
 
-TEST(ColumnsCsv, TellsAllBadCellsAndRowsAtOnce) {
+TEST(ColumnsCsv, ReportsAllBadCellsAndRowsAtOnce) {
   EXPECT_EQ(error_text([] {
               read("time_s,x_g,y_g\n0,1,nan\n0.01,x1,2\n0.02,1\n0.03,1,2,3\n0.04,,1e999\n");
             }),

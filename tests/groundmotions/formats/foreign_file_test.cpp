@@ -51,7 +51,7 @@ TEST(ForeignFile, LeavesEveryFormatAlone) {
   EXPECT_FALSE(foreign_file(""));
 }
 
-TEST(ForeignFile, UnknownBinaryFilesAreToldToBeBinary) {
+TEST(ForeignFile, UnknownBinaryFilesAreReportedToBeBinary) {
   EXPECT_THAT(
       error_text([] { read_components(SourceFile("f", std::string(2000, '\0'))); }),
       HasSubstr(

@@ -13,13 +13,13 @@ namespace {
 using testing::ElementsAre;
 
 std::vector<double> read(const std::string& text, const char* format, std::size_t count,
-                         EmptyField empty = EmptyField::kMistake) {
+                         EmptyField empty = EmptyField::kError) {
   const SourceFile file("f", text);
-  Mistakes mistakes(file);
+  FileErrors errors(file);
   std::size_t line = 0;
-  const auto values = FieldReader(file, mistakes)
-                          .read(line, count, fortran_format(format).value(), empty, "samples");
-  mistakes.throw_if_any();
+  const auto values =
+      FieldReader(file, errors).read(line, count, fortran_format(format).value(), empty, "samples");
+  errors.throw_if_any();
   EXPECT_EQ(line, file.lines().size());
   return values;
 }

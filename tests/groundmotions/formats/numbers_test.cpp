@@ -12,11 +12,11 @@ using testing::HasSubstr;
 
 std::vector<double> read(const std::string& text) {
   const SourceFile file("f", text);
-  Mistakes mistakes(file);
-  NumberReader reader(file, mistakes);
+  FileErrors errors(file);
+  NumberReader reader(file, errors);
   for (std::size_t i = 0; i < file.lines().size(); ++i) reader.read_line(i);
   reader.check_end();
-  mistakes.throw_if_any();
+  errors.throw_if_any();
   return reader.values();
 }
 
@@ -61,7 +61,7 @@ TEST(NumberReader, ReadsExponentsThatLostTheirLetter) {
   EXPECT_THAT(read(".5-103 .5+101-.25-100\n"), ElementsAre(.5e-103, .5e101, -.25e-100));
 }
 
-TEST(NumberReader, NamesThePlaceOfEachMistake) {
+TEST(NumberReader, NamesThePlaceOfEachError) {
   EXPECT_EQ(error_text([] { read("1.0 nan\n 2.0 abc 1.0\n"); }),
             "f:1:5: 'nan' is not a finite number\nf:2:6: 'abc' is not a finite number");
   EXPECT_EQ(error_text([] { read("1.0 2.0.5\n"); }), "f:1:5: '2.0.5' is not a finite number");
@@ -69,7 +69,7 @@ TEST(NumberReader, NamesThePlaceOfEachMistake) {
   EXPECT_EQ(error_text([] { read(".1E-01-.2E\n"); }), "f:1:7: '.1E-01-.2E' is not a finite number");
 }
 
-TEST(NumberReader, TellsTwentyMistakesAndCountsTheRest) {
+TEST(NumberReader, ReportsTwentyErrorsAndCountsTheRest) {
   std::string text;
   for (int i = 0; i < 25; ++i) text += "x\n";
   EXPECT_THAT(error_text([&] { read(text); }), HasSubstr("f:20:1: 'x' is not a finite number\n"

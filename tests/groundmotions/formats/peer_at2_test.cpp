@@ -210,7 +210,7 @@ TEST(PeerAt2, RefusesACountThatDoesNotMatch) {
             "f.AT2:4:1: NPTS must be a whole number above 1, got -5");
 }
 
-TEST(PeerAt2, TellsAllBadNumbersAtOnce) {
+TEST(PeerAt2, ReportsAllBadNumbersAtOnce) {
   const std::string text = file_with("NPTS= 5, DT= .02 SEC");
   EXPECT_EQ(error_text([&] {
               read(replaced(replaced(text, "-.2000000E+00", "NaN"), "-.4000000E+00", "******"));

@@ -38,7 +38,7 @@ TEST(UnevenSamples, KeepsEvenSamples) {
   for (int i = 0; i < 1000; ++i) EXPECT_NEAR(even[i], i % 7, 1e-11);
 }
 
-TEST(UnevenSamples, TellsTheSpacing) {
+TEST(UnevenSamples, ReportsTheSpacing) {
   const Spacing spacing = spacing_of(kTimes);
   EXPECT_EQ(spacing.smallest, 0);
   EXPECT_NEAR(spacing.largest, 0.25, 1e-15);

@@ -35,28 +35,27 @@ TEST(Measure, MindsNeitherCaseNorBlanks) {
   EXPECT_EQ(name_of(parse_measure("pga")), "PGA");
 }
 
-std::string mistake(const char* text) {
+std::string error(const char* text) {
   return error_text([&] { parse_measure(text); });
 }
 
-TEST(Measure, TellsWhatIsWrong) {
-  EXPECT_EQ(mistake("Aria"), "measure 'Aria': unknown measure; did you mean 'Arias'?");
-  EXPECT_THAT(
-      mistake("magnitude"),
-      AllOf(HasSubstr("'magnitude': unknown measure; known: PGA, PGV"), HasSubstr("SaAvg")));
-  EXPECT_EQ(mistake("Sa"), "measure 'Sa': a period in seconds is needed, as in Sa(1.0)");
-  EXPECT_EQ(mistake("Sa(1"), "measure 'Sa(1': a period in seconds is needed, as in Sa(1.0)");
-  EXPECT_EQ(mistake("PGA(1)"), "measure 'PGA(1)': PGA takes nothing in brackets");
-  EXPECT_EQ(mistake("Sa(-1)"),
+TEST(Measure, ReportsWhatIsWrong) {
+  EXPECT_EQ(error("Aria"), "measure 'Aria': unknown measure; did you mean 'Arias'?");
+  EXPECT_THAT(error("magnitude"), AllOf(HasSubstr("'magnitude': unknown measure; known: PGA, PGV"),
+                                        HasSubstr("SaAvg")));
+  EXPECT_EQ(error("Sa"), "measure 'Sa': a period in seconds is needed, as in Sa(1.0)");
+  EXPECT_EQ(error("Sa(1"), "measure 'Sa(1': a period in seconds is needed, as in Sa(1.0)");
+  EXPECT_EQ(error("PGA(1)"), "measure 'PGA(1)': PGA takes nothing in brackets");
+  EXPECT_EQ(error("Sa(-1)"),
             "measure 'Sa(-1)': the period '-1' must be a number above 0 in seconds");
-  EXPECT_THAT(mistake("SaAvg(0)"), HasSubstr("the period '0' must be a number above 0"));
-  EXPECT_THAT(mistake("Sa(1s)"), HasSubstr("the period '1s' must be a number above 0"));
-  EXPECT_THAT(mistake("Sa()"), HasSubstr("the period '' must be a number above 0"));
-  EXPECT_THAT(mistake("Sa(1:2)"), HasSubstr("only SaAvg takes a range of periods"));
-  EXPECT_THAT(mistake("SaAvg(2:1)"), HasSubstr("the last period '1' must be a number above the"));
-  EXPECT_THAT(mistake("FIV3(1, 5%)"), HasSubstr("FIV3 takes no damping"));
-  EXPECT_THAT(mistake("Sa(1, 5)"), HasSubstr("the damping '5' must be at least 0% and below 100%"));
-  EXPECT_THAT(mistake("Sa(1, x%)"), HasSubstr("the damping 'x%' must be at least"));
+  EXPECT_THAT(error("SaAvg(0)"), HasSubstr("the period '0' must be a number above 0"));
+  EXPECT_THAT(error("Sa(1s)"), HasSubstr("the period '1s' must be a number above 0"));
+  EXPECT_THAT(error("Sa()"), HasSubstr("the period '' must be a number above 0"));
+  EXPECT_THAT(error("Sa(1:2)"), HasSubstr("only SaAvg takes a range of periods"));
+  EXPECT_THAT(error("SaAvg(2:1)"), HasSubstr("the last period '1' must be a number above the"));
+  EXPECT_THAT(error("FIV3(1, 5%)"), HasSubstr("FIV3 takes no damping"));
+  EXPECT_THAT(error("Sa(1, 5)"), HasSubstr("the damping '5' must be at least 0% and below 100%"));
+  EXPECT_THAT(error("Sa(1, x%)"), HasSubstr("the damping 'x%' must be at least"));
 }
 
 // Twice the motion has 2^power times the measure, each measure in its turn.

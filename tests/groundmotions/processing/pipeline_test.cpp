@@ -56,7 +56,7 @@ TEST(Pipeline, DoesTheStepsInTheirOrder) {
 }
 
 // 0.02 m/s2 over 30 s: 0.6 m/s and 9 m, on the largest of the horizontals.
-TEST(Pipeline, TellsWhatIsLeftAtTheEnd) {
+TEST(Pipeline, ReportsWhatIsLeftAtTheEnd) {
   EXPECT_THAT(line_of(Baseline{Baseline::Kind::kPreEventMean, 0, 0.5}),
               StartsWith("mean of the first 0.5 s removed; residual velocity 0.6 -> "));
   EXPECT_THAT(line_of(Baseline{Baseline::Kind::kEndAtRest}),

@@ -25,8 +25,8 @@ Step step_of(const std::string& text) {
   return std::get<Step>(steps_of("{ step = " + text + " }").at(0));
 }
 
-/// The mistakes of a list of steps, without the name of the file.
-std::string mistakes(const std::string& list) {
+/// The errors of a list of steps, without the name of the file.
+std::string errors(const std::string& list) {
   return error_text([&] { steps_of(list); });
 }
 
@@ -109,9 +109,9 @@ TEST(StepReader, KeepsTheOrder) {
   EXPECT_TRUE(read_processing_steps(root).empty());
 }
 
-TEST(StepReader, TellsAllMistakesAtOnce) {
-  EXPECT_EQ(mistakes("{ step = \"highpass\", corner_hz = 1 },\n{ step = \"resample\", dt = 1 },\n"
-                     "{ step = \"low_pass\", corner_hz = -1, order = 11 }"),
+TEST(StepReader, ReportsAllErrorsAtOnce) {
+  EXPECT_EQ(errors("{ step = \"highpass\", corner_hz = 1 },\n{ step = \"resample\", dt = 1 },\n"
+                   "{ step = \"low_pass\", corner_hz = -1, order = 11 }"),
             "a.toml:1:24: processing[0].step = \"highpass\": unknown step; did you mean "
             "'high_pass'?\n"
             "a.toml:2:1: processing[1].time_step_s: missing; must be a finite number > 0 and <= 1\n"
@@ -121,28 +121,27 @@ TEST(StepReader, TellsAllMistakesAtOnce) {
 }
 
 TEST(StepReader, RefusesWhatDoesNotFit) {
-  EXPECT_EQ(mistakes("{ corner_hz = 1 }"),
+  EXPECT_EQ(errors("{ corner_hz = 1 }"),
             "a.toml:1:15: processing[0].step: missing; must be text in quotes");
-  EXPECT_EQ(mistakes("{ step = 3 }"),
-            "a.toml:1:24: processing[0].step = 3: must be text in quotes");
-  EXPECT_EQ(mistakes(R"({ step = "taper" })"),
+  EXPECT_EQ(errors("{ step = 3 }"), "a.toml:1:24: processing[0].step = 3: must be text in quotes");
+  EXPECT_EQ(errors(R"({ step = "taper" })"),
             "a.toml:1:24: processing[0].step = \"taper\": must have start_s and end_s or one of "
             "them, or start_fraction and end_fraction or one of them");
-  EXPECT_NE(mistakes(R"({ step = "taper", start_s = 1, end_fraction = 0.1 })"), "(no error)");
-  EXPECT_EQ(mistakes(R"({ step = "rotate", angle_deg = 1, strike_deg = 2 })"),
+  EXPECT_NE(errors(R"({ step = "taper", start_s = 1, end_fraction = 0.1 })"), "(no error)");
+  EXPECT_EQ(errors(R"({ step = "rotate", angle_deg = 1, strike_deg = 2 })"),
             "a.toml:1:24: processing[0].step = \"rotate\": must have one of azimuth_deg, angle_deg "
             "and strike_deg");
-  EXPECT_EQ(mistakes(R"({ step = "band_pass", corners_hz = [5, 1] })"),
+  EXPECT_EQ(errors(R"({ step = "band_pass", corners_hz = [5, 1] })"),
             "a.toml:1:50: processing[0].corners_hz = [5, 1]: the first must be less than the "
             "second");
-  EXPECT_EQ(mistakes(R"({ step = "trim", from_fraction = 0.96 })"),
+  EXPECT_EQ(errors(R"({ step = "trim", from_fraction = 0.96 })"),
             "a.toml:1:15: processing[0].to_fraction = 0.95: must be more than from_fraction, 0.96");
-  EXPECT_EQ(mistakes(R"({ step = "window", from_s = 5, to_s = 5 })"),
+  EXPECT_EQ(errors(R"({ step = "window", from_s = 5, to_s = 5 })"),
             "a.toml:1:53: processing[0].to_s = 5: must be a finite number > 5");
-  EXPECT_EQ(mistakes(R"({ step = "baseline", kind = "lin" })"),
+  EXPECT_EQ(errors(R"({ step = "baseline", kind = "lin" })"),
             "a.toml:1:43: processing[0].kind = \"lin\": must be one of mean, line, polynomial, "
             "pre_event_mean, end_at_rest; did you mean 'line'?");
-  EXPECT_EQ(mistakes(R"({ step = "baseline", kind = "mean", degree = 2 })"),
+  EXPECT_EQ(errors(R"({ step = "baseline", kind = "mean", degree = 2 })"),
             "a.toml:1:51: processing[0].degree: unknown key; known: kind, step");
 }
 

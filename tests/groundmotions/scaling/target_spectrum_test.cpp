@@ -138,7 +138,7 @@ TEST(TableSpectrum, IsStraightInLogarithms) {
   EXPECT_NEAR(table_spectrum(si).at(0.1), 3, 1e-12);
 }
 
-TEST(TableSpectrum, TellsAllMistakes) {
+TEST(TableSpectrum, ReportsAllErrors) {
   EXPECT_ERROR(table_spectrum(SourceFile("t.csv", "period_s, sa\n0.1, 1\n")),
                "t.csv:1:1: header 'period_s, sa': must be 'period_s, sa_g' or");
   const SourceFile bad("t.csv", "period_s, sa_g\n0.2, 1\n0.1, 1\n0.3, x\n0.4, 0\n0.5\n");

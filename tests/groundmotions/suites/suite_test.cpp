@@ -164,7 +164,7 @@ TEST(ListSuite, TakesSeveralFilesThatPlaceThemselves) {
   EXPECT_EQ(read_record(suite.records[0])[Direction::kH1]->name, "090");
 }
 
-TEST(ListSuite, TellsEveryMistake) {
+TEST(ListSuite, ReportsEveryError) {
   const TempFolder folder;
   folder.write("e.txt", "1\n-1\n2\n");
   const auto list = folder.write("list.csv",

@@ -117,7 +117,7 @@ TEST_F(Ac156, ComponentsAreIndependent) {
   EXPECT_LT(correlation(a(Direction::kH2), a(Direction::kVertical)), 0.3);
 }
 
-TEST_F(Ac156, TellsHowItFits) {
+TEST_F(Ac156, ReportsHowItFits) {
   const auto& header = record()[Direction::kH1]->header;
   ASSERT_EQ(header.size(), 5u);
   EXPECT_EQ(header[0].second, "18.83, 9.414");

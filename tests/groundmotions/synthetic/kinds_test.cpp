@@ -111,7 +111,7 @@ TEST(SyntheticKinds, AreReadFromAJob) {
   EXPECT_EQ(request->values.at("height_ratio"), 1);
 }
 
-TEST(SyntheticKinds, ToldWrongInAJobAreMistakesAtTheirPlace) {
+TEST(SyntheticKinds, ReportedWrongInAJobAreErrorsAtTheirPlace) {
   config::Document document("kind = \"ac165\"\nsds_g = 1.2\n", "job.toml");
   auto table = document.root();
   EXPECT_FALSE(read_synthetic_request(table));

@@ -53,7 +53,7 @@ TEST(RecordTable, HasTheValuesOfTheOnlyComponent) {
                           "4", "0.9", "2.56", "4", "4", "-", testing::_));
 }
 
-TEST(RecordTable, TellsAllFilesByOneHash) {
+TEST(RecordTable, ReportsAllFilesByOneHash) {
   groundmotions::Record record;
   const std::string a(64, 'a'), b(64, 'b');
   record.components[0] = constant(1, a);

@@ -106,7 +106,7 @@ TEST(Summary, SaysTheSameAsJson) {
   EXPECT_TRUE(still["record"].is_null());
 }
 
-TEST(Summary, TellsOfSeveralItemsInJson) {
+TEST(Summary, ReportsOfSeveralItemsInJson) {
   const auto json =
       nlohmann::json::parse(summary_json(fabricated_ward(), fabricated_ward_response()));
   EXPECT_EQ(json["items"].size(), 10u);
@@ -115,10 +115,10 @@ TEST(Summary, TellsOfSeveralItemsInJson) {
   EXPECT_EQ(json["impacts"][1]["other_body"], "rear left");
   EXPECT_EQ(json["impacts"][3]["peak_force"], 5200);
   EXPECT_TRUE(json["impacts"][0]["peak_force"].is_null()) << "restitution states no force";
-  ASSERT_EQ(json["falls"].size(), 1u);
-  EXPECT_EQ(json["falls"][0]["item"], "infusion pump");
-  EXPECT_EQ(json["falls"][0]["liftoffs"][2]["wheel"], "front right");
-  EXPECT_NEAR(json["falls"][0]["floor_pulse"]["time_of_peak_s"].get<double>(), 4.0, 0.006);
+  ASSERT_EQ(json["overturnings"].size(), 1u);
+  EXPECT_EQ(json["overturnings"][0]["item"], "infusion pump");
+  EXPECT_EQ(json["overturnings"][0]["liftoffs"][2]["wheel"], "front right");
+  EXPECT_NEAR(json["overturnings"][0]["floor_pulse"]["time_of_peak_s"].get<double>(), 4.0, 0.006);
   EXPECT_EQ(json["zones"][0]["name"], "doorway");
   EXPECT_EQ(json["zones"][0]["occupied_at_end"], 1);
   EXPECT_TRUE(json["tethers"][2]["time_taut"].is_null());

@@ -40,7 +40,7 @@ CaseRun run_of(const Family& family, double computed) {
   return run;
 }
 
-TEST(VerificationReport, TellsWhatPassedInALine) {
+TEST(VerificationReport, ReportsWhatPassedInALine) {
   const Family family = falling();
   const std::string text = verification_text(run_of(family, 4.95), false);
   EXPECT_THAT(text, HasSubstr("ok   fall/one_second"));
@@ -50,7 +50,7 @@ TEST(VerificationReport, TellsWhatPassedInALine) {
               HasSubstr("1 cases with 1 checks: all passed"));
 }
 
-TEST(VerificationReport, TellsWhatFailedWithTheDerivationOfItsTolerance) {
+TEST(VerificationReport, ReportsWhatFailedWithTheDerivationOfItsTolerance) {
   const Family family = falling();
   const std::string text = verification_text(run_of(family, 5.1), false);
   EXPECT_THAT(text, HasSubstr("FAIL fall/one_second"));

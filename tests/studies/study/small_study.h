@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "studies/study/run/run_unit.h"
+#include "studies/study/run/run_task.h"
 
 namespace gurney::study {
 
@@ -31,8 +31,8 @@ struct SmallStudy {
   explicit SmallStudy(const std::string& text)
       : job(text, "a.toml"), motions(job), plan(job, motions) {}
 
-  UnitResult run(std::size_t unit) const {
-    return run_unit(batch, unit, [] { return true; });
+  TaskResult run(std::size_t unit) const {
+    return run_task(batch, unit, [] { return true; });
   }
 
   StudyJob job;

@@ -7,7 +7,7 @@ gurney=$1
 
 expect 0 "1 cases with 9 checks: all passed" "$gurney" verify skid_to_roll/hoop
 expect 0 "time at which it rolls" "$gurney" verify skid_to_roll/hoop
-expect 0 "tolerance: one step to change, one to be told of it: 2 dt" "$gurney" verify skid_to_roll/hoop
+expect 0 "tolerance: one step to change, one to report it: 2 dt" "$gurney" verify skid_to_roll/hoop
 expect 0 "12 cases" "$gurney" verify alignment -j 2
 expect 0 "skid_to_roll/draw_8 " "$gurney" verify skid_to_roll --draw 7 --count 2
 expect 1 "no case, family or group is named 'alignmnt'; did you mean 'alignment'?" "$gurney" verify alignmnt

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "studies/study/limit_states/response_values.h"
-#include "studies/study/run/run_unit.h"
+#include "studies/study/run/run_task.h"
 
 namespace gurney::study {
 namespace {
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 /// A study of studies/jobs and its size, which docs/shipped_studies.md tells.
 struct Shipped {
   std::string name;
-  std::size_t configurations, units, runs_of_unit;
+  std::size_t configurations, tasks, runs_of_task;
 };
 
 void PrintTo(const Shipped& study, std::ostream* stream) { *stream << study.name; }
@@ -60,37 +60,37 @@ class StudyInTheFolder : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Jobs, StudyInTheFolder, testing::ValuesIn(studies_in_folder()),
                          [](const auto& name) { return name.param; });
 
-TEST_P(ShippedStudy, HasTheSizeThatItsPageTells) {
+TEST_P(ShippedStudy, HasTheSizeThatItsPageReports) {
   const StudyJob job(path_of(GetParam().name));
   const StudyMotions motions(job);
   const Plan plan(job, motions);
   EXPECT_EQ(job.configurations().size(), GetParam().configurations);
-  EXPECT_EQ(plan.units(), GetParam().units);
-  EXPECT_EQ(plan.runs_of_unit(), GetParam().runs_of_unit);
-  const bool hunt = job.study().intensity.kind == IntensityPlan::Kind::kHunt;
+  EXPECT_EQ(plan.tasks(), GetParam().tasks);
+  EXPECT_EQ(plan.runs_of_task(), GetParam().runs_of_task);
+  const bool ida = job.study().intensity.kind == IntensityPlan::Kind::kIda;
   const std::string row = fmt::format(
-      "| `{}` | {} | {} | {}{} |", GetParam().name, GetParam().configurations, GetParam().units,
-      hunt ? "at most " : "", GetParam().units * GetParam().runs_of_unit);
+      "| `{}` | {} | {} | {}{} |", GetParam().name, GetParam().configurations, GetParam().tasks,
+      ida ? "at most " : "", GetParam().tasks * GetParam().runs_of_task);
   const std::string page = text_of(GURNEY_SOURCE_DIR "/docs/shipped_studies.md");
   EXPECT_NE(page.find(row), std::string::npos) << "docs/shipped_studies.md has no row " << row;
 }
 
-/// The first and the last unit run as in the whole study: a unit's index decides its numbers.
+/// The first and the last task run as in the whole study: a task's index decides its numbers.
 TEST_P(StudyInTheFolder, RunsWithoutAFault) {
   const StudyJob job(path_of(GetParam()));
   const StudyMotions motions(job);
   const Plan plan(job, motions);
   const Batch batch{job, motions, plan};
-  for (const std::size_t index : {std::size_t{0}, plan.units() - 1}) {
-    const UnitResult result = run_unit(batch, index, [] { return true; });
+  for (const std::size_t index : {std::size_t{0}, plan.tasks() - 1}) {
+    const TaskResult result = run_task(batch, index, [] { return true; });
     ASSERT_FALSE(result.runs.empty());
-    const Unit unit = plan.unit(index);
-    const Job of_unit = job.job(unit.configuration, plan.draw(unit));
+    const Task task = plan.task(index);
+    const Job of_unit = job.job(task.configuration, plan.draw(task));
     for (const StudyRun& run : result.runs) {
       const std::string which = fmt::format("unit {} at scale {}", index, run.scale);
       ASSERT_FALSE(is_failure(run.response.outcome)) << which << ": " << run.response.cause;
       EXPECT_NE(run.response.outcome, Outcome::kStillMoving) << which;
-      // Physics to 1 %: what the energy account does not explain is a fault.
+      // Physics to 1 %: what the energy balance does not explain is a fault.
       EXPECT_LT(run.response.quality.energy_closure, 0.01) << which;
       EXPECT_EQ(run.response.quality.unconverged_steps, 0) << which;
       // Every limit state can be asked of the run, and something moved.
@@ -122,14 +122,14 @@ TEST(TrolleyOrientation, ABrakedTrolleySwingsByTwiceItsTrail) {
   const Plan plan(job, motions);
   const Batch batch{job, motions, plan};
   int found = 0;
-  for (std::size_t index = 0; index < plan.units(); ++index) {
-    const Unit unit = plan.unit(index);
-    const std::size_t c = unit.configuration;
+  for (std::size_t index = 0; index < plan.tasks(); ++index) {
+    const Task task = plan.task(index);
+    const std::size_t c = task.configuration;
     if (!has_level(job, c, "period", "2") || !has_level(job, c, "headings", "trailing") ||
-        unit.angle != 6)
+        task.angle != 6)
       continue;
     ++found;
-    const UnitResult result = run_unit(batch, index, [] { return true; });
+    const TaskResult result = run_task(batch, index, [] { return true; });
     for (const std::size_t run : {0, 1}) {  // 0.2 and 0.4 m/s
       const Demands& demands = result.runs[run].response.items[0].demands;
       if (has_level(job, c, "brakes", "on")) {

@@ -27,11 +27,11 @@ double threshold(const EquipmentModel& item) {
   const Caster &front = item.casters[0], &rear = item.casters[2];
   const double x_front = front.mount.x() - front.trail * std::cos(front.heading),
                x_rear = rear.mount.x() - rear.trail * std::cos(rear.heading) -
-                        rear.tread.rolling_resistance;
+                        rear.tread.rolling_friction_length;
   const Vector3 center = whole_item(item).center_of_mass;
   const double w = x_front - x_rear, from_free = center.x() - x_rear;
   const double mu = front.tread.kinetic_friction,
-               c = rear.tread.rolling_resistance / rear.wheel_radius;
+               c = rear.tread.rolling_friction_length / rear.wheel_radius;
   return (mu * from_free + c * (w - from_free)) / w / (1 + (mu - c) * center.z() / w);
 }
 

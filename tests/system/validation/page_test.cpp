@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Every validation_*.toml has its row `| name | runs |`, with the number of its runs.
-TEST(ValidationPage, TellsTheRunsOfEachStudy) {
+TEST(ValidationPage, ReportsTheRunsOfEachStudy) {
   std::ifstream stream(GURNEY_SOURCE_DIR "/docs/validation.md");
   const std::string page{std::istreambuf_iterator<char>(stream), {}};
   int studies = 0;

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "studies/study/run/run_unit.h"
+#include "studies/study/run/run_task.h"
 
 namespace gurney::study {
 
-/// Single units of a study of studies/jobs, made as in the whole study.
+/// Single tasks of a study of studies/jobs, made as in the whole study.
 class SmallRuns {
  public:
   using Levels = std::map<std::string, std::string>;  ///< factor and level
@@ -27,15 +27,15 @@ class SmallRuns {
   SmallRuns(const std::string& text, const std::string& path)
       : job_(text, path), motions_(job_), plan_(job_, motions_) {}
 
-  std::size_t count() const { return plan_.units() * plan_.runs_of_unit(); }
+  std::size_t count() const { return plan_.tasks() * plan_.runs_of_task(); }
 
   /// The runs of the first `records` records with these levels, angle by angle.
   std::vector<StudyRun> runs(const Levels& levels, std::size_t records = 1) const {
     std::vector<StudyRun> result;
-    for (std::size_t index = 0; index < plan_.units(); ++index) {
-      const Unit unit = plan_.unit(index);
-      if (unit.record >= records || !has(unit.configuration, levels)) continue;
-      for (StudyRun& run : run_unit(batch(), index, [] { return true; }).runs) {
+    for (std::size_t index = 0; index < plan_.tasks(); ++index) {
+      const Task task = plan_.task(index);
+      if (task.record >= records || !has(task.configuration, levels)) continue;
+      for (StudyRun& run : run_task(batch(), index, [] { return true; }).runs) {
         if (is_failure(run.response.outcome))
           throw std::runtime_error(fmt::format("unit {}: diverged: {}", index, run.response.cause));
         result.push_back(std::move(run));
@@ -47,10 +47,10 @@ class SmallRuns {
 
   /// What simulate() gets for the first record with these levels.
   RunCase first_case(const Levels& levels, double scale) const {
-    for (std::size_t index = 0; index < plan_.units(); ++index) {
-      const Unit unit = plan_.unit(index);
-      if (has(unit.configuration, levels))
-        return case_of(batch(), unit, job_.job(unit.configuration, plan_.draw(unit)), scale);
+    for (std::size_t index = 0; index < plan_.tasks(); ++index) {
+      const Task task = plan_.task(index);
+      if (has(task.configuration, levels))
+        return case_of(batch(), task, job_.job(task.configuration, plan_.draw(task)), scale);
     }
     throw std::logic_error("no unit has these levels");
   }

@@ -90,7 +90,7 @@ TEST(Calibration, SeesDependences) {
   EXPECT_LT(test_named(calibrate(set, "made"), "load").estimate, 0.9);
 }
 
-TEST(Calibration, TellsAllInTextAndJson) {
+TEST(Calibration, ReportsAllInTextAndJson) {
   const Calibration c = calibrate(programme(), "made");
   const std::string text = report::calibration_text(c);
   EXPECT_THAT(text, HasSubstr("made: 30 trials, 1 excluded\nSIMULATED: 30 of the trials"));
@@ -126,7 +126,7 @@ TEST(Calibration, MakesCasterFilesThatLoad) {
     EXPECT_EQ(each.calibrated, std::vector<std::string>{"tread.rolling_resistance_mm"});
     const equipment::CasterType made = equipment::load_caster_type(file).stated();
     const bool large = each.name.starts_with("R125");
-    EXPECT_NEAR(made.properties.tread.rolling_resistance, 1e-3, 5e-5);
+    EXPECT_NEAR(made.properties.tread.rolling_friction_length, 1e-3, 5e-5);
     EXPECT_EQ(made.properties.wheel_radius, large ? 0.0625 : 0.05);
     EXPECT_THAT(each.text, HasSubstr("SIMULATED, not measured: gurney calibrate, Cr/R of R1"));
     // All else is the base's.

@@ -51,7 +51,7 @@ Trial virtual_pull(const VirtualPull& pull) {
               .model;
   Trial trial;
   for (Caster& caster : model.casters) {
-    caster.tread.rolling_resistance = pull.resistance * caster.wheel_radius;
+    caster.tread.rolling_friction_length = pull.resistance * caster.wheel_radius;
     if (pull.patch_width >= 0) caster.tread.patch_width = pull.patch_width;
   }
   DropWeight weight;
@@ -104,7 +104,7 @@ Trial virtual_winch(const VirtualWinch& v) {
     const bool front = caster.mount.x() > 0;
     caster.tread.static_friction = v.static_friction;
     caster.tread.kinetic_friction = v.kinetic_friction;
-    caster.tread.rolling_resistance = v.resistance * caster.wheel_radius;
+    caster.tread.rolling_friction_length = v.resistance * caster.wheel_radius;
     if (v.locked && *v.locked != (front ? LockedWheels::kRear : LockedWheels::kFront))
       caster.brake_torque = std::numeric_limits<double>::infinity();
   }

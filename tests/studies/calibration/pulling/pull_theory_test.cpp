@@ -16,7 +16,7 @@ using namespace scenes;
 Scene round_scene(std::vector<Load> loads = {}) {
   ItemOptions options;
   options.total_mass = 100;
-  options.caster.tread.rolling_resistance = 0.02 * options.caster.wheel_radius;
+  options.caster.tread.rolling_friction_length = 0.02 * options.caster.wheel_radius;
   Scene scene = scene_of(trolley(options));
   scene.gravity = 10;
   scene.items[0].loads = std::move(loads);
@@ -68,15 +68,15 @@ TEST(PullTheory, OfAConstantForceKnowsNoWeight) {
 }
 
 TEST(PullTheory, RefusesWhatItDoesNotDescribe) {
-  const auto mistake = [&](const std::vector<Load>& loads) {
+  const auto error = [&](const std::vector<Load>& loads) {
     return error_text([&] { theory_of(round_scene(loads)); });
   };
   EXPECT_EQ(
-      mistake({}),
+      error({}),
       "is no pulling test: one item on casters must be pulled along x by one drop weight that "
       "blocks hold, or by one constant force");
-  EXPECT_EQ(mistake(round_weight(6, Vector3::UnitY())).substr(0, 18), "is no pulling test");
-  EXPECT_EQ(mistake(round_weight(2)),
+  EXPECT_EQ(error(round_weight(6, Vector3::UnitY())).substr(0, 18), "is no pulling test");
+  EXPECT_EQ(error(round_weight(2)),
             "is no pulling test: the pull must move the item, which must come to rest after it");
 }
 

@@ -15,7 +15,7 @@ inline void run_pulling_tests(const std::string& text, const std::string& path) 
   const study::Plan plan(job, motions);
   const study::Batch batch{job, motions, plan};
   study::write_study_file(path, batch, [&](std::size_t unit) {
-    return study::run_unit(batch, unit, [] { return true; });
+    return study::run_task(batch, unit, [] { return true; });
   });
 }
 

@@ -141,24 +141,24 @@ TEST_F(PullingTests, WrittenAsTrialsReadBackAsMeasured) {
                 0.01)
         << "rounded to 0.1 um";
   }
-  EXPECT_EQ(like(trials()[40], measured), &measured[40]);
+  EXPECT_EQ(find_matching(trials()[40], measured), &measured[40]);
 }
 
 TEST(SimulatedTrials, RefuseStudiesThatAreNoPullingTests) {
   const TempFolder folder;
   const std::string row = "[\"R100\", \"polyflor_mystique\", 0, \"6 kg\", \"aligned\"]";
-  const auto mistake = [&](std::string text) {
+  const auto error = [&](std::string text) {
     run_pulling_tests(text, folder.file("a.h5"));
     return error_text([&] { simulated_trials(study::StudyReader(folder.file("a.h5"))); });
   };
   std::string job = pulling_tests_of(row);
   job.replace(job.find("histories = \"all\""), 17, "histories = \"none\"");
-  EXPECT_EQ(mistake(job), folder.file("a.h5") +
-                              ": keeps no histories; the job needs\n[study.keep]\n"
-                              "histories = \"all\"");
+  EXPECT_EQ(error(job), folder.file("a.h5") +
+                            ": keeps no histories; the job needs\n[study.keep]\n"
+                            "histories = \"all\"");
   job = pulling_tests_of(row);
   job.replace(job.find("direction = [1, 0, 0]"), 21, "direction = [0, 1, 0]");
-  EXPECT_EQ(mistake(job).substr(0, folder.file("a.h5").size() + 72),
+  EXPECT_EQ(error(job).substr(0, folder.file("a.h5").size() + 72),
             folder.file("a.h5") +
                 ": run 0 (R100, polyflor_mystique, 0, 6 kg, aligned): is no pulling test:");
 }

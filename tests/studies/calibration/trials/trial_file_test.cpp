@@ -70,7 +70,7 @@ TEST(TrialFile, ConvertsUnitsAndSkipsWhatASpreadsheetAdds) {
   EXPECT_EQ(trial.lines, (std::vector<int>{13, 14}));
 }
 
-TEST(TrialFile, TellsEveryMistakeWithItsPlace) {
+TEST(TrialFile, ReportsEveryErrorWithItsPlace) {
   const TempFolder folder;
   const std::string file = folder.write(
       "bad.csv",
@@ -126,7 +126,7 @@ TEST(TrialFile, KnowsWhichWheelsAreLocked) {
               HasSubstr("pull.csv:10:3: locked: unknown key"));
 }
 
-TEST(TrialFile, TellsMistakesOfTheTable) {
+TEST(TrialFile, ReportsErrorsOfTheTable) {
   const TempFolder folder;
   const std::string file = folder.write(
       "bad.csv",

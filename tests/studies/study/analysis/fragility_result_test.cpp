@@ -66,11 +66,11 @@ TEST_F(FragilityResultTest, GivesBackTheCurveThatTheDemandsFollow) {
               1e-3 * std::pow(curve.theta / kG, -2) * std::exp(2 * curve.beta * curve.beta), 1e-9);
 }
 
-TEST_F(FragilityResultTest, AHuntGivesCapacities) {
+TEST_F(FragilityResultTest, AnIdaGivesCapacities) {
   std::string job = kSmallStudy;
   const std::string levels = "levels = [0.1, 0.2, 0.4]\n";
   job.replace(job.find(levels), levels.size(),
-              "hunt = { first = 0.1, increment = 0.1, until = \"moved\" }\n");
+              "ida = { first = 0.1, increment = 0.1, until = \"moved\" }\n");
   // Brackets of 2 % around capacities exp(ln 0.2 + 0.5 z). ML's beta is the capacities' own spread
   // but for the width w = 0.02 of a bracket, which it takes as (w^2 / 12) / (2 beta) = 4e-5 at
   // most.
@@ -119,7 +119,7 @@ TEST_F(FragilityResultTest, AnIdaOfOverturningIsCautionedAgainst) {
   std::string job = kSmallStudy;
   const std::string levels = "levels = [0.1, 0.2, 0.4]\n";
   job.replace(job.find(levels), levels.size(),
-              "hunt = { first = 0.1, increment = 0.1, until = \"fell\" }\n");
+              "ida = { first = 0.1, increment = 0.1, until = \"fell\" }\n");
   std::vector<SmallRun> runs;
   for (std::size_t record = 0; record < 12; ++record) {
     const double capacity = (0.2 + 0.02 * double(record)) * kG;

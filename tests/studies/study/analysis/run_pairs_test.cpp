@@ -53,7 +53,7 @@ TEST_F(RunPairsTest, ARunThatFailedLeavesItsPartnerOut) {
   EXPECT_EQ(pairs.left_out_b, 0);
 }
 
-TEST_F(RunPairsTest, EqualNamesAreToldApartByTheirOrder) {
+TEST_F(RunPairsTest, EqualNamesAreReportedApartByTheirOrder) {
   const MadeStudy two = study({"r", "r"}, {{0, 0, 1}, {0, 1, 1}});
   const StudyData a = data("a.h5", two), b = data("b.h5", two);
   EXPECT_THAT(record_names({&a, 0}), ElementsAre("r", "r (2)"));

@@ -167,7 +167,7 @@ TEST_F(StudyComparisonTest, LimitStatesOfOneNameMustSayTheSame) {
   EXPECT_THROW(row(found, Kind::kShare, "moved"), std::out_of_range);
 }
 
-TEST_F(StudyComparisonTest, InputsAreToldByTheirKeys) {
+TEST_F(StudyComparisonTest, InputsAreReportedByTheirKeys) {
   MadeStudy made = brakes(2, 0);
   const StudyData a = data(made);
   made.records = {"r0", "other"};

@@ -127,7 +127,7 @@ TEST_F(StudySensitivityTest, LimitStatesAreOutputsToo) {
   EXPECT_THAT(found.inputs[0].names, ElementsAre("big"));
 }
 
-TEST_F(StudySensitivityTest, WhatCannotBeToldIsRefused) {
+TEST_F(StudySensitivityTest, WhatCannotBeReportedIsRefused) {
   const StudyData few = data(linear(19));
   EXPECT_ERROR(study_sensitivity({&few, 0}, kPeak),
                "19 runs of cart: peak_displacement are too few");

@@ -80,7 +80,7 @@ TEST(ConvergenceTest, ARunThatFailsIsNamedAndLeftOut) {
   EXPECT_EQ(number_named(found, "peak_displacement").runs, 1);
 }
 
-TEST(ConvergenceReportTest, TellsVerdictsAndWhatWasVaried) {
+TEST(ConvergenceReportTest, ReportsVerdictsAndWhatWasVaried) {
   Convergence found;
   found.tolerance = 0.02;
   found.runs = found.of_runs = 1;

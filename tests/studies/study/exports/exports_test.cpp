@@ -97,7 +97,7 @@ TEST_F(Exports, CarryTheCautionsOfACurve) {
               HasSubstr("Caution: scale factors 0.49 to 5.88; 40 of 40 records above 5."));
 }
 
-TEST_F(Exports, TakeCapacitiesAfterAHunt) {
+TEST_F(Exports, TakeCapacitiesAfterAnIda) {
   data_.reset();  // it has the file open
   FabricatedStudy::write(path_, true, true);
   data_.emplace(path_);
@@ -113,12 +113,12 @@ TEST_F(Exports, TakeCapacitiesAfterAHunt) {
       statistics::fit_fragility(data_->observations(0, 1, data_->measure("")));
   EXPECT_NE(fit.curve->theta, capacities.curve->theta);
 
-  export_responses(*data_, {}, take());  // a hunt has no levels, so no samples at one
+  export_responses(*data_, {}, take());  // an IDA has no levels, so no samples at one
   EXPECT_EQ(files_.size(), 2u);
   EXPECT_TRUE(files_.contains("response_false.csv") && files_.contains("response_true.csv"));
 }
 
-TEST_F(Exports, CountAHuntInOneRowForEachConfiguration) {
+TEST_F(Exports, CountAnIdaInOneRowForEachConfiguration) {
   data_.reset();  // it has the file open
   FabricatedStudy::write(path_, true, true);
   const StudyOverview overview = study_overview(path_);

@@ -69,7 +69,7 @@ TEST_F(Overview, QuotesNamesOfFilesForTheShell) {
   EXPECT_THAT(study_overview(path).failures.at(0).command, HasSubstr("/it'\\''s a study.h5' 17"));
 }
 
-TEST_F(Overview, TellsRecordsAssumptionsAndTheWorstEnergyAccount) {
+TEST_F(Overview, ReportsRecordsAssumptionsAndTheWorstEnergyAccount) {
   const StudyOverview overview = study_overview(path_);
   ASSERT_EQ(overview.file.motions.size(), FabricatedStudy::kRecords);
   EXPECT_THAT(overview.file.motions[3].warnings, ElementsAre("no vertical component"));
@@ -81,21 +81,21 @@ TEST_F(Overview, TellsRecordsAssumptionsAndTheWorstEnergyAccount) {
 }
 
 TEST_F(Overview, ComparesDemandsWithThoseAtHalfTheStep) {
-  const std::optional<StepCertificate> certificate = study_overview(path_).certificate;
-  ASSERT_TRUE(certificate);
-  EXPECT_EQ(certificate->runs, 10u);
-  const StepChange& peak = certificate->changes.at(0);
+  const std::optional<StepCheck> step_check = study_overview(path_).step_check;
+  ASSERT_TRUE(step_check);
+  EXPECT_EQ(step_check->runs, 10u);
+  const StepChange& peak = step_check->changes.at(0);
   EXPECT_EQ(peak.demand, "peak_displacement");
   EXPECT_EQ(peak.compared, 10u);
   // The change of run k is 1 - 1 / (1 + 0.01 (1 + k)); the median lies between those of 4 and 5.
   EXPECT_NEAR(peak.median, 1 - (1 / 1.05 + 1 / 1.06) / 2, 1e-12);
   EXPECT_NEAR(peak.largest, 1 - 1 / 1.10, 1e-12);
   EXPECT_EQ(peak.largest_run, 9u);
-  ASSERT_EQ(certificate->states.size(), 4u);
-  EXPECT_EQ(certificate->states[0].state, "moved");
-  EXPECT_THAT(certificate->states[0].runs, ElementsAre(FabricatedStudy::kChanged));
-  EXPECT_THAT(certificate->states[1].runs, IsEmpty());
-  for (const StepChange& each : certificate->changes) {
+  ASSERT_EQ(step_check->states.size(), 4u);
+  EXPECT_EQ(step_check->states[0].state, "moved");
+  EXPECT_THAT(step_check->states[0].runs, ElementsAre(FabricatedStudy::kChanged));
+  EXPECT_THAT(step_check->states[1].runs, IsEmpty());
+  for (const StepChange& each : step_check->changes) {
     const bool any = each.demand != "time_of_overturning" &&
                      each.demand != "direction_of_overturning" &&
                      each.demand != "peak_impact_force";
@@ -106,7 +106,7 @@ TEST_F(Overview, ComparesDemandsWithThoseAtHalfTheStep) {
 TEST_F(Overview, HasNoCertificateWhereTheStudyHasNone) {
   FabricatedStudy::write(path_, false);
   const StudyOverview overview = study_overview(path_);
-  EXPECT_FALSE(overview.certificate);
+  EXPECT_FALSE(overview.step_check);
   EXPECT_THAT(report::overview_text(overview), Not(HasSubstr("half the step")));
 }
 
@@ -129,7 +129,7 @@ TEST_F(Overview, IsJson) {
   EXPECT_EQ(json["counts"][5]["failed"], 1);
   EXPECT_EQ(json["records"].size(), FabricatedStudy::kRecords);
   EXPECT_EQ(json["failures"][0]["run"], FabricatedStudy::kFailed);
-  EXPECT_EQ(json["certificate"]["limit_states"][0]["changed_runs"][0], FabricatedStudy::kChanged);
+  EXPECT_EQ(json["step_check"]["limit_states"][0]["changed_runs"][0], FabricatedStudy::kChanged);
 }
 
 TEST_F(Overview, RefusesOtherFiles) {

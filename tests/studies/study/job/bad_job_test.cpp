@@ -58,7 +58,7 @@ velocity_m_per_s = [1, nan, 0]
             "a.toml:5:10: item.brakes = \"on\": must be true or false\n"
             "a.toml:6:22: item.payloads.paver: ICU ventilator on cart has no such payload\n"
             "a.toml:7:1: item.brake: unknown key; did you mean 'brakes'?\n"
-            "a.toml:9:10: settings.solver = \"bulet\": must be one of star, bullet, "
+            "a.toml:9:10: settings.solver = \"bulet\": must be one of implicit, bullet, "
             "bullet-dantzig, bullet-paper, bullet-paper-dantzig; did you mean 'bullet'?\n"
             "a.toml:10:15: settings.time_step_s = 0.5: must be a finite number > 0 and <= 0.02\n"
             "a.toml:11:1: settings.timestep: unknown key; did you mean 'time_step_s'?\n"
@@ -88,7 +88,7 @@ TEST(BadJob, NeedsOneItem) {
             "both");
 }
 
-TEST(BadJob, PassesOnTheMistakesOfTheItemsFile) {
+TEST(BadJob, PassesOnTheErrorsOfTheItemsFile) {
   const TempFolder folder;
   const std::string cart = folder.write("cart.toml", "schema = \"gurney-item/1\"\nmass = 3\n");
   const std::string job =

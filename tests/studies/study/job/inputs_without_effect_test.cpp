@@ -72,7 +72,7 @@ key = "settings.solver"
 )";
 
 TEST(InputsWithoutEffect, AreErrorsOfAStudyWhereNoConfigurationNeedsThem) {
-  EXPECT_EQ(errors_of_study(std::string(kStudy) + "values = [\"star\", \"bullet\"]\n"),
+  EXPECT_EQ(errors_of_study(std::string(kStudy) + "values = [\"implicit\", \"bullet\"]\n"),
             "(no error)");
   EXPECT_EQ(errors_of_study(std::string(kStudy) + "values = [\"bullet\"]\n"),
             "a.toml:5:12: settings.residual: has no effect with the solver \"bullet\"");

@@ -14,7 +14,7 @@ namespace {
 
 Job job_of(const std::string& text) { return job_of_text("schema = \"gurney-job/1\"\n" + text); }
 
-std::string mistakes(const std::string& text) {
+std::string errors(const std::string& text) {
   return error_text([&] { job_of(text); });
 }
 
@@ -185,7 +185,7 @@ TEST(Items, AssumptionsOfEachAreKeptOnce) {
 }
 
 TEST(BadItems, AreAllNamedAtOnce) {
-  EXPECT_EQ(mistakes(R"([[item]]
+  EXPECT_EQ(errors(R"([[item]]
 equipment = "icu_bad"
 [[item]]
 equipment = "icu_bed"
@@ -202,7 +202,7 @@ variant = "brakes onn"
 )")
                 .substr(0, 74),
             "a.toml:3:13: item[0].equipment = \"icu_bad\": unknown item of equipment; did");
-  const std::string text = mistakes(R"([[item]]
+  const std::string text = errors(R"([[item]]
 equipment = "icu_bed"
 name = "bed"
 headings_deg = [1, 2]
@@ -219,14 +219,13 @@ name = "floor"
             "a.toml:6:1: item[0].brake: unknown key; did you mean 'brakes'?\n"
             "a.toml:9:8: item[1].name = \"bed\": must differ from the name at a.toml:4:8\n"
             "a.toml:12:8: item[2].name = \"floor\": must not be empty or 'floor'");
-  EXPECT_EQ(mistakes("item = []\n"), "a.toml:2:8: item: must be tables [[item]], 1 or more");
-  EXPECT_EQ(mistakes("item = [1]\n"),
-            "a.toml:2:8: item = [1]: must be an array of tables [[item]]");
+  EXPECT_EQ(errors("item = []\n"), "a.toml:2:8: item: must be tables [[item]], 1 or more");
+  EXPECT_EQ(errors("item = [1]\n"), "a.toml:2:8: item = [1]: must be an array of tables [[item]]");
 }
 
 /// The casters of the second are wrong only once it is put together.
-TEST(BadItems, WhatCannotBePutTogetherIsNamedBesideTheMistakesOfOthers) {
-  const std::string text = mistakes(R"([[item]]
+TEST(BadItems, WhatCannotBePutTogetherIsNamedBesideTheErrorsOfOthers) {
+  const std::string text = errors(R"([[item]]
 equipment = "icu_bed"
 yaw = 3
 headings_deg = "any"

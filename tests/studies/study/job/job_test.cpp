@@ -105,7 +105,7 @@ velocity_m_per_s = [1, 0, 0]
 yaw_rate_deg_per_s = 180
 wheels_roll = false
 [settings]
-solver = "star"
+solver = "implicit"
 time_step_s = 0.002
 residual = 1e-8
 max_newton_iterations = 50
@@ -238,7 +238,7 @@ TEST(Job, ReadsTheLoads) {
 TEST(Job, ReadsTheSettings) {
   const TempFolder folder;
   const SimulationSettings settings = read_job(write_everything(folder)).settings;
-  EXPECT_EQ(settings.solver, Solver::kStar);
+  EXPECT_EQ(settings.solver, Solver::kImplicit);
   EXPECT_EQ(settings.time_step, 0.002);
   EXPECT_EQ(settings.residual, 1e-8);
   EXPECT_EQ(settings.max_newton_iterations, 50);
@@ -257,6 +257,10 @@ TEST(Job, ReadsTheSettings) {
       Solver::kBulletDantzig);
   EXPECT_EQ(job_of_text(std::string(kHead) + "[settings]\nsolver = \"bullet\"\n").settings.solver,
             Solver::kBullet);
+  const Job old = job_of_text(std::string(kHead) + "[settings]\nsolver = \"star\"\n");
+  EXPECT_EQ(old.settings.solver, Solver::kImplicit);
+  EXPECT_THAT(old.warnings, testing::Contains(testing::HasSubstr(
+                                "settings.solver = \"star\": is now called \"implicit\"")));
 }
 
 TEST(Job, DefaultsAreThoseOfTheEngine) {

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 Job job_of(const std::string& text) { return job_of_text("schema = \"gurney-job/1\"\n" + text); }
 
-std::string mistakes(const std::string& text) {
+std::string errors(const std::string& text) {
   return error_text([&] { job_of(text); });
 }
 
@@ -86,8 +86,8 @@ draw = 4
               Draw(1, 4).of_part("equipment-plasterboard").probability("room.contact.restitution"));
 }
 
-TEST(BadJobRoom, AllMistakesAtOnce) {
-  const std::string text = mistakes(std::string(kTwo) + R"([room]
+TEST(BadJobRoom, AllErrorsAtOnce) {
+  const std::string text = errors(std::string(kTwo) + R"([room]
 file = "icu_bya"
 [[room.wall]]
 name = "pole"
@@ -110,21 +110,21 @@ material = "flor"
 }
 
 TEST(BadJobRoom, APairNeedsConstantsAndIsNamedOnce) {
-  EXPECT_EQ(mistakes(std::string(kTwo) + "[floor]\nmaterial = \"steel\"\n" + kWall +
-                     "material = \"foam\"\n[[room.contact]]\nmaterials = [\"rug\", \"foam\"]\n"
-                     "restitution = 0.5\nfriction = 0.5\n"),
+  EXPECT_EQ(errors(std::string(kTwo) + "[floor]\nmaterial = \"steel\"\n" + kWall +
+                   "material = \"foam\"\n[[room.contact]]\nmaterials = [\"rug\", \"foam\"]\n"
+                   "restitution = 0.5\nfriction = 0.5\n"),
             "a.toml:3:13: item[0].equipment: no [[room.contact]] for the materials 'equipment' of "
             "ventilator and 'foam' of west");
 }
 
 TEST(BadJobRoom, BulletsOwnSolversKnowNoRoom) {
   EXPECT_EQ(
-      mistakes(std::string(kTwo) + "[settings]\nsolver = \"bullet\"\n"),
-      "a.toml:11:10: settings.solver: must be \"star\" with a room, tethers or several items; "
+      errors(std::string(kTwo) + "[settings]\nsolver = \"bullet\"\n"),
+      "a.toml:11:10: settings.solver: must be \"implicit\" with a room, tethers or several items; "
       "Bullet's own solvers are baselines for one item on a floor");
 }
 
-TEST(BadJobRoom, PassesOnTheMistakesOfTheFile) {
+TEST(BadJobRoom, PassesOnTheErrorsOfTheFile) {
   const TempFolder folder;
   const std::string room =
       folder.write("bay.toml", "schema = \"gurney-room/1\"\nname = \"bay\"\n[[wal]]\n");
@@ -135,7 +135,7 @@ TEST(BadJobRoom, PassesOnTheMistakesOfTheFile) {
 }
 
 TEST(BadJobRoom, NothingStandsInSomethingElse) {
-  const std::string text = mistakes(R"([[item]]
+  const std::string text = errors(R"([[item]]
 equipment = "icu_bed"
 name = "bed"
 [[item]]
@@ -241,7 +241,7 @@ height_m = 2
 
 TEST(JobTether, ItsLengthIsMeasuredFromTheItemAsItStands) {
   const auto with_slack = [](const std::string& length) {
-    return mistakes(
+    return errors(
         "[item]\nequipment = \"infusion_pole\"\nposition_m = [2, 0]\nyaw_deg = "
         "90\n[[tether]]\nkind "
         "= \"iv_line\"\npoint_m = [1, 0, 1]\nanchor_m = [2, 3, 1]\nslack_length_m = " +
@@ -254,7 +254,7 @@ TEST(JobTether, ItsLengthIsMeasuredFromTheItemAsItStands) {
 }
 
 TEST(BadTether, TheMessagesSayWhatIsAllowed) {
-  EXPECT_EQ(mistakes(std::string(kTwo) + R"([[room.point]]
+  EXPECT_EQ(errors(std::string(kTwo) + R"([[room.point]]
 name = "socket"
 position_m = [1.5, 1, 0.4]
 [[tether]]

@@ -38,7 +38,7 @@ distribution = { kind = "discrete", values = [0, 1], probabilities = [0.5, 0.5],
 
 Job job_of(const std::string& text) { return job_of_text(kHead + text); }
 
-std::string mistakes(const std::string& text) {
+std::string errors(const std::string& text) {
   return error_text([&] { job_of(text); });
 }
 
@@ -72,7 +72,7 @@ TEST(JobDraw, WithoutItEveryNumberHasItsValue) {
   for (const Caster& caster : job.scene.items[0].model.casters) {
     EXPECT_EQ(caster.heading, 0);
     EXPECT_EQ(caster.brake_torque, 0);
-    EXPECT_DOUBLE_EQ(caster.tread.rolling_resistance, 0.001);
+    EXPECT_DOUBLE_EQ(caster.tread.rolling_friction_length, 0.001);
   }
 }
 
@@ -128,8 +128,9 @@ TEST(JobDraw, AModelIsSampledWithoutItsFiles) {
   for (std::size_t i = 0; i < drawn.assumptions.size(); ++i) {
     EXPECT_EQ(drawn.assumptions[i].key, expected.assumptions[i].key);
     EXPECT_EQ(drawn.assumptions[i].streams, expected.assumptions[i].streams);
-    if (drawn.assumptions[i].choice.empty())
+    if (drawn.assumptions[i].choice.empty()) {
       EXPECT_EQ(drawn.assumptions[i].value, expected.assumptions[i].value);
+    }
   }
 }
 
@@ -174,8 +175,8 @@ TEST(JobDraw, ReplacedCastersAreDrawnForEachPlace) {
   const Job job = job_of("casters = \"R125\"\n[uncertainty]\ndraw = 1\n");
   const std::vector<Caster>& casters = job.scene.items[0].model.casters;
   EXPECT_EQ(casters[0].wheel_radius, 0.0625);
-  EXPECT_NE(casters[0].tread.rolling_resistance, casters[1].tread.rolling_resistance);
-  EXPECT_EQ(casters[3].tread.rolling_resistance,
+  EXPECT_NE(casters[0].tread.rolling_friction_length, casters[1].tread.rolling_friction_length);
+  EXPECT_EQ(casters[3].tread.rolling_friction_length,
             drawn_value(job, "rear right/tread.rolling_resistance_mm") / kMillimetersPerMeter);
 }
 
@@ -191,7 +192,7 @@ friction_factor = 1
                                  std::string(kHead) + "[uncertainty]\ndraw = 2\n" + covering))
         .scene.items[0]
         .model.casters[0]
-        .tread.rolling_resistance;
+        .tread.rolling_friction_length;
   };
   const double factor = 1 + 2 * Draw(1, 2).probability("floor/rolling_resistance_factor");
   EXPECT_EQ(resistance_in("[floor]\ncovering = \"soft.toml\"\n"), resistance_in("") * factor);
@@ -216,14 +217,14 @@ TEST(JobDraw, IsTheSameOnEveryThread) {
 }
 
 TEST(JobDraw, SaysWhatIsWrong) {
-  EXPECT_EQ(mistakes("[uncertainty]\n"),
+  EXPECT_EQ(errors("[uncertainty]\n"),
             "a.toml:4:1: uncertainty.draw: missing; must be a whole number in 0..2147483647");
-  EXPECT_EQ(mistakes("[uncertainty]\ndraw = -1\nsede = 3\n"),
+  EXPECT_EQ(errors("[uncertainty]\ndraw = -1\nsede = 3\n"),
             "a.toml:5:8: uncertainty.draw = -1: must be a whole number in 0..2147483647\n"
             "a.toml:6:1: uncertainty.sede: unknown key; did you mean 'seed'?");
-  EXPECT_EQ(mistakes("brakes = { value = [true], source = 's' }\n"),
+  EXPECT_EQ(errors("brakes = { value = [true], source = 's' }\n"),
             "a.toml:4:20: item.brakes.value = [true]: must be an array of 4 times true or false");
-  EXPECT_EQ(mistakes("headings_deg = { value = 1 }\n"),
+  EXPECT_EQ(errors("headings_deg = { value = 1 }\n"),
             "a.toml:4:16: item.headings_deg: must have a source, an assumption with its range, or "
             "both");
 }
@@ -275,10 +276,10 @@ TEST(JobVariant, ChangesTheItem) {
 }
 
 TEST(JobVariant, NamesTheNearest) {
-  EXPECT_EQ(mistakes("variant = \"brake on\"\n"),
+  EXPECT_EQ(errors("variant = \"brake on\"\n"),
             "a.toml:4:11: item.variant: the item has no variant 'brake on'; did you mean 'brakes "
             "on'?");
-  EXPECT_THAT(mistakes("variant = 3\n"),
+  EXPECT_THAT(errors("variant = 3\n"),
               testing::HasSubstr("a.toml:4:11: item.variant = 3: must be a text or an array"));
   EXPECT_THAT(
       errors_of_text("schema = \"gurney-job/1\"\n[item]\nvariant = \"full\"\n[item.inline]\n"),

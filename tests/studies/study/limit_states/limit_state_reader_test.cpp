@@ -17,7 +17,7 @@ std::vector<LimitState> read(const std::string& text) {
   return states;
 }
 
-std::string mistakes(const std::string& text) {
+std::string errors(const std::string& text) {
   try {
     read(text);
   } catch (const Error& error) {
@@ -94,28 +94,28 @@ TEST(LimitStates, DefaultsSayWhereTheyComeFrom) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_FALSE(states[i].origin.empty()) << states[i].name;
 }
 
-TEST(LimitStates, MistakesAreNamed) {
-  EXPECT_EQ(mistakes("[[limit_state]]\nname = \"a\"\ndemand = \"peak_tilt\"\nabove = 1\n"
-                     "unit = \"m\"\n"),
+TEST(LimitStates, ErrorsAreNamed) {
+  EXPECT_EQ(errors("[[limit_state]]\nname = \"a\"\ndemand = \"peak_tilt\"\nabove = 1\n"
+                   "unit = \"m\"\n"),
             "a.toml:5:8: limit_state[0].unit = \"m\": must be one of rad, deg");
-  EXPECT_EQ(mistakes("[[limit_state]]\nname = \"a\"\nevent = \"fell\"\n"),
+  EXPECT_EQ(errors("[[limit_state]]\nname = \"a\"\nevent = \"fell\"\n"),
             "a.toml:3:9: limit_state[0].event = \"fell\": must be one of overturned, impact, "
             "lifted");
-  EXPECT_EQ(mistakes("[[limit_state]]\nname = \"a\"\nany_of = [\"b\", \"c\"]\n"),
+  EXPECT_EQ(errors("[[limit_state]]\nname = \"a\"\nany_of = [\"b\", \"c\"]\n"),
             "a.toml:3:10: limit_state[0].any_of: no limit state 'b'\n"
             "a.toml:3:10: limit_state[0].any_of: no limit state 'c'");
-  EXPECT_EQ(mistakes("[[limit_state]]\nname = \"a\"\ndemand = \"impacts\"\nabove = 1\nbelow = 2\n"),
+  EXPECT_EQ(errors("[[limit_state]]\nname = \"a\"\ndemand = \"impacts\"\nabove = 1\nbelow = 2\n"),
             "a.toml:4:9: limit_state[0].above: must be given, or below, not both");
-  EXPECT_EQ(mistakes("[[limit_state]]\nname = \"a\"\nevent = \"impact\"\nitem = \"bed\"\n"
-                     "at_least = 2\n"),
+  EXPECT_EQ(errors("[[limit_state]]\nname = \"a\"\nevent = \"impact\"\nitem = \"bed\"\n"
+                   "at_least = 2\n"),
             "a.toml:5:12: limit_state[0].at_least: must not go with a place; it counts the items "
             "of the scene");
   const std::string two =
       "[[limit_state]]\nname = \"a\"\nevent = \"impact\"\n"
       "[[limit_state]]\nname = \"b\"\nevent = \"lifted\"\n[[limit_state]]\nname = \"c\"\n";
-  EXPECT_EQ(mistakes(two + "all_of = [\"a\", \"b\"]\nat_least = 1\n"),
+  EXPECT_EQ(errors(two + "all_of = [\"a\", \"b\"]\nat_least = 1\n"),
             "a.toml:10:12: limit_state[2].at_least: must go with any_of, not with all_of");
-  EXPECT_EQ(mistakes(two + "any_of = [\"a\", \"b\"]\nat_least = 3\n"),
+  EXPECT_EQ(errors(two + "any_of = [\"a\", \"b\"]\nat_least = 3\n"),
             "a.toml:10:12: limit_state[2].at_least = 3: must be a whole number in 1..2");
 }
 

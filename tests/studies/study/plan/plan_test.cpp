@@ -31,35 +31,35 @@ values = [false, true]
 
 TEST(Plan, CountsDrawsInAnglesInRecordsInConfigurations) {
   const SmallStudy study(job_with(""));
-  ASSERT_EQ(study.plan.units(), 2u * 3 * 2 * 4);
+  ASSERT_EQ(study.plan.tasks(), 2u * 3 * 2 * 4);
   std::size_t index = 0;
   for (std::size_t configuration = 0; configuration < 2; ++configuration)
     for (std::size_t record = 0; record < 3; ++record)
       for (std::size_t angle = 0; angle < 2; ++angle)
         for (std::size_t draw = 0; draw < 4; ++draw, ++index) {
-          const Unit unit = study.plan.unit(index);
-          EXPECT_EQ(unit.configuration, configuration) << index;
-          EXPECT_EQ(unit.record, record) << index;
-          EXPECT_EQ(unit.angle, angle) << index;
-          EXPECT_EQ(unit.draw, record * 4 + draw) << index;
+          const Task task = study.plan.task(index);
+          EXPECT_EQ(task.configuration, configuration) << index;
+          EXPECT_EQ(task.record, record) << index;
+          EXPECT_EQ(task.angle, angle) << index;
+          EXPECT_EQ(task.draw, record * 4 + draw) << index;
         }
-  EXPECT_EQ(study.plan.runs_of_unit(), 1u);
+  EXPECT_EQ(study.plan.runs_of_task(), 1u);
 }
 
 TEST(Plan, ConfigurationsAndAnglesHaveTheSameDrawsAndRecordsOthers) {
   const SmallStudy study(job_with(""));
   std::set<std::uint64_t> numbers;
-  for (std::size_t i = 0; i < study.plan.units(); ++i) {
-    const Unit unit = study.plan.unit(i);
-    const Draw draw = *study.plan.draw(unit);
+  for (std::size_t i = 0; i < study.plan.tasks(); ++i) {
+    const Task task = study.plan.task(i);
+    const Draw draw = *study.plan.draw(task);
     EXPECT_EQ(draw.seed(), 5u);
-    EXPECT_EQ(draw.run(), unit.draw);
-    EXPECT_EQ(unit.draw / 4, unit.record);
+    EXPECT_EQ(draw.run(), task.draw);
+    EXPECT_EQ(task.draw / 4, task.record);
     numbers.insert(draw.run());
   }
   EXPECT_EQ(numbers.size(), 12u);
-  const auto yaw = [&](Unit unit) {
-    return study.job.job(unit.configuration, study.plan.draw(unit)).scene.items[0].initial.yaw;
+  const auto yaw = [&](Task task) {
+    return study.job.job(task.configuration, study.plan.draw(task)).scene.items[0].initial.yaw;
   };
   EXPECT_EQ(yaw({0, 1, 0, 6}), yaw({1, 1, 1, 6})) << "paired";
   EXPECT_NE(yaw({0, 1, 0, 6}), yaw({0, 2, 0, 10}));
@@ -96,17 +96,17 @@ TEST(Plan, ASaltelliDesignMixesRecordAndNumbersOneAtATime) {
   EXPECT_THAT(inputs, testing::Contains("group friction"));
   const std::size_t matrices = inputs.size() + 2, of_record = 4 * matrices;
   ASSERT_EQ(study.plan.draws(0), 3 * of_record);
-  ASSERT_EQ(study.plan.units(), 2 * 2 * 3 * of_record);
+  ASSERT_EQ(study.plan.tasks(), 2 * 2 * 3 * of_record);
   const auto unit_of = [&](std::size_t draw, std::size_t angle) {
-    return study.plan.unit((draw / of_record * 2 + angle) * of_record + draw % of_record);
+    return study.plan.task((draw / of_record * 2 + angle) * of_record + draw % of_record);
   };
-  const auto yaw = [&](const Unit& unit) {
-    return study.plan.draw(unit)->probability("item.yaw_deg");
+  const auto yaw = [&](const Task& task) {
+    return study.plan.draw(task)->probability("item.yaw_deg");
   };
   std::set<std::size_t> records_of_b;
   std::set<double> yaws;
   for (std::size_t point = 0; point < 12; ++point) {
-    std::vector<Unit> rows;
+    std::vector<Task> rows;
     for (std::size_t matrix = 0; matrix < matrices; ++matrix) {
       rows.push_back(unit_of(matrices * point + matrix, 1));
       EXPECT_EQ(rows[matrix].draw, matrices * point + matrix);

@@ -92,13 +92,13 @@ unit = "mm"
 TEST(Stages, UnitsAreThoseOfTheFirstOnceMore) {
   const SmallStudy study(small_job(kAdaptive));
   EXPECT_EQ(study.plan.stages(), 3u);
-  EXPECT_EQ(study.plan.units_of_stage(), 8u);
-  EXPECT_EQ(study.plan.units(), 24u);
+  EXPECT_EQ(study.plan.tasks_of_stage(), 8u);
+  EXPECT_EQ(study.plan.tasks(), 24u);
   EXPECT_EQ(study.plan.runs(), 8u * (2 + 2 + 2));
   for (std::size_t i = 0; i < 24; ++i) {
-    EXPECT_EQ(study.plan.unit(i).stage, i / 8);
-    EXPECT_EQ(study.plan.unit(i).angle, study.plan.unit(i % 8).angle);
-    EXPECT_EQ(study.plan.unit(i).configuration, study.plan.unit(i % 8).configuration);
+    EXPECT_EQ(study.plan.task(i).stage, i / 8);
+    EXPECT_EQ(study.plan.task(i).angle, study.plan.task(i % 8).angle);
+    EXPECT_EQ(study.plan.task(i).configuration, study.plan.task(i % 8).configuration);
   }
 }
 
@@ -107,12 +107,12 @@ TEST(Stages, LevelsRestOnTheOutcomesOfAllUnitsBefore) {
   StageLevels levels(study.batch);
   EXPECT_THAT(levels.of(0), ElementsAre(0.1 * 9.80665, 2 * 9.80665));
   const auto go_on = [] { return true; };
-  std::vector<UnitResult> results;
+  std::vector<TaskResult> results;
   for (std::size_t stage = 0; stage < 2; ++stage) {
     for (std::size_t i = 0; i < 8; ++i) {
       const std::size_t index = 8 * stage + i;
-      const auto& of = levels.of(study.plan.unit(index).configuration);
-      results.push_back(run_unit(study.batch, index, go_on, {}, &of));
+      const auto& of = levels.of(study.plan.task(index).configuration);
+      results.push_back(run_task(study.batch, index, go_on, {}, &of));
       ASSERT_EQ(results.back().runs.size(), 2u);
       for (std::size_t run = 0; run < 2; ++run) {
         const StudyRun& made = results.back().runs[run];
@@ -122,15 +122,15 @@ TEST(Stages, LevelsRestOnTheOutcomesOfAllUnitsBefore) {
     }
     // Each configuration by its own: counted here once more from the responses.
     std::vector<std::map<double, statistics::Stripe>> counted(2);
-    for (const UnitResult& unit : results)
-      for (const StudyRun& run : unit.runs) {
+    for (const TaskResult& task : results)
+      for (const StudyRun& run : task.runs) {
         statistics::Stripe& stripe =
-            counted[study.plan.unit(unit.unit).configuration][run.intensity];
+            counted[study.plan.task(task.task).configuration][run.intensity];
         stripe.im = run.intensity;
         ++stripe.runs;
         stripe.exceeded += run.response.items[0].demands.peak_displacement > 0.0001;
       }
-    levels.advance([&](std::size_t unit) { return results.at(unit); });
+    levels.advance([&](std::size_t task) { return results.at(task); });
     for (std::size_t configuration : {0, 1}) {
       std::vector<statistics::Stripe> stripes;
       for (const auto& [im, stripe] : counted[configuration]) stripes.push_back(stripe);

@@ -13,7 +13,7 @@ using testing::ElementsAre;
 
 StudyJob job_of(const std::string& study) { return StudyJob(small_job(study), "a.toml"); }
 
-std::string mistakes(const std::string& study) {
+std::string errors(const std::string& study) {
   return error_text([&] { job_of(study); });
 }
 
@@ -72,12 +72,12 @@ TEST(StudyJob, MakesTheCombinationsThatAreListedInTheirOrder) {
   EXPECT_EQ(job.job(2, {}).scene.items[0].model.casters[0].brake_torque, 0);
 }
 
-TEST(StudyJob, EachWrongCombinationIsToldWhereItStands) {
+TEST(StudyJob, EachWrongCombinationIsReportedWhereItStands) {
   const std::string rows = R"(combinations = [["bib", true], ["big"], ["small", true],
   ["small", true], 3]
 )";
   EXPECT_EQ(
-      mistakes(rows + kTwoFactors),
+      errors(rows + kTwoFactors),
       "a.toml:11:18: study.combinations[0][0] = \"bib\": no level of factor 'casters'; did "
       "you mean 'big'?\n"
       "a.toml:11:32: study.combinations[1] = [\"big\"]: must name a level of each of the 2 "
@@ -86,25 +86,25 @@ TEST(StudyJob, EachWrongCombinationIsToldWhereItStands) {
       "a.toml:12:20: study.combinations[4] = 3: must name a level of each of the 2 factors, in "
       "their order");
   EXPECT_EQ(
-      mistakes("combinations = [[1]]\n"),
+      errors("combinations = [[1]]\n"),
       "a.toml:11:16: study.combinations = [[1]]: must be an array of 1 or more rows of levels, "
       "and needs [[study.factor]]");
 }
 
-TEST(StudyJob, AWrongLevelIsToldWhereItStands) {
-  EXPECT_EQ(mistakes("[[study.factor]]\nkey = \"item.brake\"\nvalues = [false, true]\n"),
+TEST(StudyJob, AWrongLevelIsReportedWhereItStands) {
+  EXPECT_EQ(errors("[[study.factor]]\nkey = \"item.brake\"\nvalues = [false, true]\n"),
             "a.toml:13:11: item.brake: unknown key; did you mean 'brakes'?\n"
             "a.toml:13:18: item.brake: unknown key; did you mean 'brakes'?");
-  EXPECT_EQ(mistakes("[[study.factor]]\nkey = \"item.yaw_deg\"\nvalues = [0, \"north\"]\n"),
+  EXPECT_EQ(errors("[[study.factor]]\nkey = \"item.yaw_deg\"\nvalues = [0, \"north\"]\n"),
             "a.toml:13:14: item.yaw_deg = \"north\": must be a finite number");
   EXPECT_EQ(
-      mistakes("[[study.factor]]\n[study.factor.level.a]\nitem.casters = \"R101\"\n").substr(0, 80),
+      errors("[[study.factor]]\n[study.factor.level.a]\nitem.casters = \"R101\"\n").substr(0, 80),
       "a.toml:13:16: item.casters = \"R101\": unknown caster; did you mean 'R100'? (the c");
 }
 
-TEST(StudyJob, MistakesOfTheStudyDoNotHideThoseOfTheJob) {
+TEST(StudyJob, ErrorsOfTheStudyDoNotHideThoseOfTheJob) {
   EXPECT_EQ(
-      mistakes("draws = 0\n[[study.factor]]\nkey = \"item.brakes\"\nvalues = [2]\n[uncertainty]\n"),
+      errors("draws = 0\n[[study.factor]]\nkey = \"item.brakes\"\nvalues = [2]\n[uncertainty]\n"),
       "a.toml:11:9: study.draws = 0: must be a whole number in 1..2147483647\n"
       "a.toml:15:2: uncertainty: must not go with [study], which has draws and a seed of its "
       "own\n"

@@ -109,7 +109,7 @@ TEST(Motion, CanBeSynthetic) {
       7u);
 }
 
-TEST(Motion, TellsTheFileOfItsBuilding) {
+TEST(Motion, ReportsTheFileOfItsBuilding) {
   const TempFolder folder;
   record_file(folder);
   folder.write("b.toml",
@@ -142,27 +142,27 @@ TEST(Motion, TakesChannels) {
   EXPECT_NEAR(motion.facts.pga.y(), 1, 1e-3);
 }
 
-TEST(Motion, ExplainsMistakesOfTheRequest) {
+TEST(Motion, ExplainsErrorsOfTheRequest) {
   const TempFolder folder;
   record_file(folder);
-  const auto mistake = [&](const std::string& text) {
+  const auto error = [&](const std::string& text) {
     return error_text([&] { request(folder, text); });
   };
-  EXPECT_THAT(mistake("record.file = \"r.csv\"\nrecord.scale = 2\n"
-                      "record.scale_to = { measure = \"PGX\", value = 1, unit = \"g\" }\n"),
+  EXPECT_THAT(error("record.file = \"r.csv\"\nrecord.scale = 2\n"
+                    "record.scale_to = { measure = \"PGX\", value = 1, unit = \"g\" }\n"),
               testing::AllOf(HasSubstr("'PGX': unknown measure; did you mean 'PGA'?"),
                              HasSubstr("scale: must not go with scale_to")));
-  EXPECT_THAT(mistake("record.file = \"r.csv\"\n"
-                      "record.scale_to = { measure = \"PGV\", value = 1, unit = \"g\" }\n"),
+  EXPECT_THAT(error("record.file = \"r.csv\"\n"
+                    "record.scale_to = { measure = \"PGV\", value = 1, unit = \"g\" }\n"),
               HasSubstr("unit = \"g\": must be one of m/s, cm/s"));
-  EXPECT_THAT(mistake("record.file = \"r.csv\"\n"
-                      "record.scale_to = { measure = \"D5-95\", value = 1, unit = \"s\" }\n"),
+  EXPECT_THAT(error("record.file = \"r.csv\"\n"
+                    "record.scale_to = { measure = \"D5-95\", value = 1, unit = \"s\" }\n"),
               HasSubstr("a record cannot be scaled to a measure in s"));
-  EXPECT_THAT(mistake("record = { x = \"r.csv\", channels = [1, 0, 0] }\n"),
+  EXPECT_THAT(error("record = { x = \"r.csv\", channels = [1, 0, 0] }\n"),
               HasSubstr("channels: must go with one 'file'"));
-  EXPECT_THAT(mistake("record = { file = \"r.csv\", processing = [{ step = \"high_pas\" }] }\n"),
+  EXPECT_THAT(error("record = { file = \"r.csv\", processing = [{ step = \"high_pas\" }] }\n"),
               HasSubstr("did you mean 'high_pass'?"));
-  EXPECT_THAT(mistake("record = { synthetic = { kind = \"rickr\" } }\n"),
+  EXPECT_THAT(error("record = { synthetic = { kind = \"rickr\" } }\n"),
               HasSubstr("did you mean 'ricker'?"));
 }
 

@@ -59,7 +59,7 @@ TEST(Hdf5File, TakesEmptyDimensions) {
   EXPECT_TRUE(Hdf5Reader(saved(file, folder)).numbers("/g/a").empty());
 }
 
-TEST(Hdf5File, WhatIsNoneIsToldInWords) {
+TEST(Hdf5File, WhatIsNoneIsReportedInWords) {
   const TempFolder folder;
   EXPECT_ERROR(Hdf5Reader(folder.file("a.h5")), "a.h5: no such file");
   EXPECT_ERROR(Hdf5Reader(folder.path()), ": is a folder, not a file");

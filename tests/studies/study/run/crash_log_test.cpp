@@ -74,8 +74,8 @@ TEST(CrashLogTest, CutsATornLastLineOff) {
 
 TEST(CrashLogTest, ARunThatIsGivenUpFailsAndTheOthersAreMade) {
   const SmallStudy study(small_job("[study.intensity]\nscales = [1, 2, 3]\n"));
-  const UnitResult result =
-      run_unit(study.batch, 0, [] { return true; }, {{{0, 1}, "crashed the program 2 times: x"}});
+  const TaskResult result =
+      run_task(study.batch, 0, [] { return true; }, {{{0, 1}, "crashed the program 2 times: x"}});
   ASSERT_EQ(result.runs.size(), 3);
   EXPECT_EQ(result.runs[1].response.outcome, Outcome::kDiverged);
   EXPECT_EQ(result.runs[1].response.cause, "crashed the program 2 times: x");

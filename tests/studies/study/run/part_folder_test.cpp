@@ -60,15 +60,15 @@ class Parts : public testing::Test {
   }
 
   /// A part as the format says, with its checksums right.
-  static std::string part_of(std::uint64_t unit, std::uint64_t size, const std::string& content,
+  static std::string part_of(std::uint64_t task, std::uint64_t size, const std::string& content,
                              const std::string& identity = kIdentity) {
     const auto bytes = [](std::uint64_t number) {
       std::string text(8, '\0');
       std::memcpy(text.data(), &number, 8);
       return text;
     };
-    const std::string whole = "gurney part 2\n" + bytes(unit) + bytes(size) +
-                              sha256(sha256(identity) + bytes(unit) + content) + content;
+    const std::string whole = "gurney part 2\n" + bytes(task) + bytes(size) +
+                              sha256(sha256(identity) + bytes(task) + content) + content;
     return whole + sha256(whole);
   }
 
@@ -125,7 +125,7 @@ TEST_F(Parts, WithoutTheirIdentityAreRefused) {
                 "--overwrite");
 }
 
-TEST_F(Parts, ThatAreDamagedAreSetAsideAndTold) {
+TEST_F(Parts, ThatAreDamagedAreSetAsideAndReported) {
   fill();
   const std::string whole = contents_of(part("00000001.part"));
   std::string flipped = whole;

@@ -20,7 +20,7 @@ using testing::ElementsAre;
 
 constexpr const char* kStudy = R"raw(angles_deg = [0, 90]
 draws = 2
-certificate = 1
+step_check = 1
 measures = ["PGA h1", "Sa(1.0)"]
 [study.intensity]
 measure = "PGA"
@@ -44,15 +44,15 @@ class StudyFile : public testing::Test {
  protected:
   std::string write(const SmallStudy& study) {
     results_.clear();
-    for (std::size_t i = 0; i < study.plan.units(); ++i) results_.push_back(study.run(i));
+    for (std::size_t i = 0; i < study.plan.tasks(); ++i) results_.push_back(study.run(i));
     const std::string path = folder_.file("a.h5");
     counts_ =
-        write_study_file(path, study.batch, [&](std::size_t unit) { return results_.at(unit); });
+        write_study_file(path, study.batch, [&](std::size_t task) { return results_.at(task); });
     return path;
   }
 
   TempFolder folder_;
-  std::vector<UnitResult> results_;
+  std::vector<TaskResult> results_;
   StudyCounts counts_;
 };
 
@@ -71,21 +71,21 @@ TEST_F(StudyFile, NamesTheInputsOfASaltelliDesign) {
 TEST_F(StudyFile, HasARowForEachRun) {
   const SmallStudy study(small_job(kStudy));
   const Hdf5Reader file(write(study));
-  ASSERT_EQ(study.plan.units(), 2u * 1 * 2 * 2);
+  ASSERT_EQ(study.plan.tasks(), 2u * 1 * 2 * 2);
   EXPECT_EQ(counts_.runs, 16u);
   EXPECT_EQ(counts_.failed, 0u);
   const auto column = [&](const std::string& name) { return file.numbers("/" + name); };
   ASSERT_EQ(column("runs/run").size(), 16u);
   for (std::size_t run = 0; run < 16; ++run) {
-    const Unit unit = study.plan.unit(run / 2);
+    const Task task = study.plan.task(run / 2);
     const StudyRun& made = results_[run / 2].runs[run % 2];
     EXPECT_EQ(column("runs/run")[run], double(run));
     EXPECT_EQ(column("runs/unit")[run], double(run / 2));
-    EXPECT_EQ(column("runs/configuration")[run], double(unit.configuration));
-    EXPECT_EQ(column("runs/record")[run], double(unit.record));
+    EXPECT_EQ(column("runs/configuration")[run], double(task.configuration));
+    EXPECT_EQ(column("runs/record")[run], double(task.record));
     EXPECT_EQ(column("runs/motion")[run], double(run % 2));
-    EXPECT_EQ(column("runs/angle")[run], study.job.study().angles[unit.angle]);
-    EXPECT_EQ(column("runs/draw")[run], double(unit.draw));
+    EXPECT_EQ(column("runs/angle")[run], study.job.study().angles[task.angle]);
+    EXPECT_EQ(column("runs/draw")[run], double(task.draw));
     EXPECT_EQ(column("runs/scale")[run], made.scale);
     EXPECT_EQ(column("runs/intensity")[run], made.intensity);
     EXPECT_EQ(column("runs/pfa")[run], made.pfa);
@@ -171,8 +171,8 @@ TEST_F(StudyFile, ARunThatFailedIsARowWithItsCause) {
   const Hdf5Reader file(write(study));
   ASSERT_GT(counts_.failed, 0u);
   std::vector<std::string> causes;
-  for (const UnitResult& unit : results_)
-    for (const StudyRun& run : unit.runs)
+  for (const TaskResult& task : results_)
+    for (const StudyRun& run : task.runs)
       if (is_failure(run.response.outcome)) causes.push_back(run.response.cause);
   EXPECT_EQ(causes.size(), counts_.failed);
   EXPECT_EQ(file.strings("/failures/cause"), causes);
@@ -224,7 +224,7 @@ draws = 20
   EXPECT_NE(file.strings("/failures/cause")[0].find("deep in 'a'"), std::string::npos)
       << file.strings("/failures/cause")[0];
   std::size_t drawn = 0;
-  for (const UnitResult& unit : results_) drawn += unit.drawn.size();
+  for (const TaskResult& task : results_) drawn += task.drawn.size();
   EXPECT_GT(drawn, 0u);
   EXPECT_EQ(file.numbers("/drawn/value").size(), drawn);
 }

@@ -45,7 +45,7 @@ TEST(StudyIdentityTest, ACompleteStudyIsKnownByItsFile) {
                                      "frequency_slope_hz_per_s = -0.05, filter_damping = 0.5");
   const SmallStudy study(text);
   const std::string file = folder.file("a.h5");
-  write_study_file(file, study.batch, [&](std::size_t unit) { return study.run(unit); });
+  write_study_file(file, study.batch, [&](std::size_t task) { return study.run(task); });
   EXPECT_EQ(difference_to_results(file, study.batch), "");
   const SmallStudy other(with(text, "duration_s = 0.2", "duration_s = 0.3"));
   EXPECT_EQ(difference_to_results(file, other.batch),

@@ -54,7 +54,7 @@ levels = [1]
 adaptive = { stages = 1, limit_state = "a" }
 [study.keep]
 )";
-constexpr const char* kHunt = R"([study]
+constexpr const char* kIda = R"([study]
 draws = 2
 sampling = "monte-carlo"
 synthetic_records = 3
@@ -65,12 +65,12 @@ values = [true]
 [study.intensity]
 measure = "PGA"
 unit = "g"
-hunt = { first = 1, increment = 1, until = "overturned" }
+ida = { first = 1, increment = 1, until = "overturned" }
 )";
 
 std::set<std::string> asked_keys() {
   std::set<std::string> asked;
-  for (const std::string text : {kStripes, kHunt, "[study]\nintensity = { scales = [1] }\n"}) {
+  for (const std::string text : {kStripes, kIda, "[study]\nintensity = { scales = [1] }\n"}) {
     config::Document document(text, "a.toml");
     config::Table root = document.root();
     auto table = root.table("study");
@@ -91,7 +91,7 @@ TEST(StudyPage, HasEveryKeyTheReaderKnowsAndNoOther) {
 TEST(StudyFilePage, IsWhatAFileHolds) {
   const SmallStudy study(small_job(R"(draws = 1
 sampling = "saltelli"
-certificate = 1
+step_check = 1
 measures = ["PGA h1", "Sa(1.0) h1"]
 [study.keep]
 histories = "all"

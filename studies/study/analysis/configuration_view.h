@@ -9,7 +9,7 @@
 namespace gurney::study {
 
 /// One configuration of a study file.
-struct StudySide {
+struct ConfigurationView {
   const StudyData* data = nullptr;
   std::size_t configuration = 0;
 
@@ -49,9 +49,9 @@ class Levels {
 
 /// Rows of /records that a configuration's runs have, by the index of the record; none without
 /// runs.
-std::vector<std::size_t> record_rows(const StudySide& side);
+std::vector<std::size_t> record_rows(const ConfigurationView& side);
 
 /// The records of a configuration by names that tell them apart: the second "b" is "b (2)".
-std::vector<std::string> record_names(const StudySide& side);
+std::vector<std::string> record_names(const ConfigurationView& side);
 
 }  // namespace gurney::study

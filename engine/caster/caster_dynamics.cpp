@@ -1,4 +1,4 @@
-#include "engine/caster/leg.h"
+#include "engine/caster/caster_dynamics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ double stick_stiffness(const Caster& caster, double lever) {
 
 }  // namespace
 
-Leg::Leg(const Caster& caster, const Vector3& chassis_center)
+CasterDynamics::CasterDynamics(const Caster& caster, const Vector3& chassis_center)
     : tread_(caster.tread, caster.wheel_radius),
       axle_limit_(caster.axle.coulomb + caster.brake_torque),
       swivel_limit_(caster.swivel.coulomb + caster.swivel_lock_torque),
@@ -69,7 +69,7 @@ Leg::Leg(const Caster& caster, const Vector3& chassis_center)
   reach_ = mount_.norm() + swing_;
 }
 
-std::array<Vector3, Leg::kRimPoints> Leg::rim(bool left) const {
+std::array<Vector3, CasterDynamics::kRimPoints> CasterDynamics::rim(bool left) const {
   const double radius = radius_ - crown_point(kCrownEnds, 0.5 * width_).drop;
   std::array<Vector3, kRimPoints> points;
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -80,7 +80,7 @@ std::array<Vector3, Leg::kRimPoints> Leg::rim(bool left) const {
   return points;
 }
 
-Vector3 Leg::tread_point(const Vector3& direction, const Vector3& found) const {
+Vector3 CasterDynamics::tread_point(const Vector3& direction, const Vector3& found) const {
   const double sine = direction.y();
   const Vector3 in_plane(direction.x(), 0, direction.z());
   if (in_plane.norm() < kSquare) return found;
@@ -91,26 +91,26 @@ Vector3 Leg::tread_point(const Vector3& direction, const Vector3& found) const {
          std::copysign(point.out, sine) * Vector3::UnitY();
 }
 
-Vector3 Leg::tread_point(const Pose& pose, double swivel_angle, const Vector3& outwards,
-                         const Vector3& found) const {
+Vector3 CasterDynamics::tread_point(const Pose& pose, double swivel_angle, const Vector3& outwards,
+                                    const Vector3& found) const {
   const Matrix3 fork = fork_rotation(pose, swivel_angle);
   return pose.rotation * mount_ + fork * tread_point(fork.transpose() * outwards, found);
 }
 
-Matrix3 Leg::fork_rotation(const Pose& pose, double swivel_angle) const {
+Matrix3 CasterDynamics::fork_rotation(const Pose& pose, double swivel_angle) const {
   const double c = std::cos(swivel_angle), s = std::sin(swivel_angle);
   Matrix3 fork;
   fork << c, -s, 0, s, c, 0, 0, 0, 1;
   return pose.rotation * fork;
 }
 
-Vector3 Leg::center_of_mass(const Pose& pose, double swivel_angle) const {
+Vector3 CasterDynamics::center_of_mass(const Pose& pose, double swivel_angle) const {
   return pose.rotation * mount_ + fork_rotation(pose, swivel_angle) * center_;
 }
 
-void Leg::evaluate(const Pose& pose, double swivel_angle, const Vector6& chassis_velocity,
-                   const Eigen::Vector2d& joint_rates, const Vector3& gravity,
-                   Geometry& out) const {
+void CasterDynamics::evaluate(const Pose& pose, double swivel_angle,
+                              const Vector6& chassis_velocity, const Eigen::Vector2d& joint_rates,
+                              const Vector3& gravity, Geometry& out) const {
   const Matrix3 fork = fork_rotation(pose, swivel_angle);
   const Vector3 s = fork.col(2), a = fork.col(1);
   out.swivel_axis = s;
@@ -180,7 +180,8 @@ void Leg::evaluate(const Pose& pose, double swivel_angle, const Vector6& chassis
   jl.row(4) << swivel * s.dot(out.axle_level), a.dot(out.axle_level);
 }
 
-double Leg::kinetic_energy(const Geometry& g, const Vector6& v, const Eigen::Vector2d& rates) {
+double CasterDynamics::kinetic_energy(const Geometry& g, const Vector6& v,
+                                      const Eigen::Vector2d& rates) {
   return 0.5 * v.dot(g.mass_chassis * v) + v.dot(g.mass_coupling * rates) +
          0.5 * rates.dot(g.mass_joints * rates);
 }

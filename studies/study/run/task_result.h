@@ -22,16 +22,16 @@ struct StudyRun {
   std::vector<Demands> at_half_step;
 };
 
-/// A finished unit: its runs in the order they were made.
-struct UnitResult {
-  std::size_t unit = 0;
+/// A finished task: its runs in the order they were made.
+struct TaskResult {
+  std::size_t task = 0;
   std::vector<double> drawn;  ///< as drawn_variables() of its job
   std::vector<StudyRun> runs;
 };
 
-std::string to_bytes(UnitResult& result);
+std::string to_bytes(TaskResult& result);
 
 /// @throws Error for bytes that to_bytes() did not make
-UnitResult unit_from_bytes(std::string_view bytes);
+TaskResult task_from_bytes(std::string_view bytes);
 
 }  // namespace gurney::study

@@ -1,4 +1,4 @@
-#include "studies/study/run/unit_result.h"
+#include "studies/study/run/task_result.h"
 
 #include <gtest/gtest.h>
 
@@ -66,7 +66,7 @@ auto members(StudyRun& s) {
   auto& [a, b, c, d, e, f, g, h] = s;
   return std::tie(a, b, c, d, e, f, g, h);
 }
-auto members(UnitResult& s) {
+auto members(TaskResult& s) {
   auto& [a, b, c] = s;
   return std::tie(a, b, c);
 }
@@ -136,42 +136,42 @@ struct Comparison {
   }
 };
 
-UnitResult filled_result() {
-  UnitResult result;
+TaskResult filled_result() {
+  TaskResult result;
   Filler()(result);
   return result;
 }
 
-TEST(UnitBytes, GiveBackEveryMember) {
-  UnitResult result = filled_result();
-  UnitResult empty;
+TEST(TaskBytes, GiveBackEveryMember) {
+  TaskResult result = filled_result();
+  TaskResult empty;
   Comparison against_defaults;
   against_defaults(result, empty);
   ASSERT_GT(against_defaults.differences, 0);
-  UnitResult back = unit_from_bytes(to_bytes(result));
+  TaskResult back = task_from_bytes(to_bytes(result));
   Comparison comparison;
   comparison(result, back);
   EXPECT_EQ(comparison.differences, 0);
   EXPECT_EQ(to_bytes(back), to_bytes(result));
 }
 
-TEST(UnitBytes, HaveEveryNumberThatIsFilledIn) {
-  UnitResult result = filled_result();
+TEST(TaskBytes, HaveEveryNumberThatIsFilledIn) {
+  TaskResult result = filled_result();
   EXPECT_EQ(result.runs[1].response.items[1].history[1].wheels[7].mode != WheelMode::kSticks, true);
-  UnitResult changed = filled_result();
+  TaskResult changed = filled_result();
   changed.runs[1].response.items[1].history[1].energy.numerical_loss += 1;
   EXPECT_NE(to_bytes(result), to_bytes(changed));
 }
 
-TEST(UnitBytes, ThatEndTooEarlyOrTooLateAreRefused) {
-  UnitResult result;
+TEST(TaskBytes, ThatEndTooEarlyOrTooLateAreRefused) {
+  TaskResult result;
   result.runs.resize(1);
   const std::string bytes = to_bytes(result);
   for (std::size_t size = 0; size < bytes.size(); ++size)
-    EXPECT_EQ(error_text([&] { unit_from_bytes(bytes.substr(0, size)); }),
+    EXPECT_EQ(error_text([&] { task_from_bytes(bytes.substr(0, size)); }),
               "the bytes end too early")
         << size;
-  EXPECT_EQ(error_text([&] { unit_from_bytes(bytes + "x"); }),
+  EXPECT_EQ(error_text([&] { task_from_bytes(bytes + "x"); }),
             "there are more bytes than a unit has");
 }
 

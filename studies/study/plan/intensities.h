@@ -9,7 +9,7 @@ namespace gurney::study {
 
 /// The intensities of one record, one after the other.
 ///
-/// Levels are taken in their order. A hunt (incremental dynamic analysis; Vamvatsikos & Cornell
+/// Levels are taken in their order. An IDA (incremental dynamic analysis; Vamvatsikos & Cornell
 /// 2002, EESD 31(3), 491-514) goes up with steps that grow by the increment each, until the limit
 /// state is exceeded; then it halves the bracket between the highest intensity that is safe below
 /// the lowest that is not and the latter, until the bracket is narrower than `resolution` of its
@@ -28,7 +28,7 @@ class Intensities {
   void stop() { stopped_ = true; }  ///< a run failed: nothing is known of what lies above
 
  private:
-  std::optional<double> hunted() const;
+  std::optional<double> traced() const;
   double middle_of_widest_gap() const;
   double highest_below(double value) const;
 

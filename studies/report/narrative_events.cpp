@@ -6,7 +6,7 @@
 #include "engine/base/units.h"
 #include "studies/report/fall.h"
 #include "studies/report/footprint.h"
-#include "studies/report/story.h"
+#include "studies/report/narrative.h"
 #include "studies/study/results/names.h"
 
 namespace gurney::report {
@@ -119,19 +119,19 @@ std::vector<std::string> items_in(const Zone& zone, const study::RunFacts& facts
 
 }  // namespace
 
-std::string story_of_impacts(const Response& response, const std::vector<std::string>& items) {
-  constexpr std::size_t kMost = 12;
+std::string narrative_of_impacts(const Response& response, const std::vector<std::string>& items) {
+  constexpr std::size_t kMax = 12;
   if (response.impacts.empty()) return {};
   const std::vector<Hits> hits = hits_of(response.impacts, items);
   std::string text = fmt::format("Impacts: {}, fastest first:\n", response.impacts.size());
-  for (std::size_t i = 0; i < std::min(kMost, hits.size()); ++i) text += sentence(hits[i]);
-  if (hits.size() > kMost)
-    text += fmt::format("  and {} more pairs, with {:.3g} m/s at most\n", hits.size() - kMost,
-                        hits[kMost].fastest->approach_speed);
+  for (std::size_t i = 0; i < std::min(kMax, hits.size()); ++i) text += sentence(hits[i]);
+  if (hits.size() > kMax)
+    text += fmt::format("  and {} more pairs, with {:.3g} m/s at most\n", hits.size() - kMax,
+                        hits[kMax].fastest->approach_speed);
   return text;
 }
 
-std::string story_of_falls(const study::RunFacts& facts, const Response& response) {
+std::string narrative_of_falls(const study::RunFacts& facts, const Response& response) {
   const std::vector<std::string> names = study::item_names(facts.scene);
   std::string text;
   for (const Fall& fall : falls(facts, response)) {
@@ -144,7 +144,7 @@ std::string story_of_falls(const study::RunFacts& facts, const Response& respons
   return text;
 }
 
-std::string story_of_zones(const study::RunFacts& facts, const Response& response) {
+std::string narrative_of_zones(const study::RunFacts& facts, const Response& response) {
   std::string text;
   for (std::size_t i = 0; i < response.zones.size(); ++i) {
     const ZoneOutcome& outcome = response.zones[i];
@@ -171,7 +171,7 @@ std::string story_of_zones(const study::RunFacts& facts, const Response& respons
   return text;
 }
 
-std::string story_of_tethers(const study::RunFacts& facts, const Response& response) {
+std::string narrative_of_tethers(const study::RunFacts& facts, const Response& response) {
   const std::vector<std::string> names = study::item_names(facts.scene);
   std::string text;
   for (std::size_t i = 0; i < response.tethers.size(); ++i) {

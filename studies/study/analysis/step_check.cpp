@@ -1,4 +1,4 @@
-#include "studies/study/analysis/step_certificate.h"
+#include "studies/study/analysis/step_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,30 +91,30 @@ class ItemTable {
 
 }  // namespace
 
-std::optional<StepCertificate> step_certificate(const StudyData& data) {
+std::optional<StepCheck> step_check(const StudyData& data) {
   if (!data.file().has("half_step")) return {};
   ItemTable full(data.file(), "items"), half(data.file(), "half_step");
-  StepCertificate certificate;
+  StepCheck step_check;
   std::vector<std::size_t> runs;
   for (std::size_t run = 0; run < half.rows().size(); ++run)
     if (half.rows()[run].second > half.rows()[run].first) runs.push_back(run);
-  certificate.runs = runs.size();
+  step_check.runs = runs.size();
   const std::vector<Pair> pairs = pairs_of(full.rows(), half.rows());
   for (const TableColumn<Demands>& column : demand_columns())
-    certificate.changes.push_back(change_of(data.file(), column, pairs));
+    step_check.changes.push_back(change_of(data.file(), column, pairs));
   const std::vector<LimitState>& states = data.limit_states();
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (!of_items(states, i)) {
-      certificate.unjudged.push_back(states[i].name);
+      step_check.unjudged.push_back(states[i].name);
       continue;
     }
     StateChange change{states[i].name, {}};
     for (const std::size_t run : runs)
       if (exceeded(states, i, full.of_run(run)) != exceeded(states, i, half.of_run(run)))
         change.runs.push_back(run);
-    certificate.states.push_back(change);
+    step_check.states.push_back(change);
   }
-  return certificate;
+  return step_check;
 }
 
 }  // namespace gurney::study

@@ -1,4 +1,4 @@
-#include "studies/report/story.h"
+#include "studies/report/narrative.h"
 
 #include <fmt/format.h>
 
@@ -112,7 +112,7 @@ std::string motions(const Response& response, const std::vector<std::string>& na
 
 }  // namespace
 
-std::string story(const study::RunFacts& facts, const Response& response) {
+std::string narrative(const study::RunFacts& facts, const Response& response) {
   if (is_failure(response.outcome))
     return fmt::format(
         "The run {} at {:.4g} s: {}. Its results must not be used.",
@@ -123,8 +123,8 @@ std::string story(const study::RunFacts& facts, const Response& response) {
   std::string text = response.items.size() == 1
                          ? motion(first) + lifting(first) + ending(response) + "\n"
                          : common_ending(response) + "\n" + motions(response, names);
-  text += story_of_falls(facts, response) + story_of_impacts(response, names) +
-          story_of_zones(facts, response) + story_of_tethers(facts, response);
+  text += narrative_of_falls(facts, response) + narrative_of_impacts(response, names) +
+          narrative_of_zones(facts, response) + narrative_of_tethers(facts, response);
   text.pop_back();
   return text;
 }

@@ -1,4 +1,4 @@
-#include "studies/statistics/department.h"
+#include "studies/statistics/joint_failure.h"
 
 #include <fmt/format.h>
 

@@ -8,9 +8,9 @@
 namespace gurney::groundmotions {
 
 /// Collects what is wrong with one file, so that one Error tells all of it.
-class Mistakes {
+class FileErrors {
  public:
-  explicit Mistakes(const SourceFile& file)
+  explicit FileErrors(const SourceFile& file)
       : file_(file.name()), before_(file.blank_lines()), errors_(kShown) {}
 
   /// The number in the file of a line of SourceFile::lines(), both counted from 1.
@@ -19,12 +19,12 @@ class Mistakes {
   /// @param line, column  of SourceFile::lines(), counted from 1
   void add(std::size_t line, std::size_t column, const std::string& message);
 
-  /// A mistake of the whole file.
+  /// An error of the whole file.
   void add(const std::string& message);
 
   bool any() const { return !errors_.none(); }
 
-  /// @throws Error with one line for each mistake, the first 20 in full.
+  /// @throws Error with one line for each error, the first 20 in full.
   void throw_if_any() const;
 
  private:

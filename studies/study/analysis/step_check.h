@@ -25,14 +25,14 @@ struct StateChange {
 };
 
 /// What the runs that were repeated with half the time step say of the others.
-struct StepCertificate {
+struct StepCheck {
   std::size_t runs = 0;
   std::vector<StepChange> changes;
   std::vector<StateChange> states;    ///< those that ask for demands of items only
   std::vector<std::string> unjudged;  ///< the others: the repetition keeps items alone
 };
 
-/// None where the study asked for no certificate.
-std::optional<StepCertificate> step_certificate(const StudyData& data);
+/// None where the study asked for no step_check.
+std::optional<StepCheck> step_check(const StudyData& data);
 
 }  // namespace gurney::study

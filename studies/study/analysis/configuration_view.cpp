@@ -1,4 +1,4 @@
-#include "studies/study/analysis/study_side.h"
+#include "studies/study/analysis/configuration_view.h"
 
 #include <fmt/format.h>
 
@@ -87,7 +87,7 @@ std::string Levels::name_of(std::size_t level) const {
   return fmt::format("{} = {:.4g} {}", measure_, values_.at(level) / unit_.in_si, unit_.name);
 }
 
-std::vector<std::size_t> record_rows(const StudySide& side) {
+std::vector<std::size_t> record_rows(const ConfigurationView& side) {
   const StudyReader& file = side.data->file();
   if (side.runs().empty()) return {};
   const auto motion = static_cast<std::size_t>(file.numbers("runs/motion")[side.runs().front()]);
@@ -99,7 +99,7 @@ std::vector<std::size_t> record_rows(const StudySide& side) {
   return rows;
 }
 
-std::vector<std::string> record_names(const StudySide& side) {
+std::vector<std::string> record_names(const ConfigurationView& side) {
   const std::vector<std::string> names = side.data->file().strings("records/name");
   std::map<std::string, int> times;
   std::vector<std::string> result;

@@ -1,4 +1,4 @@
-#include "studies/study/run/run_unit.h"
+#include "studies/study/run/run_task.h"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 #include "engine/base/random/normal_draw.h"
 #include "engine/baselines/any_solver.h"
 #include "studies/study/limit_states/response_values.h"
-#include "studies/study/plan/hunt.h"
+#include "studies/study/plan/intensities.h"
 
 namespace gurney::study {
 namespace {
@@ -44,9 +44,9 @@ Response failed(const std::string& cause) {
 }
 
 /// Whether the run is among the fraction that is repeated with half the step.
-bool is_checked(const Study& study, std::size_t unit, std::size_t run) {
+bool is_checked(const Study& study, std::size_t task, std::size_t run) {
   constexpr std::uint64_t kStream = 0x63657274;  // "cert"
-  return uniform_draw(study.seed, kStream + run, unit) < study.certificate;
+  return uniform_draw(study.seed, kStream + run, task) < study.step_check;
 }
 
 /// Demands at half the step go to `result`, or, where that run fails, a warning.
@@ -61,10 +61,10 @@ void repeat_at_half_step(RunCase run, StudyRun& result) {
   for (const ItemResponse& item : response.items) result.at_half_step.push_back(item.demands);
 }
 
-void simulate_case(const Batch& batch, const Unit& unit, const Job& job, bool checked,
+void simulate_case(const Batch& batch, const Task& task, const Job& job, bool checked,
                    StudyRun& run) {
   try {
-    RunCase of_run = case_of(batch, unit, job, run.scale);
+    RunCase of_run = case_of(batch, task, job, run.scale);
     if (batch.job.study().keep.histories == Histories::kNone) of_run.settings.history_step = 0;
     run.warnings = of_run.warnings;
     run.pfa = peak_of(of_run.floor, false);
@@ -78,26 +78,26 @@ void simulate_case(const Batch& batch, const Unit& unit, const Job& job, bool ch
 
 }  // namespace
 
-RunCase case_of(const Batch& batch, const Unit& unit, const Job& job, double scale) {
+RunCase case_of(const Batch& batch, const Task& task, const Job& job, double scale) {
   RunCase run{job.scene, {}, job.settings, {}};
-  run.floor = batch.motions.set_of(unit.configuration)
-                  .floor(unit.record, scale, batch.job.study().angles[unit.angle], run.warnings)
+  run.floor = batch.motions.set_of(task.configuration)
+                  .floor(task.record, scale, batch.job.study().angles[task.angle], run.warnings)
                   .with_rotation_times(job.rotation_factor);
   return run;
 }
 
-UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<bool()>& go_on,
+TaskResult run_task(const Batch& batch, std::size_t index, const std::function<bool()>& go_on,
                     const CrashedRuns& crashed, const std::vector<double>* levels) {
   const Study& study = batch.job.study();
-  const Unit unit = batch.plan.unit(index);
-  const MotionSet& motions = batch.motions.set_of(unit.configuration);
+  const Task task = batch.plan.task(index);
+  const MotionSet& motions = batch.motions.set_of(task.configuration);
   const bool by_measure = study.intensity.kind != IntensityPlan::Kind::kScales;
-  UnitResult result;
-  result.unit = index;
+  TaskResult result;
+  result.task = index;
   std::optional<Job> job;
   std::string bad;
   try {
-    job = batch.job.job(unit.configuration, batch.plan.draw(unit));
+    job = batch.job.job(task.configuration, batch.plan.draw(task));
     for (const equipment::Assumption& each : job->assumptions)
       if (!each.distribution.empty()) result.drawn.push_back(each.value);
   } catch (const Error& error) {
@@ -109,14 +109,14 @@ UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<b
   while (const std::optional<double> value = intensities.next()) {
     if (!go_on()) return {index, {}, {}};
     StudyRun run;
-    run.scale = by_measure ? motions.scale_for(unit.record, *value) : *value;
+    run.scale = by_measure ? motions.scale_for(task.record, *value) : *value;
     run.intensity = by_measure ? *value : 0;
     const std::size_t number = result.runs.size();
     if (const auto known = crashed.find({index, number}); known != crashed.end()) {
       run.response = failed(known->second);
     } else if (job) {
       const RunMark mark(index, number);
-      simulate_case(batch, unit, *job, is_checked(study, index, number), run);
+      simulate_case(batch, task, *job, is_checked(study, index, number), run);
     } else {
       run.response = failed(bad);
     }
@@ -126,7 +126,7 @@ UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<b
         job && !is_failure(run.response.outcome) &&
         exceeded(study.limit_states, study.intensity.until, values_of(job->scene, run.response));
     intensities.report(*value, run.until);
-    if (is_failure(run.response.outcome) && study.intensity.kind == IntensityPlan::Kind::kHunt)
+    if (is_failure(run.response.outcome) && study.intensity.kind == IntensityPlan::Kind::kIda)
       intensities.stop();
     result.runs.push_back(std::move(run));
   }

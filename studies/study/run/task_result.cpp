@@ -1,4 +1,4 @@
-#include "studies/study/run/unit_result.h"
+#include "studies/study/run/task_result.h"
 
 #include "studies/study/results/columns.h"
 #include "studies/study/run/archive.h"
@@ -30,7 +30,7 @@ void visit(A& a, EnergyAccount& e) {
 template <class A>
 void visit(A& a, WheelSample& w) {
   a(w.swivel_angle, w.swivel_rate, w.wheel_rate, w.normal_force, w.longitudinal_force,
-    w.lateral_force, w.scrub_torque, w.rolling_resistance, w.mode);
+    w.lateral_force, w.scrub_torque, w.rolling_resistance_force, w.mode);
 }
 
 template <class A>
@@ -82,16 +82,16 @@ void visit(A& a, StudyRun& run) {
     run.at_half_step);
 }
 
-std::string to_bytes(UnitResult& result) {
+std::string to_bytes(TaskResult& result) {
   ByteWriter writer;
-  writer(result.unit, result.drawn, result.runs);
+  writer(result.task, result.drawn, result.runs);
   return writer.take();
 }
 
-UnitResult unit_from_bytes(std::string_view bytes) {
+TaskResult task_from_bytes(std::string_view bytes) {
   ByteReader reader(bytes);
-  UnitResult result;
-  reader(result.unit, result.drawn, result.runs);
+  TaskResult result;
+  reader(result.task, result.drawn, result.runs);
   require(reader.done(), "there are more bytes than a unit has");
   return result;
 }

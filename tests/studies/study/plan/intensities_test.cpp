@@ -1,4 +1,4 @@
-#include "studies/study/plan/hunt.h"
+#include "studies/study/plan/intensities.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,9 +10,9 @@ namespace {
 
 using testing::ElementsAre;
 
-IntensityPlan hunt(int most_runs, double resolution = 0.1) {
+IntensityPlan ida(int most_runs, double resolution = 0.1) {
   IntensityPlan plan;
-  plan.kind = IntensityPlan::Kind::kHunt;
+  plan.kind = IntensityPlan::Kind::kIda;
   plan.first = 1;
   plan.increment = 0.5;
   plan.most_runs = most_runs;
@@ -37,21 +37,21 @@ TEST(Intensities, LevelsComeInTheirOrderWhateverHappens) {
   EXPECT_THAT(tried(plan, [](double) { return true; }), ElementsAre(0.1, 0.2, 0.4));
 }
 
-TEST(Intensities, AHuntTakesStepsThatGrow) {
-  EXPECT_THAT(tried(hunt(5), [](double) { return false; }), ElementsAre(1, 1.5, 2.5, 4, 6));
+TEST(Intensities, AnIdaTakesStepsThatGrow) {
+  EXPECT_THAT(tried(ida(5), [](double) { return false; }), ElementsAre(1, 1.5, 2.5, 4, 6));
 }
 
-TEST(Intensities, AHuntHalvesTheBracketUntilItIsNarrow) {
+TEST(Intensities, AnIdaHalvesTheBracketUntilItIsNarrow) {
   // Capacity 3.3: 4 exceeds; then halves of (2.5, 4): 3.25 is safe, (3.25, 4): 3.625 exceeds, and
   // 0.375 > 0.1 x 3.25 goes on: 3.4375 exceeds, and 0.1875 <= 0.325 ends it.
-  EXPECT_THAT(tried(hunt(50), [](double x) { return x > 3.3; }),
+  EXPECT_THAT(tried(ida(50), [](double x) { return x > 3.3; }),
               ElementsAre(1, 1.5, 2.5, 4, 3.25, 3.625, 3.4375));
 }
 
-TEST(Intensities, AHuntFillsTheWidestGapsBelowTheCapacity) {
+TEST(Intensities, AnIdaFillsTheWidestGapsBelowTheCapacity) {
   // As above, then: gaps of 1, 0.5, 1, 0.75 and 0.19 below 3.4375; the first of the widest, from 0
   // to 1, gives 0.5; the next, from 1.5 to 2.5, gives 2.
-  IntensityPlan plan = hunt(50);
+  IntensityPlan plan = ida(50);
   plan.fill = 2;
   EXPECT_THAT(tried(plan, [](double x) { return x > 3.3; }),
               ElementsAre(1, 1.5, 2.5, 4, 3.25, 3.625, 3.4375, 0.5, 2));
@@ -60,23 +60,23 @@ TEST(Intensities, AHuntFillsTheWidestGapsBelowTheCapacity) {
               ElementsAre(1, 1.5, 2.5, 4, 3.25, 3.625, 3.4375, 0.5, 0.25));
 }
 
-TEST(Intensities, AHuntEndsWithTheRunsItMayMake) {
-  EXPECT_THAT(tried(hunt(5), [](double x) { return x > 3.3; }), ElementsAre(1, 1.5, 2.5, 4, 3.25));
+TEST(Intensities, AnIdaEndsWithTheRunsItMayMake) {
+  EXPECT_THAT(tried(ida(5), [](double x) { return x > 3.3; }), ElementsAre(1, 1.5, 2.5, 4, 3.25));
 }
 
-TEST(Intensities, AHuntThatFailsAtOnceGoesDown) {
+TEST(Intensities, AnIdaThatFailsAtOnceGoesDown) {
   // Capacity 0.2: 1, 0.5, 0.25 exceed, 0.125 is safe; 0.1875 is safe; 0.0625 / 0.1875 > 0.1:
   // 0.21875 exceeds, 0.03125 / 0.1875 > 0.1: 0.203125 exceeds, 0.015625 / 0.1875 <= 0.1.
-  EXPECT_THAT(tried(hunt(50), [](double x) { return x > 0.2; }),
+  EXPECT_THAT(tried(ida(50), [](double x) { return x > 0.2; }),
               ElementsAre(1, 0.5, 0.25, 0.125, 0.1875, 0.21875, 0.203125));
 }
 
 TEST(Intensities, OfAResurrectionTheLowestExceedanceCounts) {
   // Exceeded from 1.2 to 2 and again from 5: the bracket (1, 1.5) is found first.
-  const auto values = tried(hunt(50, 0.2), [](double x) { return (x > 1.2 && x < 2) || x > 5; });
+  const auto values = tried(ida(50, 0.2), [](double x) { return (x > 1.2 && x < 2) || x > 5; });
   EXPECT_THAT(values, ElementsAre(1, 1.5, 1.25, 1.125));
   // Reported from outside: what is safe above an exceedance does not lift the bracket.
-  const IntensityPlan plan = hunt(50);
+  const IntensityPlan plan = ida(50);
   Intensities intensities(plan);
   intensities.report(1, false);
   intensities.report(2, true);
@@ -87,7 +87,7 @@ TEST(Intensities, OfAResurrectionTheLowestExceedanceCounts) {
 TEST(Intensities, NothingComesAfterAFailure) {
   IntensityPlan scales;
   scales.levels = {1, 2, 3};
-  for (const IntensityPlan& plan : {hunt(50), scales}) {
+  for (const IntensityPlan& plan : {ida(50), scales}) {
     Intensities intensities(plan);
     ASSERT_EQ(intensities.next(), 1);
     intensities.report(1, false);

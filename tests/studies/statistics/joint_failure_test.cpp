@@ -1,4 +1,4 @@
-#include "studies/statistics/department.h"
+#include "studies/statistics/joint_failure.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

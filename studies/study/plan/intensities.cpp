@@ -1,4 +1,4 @@
-#include "studies/study/plan/hunt.h"
+#include "studies/study/plan/intensities.h"
 
 #include <algorithm>
 #include <iterator>
@@ -7,12 +7,12 @@ namespace gurney::study {
 
 std::optional<double> Intensities::next() const {
   if (stopped_) return {};
-  if (plan_->kind == IntensityPlan::Kind::kHunt) return hunted();
+  if (plan_->kind == IntensityPlan::Kind::kIda) return traced();
   if (done_ == plan_->levels.size()) return {};
   return plan_->levels[done_];
 }
 
-std::optional<double> Intensities::hunted() const {
+std::optional<double> Intensities::traced() const {
   if (done_ == static_cast<std::size_t>(plan_->most_runs)) return {};
   if (done_ == 0) return plan_->first;
   if (!exceeded_) return *tried_.rbegin() + plan_->increment * static_cast<double>(done_);

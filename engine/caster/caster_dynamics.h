@@ -25,10 +25,10 @@ struct Pose {
 /// I_a w a along the axle.
 ///
 /// Velocities: V = (velocity of O, angular velocity), floor axes; joint rates q' = (swivel, axle).
-class Leg {
+class CasterDynamics {
  public:
   /// @param chassis_center  O in item axes
-  Leg(const Caster& caster, const Vector3& chassis_center);
+  CasterDynamics(const Caster& caster, const Vector3& chassis_center);
 
   /// Mass matrix blocks, bias and contact Jacobian of the leg at one configuration.
   struct Geometry {

@@ -1,4 +1,4 @@
-#include "groundmotions/formats/mistakes.h"
+#include "groundmotions/formats/file_errors.h"
 
 #include <fmt/format.h>
 
@@ -6,15 +6,15 @@
 
 namespace gurney::groundmotions {
 
-void Mistakes::add(std::size_t line, std::size_t column, const std::string& message) {
+void FileErrors::add(std::size_t line, std::size_t column, const std::string& message) {
   errors_.add(fmt::format("{}:{}:{}: {}", file_, line_in_file(line), column, message));
 }
 
-void Mistakes::add(const std::string& message) {
+void FileErrors::add(const std::string& message) {
   errors_.add(fmt::format("{}: {}", file_, message));
 }
 
-void Mistakes::throw_if_any() const {
+void FileErrors::throw_if_any() const {
   errors_.raise(kShown, file_ + ": and ", " more of the kind");
 }
 

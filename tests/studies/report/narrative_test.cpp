@@ -1,4 +1,4 @@
-#include "studies/report/story.h"
+#include "studies/report/narrative.h"
 
 #include <gmock/gmock.h>
 
@@ -12,39 +12,39 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-TEST(Story, TellsEachOutcomeOfASingleItem) {
+TEST(Story, ReportsEachOutcomeOfASingleItem) {
   const study::RunFacts facts = fabricated_facts();
   Response response = fabricated_response();
-  EXPECT_THAT(story(facts, response),
+  EXPECT_THAT(narrative(facts, response),
               HasSubstr("The item moved at most 125 mm from its start (at 0.50 s)"));
-  EXPECT_THAT(story(facts, response),
+  EXPECT_THAT(narrative(facts, response),
               HasSubstr("It was at rest at 24.00 s, 625 mm from its start"));
   response.outcome = Outcome::kStillMoving;
-  EXPECT_THAT(story(facts, response),
+  EXPECT_THAT(narrative(facts, response),
               HasSubstr("STILL MOVED when the settling time was over at 24.00 s"));
   response.outcome = Outcome::kOverturned;
   response.items[0].demands.time_of_overturning = 7.5;
-  EXPECT_THAT(story(facts, response), HasSubstr("It overturned and lay at 24.00 s"));
-  EXPECT_THAT(story(facts, response), HasSubstr("\nTrolley OVERTURNED at 7.50 s."));
+  EXPECT_THAT(narrative(facts, response), HasSubstr("It overturned and lay at 24.00 s"));
+  EXPECT_THAT(narrative(facts, response), HasSubstr("\nTrolley OVERTURNED at 7.50 s."));
   response.outcome = Outcome::kDiverged;
   response.cause = "no solution";
-  EXPECT_EQ(story(facts, response),
+  EXPECT_EQ(narrative(facts, response),
             "The run DIVERGED at 24 s: no solution. Its results must not be used.");
   response.outcome = Outcome::kUntrusted;
   response.cause = "energy from nowhere";
-  EXPECT_EQ(story(facts, response),
+  EXPECT_EQ(narrative(facts, response),
             "The run is UNTRUSTED; it ended at 24 s: energy from nowhere. Its results must not be "
             "used.");
   response = {};
   response.items.resize(1);
   response.items[0].demands.wheels.resize(4);
   response.outcome = Outcome::kRested;
-  EXPECT_THAT(story(facts, response),
+  EXPECT_THAT(narrative(facts, response),
               StartsWith("The item did not move. Every wheel stayed on the floor."));
 }
 
-TEST(Story, TellsHowFarEachItemMoved) {
-  const std::string text = story(fabricated_ward(), fabricated_ward_response());
+TEST(Story, ReportsHowFarEachItemMoved) {
+  const std::string text = narrative(fabricated_ward(), fabricated_ward_response());
   EXPECT_THAT(text, StartsWith("1 of 10 items overturned; the run ended at 15.00 s.\n"));
   EXPECT_THAT(text, HasSubstr("\n  did not move: bookcase\n"));
   EXPECT_THAT(text, HasSubstr("\n  infusion pump moved at most "));
@@ -52,7 +52,7 @@ TEST(Story, TellsHowFarEachItemMoved) {
 }
 
 TEST(Story, SumsUpTheHitsOfAPairFastestFirst) {
-  const std::string text = story(fabricated_ward(), fabricated_ward_response());
+  const std::string text = narrative(fabricated_ward(), fabricated_ward_response());
   EXPECT_THAT(
       text,
       HasSubstr(
@@ -74,14 +74,14 @@ TEST(Story, IsNotFloodedByImpacts) {
     response.impacts.push_back(impact);
   }
   // 24 pairs; the twelve fastest are the four of the ward and eight of the new ones.
-  EXPECT_THAT(story(fabricated_ward(), response),
+  EXPECT_THAT(narrative(fabricated_ward(), response),
               HasSubstr("  and 12 more pairs, with 0.092 m/s at most\n"));
 }
 
 TEST(Story, SaysWhatFellAndWhy) {
   // Half a sine of 2 m/s2 over 1 s: 4 / pi = 1.27 m/s, all of it between 3.08 s and 4.5 s.
   EXPECT_THAT(
-      story(fabricated_ward(), fabricated_ward_response()),
+      narrative(fabricated_ward(), fabricated_ward_response()),
       HasSubstr(
           "\ninfusion pump OVERTURNED at 4.50 s, falling towards -y (-90 deg from the x axis). "
           "Wheels that had left the floor by then and not come back: front left (4.08 s), rear "
@@ -94,27 +94,27 @@ TEST(Story, SaysWhatFellAndWhy) {
 TEST(Story, NamesNoPulseOfAFloorAtRest) {
   study::RunFacts facts = fabricated_ward();
   facts.floor = {};
-  EXPECT_THAT(story(facts, fabricated_ward_response()), Not(HasSubstr("floor's pulse")));
+  EXPECT_THAT(narrative(facts, fabricated_ward_response()), Not(HasSubstr("floor's pulse")));
 }
 
 TEST(Story, SaysWhichZonesAreBlocked) {
   Response response = fabricated_ward_response();
   EXPECT_THAT(
-      story(fabricated_ward(), response),
+      narrative(fabricated_ward(), response),
       HasSubstr("\ndoorway is NARROWED at the end by infusion pump: a way of 0.35 m is left "
                 "of 1.10 m.\n"
                 "egress lane is free at the end; it was not for 0.75 s from 1.50 s, when a "
                 "way of 0.50 m was left of 0.90 m.\n"));
   response.zones[0].free_width_at_end = 0;
   response.zones[1] = {};
-  EXPECT_THAT(story(fabricated_ward(), response),
+  EXPECT_THAT(narrative(fabricated_ward(), response),
               HasSubstr("\ndoorway is BLOCKED at the end by infusion pump: no way is left of 1.10 "
                         "m.\negress lane stayed free.\n"));
 }
 
 TEST(Story, SaysWhatBecameOfTethers) {
   EXPECT_THAT(
-      story(fabricated_ward(), fabricated_ward_response()),
+      narrative(fabricated_ward(), fabricated_ward_response()),
       testing::EndsWith("\npower cord of ventilator got taut at 3.25 s and BROKE at 3.50 s "
                         "(largest tension 300 N).\n"
                         "gas hose of anaesthesia workstation got taut at 5.75 s and held (largest "

@@ -6,11 +6,11 @@
 
 #include "studies/study/plan/plan.h"
 #include "studies/study/run/crash_log.h"
-#include "studies/study/run/unit_result.h"
+#include "studies/study/run/task_result.h"
 
 namespace gurney::study {
 
-/// What the units of a study share; constant while they run.
+/// What the tasks of a study share; constant while they run.
 struct Batch {
   const StudyJob& job;
   const StudyMotions& motions;
@@ -25,16 +25,16 @@ struct RunCase {
   std::vector<std::string> warnings;  ///< of the building under this motion
 };
 
-/// @param job    of the unit's configuration and draw
+/// @param job    of the task's configuration and draw
 /// @param scale  on the ground motion
-RunCase case_of(const Batch& batch, const Unit& unit, const Job& job, double scale);
+RunCase case_of(const Batch& batch, const Task& task, const Job& job, double scale);
 
-/// Makes the runs of one unit: the same numbers in any thread, process and order.
-/// @param go_on  asked before each run; false: the unit is dropped
+/// Makes the runs of one task: the same numbers in any thread, process and order.
+/// @param go_on  asked before each run; false: the task is dropped
 /// @param crashed  runs that fail without being tried
 /// @param levels   of its configuration in its stage; null: the first
 /// @return no runs when it was dropped
-UnitResult run_unit(const Batch& batch, std::size_t index, const std::function<bool()>& go_on,
+TaskResult run_task(const Batch& batch, std::size_t index, const std::function<bool()>& go_on,
                     const CrashedRuns& crashed = {}, const std::vector<double>* levels = nullptr);
 
 }  // namespace gurney::study
