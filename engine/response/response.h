@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "engine/response/demands.h"
 #include "engine/response/energy_account.h"
 #include "engine/response/events.h"
+#include "engine/response/predictability.h"
 #include "engine/response/quality.h"
 #include "engine/scene/equipment_model.h"
 
@@ -70,6 +72,7 @@ struct ItemResponse {
   EnergyAccount energy;  ///< at the end
   double stored_energy_at_start = 0;
   std::vector<Sample> history;  ///< every `history_step`, the start and the end included
+  std::optional<Predictability> predictability;  ///< of single runs whose twin was run
 };
 
 struct Response {

@@ -107,7 +107,7 @@ int replay_command(const ReplayOptions& options) {
   const study::StudyMotions motions(study);
   const study::Plan plan(study, motions);
   const study::Task task = plan.task(whole(file, "unit", options.run));
-  const study::Job job = study.job(task.configuration, plan.draw(task));
+  const study::Job job = study.job(task.configuration, plan.draw(task), task.replica);
   const double scale = file.numbers("runs/scale")[options.run];
   const study::PreparedRun run =
       study::prepare_run(job, motions.set_of(task.configuration)

@@ -62,6 +62,7 @@ Response run_and_write(const study::PreparedRun& run, const RunOutput& output) {
   Response response =
       baselines::simulate_with_any_solver(run.facts.scene, run.facts.floor, run.facts.settings);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  baselines::add_predictability(run.facts.scene, run.facts.floor, run.facts.settings, response);
   {
     const SignalsHeld until_written;
     study::OutputFiles files(output.overwrite);

@@ -93,6 +93,7 @@ std::string overview_json(const study::StudyOverview& overview) {
   if (overview.factors_on_records.any())
     result["scale_factors"] = scale_factors_json(overview.factors_on_records);
   result["draws"] = overview.draws;
+  result["replicas"] = overview.replicas;
   result["ranges_not_drawn"] = overview.undrawn;
   result["runs"] = overview.runs;
   result["overturned"] = overview.overturned;

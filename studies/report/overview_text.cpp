@@ -176,6 +176,8 @@ std::string overview_text(const study::StudyOverview& overview) {
     all += entry("scaling", "factors " + overview.factors_on_records.text());
   all += entry("draws", overview.draws > 0 ? fmt::format("{} of each record", overview.draws)
                                            : "none: every parameter has its value");
+  if (overview.replicas > 1)
+    all += entry("replicas", fmt::format("{} of each draw", overview.replicas));
   all += "declared ranges not drawn:\n";
   for (const std::string& line : overview.undrawn) all += "  " + wrapped(line, 4, 2) + "\n";
   all += entry("runs", fmt::format("{}, {} overturned, {}", overview.runs, overview.overturned,

@@ -42,6 +42,13 @@ Json named_objects(std::span<const study::TableColumn<Row>> columns, const std::
 
 Json vector(const Vector3& value) { return {value.x(), value.y(), value.z()}; }
 
+Json predictability(const std::optional<Predictability>& of_item) {
+  if (!of_item) return nullptr;
+  Json result = object(study::predictability_columns(), *of_item);
+  result["verdict"] = name_of(of_item->verdict);
+  return result;
+}
+
 Json items(const study::RunFacts& facts, const Response& response) {
   const std::vector<std::string> names = study::item_names(facts.scene);
   Json result = Json::array();
@@ -55,7 +62,8 @@ Json items(const study::RunFacts& facts, const Response& response) {
                                                model.casters)},
                       {"points", named_objects(study::point_demand_columns(), item.demands.points,
                                                model.marked_points)},
-                      {"energy", object(study::energy_columns(), item.energy)}});
+                      {"energy", object(study::energy_columns(), item.energy)},
+                      {"predictability", predictability(item.predictability)}});
   }
   return result;
 }

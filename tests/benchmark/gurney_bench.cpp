@@ -6,13 +6,19 @@
 
 #include "tests/benchmark/sections.h"
 
-/// Prints accuracy and speed in one run. `--quick` takes a small ensemble.
+/// Prints accuracy and speed in one run. `--quick` takes a small ensemble;
+/// `--predictability` prints the table of docs/theory/predictability.md alone.
 int main(int argc, char** argv) try {
   using namespace gurney::benchmark;
   const bool quick = argc > 1 && std::string_view(argv[1]) == "--quick";
+  if (argc > 1 && std::string_view(argv[1]) == "--predictability") {
+    print_predictability(100);
+    return 0;
+  }
   print_pulling_accuracy();
   print_ensemble_accuracy(quick ? 2 : 8, quick ? 3 : 7);
   print_peers();
+  print_predictability(quick ? 4 : 20);
   print_spectra();
   return 0;
 } catch (const std::exception& error) {

@@ -12,4 +12,7 @@ void print_peers();
 /// Time of response spectra and of all intensity measures of a record.
 void print_spectra();
 
+/// Verdicts of runs beside the error of their time step, for free and braked items.
+void print_predictability(int records);
+
 }  // namespace gurney::benchmark

@@ -171,6 +171,7 @@ StudyOverview study_overview(const std::string& path) {
   overview.angles = study.angles;
   overview.measure = data.file().text_attribute("intensity_measure");
   overview.draws = study.draws;
+  overview.replicas = study.replicas;
   overview.undrawn = undrawn_of(data.file());
   overview.states = data.limit_states();
   overview.runs = data.file().runs();

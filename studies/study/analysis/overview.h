@@ -53,7 +53,7 @@ struct StudyOverview {
   std::vector<double> angles;  ///< [rad]
   std::string measure;         ///< that the levels are of; empty: factors on the records
   std::vector<std::string> levels;
-  int draws = 0;
+  int draws = 0, replicas = 1;
   std::vector<LimitState> states;
   std::size_t runs = 0, overturned = 0, failed = 0;
   std::size_t untrusted = 0;  ///< of the failed ones

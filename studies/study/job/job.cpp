@@ -10,6 +10,7 @@
 
 #include "engine/base/units.h"
 #include "engine/config/table.h"
+#include "engine/scene/perturbed.h"
 #include "equipment/catalogue/file_kind.h"
 #include "equipment/catalogue/levelness.h"
 #include "equipment/catalogue/quantity.h"
@@ -258,9 +259,10 @@ JobModel::JobModel(config::Document& document)
 
 const Job& JobModel::stated() const { return reading_->stated(); }
 
-Job sample(const JobModel& model, const std::optional<Draw>& draw) {
+Job sample(const JobModel& model, const std::optional<Draw>& draw, std::size_t replica) {
   Job job = sample(*model.reading_, draw);
   job.draw = draw;
+  job.scene = perturbed(job.scene, replica);
   return job;
 }
 

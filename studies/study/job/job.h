@@ -88,13 +88,14 @@ class JobModel {
   const Job& stated() const;  ///< every number at its value
 
  private:
-  friend Job sample(const JobModel& model, const std::optional<Draw>& draw);
+  friend Job sample(const JobModel& model, const std::optional<Draw>& draw, std::size_t replica);
   std::shared_ptr<const equipment::Uncertain<JobParts>> reading_;
 };
 
 /// The job in a draw; without one, every number at its value.
+/// @param replica  number of perturbed(), for its scene
 /// @throws Error where this draw makes a bad job, such as items that overlap
-Job sample(const JobModel& model, const std::optional<Draw>& draw);
+Job sample(const JobModel& model, const std::optional<Draw>& draw, std::size_t replica = 0);
 
 /// Whether a number of a job that was read with a draw has a distribution.
 bool draws_anything(const Job& job);

@@ -20,6 +20,7 @@ Plan::Plan(const StudyJob& job, const StudyMotions& motions) {
   stages_ = 1 + static_cast<std::size_t>(study.intensity.more_stages);
   angles_ = study.angles.size();
   draws_ = static_cast<std::size_t>(std::max(1, study.draws));
+  replicas_ = static_cast<std::size_t>(study.replicas);
   runs_of_task_ = study.intensity.kind == IntensityPlan::Kind::kIda
                       ? static_cast<std::size_t>(study.intensity.most_runs)
                       : study.intensity.levels.size();
@@ -49,15 +50,15 @@ Plan::Plan(const StudyJob& job, const StudyMotions& motions) {
                                      static_cast<double>(job.configurations().size()));
   first_.push_back(0);
   for (std::size_t i = 0; i < job.configurations().size(); ++i)
-    first_.push_back(first_.back() + motions.set_of(i).size() * angles_ * draws_);
+    first_.push_back(first_.back() + motions.set_of(i).size() * angles_ * draws_ * replicas_);
 }
 
 void Plan::refuse_uncountable(const std::string& job, double motions) const {
   constexpr double kMax = 1e15;  // so that indices and counts of runs fit into their integers
   const double of_unit =
       static_cast<double>(runs_of_task_) + static_cast<double>((stages_ - 1) * kLevelsOfAStage);
-  const double runs =
-      motions * static_cast<double>(angles_) * static_cast<double>(draws_) * of_unit;
+  const double runs = motions * static_cast<double>(angles_) * static_cast<double>(draws_) *
+                      static_cast<double>(replicas_) * of_unit;
   require(runs < kMax, fmt::format("{}: the study has about {:.2g} runs: too many", job, runs));
 }
 
@@ -73,6 +74,8 @@ Task Plan::task(std::size_t index) const {
   task.stage = stage;
   task.configuration = static_cast<std::size_t>(next - first_.begin()) - 1;
   std::size_t rest = index - first_[task.configuration];
+  task.replica = rest % replicas_;
+  rest /= replicas_;
   task.draw = rest % draws_;
   rest /= draws_;
   task.angle = rest % angles_;
@@ -84,7 +87,7 @@ Task Plan::task(std::size_t index) const {
 }
 
 std::size_t Plan::draws(std::size_t configuration) const {
-  return (first_.at(configuration + 1) - first_[configuration]) / angles_;
+  return (first_.at(configuration + 1) - first_[configuration]) / angles_ / replicas_;
 }
 
 std::vector<std::string> Plan::inputs() const {

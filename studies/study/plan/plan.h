@@ -16,12 +16,13 @@ namespace gurney::study {
 /// the runs of a task follow each other in one thread.
 struct Task {
   std::size_t configuration = 0, record = 0, angle = 0;
-  std::size_t draw = 0;   ///< its number among the draws of all records
-  std::size_t stage = 0;  ///< of adaptive stripes
+  std::size_t draw = 0;     ///< its number among the draws of all records
+  std::size_t stage = 0;    ///< of adaptive stripes
+  std::size_t replica = 0;  ///< of the draw: number of perturbed()
 };
 
 /// The tasks of a study in their order: stages, in them configurations, in them records, in them
-/// angles, in them draws. A task's index is its identity: nothing else decides its numbers.
+/// angles, in them draws, in them replicas. A task's index is its identity: nothing else decides its numbers.
 ///
 /// In a Saltelli design each draw is a row of it, and each point has a row in each matrix. The
 /// record is an input as the drawn numbers are, if there are several: matrix A has each record for
@@ -59,7 +60,7 @@ class Plan {
   std::optional<SaltelliRow> row_of(std::size_t draw) const;
   std::size_t record_in_b(std::size_t configuration, std::uint64_t point) const;
 
-  std::size_t stages_, angles_, draws_, runs_of_task_;  ///< draws of each record
+  std::size_t stages_, angles_, draws_, replicas_, runs_of_task_;  ///< draws of each record
   std::uint64_t seed_, most_records_ = 0;
   int stated_draws_;
   Sampling sampling_;

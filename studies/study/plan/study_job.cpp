@@ -181,8 +181,9 @@ bool StudyJob::draws_anything() const {
   }
 }
 
-Job StudyJob::job(std::size_t configuration, const std::optional<Draw>& draw) const {
-  return sample(models_.at(configuration), draw);
+Job StudyJob::job(std::size_t configuration, const std::optional<Draw>& draw,
+                  std::size_t replica) const {
+  return sample(models_.at(configuration), draw, replica);
 }
 
 bool has_study(const std::string& path) { return Document(path).tree().find("study") != nullptr; }

@@ -22,6 +22,7 @@ using config::Range;
 using config::Table;
 
 constexpr int kMax = std::numeric_limits<int>::max();
+constexpr int kMaxReplicas = 10000;  // the last is still within 1e-5 of the item
 
 void note_disorder(Table& in, const std::string& key, const std::vector<double>& values) {
   if (values.empty()) in.note(key, " = []: must have 1 or more values");
@@ -303,6 +304,10 @@ Study read_study(Table& in, const Node& node) {
               " = \"saltelli\": must not go with intensity.ida, whose intensities "
               "differ from draw to draw; state levels");
   }
+  study.replicas = in.integer("replicas", 1, kMaxReplicas, 1);
+  if (study.replicas > 1 && study.sampling == Sampling::kSaltelli)
+    in.note("replicas",
+            ": must not go with sampling = \"saltelli\", whose rows are compared one by one");
   read_measures(in, study);
   if (auto table = in.table("keep")) study.keep = read_keep(*table);
   study.step_check = in.number("step_check", Range::within(0, 1), 0.0);

@@ -92,6 +92,17 @@ constexpr TableColumn<Quality> kQuality[] = {
     {"collision_passes", "1", "collision passes of Bullet", &Quality::collision_passes},
 };
 
+constexpr TableColumn<Predictability> kPredictability[] = {
+    {"amplification", "1", "largest growth of a change of the masses by 1e-9, over the run",
+     &Predictability::amplification},
+    {"amplification_at_peaks", "1", "the same until time_of_peaks",
+     &Predictability::amplification_at_peaks},
+    {"time_of_peaks", "s", "the later of the peaks of displacement and tilt, or the overturning",
+     &Predictability::time_of_peaks},
+    {"horizon", "s", "from when on the growth has reached 1000; NaN: never",
+     &Predictability::horizon, kNaN},
+};
+
 constexpr TableColumn<EnergyAccount> kEnergy[] = {
     {"energy_kinetic", "J", "kinetic energy relative to the floor", &EnergyAccount::kinetic},
     {"energy_gravitational", "J", "gravitational energy relative to the start",
@@ -207,6 +218,7 @@ std::span<const TableColumn<Demands>> demand_columns() { return kDemands; }
 std::span<const TableColumn<WheelDemands>> wheel_demand_columns() { return kWheelDemands; }
 std::span<const TableColumn<PointDemands>> point_demand_columns() { return kPointDemands; }
 std::span<const TableColumn<Quality>> quality_columns() { return kQuality; }
+std::span<const TableColumn<Predictability>> predictability_columns() { return kPredictability; }
 std::span<const TableColumn<EnergyAccount>> energy_columns() { return kEnergy; }
 std::span<const TableColumn<Impact>> impact_columns() { return kImpact; }
 std::span<const TableColumn<ZoneOutcome>> zone_columns() { return kZone; }

@@ -50,7 +50,8 @@ std::span<const TableColumn<WheelDemands>> wheel_demand_columns();
 std::span<const TableColumn<PointDemands>> point_demand_columns();
 std::span<const TableColumn<Quality>> quality_columns();
 std::span<const TableColumn<EnergyAccount>> energy_columns();
-std::span<const TableColumn<Impact>> impact_columns();  ///< without the names
+std::span<const TableColumn<Predictability>> predictability_columns();  ///< without the verdict
+std::span<const TableColumn<Impact>> impact_columns();                  ///< without the names
 std::span<const TableColumn<ZoneOutcome>> zone_columns();
 std::span<const TableColumn<TetherOutcome>> tether_columns();
 

@@ -66,6 +66,24 @@ void add_items(Hdf5Writer& file, const Scene& scene, const std::vector<ItemRespo
   account.add(energy_columns(), energy);
 }
 
+/// Empty where no twin was run.
+void add_predictability(Hdf5Writer& file, const Scene& scene,
+                        const std::vector<ItemResponse>& items) {
+  const std::vector<std::string> names = item_names(scene);
+  std::vector<std::string> of, verdicts;
+  std::vector<Predictability> rows;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (const auto& found = items[i].predictability) {
+      of.push_back(names[i]);
+      verdicts.emplace_back(name_of(found->verdict));
+      rows.push_back(*found);
+    }
+  Table table(file, "predictability", rows.size());
+  table.add("item", kItem, of);
+  table.add("verdict", "of the peaks: predictable, sensitive or chaotic", verdicts);
+  table.add(predictability_columns(), rows);
+}
+
 /// One row for each wheel or marked point of every item.
 template <class Row>
 void add_parts(Hdf5Writer& file, const std::string& name, const std::string& part,
@@ -131,6 +149,7 @@ void add_tethers(Hdf5Writer& file, const Scene& scene, const std::vector<TetherO
 
 void add_tables(Hdf5Writer& file, const Scene& scene, const Response& response) {
   add_items(file, scene, response.items);
+  add_predictability(file, scene, response.items);
   add_parts(file, "wheels", "wheel", "name of the caster", scene, response, wheel_demand_columns(),
             &Demands::wheels, caster_names);
   add_parts(file, "points", "point", "name of the marked point", scene, response,

@@ -97,7 +97,7 @@ TaskResult run_task(const Batch& batch, std::size_t index, const std::function<b
   std::optional<Job> job;
   std::string bad;
   try {
-    job = batch.job.job(task.configuration, batch.plan.draw(task));
+    job = batch.job.job(task.configuration, batch.plan.draw(task), task.replica);
     for (const equipment::Assumption& each : job->assumptions)
       if (!each.distribution.empty()) result.drawn.push_back(each.value);
   } catch (const Error& error) {

@@ -46,6 +46,32 @@ TEST(Plan, CountsDrawsInAnglesInRecordsInConfigurations) {
   EXPECT_EQ(study.plan.runs_of_task(), 1u);
 }
 
+TEST(Plan, CountsReplicasInDraws) {
+  const SmallStudy one(job_with("")), three(job_with("replicas = 3\n"));
+  ASSERT_EQ(three.plan.tasks(), 3 * one.plan.tasks());
+  EXPECT_EQ(three.plan.runs(), 3 * one.plan.runs());
+  EXPECT_EQ(three.plan.draws(1), one.plan.draws(1));
+  for (std::size_t i = 0; i < three.plan.tasks(); ++i) {
+    const Task task = three.plan.task(i), same = one.plan.task(i / 3);
+    EXPECT_EQ(task.replica, i % 3);
+    EXPECT_EQ(task.draw, same.draw);
+    EXPECT_EQ(task.record, same.record);
+    EXPECT_EQ(task.configuration, same.configuration);
+  }
+}
+
+TEST(Plan, AReplicaIsTheSameDrawWithMassesAsLittleOffAsItsNumber) {
+  const SmallStudy study(job_with("replicas = 3\n"));
+  const auto item = [&](std::size_t replica) {
+    return study.job.job(0, study.plan.draw({.draw = 4}), replica).scene.items[0];
+  };
+  const double mass = item(0).model.chassis_mass;
+  EXPECT_EQ(mass, study.job.job(0, study.plan.draw({.draw = 4})).scene.items[0].model.chassis_mass);
+  EXPECT_EQ(item(2).initial.yaw, item(0).initial.yaw);
+  // Differences of numbers near 1 are rounded to 2e-16.
+  EXPECT_NEAR(item(2).model.chassis_mass / mass - 1, 2e-9, 1e-15);
+}
+
 TEST(Plan, ConfigurationsAndAnglesHaveTheSameDrawsAndRecordsOthers) {
   const SmallStudy study(job_with(""));
   std::set<std::uint64_t> numbers;

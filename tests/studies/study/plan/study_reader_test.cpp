@@ -44,10 +44,22 @@ TEST(StudyReader, ReadsTheKeysOfEarlierVersionsWithANote) {
                                    "step_check; the old name is still read",
                                    "a.toml:15:18: study.intensity.hunt: the key is now called ida; "
                                    "the old name is still read"));
-  EXPECT_EQ(errors("step_check = 1\ncertificate = 1\n"),
-            "a.toml:12:1: study.certificate: unknown key; known: angles_deg, combinations, draws, "
-            "factor, hazard, intensity, keep, limit_state, measures, performance, sampling, seed, "
-            "step_check, synthetic_records");
+  EXPECT_EQ(
+      errors("step_check = 1\ncertificate = 1\n"),
+      "a.toml:12:1: study.certificate: unknown key; known: angles_deg, combinations, draws, "
+      "factor, hazard, intensity, keep, limit_state, measures, performance, replicas, sampling, "
+      "seed, step_check, synthetic_records");
+}
+
+TEST(StudyReader, ReplicasAreCountedAndNotOfASaltelliDesign) {
+  EXPECT_EQ(SmallStudy(small_job("replicas = 7\n")).job.study().replicas, 7);
+  EXPECT_EQ(SmallStudy(small_job("")).job.study().replicas, 1);
+  EXPECT_EQ(errors("replicas = 0\n"),
+            "a.toml:11:12: study.replicas = 0: must be a whole number in 1..10000");
+  EXPECT_EQ(
+      errors("draws = 4\nsampling = \"saltelli\"\nreplicas = 2\n"),
+      "a.toml:13:12: study.replicas: must not go with sampling = \"saltelli\", whose rows are "
+      "compared one by one");
 }
 
 TEST(StudyReader, NamesUnknownKeysAndWrongTypesTogether) {

@@ -40,6 +40,10 @@ value = 0
 distribution = { kind = "uniform", low = 0, high = 360, assumption = "any" }
 )raw";
 
+constexpr const char* kYaw =
+    "[item.yaw_deg]\nvalue = 0\ndistribution = { kind = \"uniform\", low = 0, high = 9, "
+    "assumption = \"any\" }\n";
+
 class StudyFile : public testing::Test {
  protected:
   std::string write(const SmallStudy& study) {
@@ -66,6 +70,24 @@ TEST_F(StudyFile, NamesTheInputsOfASaltelliDesign) {
   const std::vector<double> draws = file.numbers("/runs/draw");
   ASSERT_EQ(draws.size(), study.plan.inputs().size() + 2);
   for (std::size_t i = 0; i < draws.size(); ++i) EXPECT_EQ(draws[i], double(i));
+}
+
+TEST_F(StudyFile, ReplicasAreRowsOfTheirDraw) {
+  const std::string study = "draws = 2\n[study.keep]\nwheels = true\n" + std::string(kYaw);
+  const Hdf5Reader alone(write(SmallStudy(small_job(study))));
+  const std::vector<double> of_alone = alone.numbers("/items/peak_displacement");
+  EXPECT_THROW(alone.numbers("/runs/replica"), Error);
+  const Hdf5Reader file(write(SmallStudy(small_job("replicas = 3\n" + study))));
+  EXPECT_THAT(file.numbers("/runs/replica"), testing::ElementsAre(0, 1, 2, 0, 1, 2));
+  EXPECT_THAT(file.numbers("/runs/draw"), testing::ElementsAre(0, 0, 0, 1, 1, 1));
+  EXPECT_THAT(file.numbers("/drawn/draw"), testing::ElementsAre(0, 1)) << "each draw once";
+  const std::vector<double> peaks = file.numbers("/items/peak_displacement");
+  ASSERT_EQ(peaks.size(), 6u);
+  for (std::size_t draw = 0; draw < 2; ++draw) {
+    EXPECT_EQ(peaks[3 * draw], of_alone[draw]) << "the first is the draw itself";
+    EXPECT_NE(peaks[3 * draw + 1], peaks[3 * draw]);
+    EXPECT_NEAR(peaks[3 * draw + 1], peaks[3 * draw], 1e-5 * peaks[3 * draw]) << "it rolls";
+  }
 }
 
 TEST_F(StudyFile, HasARowForEachRun) {

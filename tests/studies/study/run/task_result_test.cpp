@@ -43,7 +43,7 @@ auto members(Quality& s) {
   return std::tie(a, b, c, d, e, f, g, h, i);
 }
 auto members(ItemResponse& s) {
-  auto& [a, b, c, d] = s;
+  auto& [a, b, c, d, of_single_runs] = s;
   return std::tie(a, b, c, d);
 }
 auto members(Impact& s) {

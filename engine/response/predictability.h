@@ -1,0 +1,32 @@
+#pragma once
+
+#include <limits>
+
+namespace gurney {
+
+/// How far the motion of one item follows from its inputs: what became of a change of them that
+/// nobody can measure. A twin of the run, whose items are heavier by 1e-9 (engine/scene/perturbed.h),
+/// parts from it; s(t) is the largest of the differences of displacement, tilt and yaw at t, each
+/// over its peak (docs/theory/predictability.md).
+struct Predictability {
+  /// Amplification from which a change of 1e-3, below what masses and frictions are known to, or an
+  /// error of the time step of that size, would change the motion by its own size.
+  static constexpr double kSensitive = 1e3;
+  /// Amplification at which the twin itself has parted visibly: s = 1 %.
+  static constexpr double kChaotic = 1e7;
+
+  enum class Verdict { kPredictable, kSensitive, kChaotic };
+
+  /// By the amplification when the item has reached its peaks of displacement and tilt, or has
+  /// overturned; kChaotic also where only one of run and twin overturns.
+  Verdict verdict = Verdict::kPredictable;
+  double amplification = 0;  ///< max s(t) / 1e-9 over the run
+  double amplification_at_peaks = 0;
+  double time_of_peaks = 0;  ///< the later peak, or the overturning [s]
+  /// From when on the amplification has reached kSensitive; NaN: never [s].
+  double horizon = std::numeric_limits<double>::quiet_NaN();
+};
+
+const char* name_of(Predictability::Verdict verdict);
+
+}  // namespace gurney

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "engine/scene/scene.h"
+
+namespace gurney {
+
+/// A relative change of a mass far below what anybody can measure.
+inline constexpr double kPerturbation = 1e-9;
+
+/// The scene whose chassis are heavier by `number` times kPerturbation, their inertias as well; 0:
+/// the scene itself. What parts such scenes is no property of the items.
+Scene perturbed(const Scene& scene, std::size_t number);
+
+}  // namespace gurney

@@ -1,0 +1,135 @@
+#include "engine/run/predictability.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/run/simulate.h"
+#include "studies/verification/scenes/small_scenes.h"
+
+namespace gurney {
+namespace {
+
+using Verdict = Predictability::Verdict;
+
+constexpr double kSpacing = 0.02, kEnd = 6;  // [s]
+
+/// A run that moves as sin(t / 4), and a twin that parts from it by 1e-9 exp(rate t) of its peak.
+Response moving(double rate, double peak_time, bool twin) {
+  Response response;
+  ItemResponse& item = response.items.emplace_back();
+  item.demands.peak_displacement = 0.5;
+  item.demands.time_of_peak_displacement = peak_time;
+  for (int k = 0; k * kSpacing <= kEnd; ++k) {
+    Sample sample;
+    sample.time = k * kSpacing;
+    const double parted = twin ? 0.5e-9 * std::exp(rate * sample.time) : 0;
+    sample.displacement.x() = 0.5 * std::sin(sample.time / 4) + parted;
+    item.history.push_back(sample);
+  }
+  return response;
+}
+
+Predictability compared(double rate, double peak_time) {
+  return compare_twin(moving(rate, peak_time, false), moving(rate, peak_time, true)).at(0);
+}
+
+TEST(Predictability, EndsWhereAKnownGrowthReachesAThousand) {
+  // exp(5 t) is 1e3 at 1.382 s, 1e7 at 3.224 s; the horizon is the next sample.
+  const Predictability late = compared(5, 4);
+  EXPECT_EQ(late.verdict, Verdict::kChaotic);
+  EXPECT_NEAR(late.horizon, std::log(1e3) / 5 + kSpacing / 2, kSpacing / 2);
+  EXPECT_EQ(compared(5, 2).verdict, Verdict::kSensitive);
+  const Predictability early = compared(5, 1);
+  EXPECT_EQ(early.verdict, Verdict::kPredictable) << "its peak is before the horizon";
+  // Differences of numbers near 0.5 are rounded to 1e-16, 1e-7 of the change.
+  EXPECT_NEAR(early.amplification_at_peaks, std::exp(5), 1e-6 * std::exp(5));
+  EXPECT_NEAR(early.amplification, std::exp(5 * kEnd), 1e-6 * std::exp(5 * kEnd));
+  EXPECT_EQ(early.horizon, late.horizon);
+}
+
+TEST(Predictability, HasNoEndWithoutGrowth) {
+  const Predictability steady = compared(0, 4);
+  EXPECT_EQ(steady.verdict, Verdict::kPredictable);
+  EXPECT_TRUE(std::isnan(steady.horizon));
+  EXPECT_NEAR(steady.amplification, 1, 1e-6);
+}
+
+TEST(Predictability, IsChaoticWhereOnlyOneOverturns) {
+  Response run = moving(0, 4, false), twin = moving(0, 4, true);
+  twin.items[0].demands.time_of_overturning = 3;
+  EXPECT_EQ(compare_twin(run, twin)[0].verdict, Verdict::kChaotic);
+  run.items[0].demands.time_of_overturning = 3;
+  const Predictability both = compare_twin(run, twin)[0];
+  EXPECT_EQ(both.verdict, Verdict::kPredictable);
+  EXPECT_EQ(both.time_of_peaks, 3) << "what follows an overturning is not asked";
+}
+
+TEST(Predictability, ATwinThatRestsEarlierStaysWhereItIs) {
+  Response run = moving(0, 4, false), twin = moving(0, 4, true);
+  twin.items[0].history.resize(200);
+  // Since 3.98 s the run has moved on to 0.5 (sin(1.5) - sin(0.995)), that over 0.5 and 1e-9.
+  EXPECT_NEAR(compare_twin(run, twin)[0].amplification, 1e9 * (std::sin(1.5) - std::sin(0.995)), 2);
+}
+
+Predictability of(const Scene& scene, const FloorMotion& floor) {
+  const SimulationSettings settings;
+  return predictability(scene, floor, settings, simulate(scene, floor, settings)).at(0);
+}
+
+TEST(Predictability, OfATrolleyThatCoastsIsThatOfItsMass) {
+  Tread tread;
+  Scene scene = scene_of({});
+  scene.items[0].model = small::trolley({0, 0, 0, 0}, tread);
+  scene.items[0].initial.velocity = {0.3, 0, 0};
+  const Predictability found = of(scene, {});
+  EXPECT_EQ(found.verdict, Verdict::kPredictable);
+  EXPECT_TRUE(std::isnan(found.horizon));
+  // Its path v^2 / 2a, a = g Cr / R M / (M + J / R^2), changes by less than the mass does. The
+  // residual of a stage, 1e-9 M g tau, over the resistance, Cr / R = 0.02 of M g tau, bounds what
+  // the solver adds: 5e-8 of the path.
+  EXPECT_LT(found.amplification, 1 + 50);
+}
+
+/// Brakes on, so tall that it rocks.
+Scene braked_and_tall() {
+  Scene scene = scene_of({});
+  EquipmentModel& model = scene.items[0].model = small::trolley({0, 0, 0, 0}, Tread{});
+  model.chassis_center_of_mass.z() = 1.1;
+  for (Caster& caster : model.casters) caster.brake_torque = 100;
+  return scene;
+}
+
+TEST(Predictability, OfABrakedItemThatRocksIsLost) {
+  const Scene scene = braked_and_tall();
+  const FloorMotion floor = small::noise_record(3, 12, {5, 4, 2});
+  const SimulationSettings settings;
+  const Response run = simulate(scene, floor, settings);
+  ASSERT_GT(run.items[0].demands.most_wheels_lifted, 1) << "it must rock";
+  const Predictability found = predictability(scene, floor, settings, run).at(0);
+  EXPECT_NE(found.verdict, Verdict::kPredictable);
+  EXPECT_GT(found.amplification, Predictability::kChaotic);
+  // Another change that nobody can measure, and another motion at the end.
+  Scene other = scene;
+  other.items[0].model.chassis_mass *= 1 - 3e-9;
+  const Response parted = simulate(other, floor, settings);
+  const Vector3 apart =
+      parted.items[0].history.back().displacement - run.items[0].history.back().displacement;
+  EXPECT_GT(apart.norm(), 0.01 * run.items[0].demands.peak_displacement);
+}
+
+TEST(Predictability, NeedsNoHistoryOfTheRun) {
+  const Scene scene = braked_and_tall();
+  const FloorMotion floor = small::noise_record(3, 4, {5, 4, 2});
+  SimulationSettings settings;
+  const Predictability with =
+      predictability(scene, floor, settings, simulate(scene, floor, settings)).at(0);
+  settings.history_step = 0;
+  const Predictability without =
+      predictability(scene, floor, settings, simulate(scene, floor, settings)).at(0);
+  EXPECT_EQ(without.amplification, with.amplification);
+  EXPECT_EQ(without.time_of_peaks, with.time_of_peaks);
+}
+
+}  // namespace
+}  // namespace gurney
