@@ -21,10 +21,16 @@ Span across(const std::array<Vector2, 8>& points, double half_length) {
     span.low = std::min(span.low, y);
     span.high = std::max(span.high, y);
   };
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (std::abs(points[i].x()) <= half_length) add(points[i].y());
-    for (std::size_t j = 0; j < i; ++j)
-      for (double edge : {-half_length, half_length}) {
+  double first = kFar, last = -kFar;
+  for (const Vector2& point : points) {
+    first = std::min(first, point.x());
+    last = std::max(last, point.x());
+    if (std::abs(point.x()) <= half_length) add(point.y());
+  }
+  for (double edge : {-half_length, half_length}) {
+    if (!(first < edge && edge < last)) continue;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
         const double a = points[i].x() - edge, b = points[j].x() - edge;
         if (a * b < 0) add(points[i].y() + (points[j].y() - points[i].y()) * a / (a - b));
       }
@@ -65,14 +71,15 @@ double ZoneLog::free_width(const Zone& zone, std::vector<Span> taken) const {
 void ZoneLog::observe(double time, double duration, const SceneState& state) {
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     const Zone& zone = zones_[z];
-    const Eigen::Rotation2Dd to_zone(-zone.angle);
+    const Matrix2 to_zone = Eigen::Rotation2Dd(-zone.angle).toRotationMatrix();
     std::vector<Span> taken;
     for (std::size_t i = 0; i < boxes_.size(); ++i)
       for (const auto& corners : boxes_[i]) {
         std::array<Vector2, 8> points;
         for (std::size_t k = 0; k < 8; ++k) {
           const Vector3 corner = state.items[i].position + state.items[i].rotation * corners[k];
-          points[k] = to_zone * (corner.head<2>() - zone.center);
+          const Vector2 from_center = corner.head<2>() - zone.center;
+          points[k] = to_zone * from_center;
         }
         const Span span = across<Span>(points, 0.5 * zone.length);
         if (span.low < 0.5 * zone.width && span.high > -0.5 * zone.width) taken.push_back(span);
