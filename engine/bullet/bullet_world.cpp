@@ -39,27 +39,34 @@ constexpr double kContactMargin = 0.02;
 
 constexpr double kMaxParts = 100;  // of a step, each with a pass of its own
 
-/// How fast any point of the item moves at most.
-double speed_of(const Mechanism& mechanism, const State& state) {
+/// How fast any point of the item moves at most, with a share of its wheels' spin.
+double speed_of(const Mechanism& mechanism, const State& state, double spin = 1) {
   double swing = 0, joints = 0;
   for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
     const auto& rates = state.velocity.joints[i];
     swing = std::max(swing, mechanism.legs[i].swing());
-    joints = std::max(joints, std::abs(rates[0]) + std::abs(rates[1]));
+    joints = std::max(joints, std::abs(rates[0]) + spin * std::abs(rates[1]));
   }
   return state.velocity.chassis.head<3>().norm() +
          state.velocity.chassis.tail<3>().norm() * mechanism.reach + joints * swing;
 }
 
 /// How fast any part of the item sweeps through space at most: a wheel's spin does not count.
-double sweep_of(const Mechanism& mechanism, State state) {
-  for (Eigen::Vector2d& rates : state.velocity.joints) rates[1] = 0;
-  return speed_of(mechanism, state);
+double sweep_of(const Mechanism& mechanism, const State& state) {
+  return speed_of(mechanism, state, 0);
+}
+
+/// Pools for the pairs of a room; for more, Bullet allocates one by one. Its own are for 4096 pairs:
+/// megabytes that every run would write.
+btDefaultCollisionConstructionInfo small_pools() {
+  btDefaultCollisionConstructionInfo info;
+  info.m_defaultMaxPersistentManifoldPoolSize = info.m_defaultMaxCollisionAlgorithmPoolSize = 128;
+  return info;
 }
 
 /// What Bullet's world needs before it can be made.
 struct BulletComponents {
-  btDefaultCollisionConfiguration configuration;
+  btDefaultCollisionConfiguration configuration{small_pools()};
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
   btMultiBodyConstraintSolver solver;
@@ -136,6 +143,18 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
   void synchronizeMotionStates() override {}
 
  private:
+  /// Around one object, along the floor axes.
+  struct AlignedBox {
+    const btMultiBody* item = nullptr;  // null: of the room
+    btVector3 low, high;
+  };
+  static double distance(const AlignedBox& a, const AlignedBox& b) {
+    double result = 0;
+    for (int k = 0; k < 3; ++k)
+      result = std::max({result, a.low[k] - b.high[k], b.low[k] - a.high[k]});
+    return result;
+  }
+
   /// Nothing may travel past the margin between two passes: it would be found inside another body.
   double next_pass(double time, double until) const {
     if (obstacles_.empty() && items_.size() == 1) return until;
@@ -174,21 +193,19 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
     for (std::size_t i = 0; i < items_.size(); ++i)
       clearance = std::min(clearance, floor_points_[i].clearance(state_->items[i]));
     const auto& objects = getCollisionObjectArray();
-    for (int a = 0; a < objects.size(); ++a) {
-      const auto* item = btMultiBodyLinkCollider::upcast(objects[a]);
-      if (item == nullptr) continue;
-      btVector3 low, high;
-      item->getCollisionShape()->getAabb(item->getWorldTransform(), low, high);
-      for (int b = 0; b < objects.size(); ++b) {
-        const auto* other = btMultiBodyLinkCollider::upcast(objects[b]);
-        if (other != nullptr && (b < a || other->m_multiBody == item->m_multiBody)) continue;
-        btVector3 other_low, other_high;
-        objects[b]->getCollisionShape()->getAabb(objects[b]->getWorldTransform(), other_low,
-                                                 other_high);
-        double distance = 0;
-        for (int k = 0; k < 3; ++k)
-          distance = std::max({distance, low[k] - other_high[k], other_low[k] - high[k]});
-        clearance = std::min(clearance, distance);
+    boxes_.resize(static_cast<std::size_t>(objects.size()));
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      const btCollisionObject& object = *objects[static_cast<int>(i)];
+      const auto* collider = btMultiBodyLinkCollider::upcast(&object);
+      boxes_[i].item = collider == nullptr ? nullptr : collider->m_multiBody;
+      object.getCollisionShape()->getAabb(object.getWorldTransform(), boxes_[i].low,
+                                          boxes_[i].high);
+    }
+    for (std::size_t a = 0; a < boxes_.size(); ++a) {
+      if (boxes_[a].item == nullptr) continue;
+      for (std::size_t b = 0; b < boxes_.size(); ++b) {
+        if (boxes_[b].item != nullptr && (b < a || boxes_[b].item == boxes_[a].item)) continue;
+        clearance = std::min(clearance, distance(boxes_[a], boxes_[b]));
       }
     }
     return clearance;
@@ -302,6 +319,7 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
   double stop_ = 0;  // of the step that is made
   const Solve* solve_ = nullptr;
   std::vector<BodyContact> contacts_;
+  std::vector<AlignedBox> boxes_;
   double step_ = 0, speed_ = 0, travelled_ = 0, clearance_ = 0;
   long passes_ = 0;
 };
