@@ -70,10 +70,10 @@ Vector3 ImpactLaw::force(const Stage& stage, const Vector3& u, Matrix3& slope) c
   return {tangent.x(), tangent.y(), n.force};
 }
 
-ImpactLaw::Result ImpactLaw::finish(const Stage& stage, const Vector3& u) const {
+ImpactLaw::Result ImpactLaw::finish(const Stage& stage, const Vector3& u,
+                                    const Vector3& force) const {
   Result result;
-  Matrix3 slope;
-  result.force = force(stage, u, slope);
+  result.force = force;
   result.compression = stage.compression - stage.tau * u.z();
   const Normal n = normal(stage, u.z());
   result.damping_power = -n.damping_force * u.z();

@@ -50,7 +50,8 @@ class ImpactLaw {
   /// @param u  velocity of the body's point: two tangents and the normal (away from the other)
   /// @param slope  becomes -df/du
   Vector3 force(const Stage& stage, const Vector3& u, Matrix3& slope) const;
-  Result finish(const Stage& stage, const Vector3& u) const;
+  /// New state and powers at the velocity that solves the stage, where `force` is the force.
+  Result finish(const Stage& stage, const Vector3& u, const Vector3& force) const;
 
   double stored_energy(double compression, double deflection) const;
   /// Slope of the force at the first touch: how fast an impact changes [N/m].

@@ -66,10 +66,10 @@ Vector5 TreadLaw::force(const Stage& stage, const Vector5& u, Matrix5& slope) co
   return force;
 }
 
-TreadLaw::Result TreadLaw::finish(const Stage& stage, const Vector5& u) const {
+TreadLaw::Result TreadLaw::finish(const Stage& stage, const Vector5& u,
+                                  const Vector5& force) const {
   Result result;
-  Matrix5 slope;
-  result.force = force(stage, u, slope);
+  result.force = force;
   result.compression = stage.compression - stage.tau * u[2];
   result.compression_rate = -u[2];
   const Normal n = normal(result.compression, u[2], stage.tau);

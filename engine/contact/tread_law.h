@@ -69,8 +69,8 @@ class TreadLaw {
   /// Force at rates u; `slope` becomes -df/du.
   Vector5 force(const Stage& stage, const Vector5& u, Matrix5& slope) const;
 
-  /// Force, new state and powers at the rates that solve the stage.
-  Result finish(const Stage& stage, const Vector5& u) const;
+  /// New state and powers at the rates that solve the stage, where `force` is the force.
+  Result finish(const Stage& stage, const Vector5& u, const Vector5& force) const;
 
   /// Sum of k x'^2 over the springs of the tread during a finished stage [W/s].
   double spring_rates(const Stage& stage, const Vector5& u, const Result& result) const;

@@ -39,7 +39,7 @@ void ItemStage::finish(const Input& input, const Velocity& v, State& end, Output
 
     is.swivel_angle = was.swivel_angle + tau * q[0];
     is.axle_angle = was.axle_angle + tau * q[1];
-    out.treads[i] = leg.tread().finish(work.tread, work.rates);
+    out.treads[i] = leg.tread().finish(work.tread, work.rates, work.force);
     const TreadLaw::Result& tread = out.treads[i];
     is.tread = tread.end;
     is.swivel_wind = work.swivel.deflection;

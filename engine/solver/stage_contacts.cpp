@@ -76,7 +76,7 @@ void StageSolver::finish_contacts(const Input& input, const std::vector<Velocity
     const ContactWork& work = contacts_[c];
     const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
     const Vector3 u = contact_rates(work, v);
-    const ImpactLaw::Result result = work.law->finish(work.stage, u);
+    const ImpactLaw::Result result = work.law->finish(work.stage, u, work.force);
     BodyContactState& end = out.end.contacts[first + c];
     end = input.start->contacts[first + c];
     end.deflection = work.frame.topRows<2>().transpose() * result.deflection;

@@ -35,9 +35,13 @@ Vector5 rates(double x, double y, double z, double spin = 0, double roll = 0) {
   return (Vector5() << x, y, z, spin, roll).finished();
 }
 
-Vector5 force(const TreadLaw::Stage& s, const Vector5& u) {
+Vector5 force(const TreadLaw::Stage& s, const Vector5& u, const TreadLaw& of = law()) {
   Matrix5 slope;
-  return law().force(s, u, slope);
+  return of.force(s, u, slope);
+}
+
+TreadLaw::Result finish(const TreadLaw::Stage& s, const Vector5& u, const TreadLaw& of = law()) {
+  return of.finish(s, u, force(s, u, of));
 }
 
 double patch_force(const Vector5& f) { return std::hypot(f[0], f[1], f[3]); }
@@ -51,7 +55,7 @@ TEST(TreadLaw, StandingItCarriesStiffnessTimesCompression) {
 TEST(TreadLaw, CompressionAtTheEndOfTheStageCounts) {
   // Sinking at 0.1 m/s for 1 ms: 0.1 mm deeper, and 500 N s/m * 0.1 m/s of damping.
   EXPECT_NEAR(force(stage(1e-3), rates(0, 0, -0.1))[2], 3e5 * 1.1e-3 + 50, 1e-9);
-  const auto result = law().finish(stage(1e-3), rates(0, 0, -0.1));
+  const auto result = finish(stage(1e-3), rates(0, 0, -0.1));
   EXPECT_NEAR(result.compression, 1.1e-3, 1e-18);
   EXPECT_EQ(result.compression_rate, 0.1);
 }
@@ -91,7 +95,7 @@ TEST(TreadLaw, AStuckPatchIsASpringAndADamper) {
   EXPECT_NEAR(f[0], expected[0], 1e-12);
   EXPECT_NEAR(f[1], expected[1], 1e-12);
   EXPECT_NEAR(f[3], expected[2], 1e-12);
-  const auto result = law().finish(s, rates(0.01, 0.02, 0, 0.005));
+  const auto result = finish(s, rates(0.01, 0.02, 0, 0.005));
   EXPECT_NEAR((result.end.deflection - end).norm(), 0, 1e-18);
   EXPECT_FALSE(result.end.sliding);
   EXPECT_EQ(result.sliding_power, 0);
@@ -104,7 +108,7 @@ TEST(TreadLaw, StickDoesNotCreep) {
   const double load = 0.79 * 300;  // of mu_s N = 240
   s.start.deflection = {-load / 1e5, 0, 0};
   for (int i = 0; i < 600000; i += 1) {
-    const auto result = law().finish(s, rates(0, 0, 0));
+    const auto result = finish(s, rates(0, 0, 0));
     ASSERT_EQ(result.end.deflection, s.start.deflection);
     ASSERT_FALSE(result.end.sliding);
     s.start = result.end;
@@ -125,25 +129,25 @@ TEST(TreadLaw, TranslationAndSpinShareOneIsotropicLimit) {
 
 TEST(TreadLaw, SlidingRemembersTheKineticCoefficientUntilItSticksAgain) {
   auto s = stage();
-  const auto first = law().finish(s, rates(5, 0, 0));
+  const auto first = finish(s, rates(5, 0, 0));
   EXPECT_NEAR(first.force[0], -240, 1e-9);  // breaks loose at mu_s N
   EXPECT_TRUE(first.end.sliding);
   s.start = first.end;
-  const auto second = law().finish(s, rates(5, 0, 0));
+  const auto second = finish(s, rates(5, 0, 0));
   EXPECT_NEAR(second.force[0], -150, 1e-9);  // slides at mu_k N
   s.start = second.end;
   // Turned back, the deflection falls below what mu_k N holds: it sticks, and mu_s is back.
-  const auto stuck = law().finish(s, rates(-0.5, 0, 0));
+  const auto stuck = finish(s, rates(-0.5, 0, 0));
   EXPECT_FALSE(stuck.end.sliding);
   s.start = stuck.end;
-  EXPECT_NEAR(law().finish(s, rates(5, 0, 0)).force[0], -240, 1e-9);
+  EXPECT_NEAR(finish(s, rates(5, 0, 0)).force[0], -240, 1e-9);
 }
 
 TEST(TreadLaw, SlidingPowerIsForceTimesSlip) {
   auto s = stage();
   s.start.sliding = true;
   s.start.deflection = {-150 / 1e5 * -1, 0, 0};
-  const auto result = law().finish(s, rates(2, 0, 0));
+  const auto result = finish(s, rates(2, 0, 0));
   EXPECT_NEAR(result.sliding_power, 150 * 2, 1e-9);
   EXPECT_NEAR(result.slip_speed, 2, 1e-9);
 }
@@ -159,7 +163,7 @@ TEST(TreadLaw, ARollingPatchForgetsOverTheRelaxationLength) {
   const Vector3 start = s.start.deflection;
   double relaxed = 0;
   for (int i = 0; i < 20000; ++i) {  // 20 ms at 0.5 m/s: one sigma of 10 mm
-    const auto result = undamped.finish(s, rates(0, 0, 0));
+    const auto result = finish(s, rates(0, 0, 0), undamped);
     relaxed += s.tau * result.relaxation_power;
     s.start = result.end;
   }
@@ -172,12 +176,12 @@ TEST(TreadLaw, ARollingPatchForgetsOverTheRelaxationLength) {
 TEST(TreadLaw, RollingResistanceIsBoundedAndOpposesTheRoll) {
   auto s = stage();
   for (double roll : {-3.0, 3.0}) {
-    const auto result = law().finish(s, rates(0, 0, 0, 0, roll));
+    const auto result = finish(s, rates(0, 0, 0, 0, roll));
     EXPECT_DOUBLE_EQ(result.force[4], std::copysign(1e-3 * 300, -roll));
     EXPECT_TRUE(result.end.rolling);
   }
   // Stuck: a spring of 10 k_t R^2.
-  const auto stuck = law().finish(s, rates(0, 0, 0, 0, 1e-2));
+  const auto stuck = finish(s, rates(0, 0, 0, 0, 1e-2));
   EXPECT_NEAR(stuck.force[4], -10 * 1e5 * kRadius * kRadius * 1e-5, 1e-12);
   EXPECT_FALSE(stuck.end.rolling);
   EXPECT_EQ(stuck.rolling_power, 0);
@@ -203,7 +207,7 @@ TEST(TreadLaw, SlopesAreThoseOfTheForceInEveryRegime) {
   s.start.roll_deflection = 1e-5;
   EXPECT_LT(slope_error(law(), s, rates(0.01, 0.02, 0.03, 0.01, 0.01)), 1e-6) << "sticks";
   EXPECT_LT(slope_error(law(), s, rates(1, -2, 0.03, 0.4, 0.01)), 1e-6) << "slides";
-  EXPECT_TRUE(law().finish(s, rates(1, -2, 0.03, 0.4, 0.01)).end.sliding);
+  EXPECT_TRUE(finish(s, rates(1, -2, 0.03, 0.4, 0.01)).end.sliding);
   EXPECT_LT(slope_error(law(), s, rates(0.01, 0, -0.1, 0, 3)), 1e-6) << "rolls";
   EXPECT_LT(slope_error(law(), s, rates(1, 2, -2, 0.3, -3)), 1e-6) << "damping capped above";
   EXPECT_EQ(slope_error(law(), s, rates(1, 2, 0.9, 0.3, -3)), 0) << "damping capped below";
@@ -211,7 +215,7 @@ TEST(TreadLaw, SlopesAreThoseOfTheForceInEveryRegime) {
   s.rolling_speed = 0.7;
   s.start.sliding = true;
   EXPECT_LT(slope_error(law(), s, rates(0.01, 0.02, 0, 0.01, 14)), 1e-6) << "relaxing";
-  EXPECT_TRUE(law().finish(s, rates(3, 0.5, 0.01, 0.1, 14)).end.sliding);
+  EXPECT_TRUE(finish(s, rates(3, 0.5, 0.01, 0.1, 14)).end.sliding);
   EXPECT_LT(slope_error(law(), s, rates(3, 0.5, 0.01, 0.1, 14)), 1e-6) << "relaxing and sliding";
 }
 
@@ -222,7 +226,7 @@ TEST(TreadLaw, PowersAccountForTheWorkOfTheForce) {
   s.start.roll_deflection = 1e-4;
   for (const Vector5& u : {rates(0.02, 0.01, 0.01, 0.02, 0.1), rates(3, -4, -0.1, 0.5, 8),
                            rates(0.3, 0, -2, 0, -4), rates(0, 0, 0.4, 0, 0)}) {
-    const auto r = law().finish(s, u);
+    const auto r = finish(s, u);
     const Vector3 rate = (r.end.deflection - s.start.deflection) / kTau;
     const double roll_rate = (r.end.roll_deflection - s.start.roll_deflection) / kTau;
     const double stored = 3e5 * r.compression * r.compression_rate +
@@ -241,7 +245,7 @@ TEST(TreadLaw, ALiftedPatchForgetsEverything) {
   auto s = stage(-1e-3);
   s.start.deflection = {1e-4, 0, 0};
   s.start.sliding = s.start.rolling = true;
-  const auto result = law().finish(s, rates(1, 1, 0, 1, 1));
+  const auto result = finish(s, rates(1, 1, 0, 1, 1));
   EXPECT_EQ(result.force.norm(), 0);
   EXPECT_EQ(result.end.deflection.norm(), 0);
   EXPECT_FALSE(result.end.sliding);
