@@ -21,7 +21,10 @@ constexpr int kIterationsBeforeBacktracking = 4;
 }  // namespace
 
 StageSolver::StageSolver(const Assembly& assembly, const Settings& settings)
-    : assembly_(assembly), settings_(settings), v_(assembly.items.size()) {
+    : assembly_(assembly),
+      settings_(settings),
+      inputs_(assembly.items.size()),
+      v_(assembly.items.size()) {
   for (const Mechanism& mechanism : assembly.items) items_.emplace_back(mechanism);
   before_ = full_ = v_;
 }
@@ -33,13 +36,12 @@ ItemStage::Input StageSolver::item_input(const Input& input, std::size_t item) c
 }
 
 void StageSolver::update_geometry(const Input& input, const std::vector<Velocity>& v, bool first) {
-  for (std::size_t i : input.island->items)
-    items_[i].update_geometry(item_input(input, i), v[i], first);
+  for (std::size_t i : input.island->items) items_[i].update_geometry(inputs_[i], v[i], first);
   update_contacts(input, v);
 }
 
 double StageSolver::evaluate_forces(const Input& input, const std::vector<Velocity>& v) {
-  for (std::size_t i : input.island->items) items_[i].begin_forces(item_input(input, i), v[i]);
+  for (std::size_t i : input.island->items) items_[i].begin_forces(inputs_[i], v[i]);
   for (ContactWork& work : contacts_) {
     const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
     work.force = work.law->force(work.stage, contact_rates(work, v), work.slope);
@@ -50,7 +52,7 @@ double StageSolver::evaluate_forces(const Input& input, const std::vector<Veloci
   }
   double residual = 0;
   for (std::size_t i : input.island->items) {
-    const double of_item = items_[i].end_forces(item_input(input, i), v[i]);
+    const double of_item = items_[i].end_forces(inputs_[i], v[i]);
     if (!(of_item <= residual)) residual = of_item;
   }
   return residual;
@@ -84,6 +86,7 @@ bool StageSolver::solve(const Input& input, Output& out) {
   // Rounding of M v shows in the residual as M g tau gets small.
   double speed = 0;
   for (std::size_t i : island) {
+    inputs_[i] = item_input(input, i);
     v_[i] = input.guess[i];
     speed = std::max(speed, v_[i].chassis.head<3>().norm());
   }
@@ -129,7 +132,7 @@ void StageSolver::finish(const Input& input, const std::vector<Velocity>& v, Out
   out.end.items.resize(items_.size());
   out.items.resize(items_.size());
   for (std::size_t i : input.island->items)
-    items_[i].finish(item_input(input, i), v[i], out.end.items[i], out.items[i]);
+    items_[i].finish(inputs_[i], v[i], out.end.items[i], out.items[i]);
   finish_contacts(input, v, out);
 }
 

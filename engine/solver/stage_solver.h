@@ -91,7 +91,8 @@ class StageSolver {
   const Assembly& assembly_;
   Settings settings_;
   std::vector<ItemStage> items_;
-  std::vector<ContactWork> contacts_;  // of the island
+  std::vector<ItemStage::Input> inputs_;  // of the island's items, in the stage that is solved
+  std::vector<ContactWork> contacts_;     // of the island
   std::vector<Velocity> v_, before_, full_;
 };
 

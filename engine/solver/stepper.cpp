@@ -32,10 +32,9 @@ constexpr double kStepsInImpact = 32;
 constexpr double kAcceptableResidual = 1e-5;
 
 Velocity advanced(const Velocity& v, double time, const Velocity& acceleration, std::size_t legs) {
-  Velocity result;
-  result.chassis = v.chassis + time * acceleration.chassis;
-  for (std::size_t i = 0; i < legs; ++i)
-    result.joints[i] = v.joints[i] + time * acceleration.joints[i];
+  Velocity result = v;
+  result.chassis += time * acceleration.chassis;
+  for (std::size_t i = 0; i < legs; ++i) result.joints[i] += time * acceleration.joints[i];
   return result;
 }
 
