@@ -169,14 +169,15 @@ void CasterDynamics::evaluate(const Pose& pose, double swivel_angle,
   const Vector3& p = out.contact;
   const Vector3 swivel_speed = swivel * s.cross(arm + down);
   const Vector3 axle_speed = a.cross(down);
-  jc.setZero();
-  jc.topLeftCorner<3, 3>().setIdentity();
-  jc.block<3, 3>(0, 3) << 0, p.z(), -p.y(), -p.z(), 0, p.x(), p.y(), -p.x(), 0;
-  jl.topRows<3>() << swivel_speed, axle_speed;
+  const Vector3& level = out.axle_level;
   const double rs = tread_.spin_radius();
-  jc(3, 5) = rs;
+  jc << 1, 0, 0, 0, p.z(), -p.y(),  //
+      0, 1, 0, -p.z(), 0, p.x(),    //
+      0, 0, 1, p.y(), -p.x(), 0,    //
+      0, 0, 0, 0, 0, rs,            //
+      0, 0, 0, level.x(), level.y(), level.z();
+  jl.topRows<3>() << swivel_speed, axle_speed;
   jl.row(3) << swivel * rs * s.z(), rs * a.z();
-  jc.block<1, 3>(4, 3) = out.axle_level.transpose();
   jl.row(4) << swivel * s.dot(out.axle_level), a.dot(out.axle_level);
 }
 

@@ -29,13 +29,11 @@ TreadLaw::Normal TreadLaw::normal(double compression, double u_z, double tau) co
 }
 
 Vector5 TreadLaw::force(const Stage& stage, const Vector5& u, Matrix5& slope) const {
-  slope.setZero();
-  Vector5 force = Vector5::Zero();
   const Normal n = normal(stage.compression - stage.tau * u[2], u[2], stage.tau);
-  if (n.force <= 0) return force;
-  force[2] = n.force;
-  slope(2, 2) = n.slope;
-
+  if (n.force <= 0) {
+    slope.setZero();
+    return Vector5::Zero();
+  }
   const double memory = 1 / (1 + stage.tau * stage.rolling_speed / tread_.relaxation_length);
   const double damping_rate = tread_.tangential_damping / stage.tau;
   const double stiffness = tread_.tangential_stiffness + damping_rate;
@@ -45,25 +43,25 @@ Vector5 TreadLaw::force(const Stage& stage, const Vector5& u, Matrix5& slope) co
   const double limit = mu * n.force;
   const double size = patch.norm();
   Matrix3 patch_slope = Matrix3::Identity() * (stiffness * memory * stage.tau);
-  constexpr int kRow[3] = {0, 1, 3};
+  Vector3 patch_by_normal = Vector3::Zero();
   if (size > limit) {
     const Vector3 direction = patch / size;
     patch = limit * direction;
     patch_slope =
         (limit / size) * (patch_slope - patch_slope(0, 0) * direction * direction.transpose());
-    for (int i = 0; i < 3; ++i) slope(kRow[i], 2) = mu * n.slope * direction[i];
-  }
-  for (int i = 0; i < 3; ++i) {
-    force[kRow[i]] = patch[i];
-    for (int j = 0; j < 3; ++j) slope(kRow[i], kRow[j]) = patch_slope(i, j);
+    patch_by_normal = mu * n.slope * direction;
   }
 
   const auto roll = roll_.evaluate(stage.start.roll_deflection, u[4],
                                    tread_.rolling_friction_length * n.force, stage.tau);
-  force[4] = roll.torque;
-  slope(4, 4) = roll.rate_slope;
-  slope(4, 2) = roll.limit_slope * tread_.rolling_friction_length * n.slope;
-  return force;
+  const double roll_by_normal = roll.limit_slope * tread_.rolling_friction_length * n.slope;
+  const Matrix3& s = patch_slope;
+  slope << s(0, 0), s(0, 1), patch_by_normal[0], s(0, 2), 0,  //
+      s(1, 0), s(1, 1), patch_by_normal[1], s(1, 2), 0,       //
+      0, 0, n.slope, 0, 0,                                    //
+      s(2, 0), s(2, 1), patch_by_normal[2], s(2, 2), 0,       //
+      0, 0, roll_by_normal, 0, roll.rate_slope;
+  return (Vector5() << patch[0], patch[1], n.force, patch[2], roll.torque).finished();
 }
 
 TreadLaw::Result TreadLaw::finish(const Stage& stage, const Vector5& u,

@@ -7,6 +7,21 @@
 #include "engine/base/units.h"
 
 namespace gurney {
+namespace {
+
+using Matrix58 = Eigen::Matrix<double, 5, 8>;
+using Matrix8 = Eigen::Matrix<double, 8, 8>;
+
+/// a b, the five products of every entry summed in pairs, by columns: eight sums at once.
+Matrix8 product(const ItemStage::Matrix85& a, const Matrix58& b) {
+  Matrix8 result;
+  for (int j = 0; j < 8; ++j)
+    result.col(j) = (a.col(0) * b(0, j) + a.col(2) * b(2, j)) +
+                    (a.col(1) * b(1, j) + a.col(3) * b(3, j)) + a.col(4) * b(4, j);
+  return result;
+}
+
+}  // namespace
 
 bool ItemStage::constrained(int dof) const {
   const Guide::Kind kind = mechanism_.fixture.guides[dof].kind;
@@ -27,8 +42,9 @@ void ItemStage::update_geometry(const Input& input, const Velocity& v, bool firs
   const auto& chassis = mechanism_.chassis;
   const Matrix3 inertia = pose_.rotation * chassis.inertia * pose_.rotation.transpose();
   const Vector3 w = v.chassis.tail<3>();
-  mass_.setZero();
-  mass_.diagonal().head<3>().setConstant(chassis.mass);
+  mass_.topLeftCorner<3, 3>() = chassis.mass * Matrix3::Identity();
+  mass_.topRightCorner<3, 3>().setZero();
+  mass_.bottomLeftCorner<3, 3>().setZero();
   mass_.bottomRightCorner<3, 3>() = inertia;
   bias_ << -chassis.mass * gravity, w.cross(inertia * w);
 
@@ -40,6 +56,8 @@ void ItemStage::update_geometry(const Input& input, const Velocity& v, bool firs
     leg.evaluate(pose_, swivel, v.chassis, v.joints[i], gravity, work.g);
     mass_ += work.g.mass_chassis;
     bias_ += work.g.bias_chassis;
+    work.jacobian_transposed.topRows<6>() = work.g.jacobian_chassis.transpose();
+    work.jacobian_transposed.bottomRows<2>() = work.g.jacobian_joints.transpose();
     const Vector5 u = work.g.jacobian_chassis * v.chassis + work.g.jacobian_joints * v.joints[i];
     work.tread.tau = tau;
     work.tread.compression = -work.g.height + tau * u[2];
@@ -63,6 +81,7 @@ void ItemStage::begin_forces(const Input& input, const Velocity& v) {
   Vector6 chassis_change = v.chassis - start.velocity.chassis;
   if (input.floor.rotates) chassis_change += tau * carried_;
   momentum_ = mass_ * chassis_change;
+  // Laws first, then sums: a vector read right after it is written makes the processor wait.
   for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
     const CasterDynamics& leg = mechanism_.legs[i];
     LegWork& work = legs_[i];
@@ -73,14 +92,21 @@ void ItemStage::begin_forces(const Input& input, const Velocity& v) {
                                                  leg.swivel_limit(), tau);
     work.axle =
         leg.axle_friction().evaluate(start.legs[i].axle_wind, rates[1], leg.axle_limit(), tau);
+  }
+  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
+    LegWork& work = legs_[i];
     force_.noalias() += work.g.jacobian_chassis.transpose() * work.force;
-    const Eigen::Vector2d change = rates - start.velocity.joints[i];
+    const Eigen::Vector2d change = v.joints[i] - start.velocity.joints[i];
     momentum_.noalias() += work.g.mass_coupling * change;
-    Eigen::Vector2d joint_force =
-        work.g.jacobian_joints.transpose() * work.force - work.g.bias_joints;
-    joint_force += Eigen::Vector2d(leg.swivels() ? work.swivel.torque : 0.0, work.axle.torque);
-    work.joint_residual = work.g.mass_coupling.transpose() * chassis_change +
-                          work.g.mass_joints * change - tau * joint_force;
+    const Eigen::Vector2d momentum = work.g.mass_joints * change;
+    const double torques[2] = {mechanism_.legs[i].swivels() ? work.swivel.torque : 0.0,
+                               work.axle.torque};
+    for (int k = 0; k < 2; ++k) {
+      const double joint_force =
+          work.g.jacobian_joints.col(k).dot(work.force) - work.g.bias_joints[k] + torques[k];
+      work.joint_residual[k] =
+          work.g.mass_coupling.col(k).dot(chassis_change) + momentum[k] - tau * joint_force;
+    }
   }
 }
 
@@ -117,20 +143,22 @@ double ItemStage::end_forces(const Input& input, const Velocity& v) {
 
 void ItemStage::begin_matrix() {
   matrix_ = mass_;
+  // All slopes first: a matrix read right after it is written makes the processor wait.
+  std::array<Matrix5, kMaxLegs> slopes;
+  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) slopes[i] = tau_ * legs_[i].slope;
   for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
     const CasterDynamics& leg = mechanism_.legs[i];
     LegWork& work = legs_[i];
-    const auto& jc = work.g.jacobian_chassis;
-    const auto& jl = work.g.jacobian_joints;
-    const Eigen::Matrix<double, 5, 6> dc = tau_ * work.slope * jc;
-    const Eigen::Matrix<double, 5, 2> dl = tau_ * work.slope * jl;
-    matrix_.noalias() += jc.transpose() * dc;
-    work.k_chassis_joints = work.g.mass_coupling;
-    work.k_chassis_joints.noalias() += jc.transpose() * dl;
-    work.k_joints_chassis = work.g.mass_coupling.transpose();
-    work.k_joints_chassis.noalias() += jl.transpose() * dc;
-    work.k_joints = work.g.mass_joints;
-    work.k_joints.noalias() += jl.transpose() * dl;
+    const Matrix5& slope = slopes[i];
+    Matrix58 forces;
+    forces.leftCols<3>() = slope.leftCols<3>();  // the contact point moves with the chassis
+    forces.middleCols<3>(3).noalias() = slope * work.g.jacobian_chassis.rightCols<3>();
+    forces.rightCols<2>().noalias() = slope * work.g.jacobian_joints;
+    const Matrix8 added = product(work.jacobian_transposed, forces);
+    matrix_ += added.topLeftCorner<6, 6>();
+    work.k_chassis_joints = work.g.mass_coupling + added.topRightCorner<6, 2>();
+    work.k_joints_chassis = work.g.mass_coupling.transpose() + added.bottomLeftCorner<2, 6>();
+    work.k_joints = work.g.mass_joints + added.bottomRightCorner<2, 2>();
     if (leg.swivels()) work.k_joints(0, 0) += tau_ * work.swivel.rate_slope;
     work.k_joints(1, 1) += tau_ * work.axle.rate_slope;
   }

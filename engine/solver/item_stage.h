@@ -20,6 +20,7 @@ class ItemStage {
  public:
   using Matrix36 = Eigen::Matrix<double, 3, 6>;
   using Matrix32 = Eigen::Matrix<double, 3, 2>;
+  using Matrix85 = Eigen::Matrix<double, 8, 5>;
 
   struct Input {
     const State* start = nullptr;  ///< pose, velocity and memory the stage starts from
@@ -66,6 +67,7 @@ class ItemStage {
 
   struct LegWork {
     CasterDynamics::Geometry g;
+    Matrix85 jacobian_transposed;  ///< of the chassis and the joints
     TreadLaw::Stage tread;
     Vector5 rates;
     Vector5 force;
