@@ -44,4 +44,16 @@ const char* name_of(WheelMode mode) {
   return "unknown";
 }
 
+const char* name_of(Predictability::Verdict verdict) {
+  switch (verdict) {
+    case Predictability::Verdict::kPredictable:
+      return "predictable";
+    case Predictability::Verdict::kSensitive:
+      return "sensitive";
+    case Predictability::Verdict::kChaotic:
+      break;
+  }
+  return "chaotic";
+}
+
 }  // namespace gurney

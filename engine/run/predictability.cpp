@@ -67,18 +67,6 @@ Predictability of_item(const ItemResponse& run, const ItemResponse& twin) {
 
 }  // namespace
 
-const char* name_of(Predictability::Verdict verdict) {
-  switch (verdict) {
-    case Predictability::Verdict::kPredictable:
-      return "predictable";
-    case Predictability::Verdict::kSensitive:
-      return "sensitive";
-    case Predictability::Verdict::kChaotic:
-      break;
-  }
-  return "chaotic";
-}
-
 std::vector<Predictability> compare_twin(const Response& run, const Response& twin) {
   std::vector<Predictability> result;
   for (std::size_t i = 0; i < run.items.size(); ++i)

@@ -40,21 +40,25 @@ double place_of(const statistics::Capacity& capacity) {
 /// Steps of the empirical distribution; records that never exceed count, but have no step.
 void draw_capacities(Svg& svg, const Scaling& scaling, const study::FragilityResult& result,
                      double unit, std::size_t color) {
-  std::vector<double> places;
-  for (const statistics::Capacity& each : result.brackets)
-    if (std::isfinite(each.high)) places.push_back(place_of(each));
+  std::vector<std::pair<double, double>> places;  // and their weights
+  double n = 0;
+  for (const statistics::Capacity& each : result.brackets) {
+    if (std::isfinite(each.high)) places.emplace_back(place_of(each), each.weight);
+    n += each.weight;
+  }
   std::ranges::sort(places);
-  const auto n = static_cast<double>(result.brackets.size());
   Svg::Points steps;
   const auto add = [&](double im, double count) {
     steps.emplace_back(scaling.x(std::log10(im / unit)), scaling.y(count / n));
   };
   add(result.im.front(), 0);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    add(places[i], static_cast<double>(i));
-    add(places[i], static_cast<double>(i + 1));
+  double below = 0;
+  for (const auto& [place, weight] : places) {
+    add(place, below);
+    below += weight;
+    add(place, below);
   }
-  add(result.im.back(), static_cast<double>(places.size()));
+  add(result.im.back(), below);
   svg.polyline(steps, {.stroke = palette(color), .width = 1});
 }
 

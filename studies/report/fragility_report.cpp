@@ -24,8 +24,7 @@ std::string interval_text(const statistics::Interval& interval, double unit, int
 
 std::string exceed_text(const study::FragilityResult& result) {
   const study::CurveAudit& audit = result.audit;
-  return fmt::format("{} of {} {}", audit.exceeded, audit.outcomes,
-                     audit.of_records ? "records" : "runs");
+  return fmt::format("{} of {} {}", audit.exceeded, audit.outcomes, audit.counted);
 }
 
 std::string row(const study::FragilityResult& result, const study::ReportUnit& unit,
@@ -62,8 +61,11 @@ std::string notes(const study::FragilityResult& result, const study::ReportUnit&
     note(fmt::format("{} runs above the capacity of their record do not exceed (resurrections)",
                      result.capacities->resurrections));
   if (result.capacities && result.capacities->censored > 0)
-    note(fmt::format("{} of {} records never exceed: right-censored at their highest intensity",
-                     result.capacities->censored, result.records));
+    note(fmt::format("{} of {} never exceed: right-censored at their highest intensity",
+                     result.capacities->censored,
+                     result.brackets.size() == result.records
+                         ? fmt::format("{} records", result.records)
+                         : fmt::format("{} analysis cases", result.brackets.size())));
   for (const std::string& caution : study::cautions(result.audit, unit))
     note("caution: " + caution);
   if (result.cloud && result.cloud_curve)
@@ -117,7 +119,7 @@ Json curve_json(const std::optional<statistics::LognormalCurve>& curve) {
 }
 
 Json audit_json(const study::CurveAudit& audit) {
-  Json json{{"counted", audit.of_records ? "records" : "runs"},
+  Json json{{"counted", audit.counted},
             {"outcomes", audit.outcomes},
             {"exceeded", audit.exceeded},
             {"lowest_im", audit.lowest},
@@ -137,7 +139,8 @@ Json capacities_json(const study::FragilityResult& result) {
                           {"above", each.low},
                           {"at_most", json_number(each.high)},
                           {"resurrections", each.resurrections}});
-  return {{"records", result.brackets.size()},
+  return {{"records", result.records},
+          {"analysis_cases", result.brackets.size()},
           {"censored", result.capacities->censored},
           {"resurrections", result.capacities->resurrections},
           {"brackets", of_records}};

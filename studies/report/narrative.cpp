@@ -108,7 +108,7 @@ std::string trust(const Predictability& p) {
   }
   return fmt::format(
       "CHAOTIC: {} leads to another motion before the peaks at {:.2f} s. They are those of one run "
-      "among many; a study with draws gives their distribution",
+      "among many; study.replicas gives their distribution",
       change, p.time_of_peaks);
 }
 

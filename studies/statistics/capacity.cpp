@@ -22,30 +22,35 @@ FragilityStatus status_without_fit(double highest_low, double lowest_high) {
 
 /// Every bracket ends or begins at `im`: those below it, and the nearest ends on either side.
 MedianBounds bounds_around(double im, const std::vector<Capacity>& capacities) {
-  double below = 0, nearest_low = 0, nearest_high = kInfinity;
+  double all = 0, below = 0, nearest_low = 0, nearest_high = kInfinity;
   for (const Capacity& each : capacities) {
+    all += each.weight;
     if (each.high <= im) {
-      below += 1;
+      below += each.weight;
       nearest_low = std::max(nearest_low, each.low);
     } else {
       nearest_high = std::min(nearest_high, each.high);
     }
   }
-  return median_bounds(im, below / static_cast<double>(capacities.size()), nearest_low,
-                       nearest_high);
+  return median_bounds(im, below / all, nearest_low, nearest_high);
 }
 
 }  // namespace
 
 std::vector<Capacity> ida_capacities(const std::vector<Observation>& observations) {
-  std::map<std::size_t, std::vector<Observation>> of_group;
+  using Case = std::pair<std::size_t, std::size_t>;  // of a group
+  std::map<Case, std::vector<Observation>> of_case;
+  std::map<std::size_t, int> cases;
   for (const Observation& seen : observations) {
     require(seen.im > 0 && std::isfinite(seen.im), fmt::format("im = {:g} must be > 0", seen.im));
-    of_group[seen.group].push_back(seen);
+    auto& runs = of_case[{seen.group, seen.analysis_case}];
+    if (runs.empty()) ++cases[seen.group];
+    runs.push_back(seen);
   }
   std::vector<Capacity> capacities;
-  for (const auto& [group, runs] : of_group) {
-    Capacity capacity{group, 0, kInfinity, 0, static_cast<int>(runs.size())};
+  for (const auto& [place, runs] : of_case) {
+    const std::size_t group = place.first;
+    Capacity capacity{group, 0, kInfinity, 0, static_cast<int>(runs.size()), 1.0 / cases[group]};
     for (const Observation& run : runs)
       if (run.exceeded) capacity.high = std::min(capacity.high, run.im);
     for (const Observation& run : runs) {
@@ -66,7 +71,7 @@ std::vector<CensoredValue> log_capacities(const std::vector<Capacity>& capacitie
     require(capacity.low >= 0 && capacity.low <= capacity.high && capacity.high > 0,
             fmt::format("a capacity within {:g} to {:g} is none", capacity.low, capacity.high));
     if (capacity.low > 0 || capacity.high < kInfinity)
-      values.push_back({std::log(capacity.low), std::log(capacity.high)});
+      values.push_back({std::log(capacity.low), std::log(capacity.high), capacity.weight});
   }
   return values;
 }

@@ -9,17 +9,20 @@
 
 namespace gurney::statistics {
 
-/// What an incremental dynamic analysis tells of one record's capacity: low < capacity <= high.
+/// What an incremental dynamic analysis tells of the capacity of one analysis case: low < capacity
+/// <= high.
 struct Capacity {
-  std::size_t group = 0;
+  std::size_t group = 0;  ///< its record
   double low = 0;         ///< highest im without exceedance below `high`; 0 if there is none
   double high = 0;        ///< lowest im that exceeds: the capacity; infinity if none does
   int resurrections = 0;  ///< runs at or above `high` that do not exceed
   int runs = 0;
+  double weight = 1;  ///< one over the analysis cases of its record
 };
 
-/// The capacity of each group by first exceedance (Vamvatsikos & Cornell 2002, EESD 31(3),
-/// 491-514), in increasing order of groups. The order of the runs changes nothing.
+/// The capacity of each analysis case by first exceedance (Vamvatsikos & Cornell 2002, EESD 31(3),
+/// 491-514), in increasing order of groups and in them of cases. The order of the runs changes
+/// nothing.
 /// @throws Error unless every im is > 0 and finite.
 std::vector<Capacity> ida_capacities(const std::vector<Observation>& observations);
 
@@ -38,6 +41,11 @@ struct CapacityFit {
 /// above their highest im (Baker 2015, where the bracket has no width). A bracket with low == high
 /// is an exact capacity. Brackets that share a point are separated: one capacity would explain all,
 /// and beta is not determined.
+///
+/// Angles, draws and replicas of one record are not independent: each record has one term of the ln
+/// likelihood, the mean over its cases. Intervals are then those of as many capacities as there are
+/// records: right where its cases are alike, and wide where they differ (a composite likelihood;
+/// Varin, Reid & Firth 2011, Statistica Sinica 21(1), 5-42).
 CapacityFit fit_capacities(const std::vector<Capacity>& capacities);
 
 /// What the likelihood knows of ln capacity: records that tell nothing are left out.

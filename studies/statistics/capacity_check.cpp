@@ -58,7 +58,9 @@ std::vector<Capacity> drawn(const std::vector<Capacity>& seen, const LognormalCu
 
 std::optional<double> p_of_lognormal(const std::vector<Capacity>& capacities,
                                      const CapacityFit& fit, int resamples, std::uint64_t seed) {
-  if (std::ranges::any_of(capacities, [](const Capacity& each) { return each.low == 0; }))
+  if (std::ranges::any_of(capacities, [](const Capacity& each) {
+        return each.low == 0 || each.weight != 1;  // a record with several cases has no law here
+      }))
     return {};
   const double seen = distance(capacities, *fit.curve);
   int as_far = 0, fitted = 0;

@@ -89,8 +89,9 @@ CapacityIntervals capacity_intervals(const std::vector<Capacity>& capacities,
                                      double confidence) {
   const Likelihood likelihood(capacities, fit);
   const double theta = fit.curve->theta, beta = fit.curve->beta;
-  const double n = std::clamp(0.5 / fit.covariance(1, 1), 2.0,
-                              std::max(2.0, static_cast<double>(capacities.size())));
+  double records = 0;
+  for (const Capacity& each : capacities) records += each.weight;
+  const double n = std::clamp(0.5 / fit.covariance(1, 1), 2.0, std::max(2.0, records));
   const Limits limits = limits_of_exact(n, confidence);
   const auto of_theta = [&](double d) { return likelihood.drop_of_score(std::log(theta) + d, 0); };
   const auto of_beta = [&](double d) { return likelihood.drop_of_beta(beta * std::exp(d)); };

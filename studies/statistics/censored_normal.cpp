@@ -69,11 +69,17 @@ Term interval_term(const CensoredValue& y, double m, double h) {
           uu * high * high + 2 * uv * high * low + vv * low * low};
 }
 
-Term term_of(const CensoredValue& y, double m, double h) {
+Term unweighted_term(const CensoredValue& y, double m, double h) {
   if (y.exact()) return exact_term(y.low, m, h);
   if (std::isfinite(y.low) && std::isfinite(y.high) && h * (y.high - y.low) < kNarrow)
     return narrow_term(y, m, h);
   return interval_term(y, m, h);
+}
+
+Term term_of(const CensoredValue& y, double m, double h) {
+  const Term one = unweighted_term(y, m, h);
+  const double w = y.weight;
+  return {w * one.value, w * one.m, w * one.h, w * one.mm, w * one.mh, w * one.hh};
 }
 
 Dynamic likelihood(const Eigen::MatrixXd& design, const std::vector<CensoredValue>& values,

@@ -11,6 +11,7 @@ namespace gurney::statistics {
 /// = infinity where one side is open.
 struct CensoredValue {
   double low = 0, high = 0;
+  double weight = 1;  ///< of its term in the ln likelihood, > 0
 
   bool exact() const { return low == high; }
 };

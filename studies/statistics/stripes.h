@@ -10,6 +10,8 @@ struct Observation {
   double im = 0;  ///< > 0, any unit
   bool exceeded = false;
   std::size_t group = 0;  ///< runs that share a record are not independent: its number
+  std::size_t analysis_case =
+      0;  ///< of a record: runs that differ in their intensity alone share it
 };
 
 /// What happened at one intensity.

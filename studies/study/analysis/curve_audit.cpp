@@ -24,17 +24,16 @@ std::string extrapolation(const CurveAudit& audit, const ReportUnit& unit) {
 
 std::vector<std::string> cautions(const CurveAudit& audit, const ReportUnit& unit) {
   std::vector<std::string> all;
-  const char* const what = audit.of_records ? "records" : "runs";
   if (audit.theta && (*audit.theta > audit.highest || *audit.theta < audit.lowest))
     all.push_back(extrapolation(audit, unit));
   const std::size_t rarer = std::min(audit.exceeded, audit.outcomes - audit.exceeded);
-  if (audit.theta && !audit.of_records && rarer < kFewOutcomes)
+  if (audit.theta && !audit.of_capacities && rarer < kFewOutcomes)
     all.push_back(fmt::format("only {} of {} {} {}; fewer than {} leave theta and beta uncertain",
-                              rarer, audit.outcomes, what,
+                              rarer, audit.outcomes, audit.counted,
                               rarer == audit.exceeded ? "exceed" : "do not exceed", kFewOutcomes));
   if (audit.factors.any() && (audit.factors.above() > 0 || audit.factors.below() > 0))
     all.push_back("scale factors " + audit.factors.text());
-  if (audit.of_records && audit.overturned > 0)
+  if (audit.of_capacities && audit.overturned > 0)
     all.push_back(fmt::format(
         "{} runs of the IDA overturned; rocking is chaotic, so the capacity of a single record "
         "depends on the time step and on the intensities tried: prefer multiple stripes",

@@ -19,8 +19,9 @@ inline constexpr std::size_t kFewOutcomes = 10;
 struct CurveAudit {
   std::optional<double> theta;             ///< none: there is no curve
   double lowest = 0, highest = 0;          ///< im of the runs
-  bool of_records = false;                 ///< outcomes are those of records: capacities
-  std::size_t outcomes = 0, exceeded = 0;  ///< of runs, or of records
+  bool of_capacities = false;              ///< outcomes are capacities, not runs
+  const char* counted = "runs";            ///< of capacities: records or analysis cases
+  std::size_t outcomes = 0, exceeded = 0;  ///< of these
   std::size_t overturned = 0;              ///< runs of an IDA
   ScaleFactors factors;
 };

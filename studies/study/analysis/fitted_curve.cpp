@@ -33,7 +33,9 @@ CurveAudit audit_of(const StudyData& data, std::size_t configuration, const Fitt
   audit.exceeded = fitted.fit.exceeded;
   audit.factors = scale_factors(data, configuration);
   if (!fitted.capacities) return audit;
-  audit.of_records = true;
+  audit.of_capacities = true;
+  const auto one_case = [](const statistics::Capacity& each) { return each.weight == 1; };
+  audit.counted = std::ranges::all_of(fitted.brackets, one_case) ? "records" : "analysis cases";
   audit.outcomes = fitted.brackets.size();
   audit.exceeded = audit.outcomes - static_cast<std::size_t>(fitted.capacities->censored);
   audit.overturned = overturned(data, configuration);

@@ -94,10 +94,12 @@ std::vector<statistics::Observation> StudyData::observations(std::size_t state,
                                                              const RunMeasure& measure) const {
   const std::vector<std::size_t>& runs = runs_.at(configuration);
   const std::vector<bool> exceeds = exceedances(state, runs);
+  const std::vector<double> cases = file_->numbers("runs/unit");
   std::vector<statistics::Observation> result;
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (measure.values[runs[i]] > 0)
-      result.push_back({measure.values[runs[i]], exceeds[i], record_[runs[i]]});
+      result.push_back({measure.values[runs[i]], exceeds[i], record_[runs[i]],
+                        static_cast<std::size_t>(cases[runs[i]])});
   return result;
 }
 

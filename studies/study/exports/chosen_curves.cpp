@@ -34,10 +34,10 @@ std::vector<std::size_t> chosen_configurations(const StudyData& data, const Expo
 
 std::string basis_text(const ChosenCurve& curve) {
   const CurveAudit& of = curve.audit;
-  return of.of_records
-             ? fmt::format("capacities of {} records, of which {} exceed", of.outcomes, of.exceeded)
-             : fmt::format("{} runs with {} records, of which {} exceed", of.outcomes,
-                           curve.records, of.exceeded);
+  return of.of_capacities ? fmt::format("capacities of {} {}, of which {} exceed", of.outcomes,
+                                        of.counted, of.exceeded)
+                          : fmt::format("{} runs with {} records, of which {} exceed", of.outcomes,
+                                        curve.records, of.exceeded);
 }
 
 std::string caution_text(const ChosenCurve& curve, const ReportUnit& unit) {

@@ -117,9 +117,7 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
   runs.add_whole("motion", "row of /motions");
   runs.add_number("angle", "rad", "angle of the record's axes from the floor's");
   runs.add_whole("draw", "which draw of the uncertain numbers; -1: every number has its value");
-  if (study.replicas > 1)
-    runs.add_whole("replica",
-                   "which replica of the draw: all masses times 1 + 1e-9 of this number");
+  runs.add_whole("replica", "which replica of its draw: all masses times 1 + 1e-9 of this number");
   runs.add_number("scale", "1", "factor on the ground motion");
   runs.add_number("intensity", "1", "the study's intensity measure, in its SI unit; 0: none");
   runs.add_number("pfa", "m/s2", "largest horizontal acceleration of the floor");
@@ -225,8 +223,7 @@ void RunTables::add_run(const TaskResult& result, const Task& task, const StudyR
   runs.put(double(runs_)).put(double(result.task)).put(double(task.configuration));
   runs.put(double(task.record)).put(double(motion_of(task, run.scale)));
   runs.put(batch_.job.study().angles[task.angle]).put(draw ? double(draw->run()) : -1.0);
-  if (batch_.job.study().replicas > 1) runs.put(double(task.replica));
-  runs.put(run.scale).put(run.intensity).put(run.pfa).put(run.pfv);
+  runs.put(double(task.replica)).put(run.scale).put(run.intensity).put(run.pfa).put(run.pfv);
   runs.put(std::string(name_of(run.response.outcome))).put(run.response.end_time);
   runs.put(run.response.quality.energy_closure).end_row();
   for (const std::string& warning : run.warnings)

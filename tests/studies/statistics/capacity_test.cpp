@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "studies/statistics/capacity_intervals.h"
 #include "tests/studies/statistics/synthetic.h"
 #include "tests/support/expect_error.h"
 
@@ -32,6 +33,20 @@ TEST(Capacity, IsTheFirstExceedanceInAnyOrder) {
     std::reverse(seen.begin(), seen.end());
   }
   EXPECT_ERROR(ida_capacities({{-1, true, 0}}), "im = -1 must be > 0");
+}
+
+TEST(Capacity, EachAnalysisCaseOfARecordHasItsOwn) {
+  // Two draws of record 4 exceed at 2 and at 8; a record with one case weighs as much as both.
+  const auto capacities = ida_capacities(
+      {{1, false, 4, 0}, {2, true, 4, 0}, {4, false, 4, 1}, {8, true, 4, 1}, {3, true, 5, 2}});
+  ASSERT_EQ(capacities.size(), 3u);
+  EXPECT_EQ(capacities[0].high, 2);
+  EXPECT_EQ(capacities[1].low, 4);
+  EXPECT_EQ(capacities[1].high, 8);
+  EXPECT_EQ(capacities[1].resurrections, 0);
+  EXPECT_EQ(capacities[0].weight, 0.5);
+  EXPECT_EQ(capacities[1].weight, 0.5);
+  EXPECT_EQ(capacities[2].weight, 1);
 }
 
 std::vector<Capacity> brackets(const std::vector<std::pair<double, double>>& ends) {
@@ -135,6 +150,28 @@ TEST(CapacityFit, SaysWhyThereIsNoCurve) {
   EXPECT_EQ(fit_capacities(brackets({{2, kInfinity}, {2, kInfinity}, {0, 1}, {0, 1}})).status,
             kNotIncreasing);
   EXPECT_FALSE(fit_capacities(brackets({{1, 2}, {2, 4}})).curve);
+}
+
+TEST(Capacity, ARecordSeenThriceAlikeTellsWhatItTellsOnce) {
+  const std::vector<Capacity> once =
+      brackets({{1, 1.4}, {1.2, 1.7}, {0.6, 0.8}, {2, 3}, {0.9, 1.2}, {2.5, kInfinity}});
+  std::vector<Capacity> thrice;
+  for (Capacity each : once) {
+    each.weight = 1.0 / 3;
+    thrice.insert(thrice.end(), 3, each);
+  }
+  const CapacityFit a = fit_capacities(once), b = fit_capacities(thrice);
+  ASSERT_TRUE(a.curve && b.curve);
+  // The same likelihood but for rounding; Newton's method ends within 1e-10 of its maximum.
+  EXPECT_NEAR(b.curve->theta, a.curve->theta, 1e-9);
+  EXPECT_NEAR(b.curve->beta, a.curve->beta, 1e-9);
+  EXPECT_NEAR(b.covariance(0, 0), a.covariance(0, 0), 1e-9);
+  const CapacityIntervals of_a = capacity_intervals(once, a, {1}, 0.95);
+  const CapacityIntervals of_b = capacity_intervals(thrice, b, {1}, 0.95);
+  // Ends are found by 30 halvings of a few standard errors.
+  EXPECT_NEAR(of_b.theta.low, of_a.theta.low, 1e-7);
+  EXPECT_NEAR(of_b.theta.high, of_a.theta.high, 1e-7);
+  EXPECT_NEAR(of_b.beta.high, of_a.beta.high, 1e-6);
 }
 
 }  // namespace

@@ -249,7 +249,7 @@ fresh
 begin
 interrupt
 stopped=0
-for size in $(seq 45000 1500 81000); do
+for size in $(seq 30000 1500 81000); do
   little_memory "$size" > stdout 2> stderr
   got=$?
   [ "$got" -eq 0 ] && break
