@@ -144,5 +144,34 @@ TEST(CapacityCheck, FindsCapacitiesThatAreNotLognormal) {
   EXPECT_LT(*p_of_lognormal(two_kinds, fit_capacities(two_kinds)), 0.05);
 }
 
+// Eight records with four cases each, scatter 0.35 between and 0.2 within them: 95 % intervals hold
+// the truth at least as often as they state, within 2.6 errors of 300 repeats (98 %). With the cases
+// as independent ones theta's hold it in 67 %, beta's in 75 %.
+TEST(CapacityIntervals, OfRecordsWithSeveralCasesHoldTheTruth) {
+  constexpr int kTrials = 300, kRecords = 8, kCases = 4;
+  const double median = 1.3, beta = std::hypot(0.35, 0.2);
+  int of_theta = 0, of_beta = 0;
+  for (std::uint64_t repeat = 0; repeat < kTrials; ++repeat) {
+    std::vector<Capacity> capacities;
+    std::uint64_t next = 0;
+    const auto normal = [&] { return normal_quantile(uniform_draw(11, repeat, next++)); };
+    for (std::size_t record = 0; record < kRecords; ++record) {
+      const double of_record = 0.35 * normal();
+      for (int each = 0; each < kCases; ++each) {
+        const double c = median * std::exp(of_record + 0.2 * normal());
+        capacities.push_back({record, c, c, 0, 1, 1.0 / kCases});
+      }
+    }
+    const CapacityFit fit = fit_capacities(capacities);
+    ASSERT_TRUE(fit.curve);
+    const CapacityIntervals found = capacity_intervals(capacities, fit, {});
+    of_theta += found.theta.low <= median && median <= found.theta.high;
+    of_beta += found.beta.low <= beta && beta <= found.beta.high;
+  }
+  const double least = kTrials * (0.95 - 2.6 * std::sqrt(0.95 * 0.05 / kTrials));
+  EXPECT_GE(of_theta, least);
+  EXPECT_GE(of_beta, least);
+}
+
 }  // namespace
 }  // namespace gurney::statistics
