@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "engine/base/error.h"
+#include "engine/base/shell_word.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/signals.h"
 #include "studies/cli/standard_error.h"
@@ -107,14 +108,6 @@ void print_counts(const RunOptions& options, const Paths& paths, const study::St
   fmt::print("declared ranges not drawn:\n");
   for (const std::string& line : undrawn) fmt::print("  {}\n", report::wrapped(line, 4, 2));
   fmt::print("results  {}\n", paths.results.string());
-}
-
-/// A word of a shell command.
-std::string shell_word(const std::string& word) {
-  if (word.find_first_of(" \t'\"$&;|<>()*?[]{}#~`!\\") == std::string::npos) return word;
-  std::string text = "'";
-  for (const char letter : word) text += letter == '\'' ? "'\\''" : std::string(1, letter);
-  return text + "'";
 }
 
 std::string resume_hint(const RunOptions& options, const Paths& paths,

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "engine/base/error.h"
+#include "engine/base/shell_word.h"
 #include "engine/response/response.h"
 #include "studies/study/analysis/run_levels.h"
 #include "studies/study/plan/undrawn_ranges.h"
@@ -70,16 +71,6 @@ void add_motions(const StudyReader& file, FileOverview& header) {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (!names[i].empty() && known.insert(names[i] + '\n' + files[i]).second)
       header.motions.push_back({names[i], lines_of(files[i]), lines_of(warnings[i])});
-}
-
-/// The names that a shell reads as they stand.
-std::string shell_word(const std::string& text) {
-  static const std::string kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+=:,@%";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
 }
 
 void add_failures(const StudyReader& file, StudyOverview& overview) {

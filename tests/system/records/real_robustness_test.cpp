@@ -3,23 +3,18 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <random>
 #include <set>
 
 #include "tests/groundmotions/formats/checked_read.h"
 #include "tests/groundmotions/formats/format_samples.h"
+#include "tests/support/temp_folder.h"
 
 /// Real files, cut and changed: one of each kind in the folder named by GURNEY_RECORDS.
 namespace gurney::groundmotions {
 namespace {
 
 constexpr std::uintmax_t kLargest = 200'000;  ///< so that all of it takes some seconds [bytes]
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// The first of a few options under which a file is read; its components.
 std::pair<ReadOptions, Components> read_whole(const std::string& bytes) {
@@ -53,7 +48,7 @@ TEST(RealRobustness, CutAndChangedFilesAreErrorsOrRecords) {
   for (const auto& path : files) {
     if (!kinds.insert((path.parent_path() / path.extension()).string()).second) continue;
     SCOPED_TRACE(path);
-    const std::string bytes = bytes_of(path);
+    const std::string bytes = contents_of(path);
     const auto [options, whole] = read_whole(bytes);
     if (whole.empty()) continue;
     for (const double share : {0.3, 0.8, 0.95, 1.0}) {

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
+#include "engine/base/input_file.h"
 #include "studies/study/limit_states/response_values.h"
 #include "studies/study/run/run_task.h"
 
@@ -34,11 +33,6 @@ const std::vector<Shipped> kShipped = {
 
 std::string path_of(const std::string& name) {
   return GURNEY_SOURCE_DIR "/studies/jobs/" + name + ".toml";
-}
-
-std::string text_of(const std::string& path) {
-  std::ifstream stream(path);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 class ShippedStudy : public testing::TestWithParam<Shipped> {};
@@ -71,7 +65,7 @@ TEST_P(ShippedStudy, HasTheSizeThatItsPageReports) {
   const std::string row = fmt::format(
       "| `{}` | {} | {} | {}{} |", GetParam().name, GetParam().configurations, GetParam().tasks,
       ida ? "at most " : "", GetParam().tasks * GetParam().runs_of_task);
-  const std::string page = text_of(GURNEY_SOURCE_DIR "/docs/shipped_studies.md");
+  const std::string page = read_input_file(GURNEY_SOURCE_DIR "/docs/shipped_studies.md");
   EXPECT_NE(page.find(row), std::string::npos) << "docs/shipped_studies.md has no row " << row;
 }
 

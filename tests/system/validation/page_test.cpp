@@ -1,9 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "engine/base/input_file.h"
 #include "tests/system/validation/small_runs.h"
 
 // docs/validation.md and the studies it tells of.
@@ -14,8 +13,7 @@ namespace fs = std::filesystem;
 
 /// Every validation_*.toml has its row `| name | runs |`, with the number of its runs.
 TEST(ValidationPage, ReportsTheRunsOfEachStudy) {
-  std::ifstream stream(GURNEY_SOURCE_DIR "/docs/validation.md");
-  const std::string page{std::istreambuf_iterator<char>(stream), {}};
+  const std::string page = read_input_file(GURNEY_SOURCE_DIR "/docs/validation.md");
   int studies = 0;
   for (const auto& entry : fs::directory_iterator(GURNEY_SOURCE_DIR "/studies/jobs")) {
     const std::string name = entry.path().stem().string();

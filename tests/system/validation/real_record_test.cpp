@@ -2,9 +2,8 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "engine/base/input_file.h"
 #include "tests/system/validation/small_runs.h"
 
 // studies/jobs/validation_long_period.toml with a recorded motion, which may not be part of the
@@ -22,8 +21,7 @@ void replace(std::string& text, const std::string& from, const std::string& to) 
 
 /// The job as docs/validation.md says to change it for a record.
 std::string job_with(const std::string& files) {
-  std::ifstream stream(GURNEY_SOURCE_DIR "/studies/jobs/validation_long_period.toml");
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text = read_input_file(GURNEY_SOURCE_DIR "/studies/jobs/validation_long_period.toml");
   replace(text, R"(synthetic = { kind = "long_period" })", "file = [" + files + "]");
   replace(text, "synthetic_records = 10", "");
   const auto begin = text.find("[[study.factor]]\nname = \"period\""),
