@@ -12,6 +12,7 @@
 #include "studies/build_info/build_info.h"
 #include "studies/cli/run_output.h"
 #include "studies/cli/standard_error.h"
+#include "studies/study/analysis/replica_spread.h"
 #include "studies/study/plan/data_files.h"
 #include "studies/study/results/columns.h"
 #include "studies/study/results/study_reader.h"
@@ -82,6 +83,15 @@ std::string changed_files(const study::StudyReader& file, const study::StudyJob&
   return changed;
 }
 
+std::string spread_text(const std::optional<study::ReplicaSpread>& spread) {
+  if (!spread) return {};
+  return fmt::format(
+      "replicas {} of this case: peak displacement {:.3g} to {:.3g} m, median {:.3g} m; {} "
+      "overturned, {} failed\n",
+      spread->runs, spread->lowest, spread->highest, spread->median, spread->overturned,
+      spread->failed);
+}
+
 fs::path results_of(const ReplayOptions& options) {
   if (!options.output.empty()) {
     require(fs::path(options.output).extension() == ".h5",
@@ -126,7 +136,9 @@ int replay_command(const ReplayOptions& options) {
         changed.empty() ? "a record may have changed, too" : "changed since: " + changed);
     return 1;
   }
-  if (!options.json) fmt::print("replay   the same results as in {}\n", options.file);
+  if (!options.json)
+    fmt::print("replay   the same results as in {}\n{}", options.file,
+               spread_text(study::replica_spread(file, options.run)));
   return is_failure(response.outcome) ? 3 : 0;
 }
 

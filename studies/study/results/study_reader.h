@@ -24,6 +24,7 @@ class StudyReader {
   std::string job_text() const { return text_attribute("job_text"); }
 
   bool has(const std::string& table) const;
+  bool has_column(const std::string& column) const { return columns_.contains(column); }
 
   /// A column, such as "items/peak_displacement".
   /// @throws Error where there is none

@@ -69,7 +69,7 @@ void MadeStudy::write(const std::string& path) const {
   GrowingTable motions(file, "motions"), table(file, "runs"), items(file, "items");
   motions.add_whole("set", "set");
   motions.put(0.0).end_row();
-  for (const char* name : {"run", "configuration", "record", "motion", "draw"})
+  for (const char* name : {"run", "unit", "configuration", "record", "motion", "draw"})
     table.add_whole(name, name);
   for (const char* name : {"angle", "scale", "intensity", "pfa", "pfv"})
     table.add_number(name, "1", name);
@@ -79,7 +79,11 @@ void MadeStudy::write(const std::string& path) const {
   items.add(demand_columns());
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const MadeRun& run = runs[i];
-    table.put(double(i)).put(double(run.configuration)).put(double(run.record)).put(0.0);
+    table.put(double(i))
+        .put(double(run.record))
+        .put(double(run.configuration))
+        .put(double(run.record))
+        .put(0.0);
     table.put(double(run.draw)).put(run.angle).put(run.level).put(run.level).put(run.level);
     table.put(run.pfv);
     table.put(std::string(run.failed ? "diverged" : run.fell ? "overturned" : "rested")).end_row();

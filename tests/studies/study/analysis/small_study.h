@@ -61,7 +61,8 @@ inline void write_small_study(const std::string& path, const std::vector<SmallRu
   configurations.add_text("name", "levels", 4);
   configurations.put("all").end_row();
   GrowingTable table(file, "runs"), items(file, "items");
-  for (const char* name : {"run", "configuration", "record", "motion"}) table.add_whole(name, name);
+  for (const char* name : {"run", "unit", "configuration", "record", "motion"})
+    table.add_whole(name, name);
   for (const char* name : {"scale", "intensity", "pfa", "pfv"}) table.add_number(name, "1", name);
   table.add_text("outcome", "outcome", 10);
   items.add_whole("run", "run");
@@ -69,7 +70,7 @@ inline void write_small_study(const std::string& path, const std::vector<SmallRu
   items.add(demand_columns());
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const SmallRun& run = runs[i];
-    table.put(double(i)).put(0.0).put(double(run.record)).put(double(i));
+    table.put(double(i)).put(double(run.record)).put(0.0).put(double(run.record)).put(double(i));
     table.put(run.scale).put(run.intensity).put(run.intensity).put(0.1 * run.intensity);
     table
         .put(std::string(run.untrusted ? "untrusted"
