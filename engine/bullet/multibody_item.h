@@ -41,8 +41,6 @@ class MultibodyItem {
   void get(State& state) const;
 
   btMultiBody& body() { return *body_; }
-  /// Rotation from Bullet's principal axes of the base to chassis axes.
-  const Quaternion& base_axes() const { return base_axes_; }
 
  private:
   void add_collider(int link, std::unique_ptr<btCollisionShape> shape, int group, int mask,
@@ -56,7 +54,7 @@ class MultibodyItem {
   std::unique_ptr<btMultiBody> body_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btMultiBodyLinkCollider>> colliders_;
-  Quaternion base_axes_;
+  Quaternion base_axes_;  // from Bullet's principal axes of the base to chassis axes
   btAlignedObjectArray<btQuaternion> scratch_q_;
   btAlignedObjectArray<btVector3> scratch_v_;
 };

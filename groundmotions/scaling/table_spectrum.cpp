@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/base/csv_row.h"
 #include "engine/base/number_text.h"
 #include "engine/base/units.h"
 #include "groundmotions/formats/file_errors.h"
@@ -17,21 +18,11 @@ struct Row {
   double period, acceleration;
 };
 
-std::vector<std::string_view> cells(std::string_view line) {
-  std::vector<std::string_view> list;
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    list.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) return list;
-    line.remove_prefix(comma + 1);
-  }
-}
-
 /// m/s2 in one unit of the second column; 0 for a header that is none.
-double unit_of(const std::vector<std::string_view>& header) {
-  if (header.size() != 2 || header[0] != "period_s") return 0;
-  if (header[1] == "sa_g") return kStandardGravity;
-  return header[1] == "sa_m_per_s2" ? 1 : 0;
+double unit_of(const std::vector<CsvCell>& header) {
+  if (header.size() != 2 || header[0].text != "period_s") return 0;
+  if (header[1].text == "sa_g") return kStandardGravity;
+  return header[1].text == "sa_m_per_s2" ? 1 : 0;
 }
 
 double interpolated(const std::vector<Row>& rows, double period) {
@@ -53,9 +44,9 @@ TargetSpectrum table_spectrum(const SourceFile& file) {
   for (std::size_t i = 0; i < file.lines().size(); ++i) {
     const std::string_view line = trimmed(file.lines()[i]);
     if (line.empty() || line.front() == '#') continue;
-    const std::vector<std::string_view> words = cells(line);
+    const std::vector<CsvCell> cells = csv_row(line);
     if (unit == 0) {
-      unit = unit_of(words);
+      unit = unit_of(cells);
       if (unit == 0) {
         errors.add(i + 1, 1,
                    fmt::format("header '{}': must be 'period_s, sa_g' or 'period_s, "
@@ -65,8 +56,8 @@ TargetSpectrum table_spectrum(const SourceFile& file) {
       }
       continue;
     }
-    const auto period = words.size() == 2 ? number(words[0]) : std::nullopt;
-    const auto value = words.size() == 2 ? number(words[1]) : std::nullopt;
+    const auto period = cells.size() == 2 ? number(cells[0].text) : std::nullopt;
+    const auto value = cells.size() == 2 ? number(cells[1].text) : std::nullopt;
     if (!period || !value)
       errors.add(i + 1, 1, fmt::format("'{}': must be two numbers apart by a comma", line));
     else if (!(*period >= 0) || (!rows.empty() && !(*period > rows.back().period)))

@@ -57,11 +57,12 @@ Json step_check(const study::StepCheck& of) {
   Json demands = Json::array(), states = Json::array();
   for (const study::StepChange& each : of.changes) {
     const bool any = each.compared > 0;
-    demands.push_back({{"demand", each.demand},
-                       {"compared", each.compared},
-                       {"median_relative_change", any ? Json(each.median) : Json(nullptr)},
-                       {"largest_relative_change", any ? Json(each.largest) : Json(nullptr)},
-                       {"largest_in_run", any ? Json(each.largest_run) : Json(nullptr)}});
+    demands.push_back(
+        {{"demand", each.demand},
+         {"compared", each.compared},
+         {"median_relative_change", any ? Json(each.median) : Json(nullptr)},
+         {"largest_relative_change", any ? Json(each.largest) : Json(nullptr)},
+         {"largest_in_run", each.largest > 0 ? Json(each.largest_run) : Json(nullptr)}});
   }
   for (const study::StateChange& each : of.states)
     states.push_back({{"limit_state", each.state}, {"changed_runs", each.runs}});

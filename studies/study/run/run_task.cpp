@@ -53,7 +53,12 @@ bool is_checked(const Study& study, std::size_t task, std::size_t run) {
 void repeat_at_half_step(RunCase run, StudyRun& result) {
   run.settings.time_step *= 0.5;
   run.settings.history_step = 0;
-  const Response response = baselines::simulate_with_any_solver(run.scene, run.floor, run.settings);
+  Response response;
+  try {
+    response = baselines::simulate_with_any_solver(run.scene, run.floor, run.settings);
+  } catch (const Error& error) {
+    response = failed(error.what());
+  }
   if (is_failure(response.outcome)) {
     result.warnings.push_back("the repeat with half the time step failed: " + response.cause);
     return;
@@ -70,7 +75,7 @@ void simulate_case(const Batch& batch, const Task& task, const Job& job, bool ch
     run.pfa = peak_of(of_run.floor, false);
     run.pfv = peak_of(of_run.floor, true);
     run.response = baselines::simulate_with_any_solver(of_run.scene, of_run.floor, of_run.settings);
-    if (checked) repeat_at_half_step(std::move(of_run), run);
+    if (checked && !is_failure(run.response.outcome)) repeat_at_half_step(std::move(of_run), run);
   } catch (const Error& error) {
     run.response = failed(error.what());
   }

@@ -31,13 +31,17 @@ std::string input_lines(const Batch& batch) {
   return lines;
 }
 
-/// Without the job's text.
+/// Without the job's text. Records of one name are numbered.
 Entries entries_of(const std::string& identity) {
   Entries entries;
   std::istringstream stream(identity);
   for (std::string line; std::getline(stream, line) && !line.empty();) {
     const auto cut = std::min(line.find(" = "), line.size());
-    entries[line.substr(0, cut)] = cut < line.size() ? line.substr(cut + 3) : "";
+    const std::string name = line.substr(0, cut);
+    std::string key = name;
+    for (int number = 2; entries.contains(key); ++number)
+      key = fmt::format("{} ({})", name, number);
+    entries[key] = cut < line.size() ? line.substr(cut + 3) : "";
   }
   return entries;
 }
@@ -123,7 +127,8 @@ std::string difference(const std::string& theirs, const std::string& ours) {
     return fmt::format("the comments or the layout of the job ({})",
                        differences({{kJob, there[kJob]}}, {{kJob, here[kJob]}}));
   }
-  return differences(there, here);
+  const std::string found = differences(there, here);
+  return found.empty() && theirs != ours ? "the order of the records or data files" : found;
 }
 
 }  // namespace gurney::study

@@ -1,8 +1,6 @@
 #include "studies/verification/scenes/scenes.h"
 
-#include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace gurney::scenes {
 namespace {
@@ -59,16 +57,6 @@ EquipmentModel locked_block(ItemOptions options) {
   options.caster.swivels = false;
   options.caster.brake_torque = std::numeric_limits<double>::infinity();
   return trolley(options);
-}
-
-EquipmentModel star_base(int casters, const ItemOptions& options) {
-  constexpr double kRadius = 0.3;
-  std::vector<Vector3> mounts;
-  for (int i = 0; i < casters; ++i) {
-    const double angle = 2 * std::numbers::pi * i / casters;
-    mounts.emplace_back(kRadius * std::cos(angle), kRadius * std::sin(angle), 0);
-  }
-  return item_on(mounts, options);
 }
 
 EquipmentModel single_caster(double mass, const Caster& caster) {

@@ -39,9 +39,6 @@ EquipmentModel trolley(const ItemOptions& options = {});
 /// The trolley with rigid forks and wheels that cannot turn: a sliding block.
 EquipmentModel locked_block(ItemOptions options = {});
 
-/// A base with `casters` (3 to 8) on a circle of 0.3 m, the first one ahead.
-EquipmentModel star_base(int casters, const ItemOptions& options = {});
-
 /// One caster below a small chassis, the swivel axis through its centre of mass: for fixtures.
 EquipmentModel single_caster(double total_mass, const Caster& caster);
 

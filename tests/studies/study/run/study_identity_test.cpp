@@ -38,6 +38,17 @@ TEST(StudyIdentityTest, NamesFilesThatDiffer) {
             "b.toml: there nothing, here '4'; record x: there '2 x.at2', here '3 x.at2'");
 }
 
+TEST(StudyIdentityTest, RecordsOfOneNameAreComparedOneByOne) {
+  const std::string both = "record x = 1 x.at2\nrecord x = 2 x.at2\n\njob";
+  EXPECT_EQ(difference(both, "record x = 3 x.at2\nrecord x = 2 x.at2\n\njob"),
+            "record x: there '1 x.at2', here '3 x.at2'");
+  EXPECT_EQ(difference(both, "record x = 1 x.at2\n\njob"),
+            "record x (2): there '2 x.at2', here nothing");
+  EXPECT_EQ(difference(both, both), "");
+  EXPECT_EQ(difference("a = 1\nb = 2\n\njob", "b = 2\na = 1\n\njob"),
+            "the order of the records or data files");
+}
+
 TEST(StudyIdentityTest, ACompleteStudyIsKnownByItsFile) {
   const TempFolder folder;
   const std::string text = small_job("synthetic_records = 2\n",
