@@ -1,15 +1,13 @@
 #include <cmath>
 
-#include "engine/base/units.h"
 #include "studies/verification/family.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/scenes.h"
 
 namespace gurney::verification {
 namespace {
 
 using namespace scenes;
-
-constexpr double kG = kStandardGravity;
 
 // A rolling patch under the force f slips by f / (k_t sigma) of its travel s (relaxation), which
 // takes f^2 s / (k_t sigma) for each wheel, and so much less goes into the wheels' turning. In a

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/base/units.h"
 #include "studies/verification/cases.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/blocks.h"
 #include "studies/verification/scenes/scenes.h"
 #include "studies/verification/scenes/wind_up.h"
@@ -13,7 +13,7 @@
 namespace gurney::verification {
 namespace {
 
-constexpr double kG = kStandardGravity, kTangential = 0.8;
+constexpr double kTangential = 0.8;
 
 ContactConstants floor_of(double friction, double stiffness) {
   return {.stiffness = stiffness, .restitution = 0.05, .friction = friction};

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "engine/base/units.h"
 #include "studies/verification/family.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/scenes.h"
 
 // What moves at v0 comes to rest when a force has taken its kinetic energy: the way tells the
@@ -10,8 +10,6 @@ namespace gurney::verification {
 namespace {
 
 using namespace scenes;
-
-constexpr double kG = kStandardGravity;
 
 struct Coast {
   double resistance, speed = 1;  // Cr / R, or mu, or the brake's torque [N m]; v0 [m/s]

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/units.h"
 #include "studies/verification/family.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/scenes.h"
 #include "studies/verification/scenes/wind_up.h"
 
@@ -10,8 +10,6 @@ namespace gurney::verification {
 namespace {
 
 using namespace scenes;
-
-constexpr double kG = kStandardGravity;
 
 struct Pull {
   double force, duration, resistance;  // F [N], [s], Cr / R

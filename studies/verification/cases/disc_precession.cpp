@@ -2,14 +2,13 @@
 #include <cmath>
 #include <string>
 
-#include "engine/base/units.h"
 #include "studies/verification/cases.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/rolling_disc.h"
 
 namespace gurney::verification {
 namespace {
 
-constexpr double kG = kStandardGravity;
 constexpr double kLed = 0.4, kSample = 1e-3, kStep = 1.25e-4;  // [s]
 
 struct Precession {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/base/units.h"
 #include "studies/verification/cases/drop_weight_rig.h"
 #include "studies/verification/family.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/wind_up.h"
 
 namespace gurney::verification {
@@ -12,8 +12,6 @@ namespace {
 
 using namespace scenes;
 using namespace rig;
-
-constexpr double kG = kStandardGravity;
 
 /// A landing rounded to a step would move the velocity by up to a1 dt.
 struct Grid {

@@ -1,17 +1,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/base/units.h"
 #include "engine/solver/quadrature.h"
 #include "studies/verification/cases.h"
 #include "studies/verification/cases/sliding_block.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/blocks.h"
 #include "studies/verification/scenes/small_scenes.h"
 
 namespace gurney::verification {
 namespace {
-
-constexpr double kG = kStandardGravity;
 
 // --- the floor drops away faster than gravity, then comes back: the trolley flies and lands
 

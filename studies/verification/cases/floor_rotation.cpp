@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/base/units.h"
 #include "studies/verification/cases/slider.h"
 #include "studies/verification/family.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/scenes.h"
 #include "studies/verification/scenes/wind_up.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace scenes;
 
-constexpr double kG = kStandardGravity, kPi = std::numbers::pi;
+constexpr double kPi = std::numbers::pi;
 
 template <class Angle, class Acceleration>
 FloorMotion rotating_floor(double time_step, double duration, const Angle& angle,

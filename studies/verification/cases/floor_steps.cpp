@@ -3,9 +3,9 @@
 #include <functional>
 #include <limits>
 
-#include "engine/base/units.h"
 #include "studies/verification/cases.h"
 #include "studies/verification/cases/rocking_body.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/blocks.h"
 #include "studies/verification/scenes/scenes.h"
 
@@ -16,7 +16,6 @@
 namespace gurney::verification {
 namespace {
 
-constexpr double kG = kStandardGravity;
 constexpr double kSample = 1e-3;         // of the floor's motion [s]
 constexpr double kLength = 2 * kSample;  // of a step: a triangle of acceleration
 constexpr double kNever = std::numeric_limits<double>::infinity();

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/base/units.h"
 #include "studies/verification/family.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/scenes.h"
 
 // The locked wheels of the front axle carry N = M g l_f / w (1 +- a h / (g l_f)); the inertia M a
@@ -14,7 +14,6 @@ namespace {
 
 using namespace scenes;
 
-constexpr double kG = kStandardGravity;
 constexpr double kRamp = 3, kHold = 1;             // [s]
 constexpr double kWidth = 0.005, kExcess = 0.005;  // of the level
 

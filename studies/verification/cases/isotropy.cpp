@@ -4,6 +4,7 @@
 
 #include "engine/base/units.h"
 #include "studies/verification/family.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/scenes.h"
 
 // Friction is a cone: a locked trolley that slides and is pushed on by F in any direction
@@ -14,7 +15,7 @@ namespace {
 
 using namespace scenes;
 
-constexpr double kG = kStandardGravity, kPi = std::numbers::pi;
+constexpr double kPi = std::numbers::pi;
 constexpr double kSpeed = 1;     // at the start [m/s]
 constexpr double kStep = 0.002;  // [s]
 const char* const kAxis = "direction of the push [deg]";

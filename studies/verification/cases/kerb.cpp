@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "engine/base/units.h"
 #include "studies/verification/cases.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/blocks.h"
 #include "studies/verification/scenes/small_scenes.h"
 
@@ -10,8 +10,6 @@
 // I_O about the point.
 namespace gurney::verification {
 namespace {
-
-constexpr double kG = kStandardGravity;
 
 double tripping_speed(const MassProperties& body, const Vector3& pivot) {
   const Vector3 arm = body.center_of_mass - pivot;

@@ -1,9 +1,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/base/units.h"
 #include "studies/verification/cases/slider.h"
 #include "studies/verification/family.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/scenes.h"
 #include "studies/verification/scenes/wind_up.h"
 
@@ -13,8 +13,6 @@ namespace gurney::verification {
 namespace {
 
 using namespace sliding;
-
-constexpr double kG = kStandardGravity;
 
 struct Pulse {
   double rolls, friction, amplitude, duration;  // cart or block, mu, [g], [s]

@@ -3,9 +3,9 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/base/units.h"
 #include "studies/verification/cases.h"
 #include "studies/verification/cases/rocking_body.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/blocks.h"
 #include "studies/verification/scenes/scenes.h"
 
@@ -14,7 +14,7 @@ namespace gurney::verification {
 namespace {
 
 using std::numbers::pi;
-constexpr double kG = kStandardGravity, kStep = 1e-3;  // [m/s2], [s]
+constexpr double kStep = 1e-3;  // [s]
 
 struct Rocking {
   double alpha, radius, inertia;  // [rad], [m], I_O / (M R^2)

@@ -8,6 +8,7 @@
 
 #include "engine/base/units.h"
 #include "studies/verification/cases.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/four_feet.h"
 #include "studies/verification/scenes/scenes.h"
 
@@ -17,7 +18,6 @@
 namespace gurney::verification {
 namespace {
 
-constexpr double kG = kStandardGravity;
 constexpr double kDuration = 3, kFloorStep = 1e-3, kSampling = 0.02;  // [s]
 constexpr double kRadius = 1e-3, kPart = 0.01, kInertia = 1e-8;       // [m], [kg], [kg m2]
 const Vector3 kTop(0.2, 0.15, 1.2);                                   // item axes

@@ -7,13 +7,13 @@
 
 #include "engine/base/units.h"
 #include "studies/verification/cases.h"
+#include "studies/verification/gravity.h"
 
 // A disc that rolls on its edge without slip, in 3D: scenes/rolling_disc.h has its equations, and
 // how the engine carries it.
 namespace gurney::verification {
 namespace {
 
-constexpr double kG = kStandardGravity;
 constexpr double kStepAngle = 0.01;  // that the disc turns by in a step, h n [rad]
 
 // --- straight

@@ -3,9 +3,9 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/base/units.h"
 #include "studies/verification/cases.h"
 #include "studies/verification/cases/rocking_body.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/blocks.h"
 #include "studies/verification/scenes/scenes.h"
 
@@ -13,7 +13,6 @@ namespace gurney::verification {
 namespace {
 
 using std::numbers::pi;
-constexpr double kG = kStandardGravity;
 
 Response shake(const RockingBody& body, double ratio, double strength, double cycles,
                const Runner& runner, Findings& findings) {

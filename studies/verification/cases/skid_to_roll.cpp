@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/units.h"
 #include "studies/verification/family.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/scenes.h"
 
 // A wheel set down at v0 without spin skids until it rolls: a bowling ball.
@@ -11,7 +11,7 @@ namespace {
 
 using namespace scenes;
 
-constexpr double kG = kStandardGravity, kStep = 0.0005;
+constexpr double kStep = 0.0005;
 
 struct Skid {
   double speed, friction, inertia;  // v0, mu, k = I / (m R^2)

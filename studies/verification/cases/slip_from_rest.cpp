@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/base/units.h"
 #include "studies/verification/cases/slider.h"
 #include "studies/verification/family.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/scenes.h"
 
 namespace gurney::verification {
@@ -12,7 +12,7 @@ namespace {
 
 using namespace sliding;
 
-constexpr double kG = kStandardGravity, kPi = std::numbers::pi;
+constexpr double kPi = std::numbers::pi;
 constexpr double kStep = 0.004, kFloorStep = 0.001, kCycles = 30;  // [s], [s], [-]
 
 struct FromRest {

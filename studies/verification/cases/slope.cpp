@@ -1,8 +1,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/base/units.h"
 #include "studies/verification/family.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/scenes.h"
 #include "studies/verification/scenes/wind_up.h"
 
@@ -10,8 +10,6 @@ namespace gurney::verification {
 namespace {
 
 using namespace scenes;
-
-constexpr double kG = kStandardGravity;
 
 struct Ramp {
   double slope, share;  // tan(angle), and Cr / R over it

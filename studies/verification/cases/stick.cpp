@@ -4,8 +4,8 @@
 #include <numbers>
 #include <string>
 
-#include "engine/base/units.h"
 #include "studies/verification/family.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/scenes.h"
 
 // Rolling resistance holds like dry friction: at rest the trolley carries up to f_r = (Cr / R) N
@@ -14,8 +14,6 @@ namespace gurney::verification {
 namespace {
 
 using namespace scenes;
-
-constexpr double kG = kStandardGravity;
 
 constexpr double kShare = 0.9;  // slope over Cr / R
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "engine/base/units.h"
 #include "studies/verification/family.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/scenes.h"
 
 // A wheel does not resist in full at once: its tread and the stuck rolling resistance wind up. They
@@ -14,8 +14,6 @@ namespace gurney::verification {
 namespace {
 
 using namespace scenes;
-
-constexpr double kG = kStandardGravity;
 
 struct Soft {
   double force, duration;    // [N], [s]

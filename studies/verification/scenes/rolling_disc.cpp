@@ -3,13 +3,11 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "engine/base/units.h"
+#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/small_scenes.h"
 
 namespace gurney {
 namespace {
-
-constexpr double kG = kStandardGravity;
 
 double gyration(const Disc& disc) { return 0.1 * disc.radius; }  // of the chassis [m]
 
