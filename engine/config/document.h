@@ -23,7 +23,7 @@ struct Spot {
 ///
 ///     Document document("trolley.toml");
 ///     const double mass = document.root().number("mass_kg", Range::positive());
-///     document.finish();  // throws one Error with every error, unread keys included
+///     document.finish();  // throws one Error that lists all, unread keys included
 ///
 /// A getter that meets an error notes it and gives a harmless value, so that one pass finds all;
 /// nothing read may be used before `finish`. A file whose name ends in .json is JSON, any other

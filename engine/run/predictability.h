@@ -14,7 +14,7 @@ namespace gurney {
 std::vector<Predictability> compare_twin(const Response& run, const Response& twin);
 
 /// Runs the twin of a run that did not fail.
-/// @param run  the response of simulate(scene, floor, settings); made again where it has no history
+/// @param run  the response of simulate(scene, floor, settings); repeated where it has no history
 /// @returns one for each item; none where the twin fails
 /// @throws Error as simulate()
 std::vector<Predictability> predictability(const Scene& scene, const FloorMotion& floor,

@@ -2,15 +2,13 @@
 
 namespace gurney {
 
-Scene perturbed(const Scene& scene, std::size_t number) {
-  Scene result = scene;
-  if (number == 0) return result;
+Scene perturbed(Scene scene, std::size_t number) {
   const double factor = 1 + static_cast<double>(number) * kPerturbation;
-  for (PlacedItem& item : result.items) {
+  for (PlacedItem& item : scene.items) {
     item.model.chassis_mass *= factor;
     item.model.chassis_inertia *= factor;
   }
-  return result;
+  return scene;
 }
 
 }  // namespace gurney

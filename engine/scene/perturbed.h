@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "engine/scene/scene.h"
 
 namespace gurney {
@@ -8,7 +10,7 @@ namespace gurney {
 inline constexpr double kPerturbation = 1e-9;
 
 /// The scene whose chassis are heavier by `number` times kPerturbation, their inertias as well; 0:
-/// the scene itself. What parts such scenes is no property of the items.
-Scene perturbed(const Scene& scene, std::size_t number);
+/// the scene itself. No difference between such scenes could be measured.
+Scene perturbed(Scene scene, std::size_t number);
 
 }  // namespace gurney

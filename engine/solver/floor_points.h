@@ -8,8 +8,8 @@
 namespace gurney {
 
 /// What of an item may touch the flat floor besides a wheel on its tread: the corners of the
-/// chassis' boxes, and points on both rims of a wheel that lies on its side (CasterDynamics::Geometry::lies),
-/// where the contact on one point of the tread has ended.
+/// chassis' boxes, and points on both rims of a wheel that lies on its side
+/// (CasterDynamics::lies), where the contact on one point of the tread has ended.
 ///
 /// Corners against a plane are exact and always all of them, which Bullet's plane algorithm is not;
 /// so this contact is analytic like that of wheels.

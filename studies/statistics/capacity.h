@@ -9,8 +9,8 @@
 
 namespace gurney::statistics {
 
-/// What an incremental dynamic analysis tells of the capacity of one analysis case: low < capacity
-/// <= high.
+/// The bounds that an incremental dynamic analysis sets to the capacity of one analysis case:
+/// low < capacity <= high.
 struct Capacity {
   std::size_t group = 0;  ///< its record
   double low = 0;         ///< highest im without exceedance below `high`; 0 if there is none

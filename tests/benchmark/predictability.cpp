@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/load_item.h"

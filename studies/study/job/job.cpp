@@ -262,7 +262,7 @@ const Job& JobModel::stated() const { return reading_->stated(); }
 Job sample(const JobModel& model, const std::optional<Draw>& draw, std::size_t replica) {
   Job job = sample(*model.reading_, draw);
   job.draw = draw;
-  job.scene = perturbed(job.scene, replica);
+  job.scene = perturbed(std::move(job.scene), replica);
   return job;
 }
 

@@ -5,7 +5,7 @@
 #include "studies/verification/scenes/scenes.h"
 
 // What moves at v0 comes to rest when a force has taken its kinetic energy: the way tells the
-// force, the energy balance tells whose it was.
+// force, the energy balance shows whose it was.
 namespace gurney::verification {
 namespace {
 

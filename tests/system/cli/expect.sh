@@ -15,6 +15,39 @@ expect() {
   grep -qF -- "$text" stdout stderr || complain "does not say '$text': $*"
 }
 
+wait_for() {  # FILE: it is there
+  for _ in $(seq 1000); do
+    [ -e "$1" ] && return
+    sleep 0.01
+  done
+  complain "$1 does not come"
+}
+
+# begin JOB FILE ARGUMENTS...: a study in the background, stopped when its first part is written,
+# however fast the machine is: the first run that ends a second after the start writes it, and a
+# stopped process has seconds. What is to happen to it then: kill -CONT, or a signal and kill -CONT.
+begin() {
+  "$gurney" run "$1" -o "$2" -j 1 "${@:3}" > out 2> err &
+  process=$!
+  wait_for "$2.parts/crashes"
+  kill -STOP "$process"
+  sleep 1
+  kill -CONT "$process"
+  wait_for "$2.parts/00000001.part"
+  kill -STOP "$process"
+}
+
+# ends CODE TEXT: what was begun goes on to its end, exits with CODE and says TEXT somewhere
+ends() {
+  kill -CONT "$process"
+  wait "$process"
+  local got=$?
+  cp out stdout
+  cp err stderr
+  [ "$got" -eq "$1" ] || complain "exit code $got instead of $1"
+  grep -qF -- "$2" stdout stderr || complain "does not say '$2'"
+}
+
 failures=0
 folder=$(mktemp -d "${TMPDIR:-/tmp}/gurney cli XXXXXX") || exit 1
 trap 'chmod -R u+w "$folder"; rm -rf "$folder"' EXIT

@@ -10,26 +10,6 @@ study() { expect "$1" "$2" "$gurney" run "${@:3}"; }  # CODE TEXT ARGUMENTS...
 same() { cmp "$1" "$2" > stdout 2> stderr || complain "$1 and $2 differ"; }
 gone() { [ ! -e "$1" ] || complain "$1 is left"; }
 holds() { [ "$(cat "$1")" = "$2" ] || complain "$1 holds '$(head -c 100 "$1")'"; }
-wait_for() {  # FILE: it is there
-  for _ in $(seq 100); do
-    [ -e "$1" ] && return
-    sleep 0.05
-  done
-  complain "$1 does not come"
-}
-begin() {  # ARGUMENTS...: in the background, with one part written
-  "$gurney" run long.toml -o a.h5 -j 1 "$@" > out 2> err &
-  process=$!
-  wait_for a.h5.parts/00000001.part
-}
-ends() {  # CODE TEXT
-  wait "$process"
-  local got=$?
-  cp out stdout
-  cp err stderr
-  [ "$got" -eq "$1" ] || complain "exit code $got instead of $1"
-  grep -qF -- "$2" stdout stderr || complain "does not say '$2'"
-}
 interrupt() {
   kill -INT "$process"
   ends 130 "gurney: interrupted"
@@ -54,7 +34,7 @@ equipment = "item.toml"
 suite = "list.csv"
 use = "x"
 [settings]
-duration_s = 30
+duration_s = 50
 settle_time_s = 0
 [study]
 angles_deg = [0, 15, 30, 45, 60, 75, 90, 105, 120, 135]
@@ -66,7 +46,7 @@ records
 study 0 "runs     40, 0 overturned, 0 failed" long.toml -o whole.h5 -j 2
 
 # A second process, whatever it is asked, gets nothing; the first goes on.
-begin
+begin long.toml a.h5
 for how in --overwrite --resume "--resume --overwrite"; do
   # shellcheck disable=SC2086
   study 1 "a.h5.parts: another process works on this study: process $process on " long.toml -o a.h5 $how
@@ -91,10 +71,9 @@ done
 
 # Data files that are edited or removed while the study runs: it has read them.
 fresh
-begin
+begin long.toml a.h5
 sed -i 's/value = 96.5/value = 93.5/' item.toml
 echo "second, a.txt, m/s2, 0.01, 3" >> list.csv
-sleep 0.3
 rm item.toml a.txt
 ends 0 "runs     40, 0 overturned, 0 failed"
 same whole.h5 a.h5
@@ -114,14 +93,14 @@ cp a.txt kept.txt
 sed -i '1s/.*/2/' a.txt
 study 1 "a.h5: holds the results of another study: record first: there '" long.toml -o a.h5 --resume
 cp kept.txt a.txt
-sed -i 's/^duration_s = 30/duration_s = 31/' long.toml
-study 1 "another study: settings.duration_s: there '30', here '31' (in the job)" long.toml -o a.h5 --resume
-expect 1 "long.toml: is not the job of a.h5: settings.duration_s: there '30', here '31'" "$gurney" replay a.h5 0
-sed -i 's/^duration_s = 31/duration_s = 30/' long.toml
+sed -i 's/^duration_s = 50/duration_s = 51/' long.toml
+study 1 "another study: settings.duration_s: there '50', here '51' (in the job)" long.toml -o a.h5 --resume
+expect 1 "long.toml: is not the job of a.h5: settings.duration_s: there '50', here '51'" "$gurney" replay a.h5 0
+sed -i 's/^duration_s = 51/duration_s = 50/' long.toml
 
 # An output that somebody makes meanwhile is theirs; the results are kept.
 fresh
-begin
+begin long.toml a.h5
 echo precious > a.h5
 ends 1 "a.h5: was created by another process in the meantime and is kept; the finished results are in a.h5.parts/results.h5"
 holds a.h5 precious
@@ -135,7 +114,7 @@ gone a.h5.parts
 
 # --overwrite, interrupted: the old results stay until --resume --overwrite replaces them.
 echo old > a.h5
-begin --overwrite
+begin long.toml a.h5 --overwrite
 interrupt
 grep -qx "continue with: gurney run long.toml -o a.h5 --resume --overwrite -j 1" stderr || complain "does not say how to go on"
 holds a.h5 old
@@ -146,7 +125,7 @@ same whole.h5 a.h5
 
 # Killed between the results and the end: they are complete.
 fresh
-begin
+begin long.toml a.h5
 interrupt
 cp whole.h5 a.h5
 study 0 "a.h5 (already complete)" long.toml -o a.h5 --resume
@@ -154,7 +133,7 @@ gone a.h5.parts
 
 # Counts and percent after --resume are those of the whole study.
 fresh
-begin
+begin long.toml a.h5
 interrupt
 study 0 "runs     40" long.toml -o a.h5 --resume -j 1
 [ "$(grep -cE '^100 %  40 runs, ' stderr)" -eq 1 ] || complain "the counts are not those of the whole study, once"
@@ -183,14 +162,14 @@ rm a.h5.parts
 rmdir elsewhere
 
 # Parts that are removed while the study runs are not called kept.
-begin
+begin long.toml a.h5
 rm -rf a.h5.parts
 ends 1 "a.h5.parts: was removed while the study ran"
 grep -q "kept" stderr && complain "says that runs are kept"
 
 # A part that is changed after it was written, while the study runs.
 fresh
-begin
+begin long.toml a.h5
 printf '\xff' | dd of=a.h5.parts/00000001.part bs=1 seek=300 conv=notrunc 2> /dev/null
 ends 1 "a.h5.parts/00000001.part: was changed while the study ran: the checksum of unit "
 study 0 "a.h5.parts/00000001.part: is damaged" long.toml -o a.h5 --resume
@@ -198,7 +177,7 @@ same whole.h5 a.h5
 
 # A torn or foreign line of the file of crashes.
 fresh
-begin
+begin long.toml a.h5
 interrupt
 printf '50 %%  9 runs\n3 1' > a.h5.parts/crashes
 study 0 "a.h5.parts/crashes:1: is not a line" long.toml -o a.h5 --resume
@@ -246,7 +225,7 @@ gone large.h5.parts
 # shellcheck disable=SC2317
 little_memory() { (ulimit -v "$1"; exec "$gurney" run long.toml -o a.h5 -j 1 --resume); }
 fresh
-begin
+begin long.toml a.h5
 interrupt
 stopped=0
 for size in $(seq 30000 1500 81000); do

@@ -44,9 +44,13 @@ gone() { [ ! -e "$1" ] || complain "$1 is left"; }
 killed() {  # JOB FILE: killed at random moments, then gone on with
   local kills=0
   for _ in 1 2 3 4 5 6; do
-    "$gurney" run "$1" -o "$2" --resume > stdout 2> stderr &
+    "$gurney" run "$1" -o "$2" --resume -j 2 > stdout 2> stderr &
     process=$!
-    sleep "0.$((RANDOM % 80 + 10))"
+    sleep "0.$((RANDOM % 20 + 10))"
+    kill -STOP "$process" 2> /dev/null  # its next run writes a part
+    sleep 1
+    kill -CONT "$process" 2> /dev/null
+    sleep "0.0$((RANDOM % 9))"
     kill -9 "$process" 2> /dev/null && kills=$((kills + 1))
     wait "$process" 2> /dev/null
     [ -e "$2" ] && break
@@ -55,13 +59,6 @@ killed() {  # JOB FILE: killed at random moments, then gone on with
   study 0 "$2" "$1" -o "$2" --resume
   gone "$2.parts"
   gone "$2.part"
-}
-wait_for() {  # FILE: it is there
-  for _ in $(seq 100); do
-    [ -e "$1" ] && return
-    sleep 0.05
-  done
-  complain "$1 does not come"
 }
 
 item=$2/equipment/items/xu_trolley.toml
@@ -101,13 +98,9 @@ expect 0 "the same results as in staged.h5" "$gurney" replay staged.h5 143
 # Interrupted.
 for pair in INT:130 TERM:143; do
   rm -f stopped.h5
-  "$gurney" run long.toml -o stopped.h5 -j 1 > stdout 2> stderr &
-  process=$!
-  wait_for stopped.h5.parts/00000001.part
+  begin long.toml stopped.h5
   kill -s "${pair%:*}" "$process"
-  wait "$process"
-  got=$?
-  [ "$got" -eq "${pair#*:}" ] || complain "exit code $got after SIG${pair%:*}"
+  ends "${pair#*:}" "gurney: interrupted; "
   grep -qE '^gurney: interrupted; [1-9][0-9]* of 24 analysis cases are finished and kept in stopped.h5.parts$' stderr ||
     complain "does not say what is kept"
   grep -qx "continue with: gurney run long.toml -o stopped.h5 --resume -j 1" stderr || complain "does not say how to go on"
@@ -129,12 +122,9 @@ sed 's/levels = .*/levels = [0.1, 0.2]/' small.toml > other.toml
 study 1 "one.h5: holds the results of another study: study.intensity.levels: there" other.toml -o one.h5 --resume
 
 # A run that crashed the program twice is a failed row; a crash is told and leaves a line.
-"$gurney" run long.toml -o crashed.h5 -j 1 > stdout 2> stderr &
-process=$!
-wait_for crashed.h5.parts/00000001.part
+begin long.toml crashed.h5
 kill -s SEGV "$process"
-wait "$process" 2> /dev/null
-[ $? -eq 139 ] || complain "is not ended by SIGSEGV"
+ends 139 "gurney: crashed (signal 11) in run "
 grep -q 'gurney: crashed (signal 11) in run [01] of unit [0-9]*; finished runs are kept' stderr || complain "does not tell of the crash"
 cat crashed.h5.parts/crashes > crashes.once
 cat crashes.once >> crashed.h5.parts/crashes

@@ -103,7 +103,7 @@ TEST_F(Overview, ComparesDemandsWithThoseAtHalfTheStep) {
   }
 }
 
-TEST_F(Overview, HasNoCertificateWhereTheStudyHasNone) {
+TEST_F(Overview, HasNoStepCheckWhereTheStudyHasNone) {
   FabricatedStudy::write(path_, false);
   const StudyOverview overview = study_overview(path_);
   EXPECT_FALSE(overview.step_check);
