@@ -130,14 +130,14 @@ class PaperModel : public StockModel {
       PaperCaster& c = casters_[i];
       const Vector3 up = state.rotation * Vector3::UnitZ();
       const Quaternion turn =
-          state.rotation * Eigen::AngleAxisd(state.legs[i].swivel_angle, Vector3::UnitZ());
+          state.rotation * Eigen::AngleAxisd(state.casters[i].swivel_angle, Vector3::UnitZ());
       const Vector3 arm = state.rotation * c.mount, mount = state.position + arm;
       const Vector3 spin = w + state.velocity.joints[i][0] * up, speed = v + w.cross(arm);
       const Vector3 fork = turn * c.caster.fork_center_of_mass;
       const Vector3 wheel = turn * wheel_center(c.caster);
       c.fork.place(mount + fork, turn, speed + spin.cross(fork), spin);
       c.rolling.place(mount + wheel,
-                      turn * Eigen::AngleAxisd(state.legs[i].axle_angle, Vector3::UnitY()),
+                      turn * Eigen::AngleAxisd(state.casters[i].axle_angle, Vector3::UnitY()),
                       speed + spin.cross(wheel),
                       spin + state.velocity.joints[i][1] * (turn * Vector3::UnitY()));
     }
@@ -179,21 +179,21 @@ class PaperModel : public StockModel {
   void add(const Caster& c, const Vector3& center) {
     casters_.push_back({c, c.mount - center, wheel_center(c) - c.fork_center_of_mass, fork_of(c),
                         wheel_of(c), nullptr, nullptr});
-    PaperCaster& made = casters_.back();
+    PaperCaster& added = casters_.back();
     const Quaternion none = Quaternion::Identity();
     const Quaternion axle(Eigen::AngleAxisd(-0.5 * std::numbers::pi, Vector3::UnitX()));  // z to y
-    made.swivel = std::make_unique<btHingeConstraint>(
-        *chassis_.body, *made.fork.body, chassis_.frame(made.mount, none),
-        made.fork.frame(-c.fork_center_of_mass, none));
-    if (!c.swivels) made.swivel->setLimit(c.heading, c.heading);
-    made.axle = std::make_unique<btHingeConstraint>(*made.fork.body, *made.rolling.body,
-                                                    made.fork.frame(made.wheel, axle),
-                                                    made.rolling.frame(Vector3::Zero(), axle));
-    made.rolling.body->setUserIndex(static_cast<int>(casters_.size()) - 1);
-    world_.addRigidBody(made.fork.body.get(), kJoined, 0);
-    world_.addRigidBody(made.rolling.body.get(), kItem, kFloor);
-    world_.addConstraint(made.swivel.get(), true);
-    world_.addConstraint(made.axle.get(), true);
+    added.swivel = std::make_unique<btHingeConstraint>(
+        *chassis_.body, *added.fork.body, chassis_.frame(added.mount, none),
+        added.fork.frame(-c.fork_center_of_mass, none));
+    if (!c.swivels) added.swivel->setLimit(c.heading, c.heading);
+    added.axle = std::make_unique<btHingeConstraint>(*added.fork.body, *added.rolling.body,
+                                                     added.fork.frame(added.wheel, axle),
+                                                     added.rolling.frame(Vector3::Zero(), axle));
+    added.rolling.body->setUserIndex(static_cast<int>(casters_.size()) - 1);
+    world_.addRigidBody(added.fork.body.get(), kJoined, 0);
+    world_.addRigidBody(added.rolling.body.get(), kItem, kFloor);
+    world_.addConstraint(added.swivel.get(), true);
+    world_.addConstraint(added.axle.get(), true);
   }
 
   void apply_resistance(std::size_t i, const State& before) {
@@ -205,7 +205,7 @@ class PaperModel : public StockModel {
           c.caster.tread.rolling_friction_length / c.caster.wheel_radius * normal_[i];
       c.rolling.body->applyCentralForce(to_bullet(Vector3(-resistance / motion.norm() * motion)));
     }
-    const double turned = before.legs[i].swivel_angle - c.caster.heading;
+    const double turned = before.casters[i].swivel_angle - c.caster.heading;
     const Eigen::Vector2d& rates = before.velocity.joints[i];
     const Vector3 swivel =
         (-c.caster.swivel.coulomb * turned - c.caster.swivel.viscous * rates[0]) *
@@ -224,13 +224,15 @@ class PaperModel : public StockModel {
     for (std::size_t i = 0; i < casters_.size(); ++i) {
       const PaperCaster& c = casters_[i];
       const Matrix3 fork = (after.rotation.conjugate() * c.fork.rotation()).toRotationMatrix();
-      const double angle = std::atan2(fork(1, 0), fork(0, 0)), last = before.legs[i].swivel_angle;
-      after.legs[i].swivel_angle = last + std::remainder(angle - last, 2 * std::numbers::pi);
+      const double angle = std::atan2(fork(1, 0), fork(0, 0)),
+                   last = before.casters[i].swivel_angle;
+      after.casters[i].swivel_angle = last + std::remainder(angle - last, 2 * std::numbers::pi);
       const Vector3 up = after.rotation * Vector3::UnitZ();
       const Vector3 across = c.fork.rotation() * Vector3::UnitY();
       after.velocity.joints[i] = {up.dot(c.fork.spin() - chassis_.spin()),
                                   across.dot(c.rolling.spin() - c.fork.spin())};
-      after.legs[i].axle_angle = before.legs[i].axle_angle + duration * after.velocity.joints[i][1];
+      after.casters[i].axle_angle =
+          before.casters[i].axle_angle + duration * after.velocity.joints[i][1];
     }
   }
 

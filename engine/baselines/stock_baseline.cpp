@@ -23,7 +23,7 @@ void fill(double duration, const std::vector<double>& normal, const State& befor
     tread.compression = normal[i] > 0 ? 1e-6 : -1e-6;
     tread.end.rolling = true;
     const Matrix3 rotation = after.rotation.toRotationMatrix();
-    const double yaw = std::atan2(rotation(1, 0), rotation(0, 0)) + after.legs[i].swivel_angle;
+    const double yaw = std::atan2(rotation(1, 0), rotation(0, 0)) + after.casters[i].swivel_angle;
     output.heading[i] = {std::cos(yaw), std::sin(yaw)};
   }
 }

@@ -40,7 +40,7 @@ class StockMultibody : public StockModel {
     info.m_restitution = 0;
     info.m_linearSlop = 0;
     if (solver == Solver::kBulletDantzig) info.m_globalCfm = 1e-9;
-    for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
+    for (std::size_t i = 0; i < mechanism.casters.size(); ++i) {
       const int link = static_cast<int>(2 * i);
       const Caster& c = scene.items[0].model.casters[i];
       const auto add_motor = [&](int at) {
@@ -52,7 +52,7 @@ class StockMultibody : public StockModel {
       swivels_.push_back(c.swivels ? add_motor(link) : nullptr);
       resistance_.push_back(c.tread.rolling_friction_length);
       normal_.push_back(mechanism.total_mass * -mechanism.gravity.z() /
-                        static_cast<double>(mechanism.legs.size()));
+                        static_cast<double>(mechanism.casters.size()));
     }
   }
 
@@ -74,16 +74,16 @@ class StockMultibody : public StockModel {
       item_.body().addBaseTorque(to_bullet(Vector3(row.force * row.direction.tail<3>())));
     }
     for (std::size_t i = 0; i < axles_.size(); ++i) {
-      const CasterDynamics& leg = mechanism_.legs[i];
+      const CasterDynamics& caster = mechanism_.casters[i];
       const Eigen::Vector2d& rates = before.velocity.joints[i];
       const int fork = static_cast<int>(2 * i);
-      if (leg.swivels())
-        item_.body().addJointTorque(fork, -leg.swivel_friction().viscous * rates[0]);
-      item_.body().addJointTorque(fork + 1, -leg.axle_friction().viscous * rates[1]);
-      const double axle = std::min(leg.axle_limit(), kUnlimitedTorque);
+      if (caster.swivels())
+        item_.body().addJointTorque(fork, -caster.swivel_friction().viscous * rates[0]);
+      item_.body().addJointTorque(fork + 1, -caster.axle_friction().viscous * rates[1]);
+      const double axle = std::min(caster.axle_limit(), kUnlimitedTorque);
       axles_[i]->setMaxAppliedImpulse((resistance_[i] * normal_[i] + axle) * duration);
       if (swivels_[i] != nullptr)
-        swivels_[i]->setMaxAppliedImpulse(std::min(leg.swivel_limit(), kUnlimitedTorque) *
+        swivels_[i]->setMaxAppliedImpulse(std::min(caster.swivel_limit(), kUnlimitedTorque) *
                                           duration);
     }
     world_.stepSimulation(duration, 0);

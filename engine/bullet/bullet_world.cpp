@@ -42,9 +42,9 @@ constexpr double kMaxParts = 100;  // of a step, each with a pass of its own
 /// How fast any point of the item moves at most, with a share of its wheels' spin.
 double speed_of(const Mechanism& mechanism, const State& state, double spin = 1) {
   double swing = 0, joints = 0;
-  for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
+  for (std::size_t i = 0; i < mechanism.casters.size(); ++i) {
     const auto& rates = state.velocity.joints[i];
-    swing = std::max(swing, mechanism.legs[i].swing());
+    swing = std::max(swing, mechanism.casters[i].swing());
     joints = std::max(joints, std::abs(rates[0]) + spin * std::abs(rates[1]));
   }
   return state.velocity.chassis.head<3>().norm() +
@@ -217,19 +217,19 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
     const auto item = static_cast<std::size_t>(body.getUserIndex());
     const State& state = state_->items[item];
     if (body.m_link < 0) return {item, -1, state.rotation.conjugate() * (point - state.position)};
-    const int leg = body.m_link / 2;
-    const auto i = static_cast<std::size_t>(leg);
-    const CasterDynamics& wheel = assembly_.items[item].legs[i];
+    const int caster = body.m_link / 2;
+    const auto i = static_cast<std::size_t>(caster);
+    const CasterDynamics& wheel = assembly_.items[item].casters[i];
     const Pose pose = state.pose();
-    const double angle = state.legs[i].swivel_angle;
+    const double angle = state.casters[i].swivel_angle;
     const Vector3 origin = wheel.point(pose, angle, Vector3::Zero());
     const Vector3 direction = wheel.on_fork(pose, angle, origin + towards);
-    return {item, leg,
+    return {item, caster,
             wheel.tread_point(direction, wheel.on_fork(pose, angle, point - state.position))};
   }
 
   /// Bullet's normal of a tread before a polyhedron is a guess; of one that touches, the normal it
-  /// had is a better one: of a deep overlap Bullet may find the way out through another face.
+  /// had is a better one: of a deep overlap Bullet may separate it through another face.
   Vector3 guess_of(const BodyContact& contact) const {
     for (const BodyContactState& memory : state_->contacts)
       if (memory.compression > 0 && memory.contact.same_pair(contact)) return memory.contact.normal;
@@ -258,19 +258,19 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
   bool add_side(const BodyContact& contact) {
     const BodyContact::Side& at = contact.side;
     const auto& obstacle = obstacles_[static_cast<std::size_t>(contact.other) - 1];
-    if (!obstacle || at.leg < 0) return false;
-    const auto i = static_cast<std::size_t>(at.leg);
-    const CasterDynamics& leg = assembly_.items[at.item].legs[i];
+    if (!obstacle || at.caster < 0) return false;
+    const auto i = static_cast<std::size_t>(at.caster);
+    const CasterDynamics& caster = assembly_.items[at.item].casters[i];
     const State& state = state_->items[at.item];
-    const double angle = state.legs[i].swivel_angle;
-    const Vector3 across = leg.across(state.pose(), angle, -contact.normal);
+    const double angle = state.casters[i].swivel_angle;
+    const Vector3 across = caster.across(state.pose(), angle, -contact.normal);
     if (!CasterDynamics::lies(Vector3(0, 0, across.y()))) return false;
     const std::size_t before = contacts_.size();
-    for (const Vector3& point : leg.rim(across.y() > 0)) {
-      const Vector3 here = state.position + leg.point(state.pose(), angle, point);
+    for (const Vector3& point : caster.rim(across.y() > 0)) {
+      const Vector3 here = state.position + caster.point(state.pose(), angle, point);
       if (!obstacle->faces(contact.normal, here)) continue;
       BodyContact& added = contacts_.emplace_back(contact);
-      added.side = {at.item, at.leg, point};
+      added.side = {at.item, at.caster, point};
     }
     return contacts_.size() > before;
   }

@@ -121,10 +121,10 @@ void MultibodyItem::set(const State& state) {
   body_->setBaseOmega(to_bullet(Vector3(state.velocity.chassis.tail<3>())));
   for (std::size_t i = 0; i < casters_; ++i) {
     if (swivels_[i]) {
-      body_->setJointPos(fork_link(i), state.legs[i].swivel_angle);
+      body_->setJointPos(fork_link(i), state.casters[i].swivel_angle);
       body_->setJointVel(fork_link(i), state.velocity.joints[i][0]);
     }
-    body_->setJointPos(wheel_link(i), state.legs[i].axle_angle);
+    body_->setJointPos(wheel_link(i), state.casters[i].axle_angle);
     body_->setJointVel(wheel_link(i), state.velocity.joints[i][1]);
   }
   body_->forwardKinematics(scratch_q_, scratch_v_);
@@ -137,9 +137,9 @@ void MultibodyItem::get(State& state) const {
   state.rotation = (rotation * base_axes_.conjugate()).normalized();
   state.velocity.chassis << from_bullet(body_->getBaseVel()), from_bullet(body_->getBaseOmega());
   for (std::size_t i = 0; i < casters_; ++i) {
-    state.legs[i].swivel_angle = swivels_[i] ? body_->getJointPos(fork_link(i)) : headings_[i];
+    state.casters[i].swivel_angle = swivels_[i] ? body_->getJointPos(fork_link(i)) : headings_[i];
     state.velocity.joints[i][0] = swivels_[i] ? body_->getJointVel(fork_link(i)) : 0;
-    state.legs[i].axle_angle = body_->getJointPos(wheel_link(i));
+    state.casters[i].axle_angle = body_->getJointPos(wheel_link(i));
     state.velocity.joints[i][1] = body_->getJointVel(wheel_link(i));
   }
 }

@@ -59,12 +59,12 @@ CasterDynamics::CasterDynamics(const Caster& caster, const Vector3& chassis_cent
   axle_ = {stick_stiffness(caster, radius_), caster.axle.viscous};
   swivel_ = {stick_stiffness(caster, std::max(caster.trail, radius_)), caster.swivel.viscous};
   const double transverse = caster.wheel_transverse_inertia;
-  MassProperties leg;
-  leg.add(caster.fork_mass, caster.fork_center_of_mass, caster.fork_inertia);
-  leg.add(caster.wheel_mass, wheel_center_,
-          Vector3(transverse, axial_inertia_, transverse).asDiagonal());
-  center_ = leg.center_of_mass;
-  inertia_ = leg.inertia;
+  MassProperties whole;
+  whole.add(caster.fork_mass, caster.fork_center_of_mass, caster.fork_inertia);
+  whole.add(caster.wheel_mass, wheel_center_,
+            Vector3(transverse, axial_inertia_, transverse).asDiagonal());
+  center_ = whole.center_of_mass;
+  inertia_ = whole.inertia;
   swing_ = wheel_center_.norm() + std::hypot(radius_, caster.wheel_width / 2);
   reach_ = mount_.norm() + swing_;
 }
@@ -86,7 +86,7 @@ Vector3 CasterDynamics::tread_point(const Vector3& direction, const Vector3& fou
   if (in_plane.norm() < kSquare) return found;
   const Vector3 outwards = in_plane.normalized();
   if (std::abs(sine) <= kSineOfCrown) return wheel_center_ + radius_ * outwards;
-  const CrownPoint point = crown_point(std::asin(std::abs(sine)), 0.5 * width_);
+  const CrownPoint point = crown_point(std::asin(std::min(1.0, std::abs(sine))), 0.5 * width_);
   return wheel_center_ + (radius_ - point.drop) * outwards +
          std::copysign(point.out, sine) * Vector3::UnitY();
 }
@@ -131,7 +131,7 @@ void CasterDynamics::evaluate(const Pose& pose, double swivel_angle,
   out.axle_level = Vector3(a.x(), a.y(), 0).normalized();
   out.heading = out.axle_level.cross(Vector3::UnitZ());
 
-  // Inertia: momentum of the leg m v_L and J w_f + I_a theta' a about its centre.
+  // Inertia: momentum of the caster m v_L and J w_f + I_a theta' a about its centre.
   const Vector3 rho = fork * center_;
   const Vector3 r = out.mount + rho;
   const Matrix3 J = fork * inertia_ * fork.transpose();

@@ -30,7 +30,7 @@ class CasterDynamics {
   /// @param chassis_center  O in item axes
   CasterDynamics(const Caster& caster, const Vector3& chassis_center);
 
-  /// Mass matrix blocks, bias and contact Jacobian of the leg at one configuration.
+  /// Mass matrix blocks, bias and contact Jacobian of the caster at one configuration.
   struct Geometry {
     Vector3 swivel_axis;
     Vector3 axle;          ///< unit, to the left
@@ -58,7 +58,7 @@ class CasterDynamics {
   void evaluate(const Pose& pose, double swivel_angle, const Vector6& chassis_velocity,
                 const Eigen::Vector2d& joint_rates, const Vector3& gravity, Geometry& out) const;
 
-  /// Momentum-free part of evaluate(): kinetic energy of the leg [J].
+  /// Momentum-free part of evaluate(): kinetic energy of the caster [J].
   static double kinetic_energy(const Geometry& g, const Vector6& v, const Eigen::Vector2d& rates);
 
   /// A point of the fork (fork axes, relative to the mount), relative to O in floor axes.
@@ -92,7 +92,7 @@ class CasterDynamics {
   Vector3 tread_point(const Pose& pose, double swivel_angle, const Vector3& outwards,
                       const Vector3& found) const;
 
-  /// Position of the leg's centre of mass relative to O, for the potential energy.
+  /// Position of the caster's centre of mass relative to O, for the potential energy.
   Vector3 center_of_mass(const Pose& pose, double swivel_angle) const;
 
   const TreadLaw& tread() const { return tread_; }

@@ -42,7 +42,7 @@ void overlay_named(Node& tables, const Node& change, const std::string& array,
   }
 }
 
-/// `*` first, whatever the order in the file, so that a name says more.
+/// `*` first, whatever the order in the file, so that a name overrides it.
 void overlay_tables(Node& tables, const Node& patch, const std::string& path, Document& document) {
   for (const bool all : {true, false})
     for (const Node& change : patch.elements)

@@ -5,7 +5,7 @@
 
 namespace gurney::config {
 
-/// The numbers a key allows. NaN is never allowed, infinity only where it is said.
+/// The numbers a key allows. NaN is never allowed, infinity only where it is stated.
 class Range {
  public:
   static Range any() { return {}; }

@@ -12,7 +12,7 @@ struct BodyContact {
   /// A point of an item.
   struct Side {
     std::size_t item = 0;  ///< index in Scene::items
-    int leg = -1;          ///< -1: on the chassis; else on the wheel of this leg
+    int caster = -1;       ///< -1: on the chassis; else on the wheel of this caster
     /// Chassis: chassis axes, relative to its centre; wheel: fork axes, relative to the mount (the
     /// point does not turn with the axle).
     Vector3 local = Vector3::Zero();
@@ -21,7 +21,7 @@ struct BodyContact {
     /// contact was found. Zero: the point is `local`.
     Vector3 outwards = Vector3::Zero();
 
-    bool same_body(const Side& b) const { return item == b.item && leg == b.leg; }
+    bool same_body(const Side& b) const { return item == b.item && caster == b.caster; }
   };
   static constexpr int kItem = -1;
 

@@ -33,8 +33,8 @@ ImpactLog::ImpactLog(const Scene& scene, const Assembly& assembly)
 
 ImpactLog::Key ImpactLog::key_of(const BodyContact& c) {
   const bool items = c.between_items();
-  return {static_cast<int>(c.side.item), c.side.leg, c.other,
-          items ? static_cast<int>(c.other_side.item) : -1, items ? c.other_side.leg : -1};
+  return {static_cast<int>(c.side.item), c.side.caster, c.other,
+          items ? static_cast<int>(c.other_side.item) : -1, items ? c.other_side.caster : -1};
 }
 
 bool ImpactLog::in_island(const Key& key, const Island& island) const {
@@ -50,10 +50,10 @@ void ImpactLog::begin(Pair& pair, const BodyContact& contact, const PairStep& no
   impact.time = now.begins;
   const BodyContact::Side &a = contact.side, &b = contact.other_side;
   const auto name_of = [&](const BodyContact::Side& side) {
-    return side.leg < 0 ? "chassis" : wheels_[side.item][static_cast<std::size_t>(side.leg)];
+    return side.caster < 0 ? "chassis" : wheels_[side.item][static_cast<std::size_t>(side.caster)];
   };
   impact.item = a.item;
-  impact.wheel = a.leg;
+  impact.wheel = a.caster;
   impact.body = name_of(a);
   if (contact.between_items()) {
     impact.other_item = static_cast<int>(b.item);

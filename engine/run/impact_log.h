@@ -48,7 +48,7 @@ class ImpactLog {
 
   void begin(Pair& pair, const BodyContact& contact, const PairStep& now);
 
-  using Key = std::array<int, 5>;  // item, leg, other, other item, its leg
+  using Key = std::array<int, 5>;  // item, caster, other, other item, its caster
   static Key key_of(const BodyContact& contact);
   bool in_island(const Key& key, const Island& island) const;
 

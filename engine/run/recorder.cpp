@@ -15,10 +15,10 @@ double tilt_of(const Matrix3& rotation) { return std::acos(std::clamp(rotation(2
 
 double horizontal(const Vector3& v) { return v.head<2>().norm(); }
 
-WheelMode mode_of(const CasterDynamics& leg, const TreadLaw::Result& tread, bool axle_slips) {
+WheelMode mode_of(const CasterDynamics& caster, const TreadLaw::Result& tread, bool axle_slips) {
   if (tread.force[2] <= 0) return WheelMode::kLifted;
   if (tread.end.sliding) return WheelMode::kSkids;
-  if (leg.braked() && !axle_slips) return WheelMode::kBraked;
+  if (caster.braked() && !axle_slips) return WheelMode::kBraked;
   return tread.end.rolling ? WheelMode::kRolls : WheelMode::kSticks;
 }
 
@@ -41,8 +41,8 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
   origin_start_ = start.position + rotation * origin_;
   yaw_start_ = yaw_ = yaw_of(rotation);
   for (const auto& caster : model.casters) trails_.push_back(caster.trail);
-  gaps_.resize(mechanism.legs.size());
-  demands_.wheels.resize(mechanism.legs.size());
+  gaps_.resize(mechanism.casters.size());
+  demands_.wheels.resize(mechanism.casters.size());
   demands_.points.resize(points_.size());
   current_.points.resize(points_.size());
   gravitational_start_ = mechanism.gravitational_energy(start);
@@ -56,16 +56,17 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
   current_.pull_force =
       mechanism.loads.pull_force(start.time, start.pose(), start.velocity.chassis);
   demands_.peak_velocity = horizontal(current_.velocity);
-  for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
+  for (std::size_t i = 0; i < mechanism.casters.size(); ++i) {
     CasterDynamics::Geometry g;
-    mechanism.legs[i].evaluate(start.pose(), start.legs[i].swivel_angle, start.velocity.chassis,
-                               start.velocity.joints[i], Vector3::Zero(), g);
+    mechanism.casters[i].evaluate(start.pose(), start.casters[i].swivel_angle,
+                                  start.velocity.chassis, start.velocity.joints[i], Vector3::Zero(),
+                                  g);
     gaps_[i] = {g.height, 0, g.height >= 0, start.time};
     WheelSample& wheel = current_.wheels[i];
-    wheel.swivel_angle = start.legs[i].swivel_angle;
+    wheel.swivel_angle = start.casters[i].swivel_angle;
     wheel.swivel_rate = start.velocity.joints[i][0];
     wheel.wheel_rate = start.velocity.joints[i][1];
-    wheel.normal_force = mechanism.legs[i].tread().static_force(-g.height);
+    wheel.normal_force = mechanism.casters[i].tread().static_force(-g.height);
     wheel.mode = wheel.normal_force > 0 ? WheelMode::kSticks : WheelMode::kLifted;
     demands_.wheels[i].peak_normal_force = wheel.normal_force;
     demands_.peak_normal_force = std::max(demands_.peak_normal_force, wheel.normal_force);
@@ -118,12 +119,12 @@ void Recorder::overturned() {
 
 void Recorder::observe_wheels(const Stepper::Step& step) {
   const State& to = step.to->items[item_];
-  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
-    const CasterDynamics& leg = mechanism_.legs[i];
+  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) {
+    const CasterDynamics& caster = mechanism_.casters[i];
     const TreadLaw::Result& tread = step.end->items[item_].treads[i];
     const Eigen::Vector2d& rates = to.velocity.joints[i];
     WheelSample& wheel = current_.wheels[i];
-    wheel.swivel_angle = to.legs[i].swivel_angle;
+    wheel.swivel_angle = to.casters[i].swivel_angle;
     wheel.swivel_rate = rates[0];
     wheel.wheel_rate = rates[1];
     wheel.normal_force = tread.force[2];
@@ -131,13 +132,13 @@ void Recorder::observe_wheels(const Stepper::Step& step) {
     const Vector2& heading = step.end->items[item_].heading[i];
     wheel.longitudinal_force = heading.dot(tangential);
     wheel.lateral_force = heading.x() * tangential.y() - heading.y() * tangential.x();
-    wheel.scrub_torque = leg.tread().spin_radius() * tread.force[3];
-    wheel.rolling_resistance_force = tread.force[4] / leg.wheel_radius();
-    wheel.mode = mode_of(leg, tread, step.end->items[item_].axle_slips[i]);
+    wheel.scrub_torque = caster.tread().spin_radius() * tread.force[3];
+    wheel.rolling_resistance_force = tread.force[4] / caster.wheel_radius();
+    wheel.mode = mode_of(caster, tread, step.end->items[item_].axle_slips[i]);
     // A wheel in the air may spin on a free axle for ever; that is no motion of the item.
     const double spin = wheel.mode == WheelMode::kLifted ? 0 : std::abs(rates[1]);
-    speed_ = std::max({speed_, std::abs(rates[0]) * (trails_[i] + leg.wheel_radius()),
-                       spin * leg.wheel_radius()});
+    speed_ = std::max({speed_, std::abs(rates[0]) * (trails_[i] + caster.wheel_radius()),
+                       spin * caster.wheel_radius()});
 
     WheelDemands& d = demands_.wheels[i];
     d.peak_normal_force = std::max(d.peak_normal_force, wheel.normal_force);
@@ -155,7 +156,7 @@ void Recorder::observe_wheels(const Stepper::Step& step) {
 void Recorder::observe_lift(const Stepper::Step& step) {
   const double h = step.duration;
   bool near = false;
-  std::array<Gap, kMaxLegs> now;
+  std::array<Gap, kMaxCasters> now;
   for (std::size_t i = 0; i < gaps_.size(); ++i) {
     const TreadLaw::Result& tread = step.end->items[item_].treads[i];
     now[i] = {-tread.compression, -tread.compression_rate, tread.compression <= 0,

@@ -9,7 +9,7 @@
 
 namespace gurney {
 
-/// What stands in each zone of the room, and how wide a way it leaves.
+/// What stands in each zone of the room, and what free width it leaves.
 class ZoneLog {
  public:
   ZoneLog(const Scene& scene, const Assembly& assembly);

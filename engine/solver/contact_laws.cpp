@@ -31,9 +31,9 @@ const ImpactLaw& ContactLaws::of(const BodyContact& contact) const {
   const BodyContact::Side& a = contact.side;
   const BodyContact::Side& b = contact.other_side;
   const Item& item = items_[a.item];
-  if (a.leg >= 0) return item.wheels[static_cast<std::size_t>(a.leg)];
+  if (a.caster >= 0) return item.wheels[static_cast<std::size_t>(a.caster)];
   if (!contact.between_items()) return item.others[static_cast<std::size_t>(contact.other)];
-  if (b.leg >= 0) return items_[b.item].wheels[static_cast<std::size_t>(b.leg)];
+  if (b.caster >= 0) return items_[b.item].wheels[static_cast<std::size_t>(b.caster)];
   return item.chassis[b.item - a.item - 1];
 }
 

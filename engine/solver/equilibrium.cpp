@@ -35,7 +35,7 @@ bool relax(const Assembly& standing, double pseudo_step, SceneState& scene) {
     if (!solver.solve(input, out) && !(out.residual < 1e-6)) return false;
     const Velocity& end = out.end.items.front().velocity;
     double motion = end.chassis.cwiseAbs().maxCoeff();
-    for (std::size_t k = 0; k < mechanism.legs.size(); ++k)
+    for (std::size_t k = 0; k < mechanism.casters.size(); ++k)
       motion = std::max(motion, end.joints[k].cwiseAbs().maxCoeff());
     const double time = state.time;
     scene = out.end;

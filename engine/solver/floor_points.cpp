@@ -10,10 +10,10 @@ namespace {
 /// A wheel with a steeper axle may soon lie on its side.
 constexpr double kSteepAxle = 0.5;
 
-Vector3 axle_of(const CasterDynamics& leg, const State& state, std::size_t i) {
-  const double angle = state.legs[i].swivel_angle;
-  return leg.point(state.pose(), angle, Vector3::UnitY()) -
-         leg.point(state.pose(), angle, Vector3::Zero());
+Vector3 axle_of(const CasterDynamics& caster, const State& state, std::size_t i) {
+  const double angle = state.casters[i].swivel_angle;
+  return caster.point(state.pose(), angle, Vector3::UnitY()) -
+         caster.point(state.pose(), angle, Vector3::Zero());
 }
 
 }  // namespace
@@ -35,11 +35,11 @@ void FloorPoints::collect(const State& state, double margin,
       contacts.emplace_back().side = side;
   };
   for (const Vector3& corner : corners_) add_if_low({item_, -1, corner});
-  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
-    const CasterDynamics& leg = mechanism_.legs[i];
-    if (!CasterDynamics::lies(axle_of(leg, state, i))) continue;
+  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) {
+    const CasterDynamics& caster = mechanism_.casters[i];
+    if (!CasterDynamics::lies(axle_of(caster, state, i))) continue;
     for (const bool left : {false, true})
-      for (const Vector3& point : leg.rim(left)) add_if_low({item_, static_cast<int>(i), point});
+      for (const Vector3& point : caster.rim(left)) add_if_low({item_, static_cast<int>(i), point});
   }
 }
 
@@ -47,8 +47,8 @@ double FloorPoints::clearance(const State& state) const {
   double lowest = std::numeric_limits<double>::infinity();
   for (const Vector3& corner : corners_)
     lowest = std::min(lowest, state.position.z() + (state.rotation * corner).z());
-  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i)
-    if (std::abs(axle_of(mechanism_.legs[i], state, i).z()) > kSteepAxle)
+  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i)
+    if (std::abs(axle_of(mechanism_.casters[i], state, i).z()) > kSteepAxle)
       lowest = std::min(lowest, 0.0);
   return lowest;
 }

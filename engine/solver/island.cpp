@@ -18,14 +18,15 @@ std::vector<Island> islands_of(std::vector<BodyContact>& contacts, std::size_t i
     const std::size_t a = find(contact.side.item), b = find(contact.other_side.item);
     first[std::max(a, b)] = std::min(a, b);
   }
-  std::stable_sort(
-      contacts.begin(), contacts.end(), [&](const BodyContact& a, const BodyContact& b) {
-        const auto key = [&](const BodyContact& c) {
-          return std::tuple(find(c.side.item), c.side.item, c.other, c.side.leg, c.other_side.item,
-                            c.other_side.leg, c.side.local.x(), c.side.local.y(), c.side.local.z());
-        };
-        return key(a) < key(b);
-      });
+  std::stable_sort(contacts.begin(), contacts.end(),
+                   [&](const BodyContact& a, const BodyContact& b) {
+                     const auto key = [&](const BodyContact& c) {
+                       return std::tuple(find(c.side.item), c.side.item, c.other, c.side.caster,
+                                         c.other_side.item, c.other_side.caster, c.side.local.x(),
+                                         c.side.local.y(), c.side.local.z());
+                     };
+                     return key(a) < key(b);
+                   });
   std::vector<Island> islands;
   std::vector<std::size_t> island_of(items);
   for (std::size_t i = 0; i < items; ++i) {

@@ -48,12 +48,12 @@ void ItemStage::update_geometry(const Input& input, const Velocity& v, bool firs
   mass_.bottomRightCorner<3, 3>() = inertia;
   bias_ << -chassis.mass * gravity, w.cross(inertia * w);
 
-  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
-    const CasterDynamics& leg = mechanism_.legs[i];
-    LegWork& work = legs_[i];
+  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) {
+    const CasterDynamics& caster = mechanism_.casters[i];
+    CasterWork& work = casters_[i];
     work.kept = false;
-    const double swivel = start.legs[i].swivel_angle + tau * v.joints[i][0];
-    leg.evaluate(pose_, swivel, v.chassis, v.joints[i], gravity, work.g);
+    const double swivel = start.casters[i].swivel_angle + tau * v.joints[i][0];
+    caster.evaluate(pose_, swivel, v.chassis, v.joints[i], gravity, work.g);
     mass_ += work.g.mass_chassis;
     bias_ += work.g.bias_chassis;
     work.jacobian_transposed.topRows<6>() = work.g.jacobian_chassis.transpose();
@@ -61,15 +61,15 @@ void ItemStage::update_geometry(const Input& input, const Velocity& v, bool firs
     const Vector5 u = work.g.jacobian_chassis * v.chassis + work.g.jacobian_joints * v.joints[i];
     work.tread.tau = tau;
     work.tread.compression = -work.g.height + tau * u[2];
-    work.tread.start = start.legs[i].tread;
-    const bool rolls = first ? start.legs[i].tread.rolling : std::abs(work.slope(4, 4)) == 0;
-    work.tread.rolling_speed = rolls ? leg.wheel_radius() * std::abs(u[4]) : 0;
+    work.tread.start = start.casters[i].tread;
+    const bool rolls = first ? start.casters[i].tread.rolling : std::abs(work.slope(4, 4)) == 0;
+    work.tread.rolling_speed = rolls ? caster.wheel_radius() * std::abs(u[4]) : 0;
   }
 }
 
 double ItemStage::geometry_error(const Velocity& v) const {
   double error = (v.chassis.tail<3>() - predicted_.chassis.tail<3>()).norm();
-  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i)
+  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i)
     error = std::max(error, std::abs(v.joints[i][0] - predicted_.joints[i][0]));
   return tau_ * error;
 }
@@ -82,24 +82,24 @@ void ItemStage::begin_forces(const Input& input, const Velocity& v) {
   if (input.floor.rotates) chassis_change += tau * carried_;
   momentum_ = mass_ * chassis_change;
   // Laws first, then sums: a vector read right after it is written makes the processor wait.
-  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
-    const CasterDynamics& leg = mechanism_.legs[i];
-    LegWork& work = legs_[i];
+  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) {
+    const CasterDynamics& caster = mechanism_.casters[i];
+    CasterWork& work = casters_[i];
     const Eigen::Vector2d& rates = v.joints[i];
     work.rates.noalias() = work.g.jacobian_chassis * v.chassis + work.g.jacobian_joints * rates;
-    work.force = leg.tread().force(work.tread, work.rates, work.slope);
-    work.swivel = leg.swivel_friction().evaluate(start.legs[i].swivel_wind, rates[0],
-                                                 leg.swivel_limit(), tau);
-    work.axle =
-        leg.axle_friction().evaluate(start.legs[i].axle_wind, rates[1], leg.axle_limit(), tau);
+    work.force = caster.tread().force(work.tread, work.rates, work.slope);
+    work.swivel = caster.swivel_friction().evaluate(start.casters[i].swivel_wind, rates[0],
+                                                    caster.swivel_limit(), tau);
+    work.axle = caster.axle_friction().evaluate(start.casters[i].axle_wind, rates[1],
+                                                caster.axle_limit(), tau);
   }
-  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
-    LegWork& work = legs_[i];
+  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) {
+    CasterWork& work = casters_[i];
     force_.noalias() += work.g.jacobian_chassis.transpose() * work.force;
     const Eigen::Vector2d change = v.joints[i] - start.velocity.joints[i];
     momentum_.noalias() += work.g.mass_coupling * change;
     const Eigen::Vector2d momentum = work.g.mass_joints * change;
-    const double torques[2] = {mechanism_.legs[i].swivels() ? work.swivel.torque : 0.0,
+    const double torques[2] = {mechanism_.casters[i].swivels() ? work.swivel.torque : 0.0,
                                work.axle.torque};
     for (int k = 0; k < 2; ++k) {
       const double joint_force =
@@ -110,11 +110,11 @@ void ItemStage::begin_forces(const Input& input, const Velocity& v) {
   }
 }
 
-void ItemStage::add_contact_force(int leg, const Matrix36& chassis, const Matrix32& joints,
+void ItemStage::add_contact_force(int caster, const Matrix36& chassis, const Matrix32& joints,
                                   const Vector3& force) {
   force_.noalias() += chassis.transpose() * force;
-  if (leg >= 0)
-    legs_[static_cast<std::size_t>(leg)].joint_residual -= tau_ * joints.transpose() * force;
+  if (caster >= 0)
+    casters_[static_cast<std::size_t>(caster)].joint_residual -= tau_ * joints.transpose() * force;
 }
 
 double ItemStage::end_forces(const Input& input, const Velocity& v) {
@@ -133,9 +133,9 @@ double ItemStage::end_forces(const Input& input, const Velocity& v) {
         mechanism_.total_mass * (v.chassis[dof] - mechanism_.fixture.guides[dof].velocity);
   }
   double joints = 0;
-  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i)
-    joints = std::max(
-        joints, legs_[i].joint_residual.cwiseAbs().maxCoeff() / mechanism_.legs[i].wheel_radius());
+  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i)
+    joints = std::max(joints, casters_[i].joint_residual.cwiseAbs().maxCoeff() /
+                                  mechanism_.casters[i].wheel_radius());
   const double scale = 1 / (mechanism_.total_mass * kStandardGravity * tau);
   return scale * std::max({residual_.head<3>().cwiseAbs().maxCoeff(),
                            residual_.tail<3>().cwiseAbs().maxCoeff() / mechanism_.length, joints});
@@ -144,11 +144,11 @@ double ItemStage::end_forces(const Input& input, const Velocity& v) {
 void ItemStage::begin_matrix() {
   matrix_ = mass_;
   // All slopes first: a matrix read right after it is written makes the processor wait.
-  std::array<Matrix5, kMaxLegs> slopes;
-  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) slopes[i] = tau_ * legs_[i].slope;
-  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
-    const CasterDynamics& leg = mechanism_.legs[i];
-    LegWork& work = legs_[i];
+  std::array<Matrix5, kMaxCasters> slopes;
+  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) slopes[i] = tau_ * casters_[i].slope;
+  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) {
+    const CasterDynamics& caster = mechanism_.casters[i];
+    CasterWork& work = casters_[i];
     const Matrix5& slope = slopes[i];
     Matrix58 forces;
     forces.leftCols<3>() = slope.leftCols<3>();  // the contact point moves with the chassis
@@ -159,16 +159,16 @@ void ItemStage::begin_matrix() {
     work.k_chassis_joints = work.g.mass_coupling + added.topRightCorner<6, 2>();
     work.k_joints_chassis = work.g.mass_coupling.transpose() + added.bottomLeftCorner<2, 6>();
     work.k_joints = work.g.mass_joints + added.bottomRightCorner<2, 2>();
-    if (leg.swivels()) work.k_joints(0, 0) += tau_ * work.swivel.rate_slope;
+    if (caster.swivels()) work.k_joints(0, 0) += tau_ * work.swivel.rate_slope;
     work.k_joints(1, 1) += tau_ * work.axle.rate_slope;
   }
 }
 
-void ItemStage::add_contact_slope(int leg, const Matrix36& chassis, const Matrix32& joints,
+void ItemStage::add_contact_slope(int caster, const Matrix36& chassis, const Matrix32& joints,
                                   const Matrix3& slope) {
   matrix_ += chassis.transpose() * slope * chassis;
-  if (leg < 0) return;
-  LegWork& owner = legs_[static_cast<std::size_t>(leg)];
+  if (caster < 0) return;
+  CasterWork& owner = casters_[static_cast<std::size_t>(caster)];
   owner.k_chassis_joints += chassis.transpose() * slope * joints;
   owner.k_joints_chassis += joints.transpose() * slope * chassis;
   owner.k_joints += joints.transpose() * slope * joints;
@@ -178,8 +178,8 @@ void ItemStage::eliminate() {
   right_side_ = -residual_;
   for (const auto& row : load_rows_)
     if (row.slope != 0) matrix_ += tau_ * row.slope * row.direction * row.direction.transpose();
-  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
-    LegWork& work = legs_[i];
+  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) {
+    CasterWork& work = casters_[i];
     if (work.kept) continue;
     work.k_inverse = work.k_joints.inverse();
     const Eigen::Matrix<double, 6, 2> eliminated = work.k_chassis_joints * work.k_inverse;
@@ -196,8 +196,8 @@ void ItemStage::eliminate() {
 
 void ItemStage::apply(const Vector6& step, Velocity& v) const {
   v.chassis += step;
-  for (std::size_t i = 0; i < mechanism_.legs.size(); ++i) {
-    const LegWork& work = legs_[i];
+  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) {
+    const CasterWork& work = casters_[i];
     if (work.kept) continue;
     v.joints[i] -= work.k_inverse * (work.joint_residual + work.k_joints_chassis * step);
   }

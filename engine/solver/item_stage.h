@@ -15,7 +15,7 @@ namespace gurney {
 /// their residual at v, and the matrix of Newton's method K = M + tau J' D J.
 ///
 /// The item is a star: each caster touches only the chassis, so its two joints are eliminated and
-/// one 6 x 6 system for the chassis is left. Legs that touch another item keep theirs.
+/// one 6 x 6 system for the chassis is left. Casters that touch another item keep theirs.
 class ItemStage {
  public:
   using Matrix36 = Eigen::Matrix<double, 3, 6>;
@@ -34,9 +34,9 @@ class ItemStage {
     Velocity acceleration;    ///< (v - v_start) / tau
     EnergyAccount power;      ///< work and loss entries in W
     double spring_rates = 0;  ///< a' M a + sum of k x'^2 [W/s]: for the numerical loss
-    std::array<TreadLaw::Result, kMaxLegs> treads;
-    std::array<bool, kMaxLegs> axle_slips{};
-    std::array<Vector2, kMaxLegs> heading;
+    std::array<TreadLaw::Result, kMaxCasters> treads;
+    std::array<bool, kMaxCasters> axle_slips{};
+    std::array<Vector2, kMaxCasters> heading;
   };
 
   explicit ItemStage(const Mechanism& mechanism) : mechanism_(mechanism) {}
@@ -48,15 +48,15 @@ class ItemStage {
 
   /// The residual at v: begin, add every contact, end.
   void begin_forces(const Input& input, const Velocity& v);
-  void add_contact_force(int leg, const Matrix36& chassis, const Matrix32& joints,
+  void add_contact_force(int caster, const Matrix36& chassis, const Matrix32& joints,
                          const Vector3& force);
   /// @returns the largest entry as a fraction of M g tau
   double end_forces(const Input& input, const Velocity& v);
 
-  /// K at the last v: begin, add every contact, then eliminate the joints of legs not kept.
+  /// K at the last v: begin, add every contact, then eliminate the joints of casters not kept.
   void begin_matrix();
-  void keep(int leg) { legs_[static_cast<std::size_t>(leg)].kept = true; }
-  void add_contact_slope(int leg, const Matrix36& chassis, const Matrix32& joints,
+  void keep(int caster) { casters_[static_cast<std::size_t>(caster)].kept = true; }
+  void add_contact_slope(int caster, const Matrix36& chassis, const Matrix32& joints,
                          const Matrix3& slope);
   void eliminate();
 
@@ -65,7 +65,7 @@ class ItemStage {
 
   void finish(const Input& input, const Velocity& v, State& end, Output& out) const;
 
-  struct LegWork {
+  struct CasterWork {
     CasterDynamics::Geometry g;
     Matrix85 jacobian_transposed;  ///< of the chassis and the joints
     TreadLaw::Stage tread;
@@ -81,7 +81,7 @@ class ItemStage {
   };
   const Mechanism& mechanism() const { return mechanism_; }
   const Pose& pose() const { return pose_; }
-  const LegWork& leg(int i) const { return legs_[static_cast<std::size_t>(i)]; }
+  const CasterWork& caster(int i) const { return casters_[static_cast<std::size_t>(i)]; }
   /// After eliminate(): of the chassis, K and the negative residual.
   const Matrix6& matrix() const { return matrix_; }
   const Vector6& right_side() const { return right_side_; }
@@ -92,7 +92,7 @@ class ItemStage {
   Vector6 all_momentum(const Velocity& v) const;
 
   const Mechanism& mechanism_;
-  std::array<LegWork, kMaxLegs> legs_;
+  std::array<CasterWork, kMaxCasters> casters_;
   std::vector<Loads::Row> load_rows_;
   double tau_ = 0;
   Pose pose_;           // predicted end of the stage

@@ -7,19 +7,19 @@
 namespace gurney {
 namespace {
 
-CasterDynamics::Geometry geometry(const CasterDynamics& leg, const State& state, std::size_t i) {
+CasterDynamics::Geometry geometry(const CasterDynamics& caster, const State& state, std::size_t i) {
   CasterDynamics::Geometry g;
-  leg.evaluate(state.pose(), state.legs[i].swivel_angle, state.velocity.chassis,
-               state.velocity.joints[i], Vector3::Zero(), g);
+  caster.evaluate(state.pose(), state.casters[i].swivel_angle, state.velocity.chassis,
+                  state.velocity.joints[i], Vector3::Zero(), g);
   return g;
 }
 
 }  // namespace
 
-Vector3 point_of(const CasterDynamics& leg, const Pose& pose, double swivel_angle,
+Vector3 point_of(const CasterDynamics& caster, const Pose& pose, double swivel_angle,
                  const BodyContact::Side& side) {
-  return side.outwards.isZero() ? leg.point(pose, swivel_angle, side.local)
-                                : leg.tread_point(pose, swivel_angle, side.outwards, side.local);
+  return side.outwards.isZero() ? caster.point(pose, swivel_angle, side.local)
+                                : caster.tread_point(pose, swivel_angle, side.outwards, side.local);
 }
 
 Vector3 gravity_on_slope(double gravity, double slope, double cross_slope) {
@@ -40,24 +40,24 @@ Mechanism::Mechanism(const Scene& scene, std::size_t item)
       reach(0) {
   const EquipmentModel& model = scene.items[item].model;
   for (const auto& caster : model.casters) {
-    legs.emplace_back(caster, chassis.center_of_mass);
-    total_mass += legs.back().mass();
+    casters.emplace_back(caster, chassis.center_of_mass);
+    total_mass += casters.back().mass();
     length =
         std::max({length, (caster.mount - chassis.center_of_mass).norm(), caster.wheel_radius});
-    reach = std::max(reach, legs.back().reach());
+    reach = std::max(reach, casters.back().reach());
   }
   for (const auto& box : model.shape) {
     reach = std::max(reach, (box.center - chassis.center_of_mass).norm() + 0.5 * box.size.norm());
-    if (legs.empty()) length = std::max(length, 0.5 * box.size.norm());
+    if (casters.empty()) length = std::max(length, 0.5 * box.size.norm());
   }
 }
 
 double Mechanism::gravitational_energy(const State& state) const {
   const Pose pose = state.pose();
   double energy = -total_mass * gravity.dot(state.position);
-  for (std::size_t i = 0; i < legs.size(); ++i)
-    energy -=
-        legs[i].mass() * gravity.dot(legs[i].center_of_mass(pose, state.legs[i].swivel_angle));
+  for (std::size_t i = 0; i < casters.size(); ++i)
+    energy -= casters[i].mass() *
+              gravity.dot(casters[i].center_of_mass(pose, state.casters[i].swivel_angle));
   return energy;
 }
 
@@ -66,39 +66,39 @@ double Mechanism::kinetic_energy(const State& state) const {
   const Vector6& v = state.velocity.chassis;
   const Vector3 w = R.transpose() * v.tail<3>();
   double energy = 0.5 * chassis.mass * v.head<3>().squaredNorm() + 0.5 * w.dot(chassis.inertia * w);
-  for (std::size_t i = 0; i < legs.size(); ++i)
+  for (std::size_t i = 0; i < casters.size(); ++i)
     energy +=
-        CasterDynamics::kinetic_energy(geometry(legs[i], state, i), v, state.velocity.joints[i]);
+        CasterDynamics::kinetic_energy(geometry(casters[i], state, i), v, state.velocity.joints[i]);
   return energy;
 }
 
 double Mechanism::elastic_energy(const State& state) const {
   double energy = loads.stored_energy(state.loads) + tethers.stored_energy(state);
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    const CasterDynamics& leg = legs[i];
-    const LegState& s = state.legs[i];
-    energy += leg.tread().stored_energy(-geometry(leg, state, i).height, s.tread) +
-              0.5 * leg.swivel_friction().stiffness * s.swivel_wind * s.swivel_wind +
-              0.5 * leg.axle_friction().stiffness * s.axle_wind * s.axle_wind;
+  for (std::size_t i = 0; i < casters.size(); ++i) {
+    const CasterDynamics& caster = casters[i];
+    const CasterState& s = state.casters[i];
+    energy += caster.tread().stored_energy(-geometry(caster, state, i).height, s.tread) +
+              0.5 * caster.swivel_friction().stiffness * s.swivel_wind * s.swivel_wind +
+              0.5 * caster.axle_friction().stiffness * s.axle_wind * s.axle_wind;
   }
   return energy;
 }
 
 Vector3 Mechanism::point(const BodyContact::Side& side, const State& state) const {
-  if (side.leg < 0) return state.rotation * side.local;
-  const auto leg = static_cast<std::size_t>(side.leg);
-  return point_of(legs[leg], state.pose(), state.legs[leg].swivel_angle, side);
+  if (side.caster < 0) return state.rotation * side.local;
+  const auto caster = static_cast<std::size_t>(side.caster);
+  return point_of(casters[caster], state.pose(), state.casters[caster].swivel_angle, side);
 }
 
 Vector3 Mechanism::velocity(const BodyContact::Side& side, const State& state) const {
   const Vector6& v = state.velocity.chassis;
   const Vector3 here = point(side, state);
   const Vector3 u = v.head<3>() + v.tail<3>().cross(here);
-  if (side.leg < 0) return u;
-  const auto leg = static_cast<std::size_t>(side.leg);
-  if (!legs[leg].swivels()) return u;
-  const auto g = geometry(legs[leg], state, leg);
-  return u + state.velocity.joints[leg][0] * g.swivel_axis.cross(here - g.mount);
+  if (side.caster < 0) return u;
+  const auto caster = static_cast<std::size_t>(side.caster);
+  if (!casters[caster].swivels()) return u;
+  const auto g = geometry(casters[caster], state, caster);
+  return u + state.velocity.joints[caster][0] * g.swivel_axis.cross(here - g.mount);
 }
 
 double Mechanism::mobility(const BodyContact::Side& side, const Vector3& normal,
@@ -112,7 +112,8 @@ State Mechanism::placed(const InitialMotion& initial) const {
   state.rotation = Quaternion(Eigen::AngleAxisd(initial.yaw, Vector3::UnitZ()));
   const Vector3 origin(initial.position.x(), initial.position.y(), 0);
   state.position = origin + state.rotation * chassis.center_of_mass;
-  for (std::size_t i = 0; i < legs.size(); ++i) state.legs[i].swivel_angle = legs[i].heading();
+  for (std::size_t i = 0; i < casters.size(); ++i)
+    state.casters[i].swivel_angle = casters[i].heading();
   state.loads = loads.initial_state();
   return state;
 }
@@ -126,11 +127,11 @@ void Mechanism::set_in_motion(const InitialMotion& initial, State& state) const 
     if (guide.kind == Guide::Kind::kHeld) state.velocity.chassis[dof] = 0;
   }
   if (!initial.wheels_roll) return;
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    const auto g = geometry(legs[i], state, i);
+  for (std::size_t i = 0; i < casters.size(); ++i) {
+    const auto g = geometry(casters[i], state, i);
     const Eigen::Vector2d slip = (g.jacobian_chassis * state.velocity.chassis).head<2>();
     const Matrix2 joints = g.jacobian_joints.topRows<2>();
-    if (legs[i].turns_into_motion()) {
+    if (casters[i].turns_into_motion()) {
       state.velocity.joints[i] = -joints.inverse() * slip;
     } else {
       const Eigen::Vector2d axle = joints.col(1);

@@ -11,7 +11,7 @@
 namespace gurney {
 
 /// A point of a wheel, relative to the chassis' centre, floor axes.
-Vector3 point_of(const CasterDynamics& leg, const Pose& pose, double swivel_angle,
+Vector3 point_of(const CasterDynamics& caster, const Pose& pose, double swivel_angle,
                  const BodyContact::Side& side);
 
 /// Gravity in floor axes, whose z axis is normal to a floor that rises by `slope` along x and
@@ -23,7 +23,7 @@ struct Mechanism {
   Mechanism(const Scene& scene, std::size_t item);
 
   MassProperties chassis;  ///< with payloads; item axes
-  std::vector<CasterDynamics> legs;
+  std::vector<CasterDynamics> casters;
   Loads loads;
   Tethers tethers;
   Fixture fixture;

@@ -10,20 +10,21 @@ SlipReversals::SlipReversals(const Assembly& assembly, double time_step)
     : assembly_(assembly), time_step_(time_step) {
   for (const Mechanism& item : assembly.items) {
     double stiffness = 0;
-    for (const CasterDynamics& leg : item.legs) stiffness += leg.tread().tangential_stiffness();
+    for (const CasterDynamics& caster : item.casters)
+      stiffness += caster.tread().tangential_stiffness();
     stiff_treads_.push_back(item.total_mass < stiffness * time_step * time_step);
   }
 }
 
 void SlipReversals::collect_treads(std::size_t item, const State& state, const Course& course) {
   const Mechanism& mechanism = assembly_.items[item];
-  for (std::size_t i = 0; i < mechanism.legs.size(); ++i) {
-    const TreadState& tread = state.legs[i].tread;
+  for (std::size_t i = 0; i < mechanism.casters.size(); ++i) {
+    const TreadState& tread = state.casters[i].tread;
     if (!tread.sliding && !tread.rolling) continue;
-    const CasterDynamics& leg = mechanism.legs[i];
+    const CasterDynamics& caster = mechanism.casters[i];
     CasterDynamics::Geometry g;
-    leg.evaluate(state.pose(), state.legs[i].swivel_angle, state.velocity.chassis,
-                 state.velocity.joints[i], Vector3::Zero(), g);
+    caster.evaluate(state.pose(), state.casters[i].swivel_angle, state.velocity.chassis,
+                    state.velocity.joints[i], Vector3::Zero(), g);
     const auto rates = [&](const Velocity& v) -> Vector5 {
       return g.jacobian_chassis * v.chassis + g.jacobian_joints * v.joints[i];
     };
@@ -34,7 +35,7 @@ void SlipReversals::collect_treads(std::size_t item, const State& state, const C
                         Vector3(1, 1, 0).asDiagonal(),
                         course.floor_acceleration});
     if (tread.rolling) {
-      const double radius = leg.wheel_radius();
+      const double radius = caster.wheel_radius();
       Matrix3 along = Matrix3::Zero();
       along.row(0) = std::copysign(1.0, u[4]) * g.heading.transpose();
       slips_.push_back({{radius * std::abs(u[4]), 0, 0},
@@ -49,7 +50,7 @@ void SlipReversals::collect_contact(const Island& island, const BodyContactState
                                     const SceneState& state, const std::vector<Course>& courses) {
   const BodyContact& contact = memory.contact;
   const BodyContact::Side& side = contact.side;
-  if (!memory.sliding || contact.between_items() || side.leg >= 0 || !courses[side.item].known)
+  if (!memory.sliding || contact.between_items() || side.caster >= 0 || !courses[side.item].known)
     return;
   const double stiffness = assembly_.laws.of(contact).tangential_stiffness() *
                            static_cast<double>(island.end_contact - island.first_contact);

@@ -7,16 +7,16 @@ void StageSolver::place(const Input& input, const std::vector<Velocity>& v, cons
                         const BodyContact::Side& at, Side& side) const {
   const ItemStage& item = items_[at.item];
   side.joints.setZero();
-  if (at.leg < 0) {
+  if (at.caster < 0) {
     side.point = item.pose().rotation * at.local;
   } else {
-    const auto i = static_cast<std::size_t>(at.leg);
-    const CasterDynamics& leg = item.mechanism().legs[i];
-    const CasterDynamics::Geometry& g = item.leg(at.leg).g;
+    const auto i = static_cast<std::size_t>(at.caster);
+    const CasterDynamics& caster = item.mechanism().casters[i];
+    const CasterDynamics::Geometry& g = item.caster(at.caster).g;
     const double swivel =
-        input.start->items[at.item].legs[i].swivel_angle + input.tau * v[at.item].joints[i][0];
-    side.point = point_of(leg, item.pose(), swivel, at);
-    if (leg.swivels()) side.joints.col(0) = frame * g.swivel_axis.cross(side.point - g.mount);
+        input.start->items[at.item].casters[i].swivel_angle + input.tau * v[at.item].joints[i][0];
+    side.point = point_of(caster, item.pose(), swivel, at);
+    if (caster.swivels()) side.joints.col(0) = frame * g.swivel_axis.cross(side.point - g.mount);
     side.joints.col(1) = frame * g.axle.cross(side.point - g.wheel_center);
     side.joints(2, 1) = 0;  // a wheel that spins comes no nearer
   }
@@ -28,7 +28,7 @@ void StageSolver::place(const Input& input, const std::vector<Velocity>& v, cons
 Vector3 StageSolver::rates(const BodyContact::Side& at, const Side& side,
                            const std::vector<Velocity>& v) const {
   Vector3 u = side.chassis * v[at.item].chassis;
-  if (at.leg >= 0) u += side.joints * v[at.item].joints[static_cast<std::size_t>(at.leg)];
+  if (at.caster >= 0) u += side.joints * v[at.item].joints[static_cast<std::size_t>(at.caster)];
   return u;
 }
 
@@ -56,8 +56,8 @@ void StageSolver::update_contacts(const Input& input, const std::vector<Velocity
     if (contact.between_items()) {
       place(input, v, work.frame, b, work.other_side);
       gap -= contact.normal.dot(items_[b.item].pose().position + work.other_side.point);
-      if (a.leg >= 0) items_[a.item].keep(a.leg);
-      if (b.leg >= 0) items_[b.item].keep(b.leg);
+      if (a.caster >= 0) items_[a.item].keep(a.caster);
+      if (b.caster >= 0) items_[b.item].keep(b.caster);
     }
     gap -= contact.offset;
     work.stage.tau = input.tau;

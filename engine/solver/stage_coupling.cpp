@@ -9,7 +9,7 @@ namespace {
 /// Where the unknowns of an item are in the island's system: its chassis, then its kept joints.
 struct Place {
   Eigen::Index chassis = 0;
-  std::array<Eigen::Index, kMaxLegs> joints{};
+  std::array<Eigen::Index, kMaxCasters> joints{};
 };
 
 }  // namespace
@@ -20,8 +20,8 @@ void StageSolver::coupled_step(const Island& island, double tau, std::vector<Vel
   for (std::size_t i : island.items) {
     places[i].chassis = size;
     size += 6;
-    for (std::size_t j = 0; j < assembly_.items[i].legs.size(); ++j) {
-      if (!items_[i].leg(static_cast<int>(j)).kept) continue;
+    for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j) {
+      if (!items_[i].caster(static_cast<int>(j)).kept) continue;
       places[i].joints[j] = size;
       size += 2;
     }
@@ -33,14 +33,14 @@ void StageSolver::coupled_step(const Island& island, double tau, std::vector<Vel
     const Eigen::Index at = places[i].chassis;
     K.block<6, 6>(at, at) = item.matrix();
     right_side.segment<6>(at) = item.right_side();
-    for (std::size_t j = 0; j < assembly_.items[i].legs.size(); ++j) {
-      const ItemStage::LegWork& leg = item.leg(static_cast<int>(j));
-      if (!leg.kept) continue;
+    for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j) {
+      const ItemStage::CasterWork& caster = item.caster(static_cast<int>(j));
+      if (!caster.kept) continue;
       const Eigen::Index joint = places[i].joints[j];
-      K.block<2, 2>(joint, joint) = leg.k_joints;
-      K.block<6, 2>(at, joint) = leg.k_chassis_joints;
-      K.block<2, 6>(joint, at) = leg.k_joints_chassis;
-      right_side.segment<2>(joint) = -leg.joint_residual;
+      K.block<2, 2>(joint, joint) = caster.k_joints;
+      K.block<6, 2>(at, joint) = caster.k_chassis_joints;
+      K.block<2, 6>(joint, at) = caster.k_joints_chassis;
+      right_side.segment<2>(joint) = -caster.joint_residual;
     }
   }
   for (const ContactWork& work : contacts_) {
@@ -54,15 +54,15 @@ void StageSolver::coupled_step(const Island& island, double tau, std::vector<Vel
     };
     const Place &pa = places[a.item], &pb = places[b.item];
     couple(pa.chassis, work.side.chassis, pb.chassis, work.other_side.chassis);
-    if (a.leg >= 0)
-      couple(pa.joints[static_cast<std::size_t>(a.leg)], work.side.joints, pb.chassis,
+    if (a.caster >= 0)
+      couple(pa.joints[static_cast<std::size_t>(a.caster)], work.side.joints, pb.chassis,
              work.other_side.chassis);
-    if (b.leg >= 0)
-      couple(pa.chassis, work.side.chassis, pb.joints[static_cast<std::size_t>(b.leg)],
+    if (b.caster >= 0)
+      couple(pa.chassis, work.side.chassis, pb.joints[static_cast<std::size_t>(b.caster)],
              work.other_side.joints);
-    if (a.leg >= 0 && b.leg >= 0)
-      couple(pa.joints[static_cast<std::size_t>(a.leg)], work.side.joints,
-             pb.joints[static_cast<std::size_t>(b.leg)], work.other_side.joints);
+    if (a.caster >= 0 && b.caster >= 0)
+      couple(pa.joints[static_cast<std::size_t>(a.caster)], work.side.joints,
+             pb.joints[static_cast<std::size_t>(b.caster)], work.other_side.joints);
   }
   for (std::size_t i : island.items)
     for (int dof = 0; dof < 6; ++dof) {
@@ -74,8 +74,8 @@ void StageSolver::coupled_step(const Island& island, double tau, std::vector<Vel
   const Eigen::VectorXd step = K.partialPivLu().solve(right_side);
   for (std::size_t i : island.items) {
     items_[i].apply(step.segment<6>(places[i].chassis), v[i]);
-    for (std::size_t j = 0; j < assembly_.items[i].legs.size(); ++j)
-      if (items_[i].leg(static_cast<int>(j)).kept)
+    for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j)
+      if (items_[i].caster(static_cast<int>(j)).kept)
         v[i].joints[j] += step.segment<2>(places[i].joints[j]);
   }
 }

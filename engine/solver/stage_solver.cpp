@@ -45,9 +45,9 @@ double StageSolver::evaluate_forces(const Input& input, const std::vector<Veloci
   for (ContactWork& work : contacts_) {
     const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
     work.force = work.law->force(work.stage, contact_rates(work, v), work.slope);
-    items_[a.item].add_contact_force(a.leg, work.side.chassis, work.side.joints, work.force);
+    items_[a.item].add_contact_force(a.caster, work.side.chassis, work.side.joints, work.force);
     if (work.contact->between_items())
-      items_[b.item].add_contact_force(b.leg, work.other_side.chassis, work.other_side.joints,
+      items_[b.item].add_contact_force(b.caster, work.other_side.chassis, work.other_side.joints,
                                        -work.force);
   }
   double residual = 0;
@@ -63,9 +63,9 @@ void StageSolver::newton_step(const Input& input, std::vector<Velocity>& v) {
   for (const ContactWork& work : contacts_) {
     const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
     const Matrix3 slope = input.tau * work.slope;
-    items_[a.item].add_contact_slope(a.leg, work.side.chassis, work.side.joints, slope);
+    items_[a.item].add_contact_slope(a.caster, work.side.chassis, work.side.joints, slope);
     if (work.contact->between_items())
-      items_[b.item].add_contact_slope(b.leg, work.other_side.chassis, work.other_side.joints,
+      items_[b.item].add_contact_slope(b.caster, work.other_side.chassis, work.other_side.joints,
                                        slope);
   }
   for (std::size_t i : input.island->items) items_[i].eliminate();
@@ -109,7 +109,7 @@ bool StageSolver::solve(const Input& input, Output& out) {
           fraction *= 0.5;
           for (std::size_t i : island) {
             v_[i].chassis = before_[i].chassis + fraction * (full_[i].chassis - before_[i].chassis);
-            for (std::size_t j = 0; j < assembly_.items[i].legs.size(); ++j)
+            for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j)
               v_[i].joints[j] =
                   before_[i].joints[j] + fraction * (full_[i].joints[j] - before_[i].joints[j]);
           }

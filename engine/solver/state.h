@@ -12,18 +12,18 @@
 
 namespace gurney {
 
-inline constexpr std::size_t kMaxLegs = EquipmentModel::kMaxCasters;
+inline constexpr std::size_t kMaxCasters = EquipmentModel::kMaxCasters;
 
-/// Generalised velocity: of the chassis (its centre of mass, floor axes) and of every leg's joints.
+/// Generalised velocity: of the chassis (its centre of mass, floor axes) and of every caster's joints.
 struct Velocity {
   Vector6 chassis = Vector6::Zero();
-  std::array<Eigen::Vector2d, kMaxLegs> joints;
+  std::array<Eigen::Vector2d, kMaxCasters> joints;
 
   Velocity() { joints.fill(Eigen::Vector2d::Zero()); }
 };
 
-/// What one leg remembers.
-struct LegState {
+/// What one caster remembers.
+struct CasterState {
   double swivel_angle = 0;  ///< of the fork from the item's x axis [rad]
   double axle_angle = 0;    ///< [rad]
   TreadState tread;
@@ -37,7 +37,7 @@ struct State {
   Vector3 position = Vector3::Zero();  ///< of the chassis' centre of mass, floor axes
   Quaternion rotation = Quaternion::Identity();
   Velocity velocity;
-  std::array<LegState, kMaxLegs> legs;
+  std::array<CasterState, kMaxCasters> casters;
   LoadsState loads;
   std::uint32_t broken_tethers = 0;  ///< bit i: the i-th of Tethers
 

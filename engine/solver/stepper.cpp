@@ -31,10 +31,11 @@ constexpr double kStepsInImpact = 32;
 /// A step that no subdivision makes converge is still accepted below this residual, and counted.
 constexpr double kAcceptableResidual = 1e-5;
 
-Velocity advanced(const Velocity& v, double time, const Velocity& acceleration, std::size_t legs) {
+Velocity advanced(const Velocity& v, double time, const Velocity& acceleration,
+                  std::size_t casters) {
   Velocity result = v;
   result.chassis += time * acceleration.chassis;
-  for (std::size_t i = 0; i < legs; ++i) result.joints[i] += time * acceleration.joints[i];
+  for (std::size_t i = 0; i < casters; ++i) result.joints[i] += time * acceleration.joints[i];
   return result;
 }
 
@@ -48,16 +49,16 @@ T extrapolated(const T& y, const T& y_first) {
 
 /// Start of the second stage: y + h (1 - gamma) k, with k = (y_first - y) / (gamma h).
 void extrapolate_item(const State& from, const State& end, const Velocity& acceleration,
-                      double duration, std::size_t legs, State& start) {
+                      double duration, std::size_t casters, State& start) {
   const double time = (1 - kSdirkGamma) * duration;
   const Velocity& v1 = end.velocity;
   start.position = from.position + time * v1.chassis.head<3>();
   start.rotation = rotated(time * v1.chassis.tail<3>(), from.rotation);
-  start.velocity = advanced(from.velocity, time, acceleration, legs);
-  for (std::size_t i = 0; i < legs; ++i) {
-    const LegState& a = from.legs[i];
-    const LegState& b = end.legs[i];
-    LegState& s = start.legs[i];
+  start.velocity = advanced(from.velocity, time, acceleration, casters);
+  for (std::size_t i = 0; i < casters; ++i) {
+    const CasterState& a = from.casters[i];
+    const CasterState& b = end.casters[i];
+    CasterState& s = start.casters[i];
     s.swivel_angle = a.swivel_angle + time * v1.joints[i][0];
     s.axle_angle = a.axle_angle + time * v1.joints[i][1];
     s.swivel_wind = extrapolated(a.swivel_wind, b.swivel_wind);
@@ -199,7 +200,7 @@ double Stepper::predicted_acceleration(const BodyContact& contact, const SceneSt
 void Stepper::extrapolate(const Island& island, const SceneState& from, double duration) {
   for (std::size_t i : island.items)
     extrapolate_item(from.items[i], first_.end.items[i], first_.items[i].acceleration, duration,
-                     assembly_.items[i].legs.size(), between_.items[i]);
+                     assembly_.items[i].casters.size(), between_.items[i]);
   between_.contacts.resize(from.contacts.size());
   for (std::size_t c = island.first_contact; c < island.end_contact; ++c) {
     between_.contacts[c] = from.contacts[c];
@@ -224,7 +225,7 @@ bool Stepper::attempt(const Island& island, const SceneState& from, double durat
   for (std::size_t i : island.items) {
     const Velocity& v = from.items[i].velocity;
     input_.guess[i] = predictions_[i].known ? advanced(v, tau, predictions_[i].acceleration,
-                                                       assembly_.items[i].legs.size())
+                                                       assembly_.items[i].casters.size())
                                             : v;
   }
   const bool first_converged = solver_.solve(input_, first_);
@@ -237,7 +238,7 @@ bool Stepper::attempt(const Island& island, const SceneState& from, double durat
   input_.loads.floor_acceleration_up = floor_second_.acceleration.z();
   for (std::size_t i : island.items)
     input_.guess[i] = advanced(between_.items[i].velocity, tau, first_.items[i].acceleration,
-                               assembly_.items[i].legs.size());
+                               assembly_.items[i].casters.size());
   input_.loads.first = false;
   const bool second_converged = solver_.solve(input_, second_);
   quality_.newton_iterations += second_.iterations;

@@ -36,7 +36,7 @@ class Stepper {
   };
   using Observer = std::function<void(const Step&)>;
 
-  /// Advances `state` to `time`, telling the observer every accepted step.
+  /// Advances `state` to `time`, showing the observer every accepted step.
   /// @returns a cause when the run cannot go on.
   std::optional<std::string> advance(SceneState& state, double time, const Observer& observer);
 

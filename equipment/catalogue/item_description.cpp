@@ -130,7 +130,7 @@ Uncertain<PayloadKind> read_payload(Table table) {
   return payload;
 }
 
-/// Names must differ, so that jobs and results can tell the parts apart.
+/// Names must differ, so that jobs and results can distinguish the parts.
 template <typename Part>
 void check_names(const std::vector<Part>& parts, const std::string& key, Table& table) {
   for (std::size_t i = 1; i < parts.size(); ++i)

@@ -45,7 +45,7 @@ struct ItemDescription {
   double chassis_mass = 0;                           ///< without casters and payloads [kg]
   Vector3 chassis_center_of_mass = Vector3::Zero();  ///< [m]
   Matrix3 chassis_inertia = Matrix3::Zero();         ///< about its centre of mass [kg m2]
-  std::string material;                              ///< of its chassis; empty: not said
+  std::string material;                              ///< of its chassis; empty: not stated
   std::vector<Box> shape;
   std::vector<CasterPlace> casters;  ///< none: it stands on the lowest faces of its boxes
   ItemContact contact;

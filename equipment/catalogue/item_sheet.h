@@ -10,7 +10,7 @@
 namespace gurney::equipment {
 
 /// Static tilt towards one direction: the item leans over when the floor is tilted that way by
-/// atan(r / h), r the way of its centre of mass to the end of the support, h its height.
+/// atan(r / h), r the distance of its centre of mass to the end of the support, h its height.
 struct TiltTowards {
   double direction = 0;  ///< from the item's x axis, anticlockwise [rad]
   double as_placed = 0;  ///< wheels at their initial headings [rad]

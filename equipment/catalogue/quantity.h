@@ -10,7 +10,7 @@
 
 namespace gurney::equipment {
 
-/// Reads numbers that say where they come from. A quantity is a bare number or a table:
+/// Reads numbers that state their source. A quantity is a bare number or a table:
 ///
 ///     mass_kg  = 96.5
 ///     mass_kg  = { value = 96.5, source = "Xu, Ma & Kurata 2022, section 3.1" }

@@ -82,7 +82,7 @@ Margin smallest_margin(const std::vector<Support>& supports, const Vector2& poin
 
 // With m at the angle phi from the direction and u = tan phi, margin / cos phi is the largest of
 // A_i + B_i u - r_i sqrt(1 + u^2), each concave in u: it is smallest where two of them tie. Fewer
-// than three wheels may have no such tie; then the direction itself tells where their ends are.
+// than three wheels may have no such tie; then the direction itself shows where their ends are.
 double reach_towards(const std::vector<Support>& supports, const Vector2& point, double direction) {
   constexpr double kSideways = 1e-9;  // edges along the direction never stop the point
   std::vector<double> candidates = ties(supports);

@@ -9,7 +9,7 @@
 
 namespace gurney::equipment {
 
-/// How a number may be, as the `distribution` of its quantity says
+/// The possible values of a number, as the `distribution` of its quantity says
 /// (docs/formats/equipment_file.md).
 struct Uncertainty {
   Distribution distribution;  ///< in the unit of the key

@@ -20,12 +20,12 @@ struct RecordFile {
 /// (assembly/place.h) and brought to one time step, start and length (assembly/align.h).
 /// Horizontals that were placed by their azimuths and are not at a right angle are resolved into
 /// such a pair (processing/rotate.h). What was done becomes a warning; whether the amplitudes are
-/// plausible is for implausible() to say.
+/// plausible is checked by implausible().
 ///
 /// @throws Error for no files, a file that cannot be read, a place that is not known, stated twice
 ///         or stated against the file, horizontal components that are too far from a right angle,
 ///         starts that do not belong together, and a record that is all zero. The errors of all
-///         files are told in one Error.
+///         files are reported in one Error.
 Record read_record(const std::vector<RecordFile>& files, const ReadOptions& options = {});
 
 }  // namespace gurney::groundmotions

@@ -39,7 +39,7 @@ IsolatedMotion::IsolatedMotion(const Isolation& isolation, const std::array<Moda
 double IsolatedMotion::largest_step(const Isolation& isolation,
                                     const std::array<ModalAxis, 2>& axes) {
   // With A = 2 B / h^2, B > base_mass_ratio, and J between 0 and s + r / h the slope of the mean
-  // force over the way, s = q / (2 u_y), r = rate (q_fast - q_slow), the fixed point contracts by
+  // force over the increment, s = q / (2 u_y), r = rate (q_fast - q_slow), the fixed point contracts by
   // (s - J) / (A + s): by 1/2 or better for h^2 <= B / s and h <= B / r.
   const double share = isolation.base_mass_ratio;
   const double hysteresis = isolation.fast_strength / (2 * isolation.yield_displacement);
@@ -67,7 +67,7 @@ void IsolatedMotion::step(const Vector3& ground0, const Vector3& ground1) {
   const double stiffness = n * isolation_.stiffness;
   const double uy = isolation_.yield_displacement;
 
-  // Modes eliminated: A way = b - n q mean(z), A diagonal.
+  // Modes eliminated: A increment = b - n q mean(z), A diagonal.
   Vector2 a, b, mass;
   for (int axis = 0; axis < 2; ++axis) {
     double inertia = 1, known = 0;
@@ -83,25 +83,25 @@ void IsolatedMotion::step(const Vector3& ground0, const Vector3& ground1) {
   }
 
   const double slope = n * isolation_.fast_strength / (2 * uy);
-  Vector2 way = h_ * v_, push = Vector2::Zero();
+  Vector2 increment = h_ * v_, push = Vector2::Zero();
   Sliding sliding{z_, z_};
   for (int i = 0; i < kMaxIterations; ++i) {
-    sliding = slide(z_, way / uy);
-    push = n * isolation_.strength(way.norm() / h_) * sliding.mean;
-    const Vector2 next = ((b - push + slope * way).array() / (a.array() + slope)).matrix();
-    const double change = (next - way).norm();
-    way = next;
-    if (change <= kTolerance * (way.norm() + h_ * v_.norm())) break;
+    sliding = slide(z_, increment / uy);
+    push = n * isolation_.strength(increment.norm() / h_) * sliding.mean;
+    const Vector2 next = ((b - push + slope * increment).array() / (a.array() + slope)).matrix();
+    const double change = (next - increment).norm();
+    increment = next;
+    if (change <= kTolerance * (increment.norm() + h_ * v_.norm())) break;
   }
-  sliding = slide(z_, way / uy);
-  push = n * isolation_.strength(way.norm() / h_) * sliding.mean;
+  sliding = slide(z_, increment / uy);
+  push = n * isolation_.strength(increment.norm() / h_) * sliding.mean;
 
-  const Vector2 mean_velocity = way / h_;
+  const Vector2 mean_velocity = increment / h_;
   const Vector2 acceleration = 2 * (mean_velocity - v_) / h_;
-  energy_.input -= ground.dot(way);
-  energy_.restoring += stiffness * (u_ + way / 2).dot(way);
-  energy_.hysteresis += push.dot(way);
-  energy_.damping += isolation_.viscosity * way.squaredNorm() / h_;
+  energy_.input -= ground.dot(increment);
+  energy_.restoring += stiffness * (u_ + increment / 2).dot(increment);
+  energy_.hysteresis += push.dot(increment);
+  energy_.damping += isolation_.viscosity * increment.squaredNorm() / h_;
   for (int axis = 0; axis < 2; ++axis) {
     double moved = 0;
     for (const ModeState& mode : modes_[static_cast<std::size_t>(axis)])
@@ -111,7 +111,7 @@ void IsolatedMotion::step(const Vector3& ground0, const Vector3& ground1) {
       moved += mode.mass * mode.q;
     energy_.input -= ground[axis] * moved;
   }
-  u_ += way;
+  u_ += increment;
   v_ += h_ * acceleration;
   z_ = sliding.end;
   load_ = load(isolation_, ground1.z());

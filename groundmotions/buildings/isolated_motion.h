@@ -33,7 +33,7 @@ struct IsolationEnergy {
 ///     (a_ground + u'') + sum_i m_i q_i'' = -f(u, v, z, n)
 ///
 /// by the implicit midpoint rule: second order, stable for any step. The base moves straight in a
-/// step, so the work of the hysteresis is exact for that way (`slide`) and the energies close to
+/// step, so the work of the hysteresis is exact for that increment (`slide`) and the energies close to
 /// the tolerance of the solve, whatever the step.
 class IsolatedMotion {
  public:

@@ -47,12 +47,12 @@ Isolation friction_pendulum(double radius, double slow, double fast, double rate
   return isolation;
 }
 
-Sliding slide(const Vector2& z, const Vector2& way) {
-  const Vector2 trial = z + way;
+Sliding slide(const Vector2& z, const Vector2& increment) {
+  const Vector2 trial = z + increment;
   if (trial.squaredNorm() <= 1) return {trial, (z + trial) / 2};
 
-  const double length = way.norm();
-  const Vector2 along = way / length;
+  const double length = increment.norm();
+  const Vector2 along = increment / length;
   const double inside = std::max(0.0, 1 - z.squaredNorm());
   const double start = z.dot(along);
   const double cosine = std::sqrt(start * start + inside);  // of psi where z meets the edge

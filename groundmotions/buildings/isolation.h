@@ -62,14 +62,14 @@ Isolation friction_pendulum(double radius, double slow, double fast, double rate
 /// What happens to z while the base moves along a straight line.
 struct Sliding {
   Vector2 end;   ///< z at the end
-  Vector2 mean;  ///< mean of z over the way
+  Vector2 mean;  ///< mean of z over the increment
 };
 
-/// Exact: elastic up to the edge of the unit disc, then with psi the angle between z and the way,
-/// tan(psi / 2) falls by exp(-way / u_y) (Krieg & Krieg 1977, Journal of Pressure Vessel Technology
+/// Exact: elastic up to the edge of the unit disc, then with psi the angle between z and the increment,
+/// tan(psi / 2) falls by exp(-increment / u_y) (Krieg & Krieg 1977, Journal of Pressure Vessel Technology
 /// 99(4), 510-515).
 /// @param z    |z| <= 1
-/// @param way  displacement over u_y
-Sliding slide(const Vector2& z, const Vector2& way);
+/// @param increment  displacement over u_y
+Sliding slide(const Vector2& z, const Vector2& increment);
 
 }  // namespace gurney::groundmotions

@@ -29,7 +29,7 @@ struct Header {
   std::array<std::string, 3> names = {"N-S", "E-W", "U-D"};
   std::array<bool, 3> is_negative = {};  ///< (+ is southward), westward, downward
   bool names_columns = false;            ///< a comment speaks of the columns
-  bool has_orientation = false;          ///< which goes before what is said of the columns
+  bool has_orientation = false;          ///< which overrides what the columns state
   std::vector<std::pair<std::string_view, std::string_view>> facts;
 };
 

@@ -7,7 +7,7 @@
 
 namespace gurney::groundmotions {
 
-/// Collects what is wrong with one file, so that one Error tells all of it.
+/// Collects what is wrong with one file, so that one Error reports all of it.
 class FileErrors {
  public:
   explicit FileErrors(const SourceFile& file)
@@ -37,7 +37,7 @@ class FileErrors {
 
 /// @param what     the file is: "volume 3"
 /// @param instead  the file to take: "the .V2"
-/// @throws Error that tells so.
+/// @throws Error that says so.
 [[noreturn]] void refuse_spectra(const std::string& file, const std::string& what,
                                  const std::string& instead);
 

@@ -26,13 +26,13 @@ double half_digit(std::string_view text) {
 }
 
 /// @param line  0: of the whole file
-void tell(FileErrors& errors, std::size_t line, const std::string& message) {
+void report(FileErrors& errors, std::size_t line, const std::string& message) {
   line > 0 ? errors.add(line, 1, message) : errors.add(message);
 }
 
 /// An error if what is held is not within a factor of 1.5 of what is stated, else a warning.
-void tell_difference(double stated, double held, const std::string& message, std::size_t line,
-                     Component& component, FileErrors& errors) {
+void report_difference(double stated, double held, const std::string& message, std::size_t line,
+                       Component& component, FileErrors& errors) {
   if (!(held <= kTooFar * stated && stated <= kTooFar * held))
     errors.add(line, 1, message);
   else
@@ -45,14 +45,14 @@ AccelerationUnit agreed_unit(const std::optional<AccelerationUnit>& stated, std:
                              const ReadOptions& options, FileErrors& errors) {
   const auto given = acceleration_unit(options.unit);
   if (!stated && !given)
-    tell(errors, line,
-         fmt::format("the file does not state its unit; state it as unit = \"...\" or gurney "
-                     "records --unit ({})",
-                     kAccelerationUnits));
+    report(errors, line,
+           fmt::format("the file does not state its unit; state it as unit = \"...\" or gurney "
+                       "records --unit ({})",
+                       kAccelerationUnits));
   else if (stated && given && stated->to_si != given->to_si)
-    tell(errors, line,
-         fmt::format("the file states the unit {}, but unit = \"{}\" was given", stated->name,
-                     options.unit));
+    report(errors, line,
+           fmt::format("the file states the unit {}, but unit = \"{}\" was given", stated->name,
+                       options.unit));
   return stated ? *stated : given.value_or(AccelerationUnit{"", 1});
 }
 
@@ -70,18 +70,18 @@ double agreed_time_step(const std::optional<double>& stated, std::size_t line,
                         const ReadOptions& options, FileErrors& errors) {
   if (stated) return checked_time_step(*stated, "the time step", line, options, errors);
   if (!options.time_step)
-    tell(errors, line,
-         "the file does not state its time step; state it as time_step_s or gurney records "
-         "--time-step");
+    report(errors, line,
+           "the file does not state its time step; state it as time_step_s or gurney records "
+           "--time-step");
   return options.time_step.value_or(0);
 }
 
 double checked_time_step(double stated, std::string_view key, std::size_t line,
                          const ReadOptions& options, FileErrors& errors) {
   if (!is_time_step(stated))
-    tell(errors, line,
-         fmt::format("{} must be in [{:g}, {:g}] s, got {}", key, kShortestTimeStep,
-                     kLongestTimeStep, stated));
+    report(errors, line,
+           fmt::format("{} must be in [{:g}, {:g}] s, got {}", key, kShortestTimeStep,
+                       kLongestTimeStep, stated));
   else if (options.time_step && !(std::abs(*options.time_step - stated) <= 1e-6 * stated))
     errors.add(line, 1,
                fmt::format("the file states a time step of {} s, but time_step_s = {} was given",
@@ -101,11 +101,11 @@ void check_count(double stated, std::string_view key, std::size_t line, std::siz
 void check_length(double length, std::size_t line, Component& component, FileErrors& errors) {
   const double held = static_cast<double>(component.acceleration.size()) * component.time_step;
   if (!(length > 0) || std::abs(held - length) <= 2.5 * component.time_step + 0.01) return;
-  tell_difference(length, held,
-                  fmt::format("the file states a length of {:.6g} s, but its {} samples at {} s "
-                              "have {:.6g} s",
-                              length, component.acceleration.size(), component.time_step, held),
-                  line, component, errors);
+  report_difference(length, held,
+                    fmt::format("the file states a length of {:.6g} s, but its {} samples at {} s "
+                                "have {:.6g} s",
+                                length, component.acceleration.size(), component.time_step, held),
+                    line, component, errors);
 }
 
 void check_peak(std::string_view stated, const AccelerationUnit& unit, std::size_t line,
@@ -115,13 +115,14 @@ void check_peak(std::string_view stated, const AccelerationUnit& unit, std::size
     errors.add(line, 1, fmt::format("the peak must be a number, got '{}'", trimmed(stated)));
     return;
   }
-  const double told = std::abs(*value) * unit.to_si;
+  const double stated_peak = std::abs(*value) * unit.to_si;
   const double held = component.acceleration.cwiseAbs().maxCoeff();
-  if (std::abs(told - held) <= half_digit(stated) * unit.to_si + kPeakTolerance * held) return;
-  tell_difference(told, held,
-                  fmt::format("the file states a peak of {} {}, but its samples have {:.6g} {}",
-                              trimmed(stated), unit.name, held / unit.to_si, unit.name),
-                  line, component, errors);
+  if (std::abs(stated_peak - held) <= half_digit(stated) * unit.to_si + kPeakTolerance * held)
+    return;
+  report_difference(stated_peak, held,
+                    fmt::format("the file states a peak of {} {}, but its samples have {:.6g} {}",
+                                trimmed(stated), unit.name, held / unit.to_si, unit.name),
+                    line, component, errors);
 }
 
 void check_peak(const StatedPeak& peak, const Eigen::VectorXd& a, Component& component,
@@ -130,11 +131,12 @@ void check_peak(const StatedPeak& peak, const Eigen::VectorXd& a, Component& com
   const double centred = (a.array() - a.mean()).abs().maxCoeff();
   const double held = std::abs(raw - peak.size) <= std::abs(centred - peak.size) ? raw : centred;
   if (std::abs(held - peak.size) <= peak.rounding) return;
-  tell_difference(peak.size, held,
-                  fmt::format("the file states a peak of {:.5g} m/s2, but its samples have {:.5g} "
-                              "m/s2",
-                              peak.size, held),
-                  peak.line, component, errors);
+  report_difference(
+      peak.size, held,
+      fmt::format("the file states a peak of {:.5g} m/s2, but its samples have {:.5g} "
+                  "m/s2",
+                  peak.size, held),
+      peak.line, component, errors);
 }
 
 }  // namespace gurney::groundmotions

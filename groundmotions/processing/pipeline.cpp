@@ -54,7 +54,7 @@ EndMotion largest_residual(const Record& record) {
   return largest;
 }
 
-/// Carries a step out and says what it was.
+/// Carries a step out and describes it.
 class Step {
  public:
   explicit Step(Record& record) : record_(record) {}

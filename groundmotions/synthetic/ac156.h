@@ -55,7 +55,7 @@ struct Ac156Motion {
 /// for single points are not used. Components of different streams; streams are skipped, 20 at most
 /// for a component, until all correlations are below 0.3.
 ///
-/// The header tells the largest and smallest ratio to the required spectrum and the correlations;
+/// The header states the largest and smallest ratio to the required spectrum and the correlations;
 /// more than 30 % above it between 1.3 and 8.3 Hz, the most that AC156 recommends, is a warning.
 /// @throws Error for a time step above 0.005 s, and if no stream is independent of the others.
 Record ac156_motion(const Ac156Motion& motion);

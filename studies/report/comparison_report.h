@@ -7,10 +7,10 @@
 
 namespace gurney::report {
 
-/// What `gurney compare` tells of two configurations.
+/// What `gurney compare` reports of two configurations.
 struct ComparisonReport {
   study::ConfigurationView a, b;
-  std::string name_a, name_b;  ///< to tell them apart
+  std::string name_a, name_b;  ///< to distinguish them
   study::InputDifferences inputs;
   study::StudyComparison found;
   double confidence = 0.95;

@@ -185,8 +185,8 @@ std::string equipment_figure(const EquipmentFacts& facts) {
   draw_side_view(svg, {kLeft + 2 * step, kTop, kPanel, kPanel}, kFront, facts, half);
   svg.text(kLeft, kTop + kPanel + 62,
            rolls ? "Plan: wheels as placed, circles of free swivels, support as placed (orange), "
-                   "the shortest way to an edge with swivels at their worst (green)."
-                 : "Plan: support (orange), the shortest way to an edge (green).",
+                   "the shortest distance to an edge with swivels at their worst (green)."
+                 : "Plan: support (orange), the shortest distance to an edge (green).",
            {.size = 11, .color = "#555555"});
   svg.text(kLeft, kTop + kPanel + 77,
            "Sides: dashed lines from the centre of mass to the ends of the support; cross: centre "

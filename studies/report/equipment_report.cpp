@@ -115,7 +115,7 @@ std::string motion_text(const EquipmentFacts& facts) {
   text += fmt::format("  {:<36} {:.2f} g\n",
                       rolls ? "wheels that cannot turn slide from" : "slides from",
                       sheet.sliding_share);
-  text += fmt::format("  {:<36} {:.2f} g, if nothing gives way before\n", "tips from",
+  text += fmt::format("  {:<36} {:.2f} g, if it does not slide or roll before\n", "tips from",
                       sheet.tipping_share);
   if (!rolls)
     text += sheet.tipping_share < sheet.sliding_share ? "  so it rocks before it slides\n"

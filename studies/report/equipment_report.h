@@ -9,7 +9,7 @@
 
 namespace gurney::report {
 
-/// An item ready to be told of.
+/// An item ready for a report.
 struct EquipmentFacts {
   EquipmentModel model;
   equipment::ItemSheet sheet;

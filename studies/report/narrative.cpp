@@ -87,7 +87,7 @@ std::string common_ending(const Response& response) {
   return {};
 }
 
-/// What one run can say of an item.
+/// What one run shows of an item.
 std::string trust(const Predictability& p) {
   const std::string change = "a change of mass by one part in a billion";
   switch (p.verdict) {

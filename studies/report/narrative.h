@@ -12,7 +12,7 @@ namespace gurney::report {
 /// starts with blanks belongs to the heading before it.
 std::string narrative(const study::RunFacts& facts, const Response& response);
 
-/// Parts of it; empty where there is nothing to tell. Each line ends in a line break.
+/// Parts of it; empty where there is nothing to report. Each line ends in a line break.
 std::string narrative_of_impacts(const Response& response, const std::vector<std::string>& items);
 std::string narrative_of_falls(const study::RunFacts& facts, const Response& response);
 std::string narrative_of_zones(const study::RunFacts& facts, const Response& response);

@@ -155,12 +155,13 @@ std::string narrative_of_zones(const study::RunFacts& facts, const Response& res
       text += fmt::format(
           " is {} at the end{}: ", outcome.free_width_at_end > 0 ? "NARROWED" : "BLOCKED",
           by.empty() ? "" : " by " + by);
-      text += outcome.free_width_at_end > 0 ? fmt::format("a way of {:.2f} m is left of {:.2f} m",
-                                                          outcome.free_width_at_end, zone.width)
-                                            : fmt::format("no way is left of {:.2f} m", zone.width);
+      text += outcome.free_width_at_end > 0
+                  ? fmt::format("a free width of {:.2f} m is left of {:.2f} m",
+                                outcome.free_width_at_end, zone.width)
+                  : fmt::format("no free width is left of {:.2f} m", zone.width);
     } else if (outcome.time_of_entry >= 0) {
       text += fmt::format(
-          " is free at the end; it was not for {:.3g} s from {:.2f} s, when a way "
+          " is free at the end; it was not for {:.3g} s from {:.2f} s, when a free width "
           "of {:.2f} m was left of {:.2f} m",
           outcome.occupied_time, outcome.time_of_entry, outcome.least_free_width, zone.width);
     } else {

@@ -61,12 +61,12 @@ Range whole(const calibration::SimulatedTrial& trial) {
 
 template <class Get>
 Curve theory_curve(const calibration::SimulatedTrial& trial, Get get) {
-  Curve made{"closed form", {}, {}, {.stroke = palette(1), .width = 1.4, .dash = "6 4"}};
+  Curve result{"closed form", {}, {}, {.stroke = palette(1), .width = 1.4, .dash = "6 4"}};
   for (const double time : trial.trial.signals.time) {
-    made.x.push_back(time);
-    made.y.push_back(get(trial.theory, time));
+    result.x.push_back(time);
+    result.y.push_back(get(trial.theory, time));
   }
-  return made;
+  return result;
 }
 
 /// Times of a measured trial on the clock of the simulated one: both start at once.
@@ -79,7 +79,7 @@ std::vector<double> moved(const calibration::MeasuredTrial& measured,
   return time;
 }
 
-/// A trial that an engine made must not be called measured.
+/// A trial that an engine simulated must not be called measured.
 std::string origin_of(const calibration::MeasuredTrial& given) {
   return given.trial.setup.origin == calibration::TrialOrigin::kSimulated ? "synthetic"
                                                                           : "measured";
@@ -118,13 +118,13 @@ std::string pulling_figure_4(const PullingReport& report) {
                                       {"Cable force", "Force (N)", &s.force}}};
   for (int i = 0; i < 4; ++i) {
     const Series& each = all[static_cast<std::size_t>(i)];
-    Panel made = panel(each.title, each.unit, whole(trial));
+    Panel next = panel(each.title, each.unit, whole(trial));
     // Room for the phases' numbers below the curve.
     const auto [low, high] = std::ranges::minmax(*each.values);
-    made.y_range = {low - 0.2 * (high - low), high + 0.06 * (high - low)};
-    made.curves = {curve("", s.time, *each.values, {.stroke = palette(0), .width = 1.2})};
+    next.y_range = {low - 0.2 * (high - low), high + 0.06 * (high - low)};
+    next.curves = {curve("", s.time, *each.values, {.stroke = palette(0), .width = 1.2})};
     const Frame frame = frame_at(i % 2, i / 2);
-    const Scaling scaling = draw(svg, frame, made);
+    const Scaling scaling = draw(svg, frame, next);
     if (trial.phases) draw_phases(svg, frame, scaling, *trial.phases, whole(trial));
   }
   return svg.str();

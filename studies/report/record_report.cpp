@@ -40,15 +40,15 @@ std::string files_text(const groundmotions::Record& record) {
   return text;
 }
 
-/// Facts of the headers; those that all components share are told once.
+/// Facts of the headers; those that all components share are stated once.
 std::string header_text(const groundmotions::Record& record) {
   std::string text;
-  std::vector<RecordFact> told;
+  std::vector<RecordFact> stated;
   for (const auto& component : record.components) {
     if (!component) continue;
     for (const RecordFact& fact : component->header) {
-      if (fact.second.empty() || std::ranges::find(told, fact) != told.end()) continue;
-      told.push_back(fact);
+      if (fact.second.empty() || std::ranges::find(stated, fact) != stated.end()) continue;
+      stated.push_back(fact);
       text += fmt::format("  {:<28} {}\n", fact.first, fact.second);
     }
   }

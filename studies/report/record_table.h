@@ -10,7 +10,7 @@ namespace gurney::report {
 std::string record_table_head();
 std::string record_table_line(const groundmotions::Record& record);
 
-/// Eight hexadecimal digits that tell the files of a record: of the SHA-256 of its file or, of
+/// Eight hexadecimal digits that identify the files of a record: of the SHA-256 of its file or, of
 /// several, of the SHA-256 of their hashes one after the other, h1 first. "-" for no file.
 std::string short_hash(const groundmotions::Record& record);
 

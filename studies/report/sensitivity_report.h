@@ -7,7 +7,7 @@
 
 namespace gurney::report {
 
-/// What `gurney sensitivity` tells of one configuration.
+/// What `gurney sensitivity` reports of one configuration.
 struct SensitivityReport {
   std::string configuration;
   study::StudySensitivity found;

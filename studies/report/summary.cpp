@@ -16,7 +16,7 @@
 namespace gurney::report {
 namespace {
 
-/// What says nothing of an item without casters.
+/// What has no meaning for an item without casters.
 const std::set<std::string> kDemandsOfWheels = {"peak_normal_force", "lifted_time",
                                                 "most_wheels_lifted"};
 
@@ -121,7 +121,7 @@ std::string demands_text(const EquipmentModel& model, const Demands& demands) {
   const bool rolls = !model.casters.empty();
   text +=
       list(study::demand_columns(), demands, rolls ? std::set<std::string>{} : kDemandsOfWheels);
-  // When wheels lifted before a fall, and numerical accelerations, are told in words.
+  // When wheels lifted before a fall, and numerical accelerations, are reported in words.
   if (rolls)
     text += table("wheel", study::wheel_demand_columns().first(5), study::caster_names(model),
                   demands.wheels);
@@ -214,7 +214,7 @@ std::string assumed_by_file(const std::vector<study::AssumptionFacts>& assumptio
 
 std::string drawn_text(const study::RunFacts& facts) {
   if (!facts.draw) return "";
-  std::string text = fmt::format("\n  {}: {} numbers\n", facts.draw->text(), facts.drawn.size());
+  std::string text = fmt::format("\n  {}: {} parameters\n", facts.draw->text(), facts.drawn.size());
   std::size_t width = 0;
   for (const study::DrawnFacts& each : facts.drawn) width = std::max(width, each.variable.size());
   for (const study::DrawnFacts& each : facts.drawn)
@@ -229,8 +229,7 @@ std::string notes(const study::RunFacts& facts) {
     text += fmt::format("\nwarning: {}\n", wrapped(warning, 9, 9));
   if (facts.assumptions.empty()) return text;
   const std::string rest = fmt::format(
-      "{} of the numbers behind this have no published source and are assumed ({}). Values, ranges "
-      "and "
+      "{} parameters of this run have no published source and are assumed ({}). Values, ranges and "
       "reasons: --json, or /assumptions in the results file.",
       facts.assumptions.size(), assumed_by_file(facts.assumptions));
   text += fmt::format("\n{}\n", wrapped(rest, 0, 0));

@@ -135,14 +135,14 @@ Json assumptions(const std::vector<study::AssumptionFacts>& facts) {
 
 Json draw(const study::RunFacts& facts) {
   if (!facts.draw) return nullptr;
-  Json numbers = Json::array();
+  Json parameters = Json::array();
   for (const study::DrawnFacts& each : facts.drawn)
-    numbers.push_back({{"variable", each.variable},
-                       {"value", each.value},
-                       {"unit", each.unit},
-                       {"distribution", each.distribution},
-                       {"file", each.file}});
-  return {{"seed", facts.draw->seed()}, {"draw", facts.draw->run()}, {"numbers", numbers}};
+    parameters.push_back({{"variable", each.variable},
+                          {"value", each.value},
+                          {"unit", each.unit},
+                          {"distribution", each.distribution},
+                          {"file", each.file}});
+  return {{"seed", facts.draw->seed()}, {"draw", facts.draw->run()}, {"parameters", parameters}};
 }
 
 }  // namespace

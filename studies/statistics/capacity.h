@@ -48,7 +48,7 @@ struct CapacityFit {
 /// Varin, Reid & Firth 2011, Statistica Sinica 21(1), 5-42).
 CapacityFit fit_capacities(const std::vector<Capacity>& capacities);
 
-/// What the likelihood knows of ln capacity: records that tell nothing are left out.
+/// What the likelihood knows of ln capacity: records without information are excluded.
 /// @throws Error for a bracket that is none
 std::vector<CensoredValue> log_capacities(const std::vector<Capacity>& capacities);
 

@@ -19,7 +19,7 @@ struct CapacityIntervals {
 /// Statistician 49(1), 48-53). Their limits of the likelihood ratio are not those of chi-squared,
 /// which hold for many records, but those that n exact capacities have: with them theta has
 /// Student's interval of mean ln capacity, and beta that of chi-squared, where brackets have no
-/// width. n counts censored records by what they tell of beta (docs/theory/statistics.md).
+/// width. n counts censored records by their information on beta (docs/theory/statistics.md).
 /// @pre fit.curve, of these capacities
 CapacityIntervals capacity_intervals(const std::vector<Capacity>& capacities,
                                      const CapacityFit& fit, const std::vector<double>& im,

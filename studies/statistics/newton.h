@@ -35,11 +35,11 @@ Maximum<kSize> maximize(const Function& function, Eigen::Matrix<double, kSize, 1
   Maximum<kSize> best{false, start, function(start)};
   for (int step = 0; step < kMaxSteps; ++step) {
     const Eigen::LDLT<Eigen::Matrix<double, kSize, kSize>> factor(best.at.curvature);
-    const Eigen::Matrix<double, kSize, 1> way = factor.solve(best.at.gradient);
-    const double gain = best.at.gradient.dot(way);
+    const Eigen::Matrix<double, kSize, 1> direction = factor.solve(best.at.gradient);
+    const double gain = best.at.gradient.dot(direction);
     if (!(factor.rcond() > 1e-14) || !factor.isPositive() || !std::isfinite(gain)) return best;
     double length = 1;
-    Maximum<kSize> next{false, best.point + way, {}};
+    Maximum<kSize> next{false, best.point + direction, {}};
     next.at = function(next.point);
     if (gain < kClose * (1 + std::abs(best.at.value))) {
       if (std::isfinite(next.at.value)) best = next;  // the value is flat to rounding here
@@ -49,7 +49,7 @@ Maximum<kSize> maximize(const Function& function, Eigen::Matrix<double, kSize, 1
     while (!(next.at.value >= best.at.value + 1e-4 * length * gain)) {
       length /= 2;
       if (length < 1e-12) return best;
-      next.point = best.point + length * way;
+      next.point = best.point + length * direction;
       next.at = function(next.point);
     }
     best = next;

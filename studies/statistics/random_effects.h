@@ -35,7 +35,7 @@ std::optional<RandomEffects> fit_random_effects(const Eigen::VectorXd& y,
                                                 const Eigen::VectorXd& error,
                                                 const Eigen::MatrixXd& design);
 
-/// Two-sided p of each unit against what all others say (fit without it, prediction with the
+/// Two-sided p of each group against what all others predict (fit without it, prediction with the
 /// scatter; Student's t with n - p - 1 degrees), times n (Bonferroni), at most 1. 1 where the
 /// others cannot be fitted.
 std::vector<double> outlier_p_values(const Eigen::VectorXd& y, const Eigen::VectorXd& error,

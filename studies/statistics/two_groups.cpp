@@ -48,11 +48,11 @@ double sign_flip_test(const std::vector<double>& all, std::uint64_t seed) {
   const double seen = std::abs(signed_sum(differences, [](std::size_t) { return false; }));
   const auto as_far = [&](double sum) { return std::abs(sum) >= seen - kRounding * scale; };
   if (differences.size() <= kMaxEnumerated) {
-    const std::uint64_t ways = std::uint64_t{1} << differences.size();
+    const std::uint64_t assignments = std::uint64_t{1} << differences.size();
     std::uint64_t count = 0;
-    for (std::uint64_t way = 0; way < ways; ++way)
-      count += as_far(signed_sum(differences, [&](std::size_t i) { return (way >> i) & 1; }));
-    return static_cast<double>(count) / static_cast<double>(ways);
+    for (std::uint64_t signs = 0; signs < assignments; ++signs)
+      count += as_far(signed_sum(differences, [&](std::size_t i) { return (signs >> i) & 1; }));
+    return static_cast<double>(count) / static_cast<double>(assignments);
   }
   int count = 0;
   for (int flip = 0; flip < kSignFlips; ++flip)

@@ -19,7 +19,7 @@ enum class VectorStatus {
   kNoRuns,
   kAllExceed,
   kNoneExceeds,
-  kTogether,      ///< one measure is a power of the other: their parts cannot be told apart
+  kTogether,      ///< one measure is a power of the other: their effects cannot be distinguished
   kSeparated,     ///< a line in the plane of both parts the outcomes, or nearly: no maximum
   kNotIncreasing  ///< the slopes do not sum to more than 0: no lognormal curve of a combination
 };
@@ -50,7 +50,7 @@ struct VectorFit {
   double p_of(Eigen::Index slope) const;
 };
 
-/// By Newton's method on logarithms less their mean over their deviation. Separation is told where
+/// By Newton's method on logarithms less their mean over their deviation. Separation is reported where
 /// the plane found leaves no run on its wrong side, or where the information is singular to 1e-9.
 /// @throws Error unless all intensities are > 0 and finite.
 VectorFit fit_vector(const std::vector<VectorObservation>& observations);

@@ -38,7 +38,7 @@ struct Family {
   std::vector<Parameter> parameters;
   std::vector<Case> cases;
   std::function<Findings(const std::vector<double>& values, const Runner& runner)> run;
-  std::function<bool(const std::vector<double>& values)> possible;  ///< what ranges cannot say
+  std::function<bool(const std::vector<double>& values)> possible;  ///< what ranges cannot express
   bool on_stock = false;                                            ///< stock Bullet can run it
   bool drawn = true;  ///< makes sense for parameters that nobody chose
 };

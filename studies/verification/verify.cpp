@@ -86,14 +86,14 @@ void run(CaseRun& chosen, bool stock) {
 void run_all(std::vector<CaseRun>& chosen, bool stock, int threads,
              const std::function<void(const CaseRun&)>& done) {
   std::vector<char> ready(chosen.size(), 0);
-  std::size_t told = 0;
+  std::size_t reported = 0;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     run(chosen[i], stock);
 #pragma omp critical(gurney_verify)
     {
       ready[i] = 1;
-      for (; told < chosen.size() && ready[told]; ++told) done(chosen[told]);
+      for (; reported < chosen.size() && ready[reported]; ++reported) done(chosen[reported]);
     }
   }
 }

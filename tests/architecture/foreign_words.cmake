@@ -68,7 +68,7 @@ foreach(source IN LISTS sources)
 endforeach()
 
 # Names in the code; the old names of keys of a job are in one file.
-set(identifiers "([Mm]istakes?|k?[Hh]unt(ed)?|StudySide|[Cc]ertificate|kMost[A-Z][A-Za-z]*|kStar|kSaysNothing|give_way|told_of_option)")
+set(identifiers "([Mm]istakes?|[Tt]old|[Tt]ells|legs?_?|Leg[A-Z][A-Za-z]*|k?[Hh]unt(ed)?|StudySide|[Cc]ertificate|kMost[A-Z][A-Za-z]*|kStar|kSaysNothing|give_way|told_of_option)")
 foreach(source IN LISTS sources)
   if(NOT source STREQUAL studies/study/job/old_names.cpp)
     read_lines(${source} lines)

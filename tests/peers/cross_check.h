@@ -10,7 +10,7 @@ namespace gurney::peers {
 /// The item's origin in plan and its yaw at equal times, the start included [m], [m], [rad].
 using Path = std::vector<Vector3>;
 
-/// What both engines are told: rolling resistance is Coulomb friction of the axle with the limit
+/// The input of both engines: rolling resistance is Coulomb friction of the axle with the limit
 /// Cr N, N that of the step before; a wheel is a sphere of its radius, which touches where a thin
 /// upright disc does.
 struct CrossCheck {

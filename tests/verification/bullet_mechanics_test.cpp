@@ -70,22 +70,23 @@ class BulletMechanics : public testing::Test {
     state.rotation = Quaternion(1, 0.3 * draw(), 0.3 * draw(), draw()).normalized();
     state.velocity.chassis << draw3(2), draw3(3);
     for (std::size_t i = 0; i < 4; ++i) {
-      state.legs[i].swivel_angle = scene_.items[0].model.casters[i].heading;
+      state.casters[i].swivel_angle = scene_.items[0].model.casters[i].heading;
       state.velocity.joints[i] = {8 * draw(), 40 * draw()};
-      if (mechanism_.legs[i].swivels()) {
-        state.legs[i].swivel_angle += 3 * draw();
+      if (mechanism_.casters[i].swivels()) {
+        state.casters[i].swivel_angle += 3 * draw();
       } else {
         state.velocity.joints[i][0] = 0;
       }
-      state.legs[i].axle_angle = 3 * draw();
+      state.casters[i].axle_angle = 3 * draw();
     }
     return state;
   }
 
   void evaluate(const State& state) {
     for (std::size_t i = 0; i < 4; ++i)
-      mechanism_.legs[i].evaluate(state.pose(), state.legs[i].swivel_angle, state.velocity.chassis,
-                                  state.velocity.joints[i], gravity_, legs_[i]);
+      mechanism_.casters[i].evaluate(state.pose(), state.casters[i].swivel_angle,
+                                     state.velocity.chassis, state.velocity.joints[i], gravity_,
+                                     casters_[i]);
   }
 
   static Vector velocity_of(const State& state) {
@@ -102,7 +103,7 @@ class BulletMechanics : public testing::Test {
   MultibodyItem item_;
   std::mt19937 random_{7};
   Vector3 gravity_{0.7, -1.3, -9.0};
-  std::array<CasterDynamics::Geometry, 4> legs_;
+  std::array<CasterDynamics::Geometry, 4> casters_;
 };
 
 TEST_F(BulletMechanics, AccelerationsAgreeUnderRandomForces) {
@@ -133,8 +134,8 @@ TEST_F(BulletMechanics, AccelerationsAgreeUnderRandomForces) {
     force.head<6>() += (Vector6() << push, twist).finished();
 
     for (int i = 0; i < 4; ++i) {
-      const auto leg = static_cast<std::size_t>(i);
-      const CasterDynamics::Geometry& g = legs_[leg];
+      const auto caster = static_cast<std::size_t>(i);
+      const CasterDynamics::Geometry& g = casters_[caster];
       const int joint = 6 + 2 * i;
       mass.topLeftCorner<6, 6>() += g.mass_chassis;
       mass.block<6, 2>(0, joint) = g.mass_coupling;
@@ -142,18 +143,18 @@ TEST_F(BulletMechanics, AccelerationsAgreeUnderRandomForces) {
       mass.block<2, 2>(joint, joint) = g.mass_joints;
       Vector5 contact;
       contact << draw3(30), 20 * draw(), draw();
-      const double swivel = mechanism_.legs[leg].swivels() ? draw() : 0, axle = draw();
+      const double swivel = mechanism_.casters[caster].swivels() ? draw() : 0, axle = draw();
       force.head<6>() += g.jacobian_chassis.transpose() * contact - g.bias_chassis;
       force.segment<2>(joint) +=
           g.jacobian_joints.transpose() * contact - g.bias_joints + Eigen::Vector2d(swivel, axle);
 
       const int fork = 2 * i, wheel = 2 * i + 1;
-      const Caster& c = scene_.items[0].model.casters[leg];
+      const Caster& c = scene_.items[0].model.casters[caster];
       body.addLinkForce(fork, to_bullet(Vector3(c.fork_mass * gravity_)));
       body.addLinkForce(wheel, to_bullet(Vector3(c.wheel_mass * gravity_ + contact.head<3>())));
       const Vector3 moment =
           (g.contact - g.wheel_center).cross(contact.head<3>().eval()) +
-          mechanism_.legs[leg].tread().spin_radius() * contact[3] * Vector3::UnitZ() +
+          mechanism_.casters[caster].tread().spin_radius() * contact[3] * Vector3::UnitZ() +
           contact[4] * g.axle_level;
       body.addLinkTorque(wheel, to_bullet(moment));
       if (swivel != 0) body.addJointTorque(fork, swivel);
@@ -184,8 +185,8 @@ TEST_F(BulletMechanics, ContactJacobianAgrees) {
     const int dofs = item_.body().getNumDofs();
     ASSERT_EQ(dofs, 7);  // one caster does not swivel
     for (int i = 0; i < 4; ++i) {
-      const auto leg = static_cast<std::size_t>(i);
-      const CasterDynamics::Geometry& g = legs_[leg];
+      const auto caster = static_cast<std::size_t>(i);
+      const CasterDynamics::Geometry& g = casters_[caster];
       const Vector3 point = state.position + g.contact;
       for (int axis = 0; axis < 3; ++axis) {
         std::vector<btScalar> row(static_cast<std::size_t>(6 + dofs), 0.0);
@@ -199,7 +200,7 @@ TEST_F(BulletMechanics, ContactJacobianAgrees) {
         const auto joint_column = [&](int link) {
           return 6 + static_cast<std::size_t>(item_.body().getLink(link).m_dofOffset);
         };
-        if (mechanism_.legs[leg].swivels()) {
+        if (mechanism_.casters[caster].swivels()) {
           EXPECT_NEAR(row[joint_column(2 * i)], g.jacobian_joints(axis, 0), 1e-12);
         }
         EXPECT_NEAR(row[joint_column(2 * i + 1)], g.jacobian_joints(axis, 1), 1e-12);

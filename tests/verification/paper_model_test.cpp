@@ -9,7 +9,7 @@
 
 // The baseline that is the model of Xu, Ma & Kurata 2022 (engine/baselines/paper_model.h) on a pull
 // with a constant force, against Newton's law (pulling_test.cpp). Its errors are numbers that
-// docs/pulling_tests.md tells; a baseline that got better or worse by itself would be another one.
+// docs/pulling_tests.md states; a baseline that got better or worse by itself would be another one.
 namespace gurney {
 namespace {
 

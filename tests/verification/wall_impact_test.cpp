@@ -5,7 +5,7 @@
 #include "engine/run/simulate.h"
 #include "studies/verification/scenes/blocks.h"
 
-// What a run tells of a block that hits a wall. The numbers are cases of `gurney verify impacts`.
+// What a run reports of a block that hits a wall. The numbers are cases of `gurney verify impacts`.
 namespace gurney {
 namespace {
 

@@ -85,7 +85,7 @@ std::size_t gathers_from(const TrialSignals& s, std::size_t moved) {
   return i;
 }
 
-/// What force and motion say against each other while it gathers speed; empty: nothing.
+/// How force and motion contradict each other while it gathers speed; empty: nothing.
 std::string wrong_motion(const TrialSignals& s, const Span& span, double inertia) {
   const auto law = motion_law(s, span, inertia);
   if (!law) return "";

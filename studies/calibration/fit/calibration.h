@@ -18,7 +18,7 @@ struct PhasedPull {
   TrialAverages averages;
 };
 
-/// What trials say about casters.
+/// What trials show of casters.
 struct Calibration {
   std::string source;  ///< the file or folder
   std::vector<Constant> constants;
@@ -34,7 +34,7 @@ struct Calibration {
   int simulated = 0;  ///< of them with `origin` simulated
 };
 
-/// Checks every trial, takes what it says, and makes constants of all with `use` calibration.
+/// Checks every trial, takes its values, and makes constants of all with `use` calibration.
 /// @throws Error where no trial for calibration can be used, with the reasons.
 Calibration calibrate(TrialSet trials, const std::string& source);
 

@@ -222,7 +222,7 @@ std::string why_not(const std::string& caster, const std::string& base, double r
   const std::vector<std::string> known = equipment::catalogue_names(equipment::DataKind::kCaster);
   if (!base.ends_with(".toml") && std::ranges::find(known, base) == known.end())
     return fmt::format(
-        "{}: the catalogue has no caster '{}'; --base says which one has the numbers "
+        "{}: the catalogue has no caster '{}'; --base names the one with the parameters "
         "that no trial gives",
         caster, base);
   const equipment::CasterType type =

@@ -15,7 +15,7 @@ struct CasterFile {
 };
 
 /// One file for each caster and floor. The numbers that no trial gives are those of `base`, or,
-/// where it is empty, of the catalogue's caster of that name; a caster that has none is told in
+/// where it is empty, of the catalogue's caster of that name; a caster that has none is reported in
 /// `without`.
 ///
 /// Rolling resistance and friction get their value, 95 % interval (`range`), a source that names

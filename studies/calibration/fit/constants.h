@@ -6,7 +6,7 @@
 #include "studies/calibration/trials/trial.h"
 #include "studies/statistics/bands.h"
 
-/// Constants of casters from what single trials say (docs/calibration.md).
+/// Constants of casters from the results of single trials (docs/calibration.md).
 namespace gurney::calibration {
 
 enum class ConstantKind {
@@ -21,7 +21,7 @@ const char* symbol_of(ConstantKind kind);  ///< "Cr/R"
 const char* name_of(ConstantKind kind);    ///< "rolling_resistance"
 const char* unit_of(ConstantKind kind);    ///< "1" or "m"
 
-/// One constant as one trial says it.
+/// One constant from one trial.
 struct TrialValue {
   ConstantKind kind = ConstantKind::kRolling;
   std::string trial;

@@ -87,7 +87,7 @@ std::optional<Minimum> minimise(const Residuals& of, Vector x, double widest) {
     if (!factor.isPositive()) return {};
     const double variance =
         r.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(r.size() - kUnknowns, 1));
-    const Vector way = -factor.solve(slope.transpose() * r);
+    const Vector direction = -factor.solve(slope.transpose() * r);
     const auto allowed = [&](Vector y) {
       y[0] = std::clamp(y[0], 1e-4, 0.5);
       y[1] = std::clamp(y[1], 0.0, widest);
@@ -96,11 +96,11 @@ std::optional<Minimum> minimise(const Residuals& of, Vector x, double widest) {
       return y;
     };
     double length = 1;
-    Vector next = allowed(x + way);
+    Vector next = allowed(x + direction);
     Eigen::VectorXd r_next = of.at(next);
     while (r_next.squaredNorm() > r.squaredNorm() && length > 1e-3) {
       length /= 2;
-      next = allowed(x + length * way);
+      next = allowed(x + length * direction);
       r_next = of.at(next);
     }
     const Vector moved = next - x;
@@ -156,7 +156,7 @@ std::optional<CrosswiseFit> fit_crosswise(const Trial& trial, TrialFault& fault)
         residuals.noise() * std::sqrt(found->residuals.head(residuals.samples()).squaredNorm() /
                                       static_cast<double>(residuals.samples()));
     require(fit.torque_length_error < kMaxRelativeError * fit.torque_length,
-            "it says nothing of swivelling: are the casters in line?");
+            "it does not determine the swivel friction: are the casters in line?");
     return fit;
   } catch (const Error& error) {
     fault = {trial.file, 0, error.what()};

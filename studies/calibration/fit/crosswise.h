@@ -8,7 +8,7 @@
 /// Pulls with casters that are not in line: what resists their swivelling.
 namespace gurney::calibration {
 
-/// What one crosswise pull says, from the engine's run that is nearest to it.
+/// What one crosswise pull shows, from the engine's run that is nearest to it.
 struct CrosswiseFit {
   std::string trial, caster, floor;
   double load = 0;        ///< mean of a wheel, N [N]
@@ -36,7 +36,7 @@ struct CrosswiseFit {
 /// @return nothing, and a fault in `fault`, where averages_of(), check_averages() or check_phases()
 ///         say so (from the half of phase II on, when the casters are in line), the item or caster
 ///         is not known or does not weigh what the trial says, a phase is missing, no minimum is
-///         found, or the trial says nothing (error above a half)
+///         found, or the trial does not determine it (error above a half)
 std::optional<CrosswiseFit> fit_crosswise(const Trial& trial, TrialFault& fault);
 
 }  // namespace gurney::calibration

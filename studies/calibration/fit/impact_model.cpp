@@ -44,15 +44,15 @@ class WallRun {
     ContactConstants contact;
     contact.restitution = restitution;
     scene_.pairs = {{"item", "wall", contact}, {"item", "", contact}};
-    Trial made;
-    made.kind = TrialKind::kImpact;
+    Trial trial;
+    trial.kind = TrialKind::kImpact;
     const Response response = simulate(scene_, {}, settings_);
     for (const Sample& sample : response.items[0].history) {
-      made.signals.time.push_back(sample.time);
-      made.signals.displacement.push_back(sample.displacement.x());
+      trial.signals.time.push_back(sample.time);
+      trial.signals.displacement.push_back(sample.displacement.x());
     }
     TrialFault fault;
-    const auto rebound = rebound_of(made, fault);
+    const auto rebound = rebound_of(trial, fault);
     require(rebound.has_value(), "the engine's run of the impact: " + fault.reason);
     return rebound->restitution;
   }

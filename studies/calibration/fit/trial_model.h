@@ -7,7 +7,7 @@
 
 namespace gurney::calibration {
 
-/// A pull made again with the engine under the force that was measured.
+/// A pull repeated with the engine under the force that was measured.
 class TrialModel {
  public:
   /// What is not known of a trial.
@@ -39,7 +39,7 @@ class TrialModel {
   /// and the casters swivel: a line through it would be wrong by some 0.1 N s, 6 % of the torque of
   /// a narrow patch. From then on it has the line nearest to the force, whose noise would add up in
   /// the speed, and none after the release: a sample too many is an impulse that the coasting would
-  /// tell as resistance. What the noise adds to the impulse at first is taken up by `shift`.
+  /// take for resistance. What the noise adds to the impulse at first is taken up by `shift`.
   /// @pre the unknowns are within the engine's ranges
   Motion run(const Unknowns& unknowns) const;
 

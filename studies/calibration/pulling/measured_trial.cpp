@@ -18,16 +18,16 @@ bool is_pull(TrialKind kind) {
 }
 
 /// What is wrong with its samples, else the method's phases and averages.
-std::optional<TrialFault> evaluate(MeasuredTrial& made) {
-  if (auto fault = check_samples(made.trial)) return fault;
+std::optional<TrialFault> evaluate(MeasuredTrial& result) {
+  if (auto fault = check_samples(result.trial)) return fault;
   TrialFault fault;
-  made.phases = find_phases(made.trial, fault);
-  if (!made.phases) return fault;
-  if (auto bad = check_phases(made.trial, *made.phases)) return bad;
-  made.averages = averages_of(made.trial, *made.phases, fault);
-  if (!made.averages) return fault;
-  if (made.trial.kind != TrialKind::kPull) return {};
-  return check_averages(*made.averages, !made.trial.signals.displacement.empty());
+  result.phases = find_phases(result.trial, fault);
+  if (!result.phases) return fault;
+  if (auto bad = check_phases(result.trial, *result.phases)) return bad;
+  result.averages = averages_of(result.trial, *result.phases, fault);
+  if (!result.averages) return fault;
+  if (result.trial.kind != TrialKind::kPull) return {};
+  return check_averages(*result.averages, !result.trial.signals.displacement.empty());
 }
 
 bool alike(const TrialSetup& a, Alignment of_a, const TrialSetup& b) {
@@ -42,20 +42,20 @@ std::vector<MeasuredTrial> measured_trials(const std::string& path) {
   std::vector<MeasuredTrial> all;
   for (const Trial& trial : set.trials) {
     if (!is_pull(trial.kind)) continue;
-    MeasuredTrial made{trial, {}, {}, {}};
-    if (const auto fault = evaluate(made)) {
-      made.averages = {};
-      made.fault = fault->text();
+    MeasuredTrial result{trial, {}, {}, {}};
+    if (const auto fault = evaluate(result)) {
+      result.averages = {};
+      result.fault = fault->text();
     }
-    all.push_back(std::move(made));
+    all.push_back(std::move(result));
   }
   for (const TrialAverages& averages : set.averages) {
-    MeasuredTrial made;
-    made.trial.name = averages.name;
-    made.trial.file = averages.file;
-    made.trial.setup = averages.setup;
-    made.averages = averages;
-    all.push_back(std::move(made));
+    MeasuredTrial result;
+    result.trial.name = averages.name;
+    result.trial.file = averages.file;
+    result.trial.setup = averages.setup;
+    result.averages = averages;
+    all.push_back(std::move(result));
   }
   return all;
 }

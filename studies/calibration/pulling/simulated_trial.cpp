@@ -33,7 +33,7 @@ std::vector<double> ends_of_flooring(const study::StudyReader& file) {
   return ends;
 }
 
-/// The columns of /histories that trials are made of.
+/// The columns of /histories of which trials consist.
 struct HistoryColumns {
   std::vector<double> time, x, y, velocity, acceleration, tension, force, yaw;
   std::vector<double> kinetic, rolling, weights, forces, dampers;  ///< empty: not kept
@@ -68,8 +68,8 @@ bool in_step(const std::vector<double>& time, std::size_t first, std::size_t las
 }
 
 void add_signals(const HistoryColumns& all, std::size_t first, std::size_t last, double end,
-                 SimulatedTrial& made) {
-  TrialSignals& s = made.trial.signals;
+                 SimulatedTrial& result) {
+  TrialSignals& s = result.trial.signals;
   if (!in_step(all.time, first, last)) --last;
   for (std::size_t row = first; row < last && all.time[row] < end; ++row) {
     s.time.push_back(all.time[row]);
@@ -78,13 +78,13 @@ void add_signals(const HistoryColumns& all, std::size_t first, std::size_t last,
     s.lateral.push_back(all.y[row]);
     s.acceleration.push_back(all.acceleration[row]);
     s.yaw.push_back(all.yaw[row]);
-    made.velocity.push_back(all.velocity[row]);
+    result.velocity.push_back(all.velocity[row]);
     if (all.kinetic.empty()) continue;
-    made.kinetic.push_back(all.kinetic[row]);
-    made.rolling_loss.push_back(all.rolling[row]);
+    result.kinetic.push_back(all.kinetic[row]);
+    result.rolling_loss.push_back(all.rolling[row]);
     // What the weight loses goes into the item, but for the dampers of blocks and cable.
-    made.work.push_back(all.forces[row] - (all.weights[row] - all.weights[first]) -
-                        all.dampers[row]);
+    result.work.push_back(all.forces[row] - (all.weights[row] - all.weights[first]) -
+                          all.dampers[row]);
   }
 }
 
@@ -119,11 +119,11 @@ TrialSetup setup_of(const config::Node& tree, const study::Job& job, const PullT
   return setup;
 }
 
-void apply_method(SimulatedTrial& made) {
+void apply_method(SimulatedTrial& result) {
   TrialFault fault;
-  made.phases = find_phases(made.trial, fault);
-  if (made.phases) made.averages = averages_of(made.trial, *made.phases, fault);
-  if (!made.averages) made.fault = fault.reason;
+  result.phases = find_phases(result.trial, fault);
+  if (result.phases) result.averages = averages_of(result.trial, *result.phases, fault);
+  if (!result.averages) result.fault = fault.reason;
 }
 
 double bias(double found, const PullTheory& theory) { return found / theory.resistance - 1; }
@@ -172,26 +172,26 @@ std::vector<SimulatedTrial> simulated_trials(const study::StudyReader& file) {
     if (first == last) continue;  // it failed
     const auto configuration = static_cast<std::size_t>(configurations[run]);
     const study::Job job = study.job(configuration, {});
-    SimulatedTrial made;
-    made.run = run;
-    made.configuration = names[configuration];
-    made.solver = text_at(study.configurations()[configuration].tree, "settings", "solver");
-    if (made.solver.empty()) made.solver = "implicit";
-    made.time_step = job.settings.time_step;
+    SimulatedTrial result;
+    result.run = run;
+    result.configuration = names[configuration];
+    result.solver = text_at(study.configurations()[configuration].tree, "settings", "solver");
+    if (result.solver.empty()) result.solver = "implicit";
+    result.time_step = job.settings.time_step;
     try {
-      made.theory = theory_of(job.scene);
+      result.theory = theory_of(job.scene);
     } catch (const Error& error) {
       throw Error(
-          fmt::format("{}: run {} ({}): {}", file.path(), run, made.configuration, error.what()));
+          fmt::format("{}: run {} ({}): {}", file.path(), run, result.configuration, error.what()));
     }
-    made.trial.name = fmt::format("trial_{:02}", run);
-    made.trial.setup = setup_of(study.configurations()[configuration].tree, job, made.theory);
-    made.alignment = alignment_of(made.trial.setup.headings);
-    if (made.alignment != Alignment::kAligned) made.trial.kind = TrialKind::kCrosswisePull;
-    add_signals(histories, first, last, ends[run], made);
-    made.left_flooring = std::isfinite(ends[run]);
-    apply_method(made);
-    trials.push_back(std::move(made));
+    result.trial.name = fmt::format("trial_{:02}", run);
+    result.trial.setup = setup_of(study.configurations()[configuration].tree, job, result.theory);
+    result.alignment = alignment_of(result.trial.setup.headings);
+    if (result.alignment != Alignment::kAligned) result.trial.kind = TrialKind::kCrosswisePull;
+    add_signals(histories, first, last, ends[run], result);
+    result.left_flooring = std::isfinite(ends[run]);
+    apply_method(result);
+    trials.push_back(std::move(result));
   }
   return trials;
 }

@@ -15,7 +15,7 @@ enum class Alignment { kAligned, kCrosswise, kReversed };  // up to 45, 135, 180
 const char* name_of(Alignment alignment);
 Alignment alignment_of(const std::vector<double>& headings);  ///< [rad]; none: aligned
 
-/// A pulling test as a study made it: what was measured, and what went in.
+/// A pulling test as a study simulated it: what was measured, and the constants behind it.
 struct SimulatedTrial {
   std::size_t run = 0;
   std::string configuration;     ///< levels of its factors

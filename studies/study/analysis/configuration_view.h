@@ -51,7 +51,7 @@ class Levels {
 /// runs.
 std::vector<std::size_t> record_rows(const ConfigurationView& side);
 
-/// The records of a configuration by names that tell them apart: the second "b" is "b (2)".
+/// The records of a configuration by names that distinguish them: the second "b" is "b (2)".
 std::vector<std::string> record_names(const ConfigurationView& side);
 
 }  // namespace gurney::study

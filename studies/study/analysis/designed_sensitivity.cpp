@@ -115,7 +115,7 @@ StudySensitivity designed_sensitivity(const ConfigurationView& side,
   const std::size_t rows = design.scene.size();
   require(rows >= kFewestRuns,
           fmt::format("{}: {} points with all {} runs of {} are too few: at least {} are needed, "
-                      "and 500 or more give intervals that say something",
+                      "and 500 or more give informative intervals",
                       file, rows, matrices, output.name, kFewestRuns));
   StudySensitivity result;
   result.designed = true;

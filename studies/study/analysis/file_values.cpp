@@ -29,7 +29,7 @@ const FileValues::Rows& FileValues::rows(const std::string& table) {
   const auto known = rows_.find(table);
   if (known != rows_.end()) return known->second;
   require(file_.has(table),
-          file_.path() + ": the study did not keep /" + table + "; say so in [study.keep]");
+          file_.path() + ": the study did not keep /" + table + "; ask for it in [study.keep]");
   return rows_[table] = file_.rows_of_runs(table);
 }
 

@@ -13,7 +13,7 @@
 namespace gurney::study {
 
 /// Demands below this fraction of the limit count as "at most" it: they are noise of an item at
-/// rest (the time step and the settling of the treads), and would rule a regression of logarithms.
+/// rest (the time step and the settling of the treads), and would dominate a regression of logarithms.
 /// An assumption; 0.01 to 0.0001 is as good.
 inline constexpr double kFloorOfLimit = 1e-3;
 
@@ -26,7 +26,7 @@ struct FragilityRequest {
 
 /// How likely a limit state is, given an intensity. Intensities are SI.
 struct FragilityResult : FittedCurve {
-  std::string configuration, state, words;  ///< words: what the state says
+  std::string configuration, state, words;  ///< words: the definition of the state
   RunMeasure measure;                       ///< without its values
   std::size_t runs = 0, exceeded = 0, records = 0, failed = 0;
 

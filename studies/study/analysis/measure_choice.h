@@ -11,7 +11,7 @@ namespace gurney::study {
 
 /// How well each intensity measure of a study file predicts the demand of one limit state.
 struct MeasureChoice {
-  std::vector<statistics::IntensityRow> rows;  ///< best first; those that tell nothing last
+  std::vector<statistics::IntensityRow> rows;  ///< best first; those without information last
   std::vector<std::string> units;              ///< of each row, SI
   std::vector<std::string> unknown;            ///< measures that no run has
   std::vector<std::string> properties;         ///< of IntensityRow::sufficiency

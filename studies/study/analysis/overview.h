@@ -9,7 +9,7 @@
 
 namespace gurney::study {
 
-/// What the file of a study and that of one run say of themselves alike.
+/// What the files of a study and of one run have in common.
 struct FileOverview {
   struct Motion {
     std::string name;

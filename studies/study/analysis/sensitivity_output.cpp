@@ -75,7 +75,7 @@ SensitivityOutput sensitivity_output(const ConfigurationView& side,
 void require_variation(const SensitivityOutput& output, const std::string& file) {
   require(output.runs.size() >= kFewestRuns,
           fmt::format("{}: {} runs of {} are too few: at least {} are needed, and 100 or more give "
-                      "intervals that say something",
+                      "informative intervals",
                       file, output.runs.size(), output.name, kFewestRuns));
   require(statistics::moments_of(output.values).variance > 0,
           fmt::format("{}: {} is {:g} in every run: no input controls it", file, output.name,

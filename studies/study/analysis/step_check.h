@@ -24,7 +24,7 @@ struct StateChange {
   std::vector<std::size_t> runs;
 };
 
-/// What the runs that were repeated with half the time step say of the others.
+/// What the runs that were repeated with half the time step show of the others.
 struct StepCheck {
   std::size_t runs = 0;
   std::vector<StepChange> changes;

@@ -20,7 +20,7 @@ struct ComparedQuantity {
   };
   Kind kind = Kind::kShare;
   std::string name, units;
-  std::string words;  ///< what a limit state says
+  std::string words;  ///< the definition of a limit state
   std::size_t groups = 0;
   double a = 0, b = 0;
   double difference = 0;          ///< b - a

@@ -19,7 +19,7 @@ struct RunMeasure {
   std::vector<double> values;
 };
 
-/// A study file with what its job says of it, for statistics. Failed runs are never counted.
+/// A study file with what its job states of it, for statistics. Failed runs are never counted.
 class StudyData {
  public:
   /// @throws Error unless it is the results file of a study

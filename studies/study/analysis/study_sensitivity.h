@@ -9,7 +9,7 @@
 
 namespace gurney::study {
 
-/// What may make an output vary: a number that was drawn, several with the same values, or what the
+/// What may make an output vary: a parameter that was drawn, several with the same values, or what the
 /// runs differ by otherwise.
 struct SensitiveInput {
   std::vector<std::string> names;  ///< more than one: their values are equal in every run

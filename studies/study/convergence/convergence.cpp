@@ -73,7 +73,7 @@ ConvergedNumber number_of(const Values2& values) {
   if (number.runs < 2) return number;
   const statistics::Interval interval = statistics::median_interval(values.front()).interval;
   number.scatter = 0.5 * (interval.high - interval.low);
-  if (!std::isfinite(number.scatter)) number.scatter = 0;  // too few to say
+  if (!std::isfinite(number.scatter)) number.scatter = 0;  // too few to judge
   return number;
 }
 

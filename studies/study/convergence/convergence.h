@@ -8,7 +8,7 @@
 
 namespace gurney::study {
 
-/// What halving the time step says of a number.
+/// How a number changes as the time step is halved.
 enum class StepVerdict {
   kConverged,   ///< its change down to the smallest step is within the tolerance
   kConverging,  ///< it is not, but the changes shrink: a smaller step helps
@@ -26,7 +26,7 @@ struct ConvergedNumber {
   std::vector<double> values;  ///< one for each variant
   double scatter = 0;          ///< of a sample: half the 95 % interval of the number; else 0
   double change = 0;           ///< |job's - smallest step's| over the larger
-  double order = 0;            ///< observed order of the step; NaN: not to be told
+  double order = 0;            ///< observed order of the step; NaN: not to be determined
   StepVerdict step = StepVerdict::kConverged;
   double step_needed = 0;       ///< of kConverging: the time step that should do [s]
   double solver_change = 0;     ///< relative change with a hundredth of the solver tolerance

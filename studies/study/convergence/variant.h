@@ -9,7 +9,7 @@ namespace gurney::study {
 /// What a convergence study varies.
 enum class Varied { kTimeStep, kSolverTolerance, kTreadStiffness };
 
-/// A factor on what the job says.
+/// A factor on what the job states.
 struct Variant {
   Varied varied = Varied::kTimeStep;
   double factor = 1;
@@ -20,7 +20,7 @@ struct Variant {
 /// half, twice and four times its tread stiffness.
 std::vector<Variant> variants_for(const SimulationSettings& settings);
 
-/// The stiffness is that of treads, normal and tangential; their damping goes with its square root,
+/// The stiffness is that of treads, normal and tangential; their damping is proportional to its square root,
 /// so that the share of critical damping stays.
 RunCase varied(RunCase run, const Variant& variant);
 

@@ -51,7 +51,7 @@ std::vector<Table> tables_of(const Hdf5Reader& file, const std::string& path) {
   return result;
 }
 
-/// What says which row it is comes first, then texts, then numbers.
+/// What identifies the row comes first, then texts, then numbers.
 int order_of(const Table& table, const Hdf5Dataset& each) {
   const std::string name = name_of(each.path);
   if (name == table.scale) return 0;

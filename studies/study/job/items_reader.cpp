@@ -39,7 +39,7 @@ std::string equipment_name(Table& item) {
                                    : "item";
 }
 
-/// Stated names come first: a name made from the equipment's gives way to them.
+/// Stated names come first: one formed from the equipment's avoids them.
 std::vector<std::string> read_names(std::vector<Table>& items, equipment::UniqueNames& names) {
   std::vector<std::string> result(items.size());
   for (std::size_t i = 0; i < items.size(); ++i)

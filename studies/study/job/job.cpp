@@ -126,7 +126,7 @@ auto scene(Value Scene::*member) {
   return [member](JobParts& job) -> Value& { return job.scene.*member; };
 }
 
-/// How far the floor is out of level where the job does not say.
+/// How far the floor is out of level where the job does not state it.
 void use_levelness(JobReading& job) {
   job.add([usual = equipment::usual_levelness()](JobParts& of_draw, equipment::Sampler& of) {
     const equipment::Levelness level = usual.sample(of.of_part("floor"));
@@ -242,7 +242,7 @@ Job read_job(config::Document& document) {
     try {
       job = sample(reading, draw);
       if (!draws_anything(job))
-        root.note("uncertainty", ": has no effect: no number of the job has a distribution");
+        root.note("uncertainty", ": has no effect: no parameter of the job has a distribution");
     } catch (const Error& error) {
       document.note(error);
     }

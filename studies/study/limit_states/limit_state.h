@@ -26,7 +26,7 @@ struct LimitState {
   Kind kind = Kind::kAbove;
   Quantity quantity;               ///< of kAbove and kBelow
   double limit = 0;                ///< in the SI unit of the quantity
-  std::string words;               ///< what it says, with its unit: "peak_displacement > 0.3 m"
+  std::string words;               ///< its definition, with its unit: "peak_displacement > 0.3 m"
   std::string origin;              ///< of the limit, where it is a default
   std::vector<std::size_t> parts;  ///< of kAny and kAll: indices of others, each before this
   int at_least = 1;  ///< of all but kAll: how many values (items) or parts it takes, >= 1

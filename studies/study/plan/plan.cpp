@@ -36,9 +36,10 @@ Plan::Plan(const StudyJob& job, const StudyMotions& motions) {
         streams_->insert(each.streams.begin(), each.streams.end());
   }
   if (sampling_ == Sampling::kSaltelli) {
-    require(!streams_->empty(), job.file() +
-                                    ": study.sampling = \"saltelli\" needs a number that is drawn; "
-                                    "none has a distribution");
+    require(!streams_->empty(),
+            job.file() +
+                ": study.sampling = \"saltelli\" needs a parameter that is drawn; "
+                "none has a distribution");
     if (most_records_ > 1)
       record_input_ = std::distance(streams_->begin(), streams_->insert(kRecord).first);
     require(2 * streams_->size() <= kSobolDimensions,

@@ -52,7 +52,7 @@ class Plan {
   std::vector<std::string> inputs() const;
 
   /// Draw of a task: of its record, the same in all configurations and at all angles, so that these
-  /// are compared pair by pair. Empty: every number has its value.
+  /// are compared pair by pair. Empty: every parameter has its value.
   std::optional<Draw> draw(const Task& task) const;
 
  private:

@@ -8,7 +8,7 @@ namespace gurney::study {
 
 inline constexpr int kLevelsOfAStage = 2;
 
-/// The levels at which a next stage of stripes tells most of theta and beta, increasing: with a
+/// The levels at which a next stage of stripes determines theta and beta best, increasing: with a
 /// lognormal curve fitted to the stripes so far those where it is 12.8 and 87.2 %, the D-optimal
 /// design of a probit line (Abdelbasit & Plackett 1983, J. American Statistical Association 78,
 /// 90-98), but within twice the

@@ -13,7 +13,7 @@
 
 namespace gurney::study {
 
-/// A way the job may be: a patch over it, as variants are patches over items.
+/// A variant of the job: a patch over it, as variants are patches over items.
 struct FactorLevel {
   std::string name;
   config::Node patch;  ///< a table
@@ -81,7 +81,7 @@ struct Study {
   std::optional<statistics::HazardCurve> hazard;  ///< of the study's measure [SI]
   std::vector<std::size_t> performance;           ///< limit states, mildest first
   std::uint64_t seed = 1;
-  int draws = 0;  ///< of each record; 0: every number has its value
+  int draws = 0;  ///< of each record; 0: every parameter has its value
   Sampling sampling = Sampling::kMonteCarlo;
   int replicas = 1;  ///< of each draw, under changes that nobody can measure (perturbed())
   std::vector<KeptMeasure> measures;

@@ -168,7 +168,7 @@ StudyJob::StudyJob(std::unique_ptr<FileSnapshot> files, std::unique_ptr<Document
   errors.raise();
   if (study_.draws > 0 && !draws_anything())
     throw Error(document_->where(taken->find("draws")->place) +
-                ": study.draws: has no effect: no number of the job has a distribution");
+                ": study.draws: has no effect: no parameter of the job has a distribution");
 }
 
 bool StudyJob::draws_anything() const {

@@ -42,7 +42,7 @@ class StudyJob {
   config::FileSnapshot& files() const { return *files_; }
 
   /// The job of a configuration. May be called from several threads at once.
-  /// @param draw  none: every number has its value
+  /// @param draw  none: every parameter has its value
   /// @param replica  under a change that nobody can measure: number of perturbed(); 0: without
   /// @throws Error where this draw makes a bad job, such as items that overlap.
   Job job(std::size_t configuration, const std::optional<Draw>& draw,

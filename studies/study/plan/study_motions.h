@@ -42,7 +42,7 @@ class MotionSet {
   FloorMotion floor(std::size_t record, double scale, double angle,
                     std::vector<std::string>& warnings) const;
 
-  /// The same with what is to be told of it; none where the floor rests.
+  /// The same with what is to be reported of it; none where the floor rests.
   std::optional<Motion> motion(std::size_t record, double scale, double angle) const;
 
  private:

@@ -12,7 +12,7 @@
 
 namespace gurney::study {
 
-/// The motion of the floor, and what is to be told of it.
+/// The motion of the floor, and what is to be reported of it.
 struct Motion {
   FloorMotion floor;
   RecordFacts facts;
@@ -34,7 +34,7 @@ groundmotions::Record floor_record_of(const groundmotions::Record& ground,
 FloorMotion in_floor_axes(const groundmotions::Record& floor, const RecordRequest& request,
                           double angle);
 
-/// The same as in_floor_axes(), with what is to be told of it.
+/// The same as in_floor_axes(), with what is to be reported of it.
 Motion as_motion(const groundmotions::Record& floor, const RecordRequest& request, double angle);
 
 }  // namespace gurney::study

@@ -164,9 +164,9 @@ constexpr TableColumn<ZoneOutcome> kZone[] = {
      &ZoneOutcome::occupied_time},
     {"occupied_at_end", "1", "1: an item is in the zone at the end; 0: none",
      &ZoneOutcome::occupied_at_end},
-    {"least_free_width", "m", "least width of the widest way along the zone",
+    {"least_free_width", "m", "least width of the widest free path along the zone",
      &ZoneOutcome::least_free_width},
-    {"free_width_at_end", "m", "width of the widest way along the zone at the end",
+    {"free_width_at_end", "m", "width of the widest free path along the zone at the end",
      &ZoneOutcome::free_width_at_end},
 };
 

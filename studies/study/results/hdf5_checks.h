@@ -21,7 +21,7 @@ void check_storage(hid_t dataset, const std::string& name);
 /// memory
 void probe(const std::string& path, const std::function<void()>& read);
 
-/// Appended to a file's bytes: the SHA-256 of them all. HDF5 minds nothing behind the end that it
+/// Appended to a file's bytes: the SHA-256 of them all. HDF5 ignores what follows the end that it
 /// knows, and cuts it off when it writes.
 std::string seal_of(const std::string& path);
 std::string seal_of_bytes(const std::string& bytes);

@@ -114,7 +114,7 @@ void add_drawn(Hdf5Writer& file, const std::vector<DrawnFacts>& drawn) {
   std::vector<double> values;
   for (const DrawnFacts& each : drawn) values.push_back(each.value);
   const Scales scale{"/drawn/variable"};
-  file.add_scale({"/drawn/variable", "1", "the number that was drawn", {}},
+  file.add_scale({"/drawn/variable", "1", "the parameter that was drawn", {}},
                  texts(&DrawnFacts::variable));
   file.add({"/drawn/value", "1", "its value in this run, in the unit given", scale}, values);
   file.add({"/drawn/unit", "1", "unit of its value", scale}, texts(&DrawnFacts::unit));

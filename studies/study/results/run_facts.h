@@ -18,7 +18,7 @@ struct FileFacts {
   std::string sha256;
 };
 
-/// What a run says of its floor motion, in floor axes.
+/// What a run states of its floor motion, in floor axes.
 struct RecordFacts {
   std::string name;
   std::vector<FileFacts> files;
@@ -42,7 +42,7 @@ struct AssumptionFacts {
   std::string file;  ///< data file that states it, without folder
 };
 
-/// A number that was drawn from its distribution.
+/// A parameter that was drawn from its distribution.
 struct DrawnFacts {
   std::string variable;  ///< its key, with the part before it: "front left/tread.patch_width_mm"
   double value = 0;      ///< in `unit`
@@ -51,7 +51,7 @@ struct DrawnFacts {
   std::string file;  ///< data file that states it, without folder
 };
 
-/// Everything a results file, a summary or a figure says besides the Response.
+/// Everything a results file, a summary or a figure states besides the Response.
 struct RunFacts {
   std::string job_name;  ///< of the job file, without folder and extension
   std::string job_text;
@@ -62,7 +62,7 @@ struct RunFacts {
   std::optional<RecordFacts> record;  ///< none: the floor is at rest
   FloorMotion floor;
   std::optional<std::uint64_t> seed;  ///< none: nothing in the run is random
-  std::optional<Draw> draw;           ///< none: every number has its value
+  std::optional<Draw> draw;           ///< none: every parameter has its value
   std::vector<DrawnFacts> drawn;
   std::vector<AssumptionFacts> assumptions;
   std::vector<std::string> warnings;

@@ -8,7 +8,7 @@
 namespace gurney::study {
 namespace {
 
-/// A group of 1-D columns; the first ones say of which run a row is, and of what in it.
+/// A group of 1-D columns; the first ones identify the run of a row, and what in it.
 class Table {
  public:
   Table(Hdf5Writer& file, const std::string& name, std::size_t rows)

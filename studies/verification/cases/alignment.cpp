@@ -7,7 +7,7 @@
 
 // A caster whose pivot is led at constant speed v along x turns into line. Without slip the contact
 // point moves along the wheel only: trail psi' = -v sin psi. The tread is stiff and its friction
-// (mu = 5) never reached; it slips by F / (k_t sigma) of the way.
+// (mu = 5) never reached; it slips by F / (k_t sigma) of its path.
 namespace gurney::verification {
 namespace {
 

@@ -46,7 +46,7 @@ Findings relax(const Soft& c, const Runner& runner) {
       {"rolling loss", "J", response.items[0].energy.rolling_loss, turning,
        resistance *
            (travel * slip * (2 * start + slip) + 2 * resistance / (4 * c.stiffness * 10 / 11)),
-       "f_r s slip (2 sigma / s + slip), and 2 f_r / k of way while the treads wind up"});
+       "f_r s slip (2 sigma / s + slip), and 2 f_r / k of path while the treads wind up"});
   return findings;
 }
 

@@ -199,7 +199,7 @@ Family collision() {
 Family pressed_row() {
   return make_family<Row>(
       {"pressed_row", "impacts", "A push presses two blocks in a row against a wall",
-       "each pair of faces gives way by F / (4 k)", "statics of springs"},
+       "each pair of faces deflects by F / (4 k)", "statics of springs"},
       {{{"push", "N", 50, 500}, &Row::push},
        {{"stiffness", "N/m", 2e5, 5e6}, &Row::stiffness},
        {{"first", "kg", 20, 200}, &Row::first},

@@ -4,7 +4,7 @@
 #include "studies/verification/gravity.h"
 #include "studies/verification/scenes/scenes.h"
 
-// What moves at v0 comes to rest when a force has taken its kinetic energy: the way tells the
+// What moves at v0 comes to rest when a force has taken its kinetic energy: the distance gives the
 // force, the energy balance shows whose it was.
 namespace gurney::verification {
 namespace {

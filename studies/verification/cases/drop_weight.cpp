@@ -128,7 +128,7 @@ void compare(const Rig& c, double normal_stiffness, double step, bool hold_pitch
   displacement.report(findings);
   velocity.report(findings);
   tension.report(findings);
-  // The weight loses its energy where it lands, so the loss tells the speed at the event.
+  // The weight loses its energy where it lands, so the loss gives the speed at the event.
   const double loss = 0.5 * (c.weight + e.pulley) * e.velocity * e.velocity;
   findings.checks.push_back({"energy lost at the landing, " + how, "J",
                              response.items[0].energy.damper_loss, loss,

@@ -28,15 +28,15 @@ Findings roll(const Roll& c, const Runner& runner) {
   const char* const why =
       "1e-9 of the speed: no sleeping, no drag; the solve's residual, 1e-9 g dt in each step, "
       "could add up to 6e-7 m/s but does not";
-  Track velocity("velocity", "m/s", why), way("displacement", "m", why);
+  Track velocity("velocity", "m/s", why), path("displacement", "m", why);
   Track across("displacement across", "m", "1e-9 m");
   for (const Sample& s : response.items[0].history) {
     velocity.add(s.time, s.velocity.x(), c.speed, 1e-9 * c.speed);
-    way.add(s.time, s.displacement.x(), c.speed * s.time, 1e-9 * c.speed * kDuration);
+    path.add(s.time, s.displacement.x(), c.speed * s.time, 1e-9 * c.speed * kDuration);
     across.add(s.time, s.displacement.y(), 0, 1e-9);
   }
   velocity.report(findings);
-  way.report(findings);
+  path.report(findings);
   across.report(findings);
   findings.checks.push_back(
       {"energy lost", "J", response.items[0].energy.loss(), 0, 1e-9, "1e-9 J"});

@@ -109,7 +109,8 @@ Findings free_to_tilt(const Push& p, const Runner& runner) {
   const double heave = caster.trail * friction * h / std::sqrt(roll * whole.inertia(0, 0));
   const double wind_up = friction * friction / (2 * 4e9 * whole.mass * kSpeed);
   const double tilt = friction * h / roll * h;
-  const double way = (2 * p.friction * heave + 1.1 * wind_up + 1e-9 * kG) * kDuration + 2 * tilt;
+  const double displacement =
+      (2 * p.friction * heave + 1.1 * wind_up + 1e-9 * kG) * kDuration + 2 * tilt;
   const char* const terms =
       "heave of a base behind the centre of mass, 2 mu trail f h / sqrt(k_r I_r); wind-up; tilt "
       "2 f h^2 / k_r; residual";
@@ -123,8 +124,9 @@ Findings free_to_tilt(const Push& p, const Runner& runner) {
   for (int degrees = 0; degrees <= 90; degrees += 15) {
     const Vector3 direction = towards(degrees);
     const Sample end = push(item, p, direction, kDuration, {}, runner, findings);
-    along.add(degrees, end.points[0].displacement.dot(direction), exact, way);
-    across.add(degrees, Vector3::UnitZ().cross(direction).dot(end.points[0].displacement), 0, way);
+    along.add(degrees, end.points[0].displacement.dot(direction), exact, displacement);
+    across.add(degrees, Vector3::UnitZ().cross(direction).dot(end.points[0].displacement), 0,
+               displacement);
     yaw.add(degrees, end.yaw, 0, twist);
   }
   along.report(findings);
@@ -160,10 +162,11 @@ Findings same_limit(const Limit& c, const Runner& runner) {
   const double first = (kRatio - 1) * c.friction * kG;  // its acceleration when it goes
   Track limit("push from which it goes, over mu_s M g", "", "half of the last bracket, 0.001",
               kAxis);
-  Track way("displacement in 1 s at 1.01 of it", "m",
-            "one step's delay of the start, 2 a dt t, and what it goes while its speed is below "
-            "that of the treads, 1e-5 m",
-            kAxis);
+  Track displacement(
+      "displacement in 1 s at 1.01 of it", "m",
+      "one step's delay of the start, 2 a dt t, and what it goes while its speed is below "
+      "that of the treads, 1e-5 m",
+      kAxis);
   for (int degrees = 0; degrees <= 90; degrees += 15) {
     const double found = locate(0.98, 1.02, kWidth, [&](double ratio) {
       return ramped(item, ratio * hold, degrees, runner, findings) > 1e-3;
@@ -172,11 +175,11 @@ Findings same_limit(const Limit& c, const Runner& runner) {
     // It goes when the force has risen to 1 / 1.01, and the acceleration rises with it for a while.
     const double a = (1.01 * kRatio - 1) * c.friction * kG, rises = 0.5 - 0.5 / 1.01;
     const double speed = rises * (first + a) / 2, early = rises * rises * (2 * first + a) / 6;
-    way.add(degrees, ramped(item, 1.01 * hold, degrees, runner, findings), early + speed + a / 2,
-            2 * a * 0.002 + 1e-5);
+    displacement.add(degrees, ramped(item, 1.01 * hold, degrees, runner, findings),
+                     early + speed + a / 2, 2 * a * 0.002 + 1e-5);
   }
   limit.report(findings);
-  way.report(findings);
+  displacement.report(findings);
   return findings;
 }
 

@@ -87,8 +87,8 @@ CartAtKerb cart_at(const Cart& c) {
   Tread tread = small::bare_tread(kStiffness, kStiffness);
   tread.normal_damping = 4e5;  // no rebound: more than 2 sqrt(k M)
   tread.static_friction = tread.kinetic_friction = c.friction;
-  CartAtKerb made;
-  EquipmentModel& cart = made.scene.items[0].model;
+  CartAtKerb result;
+  EquipmentModel& cart = result.scene.items[0].model;
   const double x = c.half_wheelbase, y = c.half_track;
   cart = small::item_on({{x, y}, {x, -y}, {-x, y}, {-x, -y}}, {0, 0, 0, 0}, tread);
   for (Caster& caster : cart.casters) {
@@ -103,27 +103,27 @@ CartAtKerb cart_at(const Cart& c) {
   // The kerb holds the front wheels in the corner with the floor; the cart turns about their axle.
   // Wheels that turn freely count with their mass only.
   const double radius = cart.casters[0].wheel_radius;
-  add_kerb(made.scene, x + radius + kWay, 0.08);
+  add_kerb(result.scene, x + radius + kWay, 0.08);
   MassProperties moving = whole_item(cart);
   for (const Caster& caster : cart.casters) moving.inertia(1, 1) -= caster.wheel_axial_inertia;
   const Vector3 axle(x, 0, radius);
-  made.speed = tripping_speed(moving, axle);
-  made.leans = leans_on_kerb(moving, axle);
+  result.speed = tripping_speed(moving, axle);
+  result.leans = leans_on_kerb(moving, axle);
   const double h = moving.center_of_mass.z() - radius;
-  const double gives_way = made.speed * std::sqrt(moving.mass / (2 * kStiffness)) / h;
+  const double deflection = result.speed * std::sqrt(moving.mass / (2 * kStiffness)) / h;
   const double spin =
       c.friction > 0 ? 2 * cart.casters[0].wheel_axial_inertia / (radius * radius) / moving.mass
                      : 0;
-  made.share = 2 * gives_way + spin;
-  return made;
+  result.share = 2 * deflection + spin;
+  return result;
 }
 
 Findings stop_cart(const Cart& c, const Runner& runner) {
   Findings findings;
-  const CartAtKerb made = cart_at(c);
+  const CartAtKerb result = cart_at(c);
   trip(
-      made.scene, made.speed, made.share,
-      "of it: the axle gives way by V sqrt(M / 2 k) forward and, as it swings, down, twice that "
+      result.scene, result.speed, result.share,
+      "of it: the axle deflects by V sqrt(M / 2 k) forward and, as it swings, down, twice that "
       "over h; friction at the kerb lifts wheels while it stops their spin, I / R^2 of two over M; "
       "an eighth of these for the last bracket",
       0.0005, runner, findings);
@@ -150,27 +150,27 @@ struct SliderAtKerb {
 SliderAtKerb slider_at(const Slider& c) {
   constexpr double kStiffness = 1e9;
   const ContactConstants rigid{.stiffness = kStiffness, .restitution = 0.01, .friction = 0};
-  SliderAtKerb made;
-  made.scene = blocks::block(c.mass, {c.width, 0.5, c.height}, rigid);
-  made.scene.pairs.push_back({"steel", "stone", rigid});
-  EquipmentModel& block = made.scene.items[0].model;
+  SliderAtKerb result;
+  result.scene = blocks::block(c.mass, {c.width, 0.5, c.height}, rigid);
+  result.scene.pairs.push_back({"steel", "stone", rigid});
+  EquipmentModel& block = result.scene.items[0].model;
   block.chassis_center_of_mass = {c.aside, 0, c.center * c.height};
   block.chassis_inertia *= c.inertia;
-  add_kerb(made.scene, 0.5 * c.width + kWay, c.kerb);
+  add_kerb(result.scene, 0.5 * c.width + kWay, c.kerb);
   const MassProperties body = whole_item(block);
   const Vector3 edge(0.5 * c.width, 0, 0);
-  made.speed = tripping_speed(body, edge);
-  made.leans = leans_on_kerb(body, edge);
+  result.speed = tripping_speed(body, edge);
+  result.leans = leans_on_kerb(body, edge);
   const double raised = tripping_speed(body, edge + Vector3(0, 0, c.kerb));
-  made.share = std::abs(raised / made.speed - 1) +
-               made.speed * std::sqrt(c.mass / kStiffness) / body.center_of_mass.z();
-  return made;
+  result.share = std::abs(raised / result.speed - 1) +
+                 result.speed * std::sqrt(c.mass / kStiffness) / body.center_of_mass.z();
+  return result;
 }
 
 Findings stop_slider(const Slider& c, const Runner& runner) {
   Findings findings;
-  const SliderAtKerb made = slider_at(c);
-  trip(made.scene, made.speed, made.share,
+  const SliderAtKerb result = slider_at(c);
+  trip(result.scene, result.speed, result.share,
        "of it: the kerb holds the edge between the floor and its top, V there and here; it gives "
        "way by V sqrt(M / k), over h; an eighth of these for the last bracket",
        0.001, runner, findings);

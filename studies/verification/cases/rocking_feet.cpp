@@ -77,14 +77,14 @@ struct Reference {
   explicit Reference(const Feet& c) {
     const EquipmentModel item = item_of(c);
     const Tread& tread = item.casters[0].tread;
-    const double legs = 8 * kPart;
-    body.mass = c.mass + legs;
-    center = {0, 0, (c.mass * c.height + legs * kRadius) / body.mass};
+    const double feet = 8 * kPart;
+    body.mass = c.mass + feet;
+    center = {0, 0, (c.mass * c.height + feet * kRadius) / body.mass};
     body.inertia = item.chassis_inertia.diagonal();
     const double up = c.height - center.z(), down = center.z() - kRadius;
     const double x = c.wheelbase / 2, y = c.track / 2;
     body.inertia += c.mass * up * up * Vector3(1, 1, 0) +
-                    legs * Vector3(y * y + down * down, x * x + down * down, x * x + y * y);
+                    feet * Vector3(y * y + down * down, x * x + down * down, x * x + y * y);
     body.wheels = {Vector3(x, y, -down), Vector3(x, -y, -down), Vector3(-x, y, -down),
                    Vector3(-x, -y, -down)};
     body.radius = kRadius;
@@ -215,7 +215,7 @@ Family rocking_feet() {
        {"tall", {0.3, 2, 0.75, 80}}},
       rock, rocks);
   // Not drawn: of 30 drawn sets a third had left the asymptotic regime for chaos before 3 s, where
-  // errors at 4, 2 and 1 ms are of one size and say nothing of each other.
+  // errors at 4, 2 and 1 ms are of one size and carry no order of convergence.
   family.drawn = false;
   return family;
 }

@@ -106,9 +106,9 @@ struct Turning {
   }
 };
 
-/// Each 0.01 s: the axle's direction and the way of the centre over r.
+/// Each 0.01 s: the axle's direction and the path of the centre over r.
 struct Path {
-  std::vector<Vector3> axle, way;
+  std::vector<Vector3> axle, center;
   double closure = 0;  ///< of the energy balance
 };
 
@@ -120,7 +120,7 @@ Path run(const Turning& c, double step, double tread, const Runner& runner, Find
   path.closure = response.quality.energy_closure;
   for (const Sample& sample : response.items[0].history) {
     path.axle.push_back(disc_axle(sample));
-    path.way.push_back(sample.points[0].displacement / c.radius);
+    path.center.push_back(sample.points[0].displacement / c.radius);
   }
   return path;
 }
@@ -131,7 +131,7 @@ Path integrated(const Turning& c, std::size_t samples) {
   for (std::size_t i = 0; i < samples; ++i) {
     if (i > 0) reference.advance(0.01);
     path.axle.push_back(reference.axle());
-    path.way.push_back(reference.moved() / c.radius);
+    path.center.push_back(reference.moved() / c.radius);
   }
   return path;
 }
@@ -157,7 +157,7 @@ Findings turn(const Turning& c, const Runner& runner) {
                       kDiscTolerance});
   };
   check("axle's direction", "rad", &Path::axle);
-  check("path of the centre, over r", "", &Path::way);
+  check("path of the centre, over r", "", &Path::center);
   checks.push_back({"energy balance error", "", fine.closure, 0, coarse.closure / 3 + 1e-9,
                     "a third of that with the double step, for a method of second order; rounding, "
                     "1e-9"});

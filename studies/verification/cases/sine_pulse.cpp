@@ -109,7 +109,7 @@ struct Pulse {
   bool overturns;  // the rigid block
 };
 
-/// Those of 36 pulses that end the same with 4 % more or less: edges that give way and rebound
+/// Those of 36 pulses that end the same with 4 % more or less: edges that deflect and rebound
 /// move the boundary.
 std::vector<Pulse> clear_pulses(const Spectrum& c) {
   const RockingBlock block = c.body().block();

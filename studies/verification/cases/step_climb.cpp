@@ -9,7 +9,7 @@
 #include "studies/verification/scenes/small_scenes.h"
 
 // The wheel turns about the step's edge, (r - h) below its axle. When its weight has left the floor
-// the edge carries push and weight, R = sqrt(F^2 + N^2), through the axle; its tread gives way by
+// the edge carries push and weight, R = sqrt(F^2 + N^2), through the axle; its tread deflects by
 // d = R / (2 k) there, so that the axle is r - d from it:
 //
 //     F / N = sqrt((r - d)^2 - (r - h)^2) / (r - h),

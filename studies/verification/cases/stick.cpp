@@ -44,7 +44,7 @@ Findings hold(const Slope& c, const Runner& runner) {
   findings.checks.push_back({"creep from 30 s to 60 s", "m", crept, 0, 1e-9 + 1000 * residual,
                              "1e-9 m, and a thousand times 1e-9 M g on the springs of the treads: "
                              "no step's residual adds to the last"});
-  if (c.odd != 0) return findings;  // it goes some way first, until its casters hold it
+  if (c.odd != 0) return findings;  // it moves a little first, until its casters hold it
   findings.checks.push_back({"peak displacement in 60 s", "m", item.demands.peak_displacement, 0,
                              1e-9, "a run starts from equilibrium: 1e-9 m"});
   findings.checks.push_back({"rolling loss", "J", item.energy.rolling_loss, 0, 0, "nothing rolls"});
@@ -55,7 +55,7 @@ Findings hold(const Slope& c, const Runner& runner) {
 }
 
 // Below the threshold (Cr / R) g a harmonic floor only sways the trolley on its treads; an envelope
-// keeps them from ringing. X is the way of the axles, P the pitch on the treads about them, d the
+// keeps them from ringing. X is the path of the axles, P the pitch on the treads about them, d the
 // height of the centre of mass over the axles:
 //
 //     (k - M w^2) X - M d w^2 P = M A,   -M d w^2 X + (k_p - (I + M d^2) w^2) P = M d A

@@ -76,8 +76,9 @@ std::vector<std::pair<std::string, Rebound>> sets() {
   for (const auto& [kind, e] :
        {std::pair("soft", 0.2), {"half", 0.5}, {"lively", 0.7}, {"hard", 0.9}})
     for (const auto& [pace, speed] : {std::pair("_slow", 0.2), {"", 0.8}, {"_fast", 2.0}})
-      for (const auto& [way, yaw] : {std::pair("", 0.0), {"_turned", 30.0}, {"_back", -115.0}})
-        all.push_back({std::string(kind) + pace + way, {e, speed, yaw}});
+      for (const auto& [direction, yaw] :
+           {std::pair("", 0.0), {"_turned", 30.0}, {"_back", -115.0}})
+        all.push_back({std::string(kind) + pace + direction, {e, speed, yaw}});
   return all;
 }
 

@@ -27,7 +27,7 @@ Findings meet(const Spring& c, const Runner& runner) {
                     .friction = 0});
   const CappedDamping exact(omega, c.damping);
   const ImpactSteps steps = block.front_steps();
-  const double touch = kWayToImpact + v * exact.duration;  // way and time in contact
+  const double touch = kWayToImpact + v * exact.duration;  // path and time in contact
   const Response response = slide(findings, runner, scene, touch + 0.5 * kWayToImpact, steps);
   const PointDemands& point = response.items[0].demands.points[0];
   // With a damper the force has two kinks more, where its cap begins and ends.

@@ -134,7 +134,7 @@ PlanarImpact::PlanarImpact(const PlanarBody& first, const PlanarBody& second,
                            const PlanarSurfaces& surfaces, double stiffness, double damping_number,
                            Contact contact) {
   const Pair pair(first, second, surfaces, stiffness, damping_number, contact);
-  // A point gives way by v / omega and the slope of its force is k (1 + X) at first.
+  // A point deflects by v / omega and the slope of its force is k (1 + X) at first.
   const double points = static_cast<double>(surfaces.points.size());
   const double h = 2e-3 / std::sqrt(stiffness * points * (1 + damping_number) *
                                     (first.inverse_mass + second.inverse_mass));

@@ -73,15 +73,15 @@ inline constexpr double kDiscTread = 1e7;  // normal and tangential stiffness [N
 /// @param tread  its normal and tangential stiffness [N/m]
 Scene rolling_disc(const Disc& disc, double speed, double yaw_rate, double tread = kDiscTread);
 
-/// An error that goes with the square of the step is a third of what halving the step changed, and
-/// one that goes with the compliance of the tread what doubling that changes. Both are taken with
+/// An error proportional to the square of the step is a third of what halving the step changed, and
+/// one proportional to the compliance of the tread what doubling that changes. Both are taken with
 /// half as much again or more.
 inline constexpr const char* kDiscTolerance =
     "half of what halving the step changed, of which a method of second order leaves a third; "
     "twice what a tread half as stiff changes, as much as the tread itself";
 
 /// Runs it for exactly `duration`; keeps every `stride`-th step. The chassis, which does not turn
-/// about the axle, pitches as the disc turns on a circle: what the engine says of its tilt and of
+/// about the axle, pitches as the disc turns on a circle: what the engine gives for its tilt and of
 /// overturning means nothing here.
 SimulationSettings disc_settings(double step, double duration, int stride);
 

@@ -155,7 +155,7 @@ TEST(Recorder, BooksAccelerationsOfImpactsByTheirLaw) {
   EXPECT_EQ(point.impact_acceleration, 3);
 }
 
-// 10 kg at 2 m/s have 20 J, of which the floor is said to have given 19.
+// 10 kg at 2 m/s have 20 J, of which the floor is stated to have given 19.
 TEST(Recorder, ClosesTheEnergyAccountOverTheLargestEnergy) {
   Block block;
   EnergyAccount account;

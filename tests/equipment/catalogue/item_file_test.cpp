@@ -58,7 +58,7 @@ class ItemFile : public testing::Test {
         .stated();
   }
 
-  /// What is said of these variants, without the file.
+  /// What is reported of these variants, without the file.
   std::string error(const std::string& variants) {
     const std::string file = folder_.write("cart.toml", kCart + variants);
     std::string text = error_text([&] { load_item_description(file); });
@@ -145,7 +145,7 @@ TEST_F(ItemFile, EachPlaceDrawsItsOwnWheel) {
             item.casters[2].type.properties.tread.rolling_friction_length);
 }
 
-/// What is said of a caster like R100 with these distributions of its friction, without the place.
+/// What is reported of a caster like R100 with these distributions of its friction, without the place.
 std::string friction_error(const TempFolder& folder, const std::string& kinetic,
                            const std::string& fixed = "") {
   std::string text = contents_of(find_data(DataKind::kCaster, "R100", ""));

@@ -17,7 +17,7 @@ std::vector<bool> all(std::size_t parts) { return std::vector<bool>(parts, true)
 using config::Document;
 using config::Range;
 
-/// What is said of `x_mm = { value = 30, distribution = { ... } }`, without the place.
+/// What is reported of `x_mm = { value = 30, distribution = { ... } }`, without the place.
 std::string error(const std::string& distribution, const Range& range = Range::positive(),
                   const std::string& value = "30") {
   const std::string text = error_text([&] {
@@ -164,11 +164,11 @@ TEST(Uncertainty, ADrawnNumberBeyondAnotherIsAnErrorAtItsPlace) {
   document.finish();
   for (int run = 0; run < 8; ++run) {
     const double high = 4 * Draw(1, run).probability("sub.high");
-    const std::string said = error_text([&] { sample(part, Draw(1, run)); });
+    const std::string message = error_text([&] { sample(part, Draw(1, run)); });
     if (high > 1)
-      EXPECT_EQ(said, "(no error)");
+      EXPECT_EQ(message, "(no error)");
     else
-      EXPECT_TRUE(said.starts_with("a.toml:3:8: sub.high = 0.")) << said;
+      EXPECT_TRUE(message.starts_with("a.toml:3:8: sub.high = 0.")) << message;
   }
 }
 

@@ -51,7 +51,7 @@ TEST(Align, LeavesLessThanHalfASample) {
                           "0.04 s are left"));
 }
 
-// 0.0005 s are 0.005 of a sample; 0.01 is told.
+// 0.0005 s are 0.005 of a sample; 0.01 is reported.
 TEST(Align, IsSilentOnWhatIsRoundedInAFile) {
   Record record = pair(component("a", {1, 2, 3}, 1000.0), component("b", {5, 6, 7}, 1000.0005));
   align(record);

@@ -82,7 +82,7 @@ TEST(Cosmos, TakesTheTimeStepOfTheseSamplesNotOfTheRawOnes) {
               HasSubstr("the file does not state its time step; state it as time_step_s or gurney "
                         "records --time-step"));
   EXPECT_EQ(read(none, {.time_step = 0.01})[0].time_step, 0.01);
-  // Seconds where milliseconds must be: the length tells it.
+  // Seconds where milliseconds must be: the length shows it.
   EXPECT_THAT(error_text([] {
                 read(cosmos_file({.integers = {}, .reals = {{62, 0.01}}}));
               }),

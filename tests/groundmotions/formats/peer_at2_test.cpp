@@ -232,7 +232,7 @@ TEST(PeerAt2, ChecksTheStepAndTheUnitAgainstTheUser) {
   expect_the_motion(read(replaced(text, ", DT= .02 SEC", ""), {.unit = "", .time_step = 0.02}));
 }
 
-// Whatever is cut off or changed must be told; only the last line end may go.
+// Whatever is cut off or changed must be reported; only the last line end may go.
 TEST(PeerAt2, RefusesEveryTruncation) {
   const std::string text = file_with("NPTS=   5, DT=   .0200 SEC");
   for (std::size_t length = 0; length + 1 < text.size(); ++length)

@@ -101,15 +101,15 @@ TEST(PlainText, TakesColumnsByTheirNames) {
 }
 
 TEST(PlainText, RefusesWrongColumns) {
-  const auto told = [](const char* columns) {
+  const auto reported = [](const char* columns) {
     return error_text([&] { read_text("0 1\n0.1 3\n", {.unit = "g", .columns = columns}); });
   };
-  EXPECT_THAT(told("time,h3"),
+  EXPECT_THAT(reported("time,h3"),
               HasSubstr("f: columns = \"time,h3\": unknown name 'h3'; did you mean 'h1'?"));
-  EXPECT_THAT(told("h1,h1"), HasSubstr("f: columns = \"h1,h1\": 'h1' is named twice"));
-  EXPECT_THAT(told("time,skip"),
+  EXPECT_THAT(reported("h1,h1"), HasSubstr("f: columns = \"h1,h1\": 'h1' is named twice"));
+  EXPECT_THAT(reported("time,skip"),
               HasSubstr("f: columns = \"time,skip\" names no component: h1, h2 or vertical"));
-  EXPECT_THAT(told("time,h1,h2"),
+  EXPECT_THAT(reported("time,h1,h2"),
               HasSubstr("f:1:1: columns = \"time,h1,h2\" names 3 columns, but the rows have 2"));
 }
 

@@ -81,9 +81,9 @@ TEST(Stated, ComparesLengths) {
             "f:3:1: the file states a length of 16 s, but its 100 samples at 0.1 s have 10 s");
 }
 
-/// What is told of the unit and the time step that a file states, if it does.
-std::string told(std::optional<AccelerationUnit> unit, std::optional<double> time_step,
-                 const ReadOptions& options, std::size_t line = 4) {
+/// What is reported of the unit and the time step that a file states, if it does.
+std::string reported(std::optional<AccelerationUnit> unit, std::optional<double> time_step,
+                     const ReadOptions& options, std::size_t line = 4) {
   const SourceFile named("f", "-");
   FileErrors errors(named);
   agreed_unit(unit, line, options, errors);
@@ -93,21 +93,21 @@ std::string told(std::optional<AccelerationUnit> unit, std::optional<double> tim
 
 TEST(Stated, FileAndUserMustAgree) {
   const AccelerationUnit gal{"cm/s2", 0.01};
-  EXPECT_EQ(told(gal, 0.02, {}), "(no error)");
-  EXPECT_EQ(told(gal, 0.02, {.unit = "gal", .time_step = 0.02}), "(no error)");
-  EXPECT_EQ(told({}, {}, {.unit = "g", .time_step = 0.02}), "(no error)");
-  EXPECT_EQ(told(gal, 0.02, {.unit = "g", .time_step = 0.01}),
+  EXPECT_EQ(reported(gal, 0.02, {}), "(no error)");
+  EXPECT_EQ(reported(gal, 0.02, {.unit = "gal", .time_step = 0.02}), "(no error)");
+  EXPECT_EQ(reported({}, {}, {.unit = "g", .time_step = 0.02}), "(no error)");
+  EXPECT_EQ(reported(gal, 0.02, {.unit = "g", .time_step = 0.01}),
             "f:4:1: the file states the unit cm/s2, but unit = \"g\" was given\n"
             "f:4:1: the file states a time step of 0.02 s, but time_step_s = 0.01 was given");
-  EXPECT_EQ(told(gal, 1.5, {}), "f:4:1: the time step must be in [1e-05, 1] s, got 1.5");
-  EXPECT_EQ(told({}, {}, {}),
+  EXPECT_EQ(reported(gal, 1.5, {}), "f:4:1: the time step must be in [1e-05, 1] s, got 1.5");
+  EXPECT_EQ(reported({}, {}, {}),
             "f:4:1: the file does not state its unit; state it as unit = \"...\" or gurney records "
             "--unit (g, "
             "m/s2, cm/s2, "
             "gal, mm/s2, mg, %g, ft/s2 or in/s2)\n"
             "f:4:1: the file does not state its time step; state it as time_step_s or gurney "
             "records --time-step");
-  EXPECT_EQ(told({}, 0.02, {}, 0),
+  EXPECT_EQ(reported({}, 0.02, {}, 0),
             "f: the file does not state its unit; state it as unit = \"...\" or gurney records "
             "--unit (g, m/s2, cm/s2, "
             "gal, mm/s2, mg, %g, ft/s2 or in/s2)");

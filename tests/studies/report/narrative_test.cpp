@@ -101,15 +101,16 @@ TEST(Story, SaysWhichZonesAreBlocked) {
   Response response = fabricated_ward_response();
   EXPECT_THAT(
       narrative(fabricated_ward(), response),
-      HasSubstr("\ndoorway is NARROWED at the end by infusion pump: a way of 0.35 m is left "
+      HasSubstr("\ndoorway is NARROWED at the end by infusion pump: a free width of 0.35 m is left "
                 "of 1.10 m.\n"
-                "egress lane is free at the end; it was not for 0.75 s from 1.50 s, when a "
-                "way of 0.50 m was left of 0.90 m.\n"));
+                "egress lane is free at the end; it was not for 0.75 s from 1.50 s, when a free "
+                "width of 0.50 m was left of 0.90 m.\n"));
   response.zones[0].free_width_at_end = 0;
   response.zones[1] = {};
-  EXPECT_THAT(narrative(fabricated_ward(), response),
-              HasSubstr("\ndoorway is BLOCKED at the end by infusion pump: no way is left of 1.10 "
-                        "m.\negress lane stayed free.\n"));
+  EXPECT_THAT(
+      narrative(fabricated_ward(), response),
+      HasSubstr("\ndoorway is BLOCKED at the end by infusion pump: no free width is left of 1.10 "
+                "m.\negress lane stayed free.\n"));
 }
 
 TEST(Story, SaysWhatBecameOfTethers) {

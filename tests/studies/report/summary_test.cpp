@@ -29,10 +29,10 @@ TEST(Summary, SaysWhatRanAndWhatCameOut) {
   expect_contains(text, "energy closure                      1.00e-07");
   expect_contains(text, "warning: the record ends with 2.0 mm/s");
   expect_contains(text,
-                  "\n  draw 3 of seed 1: 2 numbers\n"
+                  "\n  draw 3 of seed 1: 2 parameters\n"
                   "  front left/tread.rolling_resistance_mm      1.0625 mm\n"
                   "  floor.slope                                  0.001\n");
-  expect_contains(text, "of the numbers behind this have no published source and are assumed (");
+  expect_contains(text, "parameters of this run have no published source and are assumed (");
   expect_contains(text, "r100.toml 1");
 }
 
@@ -99,8 +99,8 @@ TEST(Summary, SaysTheSameAsJson) {
   EXPECT_EQ(json["outcome"], "rested");
   EXPECT_EQ(json["assumptions"][0]["key"], "tread.rolling_resistance_m");
   EXPECT_EQ(json["draw"]["draw"], 3);
-  EXPECT_EQ(json["draw"]["numbers"][0]["value"], 1.0625);
-  EXPECT_EQ(json["draw"]["numbers"][0]["unit"], "mm");
+  EXPECT_EQ(json["draw"]["parameters"][0]["value"], 1.0625);
+  EXPECT_EQ(json["draw"]["parameters"][0]["unit"], "mm");
   const auto still =
       nlohmann::json::parse(summary_json(fabricated_facts(true), fabricated_response(true)));
   EXPECT_TRUE(still["record"].is_null());

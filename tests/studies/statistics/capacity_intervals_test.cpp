@@ -115,7 +115,7 @@ TEST(CapacityIntervals, CoverExactCapacitiesAndBrackets) {
   }
 }
 
-// Censored records tell less, and the intervals are too wide rather than too narrow.
+// Censored records inform less, and the intervals are too wide rather than too narrow.
 TEST(CapacityIntervals, CoverCensoredCapacitiesAtLeastAsOften) {
   const Covered covered = coverage({20, 0.5, 0.5}, kRepeats);
   EXPECT_GE(covered.theta, accepted(covered.fitted).low);

@@ -60,7 +60,7 @@ TEST(VectorFragility, FindsKnownSlopes) {
     EXPECT_NEAR(fit.plane[slope], truth, 4 * std::sqrt(fit.cluster_covariance(slope, slope)));
   EXPECT_LT(std::sqrt(fit.cluster_covariance(1, 1)), 0.1);
   EXPECT_GT(fit.cluster_covariance(1, 1), 1.5 * fit.covariance(1, 1))
-      << "b is of the group, as half of the noise: runs tell less than they seem to";
+      << "b is of the group, as half of the noise: runs inform less than they seem to";
   EXPECT_NEAR(fit.share(), 2 / 3.0, 0.05);
   EXPECT_NEAR(fit.beta(), 1 / 3.0, 0.03);
   EXPECT_NEAR(fit.theta(), 1, 0.1);
@@ -83,7 +83,7 @@ TEST(VectorFragility, AMeasureWithoutInfluenceIsCalledSoAtTheStatedRate) {
   EXPECT_GT(binomial_cdf(by_groups, repeats, 0.05), 0.0025) << by_groups;
   EXPECT_LT(binomial_cdf(by_groups - 1, repeats, 0.05), 0.9975) << by_groups;
   EXPECT_GT(binomial_cdf(by_runs - 1, repeats, 0.05), 0.9975)
-      << by_runs << ": were runs independent, the test would tell nothing of groups";
+      << by_runs << ": were runs independent, the test would show nothing of groups";
 }
 
 TEST(VectorFragility, SaysWhyThereIsNone) {

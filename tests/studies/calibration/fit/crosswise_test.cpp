@@ -22,7 +22,7 @@ Trial crosswise(double width, double heading_deg) {
 }
 
 // The trial has a weight on a cable, blocks elsewhere and a start of its own; the fit has only the
-// force that the load cell tells. Without noise the torque is met within 0.4 %
+// force that the load cell shows. Without noise the torque is met within 0.4 %
 // (docs/calibration.md); six draws of the noise scatter by 0.2 % of it at w = 12 mm and 1 % at 4
 // mm. Tolerances are the sum of the first and 2.5 times the second. The base's w is 8 mm.
 TEST(Crosswise, FindsWhatTheTrialWasMadeWith) {

@@ -108,7 +108,7 @@ TEST_F(Exports, TakeCapacitiesAfterAnIda) {
   ASSERT_TRUE(capacities.curve);
   EXPECT_EQ(chosen.curves[0].curve.theta, capacities.curve->theta);
   EXPECT_EQ(chosen.curves[0].curve.beta, capacities.curve->beta);
-  // The outcomes of the runs alone have another curve: the test can tell the two apart.
+  // The outcomes of the runs alone have another curve: the test can distinguish the two.
   const statistics::FragilityFit fit =
       statistics::fit_fragility(data_->observations(0, 1, data_->measure("")));
   EXPECT_NE(fit.curve->theta, capacities.curve->theta);

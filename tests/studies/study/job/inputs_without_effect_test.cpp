@@ -115,9 +115,9 @@ slope = 0  # its usual values have a distribution
 )";
   EXPECT_EQ(errors_of_text(block), "(no error)");
   EXPECT_EQ(errors_of_text(block + "[uncertainty]\ndraw = 2\n"),
-            "a.toml:9:1: uncertainty: has no effect: no number of the job has a distribution");
+            "a.toml:9:1: uncertainty: has no effect: no parameter of the job has a distribution");
   EXPECT_EQ(error_text([&] { StudyJob(block + "[study]\ndraws = 3\n", "a.toml"); }),
-            "a.toml:10:9: study.draws: has no effect: no number of the job has a distribution");
+            "a.toml:10:9: study.draws: has no effect: no parameter of the job has a distribution");
 }
 
 }  // namespace

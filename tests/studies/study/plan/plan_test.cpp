@@ -176,7 +176,7 @@ stiffness_n_per_m = 2e6
   std::string job = small_job("draws = 2\nsampling = \"saltelli\"\n") + "[floor]\nslope = 0\n";
   job.replace(job.find("xu_trolley"), 10, folder.file("cabinet.toml"));
   EXPECT_ERROR(SmallStudy{job},
-               "study.draws: has no effect: no number of the job has a distribution");
+               "study.draws: has no effect: no parameter of the job has a distribution");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace gurney::study {
 namespace {
 
-/// What is said of a job whose table [study] is in line 10.
+/// What is reported of a job whose table [study] is in line 10.
 std::string errors(const std::string& study) {
   return error_text([&] { StudyJob(small_job(study), "a.toml"); });
 }

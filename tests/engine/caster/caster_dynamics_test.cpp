@@ -1,3 +1,5 @@
+#include "engine/caster/caster_dynamics.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -6,10 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "engine/caster/caster_dynamics.h"
 #include "studies/verification/scenes/small_scenes.h"
 
-// The mass matrix, bias and contact Jacobian of a leg against an independent sum over its parts:
+// The mass matrix, bias and contact Jacobian of a caster against an independent sum over its parts:
 // the fork and the wheel as two rigid bodies, each moved by plain kinematics.
 namespace gurney {
 namespace {
@@ -81,10 +82,10 @@ std::array<Part, 2> parts(const Caster& c, const Motion& m) {
          fork_spin + m.rates[1] * fork.col(1), Vector3(t, c.wheel_axial_inertia, t).asDiagonal())};
 }
 
-CasterDynamics::Geometry geometry(const CasterDynamics& leg, const Motion& m,
+CasterDynamics::Geometry geometry(const CasterDynamics& dynamics, const Motion& m,
                                   const Vector3& gravity = Vector3::Zero()) {
   CasterDynamics::Geometry g;
-  leg.evaluate(m.pose, m.swivel_angle, m.velocity, m.rates, gravity, g);
+  dynamics.evaluate(m.pose, m.swivel_angle, m.velocity, m.rates, gravity, g);
   return g;
 }
 
@@ -106,13 +107,14 @@ TEST(CasterDynamics, KineticEnergyIsTheSumOverItsParts) {
   Random random;
   for (bool swivels : {true, false}) {
     const Caster caster = odd_caster(swivels);
-    const CasterDynamics leg(caster, kChassisCenter);
+    const CasterDynamics dynamics(caster, kChassisCenter);
     for (int trial = 0; trial < 50; ++trial) {
       const Motion m = random.motion(swivels);
       double expected = 0;
       for (const Part& p : parts(caster, m))
         expected += 0.5 * p.mass * p.velocity.squaredNorm() + 0.5 * p.spin.dot(p.inertia * p.spin);
-      const double found = CasterDynamics::kinetic_energy(geometry(leg, m), m.velocity, m.rates);
+      const double found =
+          CasterDynamics::kinetic_energy(geometry(dynamics, m), m.velocity, m.rates);
       EXPECT_NEAR(found, expected, 1e-12 * expected);
     }
   }
@@ -121,7 +123,7 @@ TEST(CasterDynamics, KineticEnergyIsTheSumOverItsParts) {
 TEST(CasterDynamics, MomentumIsTheSumOverItsParts) {
   Random random;
   const Caster caster = odd_caster();
-  const CasterDynamics leg(caster, kChassisCenter);
+  const CasterDynamics dynamics(caster, kChassisCenter);
   for (int trial = 0; trial < 50; ++trial) {
     const Motion m = random.motion(true);
     Vector6 expected = Vector6::Zero();
@@ -130,7 +132,7 @@ TEST(CasterDynamics, MomentumIsTheSumOverItsParts) {
       expected.head<3>() += p.mass * p.velocity;
       expected.tail<3>() += p.mass * r.cross(p.velocity) + p.inertia * p.spin;
     }
-    const auto g = geometry(leg, m);
+    const auto g = geometry(dynamics, m);
     const Vector6 found = g.mass_chassis * m.velocity + g.mass_coupling * m.rates;
     EXPECT_NEAR((found - expected).norm(), 0, 1e-12 * expected.norm());
   }
@@ -144,7 +146,7 @@ TEST(CasterDynamics, ForcesAreTheRateOfMomentumOfItsParts) {
   const Vector3 gravity(0.5, -1, -9);
   for (bool swivels : {true, false}) {
     const Caster caster = odd_caster(swivels);
-    const CasterDynamics leg(caster, kChassisCenter);
+    const CasterDynamics dynamics(caster, kChassisCenter);
     for (int trial = 0; trial < 20; ++trial) {
       const Motion m = random.motion(swivels);
       Vector6 a;
@@ -165,7 +167,7 @@ TEST(CasterDynamics, ForcesAreTheRateOfMomentumOfItsParts) {
         expected.head<3>() -= p.mass * gravity;
         expected.tail<3>() -= p.mass * (p.position - m.pose.position).cross(gravity);
       }
-      const auto g = geometry(leg, m, gravity);
+      const auto g = geometry(dynamics, m, gravity);
       const Vector6 found = g.mass_chassis * a + g.mass_coupling * b + g.bias_chassis;
       EXPECT_LT((found - expected).norm(), 1e-6 * expected.norm());
     }
@@ -174,8 +176,8 @@ TEST(CasterDynamics, ForcesAreTheRateOfMomentumOfItsParts) {
 
 TEST(CasterDynamics, AForkThatDoesNotSwivelHasNoSwivelInertiaOrForce) {
   Random random;
-  const CasterDynamics leg(odd_caster(false), kChassisCenter);
-  const auto g = geometry(leg, random.motion(false), {0, 0, -9});
+  const CasterDynamics dynamics(odd_caster(false), kChassisCenter);
+  const auto g = geometry(dynamics, random.motion(false), {0, 0, -9});
   EXPECT_EQ(g.mass_coupling.col(0).norm(), 0);
   EXPECT_EQ(g.mass_joints(0, 1), 0);
   EXPECT_GT(g.mass_joints(0, 0), 0);  // only so that it can be inverted
@@ -190,12 +192,12 @@ TEST(CasterDynamics, ContactIsTheLowestPointOfACrownedTread) {
   constexpr int kCircles = 2000;
   Random random;
   const Caster caster = odd_caster();
-  const CasterDynamics leg(caster, kChassisCenter);
+  const CasterDynamics dynamics(caster, kChassisCenter);
   const double half = 0.5 * caster.wheel_width;
   int upright = 0, crown = 0, edge = 0;
   for (int trial = 0; trial < 400; ++trial) {
     const Motion m = random.motion(true);
-    const auto g = geometry(leg, m);
+    const auto g = geometry(dynamics, m);
     const Matrix3 fork =
         m.pose.rotation * Eigen::AngleAxisd(m.swivel_angle, Vector3::UnitZ()).toRotationMatrix();
     const Vector3 axle = fork.col(1);
@@ -222,10 +224,10 @@ TEST(CasterDynamics, ContactIsTheLowestPointOfACrownedTread) {
 TEST(CasterDynamics, JacobianGivesTheVelocityOfTheMaterialContactPoint) {
   Random random;
   const Caster caster = odd_caster();
-  const CasterDynamics leg(caster, kChassisCenter);
+  const CasterDynamics dynamics(caster, kChassisCenter);
   for (int trial = 0; trial < 20; ++trial) {
     const Motion m = random.motion(true);
-    const auto g = geometry(leg, m);
+    const auto g = geometry(dynamics, m);
     const Part wheel = parts(caster, m)[1];
     const Vector3 arm = m.pose.position + g.contact - wheel.position;
     const Vector3 expected = wheel.velocity + wheel.spin.cross(arm);
@@ -239,13 +241,13 @@ TEST(CasterDynamics, JacobianGivesTheVelocityOfTheMaterialContactPoint) {
 }
 
 TEST(CasterDynamics, AWheelThatRollsForwardTurnsPositively) {
-  const CasterDynamics leg(odd_caster(), kChassisCenter);
+  const CasterDynamics dynamics(odd_caster(), kChassisCenter);
   Motion m;
   m.pose.position = {0, 0, kChassisCenter.z()};
   m.swivel_angle = 0.4;
   m.velocity.head<3>() = Vector3(std::cos(0.4), std::sin(0.4), 0);
   m.rates = {0, 1 / 0.05};
-  const auto g = geometry(leg, m);
+  const auto g = geometry(dynamics, m);
   const Vector5 u = g.jacobian_chassis * m.velocity + g.jacobian_joints * m.rates;
   EXPECT_NEAR(u.head<3>().norm(), 0, 1e-14);
   EXPECT_NEAR(u[4], 20, 1e-12);
