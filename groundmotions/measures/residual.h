@@ -28,8 +28,6 @@ struct Residual {
   Vector3 velocity = Vector3::Zero();      ///< at the last sample, from rest at the first [m/s]
   Vector3 displacement = Vector3::Zero();  ///< likewise [m]
   std::vector<std::string> warnings;       ///< one for each rule that is broken
-
-  bool plausible() const { return warnings.empty(); }
 };
 
 Residual residual(const FloorMotion& floor);

@@ -15,6 +15,14 @@ constexpr std::array kCommands = {
     CommandHelp{"run", "Run a job: a single run or a study",
                 "gurney run studies/jobs/icu_ventilator_shake.toml -o shake.h5\n"
                 "gurney run studies/jobs/icu_ventilator_fragility.toml -o ventilator.h5 --resume"},
+    CommandHelp{"merge", "Merge the shards of a study into its results file",
+                "gurney merge ventilator.h5.shards\n"
+                "gurney merge ventilator.h5.shards --job ventilator.toml -o all.h5"},
+    CommandHelp{"status", "Report the progress of shards, also while they run",
+                "gurney status ventilator.h5.shards"},
+    CommandHelp{"submit", "Write a batch script that runs a study in shards on a cluster",
+                "gurney submit ventilator.toml --slurm --shards 16 -j 4 --time 02:00:00\n"
+                "gurney submit ventilator.toml --slurm --shards 16 --mode allocation"},
     CommandHelp{"check", "Validate a job and estimate its cost (dry run)",
                 "gurney check studies/jobs/icu_ventilator_fragility.toml\n"
                 "gurney check job.toml --json"},

@@ -51,6 +51,9 @@ void add_run(CLI::App& app, std::function<int()>& action) {
   run->add_flag("--json", options.json, "Print the summary as JSON");
   run->add_flag("--no-figure", options.no_figure, "Draw no figure");
   run->add_flag("--resume", options.resume, "Continue an interrupted study");
+  run->add_option("--shard", options.shard,
+                  "Run one share of a study: I/N, or auto to take it from Slurm or Open MPI; see "
+                  "merge");
   run->add_option("-j,--threads", options.threads,
                   "Threads for a study (default: all hardware threads)")
       ->check(CLI::Range(1, 4096));
@@ -94,10 +97,10 @@ CLI::App& command_at(CLI::App& app, const std::vector<std::string>& words) {
 
 /// What is wrong with the command, before its options are looked at; empty if nothing is.
 /// In the order of the help.
-constexpr AddCommand* kAddCommands[] = {add_run,       add_check,       add_replay,   add_show,
-                                        add_fragility, add_export,      add_compare,  add_pulling,
-                                        add_measures,  add_sensitivity, add_converge, add_records,
-                                        add_equipment, add_calibrate,   add_verify};
+constexpr AddCommand* kAddCommands[] = {
+    add_run,       add_check,     add_replay,   add_show,        add_fragility, add_export,
+    add_compare,   add_pulling,   add_measures, add_sensitivity, add_converge,  add_records,
+    add_equipment, add_calibrate, add_verify,   add_merge,       add_status,    add_submit};
 
 std::string unknown_command(CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* at = &app;

@@ -20,10 +20,13 @@ AddCommand add_equipment;    ///< ls, show, check
 AddCommand add_export;       ///< results for other programs
 AddCommand add_fragility;    ///< curves and bands of a study
 AddCommand add_measures;     ///< efficiency and sufficiency of intensity measures
+AddCommand add_merge;        ///< the shards of a study into its results
 AddCommand add_pulling;      ///< simulated pulling tests and their figures
 AddCommand add_records;      ///< and its commands
 AddCommand add_sensitivity;  ///< of a demand to the uncertain parameters
 AddCommand add_show;         ///< what a results file holds
+AddCommand add_status;       ///< of shards while they run
+AddCommand add_submit;       ///< writes a script for a scheduler
 AddCommand add_verify;       ///< the engine against closed-form solutions
 
 AddCommand add_records_convert;  ///< to Gurney's CSV or to AT2, processed on the way

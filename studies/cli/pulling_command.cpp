@@ -49,7 +49,7 @@ int pulling(const PullingOptions& options) {
   std::string written;
   if (!options.folder.empty()) {
     const fs::path folder = options.folder;
-    const NewFolder made(folder.has_filename() ? folder : folder.parent_path());
+    const NewFolder created(folder.has_filename() ? folder : folder.parent_path());
     study::OutputFiles files(options.overwrite);
     const std::pair<const char*, std::string> figures[] = {
         {"figure_4.svg", report::pulling_figure_4(report)},

@@ -93,7 +93,8 @@ void print_facts(const groundmotions::Building& building, int floor,
     fmt::print("  isolators {:.3g} m, residual {:.2g} m\n", response.isolators->peak,
                response.isolators->residual.norm());
   for (const std::string& warning : response.floor.warnings)
-    if (std::ranges::find(ground.warnings, warning) == ground.warnings.end())  // those were told
+    if (std::ranges::find(ground.warnings, warning) ==
+        ground.warnings.end())  // those were reported
       print_error("warning: {}\n", warning);
 }
 

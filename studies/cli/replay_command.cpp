@@ -73,7 +73,7 @@ std::string difference(const study::StudyReader& file, std::size_t run, const Re
   return {};
 }
 
-/// Names of data files that are not what the study was made from.
+/// Names of data files that are not what the study was run with.
 std::string changed_files(const study::StudyReader& file, const study::StudyJob& job) {
   std::map<std::string, std::string> now = study::data_files(job);
   const auto names = file.strings("data_files/name"), hashes = file.strings("data_files/sha256");
@@ -116,7 +116,7 @@ int replay_command(const ReplayOptions& options) {
   const study::StudyJob study(output.job);
   const study::StudyMotions motions(study);
   const study::Plan plan(study, motions);
-  const study::Task task = plan.task(whole(file, "unit", options.run));
+  const study::Task task = plan.task(whole(file, "analysis_case", options.run));
   const study::Job job = study.job(task.configuration, plan.draw(task), task.replica);
   const double scale = file.numbers("runs/scale")[options.run];
   const study::PreparedRun run =

@@ -35,9 +35,13 @@ RunOutput output_of(const RunOptions& options) {
 
 int run_command(const RunOptions& options) {
   if (study::has_study(options.job)) return run_study(options);
-  const std::string unused = options.resume ? options.threads > 0 ? "--resume and -j" : "--resume"
-                             : options.threads > 0 ? "-j"
-                                                   : "";
+  std::string unused;
+  const auto add = [&](bool given, const char* option) {
+    if (given) unused += (unused.empty() ? "" : " and ") + std::string(option);
+  };
+  add(options.resume, "--resume");
+  add(!options.shard.empty(), "--shard");
+  add(options.threads > 0, "-j");
   require(unused.empty(), fmt::format("{}: is a single run, which has no use for {}; studies have "
                                       "a table [study]",
                                       options.job, unused));

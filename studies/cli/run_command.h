@@ -11,6 +11,7 @@ struct RunOptions {
   bool json = false;
   bool no_figure = false;
   bool resume = false;  ///< go on with a study that was interrupted
+  std::string shard;    ///< of a study: "3/8" or "auto"; empty: all of it
   int threads = 0;      ///< of a study; 0: as many as the machine has
 };
 

@@ -1,11 +1,9 @@
 #include "studies/cli/run_study.h"
 
-#include <fmt/chrono.h>
-#include <unistd.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -13,19 +11,17 @@
 
 #include "engine/base/error.h"
 #include "engine/base/shell_word.h"
-#include "studies/build_info/build_info.h"
 #include "studies/cli/signals.h"
 #include "studies/cli/standard_error.h"
+#include "studies/cli/study_output.h"
 #include "studies/cli/study_progress.h"
 #include "studies/cli/study_size.h"
 #include "studies/report/failed_runs.h"
-#include "studies/report/scale_factors_json.h"
-#include "studies/report/wrapped.h"
 #include "studies/study/results/output_files.h"
 #include "studies/study/run/complete_study.h"
-#include "studies/study/run/declared_ranges.h"
 #include "studies/study/run/run_batch.h"
-#include "studies/study/run/study_file.h"
+#include "studies/study/run/shard.h"
+#include "studies/study/run/shard_folders.h"
 #include "studies/study/run/study_identity.h"
 
 namespace gurney::cli {
@@ -37,37 +33,27 @@ struct Paths {
   fs::path results, log, parts;
 };
 
-Paths paths_for(const RunOptions& options) {
+study::Shard shard_of(const RunOptions& options) {
+  if (options.shard.empty()) return {};
+  return study::shard_from(options.shard, [](const char* name) { return std::getenv(name); });
+}
+
+Paths paths_for(const RunOptions& options, const study::Shard& shard) {
   fs::path results = options.output;
   if (results.empty())
     results = fs::path("out") / fs::path(options.job).stem().replace_extension(".h5");
   require(results.extension() == ".h5",
           options.output + ": the results file must end in .h5 (-o FILE.h5)");
-  return {results, fs::path(results).replace_extension(".log"), results.string() + ".parts"};
+  if (options.shard.empty())
+    return {results, fs::path(results).replace_extension(".log"), results.string() + ".parts"};
+  const fs::path shards = study::shards_path(results);
+  return {results, shards / (shard.folder() + ".log"), shards / shard.folder()};
 }
 
-std::string log_entry(const RunOptions& options, int threads, const study::BatchProgress& progress,
-                      const std::string& how) {
-  char host[256] = "unknown";
-  gethostname(host, sizeof host - 1);
-  const build_info::BuildInfo build = build_info::build_info();
-  const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  return fmt::format(
-      "{:%Y-%m-%dT%H:%M:%SZ} {} on {}: {} runs ({} so far) in {:.1f} s with {} threads, gurney {} "
-      "{}, "
-      "CPU class {}\njob {}\n",
-      fmt::gmtime(now), how, host, progress.runs_now,
-      report::failed_runs(progress.failed, progress.untrusted), progress.seconds, threads,
-      build.program_version, build.git_commit, build.cpu_class,
-      fs::absolute(options.job).lexically_normal().string());
-}
-
-void append_log(const Paths& paths, const std::string& entry) {
-  std::FILE* const log = std::fopen(paths.log.c_str(), "a");
-  const bool written = log != nullptr && std::fputs(entry.c_str(), log) >= 0;
-  const bool closed = log != nullptr && std::fclose(log) == 0;
-  if (!written || !closed)
-    print_error("warning: {}: the log cannot be written\n", paths.log.string());
+std::string attempt(const study::BatchProgress& progress, int threads) {
+  return fmt::format("{} runs ({} so far) in {:.1f} s with {} threads", progress.runs_now,
+                     report::failed_runs(progress.failed, progress.untrusted), progress.seconds,
+                     threads);
 }
 
 /// The results are there already and nothing is left to do.
@@ -87,63 +73,18 @@ bool is_complete(const RunOptions& options, const Paths& paths, const study::Bat
   return true;
 }
 
-void print_counts(const RunOptions& options, const Paths& paths, const study::StudyCounts& counts,
-                  const study::BatchProgress& progress, const std::vector<std::string>& undrawn) {
-  const study::ScaleFactors factors =
-      study::scale_factors(study::StudyData(paths.results.string()));
-  if (options.json) {
-    nlohmann::ordered_json json{{"results", paths.results.string()}, {"runs", counts.runs},
-                                {"overturned", counts.overturned},   {"failed", counts.failed},
-                                {"untrusted", counts.untrusted},     {"ranges_not_drawn", undrawn}};
-    if (factors.any()) json["scale_factors"] = report::scale_factors_json(factors);
-    fmt::print("{}\n", json.dump(2));
-    return;
-  }
-  fmt::print("runs     {}, {} overturned, {}\n", counts.runs, counts.overturned,
-             report::failed_runs(counts.failed, counts.untrusted));
-  if (progress.runs_now > 0)
-    fmt::print("speed    {:.1f} runs per second\n",
-               static_cast<double>(progress.runs_now) / progress.seconds);
-  if (factors.any()) fmt::print("scaling  factors {}\n", factors.text());
-  fmt::print("declared ranges not drawn:\n");
-  for (const std::string& line : undrawn) fmt::print("  {}\n", report::wrapped(line, 4, 2));
-  fmt::print("results  {}\n", paths.results.string());
-}
-
 std::string resume_hint(const RunOptions& options, const Paths& paths,
                         const study::PartFolder& folder, std::size_t tasks) {
   if (!folder.holds())
     return fmt::format("{}: the finished runs are lost with it; start again", paths.parts.string());
   return fmt::format(
       "{} of {} analysis cases are finished and kept in {}\ncontinue with: gurney run {} -o {} "
-      "--resume{}{}{}",
+      "--resume{}{}{}{}",
       folder.size(), tasks, paths.parts.string(), shell_word(options.job),
       shell_word(paths.results.string()), options.overwrite ? " --overwrite" : "",
+      options.shard.empty() ? "" : " --shard " + shell_word(options.shard),
       options.threads > 0 ? fmt::format(" -j {}", options.threads) : "",
       options.json ? " --json" : "");
-}
-
-/// Writes the results file from the parts.
-study::StudyCounts merge(const study::Batch& batch, const study::PartFolder& folder,
-                         const Paths& paths, bool overwrite) {
-  const fs::path made = folder.path() / "results.h5";
-  study::StudyCounts counts;
-  try {
-    fs::remove(made);
-    counts = study::write_study_file(made.string(), batch, [&](std::size_t task) {
-      return study::task_from_bytes(folder.read(task));
-    });
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(made, ignored);
-    throw;
-  }
-  try {
-    study::put_in_place(made.string(), paths.results.string(), overwrite);
-  } catch (const Error& error) {
-    throw Error(fmt::format("{}; the finished results are in {}", error.what(), made.string()));
-  }
-  return counts;
 }
 
 study::PartFolder::Start start_of(const RunOptions& options) {
@@ -151,10 +92,45 @@ study::PartFolder::Start start_of(const RunOptions& options) {
   return options.overwrite ? study::PartFolder::Start::kReplace : study::PartFolder::Start::kNew;
 }
 
+/// The folder of all shards, with the path of the job for `gurney merge`.
+void make_shards_folder(const RunOptions& options, const Paths& paths) {
+  const fs::path folder = paths.parts.parent_path(), job = folder / "job";
+  std::error_code problem;
+  fs::create_directory(folder, problem);
+  require(!problem, folder.string() + ": cannot be created: " + problem.message());
+  if (fs::exists(job)) return;
+  study::OutputFiles files(true);  // another shard may write the same at the same time
+  files.stage(job.string(), fs::absolute(options.job).lexically_normal().string() + "\n");
+  files.commit();
+}
+
+int finish_shard(const RunOptions& options, const study::Shard& shard,
+                 const study::BatchProgress& progress, const Paths& paths) {
+  if (options.json)
+    fmt::print("{}\n", nlohmann::ordered_json{{"shard", shard.number},
+                                              {"shards", shard.count},
+                                              {"folder", paths.parts.string()},
+                                              {"analysis_cases", progress.tasks},
+                                              {"runs", progress.runs},
+                                              {"overturned", progress.overturned},
+                                              {"failed", progress.failed},
+                                              {"untrusted", progress.untrusted}}
+                           .dump(2));
+  else
+    fmt::print(
+        "shard    {} of {}: {} analysis cases, {} runs, {} overturned, {}\n"
+        "when all shards are finished: gurney merge {}\n",
+        shard.number, shard.count, progress.tasks, progress.runs, progress.overturned,
+        report::failed_runs(progress.failed, progress.untrusted),
+        shell_word(paths.parts.parent_path().string()));
+  return progress.failed > 0 ? 3 : 0;
+}
+
 }  // namespace
 
 int run_study(const RunOptions& options) {
-  const Paths paths = paths_for(options);
+  const study::Shard shard = shard_of(options);
+  const Paths paths = paths_for(options, shard);
   const study::StudyJob job(options.job);
   const int threads = options.threads > 0
                           ? options.threads
@@ -163,11 +139,16 @@ int run_study(const RunOptions& options) {
   const study::Plan plan(job, motions);
   const study::Batch batch{job, motions, plan};
   refuse_oversized(batch);
+  require(options.shard.empty() || plan.stages() == 1,
+          fmt::format("{}: study.intensity.adaptive: a stage needs the runs of all shards of those "
+                      "before it; run the study without --shard, or state the levels",
+                      options.job));
   motions.read_all(threads);
   if (is_complete(options, paths, batch)) return 0;
 
   if (options.output.empty()) fs::create_directory("out");
   study::OutputFiles(options.overwrite).check(paths.results.string());
+  if (!options.shard.empty()) make_shards_folder(options, paths);
   study::PartFolder folder(paths.parts, study::identity_of(batch), plan.tasks(), start_of(options));
   const study::CrashLog crashes(folder.path() / "crashes");
   for (const std::string& note : batch.job.notes()) print_error("{}\n", note);
@@ -179,26 +160,34 @@ int run_study(const RunOptions& options) {
   study::BatchProgress progress;
   study::StudyCounts counts;
   const auto fail = [&](const std::string& reason) {
-    throw Error(reason + '\n' + resume_hint(options, paths, folder, plan.tasks()));
+    throw Error(reason + '\n' + resume_hint(options, paths, folder, shard.tasks_of(plan.tasks())));
   };
   try {
     progress = study::run_batch(
-        batch, folder, crashes, threads, [] { return interruption() == 0; },
+        batch, folder, crashes, shard, threads, [] { return interruption() == 0; },
         [&](const study::BatchProgress& now) { line(now); });
-    if (progress.done == progress.tasks) counts = merge(batch, folder, paths, options.overwrite);
+    if (progress.done == progress.tasks && options.shard.empty())
+      counts = write_results(
+          batch, folder.path(), [&](std::size_t task) { return folder.read(task); }, paths.results,
+          options.overwrite);
   } catch (const Error& error) {
     fail(error.what());
   } catch (const std::bad_alloc&) {
     fail("not enough memory");
   }
+  const std::string what = attempt(progress, threads);
   if (progress.done < progress.tasks) {
-    append_log(paths, log_entry(options, threads, progress, "interrupted"));
-    print_error("\ngurney: interrupted; {}\n", resume_hint(options, paths, folder, plan.tasks()));
+    append_log(paths.log, log_entry(options.job, "interrupted", what));
+    print_error("\ngurney: interrupted; {}\n",
+                resume_hint(options, paths, folder, shard.tasks_of(plan.tasks())));
     return 128 + interruption();
   }
-  append_log(paths, log_entry(options, threads, progress, "finished"));
+  append_log(paths.log, log_entry(options.job, "finished", what));
+  if (!options.shard.empty()) return finish_shard(options, shard, progress, paths);
   folder.remove();
-  print_counts(options, paths, counts, progress, study::undrawn_ranges(batch).lines());
+  const double rate =
+      progress.runs_now > 0 ? static_cast<double>(progress.runs_now) / progress.seconds : 0;
+  print_study(batch, paths.results, counts, rate, options.json);
   return counts.failed > 0 ? 3 : 0;
 }
 

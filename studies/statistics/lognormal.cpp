@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "engine/base/random/normal_draw.h"
-#include "studies/statistics/special.h"
 
 namespace gurney::statistics {
 
@@ -19,10 +18,6 @@ double LognormalCurve::mean() const { return theta * std::exp(beta * beta / 2); 
 
 double LognormalCurve::standard_deviation() const {
   return mean() * std::sqrt(std::expm1(beta * beta));
-}
-
-double LognormalCurve::density(double im) const {
-  return im > 0 ? normal_density(std::log(im / theta) / beta) / (beta * im) : 0;
 }
 
 }  // namespace gurney::statistics

@@ -12,7 +12,6 @@ struct LognormalCurve {
   double quantile(double probability) const;  ///< the im at a probability in (0, 1)
   double mean() const;                        ///< of the capacity, theta exp(beta^2 / 2)
   double standard_deviation() const;          ///< mean sqrt(exp(beta^2) - 1)
-  double density(double im) const;            ///< d probability / d im; 0 for im <= 0
 };
 
 }  // namespace gurney::statistics

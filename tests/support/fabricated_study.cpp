@@ -126,7 +126,7 @@ class Tables {
 
   void write_runs() {
     study::GrowingTable runs(file_, "runs");
-    for (const char* name : {"run", "unit", "configuration", "record", "motion", "draw"})
+    for (const char* name : {"run", "analysis_case", "configuration", "record", "motion", "draw"})
       runs.add_whole(name, name);
     runs.add_number("angle", "rad", "angle");
     runs.add_number("scale", "1", "scale");

@@ -94,7 +94,7 @@ std::vector<statistics::Observation> StudyData::observations(std::size_t state,
                                                              const RunMeasure& measure) const {
   const std::vector<std::size_t>& runs = runs_.at(configuration);
   const std::vector<bool> exceeds = exceedances(state, runs);
-  const std::vector<double> cases = file_->numbers("runs/unit");
+  const std::vector<double> cases = file_->numbers("runs/analysis_case");
   std::vector<statistics::Observation> result;
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (measure.values[runs[i]] > 0)

@@ -26,7 +26,8 @@ class StudyReader {
   bool has(const std::string& table) const;
   bool has_column(const std::string& column) const { return columns_.contains(column); }
 
-  /// A column, such as "items/peak_displacement".
+  /// A column, such as "items/peak_displacement". runs/analysis_case was called runs/unit before
+  /// 2026-11-22.
   /// @throws Error where there is none
   std::vector<double> numbers(const std::string& column) const;
   std::vector<std::string> strings(const std::string& column) const;

@@ -56,8 +56,9 @@ extern "C" void crashed(int signal_number) {
     line.write_to(log_file);
     ::fsync(log_file);
     Line word;
-    word << "\ngurney: crashed (signal " << number << ") in run " << run_of_thread << " of unit "
-         << task_of_thread << "; finished runs are kept, --resume goes on with the others\n";
+    word << "\ngurney: crashed (signal " << number << ") in run " << run_of_thread
+         << " of analysis case " << task_of_thread
+         << "; finished runs are kept, --resume goes on with the others\n";
     word.write_to(STDERR_FILENO);
   }
   ::raise(signal_number);  // SA_RESETHAND: this time it ends the process
@@ -103,7 +104,7 @@ void CrashLog::read(const std::filesystem::path& file, const std::string& text) 
     std::string rest;
     if (!(line >> task >> run >> signal_number) || line >> rest)
       warnings_.push_back(
-          fmt::format("{}:{}: is not a line `unit run signal` and was ignored: '{}'", file.string(),
+          fmt::format("{}:{}: is not a line `case run signal` and was ignored: '{}'", file.string(),
                       number, each));
     else if (++times[{task, run}] == kTries)
       given_up_[{task, run}] =

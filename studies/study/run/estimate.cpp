@@ -45,7 +45,7 @@ Estimate estimate(const Batch& batch) {
   const Trial last = make_run(batch, batch.plan.tasks_of_stage() - 1, high);
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  // A run that is made again with half the step costs three.
+  // A run that is repeated with half the step costs three.
   const double again = 1 + 2 * batch.job.study().step_check;
   return {.runs = batch.plan.runs(),
           .seconds_per_run = again * 0.5 * (first.seconds + last.seconds),

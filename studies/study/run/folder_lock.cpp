@@ -56,6 +56,16 @@ void write_holder(int file) {
   [[maybe_unused]] const auto ignored = ::pwrite(file, text.data(), text.size(), 0);
 }
 
+/// @returns errno; 0: it is locked
+int lock(int file, int kind) {
+  constexpr int kTries = 5;  // working_process() of others holds it for microseconds
+  for (int i = 1;; ++i) {
+    if (::flock(file, kind | LOCK_NB) == 0) return 0;
+    if (errno != EWOULDBLOCK || i == kTries) return errno;
+    ::usleep(20000);
+  }
+}
+
 bool all_digits(std::string_view text) {
   return text.find_first_not_of("0123456789") == std::string_view::npos;
 }
@@ -67,6 +77,16 @@ bool is_own_name(const std::string& name) {
   if (name.starts_with("study.part")) return true;
   return name.size() >= 13 && all_digits(std::string_view(name).substr(0, 8)) &&
          (name.substr(8) == ".damaged" || name.substr(8).starts_with(".part"));
+}
+
+std::string working_process(const fs::path& folder) {
+  const int file = ::open((folder / "lock").c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+  if (file < 0) return {};
+  const bool works = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  std::string process = works ? holder(file) : std::string();
+  if (works && process.empty()) process = "a process";
+  ::close(file);
+  return process;
 }
 
 FolderLock::FolderLock(fs::path folder) : folder_(std::move(folder)), file_(folder_ / "lock") {
@@ -82,7 +102,7 @@ bool FolderLock::try_lock() {
   descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (descriptor_ < 0 && errno == ENOENT) return false;
   require(descriptor_ >= 0, file_.string() + ": cannot be opened: " + std::strerror(errno));
-  const int problem = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
+  const int problem = lock(descriptor_, LOCK_EX);
   if (problem == EWOULDBLOCK) {
     const std::string other = holder(descriptor_);
     ::close(descriptor_);

@@ -37,6 +37,9 @@ class FolderLock {
   std::string warning_;
 };
 
+/// The process that works in a folder, "process 12 on node3"; empty: none.
+std::string working_process(const std::filesystem::path& folder);
+
 /// Whether a name in the folder of parts is one that this program gives.
 bool is_own_name(const std::string& name);
 

@@ -2,20 +2,19 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "studies/study/run/folder_lock.h"
+#include "studies/study/run/part_file.h"
 
 namespace gurney::study {
 
 /// The finished tasks of a study that is not complete: a folder beside its results file.
 ///
-/// A part file holds whole tasks, each with a SHA-256 that binds it to its study and its number,
-/// and ends with the SHA-256 of all before. It is written under another name, synced and renamed,
-/// so that a killed process loses only tasks it had not reported. The file `study` says whose parts
-/// these are. One process works in the folder at a time (FolderLock).
+/// A part file (part_file.h) is written under another name, synced and renamed, so that a killed
+/// process loses only tasks it had not reported. The file `study` states whose parts these are. One
+/// process works in the folder at a time (FolderLock).
 class PartFolder {
  public:
   enum class Start {
@@ -44,10 +43,9 @@ class PartFolder {
   bool holds() const { return lock_.holds(); }
 
   /// Writes a part of these tasks, in any order.
-  /// @param tasks  by index: the bytes of each
   /// @throws Error with the system's reason, such as a full disk, and where the folder was removed:
   ///         then none of them counts
-  void add(const std::map<std::size_t, std::string>& tasks);
+  void add(const TaskBytes& tasks);
 
   /// The bytes of a task.
   /// @throws Error unless they are those that were added
@@ -59,19 +57,16 @@ class PartFolder {
  private:
   struct Place {
     std::uint32_t part = 0;  ///< from 1; 0: the task is not done
-    std::uint64_t offset = 0, size = 0;
+    PartEntry entry;
   };
-  std::filesystem::path path_of(std::uint32_t part) const;
   void start(const std::string& identity, Start start);
   void take_over(std::uint32_t part);
-  std::string damage_of(std::uint32_t part, const std::string& bytes);
-  void place(std::size_t task, const Place& place);
-  std::string hash_of(std::size_t task, std::string_view bytes) const;
+  void place(std::uint32_t part, const PartEntry& entry);
 
   FolderLock lock_;
-  std::string identity_hash_;
+  PartFormat format_;
   std::uint32_t next_ = 1;
-  std::size_t tasks_, size_ = 0;
+  std::size_t size_ = 0;
   std::vector<Place> places_;  ///< by task
   std::vector<std::string> warnings_;
 };

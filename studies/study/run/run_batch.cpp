@@ -15,8 +15,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-using Part = std::map<std::size_t, std::string>;  ///< bytes of tasks
-
 void count(const TaskResult& result, BatchProgress& progress) {
   for (const StudyRun& run : result.runs) {
     progress.failed += is_failure(run.response.outcome);
@@ -27,11 +25,13 @@ void count(const TaskResult& result, BatchProgress& progress) {
   ++progress.done;
 }
 
-BatchProgress done_before(const Batch& batch, const PartFolder& folder) {
+BatchProgress done_before(const Batch& batch, const PartFolder& folder, const Shard& shard) {
   BatchProgress progress;
-  progress.tasks = batch.plan.tasks();
-  for (std::size_t task = 0; task < progress.tasks; ++task)
+  for (std::size_t task = 0; task < batch.plan.tasks(); ++task) {
+    if (!shard.has(task)) continue;
+    ++progress.tasks;
     if (folder.has(task)) count(task_from_bytes(folder.read(task)), progress);
+  }
   return progress;
 }
 
@@ -43,7 +43,7 @@ class Collector {
       : report_(report), progress_(before) {}
 
   /// @return a part that is due to be written; else empty
-  Part add(TaskResult result) {
+  TaskBytes add(TaskResult result) {
     count(result, progress_);
     progress_.runs_now += result.runs.size();
     ++progress_.tasks_now;
@@ -55,10 +55,10 @@ class Collector {
       reported_ = Clock::now();
     }
     const bool due = since(taken_) > std::max(1.0, 0.02 * progress_.seconds) || bytes_ > kMaxBytes;
-    return due ? take() : Part();
+    return due ? take() : TaskBytes();
   }
 
-  Part take() {
+  TaskBytes take() {
     bytes_ = 0;
     taken_ = Clock::now();
     return std::exchange(waiting_, {});
@@ -79,18 +79,31 @@ class Collector {
 
   const std::function<void(const BatchProgress&)>& report_;
   BatchProgress progress_;
-  Part waiting_;
+  TaskBytes waiting_;
   std::size_t bytes_ = 0;
   Clock::time_point start_ = Clock::now(), taken_ = start_, reported_ = start_;
 };
 
-/// Units of the stage that the folder lacks.
-std::vector<std::size_t> missing_tasks(const Batch& batch, std::size_t stage,
+/// Duration of the ground motion of a task [s].
+double duration_of(const Batch& batch, std::size_t index) {
+  const Task task = batch.plan.task(index);
+  const MotionSet& motions = batch.motions.set_of(task.configuration);
+  const groundmotions::Record& record = motions.ground(task.record).record;
+  return record.time_step() * static_cast<double>(record.samples());
+}
+
+/// Tasks of the stage and shard that the folder lacks, those of the longest motions first, so that
+/// no thread is left alone with a long one at the end.
+std::vector<std::size_t> missing_tasks(const Batch& batch, std::size_t stage, const Shard& shard,
                                        const PartFolder& folder) {
   const std::size_t tasks = batch.plan.tasks_of_stage();
   std::vector<std::size_t> missing;
   for (std::size_t task = stage * tasks; task < (stage + 1) * tasks; ++task)
-    if (!folder.has(task)) missing.push_back(task);
+    if (shard.has(task) && !folder.has(task)) missing.push_back(task);
+  std::vector<std::pair<double, std::size_t>> keys;
+  for (const std::size_t task : missing) keys.emplace_back(-duration_of(batch, task), task);
+  std::ranges::sort(keys);
+  std::ranges::transform(keys, missing.begin(), [](const auto& key) { return key.second; });
   return missing;
 }
 
@@ -115,7 +128,7 @@ void run_tasks(const Work& work, const std::vector<std::size_t>& tasks, const St
       const Task task = work.batch.plan.task(tasks[i]);
       TaskResult result = run_task(work.batch, tasks[i], work.go_on, work.crashes.given_up(),
                                    &levels.of(task.configuration));
-      Part part;
+      TaskBytes part;
       {
         const std::lock_guard lock(collecting);
         if (!result.runs.empty()) part = work.collector.add(std::move(result));
@@ -135,16 +148,16 @@ void run_tasks(const Work& work, const std::vector<std::size_t>& tasks, const St
 }  // namespace
 
 BatchProgress run_batch(const Batch& batch, PartFolder& folder, const CrashLog& crashes,
-                        int threads, const std::function<bool()>& go_on,
+                        const Shard& shard, int threads, const std::function<bool()>& go_on,
                         const std::function<void(const BatchProgress&)>& progress) {
-  Collector collector(progress, done_before(batch, folder));
+  Collector collector(progress, done_before(batch, folder, shard));
   const Work work{batch, folder, crashes, collector, go_on};
   StageLevels levels(batch);
-  run_tasks(work, missing_tasks(batch, 0, folder), levels, threads);
+  run_tasks(work, missing_tasks(batch, 0, shard, folder), levels, threads);
   while (levels.stage() + 1 < batch.plan.stages() && go_on()) {
-    if (!missing_tasks(batch, levels.stage(), folder).empty()) break;
+    if (!missing_tasks(batch, levels.stage(), shard, folder).empty()) break;
     levels.advance([&](std::size_t task) { return task_from_bytes(folder.read(task)); });
-    run_tasks(work, missing_tasks(batch, levels.stage(), folder), levels, threads);
+    run_tasks(work, missing_tasks(batch, levels.stage(), shard, folder), levels, threads);
   }
   return collector.finish();
 }

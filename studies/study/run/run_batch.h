@@ -5,6 +5,7 @@
 
 #include "studies/study/run/part_folder.h"
 #include "studies/study/run/run_task.h"
+#include "studies/study/run/shard.h"
 
 namespace gurney::study {
 
@@ -16,15 +17,16 @@ struct BatchProgress {
   double seconds = 0;                                               ///< of this attempt
 };
 
-/// Runs every task that the folder lacks, and puts it there. A run that crashed the program twice
+/// Runs every task of a shard that the folder lacks, and puts it there. A run that crashed the program twice
 /// (crash_log.h) fails without being tried again.
 /// @param crashes   of this folder
+/// @param shard     the whole of a study with stages, each of which needs all tasks of those before
 /// @param threads   >= 1
 /// @param go_on     false: runs in flight are dropped, what is finished goes to the folder
 /// @param progress  called about twice a second, from one thread at a time
 /// @throws Error where the folder cannot take the parts; finished tasks before that stay in it
 BatchProgress run_batch(const Batch& batch, PartFolder& folder, const CrashLog& crashes,
-                        int threads, const std::function<bool()>& go_on,
+                        const Shard& shard, int threads, const std::function<bool()>& go_on,
                         const std::function<void(const BatchProgress&)>& progress);
 
 }  // namespace gurney::study

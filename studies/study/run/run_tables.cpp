@@ -111,12 +111,12 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
   };
 
   GrowingTable& runs = make("runs");
-  runs.add_whole("unit", "index of the unit: runs of one record that follow each other");
+  runs.add_whole("analysis_case", "index of the analysis case, whose runs follow each other");
   runs.add_whole("configuration", "row of /configurations");
   runs.add_whole("record", "index of the record in its set");
   runs.add_whole("motion", "row of /motions");
   runs.add_number("angle", "rad", "angle of the record's axes from the floor's");
-  runs.add_whole("draw", "which draw of the uncertain numbers; -1: every number has its value");
+  runs.add_whole("draw", "which draw of the uncertain parameters; -1: all have their values");
   runs.add_whole("replica", "which replica of its draw: all masses times 1 + 1e-9 of this number");
   runs.add_number("scale", "1", "factor on the ground motion");
   runs.add_number("intensity", "1", "the study's intensity measure, in its SI unit; 0: none");
@@ -179,7 +179,7 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
     GrowingTable& drawn = make("drawn");
     drawn.add_whole("configuration", "row of /configurations");
     drawn.add_whole("draw", "which draw");
-    drawn.add_text("variable", "the number that was drawn",
+    drawn.add_text("variable", "the parameter that was drawn",
                    widest(names_, [](auto& n) { return n.variables; }));
     drawn.add_number("value", "1", "its value, in the unit at the end of its name");
   }

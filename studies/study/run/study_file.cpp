@@ -151,8 +151,8 @@ StudyCounts write_study_file(const std::string& path, const Batch& batch,
   for (std::size_t task = 0; task < batch.plan.tasks(); ++task) {
     const TaskResult result = read(task);
     require(result.task == task,
-            fmt::format("the results of unit {} stand where those of unit {} must be", result.task,
-                        task));
+            fmt::format("the results of analysis case {} stand where those of case {} must be",
+                        result.task, task));
     for (const StudyRun& run : result.runs) {
       ++counts.runs;
       counts.failed += is_failure(run.response.outcome);

@@ -109,9 +109,18 @@ std::string inputs_of(const Batch& batch) {
 std::string identity_of(const Batch& batch) {
   const build_info::BuildInfo build = build_info::build_info();
   return inputs_from(
-      fmt::format("{}units = {}\nprogram = {} {}\ncpu_class = {}\n", input_lines(batch),
+      fmt::format("{}analysis_cases = {}\nprogram = {} {}\ncpu_class = {}\n", input_lines(batch),
                   batch.plan.tasks(), build.program_version, build.git_commit, build.cpu_class),
       batch.job.text());
+}
+
+std::size_t tasks_in(const std::string& identity) {
+  const Entries entries = entries_of(identity);
+  const auto found = entries.find("analysis_cases");
+  require(found != entries.end() && !found->second.empty() &&
+              found->second.find_first_not_of("0123456789") == std::string::npos,
+          "the file 'study' states no number of analysis cases");
+  return std::stoul(found->second);
 }
 
 std::string job_difference(const std::string& theirs, const std::string& ours) {

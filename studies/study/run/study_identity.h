@@ -13,6 +13,10 @@ std::string inputs_of(const Batch& batch);
 /// The same with the program that makes the runs: what must be equal for runs to belong together.
 std::string identity_of(const Batch& batch);
 
+/// The number of analysis cases in identity_of().
+/// @throws Error where it has none
+std::size_t tasks_in(const std::string& identity);
+
 /// From the parts of inputs_of(), such as those that results keep.
 /// @param lines  `key = value`
 std::string inputs_from(const std::string& lines, const std::string& job_text);

@@ -92,7 +92,7 @@ TaskResult task_from_bytes(std::string_view bytes) {
   ByteReader reader(bytes);
   TaskResult result;
   reader(result.task, result.drawn, result.runs);
-  require(reader.done(), "there are more bytes than a unit has");
+  require(reader.done(), "there are more bytes than an analysis case has");
   return result;
 }
 

@@ -171,7 +171,7 @@ grep -q "kept" stderr && complain "says that runs are kept"
 fresh
 begin long.toml a.h5
 printf '\xff' | dd of=a.h5.parts/00000001.part bs=1 seek=300 conv=notrunc 2> /dev/null
-ends 1 "a.h5.parts/00000001.part: was changed while the study ran: the checksum of unit "
+ends 1 "a.h5.parts/00000001.part: was changed while the study ran: the checksum of analysis case "
 study 0 "a.h5.parts/00000001.part: is damaged" long.toml -o a.h5 --resume
 same whole.h5 a.h5
 

@@ -45,7 +45,7 @@ if [ -c /dev/full ]; then
   grep -q "cannot write" stderr || complain "no word of a full disk"
 fi
 
-# What a record should be known for is told by every command.
+# What a record should be known for is reported by every command.
 printf 'time_s,x_m_per_s2\n0,0\n0.01,100\n0.02,-100\n0.03,0\n' > huge.csv
 records 0 "warning: huge: " convert huge.csv -o huge_2.csv
 records 0 "warning: huge: " plot huge.csv -o huge.svg
@@ -110,7 +110,7 @@ records 1 "convert the records with the steps first" scale "$record" --target "e
 # 0.3 x 1.2 x 2.5 sqrt(10 / 7) = 1.0757 g: factor 0.108 (0.269 with a spectrum of 5 %).
 records 0 "sine.csv" make harmonic frequency_hz=4 duration_s=60 -o sine.csv
 records 0 " 0.108 " scale sine.csv --target "eurocode8 ground=B ag_g=0.3 damping_ratio=0.02" --component h1 --periods 0.2499:0.2501 --limits 0.01:10
-grep -q "h1 spectra of 2 % damping" stdout || complain "scale does not tell the damping"
+grep -q "h1 spectra of 2 % damping" stdout || complain "scale does not state the damping"
 records 1 "must be LOW:HIGH" scale "$record" --target "asce7 sds_g=1 sd1_g=0.6" --periods 2
 
 [ "$failures" -eq 0 ] && echo "all commands did as they should"

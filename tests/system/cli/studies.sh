@@ -117,15 +117,15 @@ for pair in INT:130 TERM:143; do
   same whole.h5 stopped.h5
   gone stopped.h5.parts
 done
-grep -q " interrupted on " stopped.log && grep -q " finished on " stopped.log || complain "the log does not tell both attempts"
+grep -q " interrupted on " stopped.log && grep -q " finished on " stopped.log || complain "the log does not report both attempts"
 sed 's/levels = .*/levels = [0.1, 0.2]/' small.toml > other.toml
 study 1 "one.h5: holds the results of another study: study.intensity.levels: there" other.toml -o one.h5 --resume
 
-# A run that crashed the program twice is a failed row; a crash is told and leaves a line.
+# A run that crashed the program twice is a failed row; a crash is reported and leaves a line.
 begin long.toml crashed.h5
 kill -s SEGV "$process"
 ends 139 "gurney: crashed (signal 11) in run "
-grep -q 'gurney: crashed (signal 11) in run [01] of unit [0-9]*; finished runs are kept' stderr || complain "does not tell of the crash"
+grep -q 'gurney: crashed (signal 11) in run [01] of analysis case [0-9]*; finished runs are kept' stderr || complain "does not report the crash"
 cat crashed.h5.parts/crashes > crashes.once
 cat crashes.once >> crashed.h5.parts/crashes
 study 3 "runs     48, 0 overturned, 1 failed" long.toml -o crashed.h5 --resume

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A study of studies/jobs and its size, which docs/shipped_studies.md tells.
+/// A study of studies/jobs and its size, which docs/shipped_studies.md states.
 struct Shipped {
   std::string name;
   std::size_t configurations, tasks, runs_of_task;

@@ -5,7 +5,7 @@
 #include "engine/base/input_file.h"
 #include "tests/system/validation/small_runs.h"
 
-// docs/validation.md and the studies it tells of.
+// docs/validation.md and the studies it reports.
 namespace gurney::study {
 namespace {
 

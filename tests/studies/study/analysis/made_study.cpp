@@ -69,7 +69,7 @@ void MadeStudy::write(const std::string& path) const {
   GrowingTable motions(file, "motions"), table(file, "runs"), items(file, "items");
   motions.add_whole("set", "set");
   motions.put(0.0).end_row();
-  for (const char* name : {"run", "unit", "configuration", "record", "motion", "draw"})
+  for (const char* name : {"run", "analysis_case", "configuration", "record", "motion", "draw"})
     table.add_whole(name, name);
   for (const char* name : {"angle", "scale", "intensity", "pfa", "pfv"})
     table.add_number(name, "1", name);

@@ -61,7 +61,7 @@ inline void write_small_study(const std::string& path, const std::vector<SmallRu
   configurations.add_text("name", "levels", 4);
   configurations.put("all").end_row();
   GrowingTable table(file, "runs"), items(file, "items");
-  for (const char* name : {"run", "unit", "configuration", "record", "motion"})
+  for (const char* name : {"run", "analysis_case", "configuration", "record", "motion"})
     table.add_whole(name, name);
   for (const char* name : {"scale", "intensity", "pfa", "pfv"}) table.add_number(name, "1", name);
   table.add_text("outcome", "outcome", 10);

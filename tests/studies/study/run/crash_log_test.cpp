@@ -30,8 +30,9 @@ void crash_between_runs(const std::string& file) {
 TEST(CrashLogTest, ACrashLeavesALineAndSaysSo) {
   const TempFolder folder;
   const std::string file = folder.file("crashes");
-  EXPECT_EXIT(crash_in_a_run(file), testing::KilledBySignal(SIGSEGV),
-              "gurney: crashed \\(signal 11\\) in run 3 of unit 12; finished runs are kept");
+  EXPECT_EXIT(
+      crash_in_a_run(file), testing::KilledBySignal(SIGSEGV),
+      "gurney: crashed \\(signal 11\\) in run 3 of analysis case 12; finished runs are kept");
   EXPECT_EQ(contents_of(file), "12 3 11\n");
 }
 
@@ -57,8 +58,8 @@ TEST(CrashLogTest, ReportsAndIgnoresForeignLines) {
   EXPECT_THAT(log.given_up(), ElementsAre(Pair(Pair(12, 3), testing::_)));
   EXPECT_THAT(
       log.warnings(),
-      ElementsAre(file + ":2: is not a line `unit run signal` and was ignored: '12 three 11'",
-                  file + ":3: is not a line `unit run signal` and was ignored: '50 %  9 runs'"));
+      ElementsAre(file + ":2: is not a line `case run signal` and was ignored: '12 three 11'",
+                  file + ":3: is not a line `case run signal` and was ignored: '50 %  9 runs'"));
 }
 
 TEST(CrashLogTest, CutsATornLastLineOff) {

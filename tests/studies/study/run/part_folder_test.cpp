@@ -18,7 +18,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr const char* kIdentity = "a.toml = aaa\nunits = 7\n";
+constexpr const char* kIdentity = "a.toml = aaa\nanalysis_cases = 7\n";
 constexpr std::size_t kUnits = 7;
 
 using Start = PartFolder::Start;
@@ -110,10 +110,10 @@ TEST_F(Parts, OfAnInterruptedStudyAreKeptUnlessResumed) {
 
 TEST_F(Parts, OfAnotherStudyAreRefusedWithBothValues) {
   fill();
-  EXPECT_EQ(error_text([&] { open(Start::kResume, "a.toml = bbb\nunits = 7\n"); }),
+  EXPECT_EQ(error_text([&] { open(Start::kResume, "a.toml = bbb\nanalysis_cases = 7\n"); }),
             folder() + ": contains runs of another study: a.toml: there 'aaa', here 'bbb'");
   EXPECT_EQ(error_text([&] { open(Start::kResume, "a.toml = aaa\n"); }),
-            folder() + ": contains runs of another study: units: there '7', here nothing");
+            folder() + ": contains runs of another study: analysis_cases: there '7', here nothing");
 }
 
 TEST_F(Parts, WithoutTheirIdentityAreRefused) {
@@ -202,12 +202,13 @@ TEST_F(Parts, ThatAreForgedAreSetAside) {
     std::string name, bytes, why;
   };
   const std::vector<Forged> all = {
-      {"00000001.part", part_of(~0ULL, 1, "x"), "it has unit 18446744073709551615 of 7"},
-      {"00000001.part", part_of(7, 1, "x"), "it has unit 7 of 7"},
-      {"00000001.part", part_of(1, ~0ULL - 15, "x"), "a unit is larger than the part"},
-      {"00000001.part", part_of(1, ~0ULL - 79, "x"), "a unit is larger than the part"},
-      {"00000001.part", part_of(1, 0, "x"), "its unit 1 belongs to another study"},
-      {"00000001.part", part_of(1, 1, "x", "another"), "its unit 1 belongs to another study"},
+      {"00000001.part", part_of(~0ULL, 1, "x"), "it has analysis case 18446744073709551615 of 7"},
+      {"00000001.part", part_of(7, 1, "x"), "it has analysis case 7 of 7"},
+      {"00000001.part", part_of(1, ~0ULL - 15, "x"), "an analysis case is larger than the part"},
+      {"00000001.part", part_of(1, ~0ULL - 79, "x"), "an analysis case is larger than the part"},
+      {"00000001.part", part_of(1, 0, "x"), "its analysis case 1 belongs to another study"},
+      {"00000001.part", part_of(1, 1, "x", "another"),
+       "its analysis case 1 belongs to another study"},
       {"00000000.part", part_of(1, 1, "x"), "parts are numbered from 1"}};
   for (const Forged& each : all) {
     { open(Start::kReplace); }
@@ -229,9 +230,10 @@ TEST_F(Parts, ChangedWhileTheStudyRunsAreNotedWhenTheyAreRead) {
   bytes[bytes.find("three")] ^= 1;
   std::ofstream(part("00000001.part"), std::ios::binary) << bytes;
   EXPECT_EQ(parts.read(4), "four");
-  EXPECT_EQ(error_text([&] { parts.read(3); }),
-            part("00000001.part") +
-                ": was changed while the study ran: the checksum of unit 3 does not match");
+  EXPECT_EQ(
+      error_text([&] { parts.read(3); }),
+      part("00000001.part") +
+          ": was changed while the study ran: the checksum of analysis case 3 does not match");
 }
 
 TEST_F(Parts, OfAnotherProcessAreNotReplaced) {

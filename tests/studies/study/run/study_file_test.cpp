@@ -106,7 +106,7 @@ TEST_F(StudyFile, HasARowForEachRun) {
     const Task task = study.plan.task(run / 2);
     const StudyRun& made = results_[run / 2].runs[run % 2];
     EXPECT_EQ(column("runs/run")[run], double(run));
-    EXPECT_EQ(column("runs/unit")[run], double(run / 2));
+    EXPECT_EQ(column("runs/analysis_case")[run], double(run / 2));
     EXPECT_EQ(column("runs/configuration")[run], double(task.configuration));
     EXPECT_EQ(column("runs/record")[run], double(task.record));
     EXPECT_EQ(column("runs/motion")[run], double(run % 2));

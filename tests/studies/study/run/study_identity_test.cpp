@@ -33,8 +33,8 @@ TEST(StudyIdentityTest, NamesTheKeysOfTheJobThatDiffer) {
 }
 
 TEST(StudyIdentityTest, NamesFilesThatDiffer) {
-  EXPECT_EQ(difference("a.toml = 1\nrecord x = 2 x.at2\nunits = 7\n\njob",
-                       "a.toml = 1\nrecord x = 3 x.at2\nb.toml = 4\nunits = 7\n\njob"),
+  EXPECT_EQ(difference("a.toml = 1\nrecord x = 2 x.at2\nanalysis_cases = 7\n\njob",
+                       "a.toml = 1\nrecord x = 3 x.at2\nb.toml = 4\nanalysis_cases = 7\n\njob"),
             "b.toml: there nothing, here '4'; record x: there '2 x.at2', here '3 x.at2'");
 }
 
@@ -72,7 +72,7 @@ TEST(StudyIdentityTest, TheMergeRefusesResultsOfAnotherUnit) {
   } catch (const Error& error) {
     text = error.what();
   }
-  EXPECT_EQ(text, "the results of unit 0 stand where those of unit 1 must be");
+  EXPECT_EQ(text, "the results of analysis case 0 stand where those of case 1 must be");
 }
 
 }  // namespace

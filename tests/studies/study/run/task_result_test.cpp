@@ -172,7 +172,7 @@ TEST(TaskBytes, ThatEndTooEarlyOrTooLateAreRefused) {
               "the bytes end too early")
         << size;
   EXPECT_EQ(error_text([&] { task_from_bytes(bytes + "x"); }),
-            "there are more bytes than a unit has");
+            "there are more bytes than an analysis case has");
 }
 
 }  // namespace

@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "engine/base/error.h"
+#include "studies/cli/commands.h"
+#include "studies/cli/json_errors.h"
+#include "studies/cli/standard_error.h"
+#include "studies/cli/study_output.h"
+#include "studies/study/results/output_files.h"
+#include "studies/study/run/shard_folders.h"
+#include "studies/study/run/study_identity.h"
+
+namespace gurney::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSuffix = ".shards";
+
+struct MergeOptions {
+  std::string folder, output, job;
+  bool overwrite = false, json = false;
+};
+
+fs::path results_of(const MergeOptions& options, const fs::path& folder) {
+  const bool named = folder.extension() == kSuffix;
+  require(!options.output.empty() || named,
+          fmt::format("{}: is not named as gurney run names a folder of shards, FILE.h5{}; give "
+                      "the results file with -o",
+                      folder.string(), kSuffix));
+  const fs::path results =
+      options.output.empty() ? folder.parent_path() / folder.stem() : fs::path(options.output);
+  require(results.extension() == ".h5",
+          results.string() + ": the results file must end in .h5 (-o FILE.h5)");
+  return results;
+}
+
+std::string job_of(const MergeOptions& options, const fs::path& folder) {
+  if (!options.job.empty()) return options.job;
+  require(fs::exists(folder / "job"),
+          folder.string() + ": holds no path of the job; give it with --job");
+  std::string path = study::file_bytes(folder / "job");
+  while (path.ends_with('\n')) path.pop_back();
+  require(fs::exists(path), fmt::format("{}: the job {} does not exist any more; give its new path "
+                                        "with --job",
+                                        folder.string(), path));
+  return path;
+}
+
+int merge_command(const MergeOptions& options) {
+  fs::path folder = fs::path(options.folder).lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();  // it ended in a slash
+  study::shards_in(folder);                                   // or there are none
+  const fs::path results = results_of(options, folder);
+  study::OutputFiles(options.overwrite).check(results.string());
+  const std::string path = job_of(options, folder);
+  const study::StudyJob job(path);
+  const study::StudyMotions motions(job);
+  const study::Plan plan(job, motions);
+  const study::Batch batch{job, motions, plan};
+  motions.read_all(std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+
+  study::ShardFolders shards(folder, study::identity_of(batch), plan.tasks());
+  for (const std::string& warning : shards.warnings()) print_error("{}\n", warning);
+  const std::string missing = shards.missing();
+  require(missing.empty(), missing);
+  const study::StudyCounts counts = write_results(
+      batch, folder, [&](std::size_t task) { return shards.read(task); }, results,
+      options.overwrite);
+  append_log(fs::path(results).replace_extension(".log"),
+             shards.logs() + log_entry(path, "merged", fmt::format("{} runs", counts.runs)));
+  shards.remove();
+  print_study(batch, results, counts, 0, options.json);
+  return counts.failed > 0 ? 3 : 0;
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, std::function<int()>& action) {
+  auto options = std::make_shared<MergeOptions>();
+  CLI::App* const merge = app.add_subcommand("merge", "");
+  merge->add_option("FOLDER", options->folder, "The folder of the shards: FILE.h5.shards")
+      ->required();
+  merge->add_option("-o,--output", options->output,
+                    "The results file (default: FILE.h5 of the folder's name)");
+  merge->add_option("--job", options->job, "The job file (default: where the shards found it)");
+  merge->add_flag("--overwrite", options->overwrite, "Replace files that exist");
+  merge->add_flag("--json", options->json, "Print the summary as JSON");
+  merge->callback([options, &action] {
+    action = [options] {
+      return with_json_errors(options->json, [options] { return merge_command(*options); });
+    };
+  });
+}
+
+}  // namespace gurney::cli

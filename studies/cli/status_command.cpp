@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "studies/cli/commands.h"
+#include "studies/cli/study_size.h"
+#include "studies/report/failed_runs.h"
+#include "studies/report/report_table.h"
+#include "studies/study/run/shard_status.h"
+
+namespace gurney::cli {
+namespace {
+
+using study::ShardStatus;
+
+struct StatusOptions {
+  std::string folder;
+  bool json = false;
+};
+
+std::string state_of(const ShardStatus& shard) {
+  if (!shard.started) return "not started";
+  if (shard.done == shard.tasks) return "finished";
+  return shard.process.empty() ? "stopped" : "running: " + shard.process;
+}
+
+/// Time that a running shard still takes [s]; 0: unknown, or nothing runs.
+double to_go(const ShardStatus& shard) {
+  if (shard.process.empty()) return 0;
+  return shard.seconds_per_task *
+         static_cast<double>(shard.tasks - std::min(shard.done, shard.tasks));
+}
+
+report::ReportTable table_of(const std::vector<ShardStatus>& shards) {
+  report::ReportTable table({{"shard", ">9", "", "shard"},
+                             {"cases", ">13", "", ""},
+                             {"", "", "", "analysis_cases"},
+                             {"", "", "", "finished"},
+                             {"runs", ">9", "", "runs"},
+                             {"overturned", ">10", "", "overturned"},
+                             {"failed", ">18", "", ""},
+                             {"", "", "", "failed"},
+                             {"", "", "", "untrusted"},
+                             {"runs/s", ">8", ".1f", "runs_per_second"},
+                             {"to go", ">10", "", ""},
+                             {"", "", "", "seconds_to_go"},
+                             {"state", "<", "", "state"}});
+  for (const ShardStatus& s : shards) {
+    const double time = to_go(s);
+    table.add({fmt::format("{}/{}", s.shard.number, s.shard.count),
+               fmt::format("{} of {}", s.done, s.tasks), s.tasks, s.done, s.runs, s.overturned,
+               report::failed_runs(s.failed, s.untrusted), s.failed, s.untrusted, s.runs_per_second,
+               time > 0 ? duration_text(time) : std::string("-"), time, state_of(s)});
+  }
+  return table;
+}
+
+struct Total {
+  std::size_t tasks = 0, done = 0, runs = 0, failed = 0, finished = 0, running = 0, damaged = 0;
+  double rate = 0, to_go = 0;  ///< of those that run; the longest
+};
+
+Total total_of(const std::vector<ShardStatus>& shards) {
+  Total all;
+  for (const ShardStatus& s : shards) {
+    all.tasks += s.tasks;
+    all.done += s.done;
+    all.runs += s.runs;
+    all.failed += s.failed;
+    all.damaged += s.damaged;
+    all.finished += s.done == s.tasks;
+    if (s.process.empty()) continue;
+    ++all.running;
+    all.rate += s.runs_per_second;
+    all.to_go = std::max(all.to_go, to_go(s));
+  }
+  return all;
+}
+
+int status_command(const StatusOptions& options) {
+  const std::vector<ShardStatus> shards = study::shard_status(options.folder);
+  const report::ReportTable table = table_of(shards);
+  const Total all = total_of(shards);
+  if (options.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"shards", table.json()},
+                                              {"analysis_cases", all.tasks},
+                                              {"finished", all.done},
+                                              {"runs", all.runs},
+                                              {"failed", all.failed},
+                                              {"damaged_parts", all.damaged},
+                                              {"runs_per_second", all.rate},
+                                              {"seconds_to_go", all.to_go}}
+                           .dump(2));
+    return 0;
+  }
+  fmt::print(
+      "{}\n{} of {} analysis cases, {} runs, {} failed; {} of {} shards finished, {} running",
+      table.text(), all.done, all.tasks, all.runs, all.failed, all.finished, shards.size(),
+      all.running);
+  if (all.rate > 0) fmt::print(", {:.1f} runs/s", all.rate);
+  if (all.to_go > 0) fmt::print(", {} to go", duration_text(all.to_go));
+  if (all.damaged > 0) fmt::print("\n{} damaged parts, whose runs will be repeated", all.damaged);
+  fmt::print("\n");
+  return 0;
+}
+
+}  // namespace
+
+void add_status(CLI::App& app, std::function<int()>& action) {
+  auto options = std::make_shared<StatusOptions>();
+  CLI::App* const status = app.add_subcommand("status", "");
+  status
+      ->add_option("FOLDER", options->folder,
+                   "The folder of the shards, FILE.h5.shards, or of one study, FILE.h5.parts")
+      ->required();
+  status->add_flag("--json", options->json, "Print it as JSON");
+  status->callback([options, &action] { action = [options] { return status_command(*options); }; });
+}
+
+}  // namespace gurney::cli

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "studies/study/run/shard.h"
+
+namespace gurney::study {
+
+/// What a shard has finished, read beside the process that works on it.
+struct ShardStatus {
+  Shard shard = {};
+  std::size_t tasks = 0, done = 0;  ///< analysis cases
+  std::size_t runs = 0, overturned = 0, failed = 0, untrusted = 0;
+  std::size_t damaged = 0;      ///< part files whose runs will be repeated
+  bool started = false;         ///< it has a folder
+  std::string process = {};     ///< that works on it: "process 12 on node3"; empty: none
+  double runs_per_second = 0;   ///< of the last attempt, up to its last part; 0: unknown
+  double seconds_per_task = 0;  ///< the same
+};
+
+/// Of a folder FILE.h5.shards with those that have not started, or of one FILE.h5.parts as shard 1
+/// of 1. Reads the parts alone and changes nothing.
+/// @throws Error for a folder that is neither
+std::vector<ShardStatus> shard_status(const std::filesystem::path& folder);
+
+}  // namespace gurney::study

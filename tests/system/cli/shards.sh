@@ -1,0 +1,196 @@
+#!/usr/bin/env bash
+# Studies in shards: any number of processes, killed, repeated or doubled, give the same bytes as one.
+# usage: shards.sh GURNEY SOURCE_FOLDER
+set -uo pipefail
+gurney=$1
+. "$2/tests/system/cli/expect.sh"
+
+study() { expect "$1" "$2" "$gurney" run "${@:3}"; }  # CODE TEXT ARGUMENTS...
+same() { cmp "$1" "$2" > stdout 2> stderr || complain "$1 and $2 differ"; }
+gone() { [ ! -e "$1" ] || complain "$1 is left"; }
+variables() { env -u SLURM_ARRAY_TASK_ID -u SLURM_PROCID -u OMPI_COMM_WORLD_RANK "$@"; }
+
+item=$2/equipment/items/xu_trolley.toml
+cp "$item" item.toml
+cat > job.toml <<'TOML'
+schema = "gurney-job/1"
+[item]
+equipment = "item.toml"
+[excitation.record]
+suite = "list.csv"
+use = "x"
+[settings]
+duration_s = 20
+settle_time_s = 0
+[study]
+angles_deg = [0, 15, 30]
+draws = 4
+[study.intensity]
+scales = [1, 2]
+TOML
+printf 'name, h1, unit, time_step_s, scale\nshort, a.txt, m/s2, 0.01, 1.5\nlong, b.txt, m/s2, 0.01, 1\n' > list.csv
+for i in $(seq 400); do echo "$((i * 7 % 5 - 2))"; done > a.txt
+for i in $(seq 1200); do echo "$((i * 3 % 7 - 3))"; done > b.txt
+study 0 "runs     48, 0 overturned, 0 failed" job.toml -o whole.h5 -j 1
+
+# Shards beside each other, in any order, with threads.
+for shard in 3 1 2; do
+  "$gurney" run job.toml -o a.h5 --shard "$shard/3" -j 2 > "out.$shard" 2> "err.$shard" &
+done
+wait
+grep -q "shard    2 of 3: 8 analysis cases, 16 runs, 0 overturned, 0 failed" out.2 || complain "does not report shard 2"
+grep -qx "when all shards are finished: gurney merge a.h5.shards" out.2 || complain "does not say how to go on"
+gone a.h5
+expect 0 "runs     48, 0 overturned, 0 failed" "$gurney" merge a.h5.shards
+same whole.h5 a.h5
+gone a.h5.shards
+[ "$(grep -c " finished on " a.log)" -eq 3 ] || complain "the log does not report three shards"
+expect 0 "the same results as in a.h5" "$gurney" replay a.h5 47
+study 0 "a.h5 (already complete)" job.toml -o a.h5 --shard 1/3 --resume
+rm a.h5 a.log
+
+# Missing shards, and half of one. What was begun with three shards is finished with two.
+study 0 "shard    1 of 3" job.toml -o a.h5 --shard 1/3
+expect 1 "a.h5.shards: 16 of 24 analysis cases are missing" "$gurney" merge a.h5.shards
+grep -qx "  shard 3/3 lacks 8 of 8" stderr || complain "does not name shard 3"
+study 1 "a.h5.shards/1-of-3: contains runs of an interrupted study" job.toml -o a.h5 --shard 1/3
+study 0 "shard    1 of 3" job.toml -o a.h5 --shard 1/3 --resume
+study 0 "shard    1 of 2" job.toml -o a.h5 --shard 1/2
+expect 1 "such as 1, 2, 6, 10, " "$gurney" merge a.h5.shards/
+study 0 "shard    2 of 2" job.toml -o a.h5 --shard 2/2
+cp -r a.h5.shards others.shards
+
+# Shards of another study, or of other data.
+sed 's/scales = .*/scales = [1, 3]/' job.toml > other.toml
+expect 1 "study.intensity.scales: there '[1, 2]', here '[1, 3]' (in the job)" "$gurney" merge a.h5.shards --job other.toml
+echo '# edited' >> item.toml
+expect 1 "item.toml: there '" "$gurney" merge a.h5.shards
+study 1 "item.toml: there '" job.toml -o a.h5 --shard 1/2 --resume
+cp "$item" item.toml
+mkdir elsewhere
+cp job.toml item.toml list.csv ?.txt elsewhere
+mv job.toml moved.toml
+expect 1 "job.toml does not exist any more; give its new path with --job" "$gurney" merge a.h5.shards
+expect 0 "runs     48" "$gurney" merge a.h5.shards --job elsewhere/job.toml
+mv moved.toml job.toml
+same whole.h5 a.h5
+expect 1 "a.h5: exists already" "$gurney" merge others.shards -o a.h5
+expect 0 '"runs": 48' "$gurney" merge others.shards -o b.h5 --json
+same whole.h5 b.h5
+rm a.h5 b.h5
+
+# Killed at its first part, run twice at the same time, resumed.
+sed -i 's/^duration_s = .*/duration_s = 60/; s/^draws = .*/draws = 8/' job.toml
+study 0 "runs     96" job.toml -o long.h5 -j 2
+"$gurney" run job.toml -o a.h5 --shard 2/2 -j 1 > out 2> err &
+process=$!
+wait_for a.h5.shards/2-of-2/crashes
+kill -STOP "$process"
+sleep 1
+study 1 "a.h5.shards/2-of-2: another process works on this study: process $process on " job.toml -o a.h5 --shard 2/2 --resume
+expect 1 "a.h5.shards/2-of-2: another process works on this study: process $process on " "$gurney" merge a.h5.shards
+kill -CONT "$process"
+wait_for a.h5.shards/2-of-2/00000001.part
+kill -9 "$process"
+wait "$process" 2> /dev/null
+study 0 "shard    1 of 2" job.toml -o a.h5 --shard 1/2 -j 2
+expect 1 "  shard 2/2 lacks " "$gurney" merge a.h5.shards
+study 0 "shard    2 of 2: 24 analysis cases, 48 runs" job.toml -o a.h5 --shard 2/2 --resume
+expect 0 "runs     96" "$gurney" merge a.h5.shards
+same long.h5 a.h5
+gone a.h5.shards
+rm a.h5
+
+# Interrupted: how to go on names the shard.
+begin_shard() {
+  "$gurney" run job.toml -o a.h5 --shard 1/2 -j 1 > out 2> err &
+  process=$!
+  wait_for a.h5.shards/1-of-2/crashes
+  kill -TERM "$process"
+}
+begin_shard
+ends 143 "continue with: gurney run job.toml -o a.h5 --resume --shard 1/2 -j 1"
+rm -rf a.h5.shards
+
+# Progress, of shards that run, have finished, have stopped and have not started.
+"$gurney" run job.toml -o a.h5 --shard 1/3 -j 1 > out 2> err &
+process=$!
+wait_for a.h5.shards/1-of-3/crashes
+kill -STOP "$process"
+sleep 1
+kill -CONT "$process"
+wait_for a.h5.shards/1-of-3/00000001.part
+kill -STOP "$process"
+study 0 "shard    2 of 3" job.toml -o a.h5 --shard 2/3
+expect 0 "of 48 analysis cases, " "$gurney" status a.h5.shards
+grep -qE "^ +1/3 +[0-9]+ of 16 .* running: process $process on " stdout || complain "does not show that shard 1 runs"
+grep -qE "^ +2/3 +16 of 16 +32 +0 +0 failed .* finished$" stdout || complain "does not show that shard 2 has finished"
+grep -qE "^ +3/3 +0 of 16 +0 .* not started$" stdout || complain "does not show that shard 3 is missing"
+grep -qE "; 1 of 3 shards finished, 1 running, [0-9.]+ runs/s, .* to go$" stdout || complain "no rate"
+expect 0 '"seconds_to_go": ' "$gurney" status a.h5.shards --json
+kill -TERM "$process"
+ends 143 "continue with"
+expect 0 " stopped" "$gurney" status a.h5.shards
+expect 1 "none: is not a folder of shards" "$gurney" status none
+rm -rf a.h5.shards
+
+# A script for Slurm: what it runs, with a program in place of srun.
+expect 0 "submit   sbatch job.sbatch" "$gurney" submit job.toml --slurm --shards 3 -j 2 --time 00:10:00 --sbatch=--partition=short --program "$gurney"
+for line in "#SBATCH --array=1-3" "#SBATCH --cpus-per-task=2" "#SBATCH --time=00:10:00" "#SBATCH --requeue" "#SBATCH --partition=short"; do
+  grep -qx -- "$line" job.sbatch || complain "the script has no line $line"
+done
+bash -n job.sbatch || complain "the script is no script"
+mkdir bin
+printf '#!/bin/sh\nexec "$@"\n' > bin/srun
+printf '#!/bin/sh\necho "scontrol $*"\n' > bin/scontrol
+chmod +x bin/*
+for task in 1 2 3; do
+  expect 0 "shard    $task of 3" env PATH="$PWD/bin:$PATH" SLURM_ARRAY_JOB_ID=9 SLURM_ARRAY_TASK_ID=$task SLURM_CPUS_PER_TASK=2 bash job.sbatch
+done
+expect 0 "runs     96" "$gurney" merge job.h5.shards
+same long.h5 job.h5
+rm job.h5
+expect 1 "job.sbatch: exists already" "$gurney" submit job.toml --slurm --shards 3
+expect 0 "sbatch one.sbatch" "$gurney" submit job.toml --slurm --shards 1 --mode allocation --script one.sbatch --program "$gurney"
+expect 0 "runs     96" env PATH="$PWD/bin:$PATH" SLURM_JOB_ID=9 SLURM_PROCID=0 SLURM_NTASKS=1 SLURM_CPUS_PER_TASK=2 bash one.sbatch
+same long.h5 job.h5
+rm job.h5
+printf '#!/bin/sh\nexit 143\n' > bin/srun
+expect 0 "scontrol requeue 9_2" env PATH="$PWD/bin:$PATH" SLURM_ARRAY_JOB_ID=9 SLURM_ARRAY_TASK_ID=2 SLURM_CPUS_PER_TASK=2 bash job.sbatch
+expect 1 "--shards 49: the study has 48 analysis cases" "$gurney" submit job.toml --slurm --shards 49
+expect 1 "needs --slurm" "$gurney" submit job.toml --shards 2
+expect 1 "--time 1h: must be as sbatch takes it" "$gurney" submit job.toml --slurm --shards 2 --time 1h
+expect 1 "must be one option of sbatch" "$gurney" submit job.toml --slurm --shards 2 --sbatch partition=x
+expect 2 "--shards" "$gurney" submit job.toml --slurm
+
+# From the variables of Slurm and Open MPI.
+auto() { expect "$1" "$2" variables "${@:3}" "$gurney" run job.toml -o a.h5 --shard auto --resume; }
+auto 1 "--shard auto: neither SLURM_ARRAY_TASK_ID nor SLURM_PROCID nor OMPI_COMM_WORLD_RANK is set; give --shard I/N"
+auto 1 "--shard auto: the array has 2 tasks with indices from 3 to 5, which are not consecutive" \
+  SLURM_ARRAY_TASK_ID=3 SLURM_ARRAY_TASK_MIN=3 SLURM_ARRAY_TASK_MAX=5 SLURM_ARRAY_TASK_COUNT=2
+auto 0 "shard    7 of 12" SLURM_ARRAY_TASK_ID=6 SLURM_ARRAY_TASK_MIN=0 SLURM_ARRAY_TASK_MAX=11 SLURM_ARRAY_TASK_COUNT=12 SLURM_PROCID=0 SLURM_NTASKS=1
+auto 0 "shard    2 of 12" SLURM_PROCID=1 SLURM_NTASKS=12
+auto 0 "shard    12 of 12" OMPI_COMM_WORLD_RANK=11 OMPI_COMM_WORLD_SIZE=12
+auto 1 "--shard auto: SLURM_NTASKS = 'x' must be a whole number" SLURM_PROCID=1 SLURM_NTASKS=x
+for wrong in 0/3 4/3 1/0 a/3 1-3 3 /3 1/ 1/200000; do
+  study 1 "--shard $wrong: must be I/N with 1 <= I <= N <= 100000, or auto" job.toml -o b.h5 --shard "$wrong"
+done
+gone b.h5.shards
+
+# What shards cannot do.
+sed 's/^scales = .*/measure = "PGA"\nunit = "g"\ncomponent = "h1"\nlevels = [0.1, 1]\nadaptive = { stages = 2, limit_state = "moved" }/' job.toml > staged.toml
+cat >> staged.toml <<'TOML'
+[[study.limit_state]]
+name = "moved"
+demand = "peak_displacement"
+above = 0.1
+unit = "m"
+TOML
+study 1 "staged.toml: study.intensity.adaptive: a stage needs the runs of all shards of those before it" staged.toml -o s.h5 --shard 1/2
+study 1 "is a single run, which has no use for --shard" "$2/studies/jobs/icu_ventilator_shake.toml" --shard 1/2
+expect 1 "none: is not a folder of shards" "$gurney" merge none
+mkdir empty
+expect 1 "empty: holds no shards" "$gurney" merge empty
+
+[ "$failures" -eq 0 ] && echo "shards give the bytes of one process"
+exit $((failures > 0))
