@@ -67,6 +67,7 @@ Json step_check(const study::StepCheck& of) {
   for (const study::StateChange& each : of.states)
     states.push_back({{"limit_state", each.state}, {"changed_runs", each.runs}});
   return {{"runs", of.runs},
+          {"failed", of.failed},
           {"demands", demands},
           {"limit_states", states},
           {"not_compared", of.unjudged}};

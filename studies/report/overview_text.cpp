@@ -141,6 +141,8 @@ std::string step_check(const study::StudyOverview& overview) {
   std::string all = fmt::format(
       "\ntime step: {} runs were repeated with half the step; relative change of their demands\n",
       of.runs);
+  if (of.failed > 0)
+    all += fmt::format("  {} further repetition{} failed\n", of.failed, of.failed == 1 ? "" : "s");
   TextTable table(1);
   table.add({"demand", "compared", "median", "largest", "in run"});
   for (const study::StepChange& each : of.changes)
@@ -150,7 +152,7 @@ std::string step_check(const study::StudyOverview& overview) {
                  each.largest > 0 ? std::to_string(each.largest_run) : "-"});
   all += table.text();
   for (const study::StateChange& each : of.states)
-    all += fmt::format("  {}: another outcome in {} of {} runs\n", each.state, each.runs.size(),
+    all += fmt::format("  {}: a different outcome in {} of {} runs\n", each.state, each.runs.size(),
                        of.runs);
   for (const std::string& each : of.unjudged)
     all += fmt::format("  {}: not compared, the repeated runs keep only demands of items\n", each);

@@ -5,6 +5,7 @@
 #include "engine/base/units.h"
 #include "studies/study/results/columns.h"
 #include "studies/study/results/growing_table.h"
+#include "studies/study/results/names.h"
 #include "studies/study/results/results_file.h"
 #include "studies/study/results/study_reader.h"
 #include "studies/study/run/study_file.h"
@@ -101,6 +102,7 @@ class Tables {
     write_motions();
     write_items("items", Study::kRecords * 2 * Study::kLevels.size(), 0);
     if (step_check) write_items("half_step", 10, 0.01);
+    if (step_check) write_warnings();
     write_points();
     write_drawn();
     study::GrowingTable failures(file_, "failures");
@@ -179,6 +181,15 @@ class Tables {
       items.put(double(run)).put("ICU bed").put(study::demand_columns(), demands).end_row();
     }
     items.finish();
+  }
+
+  void write_warnings() {
+    study::GrowingTable warnings(file_, "warnings");
+    warnings.add_whole("run", "run");
+    warnings.add_text("warning", "warning", 80);
+    warnings.put(40).put("the isolators reach their limit").end_row();
+    warnings.put(41).put(study::kHalfStepFailed + std::string("it diverged")).end_row();
+    warnings.finish();
   }
 
   void write_points() {

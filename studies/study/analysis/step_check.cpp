@@ -8,6 +8,7 @@
 
 #include "studies/statistics/quantiles.h"
 #include "studies/study/results/columns.h"
+#include "studies/study/results/names.h"
 
 namespace gurney::study {
 namespace {
@@ -89,6 +90,13 @@ class ItemTable {
   std::map<std::string, std::vector<double>> columns_;
 };
 
+std::size_t failed_repetitions(const StudyReader& file) {
+  if (!file.has("warnings")) return 0;
+  return static_cast<std::size_t>(std::ranges::count_if(
+      file.strings("warnings/warning"),
+      [](const std::string& warning) { return warning.starts_with(kHalfStepFailed); }));
+}
+
 }  // namespace
 
 std::optional<StepCheck> step_check(const StudyData& data) {
@@ -99,6 +107,7 @@ std::optional<StepCheck> step_check(const StudyData& data) {
   for (std::size_t run = 0; run < half.rows().size(); ++run)
     if (half.rows()[run].second > half.rows()[run].first) runs.push_back(run);
   step_check.runs = runs.size();
+  step_check.failed = failed_repetitions(data.file());
   const std::vector<Pair> pairs = pairs_of(full.rows(), half.rows());
   for (const TableColumn<Demands>& column : demand_columns())
     step_check.changes.push_back(change_of(data.file(), column, pairs));

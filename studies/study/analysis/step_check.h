@@ -26,7 +26,8 @@ struct StateChange {
 
 /// What the runs that were repeated with half the time step show of the others.
 struct StepCheck {
-  std::size_t runs = 0;
+  std::size_t runs = 0;    ///< that were repeated
+  std::size_t failed = 0;  ///< whose repetition failed
   std::vector<StepChange> changes;
   std::vector<StateChange> states;    ///< those that ask for demands of items only
   std::vector<std::string> unjudged;  ///< the others: the repetition keeps items alone

@@ -7,6 +7,9 @@
 
 namespace gurney::study {
 
+/// Begins the warning of a run whose repetition at half the time step failed.
+inline constexpr const char* kHalfStepFailed = "the repetition with half the time step failed: ";
+
 /// How the items of a scene are called: as placed, or, without a name there, as their models.
 std::vector<std::string> item_names(const Scene& scene);
 

@@ -7,6 +7,7 @@
 #include "engine/baselines/any_solver.h"
 #include "studies/study/limit_states/response_values.h"
 #include "studies/study/plan/intensities.h"
+#include "studies/study/results/names.h"
 
 namespace gurney::study {
 namespace {
@@ -60,7 +61,7 @@ void repeat_at_half_step(RunCase run, StudyRun& result) {
     response = failed(error.what());
   }
   if (is_failure(response.outcome)) {
-    result.warnings.push_back("the repeat with half the time step failed: " + response.cause);
+    result.warnings.push_back(kHalfStepFailed + response.cause);
     return;
   }
   for (const ItemResponse& item : response.items) result.at_half_step.push_back(item.demands);

@@ -119,7 +119,8 @@ TEST_F(Overview, IsReadInATerminal) {
         "assumed     1 parameter without a source", "    warning: no vertical component\n",
         "  and 31 more records; --json lists all\n",
         "  17: did not converge, \"badly\"\n    gurney replay ",
-        "10 runs were repeated with half the step", "  moved: another outcome in 1 of 10 runs\n"})
+        "10 runs were repeated with half the step", "  1 further repetition failed\n",
+        "  moved: a different outcome in 1 of 10 runs\n"})
     EXPECT_THAT(text, HasSubstr(line));
 }
 
@@ -129,6 +130,7 @@ TEST_F(Overview, IsJson) {
   EXPECT_EQ(json["counts"][5]["failed"], 1);
   EXPECT_EQ(json["records"].size(), FabricatedStudy::kRecords);
   EXPECT_EQ(json["failures"][0]["run"], FabricatedStudy::kFailed);
+  EXPECT_EQ(json["step_check"]["failed"], 1);
   EXPECT_EQ(json["step_check"]["limit_states"][0]["changed_runs"][0], FabricatedStudy::kChanged);
 }
 
