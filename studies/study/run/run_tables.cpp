@@ -185,9 +185,10 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
   }
   make("failures").add_text("cause", "why the run failed", kLongestCause);
   make("warnings")
-      .add_text("warning",
-                "what the building under this motion, or the repetition with half the step, warned of",
-                kLongestCause);
+      .add_text(
+          "warning",
+          "what the building under this motion, or the repetition with half the step, warned of",
+          kLongestCause);
 }
 
 void RunTables::add(const TaskResult& result) {

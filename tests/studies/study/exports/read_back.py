@@ -96,7 +96,7 @@ def check_tables():
     export("--to", "csv", "-o", "tables")
     assert sorted(os.listdir("tables")) == [name + ".csv" for name in (
         "assumptions", "configurations", "drawn", "failures", "half_step", "items", "motions",
-        "points", "records", "runs")]
+        "points", "records", "runs", "warnings")]
     names, units, *rows = table("tables/runs.csv")
     assert len(rows) == 2 * RECORDS * LEVELS
     assert units[names.index("pfa")] == "m/s2"
