@@ -15,14 +15,24 @@ struct FileKind {
 };
 
 constexpr const char* kCheck = "gurney equipment check";
-constexpr std::array kKinds = {FileKind{"gurney-job/1", "a job", "gurney check"},
-                               FileKind{"gurney-item/1", "an item", kCheck},
-                               FileKind{"gurney-caster/1", "a caster", kCheck},
-                               FileKind{"gurney-floor/1", "a floor covering", kCheck},
-                               FileKind{"gurney-room/1", "a room", kCheck},
-                               FileKind{"gurney-tether/1", "a kind of tether", kCheck},
-                               FileKind{"gurney-building/1", "a building",
-                                        "gurney records floor RECORD --floor roof --building"}};
+constexpr std::array kKinds = {
+    FileKind{"gurney-job/1", "a job", "gurney check"},
+    FileKind{"gurney-item/1", "an item", kCheck},
+    FileKind{"gurney-caster/1", "a caster", kCheck},
+    FileKind{"gurney-floor/1", "a floor covering", kCheck},
+    FileKind{"gurney-room/1", "a room", kCheck},
+    FileKind{"gurney-tether/1", "a kind of tether", kCheck},
+    FileKind{"gurney-building/1", "a building",
+             "gurney records floor RECORD --floor roof --building"},
+    FileKind{"gurney-limit-states/1", "a list of limit states",
+             "gurney fragility RESULTS --limit-states"},
+    FileKind{"gurney-hazard/1", "a hazard curve", "gurney fragility RESULTS --hazard"}};
+
+std::string named(const std::string& schema) {
+  for (const FileKind& kind : kKinds)
+    if (schema == kind.schema) return fmt::format("{} (\"{}\")", kind.name, schema);
+  return "\"" + schema + "\"";
+}
 
 }  // namespace
 
@@ -39,7 +49,7 @@ void refuse_other_kind(config::Document& document, const std::string& wanted) {
                   root.where("schema"), schema, kind->name,
                   wanted.empty() ? "an item, caster, floor covering, room or kind of tether "
                                    "(\"gurney-item/1\" and so on)"
-                                 : "a job (\"" + wanted + "\")",
+                                 : named(wanted),
                   kind->command, document.path()));
 }
 

@@ -31,7 +31,8 @@ constexpr std::array kCommands = {
     CommandHelp{"show", "Summarize a results file", "gurney show ventilator.h5"},
     CommandHelp{"fragility", "Fit fragility functions and confidence bands",
                 "gurney fragility ventilator.h5 --figure ventilator.svg\n"
-                "gurney fragility ventilator.h5 --limit overturned --measure \"Sa(1) RotD50\""},
+                "gurney fragility ventilator.h5 --limit overturned --measure \"Sa(1) RotD50\"\n"
+                "gurney fragility ventilator.h5 --limit-state \"peak_displacement > 0.2 m\""},
     CommandHelp{"export", "Export results to the formats of other programs",
                 "gurney export ventilator.h5 --to csv\n"
                 "gurney export ventilator.h5 --to pelicun -o pelicun"},

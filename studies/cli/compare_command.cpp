@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "engine/base/error.h"
+#include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_option.h"
 #include "studies/cli/records_output.h"
@@ -17,6 +18,7 @@ struct CompareOptions {
   std::string a, b;  ///< results files of studies; b empty: two configurations of a
   std::vector<std::string> configurations, demands;
   std::string measure, figure;
+  study::AssessmentRequest assessed_by;
   bool overwrite = false, json = false;
 };
 
@@ -73,14 +75,14 @@ void choose(const study::StudyData& a, const study::StudyData& b, const std::str
 }
 
 int compare(const CompareOptions& options) {
-  const study::StudyData a(options.a);
+  const study::StudyData a(options.a, options.assessed_by);
   std::optional<study::StudyData> b;
   report::ComparisonReport report;
   const std::string named = fmt::format("{}", fmt::join(options.configurations, ","));
   if (options.b.empty()) {
     choose(a, named, report);
   } else {
-    b.emplace(options.b);
+    b.emplace(options.b, options.assessed_by);
     choose(a, *b, named, report);
   }
   report.inputs = study::input_differences(report.a, report.b);
@@ -111,6 +113,7 @@ void add_compare(CLI::App& app, std::function<int()>& action) {
       ->allow_extra_args(false);
   command->add_option("--measure", options.measure,
                       "Intensity measure of the curves (default: the studies' own)");
+  add_limit_state_options(*command, options.assessed_by);
   add_figure_option(*command, options.figure, "Draw the fragility curves");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
   command->add_flag("--json", options.json, "Print JSON, in SI units");

@@ -7,6 +7,7 @@
 
 #include "engine/base/error.h"
 #include "studies/calibration/pulling/trials.h"
+#include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/new_folder.h"
 #include "studies/cli/standard_error.h"
@@ -26,6 +27,7 @@ namespace fs = std::filesystem;
 struct ExportOptions {
   std::string file, format, folder;
   study::ExportChoice choice;
+  study::AssessmentRequest assessed_by;
   bool overwrite = false;
 };
 
@@ -38,6 +40,9 @@ void check_choice(const ExportOptions& options) {
   };
   refuse("--measure", options.choice.measure, fits);
   refuse("--limit", options.choice.limit, fits);
+  refuse("--limit-states", options.assessed_by.limit_states_file, fits);
+  if (!options.assessed_by.limit_states.empty())
+    refuse("--limit-state", options.assessed_by.limit_states.front(), fits);
   refuse("--configuration", options.choice.configuration,
          options.format != "csv" && options.format != "trials" && options.format != "xdmf");
 }
@@ -59,7 +64,7 @@ std::vector<std::string> write(const ExportOptions& options, const study::TakeFi
     calibration::export_trials(options.file, take);
     return {};
   }
-  const study::StudyData data(options.file);
+  const study::StudyData data(options.file, options.assessed_by);
   if (options.format == "pelicun") return study::export_pelicun(data, options.choice, take);
   if (options.format == "nrml") return study::export_nrml(data, options.choice, take);
   study::export_responses(data, options.choice, take);
@@ -111,6 +116,7 @@ void add_export(CLI::App& app, std::function<int()>& action) {
                       "This configuration only (default: all)");
   command->add_option("--measure", options.choice.measure,
                       "Intensity measure of the curves (default: the study's own)");
+  add_limit_state_options(*command, options.assessed_by);
   command->add_option("--limit", options.choice.limit, "This limit state only (default: all)");
   command->add_flag("--overwrite", options.overwrite, "Replace files that exist");
   command->callback([shared, &action] { action = [shared] { return export_command(*shared); }; });

@@ -6,6 +6,7 @@
 
 #include "engine/base/error.h"
 #include "engine/config/nearest_name.h"
+#include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_option.h"
 #include "studies/cli/records_output.h"
@@ -18,6 +19,7 @@ namespace {
 
 struct FragilityOptions {
   std::string file, measure, second, figure;
+  study::AssessmentRequest assessed_by;
   std::vector<std::string> states, configurations;
   bool json = false, overwrite = false;
 };
@@ -69,7 +71,7 @@ std::string surfaces(const FragilityOptions& options, const study::StudyData& da
 }
 
 int fragility(const FragilityOptions& options) {
-  const study::StudyData data(options.file);
+  const study::StudyData data(options.file, options.assessed_by);
   const auto states =
       chosen(options.states, data.limit_states().size(),
              [&](const std::string& name) { return study::index_of(data.limit_states(), name); });
@@ -89,11 +91,13 @@ void add_fragility(CLI::App& app, std::function<int()>& action) {
   CLI::App* const command =
       app.add_subcommand("fragility", "Fit fragility functions and confidence bands");
   command->add_option("FILE", options.file, "The results file of the study")->required();
-  command->add_option("--limit", options.states, "Limit states (default: all)");
+  add_limit_state_options(*command, options.assessed_by);
+  command->add_option("--limit", options.states, "Only limit states of this name (default: all)");
   command->add_option("--configuration", options.configurations, "Configurations (default: all)");
   command->add_option("--measure", options.measure, "Intensity measure (default: the study's own)");
-  command->add_option("--and", options.second,
-                      "A second measure: P given both, and whether it adds to the first");
+  CLI::Option* const second = command->add_option(
+      "--and", options.second, "A second measure: P given both, and whether it adds to the first");
+  add_hazard_option(*command, options.assessed_by)->excludes(second);
   add_figure_option(*command, options.figure, "Draw the curves");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
   command->add_flag("--json", options.json, "Print JSON, in SI units");

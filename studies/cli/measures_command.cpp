@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "engine/base/error.h"
+#include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/report/measure_report.h"
 #include "studies/study/limit_states/limit_state_reader.h"
@@ -13,12 +14,13 @@ namespace {
 
 struct MeasuresOptions {
   std::string file;
+  study::AssessmentRequest assessed_by;
   std::vector<std::string> states, configurations;
   bool json = false;
 };
 
 int measures(const MeasuresOptions& options) {
-  const study::StudyData data(options.file);
+  const study::StudyData data(options.file, options.assessed_by);
   std::vector<std::size_t> states;
   for (const std::string& name : options.states)
     states.push_back(study::index_of(data.limit_states(), name));
@@ -46,6 +48,7 @@ void add_measures(CLI::App& app, std::function<int()>& action) {
   CLI::App* const command =
       app.add_subcommand("measures", "Compare intensity measures: efficiency and sufficiency");
   command->add_option("FILE", options.file, "The results file of the study")->required();
+  add_limit_state_options(*command, options.assessed_by);
   command
       ->add_option(
           "--limit", options.states,

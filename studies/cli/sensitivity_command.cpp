@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "engine/base/error.h"
+#include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_option.h"
 #include "studies/cli/records_output.h"
@@ -14,16 +15,29 @@ namespace {
 
 struct SensitivityCommand {
   std::string file, demand, limit;
+  study::AssessmentRequest assessed_by;
   std::vector<std::string> configurations;
   int level = 0;  ///< counted from 1; 0: all
   std::string figure;
   bool overwrite = false, json = false;
 };
 
+/// The limit state that is given, else the peak displacement.
+void choose_output(const SensitivityCommand& options, const study::StudyData& data,
+                   study::SensitivityRequest& request) {
+  if (options.assessed_by.empty()) {
+    request.demand = "peak_displacement";
+    return;
+  }
+  require(data.limit_states().size() == 1,
+          "several limit states are given; --limit NAME states which to explain");
+  request.limit = data.limit_states().front().name;
+}
+
 int sensitivity(const SensitivityCommand& options) {
-  const study::StudyData data(options.file);
+  const study::StudyData data(options.file, options.assessed_by);
   study::SensitivityRequest request{.demand = options.demand, .limit = options.limit, .level = {}};
-  if (options.demand.empty() && options.limit.empty()) request.demand = "peak_displacement";
+  if (options.demand.empty() && options.limit.empty()) choose_output(options, data, request);
   if (options.level > 0) {
     require(data.study().intensity.kind != study::IntensityPlan::Kind::kIda,
             options.file + ": an IDA has no levels common to all records; omit --level");
@@ -67,6 +81,7 @@ void add_sensitivity(CLI::App& app, std::function<int()>& action) {
       "--demand", options.demand, "The demand to explain (default: peak_displacement)");
   command->add_option("--limit", options.limit, "Explain whether this limit state is exceeded")
       ->excludes(demand);
+  add_limit_state_options(*command, options.assessed_by);
   command->add_option("--configuration", options.configurations, "Configurations (default: all)")
       ->allow_extra_args(false);
   command

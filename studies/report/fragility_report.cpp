@@ -106,6 +106,18 @@ std::string performance_text(const study::StudyData& data,
   return text;
 }
 
+/// What the limit states say, each once; one without a name of its own has said it already.
+std::string definitions_text(const std::vector<study::FragilityResult>& results) {
+  std::string text;
+  std::vector<std::string> listed;
+  for (const study::FragilityResult& each : results) {
+    if (std::ranges::find(listed, each.state) != listed.end() || each.state == each.words) continue;
+    listed.push_back(each.state);
+    text += fmt::format("{}: {}\n", each.state, each.words);
+  }
+  return text.empty() ? "" : "\n" + text;
+}
+
 template <class Take>
 std::size_t widest(const std::vector<study::FragilityResult>& results, std::size_t least,
                    Take take) {
@@ -219,14 +231,7 @@ std::string fragility_report(const study::StudyData& data,
   for (const study::FragilityResult& each : results) below += notes(each, unit);
   text += below.empty() ? "" : "\n" + below;
   text += performance_text(data, results, unit);
-  text += "\n";
-  std::vector<std::string> listed;
-  for (const study::FragilityResult& each : results) {
-    if (std::ranges::find(listed, each.state) != listed.end()) continue;
-    listed.push_back(each.state);
-    text += fmt::format("{}: {}\n", each.state, each.words);
-  }
-  return text;
+  return text + definitions_text(results);
 }
 
 std::string fragility_json(const std::vector<study::FragilityResult>& results) {

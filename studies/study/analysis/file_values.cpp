@@ -25,6 +25,8 @@ Place place_of(Quantity::Of of) {
 
 }  // namespace
 
+std::string table_of(Quantity::Of of) { return place_of(of).table; }
+
 const FileValues::Rows& FileValues::rows(const std::string& table) {
   const auto known = rows_.find(table);
   if (known != rows_.end()) return known->second;

@@ -9,6 +9,9 @@
 
 namespace gurney::study {
 
+/// The table of a study file that holds what a quantity is of: "items".
+std::string table_of(Quantity::Of of);
+
 /// The values of the runs of a study file; columns are read when they are first asked for.
 class FileValues {
  public:

@@ -8,9 +8,7 @@ namespace gurney::study {
 namespace {
 
 bool has_capacities(const StudyData& data, std::size_t state, const std::string& measure) {
-  const IntensityPlan& plan = data.study().intensity;
-  return plan.kind == IntensityPlan::Kind::kIda && plan.until == state &&
-         measure == data.file().text_attribute("intensity_measure");
+  return data.ends_ida(state) && measure == data.file().text_attribute("intensity_measure");
 }
 
 std::size_t overturned(const StudyData& data, std::size_t configuration) {

@@ -80,10 +80,10 @@ FragilityResult fragility_of(const StudyData& data, const FragilityRequest& requ
     judge_capacities(request, data.study().seed, result);
   else
     judge_stripes(table, request, data.study().seed, result);
-  const bool own = measure.name == data.file().text_attribute("intensity_measure");
   add_cloud(data, request, measure, result);
-  if (own && data.study().hazard && result.curve())
-    result.rate = statistics::mean_rate(*result.curve(), *data.study().hazard);
+  const statistics::HazardCurve* const hazard = data.hazard_over(measure);
+  if (hazard != nullptr && result.curve())
+    result.rate = statistics::mean_rate(*result.curve(), *hazard);
   return result;
 }
 

@@ -147,8 +147,8 @@ bool is_study_file(const std::string& path) {
   return type_of(Hdf5Reader(path), path) == "gurney-study";
 }
 
-StudyOverview study_overview(const std::string& path) {
-  const StudyData data(path);
+StudyOverview study_overview(const std::string& path, const AssessmentRequest& request) {
+  const StudyData data(path, request);
   const Study& study = data.study();
   StudyOverview overview;
   overview.file = header_of(Hdf5Reader(path), path);

@@ -67,7 +67,7 @@ struct StudyOverview {
 };
 
 /// @throws Error unless it is the results file of a study
-StudyOverview study_overview(const std::string& path);
+StudyOverview study_overview(const std::string& path, const AssessmentRequest& request = {});
 
 struct RunOverview {
   FileOverview file;

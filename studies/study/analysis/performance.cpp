@@ -35,14 +35,14 @@ std::vector<PerformanceTable> performance_tables(const StudyData& data,
   for (const std::string& configuration : data.configurations()) {
     PerformanceTable table{configuration, {}, {}, {}};
     std::vector<const FragilityResult*> of_levels;
-    for (const std::size_t state : data.study().performance) {
+    for (const std::size_t state : data.performance()) {
       const std::string& name = data.limit_states()[state].name;
       const FragilityResult* const found = find(results, name, configuration);
       if (found == nullptr || found->stripes.empty()) break;
       table.levels.push_back(name);
       of_levels.push_back(found);
     }
-    if (of_levels.empty() || of_levels.size() < data.study().performance.size()) continue;
+    if (of_levels.empty() || of_levels.size() < data.performance().size()) continue;
     for (std::size_t i = 0; i < of_levels.front()->stripes.size(); ++i) {
       std::vector<double> exceedance;
       for (const FragilityResult* level : of_levels) exceedance.push_back(probability(*level, i));

@@ -17,17 +17,6 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// The same requirement in both studies, not only the same name.
-bool same_state(const std::vector<LimitState>& a, std::size_t i, const std::vector<LimitState>& b,
-                std::size_t j) {
-  if (a[i].kind != b[j].kind || a[i].words != b[j].words ||
-      a[i].parts.size() != b[j].parts.size() || a[i].limit != b[j].limit)
-    return false;
-  for (std::size_t k = 0; k < a[i].parts.size(); ++k)
-    if (!same_state(a, a[i].parts[k], b, b[j].parts[k])) return false;
-  return true;
-}
-
 /// A number for each run of a side.
 using RunValues = std::map<std::size_t, double>;
 

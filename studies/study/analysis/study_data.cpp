@@ -30,8 +30,11 @@ bool is_number(const std::vector<double>& values) {
 
 }  // namespace
 
-StudyData::StudyData(const std::string& path)
-    : file_(std::make_unique<StudyReader>(path)), values_(*file_), study_(study_of(*file_)) {
+StudyData::StudyData(const std::string& path, const AssessmentRequest& request)
+    : file_(std::make_unique<StudyReader>(path)),
+      values_(*file_),
+      study_(study_of(*file_)),
+      assessment_(assessment_of(*file_, study_, request)) {
   configurations_ = file_->strings("configurations/name");
   runs_.resize(configurations_.size());
   failed_.resize(configurations_.size());
@@ -81,11 +84,29 @@ RunMeasure StudyData::measure(const std::string& name) const {
   return measure;
 }
 
+bool StudyData::ends_ida(std::size_t state) const {
+  const IntensityPlan& plan = study_.intensity;
+  return plan.kind == IntensityPlan::Kind::kIda &&
+         same_state(limit_states(), state, study_.limit_states, plan.until);
+}
+
+const statistics::HazardCurve* StudyData::hazard_over(const RunMeasure& measure) const {
+  if (!assessment_.hazard) return nullptr;
+  const SiteHazard& hazard = *assessment_.hazard;
+  if (hazard.measure == measure.name) return &hazard.curve;
+  require(hazard.where.empty(),
+          fmt::format("{}: the hazard is over {}, the curves are over {}; --measure NAME chooses "
+                      "another, {} has {}",
+                      hazard.where, hazard.measure, measure.name, file_->path(),
+                      fmt::join(measures(), ", ")));
+  return nullptr;
+}
+
 std::vector<bool> StudyData::exceedances(std::size_t state,
                                          const std::vector<std::size_t>& runs) const {
   std::vector<bool> result;
   for (const std::size_t run : runs)
-    result.push_back(exceeded(study_.limit_states, state, values_.of_run(run)));
+    result.push_back(exceeded(limit_states(), state, values_.of_run(run)));
   return result;
 }
 
@@ -106,7 +127,7 @@ std::vector<statistics::Observation> StudyData::observations(std::size_t state,
 std::vector<statistics::CloudPoint> StudyData::cloud(std::size_t state, std::size_t configuration,
                                                      const RunMeasure& measure,
                                                      double floor) const {
-  const LimitState& limit = study_.limit_states.at(state);
+  const LimitState& limit = limit_states().at(state);
   const bool sized = limit.kind == LimitState::Kind::kAbove && limit.limit > 0;
   require(sized, fmt::format("limit state '{}' ({}): a cloud needs a demand above a limit",
                              limit.name, limit.words));

@@ -6,6 +6,7 @@
 
 #include "studies/statistics/cloud.h"
 #include "studies/statistics/stripes.h"
+#include "studies/study/analysis/assessment.h"
 #include "studies/study/analysis/file_values.h"
 #include "studies/study/plan/study.h"
 #include "studies/study/results/study_reader.h"
@@ -22,12 +23,21 @@ struct RunMeasure {
 /// A study file with what its job states of it, for statistics. Failed runs are never counted.
 class StudyData {
  public:
-  /// @throws Error unless it is the results file of a study
-  explicit StudyData(const std::string& path);
+  /// @throws Error unless it is the results file of a study that can be assessed so
+  explicit StudyData(const std::string& path, const AssessmentRequest& request = {});
 
   const StudyReader& file() const { return *file_; }
   const Study& study() const { return study_; }
-  const std::vector<LimitState>& limit_states() const { return study_.limit_states; }
+
+  const std::vector<LimitState>& limit_states() const { return assessment_.limit_states; }
+  const std::vector<std::size_t>& performance() const { return assessment_.performance; }
+
+  /// Whether the study is an IDA that this state ended.
+  bool ends_ida(std::size_t state) const;
+
+  /// The hazard over a measure; none where there is none, or where the job's is over another.
+  /// @throws Error where a file states it over another
+  const statistics::HazardCurve* hazard_over(const RunMeasure& measure) const;
 
   const std::vector<std::string>& configurations() const { return configurations_; }
 
@@ -64,6 +74,7 @@ class StudyData {
   std::unique_ptr<StudyReader> file_;
   mutable FileValues values_;
   Study study_;
+  Assessment assessment_;
   std::vector<std::string> configurations_;
   std::vector<std::vector<std::size_t>> runs_;
   std::vector<std::size_t> failed_, record_;

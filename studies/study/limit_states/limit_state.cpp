@@ -1,8 +1,16 @@
 #include "studies/study/limit_states/limit_state.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gurney::study {
+namespace {
+
+/// Of a limit that is converted to SI: two roundings, of the factor and of the product, are 2^-52
+/// each; 4 times that for decimal fractions that are not exact.
+constexpr double kRounding = 1e-15;
+
+}  // namespace
 
 bool exceeded(const std::vector<LimitState>& states, std::size_t index, const Values& values) {
   const LimitState& state = states[index];
@@ -21,6 +29,17 @@ bool exceeded(const std::vector<LimitState>& states, std::size_t index, const Va
       return enough(values(state.quantity), [&](double value) { return value < state.limit; });
   }
   return false;
+}
+
+bool same_state(const std::vector<LimitState>& a, std::size_t i, const std::vector<LimitState>& b,
+                std::size_t j) {
+  if (a[i].kind != b[j].kind || a[i].quantity != b[j].quantity || a[i].at_least != b[j].at_least ||
+      a[i].parts.size() != b[j].parts.size() ||
+      std::abs(a[i].limit - b[j].limit) > kRounding * std::abs(a[i].limit))
+    return false;
+  for (std::size_t k = 0; k < a[i].parts.size(); ++k)
+    if (!same_state(a, a[i].parts[k], b, b[j].parts[k])) return false;
+  return true;
 }
 
 std::vector<LimitState> default_limit_states() {

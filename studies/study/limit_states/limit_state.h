@@ -13,6 +13,8 @@ struct Quantity {
   std::string column;  ///< of the results' table: "peak_displacement"
   std::string item;    ///< of kItem and kPoint; empty: of every item
   std::string part;    ///< name of the point, zone or tether
+
+  bool operator==(const Quantity&) const = default;
 };
 
 /// The values of a quantity in one run, one for each item it is asked of; NaN: there is none.
@@ -30,11 +32,17 @@ struct LimitState {
   std::string origin;              ///< of the limit, where it is a default
   std::vector<std::size_t> parts;  ///< of kAny and kAll: indices of others, each before this
   int at_least = 1;  ///< of all but kAll: how many values (items) or parts it takes, >= 1
+
+  bool is_simple() const { return kind == Kind::kAbove || kind == Kind::kBelow; }
 };
 
 /// Whether a run exceeds a limit state.
 /// @param index  of the state in `states`
 bool exceeded(const std::vector<LimitState>& states, std::size_t index, const Values& values);
+
+/// The same requirement, whatever the names.
+bool same_state(const std::vector<LimitState>& a, std::size_t i, const std::vector<LimitState>& b,
+                std::size_t j);
 
 /// The states of a study that names none: moved (residual displacement above 20 mm, the damage
 /// state of Costa et al.), rolled (displacement above 0.3 m: an assumption, 0.2 to 1 m, reach of

@@ -218,9 +218,9 @@ LimitState read_state(Table& in, const std::vector<LimitState>& before) {
 
 }  // namespace
 
-std::vector<LimitState> read_limit_states(Table& study) {
+std::vector<LimitState> read_limit_states(Table& root) {
   std::vector<LimitState> states;
-  for (Table& in : study.tables("limit_state")) {
+  for (Table& in : root.tables("limit_state")) {
     LimitState state = read_state(in, states);
     const bool known = std::ranges::any_of(
         states, [&](const LimitState& each) { return each.name == state.name; });
@@ -228,6 +228,18 @@ std::vector<LimitState> read_limit_states(Table& study) {
     states.push_back(std::move(state));
   }
   return states.empty() ? default_limit_states() : states;
+}
+
+std::vector<std::size_t> read_performance(Table& in, const std::vector<LimitState>& states) {
+  std::vector<std::size_t> levels;
+  for (const std::string& name : in.texts("performance")) {
+    try {
+      levels.push_back(index_of(states, name));
+    } catch (const Error& error) {
+      in.note("performance", std::string(": ") + error.what());
+    }
+  }
+  return levels;
 }
 
 std::size_t index_of(const std::vector<LimitState>& states, const std::string& name) {

@@ -7,9 +7,12 @@
 
 namespace gurney::study {
 
-/// Reads the tables [[study.limit_state]]; without any, default_limit_states(). Errors are noted
-/// in the document.
-std::vector<LimitState> read_limit_states(config::Table& study);
+/// Reads the tables [[limit_state]] of [study] or of a file of limit states; without any,
+/// default_limit_states(). Errors are noted in the document.
+std::vector<LimitState> read_limit_states(config::Table& in);
+
+/// Reads the key `performance`: indices of limit states, mildest first.
+std::vector<std::size_t> read_performance(config::Table& in, const std::vector<LimitState>& states);
 
 /// Index of the state with this name.
 /// @throws Error with the nearest name

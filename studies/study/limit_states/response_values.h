@@ -9,8 +9,4 @@ namespace gurney::study {
 /// The values of a run that was just made.
 Values values_of(const Scene& scene, const Response& response);
 
-/// Complains of items, points, zones and tethers that a scene does not have.
-/// @throws Error with the nearest name
-void check_names(const LimitState& state, const Scene& scene);
-
 }  // namespace gurney::study

@@ -13,7 +13,7 @@
 #include "engine/config/overlay.h"
 #include "engine/config/table.h"
 #include "studies/study/job/old_names.h"
-#include "studies/study/limit_states/response_values.h"
+#include "studies/study/limit_states/places.h"
 #include "studies/study/plan/study_reader.h"
 
 namespace gurney::study {
@@ -115,9 +115,10 @@ void collect(Diagnostics& errors, Work work) {
 void StudyJob::check_limit_states(const Node& study, const Job& job) const {
   const Node* const stated = study.find("limit_state");
   if (stated == nullptr) return;
+  const Places places = places_of(job.scene);
   for (std::size_t i = 0; i < study_.limit_states.size(); ++i) {
     try {
-      check_names(study_.limit_states[i], job.scene);
+      check_names(study_.limit_states[i], places, "the job");
     } catch (const Error& error) {
       throw Error(fmt::format("{}: study.limit_state[{}]: {}",
                               document_->where(stated->elements.at(i).place), i, error.what()));

@@ -285,13 +285,7 @@ Study read_study(Table& in, const Node& node) {
   if (auto table = in.table("intensity"))
     study.intensity = read_intensity(*table, study.limit_states);
   if (auto table = in.table("hazard")) study.hazard = read_hazard(*table, study.intensity);
-  for (const std::string& name : in.texts("performance")) {
-    try {
-      study.performance.push_back(index_of(study.limit_states, name));
-    } catch (const Error& error) {
-      in.note("performance", std::string(": ") + error.what());
-    }
-  }
+  study.performance = read_performance(in, study.limit_states);
   study.seed = static_cast<std::uint64_t>(in.integer("seed", 0, kMax, 1));
   if (in.has("draws")) study.draws = in.integer("draws", 1, kMax);
   static const std::vector<std::string> kSamplings = {"monte-carlo", "latin-hypercube", "sobol",

@@ -77,6 +77,13 @@ void StudyReader::check_indices() const {
 
 bool StudyReader::has(const std::string& table) const { return rows_.contains(table); }
 
+std::vector<std::string> StudyReader::columns_of(const std::string& table) const {
+  std::vector<std::string> names;
+  for (const std::string& column : columns_)
+    if (column.starts_with(table + "/")) names.push_back(column.substr(table.size() + 1));
+  return names;
+}
+
 std::vector<double> StudyReader::numbers(const std::string& column) const {
   if (column == "runs/analysis_case" && !has_column(column)) return numbers("runs/unit");
   require(columns_.contains(column), path_ + ": has no column " + column);

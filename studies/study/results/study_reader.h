@@ -25,6 +25,7 @@ class StudyReader {
 
   bool has(const std::string& table) const;
   bool has_column(const std::string& column) const { return columns_.contains(column); }
+  std::vector<std::string> columns_of(const std::string& table) const;  ///< in order of their names
 
   /// A column, such as "items/peak_displacement". runs/analysis_case was called runs/unit before
   /// 2026-11-22.
