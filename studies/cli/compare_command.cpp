@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -37,8 +38,8 @@ void choose(const study::StudyData& data, const std::string& text,
                       listed(data)));
   report.a = {&data, chosen[0]};
   report.b = {&data, chosen[1]};
-  report.name_a = report.a.configuration_name();
-  report.name_b = report.b.configuration_name();
+  report.name_a = report.label_a = report.a.configuration_name();
+  report.name_b = report.label_b = report.b.configuration_name();
 }
 
 /// The configuration of a file that a text names by itself.
@@ -47,6 +48,18 @@ std::optional<std::size_t> only(const study::StudyData& data, const std::string&
   for (std::size_t i = 0; i < data.configurations().size(); ++i)
     if (!text.empty() && data.configurations()[i] == text) return i;
   return {};
+}
+
+/// The configurations where they tell the sides apart, else the files.
+void set_labels(report::ComparisonReport& report) {
+  report.label_a = report.a.configuration_name();
+  report.label_b = report.b.configuration_name();
+  if (report.label_a != report.label_b && !report.label_a.empty() && !report.label_b.empty())
+    return;
+  const std::filesystem::path a = report.a.data->file().path(), b = report.b.data->file().path();
+  const bool differ = a.stem() != b.stem();
+  report.label_a = (differ ? a.stem() : a).string();
+  report.label_b = (differ ? b.stem() : b).string();
 }
 
 /// One configuration of each file: one name for both, or two apart by a comma.
@@ -72,6 +85,7 @@ void choose(const study::StudyData& a, const study::StudyData& b, const std::str
   };
   report.name_a = name(report.a);
   report.name_b = name(report.b);
+  set_labels(report);
 }
 
 int compare(const CompareOptions& options) {

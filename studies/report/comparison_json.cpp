@@ -45,11 +45,13 @@ Json quantities(const study::StudyComparison& found, study::ComparedQuantity::Ki
   return list;
 }
 
-Json curve(const statistics::FragilityFit& fit) {
+Json curve(const statistics::FragilityFit& fit, const study::CurveAudit& audit,
+           const std::string& units) {
   Json json{{"status", text(fit.status)}, {"runs", fit.runs}, {"exceeded", fit.exceeded}};
   if (!fit.curve) json["median_between"] = json_interval(fit.median);
   json["theta"] = fit.curve ? json_number(fit.curve->theta) : Json();
   json["beta"] = fit.curve ? json_number(fit.curve->beta) : Json();
+  json["cautions"] = study::cautions(audit, {units, 1});
   return json;
 }
 
@@ -99,8 +101,8 @@ std::string comparison_json(const ComparisonReport& report) {
   json["curves"] = Json::array();
   for (const study::ComparedCurves& row : found.curves)
     json["curves"].push_back({{"name", row.name},
-                              {"a", curve(row.a)},
-                              {"b", curve(row.b)},
+                              {"a", curve(row.a, row.audit_a, found.units)},
+                              {"b", curve(row.b, row.audit_b, found.units)},
                               {"likelihood_ratio", json_number(row.likelihood_ratio)},
                               {"p", json_number(row.p)},
                               {"p_holm", json_number(row.p_holm)}});

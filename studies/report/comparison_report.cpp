@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "studies/study/analysis/curve_audit.h"
 #include "studies/study/analysis/report_unit.h"
@@ -34,33 +35,36 @@ std::string interval(const statistics::Interval& of, double unit, double size) {
 std::string shown(const std::string& value) { return value.empty() ? "(not there)" : value; }
 
 std::string differences_text(const char* title,
-                             const std::vector<study::InputDifference>& differences) {
+                             const std::vector<study::InputDifference>& differences,
+                             const ComparisonReport& report) {
   if (differences.empty()) return fmt::format("{:<12} the same\n", title);
-  std::string text = fmt::format("{}\n", title);
+  std::string text = fmt::format("{:<46} {}  |  {}\n", title, report.label_a, report.label_b);
   for (const study::InputDifference& each : differences)
     text += fmt::format("  {:<44} {}  |  {}\n", each.key, shown(each.a), shown(each.b));
   return text;
 }
 
-std::string inputs_text(const study::InputDifferences& inputs) {
-  std::string text = differences_text("job", inputs.job) +
-                     differences_text("assumptions", inputs.assumptions) +
-                     differences_text("data files", inputs.data_files) +
-                     differences_text("program", inputs.program);
+std::string inputs_text(const ComparisonReport& report) {
+  const study::InputDifferences& inputs = report.inputs;
+  std::string text = differences_text("job", inputs.job, report) +
+                     differences_text("assumptions", inputs.assumptions, report) +
+                     differences_text("data files", inputs.data_files, report) +
+                     differences_text("program", inputs.program, report);
   text += fmt::format("{:<12} {} in both", "records", inputs.records_common);
-  const auto add = [&](const char* what, const std::vector<std::string>& names) {
+  const auto add = [&](const std::string& what, const std::vector<std::string>& names) {
     if (!names.empty())
       text += fmt::format("; {} {}: {}", names.size(), what, fmt::join(names, ", "));
   };
-  add("of A only", inputs.records_of_a);
-  add("of B only", inputs.records_of_b);
+  add("only in " + report.label_a, inputs.records_of_a);
+  add("only in " + report.label_b, inputs.records_of_b);
   add("with other files or processing", inputs.records_changed);
   return text + "\n";
 }
 
-std::string side_text(char letter, const std::string& name, const study::ConfigurationView& side,
-                      std::size_t paired, std::size_t left_out) {
-  std::string text = fmt::format("{:<12} {}: {} runs paired", letter, name, paired);
+std::string side_text(const char* title, const std::string& name,
+                      const study::ConfigurationView& side, std::size_t paired,
+                      std::size_t left_out) {
+  std::string text = fmt::format("{:<12} {}: {} runs paired", title, name, paired);
   if (left_out > 0) text += fmt::format(", {} without a partner", left_out);
   if (const std::size_t failed = side.data->failed(side.configuration); failed > 0)
     text += fmt::format(", {} excluded because they failed", failed);
@@ -105,16 +109,19 @@ std::string with_unit(const study::ComparedQuantity& row) {
   return number(row.a / unit.in_si) + (unit.name == "1" ? "" : " " + unit.name);
 }
 
-std::string quantities_text(const study::StudyComparison& found, study::ComparedQuantity::Kind kind,
-                            const std::string& title, double confidence) {
+std::string quantities_text(const ComparisonReport& report, study::ComparedQuantity::Kind kind,
+                            const std::string& title) {
+  const study::StudyComparison& found = report.found;
+  const std::size_t wide_a = std::max<std::size_t>(10, report.label_a.size()),
+                    wide_b = std::max<std::size_t>(10, report.label_b.size());
   std::size_t width = title.size();
   for (const study::ComparedQuantity& row : found.quantities)
     width = std::max(width, label(row).size());
   const auto line = [&](const std::string& name, const auto& groups, const std::string& a,
                         const std::string& b, const std::string& difference,
                         const std::string& between, const std::string& p, const std::string& holm) {
-    return fmt::format("{:<{}} {:>6} {:>10} {:>10} {:>11}  {:<22} {:>8} {:>8}", name, width, groups,
-                       a, b, difference, between, p, holm);
+    return fmt::format("{:<{}} {:>6} {:>{}} {:>{}} {:>11}  {:<22} {:>8} {:>8}", name, width, groups,
+                       a, wide_a, b, wide_b, difference, between, p, holm);
   };
   const auto row_text = [&](const study::ComparedQuantity& row) {
     const double unit = study::report_unit(row.units).in_si;
@@ -135,8 +142,8 @@ std::string quantities_text(const study::StudyComparison& found, study::Compared
   }
   if (text.empty() && same.empty()) return {};
   text = "\n" +
-         line(title, "groups", "A", "B", "B - A", fmt::format("{:g} % interval", 100 * confidence),
-              "p", "Holm") +
+         line(title, "groups", report.label_a, report.label_b, "difference",
+              fmt::format("{:g} % interval", 100 * report.confidence), "p", "Holm") +
          "\n" + text;
   return same.empty() ? text : text + "the same in every pair: " + same + "\n";
 }
@@ -148,22 +155,54 @@ std::string curve_text(const statistics::FragilityFit& fit, const study::ReportU
   return known.empty() ? text(fit.status) : known;
 }
 
+/// Of the curves of one side; that of the scale factors once, since they are the same.
+std::string side_cautions(const std::string& label, const study::StudyComparison& found,
+                          study::CurveAudit study::ComparedCurves::*audit,
+                          const study::ReportUnit& unit) {
+  std::string text;
+  study::CurveAudit of_records;
+  for (const study::ComparedCurves& row : found.curves) {
+    study::CurveAudit of_curve = row.*audit;
+    of_records.factors = std::exchange(of_curve.factors, {});
+    for (const std::string& each : study::cautions(of_curve, unit))
+      text += fmt::format("{}, {}: caution: {}\n", label, row.name, each);
+  }
+  for (const std::string& each : study::cautions(of_records, unit))
+    text += fmt::format("{}: caution: {}\n", label, each);
+  return text;
+}
+
+std::string cautions_text(const ComparisonReport& report, const study::ReportUnit& unit) {
+  return side_cautions(report.label_a, report.found, &study::ComparedCurves::audit_a, unit) +
+         side_cautions(report.label_b, report.found, &study::ComparedCurves::audit_b, unit);
+}
+
 std::string curves_text(const ComparisonReport& report) {
   const study::StudyComparison& found = report.found;
   if (found.measure.empty())
     return "\nno fragility curves: the studies have different intensity measures\n";
   if (found.curves.empty())
     return "\nno fragility curves: all runs have one " + found.measure + "; see the shares\n";
-  std::string text = fmt::format("\n{:<24} {:<28} {:<28} {:>9} {:>8} {:>8}\n", "fragility curve",
-                                 "A: theta, beta", "B: theta, beta", "LR", "p", "Holm");
+  const std::string of_a = report.label_a + ": theta, beta",
+                    of_b = report.label_b + ": theta, beta";
+  std::size_t wide = 24;
+  for (const study::ComparedCurves& row : found.curves) wide = std::max(wide, row.name.size());
+  const std::size_t wide_a = std::max<std::size_t>(28, of_a.size()),
+                    wide_b = std::max<std::size_t>(28, of_b.size());
+  const auto line = [&](const std::string& name, const std::string& a, const std::string& b,
+                        const std::string& ratio, const std::string& p, const std::string& holm) {
+    return fmt::format("{:<{}} {:<{}} {:<{}} {:>9} {:>8} {:>8}", name, wide, a, wide_a, b, wide_b,
+                       ratio, p, holm);
+  };
+  std::string text = "\n" + line("fragility curve", of_a, of_b, "LR", "p", "Holm") + "\n";
   const study::ReportUnit unit =
       study::report_unit(*report.a.data, {found.measure, found.units, {}});
   for (const study::ComparedCurves& row : found.curves)
-    text +=
-        fmt::format("{:<24} {:<28} {:<28} {:>9} {:>8} {:>8}{}\n", row.name, curve_text(row.a, unit),
-                    curve_text(row.b, unit), number(row.likelihood_ratio), probability(row.p),
-                    probability(row.p_holm), row.p_holm < kSignificant ? " *" : "");
-  return text + fmt::format("theta in {} ({})\n", unit.name, found.measure);
+    text += line(row.name, curve_text(row.a, unit), curve_text(row.b, unit),
+                 number(row.likelihood_ratio), probability(row.p), probability(row.p_holm)) +
+            (row.p_holm < kSignificant ? " *\n" : "\n");
+  return text + fmt::format("theta in {} ({})\n", unit.name, found.measure) +
+         cautions_text(report, unit);
 }
 
 /// The findings in words.
@@ -173,8 +212,9 @@ std::string conclusion_text(const ComparisonReport& report) {
   for (const study::ComparedQuantity& row : report.found.quantities) {
     if (!(row.p_holm < kSignificant)) continue;
     if (row.kind == study::ComparedQuantity::Kind::kShare)
-      text += fmt::format("* '{}' is exceeded {} often in B: in {:.3g} % against {:.3g} %\n",
-                          row.name, row.difference > 0 ? "more" : "less", 100 * row.b, 100 * row.a);
+      text += fmt::format("* '{}' is exceeded {} often in {}: in {:.3g} % against {:.3g} %\n",
+                          row.name, row.difference > 0 ? "more" : "less", report.label_b,
+                          100 * row.b, 100 * row.a);
     std::vector<std::string>& list = row.difference > 0 ? more : less;
     if (row.kind != study::ComparedQuantity::Kind::kShare &&
         std::ranges::find(list, row.name) == list.end())
@@ -182,9 +222,11 @@ std::string conclusion_text(const ComparisonReport& report) {
   }
   for (const study::ComparedCurves& row : report.found.curves)
     if (row.p_holm < kSignificant)
-      text += fmt::format("* '{}' has another fragility curve in B\n", row.name);
-  if (!less.empty()) text += fmt::format("* less in B: {}\n", fmt::join(less, ", "));
-  if (!more.empty()) text += fmt::format("* more in B: {}\n", fmt::join(more, ", "));
+      text += fmt::format("* '{}' has another fragility curve in {}\n", row.name, report.label_b);
+  if (!less.empty())
+    text += fmt::format("* less in {}: {}\n", report.label_b, fmt::join(less, ", "));
+  if (!more.empty())
+    text += fmt::format("* more in {}: {}\n", report.label_b, fmt::join(more, ", "));
   return text.empty() ? "no difference is significant after Holm's adjustment\n" : text;
 }
 
@@ -194,12 +236,14 @@ std::string comparison_text(const ComparisonReport& report) {
   const study::StudyComparison& found = report.found;
   using Kind = study::ComparedQuantity::Kind;
   std::string text =
-      side_text('A', report.name_a, report.a, found.pairs.paired_a, found.pairs.left_out_a) +
-      side_text('B', report.name_b, report.b, found.pairs.paired_b, found.pairs.left_out_b) +
-      pairing_text(found) + "\n" + inputs_text(report.inputs);
-  text += quantities_text(found, Kind::kShare, "share of runs that exceed", report.confidence) +
-          curves_text(report) + quantities_text(found, Kind::kMean, "mean", report.confidence) +
-          quantities_text(found, Kind::kMedian, "median", report.confidence);
+      side_text("reference", report.name_a, report.a, found.pairs.paired_a,
+                found.pairs.left_out_a) +
+      side_text("compared", report.name_b, report.b, found.pairs.paired_b, found.pairs.left_out_b) +
+      fmt::format("{:<12} {} - {}\n", "difference", report.label_b, report.label_a) +
+      pairing_text(found) + "\n" + inputs_text(report);
+  text += quantities_text(report, Kind::kShare, "share of runs that exceed") + curves_text(report) +
+          quantities_text(report, Kind::kMean, "mean") +
+          quantities_text(report, Kind::kMedian, "median");
   if (found.overturned > 0)
     text += fmt::format(
         "\n{} of the paired runs overturned: their demands are those before overturning\n",

@@ -14,6 +14,7 @@ struct ComparisonReport {
   study::InputDifferences inputs;
   study::StudyComparison found;
   double confidence = 0.95;
+  std::string label_a = name_a, label_b = name_b;  ///< short, for columns
 };
 
 std::string comparison_text(const ComparisonReport& report);

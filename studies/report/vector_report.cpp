@@ -43,15 +43,24 @@ std::string row(const study::VectorResult& result, const std::array<study::Repor
                             beta_of(result.alone[1]));
 }
 
+std::string name_of(const study::VectorResult& result) {
+  return result.configuration.empty() ? result.state : result.configuration + ", " + result.state;
+}
+
+std::string cautions_text(const study::VectorResult& result) {
+  std::string text;
+  for (const std::string& each : study::cautions(result.audit, {}))
+    text += name_of(result) + ": caution: " + each + "\n";
+  return text;
+}
+
 /// What a row means, where there is a fit.
 std::string meaning(const study::VectorResult& result) {
   const statistics::VectorFit& fit = result.fit;
   if (fit.status != statistics::VectorStatus::kFitted) return "";
-  const std::string name =
-      result.configuration.empty() ? result.state : result.configuration + ", " + result.state;
   const auto &first = result.measures[0].name, &second = result.measures[1].name;
   const bool of_first = fit.p_of(0) < kSignificant, of_second = fit.p_of(1) < kSignificant;
-  std::string text = name + ": ";
+  std::string text = name_of(result) + ": ";
   if (of_first && of_second)
     text += fmt::format(
         "each adds information to the other; together they are one measure "
@@ -89,7 +98,7 @@ std::string vector_report(const study::StudyData& data,
       "p of a", "p of b", "beta", "a alone", "b alone");
   for (const study::VectorResult& each : results) text += row(each, units, wide, state_wide);
   text += "\n";
-  for (const study::VectorResult& each : results) text += meaning(each);
+  for (const study::VectorResult& each : results) text += meaning(each) + cautions_text(each);
   text +=
       "\np: how likely a slope so far from 0 is by chance, records being independent and runs of "
       "one "
@@ -110,7 +119,8 @@ std::string vector_json(const std::vector<study::VectorResult>& results) {
             {"records", fit.groups},
             {"left_out", each.left_out},
             {"failed", each.failed},
-            {"status", text(fit.status)}};
+            {"status", text(fit.status)},
+            {"cautions", study::cautions(each.audit, {})}};
     const bool fitted = fit.status == statistics::VectorStatus::kFitted;
     if (fitted) {
       const Eigen::Matrix3d covariance = covariance_of(fit);

@@ -22,6 +22,22 @@ std::string extrapolation(const CurveAudit& audit, const ReportUnit& unit) {
 
 }  // namespace
 
+CurveAudit outcome_audit(const statistics::FragilityFit& fit,
+                         const std::vector<statistics::Observation>& observations,
+                         const ScaleFactors& factors) {
+  CurveAudit audit;
+  if (fit.curve) audit.theta = fit.curve->theta;
+  if (!observations.empty()) {
+    const auto [low, high] = std::ranges::minmax(observations, {}, &statistics::Observation::im);
+    audit.lowest = low.im;
+    audit.highest = high.im;
+  }
+  audit.outcomes = fit.runs;
+  audit.exceeded = fit.exceeded;
+  audit.factors = factors;
+  return audit;
+}
+
 std::vector<std::string> cautions(const CurveAudit& audit, const ReportUnit& unit) {
   std::vector<std::string> all;
   if (audit.theta && (*audit.theta > audit.highest || *audit.theta < audit.lowest))

@@ -26,6 +26,11 @@ struct CurveAudit {
   ScaleFactors factors;
 };
 
+/// Of a curve that is fitted to the outcomes of runs.
+CurveAudit outcome_audit(const statistics::FragilityFit& fit,
+                         const std::vector<statistics::Observation>& observations,
+                         const ScaleFactors& factors);
+
 /// A sentence for each reason not to use the curve as it stands, or with care.
 std::vector<std::string> cautions(const CurveAudit& audit, const ReportUnit& unit);
 

@@ -19,18 +19,11 @@ std::size_t overturned(const StudyData& data, std::size_t configuration) {
 }
 
 CurveAudit audit_of(const StudyData& data, std::size_t configuration, const FittedCurve& fitted) {
-  CurveAudit audit;
-  if (const auto curve = fitted.curve()) audit.theta = curve->theta;
-  if (!fitted.observations.empty()) {
-    const auto [low, high] =
-        std::ranges::minmax(fitted.observations, {}, &statistics::Observation::im);
-    audit.lowest = low.im;
-    audit.highest = high.im;
-  }
-  audit.outcomes = fitted.fit.runs;
-  audit.exceeded = fitted.fit.exceeded;
-  audit.factors = scale_factors(data, configuration);
+  CurveAudit audit =
+      outcome_audit(fitted.fit, fitted.observations, scale_factors(data, configuration));
   if (!fitted.capacities) return audit;
+  audit.theta = {};
+  if (fitted.capacities->curve) audit.theta = fitted.capacities->curve->theta;
   audit.of_capacities = true;
   const auto one_case = [](const statistics::Capacity& each) { return each.weight == 1; };
   audit.counted = std::ranges::all_of(fitted.brackets, one_case) ? "records" : "analysis cases";

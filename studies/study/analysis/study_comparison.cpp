@@ -47,6 +47,8 @@ class Comparer {
     result_.pairs = pair_runs(a, b);
     runs_a_ = runs_in(result_.pairs.common_a);
     runs_b_ = runs_in(result_.pairs.common_b);
+    factors_a_ = scale_factors(*a.data, a.configuration);
+    factors_b_ = scale_factors(*b.data, b.configuration);
   }
 
   StudyComparison compare() {
@@ -76,6 +78,7 @@ class Comparer {
   StudyComparison result_;
   std::vector<std::size_t> runs_a_, runs_b_;
   RunMeasure im_a_, im_b_;
+  ScaleFactors factors_a_, factors_b_;
 };
 
 bool Comparer::add(ComparedQuantity::Kind kind, const std::string& name, const std::string& units,
@@ -168,6 +171,8 @@ void Comparer::add_curves(std::size_t state, const RunValues& of_a, const RunVal
   if (std::ranges::all_of(row.of_a, is_first) && std::ranges::all_of(row.of_b, is_first)) return;
   row.a = statistics::fit_fragility(row.of_a);
   row.b = statistics::fit_fragility(row.of_b);
+  row.audit_a = outcome_audit(row.a, row.of_a, factors_a_);
+  row.audit_b = outcome_audit(row.b, row.of_b, factors_b_);
   const bool equal = row.a.exceeded + row.b.exceeded == 0 ||
                      row.a.exceeded + row.b.exceeded == row.a.runs + row.b.runs;
   row.p = kNan;

@@ -7,6 +7,7 @@
 
 #include "studies/statistics/bands.h"
 #include "studies/statistics/fragility.h"
+#include "studies/study/analysis/curve_audit.h"
 #include "studies/study/analysis/run_pairs.h"
 
 namespace gurney::study {
@@ -35,6 +36,7 @@ struct ComparedCurves {
   std::string name;
   statistics::FragilityFit a, b;
   std::vector<statistics::Observation> of_a, of_b;
+  CurveAudit audit_a, audit_b;
   double likelihood_ratio = 0;
   double p = 1;  ///< from swapped groups; NaN as above
   double p_holm = 1;

@@ -33,6 +33,11 @@ VectorResult vector_of(const StudyData& data, std::size_t state, std::size_t con
     alone[1].push_back({second, exceeds[i], record});
   }
   result.fit = statistics::fit_vector(result.runs);
+  if (result.fit.status == statistics::VectorStatus::kFitted)
+    result.audit.theta = result.audit.lowest = result.audit.highest = result.fit.theta();
+  result.audit.outcomes = result.fit.runs;
+  result.audit.exceeded = result.fit.exceeded;
+  result.audit.factors = scale_factors(data, configuration);
   for (const std::size_t i : {0, 1}) result.alone[i] = statistics::fit_fragility(alone[i]);
   return result;
 }

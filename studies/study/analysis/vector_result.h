@@ -6,6 +6,7 @@
 
 #include "studies/statistics/fragility.h"
 #include "studies/statistics/vector_fragility.h"
+#include "studies/study/analysis/curve_audit.h"
 #include "studies/study/analysis/study_data.h"
 
 namespace gurney::study {
@@ -21,6 +22,7 @@ struct VectorResult {
   std::size_t left_out = 0, failed = 0;
   statistics::VectorFit fit;
   std::array<statistics::FragilityFit, 2> alone;  ///< of the same runs with one measure
+  CurveAudit audit;  ///< of outcomes and records; two measures have no range to leave
 };
 
 /// @throws Error for a measure that the file lacks, or the same one twice

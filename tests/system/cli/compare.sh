@@ -33,7 +33,7 @@ study few.h5 0.4 8
 
 expect 0 "item.brakes" "$gurney" compare a.h5
 expect 0 "32 draws, each counts once: one record" "$gurney" compare a.h5 --configurations false,true
-expect 0 "less in B: icu_ventilator: peak_displacement" "$gurney" compare a.h5 --demand peak_displacement
+expect 0 "less in true: icu_ventilator: peak_displacement" "$gurney" compare a.h5 --demand peak_displacement
 expect 0 "excitation.record.synthetic.period_s" "$gurney" compare a.h5 b.h5 --configuration false
 expect 0 "item.brakes" "$gurney" compare a.h5 b.h5 --configuration false,true
 expect 0 "within each of these families" "$gurney" compare a.h5

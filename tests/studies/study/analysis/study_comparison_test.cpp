@@ -156,6 +156,9 @@ TEST_F(StudyComparisonTest, CurvesThatDifferAreFound) {
   // A swap of every record gives the same ratio, others less: of 999, about 999 / 2^11.
   EXPECT_LT(moved.p, 0.01);
   EXPECT_TRUE(std::isnan(found.curves[1].p));  // none fell
+  EXPECT_EQ(moved.audit_b.theta, moved.b.curve->theta);
+  EXPECT_EQ(moved.audit_b.highest, 6);
+  EXPECT_EQ(moved.audit_b.exceeded, moved.b.exceeded);
 }
 
 TEST_F(StudyComparisonTest, LimitStatesOfOneNameMustSayTheSame) {
@@ -216,8 +219,10 @@ TEST_F(StudyComparisonTest, TheReportSaysWhatWasLeftOutAndWhatItMeans) {
   EXPECT_THAT(text, HasSubstr("locked: 9 runs paired, 1 without a partner"));
   EXPECT_THAT(text, HasSubstr("9 records, each counts once"));
   EXPECT_THAT(text, HasSubstr("1 of the paired runs overturned"));
-  EXPECT_THAT(text, HasSubstr("'moved' is exceeded less often in B: in 0 % against 100 %"));
-  EXPECT_THAT(text, HasSubstr("less in B: cart: peak_displacement"));
+  EXPECT_THAT(text, HasSubstr("'moved' is exceeded less often in locked: in 0 % against 100 %"));
+  EXPECT_THAT(text, HasSubstr("less in locked: cart: peak_displacement"));
+  EXPECT_THAT(text, HasSubstr("difference   locked - free"));
+  EXPECT_THAT(text, HasSubstr("job                                            free  |  locked"));
   EXPECT_THAT(text, Not(HasSubstr("caution")));
   const auto json = nlohmann::json::parse(report::comparison_json(report));
   EXPECT_EQ(json["b"]["runs_without_partner"], 1);
