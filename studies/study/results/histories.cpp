@@ -1,6 +1,7 @@
 #include "studies/study/results/histories.h"
 
 #include "studies/study/results/column_writer.h"
+#include "studies/study/results/floor_histories.h"
 #include "studies/study/results/names.h"
 
 namespace gurney::study {
@@ -110,7 +111,8 @@ void add_point_histories(Hdf5Writer& file, const Items& items) {
 
 }  // namespace
 
-void add_histories(Hdf5Writer& file, const Scene& scene, const Response& response) {
+void add_histories(Hdf5Writer& file, const RunFacts& facts, const Response& response) {
+  const Scene& scene = facts.scene;
   std::vector<double> time;
   for (const Sample& sample : response.items.front().history) time.push_back(sample.time);
   file.add_group("/histories");
@@ -139,6 +141,7 @@ void add_histories(Hdf5Writer& file, const Scene& scene, const Response& respons
            std::vector<std::int64_t>{0});
   file.add({"/histories/count", "1", "number of samples of the run", {"/histories/run"}},
            std::vector<std::int64_t>{static_cast<std::int64_t>(time.size())});
+  add_floor_histories(file, facts.floor, time);
   add_body_histories(file, response.items);
   add_wheel_histories(file, scene, response.items);
   add_point_histories(file, response.items);

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "engine/response/response.h"
-#include "engine/scene/scene.h"
 #include "studies/study/results/hdf5_writer.h"
+#include "studies/study/results/run_facts.h"
 
 namespace gurney::study {
 
-/// The group /histories: samples of all items at common times.
-void add_histories(Hdf5Writer& file, const Scene& scene, const Response& response);
+/// The group /histories: samples of all items and of the floor at common times.
+void add_histories(Hdf5Writer& file, const RunFacts& facts, const Response& response);
 
 }  // namespace gurney::study

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "engine/base/hash/sha256.h"
+#include "studies/study/results/floor_histories.h"
 #include "studies/study/results/hdf5_reader.h"
 #include "tests/support/fabricated_run.h"
 #include "tests/support/fabricated_ward.h"
@@ -64,6 +65,33 @@ TEST_F(ResultsFile, HoldsTheHistories) {
   EXPECT_EQ(file.numbers("/histories/point_displacement").at(3 * kSample + 2),
             sample.points[0].displacement.z());
   EXPECT_EQ(file.numbers("/histories/loss_tread").at(kSample), sample.energy.tread_loss);
+}
+
+TEST_F(ResultsFile, HoldsTheMotionOfTheFloor) {
+  const RunFacts facts = fabricated_facts();
+  const Response response = fabricated_response();
+  const Hdf5Reader file(save(facts, response));
+  const double time = response.items[0].history[345].time;
+  EXPECT_EQ(file.numbers("/histories/floor_velocity").at(3 * 345 + 1),
+            facts.floor.velocity_at(time).y());
+  EXPECT_EQ(file.numbers("/histories/floor_acceleration").at(3 * 345),
+            facts.floor.acceleration_at(time).x());
+}
+
+TEST(FloorHistories, DisplacementIsTheDoubleIntegralOfTheRecord) {
+  // Accelerations 0, 6, -6 at 0, 1, 2 s: in the first second x = t^3; then, with s = t - 1,
+  // x = 1 + 3 s + 3 s^2 - 2 s^3; after the record the velocity of 3 m/s stays.
+  Eigen::Matrix3Xd acceleration = Eigen::Matrix3Xd::Zero(3, 3);
+  acceleration.row(0) << 0, 6, -6;
+  const FloorMotion floor(1, acceleration);
+  const std::vector<double> times{0, 0.5, 1.25, 2, 4};
+  const std::vector<double> wanted{0, 0.125, 1 + 0.75 + 0.1875 - 0.03125, 5, 11};
+  const std::vector<Vector3> found = floor_displacement(floor, times);
+  // Sums of at most 10 terms below 11, each rounded a few times by 2^-53: 11 * 40 * 1.1e-16.
+  for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(found[i].x(), wanted[i], 5e-14);
+  EXPECT_EQ(found.back().y(), 0);
+  EXPECT_NEAR(found[3].x(), floor.residual_displacement().x(), 5e-14);
+  EXPECT_EQ(floor_displacement(FloorMotion(), times).back(), Vector3::Zero());
 }
 
 TEST_F(ResultsFile, HoldsARowForEachItemWheelImpactZoneAndTether) {
