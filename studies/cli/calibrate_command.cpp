@@ -7,6 +7,7 @@
 #include "engine/base/error.h"
 #include "studies/calibration/fit/caster_file.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/figure_output.h"
 #include "studies/cli/signals.h"
 #include "studies/report/calibration_report.h"
 #include "studies/study/results/output_files.h"
@@ -16,6 +17,7 @@ namespace {
 
 struct CalibrateOptions {
   std::string trials, folder, base;
+  NamedFigures figures;
   bool json = false, overwrite = false;
 };
 
@@ -29,7 +31,8 @@ void write_all(const CalibrateOptions& options, const calibration::Calibration& 
   std::vector<std::pair<std::string, std::string>> all = {
       {(folder / "calibration.txt").string(), report::calibration_text(calibration)},
       {(folder / "calibration.json").string(), report::calibration_json(calibration)},
-      {(folder / "calibration.svg").string(), report::calibration_figure(calibration)}};
+      {(folder / ("calibration" + options.figures.suffix())).string(),
+       options.figures.bytes(report::calibration_figure(calibration))}};
   for (const calibration::CasterFile& caster : casters)
     all.emplace_back((folder / caster.name).string(), caster.text);
   study::OutputFiles files(options.overwrite);
@@ -48,11 +51,14 @@ void check_folder(const CalibrateOptions& options) {
   std::error_code ignored;
   if (options.folder.empty() || !fs::exists(options.folder, ignored)) return;
   require(fs::is_directory(options.folder, ignored), options.folder + ": is a file, not a folder");
-  for (const char* name : {"calibration.txt", "calibration.json", "calibration.svg"})
-    study::OutputFiles(options.overwrite).check((fs::path(options.folder) / name).string());
+  for (const std::string& suffix :
+       {std::string(".txt"), std::string(".json"), options.figures.suffix()})
+    study::OutputFiles(options.overwrite)
+        .check((fs::path(options.folder) / ("calibration" + suffix)).string());
 }
 
 int run_calibrate(const CalibrateOptions& options) {
+  options.figures.check();
   check_folder(options);
   const calibration::Calibration calibration =
       calibration::calibrate(calibration::read_trials(options.trials), options.trials);
@@ -84,6 +90,7 @@ void add_calibrate(CLI::App& app, std::function<int()>& action) {
   command->add_option("--base", options.base,
                       "The caster whose parameters are kept where no trial gives one (default: the "
                       "catalogue's of the same name)");
+  add_figure_format(*command, options.figures);
   command->add_flag("--overwrite", options.overwrite, "Replace files that exist");
   command->add_flag("--json", options.json, "Print JSON, in SI units");
   command->callback([shared, &action] { action = [shared] { return run_calibrate(*shared); }; });

@@ -50,6 +50,7 @@ void add_run(CLI::App& app, std::function<int()>& action) {
   run->add_flag("--overwrite", options.overwrite, "Replace files that exist");
   run->add_flag("--json", options.json, "Print the summary as JSON");
   run->add_flag("--no-figure", options.no_figure, "Draw no figure");
+  add_figure_format(*run, options.figures);
   run->add_flag("--resume", options.resume, "Continue an interrupted study");
   run->add_option("--shard", options.shard,
                   "Run one share of a study: I/N, or auto to take it from Slurm or Open MPI; see "
@@ -77,6 +78,7 @@ void add_replay(CLI::App& app, std::function<int()>& action) {
   replay->add_flag("--overwrite", options.overwrite, "Replace files that exist");
   replay->add_flag("--json", options.json, "Print the summary as JSON");
   replay->add_flag("--no-figure", options.no_figure, "Draw no figure");
+  add_figure_format(*replay, options.figures);
   replay->callback([shared, &action] { action = [shared] { return replay_command(*shared); }; });
 }
 

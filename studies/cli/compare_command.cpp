@@ -8,8 +8,7 @@
 #include "engine/base/error.h"
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/figure_option.h"
-#include "studies/cli/records_output.h"
+#include "studies/cli/figure_output.h"
 #include "studies/report/comparison_report.h"
 
 namespace gurney::cli {
@@ -18,7 +17,8 @@ namespace {
 struct CompareOptions {
   std::string a, b;  ///< results files of studies; b empty: two configurations of a
   std::vector<std::string> configurations, demands;
-  std::string measure, figure;
+  std::string measure;
+  FigureFile figure;
   study::AssessmentRequest assessed_by;
   bool overwrite = false, json = false;
 };
@@ -89,6 +89,7 @@ void choose(const study::StudyData& a, const study::StudyData& b, const std::str
 }
 
 int compare(const CompareOptions& options) {
+  options.figure.check(options.overwrite);
   const study::StudyData a(options.a, options.assessed_by);
   std::optional<study::StudyData> b;
   report::ComparisonReport report;
@@ -106,8 +107,7 @@ int compare(const CompareOptions& options) {
   fmt::print("{}",
              options.json ? report::comparison_json(report) : report::comparison_text(report));
   if (!options.figure.empty())
-    write_output(options.figure, report::comparison_figure(report), options.overwrite,
-                 options.json);
+    options.figure.write(report::comparison_figure(report), options.overwrite, options.json);
   return 0;
 }
 

@@ -6,16 +6,15 @@
 #include <thread>
 
 #include "studies/cli/commands.h"
-#include "studies/cli/figure_option.h"
-#include "studies/cli/records_output.h"
+#include "studies/cli/figure_output.h"
 #include "studies/report/convergence_report.h"
-#include "studies/study/results/output_files.h"
 
 namespace gurney::cli {
 namespace {
 
 struct ConvergeOptions {
-  std::string job, figure;
+  std::string job;
+  FigureFile figure;
   std::size_t runs = 20;
   double tolerance_percent = 2;
   int threads = 0;
@@ -26,15 +25,14 @@ int converge_command(const ConvergeOptions& options) {
   const int threads = options.threads > 0
                           ? options.threads
                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  if (!options.figure.empty()) study::OutputFiles(options.overwrite).check(options.figure);
+  options.figure.check(options.overwrite);
   const study::Convergence found =
       study::converge(study::convergence_cases(options.job, options.runs, threads),
                       0.01 * options.tolerance_percent, threads);
   fmt::print("{}",
              options.json ? report::convergence_json(found) : report::convergence_text(found));
   if (!options.figure.empty())
-    write_output(options.figure, report::convergence_figure(found), options.overwrite,
-                 options.json);
+    options.figure.write(report::convergence_figure(found), options.overwrite, options.json);
   return found.failed.empty() ? 0 : 3;
 }
 

@@ -10,9 +10,8 @@
 #include "equipment/catalogue/implausible.h"
 #include "equipment/catalogue/load_item.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/figure_option.h"
+#include "studies/cli/figure_output.h"
 #include "studies/cli/json_errors.h"
-#include "studies/cli/records_output.h"
 #include "studies/cli/standard_error.h"
 #include "studies/report/equipment_list.h"
 #include "studies/report/equipment_report.h"
@@ -21,7 +20,8 @@ namespace gurney::cli {
 namespace {
 
 struct ShowOptions {
-  std::string item, floor, brakes, figure;
+  std::string item, floor, brakes;
+  FigureFile figure;
   std::vector<std::string> variants;
   bool json = false, assumptions = false, overwrite = false;
 };
@@ -42,6 +42,7 @@ equipment::ItemOptions item_options(const ShowOptions& options,
 }
 
 int show(const ShowOptions& options) {
+  options.figure.check(options.overwrite);
   const std::string file = equipment::find_data(equipment::DataKind::kItem, options.item, "");
   const equipment::ItemDescription item =
       equipment::load_item_description(file, options.variants).stated();
@@ -54,7 +55,7 @@ int show(const ShowOptions& options) {
   for (std::string& finding : equipment::implausible(loaded.model))
     facts.warnings.push_back(std::move(finding));
   if (!options.figure.empty())
-    write_output(options.figure, report::equipment_figure(facts), options.overwrite, true);
+    options.figure.write(report::equipment_figure(facts), options.overwrite, true);
   fmt::print("{}", options.json ? report::equipment_json(facts)
                                 : report::equipment_report(facts, options.assumptions));
   return 0;

@@ -8,8 +8,7 @@
 #include "engine/config/nearest_name.h"
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/figure_option.h"
-#include "studies/cli/records_output.h"
+#include "studies/cli/figure_output.h"
 #include "studies/report/fragility_report.h"
 #include "studies/report/vector_report.h"
 #include "studies/study/limit_states/limit_state_reader.h"
@@ -18,7 +17,8 @@ namespace gurney::cli {
 namespace {
 
 struct FragilityOptions {
-  std::string file, measure, second, figure;
+  std::string file, measure, second;
+  FigureFile figure;
   study::AssessmentRequest assessed_by;
   std::vector<std::string> states, configurations;
   bool json = false, overwrite = false;
@@ -52,7 +52,7 @@ std::string curves(const FragilityOptions& options, const study::StudyData& data
       results.push_back(study::fragility_of(
           data, {.state = state, .configuration = configuration, .measure = options.measure}));
   if (!options.figure.empty())
-    write_output(options.figure, report::fragility_figure(data, results), options.overwrite, true);
+    options.figure.write(report::fragility_figure(data, results), options.overwrite, true);
   return options.json ? report::fragility_json(results) : report::fragility_report(data, results);
 }
 
@@ -66,11 +66,12 @@ std::string surfaces(const FragilityOptions& options, const study::StudyData& da
       results.push_back(
           study::vector_of(data, state, configuration, {options.measure, options.second}));
   if (!options.figure.empty())
-    write_output(options.figure, report::vector_figure(data, results), options.overwrite, true);
+    options.figure.write(report::vector_figure(data, results), options.overwrite, true);
   return options.json ? report::vector_json(results) : report::vector_report(data, results);
 }
 
 int fragility(const FragilityOptions& options) {
+  options.figure.check(options.overwrite);
   const study::StudyData data(options.file, options.assessed_by);
   const auto states =
       chosen(options.states, data.limit_states().size(),

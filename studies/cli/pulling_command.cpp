@@ -7,6 +7,7 @@
 
 #include "engine/base/error.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/figure_output.h"
 #include "studies/cli/new_folder.h"
 #include "studies/cli/signals.h"
 #include "studies/report/pulling_report.h"
@@ -20,6 +21,7 @@ namespace fs = std::filesystem;
 
 struct PullingOptions {
   std::string file, folder, measured;
+  NamedFigures figures;
   std::optional<std::size_t> run;
   bool json = false, overwrite = false;
 };
@@ -38,6 +40,7 @@ std::size_t shown(const PullingOptions& options, const report::PullingReport& re
 }
 
 int pulling(const PullingOptions& options) {
+  options.figures.check();
   require(study::is_study_file(options.file),
           options.file + ": is the file of one run; gurney pulling needs that of a study");
   const study::StudyReader file(options.file);
@@ -52,15 +55,18 @@ int pulling(const PullingOptions& options) {
     const NewFolder created(folder.has_filename() ? folder : folder.parent_path());
     study::OutputFiles files(options.overwrite);
     const std::pair<const char*, std::string> figures[] = {
-        {"figure_4.svg", report::pulling_figure_4(report)},
-        {"figure_6.svg", report::pulling_figure_6(report)},
-        {"figure_7.svg", report::pulling_figure_7(report)},
-        {"figure_11.svg", report::pulling_figure_11(report)}};
-    for (const auto& [name, text] : figures) files.check((folder / name).string());
+        {"figure_4", report::pulling_figure_4(report)},
+        {"figure_6", report::pulling_figure_6(report)},
+        {"figure_7", report::pulling_figure_7(report)},
+        {"figure_11", report::pulling_figure_11(report)}};
+    const auto path = [&](const char* name) {
+      return (folder / (name + options.figures.suffix())).string();
+    };
+    for (const auto& [name, svg] : figures) files.check(path(name));
     const SignalsHeld until_written;
-    for (const auto& [name, text] : figures) {
-      files.stage((folder / name).string(), text);
-      written += "wrote    " + (folder / name).string() + "\n";
+    for (const auto& [name, svg] : figures) {
+      files.stage(path(name), options.figures.bytes(svg));
+      written += "wrote    " + path(name) + "\n";
     }
     files.commit();
   }
@@ -82,6 +88,7 @@ void add_pulling(CLI::App& app, std::function<int()>& action) {
   command->add_option("--run", options.run, "The run of Figures 4 and 11 (default: the first)");
   command->add_option("--measured", options.measured,
                       "File or folder of measured trials, to be drawn beside the simulated ones");
+  add_figure_format(*command, options.figures);
   command->add_flag("--overwrite", options.overwrite, "Replace figures that exist");
   command->add_flag("--json", options.json, "Print JSON, in SI units");
   command->callback([shared, &action] { action = [shared] { return pulling(*shared); }; });

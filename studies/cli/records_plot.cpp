@@ -6,6 +6,7 @@
 
 #include "engine/base/error.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/figure_output.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"
 #include "studies/report/record_figure.h"
@@ -18,22 +19,25 @@ namespace fs = std::filesystem;
 struct PlotOptions {
   RecordSource source;
   std::string output;
+  NamedFigures figures;
   bool overwrite = false;
 };
 
 int plot(const PlotOptions& options) {
   const fs::path output = options.output;
-  const bool one_file = output.extension() == ".svg";
-  require(one_file || fs::is_directory(output),
-          options.output + ": must be a file that ends in .svg, or a folder that exists");
+  const bool one_file = !fs::is_directory(output);
+  FigureFile file{options.figures, options.output};
+  if (one_file) file.check(options.overwrite);
+  options.figures.check();
   std::size_t count = 0;
   return for_each_record(
       options.source, nullptr,
       [&](const groundmotions::SuiteRecord&, const groundmotions::Record& record) {
         require(!one_file || count++ == 0,
                 options.output + ": one figure for several records; name a folder with -o");
-        const fs::path path = one_file ? output : output / (file_name(record.name) + ".svg");
-        write_output(path.string(), report::record_figure(record), options.overwrite);
+        if (!one_file)
+          file.path = (output / (file_name(record.name) + options.figures.suffix())).string();
+        file.write(report::record_figure(record), options.overwrite, false);
       });
 }
 
@@ -44,8 +48,11 @@ void add_records_plot(CLI::App& records, std::function<int()>& action) {
   CLI::App* const command = records.add_subcommand(
       "plot", "Draw acceleration, velocity, displacement and spectra of records");
   add_source_options(*command, options->source);
-  command->add_option("-o,--output", options->output, "An .svg file, or a folder that exists")
+  command
+      ->add_option("-o,--output", options->output,
+                   "A file (.svg, .pdf or .png), or a folder that exists")
       ->required();
+  add_figure_format(*command, options->figures);
   command->add_flag("--overwrite", options->overwrite, "Replace files that exist");
   command->callback([options, &action] { action = [options] { return plot(*options); }; });
 }

@@ -16,7 +16,7 @@
 #include "groundmotions/scaling/suite_scaling.h"
 #include "groundmotions/scaling/target_reader.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/figure_option.h"
+#include "studies/cli/figure_output.h"
 #include "studies/cli/inline_table.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"
@@ -34,7 +34,8 @@ constexpr Eigen::Index kPeriods = 100;
 
 struct ScaleOptions {
   RecordSource source;
-  std::string target, periods = "0.1:2", component = "RotD50", mean = "arithmetic", output, figure;
+  std::string target, periods = "0.1:2", component = "RotD50", mean = "arithmetic", output;
+  FigureFile figure;
   std::string limits = "0.25:4";
   double floor_share = 0.9;
   bool common = false, overwrite = false, json = false;
@@ -164,6 +165,7 @@ std::string json(const ScaledSuite& suite, const groundmotions::SuiteScaling& sc
 }
 
 int scale(const ScaleOptions& options) {
+  options.figure.check(options.overwrite);
   require(options.output.empty() || options.source.steps.empty(),
           "--step with -o: a list of records has no place for steps, and the scaled suite would be "
           "without them; convert the records with the steps first (gurney records convert)");
@@ -210,13 +212,13 @@ int scale(const ScaleOptions& options) {
 
   study::OutputFiles files(options.overwrite);
   if (!options.output.empty()) files.check(options.output);
-  if (!options.figure.empty()) files.check(options.figure);
   const SignalsHeld until_written;
   if (!options.output.empty())
     files.stage(options.output,
                 list_text(suite, scaling, target, fs::absolute(options.output).parent_path()));
   if (!options.figure.empty())
-    files.stage(options.figure, report::suite_figure(target, periods, spectra, scaling));
+    files.stage(options.figure.path,
+                options.figure.bytes(report::suite_figure(target, periods, spectra, scaling)));
   files.commit();
   return code;
 }

@@ -105,12 +105,13 @@ fs::path results_of(const ReplayOptions& options) {
 }  // namespace
 
 int replay_command(const ReplayOptions& options) {
+  options.figures.check();
   const study::StudyReader file(options.file);
   require(options.run < file.runs(),
           fmt::format("{}: has no run {}; it has runs 0 to {}", options.file, options.run,
                       static_cast<long>(file.runs()) - 1));
   const RunOutput output{results_of(options), job_of(options, file), options.overwrite,
-                         options.json, options.no_figure};
+                         options.json,        options.no_figure,     options.figures};
   check_output(output);
 
   const study::StudyJob study(output.job);

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <string>
 
+#include "studies/cli/figure_output.h"
+
 namespace gurney::cli {
 
 struct ReplayOptions {
@@ -13,6 +15,7 @@ struct ReplayOptions {
   bool overwrite = false;
   bool json = false;
   bool no_figure = false;
+  NamedFigures figures;
 };
 
 /// `gurney replay`: makes one run of a study again, with full histories, and compares its numbers

@@ -28,12 +28,14 @@ RunOutput output_of(const RunOptions& options) {
     results = fs::path("out") / fs::path(options.job).stem().replace_extension(".h5");
   require(results.extension() == ".h5",
           options.output + ": the results file must end in .h5 (-o FILE.h5)");
-  return {results, options.job, options.overwrite, options.json, options.no_figure};
+  return {results,      options.job,       options.overwrite,
+          options.json, options.no_figure, options.figures};
 }
 
 }  // namespace
 
 int run_command(const RunOptions& options) {
+  options.figures.check();
   if (study::has_study(options.job)) return run_study(options);
   std::string unused;
   const auto add = [&](bool given, const char* option) {

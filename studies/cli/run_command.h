@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "studies/cli/figure_output.h"
+
 namespace gurney::cli {
 
 struct RunOptions {
@@ -10,6 +12,7 @@ struct RunOptions {
   bool overwrite = false;
   bool json = false;
   bool no_figure = false;
+  NamedFigures figures;
   bool resume = false;  ///< go on with a study that was interrupted
   std::string shard;    ///< of a study: "3/8" or "auto"; empty: all of it
   int threads = 0;      ///< of a study; 0: as many as the machine has

@@ -47,12 +47,13 @@ void print(const RunOutput& output, const study::PreparedRun& run, const Respons
 
 }  // namespace
 
-fs::path RunOutput::figure() const { return fs::path(results).replace_extension(".svg"); }
+fs::path RunOutput::figure() const { return fs::path(results).replace_extension(style.suffix()); }
 fs::path RunOutput::log() const { return fs::path(results).replace_extension(".log"); }
 
 void check_output(const RunOutput& output) {
   const study::OutputFiles files(output.overwrite);
   files.check(output.results.string());
+  output.style.check();
   if (!output.no_figure) files.check(output.figure().string());
   files.check(output.log().string());
 }
@@ -68,7 +69,8 @@ Response run_and_write(const study::PreparedRun& run, const RunOutput& output) {
     study::OutputFiles files(output.overwrite);
     files.stage(output.results.string(), study::results_image(run.facts, response));
     if (!output.no_figure)
-      files.stage(output.figure().string(), report::figure(run.facts, response));
+      files.stage(output.figure().string(),
+                  output.style.bytes(report::figure(run.facts, response)));
     files.stage(output.log().string(), log_text(output.job, response, seconds));
     files.commit();
   }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/response/response.h"
+#include "studies/cli/figure_output.h"
 #include "studies/study/prepare/run_job.h"
 
 namespace gurney::cli {
@@ -13,6 +14,7 @@ struct RunOutput {
   std::filesystem::path results;  ///< ends in .h5; figure and log stand beside it
   std::string job;                ///< path of the job's file, for the log
   bool overwrite = false, json = false, no_figure = false;
+  NamedFigures style = {};
 
   std::filesystem::path figure() const;
   std::filesystem::path log() const;

@@ -6,8 +6,7 @@
 #include "engine/base/error.h"
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/figure_option.h"
-#include "studies/cli/records_output.h"
+#include "studies/cli/figure_output.h"
 #include "studies/report/sensitivity_report.h"
 
 namespace gurney::cli {
@@ -18,7 +17,7 @@ struct SensitivityCommand {
   study::AssessmentRequest assessed_by;
   std::vector<std::string> configurations;
   int level = 0;  ///< counted from 1; 0: all
-  std::string figure;
+  FigureFile figure;
   bool overwrite = false, json = false;
 };
 
@@ -35,6 +34,7 @@ void choose_output(const SensitivityCommand& options, const study::StudyData& da
 }
 
 int sensitivity(const SensitivityCommand& options) {
+  options.figure.check(options.overwrite);
   const study::StudyData data(options.file, options.assessed_by);
   study::SensitivityRequest request{.demand = options.demand, .limit = options.limit, .level = {}};
   if (options.demand.empty() && options.limit.empty()) choose_output(options, data, request);
@@ -64,8 +64,8 @@ int sensitivity(const SensitivityCommand& options) {
   fmt::print("{}",
              options.json ? report::sensitivity_json(reports) : report::sensitivity_text(reports));
   if (!options.figure.empty())
-    write_output(options.figure, report::sensitivity_figure(reports.front()), options.overwrite,
-                 options.json);
+    options.figure.write(report::sensitivity_figure(reports.front()), options.overwrite,
+                         options.json);
   return 0;
 }
 

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "studies/cli/commands.h"
+#include "studies/cli/figure_output.h"
 #include "studies/report/verification_figure.h"
 #include "studies/report/verification_report.h"
 #include "studies/study/results/output_files.h"
@@ -26,20 +27,21 @@ struct VerifyOptions {
   std::uint64_t seed = 0;
   bool json = false, markdown = false, overwrite = false, list = false;
   std::string figures;
+  NamedFigures style;
   int threads = 0;
 };
 
-std::string figure_path(const std::string& folder, const CaseRun& run) {
+std::string figure_path(const VerifyOptions& options, const CaseRun& run) {
   std::string name = run.name();
   name[name.find('/')] = '_';
-  return fmt::format("{}/{}.svg", folder, name);
+  return fmt::format("{}/{}{}", options.figures, name, options.style.suffix());
 }
 
-void write_figures(const std::string& folder, bool overwrite, const std::vector<CaseRun>& runs) {
-  study::OutputFiles files(overwrite);
+void write_figures(const VerifyOptions& options, const std::vector<CaseRun>& runs) {
+  study::OutputFiles files(options.overwrite);
   for (const CaseRun& run : runs)
     if (const std::string figure = report::verification_figure(run); !figure.empty())
-      files.stage(figure_path(folder, run), figure);
+      files.stage(figure_path(options, run), options.style.bytes(figure));
   files.commit();
 }
 
@@ -62,6 +64,7 @@ int list_names(const std::vector<verification::Family>& families) {
 }
 
 int verify(VerifyOptions options, bool drawn) {
+  options.style.check();
   if (drawn) options.selection.seed = options.seed;
   const std::vector<verification::Family> families = verification::all_families();
   if (options.list) return list_names(families);
@@ -69,7 +72,7 @@ int verify(VerifyOptions options, bool drawn) {
   if (!options.figures.empty()) {
     std::filesystem::create_directories(options.figures);
     const study::OutputFiles files(options.overwrite);
-    for (const CaseRun& each : runs) files.check(figure_path(options.figures, each));
+    for (const CaseRun& each : runs) files.check(figure_path(options, each));
   }
   const int threads = options.threads > 0
                           ? options.threads
@@ -80,7 +83,7 @@ int verify(VerifyOptions options, bool drawn) {
     fmt::print(text ? stdout : stderr, "{}", report::verification_text(each, in_full && text));
     std::fflush(text ? stdout : stderr);
   });
-  if (!options.figures.empty()) write_figures(options.figures, options.overwrite, runs);
+  if (!options.figures.empty()) write_figures(options, runs);
   if (options.json) fmt::print("{}", report::verification_json(runs));
   if (options.markdown) fmt::print("{}", report::verification_markdown(runs));
   if (text) fmt::print("{}", report::verification_summary(runs));
@@ -103,6 +106,7 @@ void add_verify(CLI::App& app, std::function<int()>& action) {
   command->add_flag("--markdown", options.markdown, "Print the tables of docs/verification.md");
   command->add_option("--figures", options.figures,
                       "Draw computed and reference of each case into this folder");
+  add_figure_format(*command, options.style);
   command->add_flag("--overwrite", options.overwrite, "Replace figures that exist");
   CLI::Option* const draw =
       command->add_option("--draw", options.seed,

@@ -20,9 +20,20 @@ std::string style_of(const Pen& pen) {
   return style;
 }
 
+/// Names may be of any length, figures are not.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kLongest = 300;  // characters
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool begins = (static_cast<unsigned char>(text[at]) & 0xc0) != 0x80;
+    if (begins && ++count > kLongest) return text.substr(0, at) + "\u2026";
+  }
+  return text;
+}
+
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : printable(text)) {
+  for (const char c : shortened(printable(text))) {
     if (c == '&') {
       result += "&amp;";
     } else if (c == '<') {

@@ -61,16 +61,18 @@ set(GURNEY_ROOMS
     studies/study/exports studies/calibration/trials"
   "studies/report: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/assembly groundmotions/scaling equipment/catalogue
-    studies/build_info studies/verification studies/study/results studies/study/analysis
+    studies/build_info studies/statistics studies/verification studies/study/results
+    studies/study/analysis
     studies/study/convergence studies/calibration/trials studies/calibration/fit
     studies/calibration/pulling"
+  "studies/picture: engine/base"
   "studies/cli: engine/base engine/config engine/response engine/baselines groundmotions/record
     groundmotions/formats groundmotions/measures groundmotions/processing groundmotions/synthetic
     groundmotions/scaling groundmotions/suites groundmotions/buildings equipment/catalogue
     studies/build_info studies/verification studies/study/job studies/study/results
     studies/study/prepare studies/study/limit_states studies/study/plan studies/study/run
     studies/study/analysis studies/study/exports studies/calibration/fit
-    studies/calibration/pulling studies/report")
+    studies/calibration/pulling studies/report studies/picture")
 
 # Libraries that only these rooms, or files that begin so, may include, by how their headers begin.
 set(GURNEY_LIBRARIES
@@ -80,4 +82,5 @@ set(GURNEY_LIBRARIES
   "boost/: engine/base studies/statistics"
   "hdf5|H5: studies/study/results/hdf5_"
   "nlohmann/: engine/config studies/study/exports studies/report studies/cli"
+  "cairo|librsvg/: studies/picture/rendering"
   "CLI/: studies/cli")

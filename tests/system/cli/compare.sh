@@ -48,7 +48,8 @@ expect 1 "missing.h5" "$gurney" compare missing.h5
 for command in "compare a.h5 --demand peak_tilt" "fragility a.h5" \
     "sensitivity a.h5 --configuration false"; do
   # shellcheck disable=SC2086
-  expect 2 "the name must end in .svg" "$gurney" $command --figure c.pdf
+  expect 1 "c.eps: the name of a figure must end in .svg, .pdf or .png" \
+    "$gurney" $command --figure c.eps
 done
 expect 0 "c.svg" "$gurney" compare a.h5 --demand peak_tilt --figure c.svg
 expect 1 "c.svg: exists already" "$gurney" compare a.h5 --demand peak_tilt --figure c.svg

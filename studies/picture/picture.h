@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace gurney::picture {
+
+/// What a figure can be written as.
+enum class Format { kSvg, kPdf, kPng };
+
+/// The format that a file's suffix names.
+/// @throws Error for another suffix, with those allowed
+Format format_of(const std::string& path);
+
+/// A length such as "85mm", in mm; units mm, cm, in, pt and px (1/96 in).
+/// @throws Error for another text, and unless it is 20 mm to 1 m
+double length_in_mm(const std::string& text);
+
+/// How a figure is written.
+struct Style {
+  std::optional<double> width_mm = {};  ///< none: 1/96 in for each px of the figure
+  bool grey = false;                    ///< without colours; their curves differ by dashes
+};
+
+/// The bytes of a figure, given as the SVG that studies/report makes, whose size is in px. The same
+/// figure gives the same bytes. PNG has 300 pixels to the inch.
+/// @throws Error for a figure that is too large
+std::string written(const std::string& svg, Format format, const Style& style = {});
+
+}  // namespace gurney::picture
