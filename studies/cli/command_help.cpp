@@ -29,6 +29,10 @@ constexpr std::array kCommands = {
     CommandHelp{"replay", "Re-run one case of a study with full output",
                 "gurney replay ventilator.h5 12"},
     CommandHelp{"show", "Summarize a results file", "gurney show ventilator.h5"},
+    CommandHelp{"plot", "Plot what a results file holds",
+                "gurney plot ventilator.h5 --list\n"
+                "gurney plot ventilator.h5 fragility overturned --width 85mm -o overturned.pdf\n"
+                "gurney plot run.h5 history displacement tilt -o run.png"},
     CommandHelp{"fragility", "Fit fragility functions and confidence bands",
                 "gurney fragility ventilator.h5 --figure ventilator.svg\n"
                 "gurney fragility ventilator.h5 --limit overturned --measure \"Sa(1) RotD50\"\n"

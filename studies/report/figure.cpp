@@ -71,6 +71,18 @@ Panel wheel_panel(const std::string& title, const std::string& y_label,
   return panel;
 }
 
+/// The input, at the samples of the history.
+Panel floor_panel(const FloorMotion& floor, const std::vector<Sample>& history) {
+  Panel panel = time_panel("Floor acceleration", "Acceleration (m/s\u00b2)", 3);
+  const char* const names[] = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis)
+    if (!floor.at_rest() && floor.acceleration().row(axis).cwiseAbs().maxCoeff() > 0)
+      panel.curves.push_back(
+          curve(names[axis], history, static_cast<std::size_t>(axis),
+                [&](const Sample& s) { return floor.acceleration_at(s.time)[axis]; }));
+  return panel;
+}
+
 Panel energy_panel(const std::vector<Sample>& history, double stored_at_start) {
   Panel panel = time_panel("Energy balance", "Energy (J)", 4);
   const auto add = [&](const char* label, auto get) {
@@ -138,20 +150,31 @@ bool pulled(const std::vector<Sample>& history) {
 
 std::vector<Panel> panels_of_item(const study::RunFacts& facts, const ItemResponse& item) {
   const std::vector<Sample>& history = item.history;
+  Panel forces = wheel_panel("Normal forces", "Normal force (N)", facts, history,
+                             &WheelSample::normal_force, 1);
+  forces.lanes = true;
   std::vector<Panel> panels{
+      floor_panel(facts.floor, history),
       vector_panel("Displacement relative to the floor", "Displacement (m)", history,
                    &Sample::displacement),
       vector_panel("Velocity relative to the floor", "Velocity (m/s)", history, &Sample::velocity),
-      wheel_panel("Normal forces", "Normal force (N)", facts, history, &WheelSample::normal_force,
-                  1),
       vector_panel("Acceleration relative to the floor", "Acceleration (m/s\u00b2)", history,
                    &Sample::acceleration),
+      turn_panel(history),
       wheel_panel("Swivel angles", "Swivel angle (deg)", facts, history, &WheelSample::swivel_angle,
                   kRadiansPerDegree, false),
+      forces,
       energy_panel(history, item.stored_energy_at_start)};
   std::erase_if(panels, [](const Panel& panel) { return panel.curves.empty(); });
-  if (pulled(history)) panels.insert(panels.end(), {pull_panel(history), turn_panel(history)});
+  if (pulled(history)) panels.push_back(pull_panel(history));
   return panels;
+}
+
+void draw_panel(Svg& svg, const Frame& frame, const Panel& panel) {
+  if (panel.lanes)
+    draw_lanes(svg, frame, panel);
+  else
+    draw(svg, frame, panel);
 }
 
 std::vector<Panel> panels_of_items(const study::RunFacts& facts, const Response& response) {
@@ -182,8 +205,8 @@ std::string figure(const study::RunFacts& facts, const Response& response) {
     draw_heading(svg, facts, response);
     draw_plan(svg, frame_at(0, 0, kTop, 2), facts.scene, response);
     for (int i = 0; i < count; ++i)
-      draw(svg, i < 2 ? frame_at(1, i) : frame_at(i % 2, 1 + i / 2),
-           panels[static_cast<std::size_t>(i)]);
+      draw_panel(svg, i < 2 ? frame_at(1, i) : frame_at(i % 2, 1 + i / 2),
+                 panels[static_cast<std::size_t>(i)]);
     return svg.str();
   }
   const double height =
@@ -194,7 +217,7 @@ std::string figure(const study::RunFacts& facts, const Response& response) {
   draw_heading(svg, facts, response);
   draw_plan(svg, {kLeft, kTop, kPlanWidth, height}, facts.scene, response);
   for (int i = 0; i < count; ++i)
-    draw(svg, frame_at(i % 2, i / 2, top), panels[static_cast<std::size_t>(i)]);
+    draw_panel(svg, frame_at(i % 2, i / 2, top), panels[static_cast<std::size_t>(i)]);
   return svg.str();
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/report/plot_page.h"
 #include "studies/study/analysis/fragility_result.h"
 
 namespace gurney::report {
@@ -17,6 +18,7 @@ std::string fragility_json(const std::vector<study::FragilityResult>& results);
 /// One panel for each limit state: the curves of its configurations, their bands, and the fractions
 /// of runs, or the empirical distribution of capacities.
 std::string fragility_figure(const study::StudyData& data,
-                             const std::vector<study::FragilityResult>& results);
+                             const std::vector<study::FragilityResult>& results,
+                             const PlotPage& page = {});
 
 }  // namespace gurney::report

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "studies/report/panel_parts.h"
+
 namespace gurney::report {
 namespace {
 
@@ -13,14 +15,23 @@ constexpr double kTick = 4;
 const Pen kAxis{.stroke = "#444444", .width = 0.8};
 const Pen kGrid{.stroke = "#e6e6e6", .width = 0.7};
 
-Range range_of(const std::vector<Curve>& curves, std::vector<double> Curve::*member) {
+void widen(Range& range, const std::vector<double>& values) {
+  for (const double value : values)
+    if (std::isfinite(value)) {
+      range.low = std::min(range.low, value);
+      range.high = std::max(range.high, value);
+    }
+}
+
+/// Of all that is drawn along an axis.
+Range range_of(const Panel& panel, bool along_x) {
   Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const Curve& curve : curves)
-    for (const double value : curve.*member)
-      if (std::isfinite(value)) {
-        range.low = std::min(range.low, value);
-        range.high = std::max(range.high, value);
-      }
+  for (const Curve& curve : panel.curves) widen(range, along_x ? curve.x : curve.y);
+  for (const Marks& marks : panel.marks) widen(range, along_x ? marks.x : marks.y);
+  for (const Area& area : panel.areas) {
+    widen(range, along_x ? area.x : area.low);
+    if (!along_x) widen(range, area.high);
+  }
   return range.low <= range.high ? range : Range{0, 1};
 }
 
@@ -67,36 +78,108 @@ std::vector<double> x_ticks_of(const Panel& panel, const Range& x, int wanted) {
   return at;
 }
 
+std::string log_label(double value) {
+  const double number = std::pow(10, value);
+  return fmt::format("{:.3g}", number);
+}
+
+/// The places among ticks of decades whose labels do not touch: powers of ten before all others.
+std::vector<bool> labelled(const std::vector<double>& at, const std::vector<double>& px,
+                           const std::vector<double>& sizes) {
+  std::vector<bool> shown(at.size(), false);
+  const auto free = [&](std::size_t i) {
+    for (std::size_t k = 0; k < at.size(); ++k)
+      if (shown[k] && std::abs(px[i] - px[k]) < (sizes[i] + sizes[k]) / 2 + 5) return false;
+    return true;
+  };
+  for (const bool powers : {true, false})
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if ((std::abs(at[i] - std::round(at[i])) < 1e-9) == powers && !shown[i]) shown[i] = free(i);
+  return shown;
+}
+
+std::string axis_name(const std::string& label, bool log) {
+  return log && !label.empty() ? label + ", log scale" : label;
+}
+
+/// Every digit of each decade, without labels.
+void draw_minor_ticks(Svg& svg, const Frame& frame, const Scaling& scaling, const Range& range,
+                      bool along_x) {
+  for (double decade = std::floor(range.low); decade <= range.high; ++decade)
+    for (int digit = 1; digit <= 9; ++digit) {
+      const double value = decade + std::log10(digit);
+      if (value < range.low || value > range.high) continue;
+      const double at = along_x ? scaling.x(value) : scaling.y(value);
+      const double bottom = frame.y + frame.height;
+      if (along_x)
+        svg.line(at, bottom, at, bottom + kTick / 2, kAxis);
+      else
+        svg.line(frame.x - kTick / 2, at, frame.x, at, kAxis);
+    }
+}
+
+void draw_x_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& scaling,
+                 const Range& range) {
+  constexpr double kSize = 10;
+  const double bottom = frame.y + frame.height;
+  const auto at = x_ticks_of(panel, range, std::max(2, static_cast<int>(frame.width / 70)));
+  std::vector<std::string> labels;
+  std::vector<double> px, sizes;
+  for (const double value : at) {
+    labels.push_back(panel.log_x ? log_label(value) : tick_label(value, step_of(at)));
+    px.push_back(scaling.x(value));
+    sizes.push_back(text_width(labels.back(), kSize));
+  }
+  const std::vector<bool> shown = labelled(at, px, sizes);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    svg.line(px[i], frame.y, px[i], bottom, kGrid);
+    svg.line(px[i], bottom, px[i], bottom + kTick, kAxis);
+    if (shown[i] && panel.x_labels)
+      svg.text(px[i], bottom + 15, labels[i], {.size = kSize, .anchor = Anchor::kMiddle});
+  }
+  if (panel.log_x) draw_minor_ticks(svg, frame, scaling, range, true);
+  svg.text(frame.x + frame.width / 2, bottom + 31, axis_name(panel.x_label, panel.log_x),
+           {.anchor = Anchor::kMiddle});
+}
+
+void draw_y_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& scaling,
+                 const Range& range) {
+  constexpr double kSize = 10, kLabelSize = 11;
+  const double apart = panel.equal_scales ? 70 : 30;  // equal scales: ticks as on the other axis
+  const int wanted = std::max(2, static_cast<int>(frame.height / apart));
+  std::vector<double> at = panel.log_y ? decade_ticks(range) : ticks(range, wanted);
+  for (int more = 1; at.size() < 2 && !panel.log_y && more < 4; ++more)
+    at = ticks(range, wanted + more);
+  std::vector<std::string> labels;
+  std::vector<double> px;
+  double widest = 0;
+  for (const double value : at) {
+    labels.push_back(panel.log_y ? log_label(value) : tick_label(value, step_of(at)));
+    px.push_back(scaling.y(value));
+    widest = std::max(widest, text_width(labels.back(), kSize));
+  }
+  const std::vector<bool> shown = labelled(at, px, std::vector<double>(at.size(), kSize));
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    svg.line(frame.x, px[i], frame.x + frame.width, px[i], kGrid);
+    svg.line(frame.x - kTick, px[i], frame.x, px[i], kAxis);
+    if (shown[i])
+      svg.text(frame.x - 7, px[i] + 3.5, labels[i], {.size = kSize, .anchor = Anchor::kEnd});
+  }
+  if (panel.log_y) draw_minor_ticks(svg, frame, scaling, range, false);
+  const std::string name = axis_name(panel.y_label, panel.log_y);
+  const double left = std::clamp(widest + 14, 34.0, 52.0);
+  svg.text(frame.x - left, frame.y + frame.height / 2,
+           fitted(name, kLabelSize, std::max(frame.height + 40, 80.0)),
+           {.size = kLabelSize, .anchor = Anchor::kMiddle, .upwards = true});
+}
+
 void draw_axes(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& scaling,
                const Range& x, const Range& y) {
-  const double right = frame.x + frame.width, bottom = frame.y + frame.height;
-  const auto x_ticks = x_ticks_of(panel, x, static_cast<int>(frame.width / 70));
-  const auto y_ticks =
-      panel.log_y ? decade_ticks(y) : ticks(y, std::max(3, static_cast<int>(frame.height / 26)));
-  for (const double value : x_ticks) {
-    const double at = scaling.x(value);
-    svg.line(at, frame.y, at, bottom, kGrid);
-    svg.line(at, bottom, at, bottom + kTick, kAxis);
-    svg.text(at, bottom + 15,
-             panel.log_x ? fmt::format("{:.3g}", std::pow(10, value))
-                         : tick_label(value, step_of(x_ticks)),
-             {.size = 10, .anchor = Anchor::kMiddle});
-  }
-  for (const double value : y_ticks) {
-    const double at = scaling.y(value);
-    svg.line(frame.x, at, right, at, kGrid);
-    svg.line(frame.x - kTick, at, frame.x, at, kAxis);
-    svg.text(frame.x - 7, at + 3.5,
-             panel.log_y ? fmt::format("{:.3g}", std::pow(10, value))
-                         : tick_label(value, step_of(y_ticks)),
-             {.size = 10, .anchor = Anchor::kEnd});
-  }
+  draw_x_axis(svg, frame, panel, scaling, x);
+  draw_y_axis(svg, frame, panel, scaling, y);
   if (panel.zero_line && y.low < 0 && y.high > 0)
-    svg.line(frame.x, scaling.y(0), right, scaling.y(0), {.stroke = "#999999", .width = 0.8});
-  svg.text(frame.x + frame.width / 2, bottom + 31, panel.x_label, {.anchor = Anchor::kMiddle});
-  svg.text(frame.x - 46, frame.y + frame.height / 2, panel.y_label,
-           {.anchor = Anchor::kMiddle, .upwards = true});
-  svg.text(frame.x, frame.y - 9, panel.title, {.size = 12, .bold = true});
+    svg.line(frame.x, scaling.y(0), frame.x + frame.width, scaling.y(0),
+             {.stroke = "#999999", .width = 0.8});
 }
 
 /// Pieces of the curve between values that are not finite; points closer than a third of a px to
@@ -118,29 +201,35 @@ std::vector<Svg::Points> pieces(const Curve& curve, const Scaling& scaling) {
   return result;
 }
 
-/// Above the axes, at their right end, `legend_columns` curves in a row.
-void draw_legend(Svg& svg, const Frame& frame, const Panel& panel) {
-  constexpr double kKey = 18, kGap = 5, kCharacter = 5.6, kSpace = 12, kRow = 13;
-  std::vector<const Curve*> shown;
-  for (const Curve& curve : panel.curves)
-    if (!curve.label.empty()) shown.push_back(&curve);
-  if (shown.empty() || panel.legend_columns == 0) return;
-  const auto columns = std::min(static_cast<std::size_t>(panel.legend_columns), shown.size());
-  const auto rows = (shown.size() + columns - 1) / columns;
-  double x = frame.x + frame.width;
-  for (std::size_t column = columns; column-- > 0;) {
-    std::size_t longest = 0;
-    for (std::size_t i = column; i < shown.size(); i += columns)
-      longest = std::max(longest, shown[i]->label.size());
-    x -= kKey + kGap + kCharacter * static_cast<double>(longest);
-    for (std::size_t i = column; i < shown.size(); i += columns) {
-      const auto below = rows - 1 - i / columns;
-      const double y = frame.y - 13 - kRow * static_cast<double>(below);
-      svg.line(x, y, x + kKey, y, shown[i]->pen);
-      svg.text(x + kKey + kGap, y + 3.5, shown[i]->label, {.size = 10});
-    }
-    x -= kSpace;
+/// The values of an axis of decades.
+void take_log10(std::vector<double>& values) {
+  for (double& value : values) value = std::log10(value);
+}
+
+Panel in_decades(Panel panel) {
+  for (Curve& curve : panel.curves) {
+    if (panel.log_x) take_log10(curve.x);
+    if (panel.log_y) take_log10(curve.y);
   }
+  for (Marks& marks : panel.marks) {
+    if (panel.log_x) take_log10(marks.x);
+    if (panel.log_y) take_log10(marks.y);
+  }
+  for (Area& area : panel.areas) {
+    if (panel.log_x) take_log10(area.x);
+    if (panel.log_y) take_log10(area.low);
+    if (panel.log_y) take_log10(area.high);
+  }
+  return panel;
+}
+
+void draw_area(Svg& svg, const Area& area, const Scaling& scaling) {
+  Svg::Points outline;
+  for (std::size_t i = 0; i < area.x.size(); ++i)
+    outline.emplace_back(scaling.x(area.x[i]), scaling.y(area.low[i]));
+  for (std::size_t i = area.x.size(); i-- > 0;)
+    outline.emplace_back(scaling.x(area.x[i]), scaling.y(area.high[i]));
+  svg.polyline(outline, {.stroke = "", .fill = area.color, .opacity = area.opacity}, true);
 }
 
 }  // namespace
@@ -158,37 +247,71 @@ std::vector<double> ticks(const Range& range, int wanted) {
 }
 
 std::vector<double> decade_ticks(const Range& log_range) {
-  std::vector<double> result;
-  for (double decade = std::floor(log_range.low); decade <= log_range.high; ++decade)
-    for (const double digit : {1.0, 2.0, 5.0})
-      if (const double at = decade + std::log10(digit);
-          at >= log_range.low - 1e-9 && at <= log_range.high + 1e-9)
-        result.push_back(at);
-  return result;
+  const auto of_digits = [&](std::initializer_list<double> digits) {
+    std::vector<double> result;
+    for (double decade = std::floor(log_range.low); decade <= log_range.high; ++decade)
+      for (const double digit : digits)
+        if (const double at = decade + std::log10(digit);
+            at >= log_range.low - 1e-9 && at <= log_range.high + 1e-9)
+          result.push_back(at);
+    return result;
+  };
+  if (log_range.span() > 3) return of_digits({1.0});
+  const std::vector<double> result = of_digits({1.0, 2.0, 5.0});
+  return result.size() >= 3 ? result : of_digits({1, 2, 3, 4, 5, 6, 7, 8, 9});
 }
 
 Scaling draw(Svg& svg, const Frame& frame, const Panel& given) {
-  Panel panel = given;
-  if (panel.log_x)
-    for (Curve& curve : panel.curves)
-      for (double& value : curve.x) value = std::log10(value);
-  if (panel.log_y)
-    for (Curve& curve : panel.curves)
-      for (double& value : curve.y) value = std::log10(value);
+  const Panel panel = in_decades(given);
   Range x = panel.x_range, y = panel.y_range;
-  if (!(x.span() > 0)) x = range_of(panel.curves, &Curve::x);
-  if (!(y.span() > 0)) y = padded(range_of(panel.curves, &Curve::y));
+  if (!(x.span() > 0))
+    x = panel.marks.empty() ? range_of(panel, true) : padded(range_of(panel, true));
+  if (!(y.span() > 0)) y = padded(range_of(panel, false));
   if (!(x.span() > 0)) x = padded(x);
   if (panel.equal_scales) equalise(frame, x, y);
   const Scaling scaling(frame, x, y);
   draw_axes(svg, frame, panel, scaling, x, y);
   svg.begin_clip(frame.x, frame.y, frame.width, frame.height);
+  for (const Area& area : panel.areas) draw_area(svg, area, scaling);
   for (const Curve& curve : panel.curves)
     for (const Svg::Points& piece : pieces(curve, scaling)) svg.polyline(piece, curve.pen);
   svg.end_clip();
   svg.rectangle(frame.x, frame.y, frame.width, frame.height, kAxis);
-  draw_legend(svg, frame, panel);
+  for (const Marks& marks : panel.marks)
+    for (std::size_t i = 0; i < marks.x.size(); ++i)
+      if (std::isfinite(marks.x[i]) && std::isfinite(marks.y[i]))
+        draw_marker(svg, scaling.x(marks.x[i]), scaling.y(marks.y[i]), marks);
+  draw_head(svg, frame, panel);
   return scaling;
+}
+
+void draw_lanes(Svg& svg, const Frame& frame, const Panel& panel) {
+  constexpr double kSpace = 5;
+  const auto count = static_cast<double>(panel.curves.size());
+  const double height = (frame.height - kSpace * (count - 1)) / count;
+  const Range y = panel.y_range.span() > 0 ? panel.y_range : padded(range_of(panel, false));
+  Panel lane = panel;
+  lane.y_range = y;
+  lane.legend_columns = 0;
+  lane.y_label.clear();
+  for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+    const double top = frame.y + static_cast<double>(i) * (height + kSpace);
+    const bool last = i + 1 == panel.curves.size();
+    lane.title = i == 0 ? panel.title : "";
+    lane.x_label = last ? panel.x_label : "";
+    lane.x_labels = last;
+    lane.curves = {panel.curves[i]};
+    draw(svg, {frame.x, top, frame.width, height}, lane);
+    const std::string name = fitted(panel.curves[i].label, 10, frame.width - 10);
+    const double right = frame.x + frame.width - 5, wide = text_width(name, 10);
+    svg.rectangle(right - wide - 2, top + 1, wide + 5, 13,
+                  {.stroke = "", .fill = "#ffffff", .opacity = 0.8});
+    svg.text(right, top + 11, name,
+             {.size = 10, .anchor = Anchor::kEnd, .color = panel.curves[i].pen.stroke});
+  }
+  svg.text(frame.x - 40, frame.y + frame.height / 2,
+           fitted(panel.y_label, 11, std::max(frame.height + 40, 80.0)),
+           {.anchor = Anchor::kMiddle, .upwards = true});
 }
 
 std::string palette(std::size_t index) {

@@ -86,6 +86,17 @@ class Plan {
   void text(const Vector2& p, double down, const std::string& text, const TextStyle& style) {
     svg_.text(px(p).first, px(p).second + down, text, style);
   }
+  /// A small triangle whose tip is at `tip`.
+  void arrow(const Vector2& tip, const Vector2& ahead, const std::string& color) {
+    constexpr double kLength = 12, kHalfWidth = 3.5;
+    const auto [x, y] = px(tip);
+    const double dx = ahead.x(), dy = -ahead.y();  // y of a picture points down
+    const double back_x = x - kLength * dx, back_y = y - kLength * dy;
+    svg_.polyline({{x, y},
+                   {back_x - kHalfWidth * dy, back_y + kHalfWidth * dx},
+                   {back_x + kHalfWidth * dy, back_y - kHalfWidth * dx}},
+                  {.stroke = "", .fill = color}, true);
+  }
   void cross(const Vector2& p) {
     constexpr double kArm = 4;
     const auto [x, y] = px(p);
@@ -134,11 +145,23 @@ void draw_tethers(Plan& plan, const Scene& scene, const Response& response) {
   }
 }
 
+/// The front of an item is where its x axis points to.
+void mark_front(Plan& plan, const PlacedItem& item, const Sample& sample,
+                const std::string& color) {
+  const Vector2 origin = at(item, sample, Vector3::Zero());
+  const Vector2 ahead = (at(item, sample, Vector3::UnitX()) - origin).normalized();
+  double reach = 0;
+  for (const Polygon& part : footprint(item, sample))
+    for (const Vector2& p : part) reach = std::max(reach, (p - origin).dot(ahead));
+  plan.arrow(origin + reach * ahead, ahead, color);
+}
+
 void draw_item(Plan& plan, const PlacedItem& item, const Sample& sample, const Pen& outline,
                double fill_opacity) {
   for (const Polygon& part : footprint(item, sample)) plan.area(part, outline, fill_opacity);
   if (!(sample.tilt < kStanding)) return;
   const std::string& color = outline.stroke;
+  mark_front(plan, item, sample, color);
   for (std::size_t i = 0; i < item.model.casters.size(); ++i) {
     const WheelPlan wheel = wheel_plan(item, i, sample);
     plan.line(wheel.mount, wheel.middle, {.stroke = color, .width = 1});

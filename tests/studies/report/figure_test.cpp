@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -38,13 +39,38 @@ TEST(Ticks, AreOneTwoFiveOfEachDecade) {
 TEST(Figure, HasEveryPanelWithUnits) {
   const std::string svg = figure(fabricated_facts(), fabricated_response());
   for (const char* label : {"x (m)", "y (m)", "Time (s)", "Displacement (m)", "Velocity (m/s)",
-                            "Acceleration (m/s\u00b2)", "Normal force (N)", "Swivel angle (deg)",
-                            "Energy (J)", "front left"})
+                            "Acceleration (m/s\u00b2)", "Yaw and tilt", "Normal force (N)",
+                            "Swivel angle (deg)", "Energy (J)", "front left"})
     EXPECT_GE(count(svg, label), 1u) << label;
   EXPECT_EQ(count(svg, "Force (N)"), 0u) << "nothing pulls";
   EXPECT_EQ(count(svg, "nan"), 0u);
+  // Each wheel's force on axes of its own, besides the six other panels and twice the plan.
+  EXPECT_EQ(count(svg, "<clipPath"), 4u + 6 + 2);
+  EXPECT_EQ(count(svg, "Floor acceleration"), 0u) << "the floor is at rest";
   // Box and four casters, at start and end: each caster has one circle at its mount.
   EXPECT_EQ(count(svg, "r=\"2.20\""), 8u);
+}
+
+TEST(Figure, ShowsTheInput) {
+  study::RunFacts facts = fabricated_facts();
+  Eigen::Matrix3Xd motion = Eigen::Matrix3Xd::Zero(3, 400);
+  motion.row(1).setConstant(2);
+  facts.floor = FloorMotion(0.01, motion);
+  const std::string svg = figure(facts, fabricated_response());
+  EXPECT_EQ(count(svg, "Floor acceleration"), 1u);
+  EXPECT_EQ(count(svg, "<clipPath"), 4u + 7 + 2);
+}
+
+TEST(Figure, MarksFronts) {
+  // The plan's only triangles: at the start and at the end.
+  const std::string svg = figure(fabricated_facts(), fabricated_response());
+  std::size_t triangles = 0;
+  for (auto at = svg.find("<polygon points=\""); at != std::string::npos;
+       at = svg.find("<polygon points=\"", at + 1)) {
+    const std::string points = svg.substr(at + 17, svg.find('"', at + 17) - at - 17);
+    triangles += std::ranges::count(points, ',') == 3;
+  }
+  EXPECT_EQ(triangles, 2u);
 }
 
 TEST(Figure, ShowsThePull) {

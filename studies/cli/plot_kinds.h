@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/report/plot_page.h"
+
+namespace gurney::cli {
+
+/// What `gurney plot` is asked for.
+struct PlotRequest {
+  std::string file, kind;
+  std::vector<std::string> what;  ///< histories, demands or limit states; empty: the usual ones
+  std::vector<std::string> configurations;
+  std::string measure;
+  std::optional<std::size_t> run;
+};
+
+/// The figure as SVG. @throws Error for what the file does not hold, with what it holds
+std::string plotted(const PlotRequest& request, const report::PlotPage& page);
+
+/// What can be plotted from a file: a paragraph for each kind.
+std::string plot_list(const std::string& file);
+
+}  // namespace gurney::cli

@@ -1,0 +1,79 @@
+#!/usr/bin/env bash
+# gurney plot, and the formats of figures, from outside.
+# usage: plot.sh GURNEY SOURCE_FOLDER
+set -uo pipefail
+gurney=$1
+. "$2/tests/system/cli/expect.sh"
+
+cat > run.toml << 'TOML'
+schema = "gurney-job/1"
+title = "<b>'quoted' & \"more\"</b>"
+[item]
+equipment = "icu_ventilator"
+[excitation.record]
+synthetic = { kind = "ricker", pga_g = 0.3, period_s = 0.5 }
+use = "x"
+TOML
+{
+  cat run.toml
+  cat << 'TOML'
+[study]
+measures = "PGA h1"
+[study.keep]
+histories = "all"
+[study.intensity]
+measure = "PGA"
+component = "h1"
+unit = "g"
+levels = [0.1, 0.2, 0.4]
+[[study.factor]]
+name = "brakes"
+[study.factor.level.off]
+item.brakes = false
+[study.factor.level.on]
+item.brakes = true
+TOML
+} > study.toml
+
+expect 1 "--figure-format eps: must be svg, pdf or png" "$gurney" run run.toml --figure-format eps
+expect 1 "width 'wide': must be a number with its unit" "$gurney" run run.toml --width wide
+[ -e out ] && complain "a run was made for a figure that cannot be"
+expect 0 "run.pdf" "$gurney" run run.toml -o run.h5 --figure-format pdf
+[ "$(head -c 5 run.pdf)" = "%PDF-" ] || complain "run.pdf is no PDF"
+expect 0 "study.h5" "$gurney" run study.toml -o study.h5
+
+plot() { expect "$1" "$2" "$gurney" plot "${@:3}"; }
+plot 0 "normal_force" run.h5 --list
+plot 0 "intensity measures (--measure): PGA h1" study.h5 --list
+plot 0 "h.svg" run.h5 history displacement normal_force -o h.svg
+grep -q "&lt;b&gt;'quoted' &amp;" h.svg || complain "the title is not text"
+plot 0 "t.png" run.h5 trajectories -o t.png --width 85mm
+plot 0 "h2.svg" study.h5 history tilt --run 3 -o h2.svg
+plot 0 "t.svg" study.h5 trajectories -o t.svg
+for kind in fragility ida stripes cloud cdf; do
+  plot 0 "$kind.pdf" study.h5 "$kind" -o "$kind.pdf" --width 85mm --font-size 7
+  # 85 mm are 240.94 pt.
+  grep -aq "MediaBox \[ 0 0 240.9" "$kind.pdf" || complain "$kind.pdf is not 85 mm wide"
+done
+# Width and height follow the 16th byte of a PNG; 85 mm at 300 pixels to the inch are 1004.
+[ "$(od -An -tu1 -j16 -N4 t.png | awk '{print $3 * 256 + $4}')" = 1004 ] ||
+  complain "t.png is not 1004 pixels wide"
+plot 0 "grey.svg" study.h5 stripes peak_tilt -o grey.svg --grey --width 17cm
+grep -q "#0072B2" grey.svg && complain "colour in grey.svg"
+grep -q 'width="170mm"' grey.svg || complain "grey.svg is not 170 mm wide"
+
+plot 1 "must end in .svg, .pdf or .png" study.h5 cdf -o x.eps
+plot 1 "no figure 'cdff'; did you mean 'cdf'?" study.h5 cdff -o x.svg
+plot 1 "needs that of a study. It has: acceleration" run.h5 cdf -o x.svg
+plot 1 "no history 'tillt'; did you mean 'tilt'?" run.h5 history tillt -o x.svg
+plot 1 "no demand 'peak_tlt'; did you mean 'peak_tilt'?" study.h5 cloud peak_tlt -o x.svg
+plot 1 "no histories of run 99" study.h5 history tilt --run 99 -o x.svg
+plot 1 "too narrow for this size of text" study.h5 cdf -o x.svg --width 40mm --font-size 20
+plot 1 "--font-size big: must be" study.h5 cdf -o x.svg --font-size big
+plot 1 "--list lists" study.h5
+plot 1 "h.svg: exists already" run.h5 history -o h.svg
+plot 0 "h.svg" run.h5 history -o h.svg --overwrite
+plot 1 "missing.h5" missing.h5 cdf -o x.svg
+[ -e x.svg ] && complain "x.svg was left"
+
+exit $((failures > 0))
