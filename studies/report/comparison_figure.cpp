@@ -17,6 +17,7 @@ constexpr double kPanelWidth = 380, kPanelHeight = 220, kColumn = 460, kRow = 31
 /// How a side of the comparison is drawn.
 struct SidePen {
   std::string label, color;
+  Marker marker;
   double confidence, unit;  ///< unit: of im, in SI
 };
 
@@ -32,7 +33,7 @@ Extent extent_of(const study::ComparedCurves& curves) {
   return {extent.low / 1.2, extent.high * 1.2};
 }
 
-/// Adds the curve and the band's edges of one side to the panel.
+/// Adds the curve and the band of one side to the panel.
 void add_side(Panel& panel, const SidePen& side, const std::vector<statistics::Observation>& seen,
               const statistics::FragilityFit& fit, const Extent& extent) {
   std::vector<double> im;
@@ -43,24 +44,28 @@ void add_side(Panel& panel, const SidePen& side, const std::vector<statistics::O
   std::vector<double> x = im;
   for (double& each : x) each /= side.unit;
   Curve line{side.label, x, {}, {.stroke = side.color, .width = 2}};
-  Curve low{"", x, {}, {.stroke = side.color, .width = 0.9, .dash = "4 3"}}, high = low;
+  line.key = side.marker;
+  Area area{.x = x, .low = {}, .high = {}, .color = side.color};
   for (std::size_t i = 0; i < im.size(); ++i) {
     line.y.push_back(fit.curve ? fit.curve->probability(im[i]) : std::nan(""));
-    low.y.push_back(band.of_curve[i].low);
-    high.y.push_back(band.of_curve[i].high);
+    area.low.push_back(band.of_curve[i].low);
+    area.high.push_back(band.of_curve[i].high);
   }
-  panel.curves.insert(panel.curves.end(), {line, low, high});
+  panel.curves.push_back(line);
+  if (fit.curve) panel.areas.push_back(std::move(area));
 }
 
-/// A dot for the share that exceeded at each im with several runs, as large as they are many.
-void draw_shares(Svg& svg, const Scaling& scaling, const std::vector<statistics::Observation>& seen,
-                 const SidePen& side) {
+/// A mark for the fraction that exceeded at each im with several runs.
+void add_fractions(Panel& panel, const std::vector<statistics::Observation>& seen,
+                   const SidePen& side) {
   const statistics::StripeTable table(seen);
+  Marks marks{"", {}, {}, {.stroke = side.color, .width = 1.3}, side.marker, 3.5};
   for (const statistics::Stripe& stripe : table.stripes())
-    if (stripe.runs > 1)
-      svg.circle(scaling.x(std::log10(stripe.im / side.unit)), scaling.y(stripe.fraction()),
-                 std::min(6.0, 1.5 + 0.5 * std::sqrt(stripe.runs)),
-                 {.stroke = side.color, .width = 1, .fill = side.color, .opacity = 0.5});
+    if (stripe.runs > 1) {
+      marks.x.push_back(stripe.im / side.unit);
+      marks.y.push_back(stripe.fraction());
+    }
+  panel.marks.push_back(std::move(marks));
 }
 
 }  // namespace
@@ -75,13 +80,14 @@ std::string comparison_figure(const ComparisonReport& report) {
   svg.text(kLeft, 55,
            curves.empty()
                ? std::string("no limit state is exceeded at several levels of a measure in common")
-               : fmt::format("{:g} % bands, pointwise, dashed; dots: shares of runs at one level",
-                             100 * report.confidence),
+               : fmt::format(
+                     "line: fitted curve; area: {:g} % confidence band; marks: fractions of runs",
+                     100 * report.confidence),
            {.size = 12, .color = "#555555"});
   const study::ReportUnit unit =
       study::report_unit(*report.a.data, {report.found.measure, report.found.units, {}});
-  const SidePen a{report.name_a, palette(0), report.confidence, unit.in_si},
-      b{report.name_b, palette(1), report.confidence, unit.in_si};
+  const SidePen a{report.name_a, palette(0), marker(0), report.confidence, unit.in_si},
+      b{report.name_b, palette(1), marker(1), report.confidence, unit.in_si};
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const study::ComparedCurves& each = curves[i];
     Panel panel{.title = each.name,
@@ -99,9 +105,9 @@ std::string comparison_figure(const ComparisonReport& report) {
     const std::size_t row = i / 2;
     const Frame frame{kLeft + static_cast<double>(i % 2) * kColumn,
                       kTop + static_cast<double>(row) * kRow, kPanelWidth, kPanelHeight};
-    const Scaling scaling = draw(svg, frame, panel);
-    draw_shares(svg, scaling, each.of_a, a);
-    draw_shares(svg, scaling, each.of_b, b);
+    add_fractions(panel, each.of_a, a);
+    add_fractions(panel, each.of_b, b);
+    draw(svg, frame, panel);
   }
   return svg.str();
 }

@@ -145,7 +145,7 @@ void draw_x_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling
 void draw_y_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& scaling,
                  const Range& range) {
   constexpr double kSize = 10, kLabelSize = 11;
-  const double apart = panel.equal_scales ? 70 : 30;  // equal scales: ticks as on the other axis
+  const double apart = panel.equal_scales ? 70 : 26;  // equal scales: ticks as on the other axis
   const int wanted = std::max(2, static_cast<int>(frame.height / apart));
   std::vector<double> at = panel.log_y ? decade_ticks(range) : ticks(range, wanted);
   for (int more = 1; at.size() < 2 && !panel.log_y && more < 4; ++more)
@@ -304,9 +304,12 @@ void draw_lanes(Svg& svg, const Frame& frame, const Panel& panel) {
     draw(svg, {frame.x, top, frame.width, height}, lane);
     const std::string name = fitted(panel.curves[i].label, 10, frame.width - 10);
     const double right = frame.x + frame.width - 5, wide = text_width(name, 10);
-    svg.rectangle(right - wide - 2, top + 1, wide + 5, 13,
+    const auto& values = panel.curves[i].y;  // the name is where the curve does not end
+    const bool high = !values.empty() && values.back() > (y.low + y.high) / 2;
+    const double line = high ? top + height - 4 : top + 11;
+    svg.rectangle(right - wide - 2, line - 10, wide + 5, 13,
                   {.stroke = "", .fill = "#ffffff", .opacity = 0.8});
-    svg.text(right, top + 11, name,
+    svg.text(right, line, name,
              {.size = 10, .anchor = Anchor::kEnd, .color = panel.curves[i].pen.stroke});
   }
   svg.text(frame.x - 40, frame.y + frame.height / 2,
