@@ -127,8 +127,8 @@ printf '[[study.limit_state]]\nname = "rolled"\ndemand = "peak_displacement"\nab
 study ida.h5 "$ida"
 "$gurney" fragility ida.h5 --json > stated.json
 grep -q '"method": "capacities"' stated.json || complain "no capacities"
-"$gurney" fragility ida.h5 --json --limit-state 'rolled = peak_displacement > 0.04 m' \
-  | sed 's/0.04 m/4 cm/' > given.json
+"$gurney" fragility ida.h5 --json --limit-state overturned \
+  --limit-state 'rolled = peak_displacement > 0.04 m' --limit rolled | sed 's/0.04 m/4 cm/' > given.json
 same stated.json given.json
 
 # What cannot be answered.
