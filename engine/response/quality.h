@@ -12,6 +12,7 @@ struct Quality {
   long subdivided_steps = 0;   ///< steps that had to be cut because their solve did not converge
   long unconverged_steps = 0;  ///< accepted with a residual above the setting
   long event_steps = 0;        ///< extra steps that end at a located event or resolve an impact
+  long rejected_steps = 0;     ///< repeated shorter because of their error
   long newton_iterations = 0;
   long collision_passes = 0;  ///< of Bullet
 };

@@ -1,11 +1,23 @@
 #include "engine/scene/settings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "engine/scene/problems.h"
 
 namespace gurney {
+namespace {
+
+constexpr double kLoosestTolerance = 0.1;
+
+}  // namespace
+
+SimulationSettings with_steps_times(double factor, SimulationSettings settings) {
+  settings.time_step *= factor;
+  settings.tolerance = std::min(factor * factor * factor * settings.tolerance, kLoosestTolerance);
+  return settings;
+}
 
 void validate(const SimulationSettings& settings) {
   Problems problems;
@@ -15,6 +27,8 @@ void validate(const SimulationSettings& settings) {
   };
   const SimulationSettings& s = settings;
   check(s.time_step > 0 && s.time_step <= 0.02, "time_step", s.time_step, "> 0 and <= 0.02 s");
+  check(s.tolerance >= 0 && s.tolerance <= kLoosestTolerance, "tolerance", s.tolerance,
+        "in [0, 0.1]");
   check(s.residual > 0 && s.residual <= 1e-3, "residual", s.residual, "> 0 and <= 0.001");
   check(s.max_newton_iterations >= 4 && s.max_newton_iterations <= 1000, "max_newton_iterations",
         s.max_newton_iterations, "in 4..1000");

@@ -16,7 +16,9 @@ enum class Solver {
 /// How a run is integrated. Defaults are written here and nowhere else.
 struct SimulationSettings {
   Solver solver = Solver::kImplicit;
-  double time_step = 0.004;  ///< (0, 0.02] [s]
+  double time_step = 0.004;  ///< (0, 0.02] [s]; with a tolerance the longest step
+  double tolerance = 0;      ///< > 0: as many steps as errors below this fraction of the motion
+                             ///< need, [0, 0.1]; 0: fixed steps
   double residual = 1e-9;    ///< momentum residual per step, as a fraction of M g dt, (0, 1e-3]
   int max_newton_iterations = 40;  ///< per stage before the step is subdivided, 4..1000
   int max_subdivisions = 10;  ///< halvings of one step before the run counts as diverged, 0..20
@@ -31,6 +33,10 @@ struct SimulationSettings {
   bool skip_clear_collision_passes =
       true;  ///< skip Bullet's collision pass while nothing can be near
 };
+
+/// The settings with steps `factor` times as long: also of those that a tolerance chooses,
+/// since the error of a step grows with its cube.
+SimulationSettings with_steps_times(double factor, SimulationSettings settings);
 
 /// @throws Error naming every setting outside its range.
 void validate(const SimulationSettings& settings);

@@ -123,6 +123,7 @@ Stepper::Stepper(const Assembly& assembly, const FloorMotion& floor,
       solver_(assembly, {settings.residual, settings.max_newton_iterations}),
       predictions_(assembly.items.size()),
       reversals_(assembly, settings.time_step),
+      control_(assembly, settings),
       accounts_(assembly.items.size()) {
   input_.guess.resize(assembly.items.size());
   between_.items.resize(assembly.items.size());
@@ -307,6 +308,11 @@ std::optional<std::string> Stepper::advance_smoothly(const Island& island, Scene
   const double from = state.items[island.items.front()].time;
   double duration = time - from;
   const bool converged = attempt(island, state, duration);
+  if (control_.on() &&
+      control_.rejects({island, duration, converged, state, predictions_, first_, second_})) {
+    ++quality_.rejected_steps;
+    return std::nullopt;
+  }
   if (!converged) {
     if (depth < settings_.max_subdivisions) {
       if (depth == 0) ++quality_.subdivided_steps;
@@ -368,8 +374,9 @@ std::optional<std::string> Stepper::advance_island(const Island& island, SceneSt
       if (memory.compression <= 0) memory.approach_speed = approach_speed(memory.contact, state);
     }
     const double remaining = time - front.time;
-    const double parts = std::ceil(remaining / longest_step(island, state, remaining));
+    double parts = std::ceil(remaining / longest_step(island, state, remaining));
     if (parts >= 2) ++quality_.event_steps;
+    parts = std::max(parts, std::ceil(remaining / control_.longest(island)));
     const double latest = parts < 2 ? time : front.time + remaining / parts;
     const double stop = end_of_step(island, state, latest);
     if (auto cause = advance_smoothly(island, state, stop, 0, observer)) return cause;

@@ -10,12 +10,15 @@
 #include "engine/scene/settings.h"
 #include "engine/solver/slip_reversal.h"
 #include "engine/solver/stage_solver.h"
+#include "engine/solver/step_control.h"
 
 namespace gurney {
 
 /// Advances the items of a scene in time with the two-stage method of quadrature.h: second order,
 /// L-stable. Items that may touch take their steps together, all others apart.
 ///
+/// With a tolerance it takes several steps of its own choice where one would be too inaccurate
+/// (StepControl); a rejected one changes nothing but the choice of the next.
 /// A step whose solve does not converge is halved, again and again down to `max_subdivisions`.
 /// Events that change the equations (a drop weight reaching its floor) are located inside the step
 /// and end it. While a body meets another one the steps are a
@@ -61,6 +64,7 @@ class Stepper {
   void accept(const Island& island, SceneState& state, double duration, const Observer& observer);
   std::optional<std::string> advance_island(const Island& island, SceneState& state, double time,
                                             const Observer& observer);
+  /// One step and what events make of it; none where the step is rejected.
   std::optional<std::string> advance_smoothly(const Island& island, SceneState& state, double time,
                                               int depth, const Observer& observer);
   double penetration(const Island& island, const SceneState& state) const;
@@ -83,6 +87,7 @@ class Stepper {
   FloorStage floor_second_;
   std::vector<SlipReversals::Course> predictions_;
   SlipReversals reversals_;
+  StepControl control_;
   std::vector<EnergyAccount> accounts_;
   Quality quality_;
 };

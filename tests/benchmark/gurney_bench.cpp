@@ -7,12 +7,17 @@
 #include "tests/benchmark/sections.h"
 
 /// Prints accuracy and speed in one run. `--quick` takes a small ensemble;
-/// `--predictability` prints the table of docs/theory/predictability.md alone.
+/// `--predictability` and `--step-control` print the tables of docs/theory/predictability.md and
+/// step_control.md alone.
 int main(int argc, char** argv) try {
   using namespace gurney::benchmark;
   const bool quick = argc > 1 && std::string_view(argv[1]) == "--quick";
   if (argc > 1 && std::string_view(argv[1]) == "--predictability") {
     print_predictability(100);
+    return 0;
+  }
+  if (argc > 1 && std::string_view(argv[1]) == "--step-control") {
+    print_step_control(100);
     return 0;
   }
   print_pulling_accuracy();

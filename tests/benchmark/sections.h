@@ -15,4 +15,7 @@ void print_spectra();
 /// Verdicts of runs beside the error of their time step, for free and braked items.
 void print_predictability(int records);
 
+/// Accuracy and CPU time of fixed steps and of steps chosen by a tolerance.
+void print_step_control(int records);
+
 }  // namespace gurney::benchmark

@@ -65,6 +65,8 @@ void read_settings(Table& root, JobReading& job) {
       static_cast<Solver>(in.choice("solver", kSolvers, static_cast<std::size_t>(settings.solver)));
   settings.time_step =
       in.number("time_step_s", Range::within(0, 0.02).open_below(), settings.time_step);
+  if (in.has("tolerance"))
+    settings.tolerance = in.number("tolerance", Range::within(0, 0.1).open_below());
   settings.residual = in.number("residual", Range::within(0, 1e-3).open_below(), settings.residual);
   settings.max_newton_iterations =
       in.integer("max_newton_iterations", 4, 1000, settings.max_newton_iterations);
@@ -90,7 +92,8 @@ void read_settings(Table& root, JobReading& job) {
   if (settings.solver != Solver::kImplicit)
     note_without_effect(
         in,
-        {"residual", "max_newton_iterations", "max_subdivisions", "skip_clear_collision_passes"},
+        {"tolerance", "residual", "max_newton_iterations", "max_subdivisions",
+         "skip_clear_collision_passes"},
         "with the solver \"" + kSolvers[static_cast<std::size_t>(settings.solver)] + "\"", job);
   std::vector<std::string> warnings;
   for (const char* key : {"settle_time_s", "rest_speed_m_per_s", "rest_hold_s"})

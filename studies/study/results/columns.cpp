@@ -88,6 +88,8 @@ constexpr TableColumn<Quality> kQuality[] = {
     {"unconverged_steps", "1", "steps accepted with a residual above the setting",
      &Quality::unconverged_steps},
     {"event_steps", "1", "extra steps that end at a located event", &Quality::event_steps},
+    {"rejected_steps", "1", "steps repeated shorter because of their error",
+     &Quality::rejected_steps},
     {"newton_iterations", "1", "iterations of the contact solve", &Quality::newton_iterations},
     {"collision_passes", "1", "collision passes of Bullet", &Quality::collision_passes},
 };

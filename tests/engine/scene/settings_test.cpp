@@ -14,6 +14,7 @@ TEST(Settings, DefaultsAreValid) { EXPECT_NO_THROW(validate(SimulationSettings{}
 TEST(Settings, NamesEverySettingOutsideItsRange) {
   SimulationSettings settings;
   settings.time_step = std::nan("");
+  settings.tolerance = 0.2;
   settings.residual = 0;
   settings.max_newton_iterations = 3;
   settings.max_subdivisions = 21;
@@ -25,6 +26,7 @@ TEST(Settings, NamesEverySettingOutsideItsRange) {
   settings.history_step = -0.1;
   EXPECT_EQ(error_text([&] { validate(settings); }),
             "settings: time_step = nan: must be > 0 and <= 0.02 s\n"
+            "settings: tolerance = 0.2: must be in [0, 0.1]\n"
             "settings: residual = 0: must be > 0 and <= 0.001\n"
             "settings: max_newton_iterations = 3: must be in 4..1000\n"
             "settings: max_subdivisions = 21: must be in 0..20\n"
@@ -34,6 +36,14 @@ TEST(Settings, NamesEverySettingOutsideItsRange) {
             "settings: rest_hold = 0: must be > 0 s and finite\n"
             "settings: overturn_tilt = 2: must be > 0 and < pi/2 rad\n"
             "settings: history_step = -0.1: must be >= 0 s and finite");
+}
+
+/// The error of a step grows with its cube: an eighth of it is that of half the step.
+TEST(Settings, ShorterStepsTightenTheTolerance) {
+  SimulationSettings settings{.time_step = 0.004, .tolerance = 0.08};
+  EXPECT_EQ(with_steps_times(0.5, settings).time_step, 0.002);
+  EXPECT_DOUBLE_EQ(with_steps_times(0.5, settings).tolerance, 0.01);
+  EXPECT_NO_THROW(validate(with_steps_times(2, settings)));
 }
 
 }  // namespace

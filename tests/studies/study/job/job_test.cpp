@@ -107,6 +107,7 @@ wheels_roll = false
 [settings]
 solver = "implicit"
 time_step_s = 0.002
+tolerance = 0.02
 residual = 1e-8
 max_newton_iterations = 50
 max_subdivisions = 5
@@ -240,6 +241,7 @@ TEST(Job, ReadsTheSettings) {
   const SimulationSettings settings = read_job(write_everything(folder)).settings;
   EXPECT_EQ(settings.solver, Solver::kImplicit);
   EXPECT_EQ(settings.time_step, 0.002);
+  EXPECT_EQ(settings.tolerance, 0.02);
   EXPECT_EQ(settings.residual, 1e-8);
   EXPECT_EQ(settings.max_newton_iterations, 50);
   EXPECT_EQ(settings.max_subdivisions, 5);

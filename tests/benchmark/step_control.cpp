@@ -1,0 +1,94 @@
+#include <fmt/core.h>
+
+#include <array>
+#include <ctime>
+#include <vector>
+
+#include "engine/run/predictability.h"
+#include "tests/benchmark/regimes.h"
+#include "tests/benchmark/sections.h"
+
+namespace gurney::benchmark {
+namespace {
+
+constexpr double kFinestStep = 0.000125, kTwinStep = 0.00025;  // [s]
+constexpr double kSettled = 0.01;
+
+constexpr std::array<SimulationSettings, 8> kVariants = {{{.time_step = 0.004},
+                                                          {.time_step = 0.002},
+                                                          {.time_step = 0.001},
+                                                          {.time_step = 0.0005},
+                                                          {.tolerance = 0.03},
+                                                          {.tolerance = 0.01},
+                                                          {.tolerance = 0.003},
+                                                          {.tolerance = 0.001}}};
+
+/// Of this thread [s].
+double cpu_time() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Row {
+  int settled = 0;
+  double cpu = 0;
+};
+
+struct Table {
+  int predictable = 0;
+  std::array<Row, kVariants.size()> rows;
+};
+
+void add_motion(const Scene& scene, const FloorMotion& floor, Table& table) {
+  const SimulationSettings twin{.time_step = kTwinStep};
+  const std::vector<Predictability> found =
+      predictability(scene, floor, twin, simulate(scene, floor, twin));
+  const Response reference = simulate(scene, floor, {.time_step = kFinestStep});
+  const bool predictable =
+      !found.empty() && found[0].verdict == Predictability::Verdict::kPredictable;
+  std::array<Row, kVariants.size()> rows;
+  for (std::size_t v = 0; v < rows.size(); ++v) {
+    const double start = cpu_time();
+    const Response run = simulate(scene, floor, kVariants[v]);
+    rows[v].cpu = cpu_time() - start;
+    rows[v].settled =
+        predictable && step_error(run.items[0].demands, reference.items[0].demands) <= kSettled;
+  }
+#pragma omp critical
+  {
+    table.predictable += predictable;
+    for (std::size_t v = 0; v < rows.size(); ++v) {
+      table.rows[v].settled += rows[v].settled;
+      table.rows[v].cpu += rows[v].cpu;
+    }
+  }
+}
+
+}  // namespace
+
+void print_step_control(int records) {
+  fmt::print(
+      "\nFixed steps and steps chosen by a tolerance: {} synthetic motions a regime; predictable "
+      "runs (twin at\n{:g} ms) whose peaks are within {:.0f} % of those at {:g} ms, and CPU time "
+      "of a run\n",
+      records, 1000 * kTwinStep, 100 * kSettled, 1000 * kFinestStep);
+  for (const Regime& regime : kRegimes) {
+    const Scene scene = scene_of_regime(regime);
+    Table table;
+#pragma omp parallel for schedule(dynamic)
+    for (int k = 0; k < records; ++k)
+      add_motion(scene, motion_of_regime(regime, k, records), table);
+    fmt::print("{}: {} predictable of {}\n", regime.name, table.predictable, records);
+    for (std::size_t v = 0; v < kVariants.size(); ++v) {
+      const SimulationSettings& settings = kVariants[v];
+      const std::string name = settings.tolerance > 0
+                                   ? fmt::format("tolerance {:g}", settings.tolerance)
+                                   : fmt::format("{:g} ms", 1000 * settings.time_step);
+      fmt::print("{:>18}: {:>3} within {:.0f} %, {:6.1f} ms\n", name, table.rows[v].settled,
+                 100 * kSettled, 1000 * table.rows[v].cpu / records);
+    }
+  }
+}
+
+}  // namespace gurney::benchmark
