@@ -12,7 +12,7 @@ namespace {
 constexpr double kLeastSpeed = 0.01;
 
 /// The error of a step grows with its cube; the next one aims at kSafety^3 of what is allowed.
-constexpr double kSafety = 0.9, kLeastChange = 0.2, kMostChange = 2;
+constexpr double kSafety = 0.9, kLeastGrowth = 0.2, kLargestGrowth = 2;
 
 }  // namespace
 
@@ -57,10 +57,10 @@ bool StepControl::rejects(const Trial& trial) {
   const double change = kSafety / std::cbrt(worst);
   for (std::size_t i : trial.island.items) {
     double& longest = items_[i].longest;
-    if (change > kMostChange)  // a step that an event has cut says little about longer ones
-      longest = std::max(longest, kMostChange * h);
+    if (change > kLargestGrowth)  // an event may have shortened this step
+      longest = std::max(longest, kLargestGrowth * h);
     else
-      longest = std::max(shortest_, h * std::max(change, kLeastChange));
+      longest = std::max(shortest_, h * std::max(change, kLeastGrowth));
   }
   return rejected;
 }

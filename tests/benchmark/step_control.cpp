@@ -18,7 +18,7 @@ constexpr std::array<SimulationSettings, 8> kVariants = {{{.time_step = 0.004},
                                                           {.time_step = 0.002},
                                                           {.time_step = 0.001},
                                                           {.time_step = 0.0005},
-                                                          {.tolerance = 0.03},
+                                                          {.time_step = 0.00025},
                                                           {.tolerance = 0.01},
                                                           {.tolerance = 0.003},
                                                           {.tolerance = 0.001}}};
