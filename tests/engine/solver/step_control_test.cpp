@@ -121,7 +121,7 @@ TEST(StepControl, RejectedStepsLeaveNoTrace) {
       same(x.velocity.chassis.data(), y.velocity.chassis.data(), sizeof x.velocity.chassis));
   EXPECT_EQ(x.broken_tethers, y.broken_tethers);
   for (std::size_t i = 0; i < 4; ++i) {
-    const LegState &p = x.legs[i], &q = y.legs[i];
+    const CasterState &p = x.casters[i], &q = y.casters[i];
     EXPECT_TRUE(
         same(p.tread.deflection.data(), q.tread.deflection.data(), sizeof p.tread.deflection));
     EXPECT_EQ(p.tread.roll_deflection, q.tread.roll_deflection);
