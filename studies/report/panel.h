@@ -102,7 +102,7 @@ void draw_lanes(Svg& svg, const Frame& frame, const Panel& panel);
 /// Colour-blind safe colours (Okabe & Ito 2008), repeated after the seventh.
 std::string palette(std::size_t index);
 
-/// As many shapes, so that they can be told apart in grey.
+/// As many shapes, so that they can be distinguished in grey.
 Marker marker(std::size_t index);
 
 }  // namespace gurney::report
