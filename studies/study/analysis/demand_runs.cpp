@@ -28,7 +28,7 @@ std::vector<DemandRuns> demand_runs(const StudyData& data,
                                     const std::string& demand, const RunMeasure& measure) {
   std::vector<DemandRuns> all;
   const RunLevels levels = run_levels(data);
-  const std::vector<double> cases = data.file().numbers("runs/unit");
+  const std::vector<double> cases = data.file().numbers("runs/analysis_case");
   for (const std::size_t configuration : configurations)
     for (const NamedDemand& named : demands_named(data, configuration, {demand})) {
       const std::vector<std::size_t>& runs = data.runs_of(configuration);
