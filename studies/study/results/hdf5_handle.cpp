@@ -29,6 +29,12 @@ std::string reason_in(const std::vector<std::string>& messages) {
 
 }  // namespace
 
+void require_memory() {
+  constexpr std::size_t kEnough = 4 << 20;
+  std::vector<char> memory(kEnough);
+  *const_cast<volatile char*>(memory.data()) = 1;  // or the compiler leaves the allocation out
+}
+
 void fail(const std::string& what) {
   std::vector<std::string> messages;  // from the innermost function outwards
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, collect_message, &messages);

@@ -39,6 +39,11 @@ class Handle {
 
 void silence_printing();
 
+/// To be called before a file is opened: HDF5 1.10 follows a null pointer where the memory for the
+/// cache of a file (H5AC_create, about 1 MB) is not there.
+/// @throws std::bad_alloc
+void require_memory();
+
 /// UTF-8 text.
 /// @param width  bytes; H5T_VARIABLE: of any length
 Handle text_type(std::size_t width = H5T_VARIABLE);

@@ -182,6 +182,7 @@ Hdf5Reader::Hdf5Reader(const std::string& path, Probed probed) : path_(path) {
     hdf5::check_seal(path);
     hdf5::probe(path, [&] { Hdf5Reader(path, Probed::kYes).read_all(); });
   }
+  hdf5::require_memory();
   file_ = checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open " + path);
   try {
     hdf5::refuse_links(file_, path);

@@ -51,6 +51,7 @@ void write_attribute(hid_t file, const std::string& object, const std::string& n
 
 Hdf5Writer::Hdf5Writer() {
   silence_printing();
+  hdf5::require_memory();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), "make a file in memory");
   checked(H5Pset_fapl_core(access, 1 << 20, false), "make a file in memory");
   file_ =
@@ -59,6 +60,7 @@ Hdf5Writer::Hdf5Writer() {
 
 Hdf5Writer::Hdf5Writer(const std::string& path) {
   silence_printing();
+  hdf5::require_memory();
   path_ = path;
   file_ =
       checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, file_creation(), H5P_DEFAULT), "make " + path);
