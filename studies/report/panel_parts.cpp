@@ -89,7 +89,8 @@ void draw_head(Svg& svg, const Frame& frame, const Panel& panel) {
     const auto columns = legend.widths.size();
     double x = frame.x + frame.width - legend.width + kSpace;
     for (std::size_t column = 0; column < i % columns; ++column) x += legend.widths[column];
-    const double y = frame.y - 13 - kRow * static_cast<double>(rows - 1 - i / columns);
+    const std::size_t row = i / columns;
+    const double y = frame.y - 13 - kRow * static_cast<double>(rows - 1 - row);
     draw_key(svg, x, y, legend.entries[i]);
     svg.text(x + kKey + kGap, y + 3.5, legend.entries[i].label, {.size = kSize});
   }

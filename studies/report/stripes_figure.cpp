@@ -29,9 +29,9 @@ void add(Panel& panel, const study::DemandRuns& runs, const study::DemandRuns::C
   Curve low{"", {}, {}, {.stroke = color, .width = 1, .dash = "2 3"}}, high = low;
   for (auto& [im, values] : stripes) {
     std::ranges::sort(values);
-    const auto at = [&](double fraction) {
-      const auto count = static_cast<double>(values.size());
-      return values[static_cast<std::size_t>(std::min(count - 1, fraction * count))];
+    const auto at = [&sorted = values](double fraction) {
+      const auto count = static_cast<double>(sorted.size());
+      return sorted[static_cast<std::size_t>(std::min(count - 1, fraction * count))];
     };
     for (const auto& [curve, fraction] : {std::pair{&median, 0.5}, {&low, 0.16}, {&high, 0.84}}) {
       curve->x.push_back(im + offset);
