@@ -120,7 +120,7 @@ cp one.h5 reference.h5
 
 "$gurney" submit study.toml --slurm --shards 9 --time 10 -o study.h5 --program "$gurney" || fail "submit"
 sbatch study.sbatch || fail "sbatch"
-if wait_until 120 part_of_node_2; then
+if wait_until 600 part_of_node_2; then
   echo "killing node gurney2 in shard $shard"
   id=$(squeue -h -t running -w gurney2 -o %A)
   kill -9 "${node[2]}"
@@ -128,7 +128,7 @@ if wait_until 120 part_of_node_2; then
   pkill -9 -f "spool.gurney2/.*slurm_script|gurney run study.toml .* --shard $shard/9"
 fi
 "$gurney" status study.h5.shards
-wait_until 300 none_left
+wait_until 900 none_left
 "$gurney" status study.h5.shards
 grep -q "gurney2" slurmctld.log || fail "the node was not lost"
 "$gurney" merge study.h5.shards > merge.out 2>&1 || fail "merge: $(head -c 500 merge.out)"
