@@ -56,8 +56,8 @@ double sweep_of(const Mechanism& mechanism, const State& state) {
   return speed_of(mechanism, state, 0);
 }
 
-/// Pools for the pairs of a room; for more, Bullet allocates one by one. Its own are for 4096 pairs:
-/// megabytes that every run would write.
+/// Pools for the pairs of a room; for more, Bullet allocates one by one. Its own are for 4096
+/// pairs: megabytes that every run would write.
 btDefaultCollisionConstructionInfo small_pools() {
   btDefaultCollisionConstructionInfo info;
   info.m_defaultMaxPersistentManifoldPoolSize = info.m_defaultMaxCollisionAlgorithmPoolSize = 128;

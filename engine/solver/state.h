@@ -14,7 +14,8 @@ namespace gurney {
 
 inline constexpr std::size_t kMaxCasters = EquipmentModel::kMaxCasters;
 
-/// Generalised velocity: of the chassis (its centre of mass, floor axes) and of every caster's joints.
+/// Generalised velocity: of the chassis (its centre of mass, floor axes) and of every caster's
+/// joints.
 struct Velocity {
   Vector6 chassis = Vector6::Zero();
   std::array<Eigen::Vector2d, kMaxCasters> joints;

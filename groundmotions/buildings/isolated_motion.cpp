@@ -39,8 +39,8 @@ IsolatedMotion::IsolatedMotion(const Isolation& isolation, const std::array<Moda
 double IsolatedMotion::largest_step(const Isolation& isolation,
                                     const std::array<ModalAxis, 2>& axes) {
   // With A = 2 B / h^2, B > base_mass_ratio, and J between 0 and s + r / h the slope of the mean
-  // force over the increment, s = q / (2 u_y), r = rate (q_fast - q_slow), the fixed point contracts by
-  // (s - J) / (A + s): by 1/2 or better for h^2 <= B / s and h <= B / r.
+  // force over the increment, s = q / (2 u_y), r = rate (q_fast - q_slow), the fixed point
+  // contracts by (s - J) / (A + s): by 1/2 or better for h^2 <= B / s and h <= B / r.
   const double share = isolation.base_mass_ratio;
   const double hysteresis = isolation.fast_strength / (2 * isolation.yield_displacement);
   const double rate = isolation.strength_rate * (isolation.fast_strength - isolation.slow_strength);

@@ -33,8 +33,8 @@ struct IsolationEnergy {
 ///     (a_ground + u'') + sum_i m_i q_i'' = -f(u, v, z, n)
 ///
 /// by the implicit midpoint rule: second order, stable for any step. The base moves straight in a
-/// step, so the work of the hysteresis is exact for that increment (`slide`) and the energies close to
-/// the tolerance of the solve, whatever the step.
+/// step, so the work of the hysteresis is exact for that increment (`slide`) and the energies close
+/// to the tolerance of the solve, whatever the step.
 class IsolatedMotion {
  public:
   /// @param axes       h1, h2; effective masses relative to the building without its base floor

@@ -65,9 +65,9 @@ struct Sliding {
   Vector2 mean;  ///< mean of z over the increment
 };
 
-/// Exact: elastic up to the edge of the unit disc, then with psi the angle between z and the increment,
-/// tan(psi / 2) falls by exp(-increment / u_y) (Krieg & Krieg 1977, Journal of Pressure Vessel Technology
-/// 99(4), 510-515).
+/// Exact: elastic up to the edge of the unit disc, then with psi the angle between z and the
+/// increment, tan(psi / 2) falls by exp(-increment / u_y) (Krieg & Krieg 1977, Journal of Pressure
+/// Vessel Technology 99(4), 510-515).
 /// @param z    |z| <= 1
 /// @param increment  displacement over u_y
 Sliding slide(const Vector2& z, const Vector2& increment);

@@ -8,8 +8,8 @@ class App;
 
 namespace gurney::cli {
 
-/// Each adds one command to the program, or to `gurney records`. Where the command is chosen, `action`
-/// is set to what it does, which returns the exit code and throws Error for bad input.
+/// Each adds one command to the program, or to `gurney records`. Where the command is chosen,
+/// `action` is set to what it does, which returns the exit code and throws Error for bad input.
 using AddCommand = void(CLI::App& app, std::function<int()>& action);
 
 AddCommand add_calibrate;    ///< caster constants from pull and impact tests

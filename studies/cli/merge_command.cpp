@@ -70,7 +70,7 @@ int merge_command(const MergeOptions& options) {
   for (const std::string& warning : shards.warnings()) print_error("{}\n", warning);
   const std::string missing = shards.missing();
   require(missing.empty(), missing);
-  const study::StudyCounts counts = write_results(
+  const study::RunCounts counts = write_results(
       batch, folder, [&](std::size_t task) { return shards.read(task); }, results,
       options.overwrite);
   append_log(fs::path(results).replace_extension(".log"),

@@ -21,8 +21,8 @@ struct RecordSource {
 void add_source_options(CLI::App& command, RecordSource& source);
 
 /// Reads the records one after the other, processes them and hands each to `use`. Progress goes to
-/// stderr where that is a terminal. Records that cannot be read are reported on stderr, and the others
-/// go on.
+/// stderr where that is a terminal. Records that cannot be read are reported on stderr, and the
+/// others go on.
 /// @param refused  all that was left out, with reasons; may be null
 /// @returns the exit code: 0, or 1 if a file that was named on the command line is no record or
 ///          nothing was read

@@ -158,7 +158,7 @@ int run_study(const RunOptions& options) {
   note_interruptions();
   StudyProgress line(options.json);
   study::BatchProgress progress;
-  study::StudyCounts counts;
+  study::RunCounts counts;
   const auto fail = [&](const std::string& reason) {
     throw Error(reason + '\n' + resume_hint(options, paths, folder, shard.tasks_of(plan.tasks())));
   };

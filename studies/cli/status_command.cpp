@@ -53,8 +53,9 @@ report::ReportTable table_of(const std::vector<ShardStatus>& shards) {
   for (const ShardStatus& s : shards) {
     const double time = to_go(s);
     table.add({fmt::format("{}/{}", s.shard.number, s.shard.count),
-               fmt::format("{} of {}", s.done, s.tasks), s.tasks, s.done, s.runs, s.overturned,
-               report::failed_runs(s.failed, s.untrusted), s.failed, s.untrusted, s.runs_per_second,
+               fmt::format("{} of {}", s.done, s.tasks), s.tasks, s.done, s.counts.runs,
+               s.counts.overturned, report::failed_runs(s.counts.failed, s.counts.untrusted),
+               s.counts.failed, s.counts.untrusted, s.runs_per_second,
                time > 0 ? duration_text(time) : std::string("-"), time, state_of(s)});
   }
   return table;
@@ -70,8 +71,8 @@ Total total_of(const std::vector<ShardStatus>& shards) {
   for (const ShardStatus& s : shards) {
     all.tasks += s.tasks;
     all.done += s.done;
-    all.runs += s.runs;
-    all.failed += s.failed;
+    all.runs += s.counts.runs;
+    all.failed += s.counts.failed;
     all.damaged += s.damaged;
     all.finished += s.done == s.tasks;
     if (s.process.empty()) continue;

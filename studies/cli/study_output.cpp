@@ -21,11 +21,11 @@ namespace gurney::cli {
 
 namespace fs = std::filesystem;
 
-study::StudyCounts write_results(const study::Batch& batch, const fs::path& folder,
-                                 const std::function<std::string(std::size_t)>& read,
-                                 const fs::path& results, bool overwrite) {
+study::RunCounts write_results(const study::Batch& batch, const fs::path& folder,
+                               const std::function<std::string(std::size_t)>& read,
+                               const fs::path& results, bool overwrite) {
   const fs::path complete = folder / "results.h5";
-  study::StudyCounts counts;
+  study::RunCounts counts;
   try {
     fs::remove(complete);
     counts = study::write_study_file(complete.string(), batch, [&](std::size_t task) {
@@ -44,8 +44,8 @@ study::StudyCounts write_results(const study::Batch& batch, const fs::path& fold
   return counts;
 }
 
-void print_study(const study::Batch& batch, const fs::path& results,
-                 const study::StudyCounts& counts, double runs_per_second, bool json) {
+void print_study(const study::Batch& batch, const fs::path& results, const study::RunCounts& counts,
+                 double runs_per_second, bool json) {
   const std::vector<std::string> undrawn = study::undrawn_ranges(batch).lines();
   const study::ScaleFactors factors = study::scale_factors(study::StudyData(results.string()));
   if (json) {

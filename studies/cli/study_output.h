@@ -13,14 +13,14 @@ namespace gurney::cli {
 /// @param folder  for the file while it is not complete
 /// @param read    the bytes of a task
 /// @throws Error where it cannot be written or somebody made such a file meanwhile
-study::StudyCounts write_results(const study::Batch& batch, const std::filesystem::path& folder,
-                                 const std::function<std::string(std::size_t)>& read,
-                                 const std::filesystem::path& results, bool overwrite);
+study::RunCounts write_results(const study::Batch& batch, const std::filesystem::path& folder,
+                               const std::function<std::string(std::size_t)>& read,
+                               const std::filesystem::path& results, bool overwrite);
 
 /// Prints the counts of a study, the scale factors of its motions and which ranges were not drawn.
 /// @param runs_per_second  0: not measured
 void print_study(const study::Batch& batch, const std::filesystem::path& results,
-                 const study::StudyCounts& counts, double runs_per_second, bool json);
+                 const study::RunCounts& counts, double runs_per_second, bool json);
 
 /// A line of a study's log, and one with the path of the job: time, host, versions.
 /// @param how  such as "finished"; @param what  such as the number of runs

@@ -8,9 +8,9 @@
 namespace gurney::report {
 
 /// One page of SVG: the scene from above (plan_view.h); for a single item histories of
-/// the floor acceleration, displacement, velocity, acceleration, yaw and tilt, swivel angles, normal
-/// forces and energy, and when it is pulled its pull as well; for several items the distance from the start and the tilt of
-/// each, in the colours of the plan. Without a history it says so.
+/// the floor acceleration, displacement, velocity, acceleration, yaw and tilt, swivel angles,
+/// normal forces and energy, and when it is pulled its pull as well; for several items the distance
+/// from the start and the tilt of each, in the colours of the plan. Without a history it says so.
 std::string figure(const study::RunFacts& facts, const Response& response);
 
 }  // namespace gurney::report

@@ -31,8 +31,8 @@ struct PairedDifference {
 /// are left out, and a caller can see how many from `pairs`.
 ///
 /// p_permutation is of the mean difference when each record's difference may as well have the other
-/// sign (Fisher 1935, The design of experiments, section 21): all 2^n assignments to 20 records that
-/// differ, above that (1 + k) / (1 + 99,999) of drawn ones.
+/// sign (Fisher 1935, The design of experiments, section 21): all 2^n assignments to 20 records
+/// that differ, above that (1 + k) / (1 + 99,999) of drawn ones.
 PairedDifference paired_difference(const std::vector<Measured>& a, const std::vector<Measured>& b,
                                    double confidence = 0.95, std::uint64_t seed = 1);
 

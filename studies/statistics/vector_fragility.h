@@ -50,8 +50,9 @@ struct VectorFit {
   double p_of(Eigen::Index slope) const;
 };
 
-/// By Newton's method on logarithms less their mean over their deviation. Separation is reported where
-/// the plane found leaves no run on its wrong side, or where the information is singular to 1e-9.
+/// By Newton's method on logarithms less their mean over their deviation. Separation is reported
+/// where the plane found leaves no run on its wrong side, or where the information is singular to
+/// 1e-9.
 /// @throws Error unless all intensities are > 0 and finite.
 VectorFit fit_vector(const std::vector<VectorObservation>& observations);
 

@@ -13,8 +13,9 @@
 #include "engine/solver/mechanism.h"
 #include "studies/verification/scenes/small_scenes.h"
 
-// The mechanics of engine/caster/caster_dynamics.h (mass matrix, bias, contact Jacobian) against Bullet's own
-// reduced-coordinate multibody (Featherstone's articulated-body algorithm), at random states.
+// The mechanics of engine/caster/caster_dynamics.h (mass matrix, bias, contact Jacobian) against
+// Bullet's own reduced-coordinate multibody (Featherstone's articulated-body algorithm), at random
+// states.
 namespace gurney {
 namespace {
 

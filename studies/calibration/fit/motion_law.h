@@ -19,8 +19,8 @@ struct MotionLaw {
 ///
 /// Least squares in x_0, v_0, s and s R for every lag within 0.3 s. `lag` is the best one with s
 /// within a factor of 3 from 1, where the sum of squares without any is larger by more than 50
-/// variances, and it is more than 0.05 s; 0 elsewhere, as where the force hardly changes and determines
-/// nothing. s is that without a lag.
+/// variances, and it is more than 0.05 s; 0 elsewhere, as where the force hardly changes and
+/// determines nothing. s is that without a lag.
 /// @return nothing where `span` has less than 24 samples
 std::optional<MotionLaw> motion_law(const TrialSignals& signals, const Span& span, double inertia);
 

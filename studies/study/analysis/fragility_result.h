@@ -13,8 +13,8 @@
 namespace gurney::study {
 
 /// Demands below this fraction of the limit count as "at most" it: they are noise of an item at
-/// rest (the time step and the settling of the treads), and would dominate a regression of logarithms.
-/// An assumption; 0.01 to 0.0001 is as good.
+/// rest (the time step and the settling of the treads), and would dominate a regression of
+/// logarithms. An assumption; 0.01 to 0.0001 is as good.
 inline constexpr double kFloorOfLimit = 1e-3;
 
 /// What a fragility is asked of.

@@ -9,8 +9,8 @@
 
 namespace gurney::study {
 
-/// What may make an output vary: a parameter that was drawn, several with the same values, or what the
-/// runs differ by otherwise.
+/// What may make an output vary: a parameter that was drawn, several with the same values, or what
+/// the runs differ by otherwise.
 struct SensitiveInput {
   std::vector<std::string> names;  ///< more than one: their values are equal in every run
   std::size_t set = 0;             ///< of inputs that go together: see StudySensitivity::correlated

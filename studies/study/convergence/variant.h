@@ -20,8 +20,8 @@ struct Variant {
 /// half, twice and four times its tread stiffness.
 std::vector<Variant> variants_for(const SimulationSettings& settings);
 
-/// The stiffness is that of treads, normal and tangential; their damping is proportional to its square root,
-/// so that the share of critical damping stays.
+/// The stiffness is that of treads, normal and tangential; their damping is proportional to its
+/// square root, so that the share of critical damping stays.
 RunCase varied(RunCase run, const Variant& variant);
 
 }  // namespace gurney::study

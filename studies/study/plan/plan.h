@@ -22,7 +22,8 @@ struct Task {
 };
 
 /// The tasks of a study in their order: stages, in them configurations, in them records, in them
-/// angles, in them draws, in them replicas. A task's index is its identity: nothing else decides its numbers.
+/// angles, in them draws, in them replicas. A task's index is its identity: nothing else decides
+/// its numbers.
 ///
 /// In a Saltelli design each draw is a row of it, and each point has a row in each matrix. The
 /// record is an input as the drawn numbers are, if there are several: matrix A has each record for

@@ -16,12 +16,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 void count(const TaskResult& result, BatchProgress& progress) {
-  for (const StudyRun& run : result.runs) {
-    progress.failed += is_failure(run.response.outcome);
-    progress.untrusted += run.response.outcome == Outcome::kUntrusted;
-    progress.overturned += run.response.outcome == Outcome::kOverturned;
-  }
-  progress.runs += result.runs.size();
+  progress.add(result);
   ++progress.done;
 }
 

@@ -10,15 +10,14 @@
 namespace gurney::study {
 
 /// What is known of a batch on its way.
-struct BatchProgress {
-  std::size_t tasks = 0, done = 0;  ///< those of earlier attempts included
-  std::size_t runs = 0, failed = 0, untrusted = 0, overturned = 0;  ///< of the tasks that are done
-  std::size_t tasks_now = 0, runs_now = 0;                          ///< of this attempt
-  double seconds = 0;                                               ///< of this attempt
+struct BatchProgress : RunCounts {          // of the tasks that are done
+  std::size_t tasks = 0, done = 0;          ///< those of earlier attempts included
+  std::size_t tasks_now = 0, runs_now = 0;  ///< of this attempt
+  double seconds = 0;                       ///< of this attempt
 };
 
-/// Runs every task of a shard that the folder lacks, and puts it there. A run that crashed the program twice
-/// (crash_log.h) fails without being tried again.
+/// Runs every task of a shard that the folder lacks, and puts it there. A run that crashed the
+/// program twice (crash_log.h) fails without being tried again.
 /// @param crashes   of this folder
 /// @param shard     the whole of a study with stages, each of which needs all tasks of those before
 /// @param threads   >= 1

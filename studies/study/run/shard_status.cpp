@@ -1,10 +1,7 @@
 #include "studies/study/run/shard_status.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
-#include <map>
 #include <set>
 
 #include "engine/base/error.h"
@@ -13,7 +10,6 @@
 #include "studies/study/run/part_folder.h"
 #include "studies/study/run/shard_folders.h"
 #include "studies/study/run/study_identity.h"
-#include "studies/study/run/task_result.h"
 
 namespace gurney::study {
 namespace {
@@ -26,15 +22,6 @@ Time time_of(const fs::path& file) {
   std::error_code gone;
   const Time time = fs::last_write_time(file, gone);
   return gone ? Time::min() : time;
-}
-
-void count(const TaskResult& result, ShardStatus& status) {
-  status.runs += result.runs.size();
-  for (const StudyRun& run : result.runs) {
-    status.failed += is_failure(run.response.outcome);
-    status.untrusted += run.response.outcome == Outcome::kUntrusted;
-    status.overturned += run.response.outcome == Outcome::kOverturned;
-  }
 }
 
 /// The runs of parts that were written since the last start, and how long they took.
@@ -57,14 +44,15 @@ ShardStatus status_of(const fs::path& folder, const Shard& shard) {
   std::size_t runs_now = 0, tasks_now = 0;
   for (const std::uint32_t part : part_numbers(folder)) {
     const fs::path path = part_path(folder, part);
-    const PartContent content = format.decode(file_bytes(path));
+    const std::string bytes = file_bytes(path);
+    const PartContent content = format.decode(bytes);
     status.damaged += !content.damage.empty();
     const bool now = time_of(path) > start;
     for (const PartEntry& entry : content.entries) {
       if (!done.insert(entry.task).second) continue;
-      const std::size_t before = status.runs;
-      count(task_from_bytes(format.read(path, entry)), status);
-      runs_now += now ? status.runs - before : 0;
+      const std::size_t before = status.counts.runs;
+      status.counts.add(task_from_bytes(std::string_view(bytes).substr(entry.offset, entry.size)));
+      runs_now += now ? status.counts.runs - before : 0;
       tasks_now += now;
     }
     if (now) last = std::max(last, time_of(path));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "studies/study/run/shard.h"
+#include "studies/study/run/task_result.h"
 
 namespace gurney::study {
 
@@ -12,7 +13,7 @@ namespace gurney::study {
 struct ShardStatus {
   Shard shard = {};
   std::size_t tasks = 0, done = 0;  ///< analysis cases
-  std::size_t runs = 0, overturned = 0, failed = 0, untrusted = 0;
+  RunCounts counts = {};
   std::size_t damaged = 0;      ///< part files whose runs will be repeated
   bool started = false;         ///< it has a folder
   std::string process = {};     ///< that works on it: "process 12 on node3"; empty: none

@@ -137,8 +137,8 @@ void add_assumptions(Hdf5Writer& file, const Batch& batch) {
 
 }  // namespace
 
-StudyCounts write_study_file(const std::string& path, const Batch& batch,
-                             const std::function<TaskResult(std::size_t)>& read) {
+RunCounts write_study_file(const std::string& path, const Batch& batch,
+                           const std::function<TaskResult(std::size_t)>& read) {
   Hdf5Writer file(path);
   add_root(file, batch);
   add_configurations(file, batch);
@@ -146,19 +146,14 @@ StudyCounts write_study_file(const std::string& path, const Batch& batch,
   add_data_files(file, batch);
   add_assumptions(file, batch);
   add_design(file, batch);
-  StudyCounts counts;
+  RunCounts counts;
   RunTables tables(file, batch);
   for (std::size_t task = 0; task < batch.plan.tasks(); ++task) {
     const TaskResult result = read(task);
     require(result.task == task,
             fmt::format("the results of analysis case {} stand where those of case {} must be",
                         result.task, task));
-    for (const StudyRun& run : result.runs) {
-      ++counts.runs;
-      counts.failed += is_failure(run.response.outcome);
-      counts.untrusted += run.response.outcome == Outcome::kUntrusted;
-      counts.overturned += run.response.outcome == Outcome::kOverturned;
-    }
+    counts.add(result);
     tables.add(result);
   }
   tables.finish();

@@ -7,17 +7,12 @@
 
 namespace gurney::study {
 
-/// What the merge counted.
-struct StudyCounts {
-  std::size_t runs = 0, failed = 0, untrusted = 0, overturned = 0;
-};
-
 /// Writes the results of a study, task by task in their order, so that the same study gives the
 /// same bytes however it was run. Memory does not grow with the number of runs.
 /// @param path  of a file that is made, not yet the one the user asked for
 /// @param read  the result of a task
 /// @throws Error where the file cannot be written
-StudyCounts write_study_file(const std::string& path, const Batch& batch,
-                             const std::function<TaskResult(std::size_t)>& read);
+RunCounts write_study_file(const std::string& path, const Batch& batch,
+                           const std::function<TaskResult(std::size_t)>& read);
 
 }  // namespace gurney::study

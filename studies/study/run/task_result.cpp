@@ -82,6 +82,15 @@ void visit(A& a, StudyRun& run) {
     run.at_half_step);
 }
 
+void RunCounts::add(const TaskResult& result) {
+  runs += result.runs.size();
+  for (const StudyRun& run : result.runs) {
+    failed += is_failure(run.response.outcome);
+    untrusted += run.response.outcome == Outcome::kUntrusted;
+    overturned += run.response.outcome == Outcome::kOverturned;
+  }
+}
+
 std::string to_bytes(TaskResult& result) {
   ByteWriter writer;
   writer(result.task, result.drawn, result.runs);

@@ -29,6 +29,13 @@ struct TaskResult {
   std::vector<StudyRun> runs;
 };
 
+/// Runs by how they ended.
+struct RunCounts {
+  std::size_t runs = 0, failed = 0, untrusted = 0, overturned = 0;
+
+  void add(const TaskResult& result);
+};
+
 std::string to_bytes(TaskResult& result);
 
 /// @throws Error for bytes that to_bytes() did not make

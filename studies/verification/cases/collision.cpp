@@ -72,8 +72,8 @@ Findings collide(const Collision& c, const Runner& runner) {
   const double effective = 1 / (1 / M + 1 / m);
   const ImpactSteps steps = c.steps();
   const double share = steps.speed_error();
-  // The engine keeps points and normal for a step of 4 ms: those of the touch, and again others from
-  // the next step on, each time for less than the whole impact.
+  // The engine keeps points and normal for a step of 4 ms: those of the touch, and again others
+  // from the next step on, each time for less than the whole impact.
   const PlanarImpact kept = c.exact(PlanarImpact::Contact::kStays);
   const auto stays = [&](std::size_t body) {
     const PlanarBody &stay = kept.after[body], &follow = exact.after[body];

@@ -20,8 +20,8 @@ struct Drop {
 constexpr double kSample = 1e-3, kStep = 1e-4, kStiff = 3e7;  // [s], [s], [N/m]
 
 /// Its height z over the floor, from the unloaded tread, whatever it stands on. The treads carry it
-/// with z = -(g/w^2) and throw it: z'' = a g - w^2 (z + g/w^2). From z = 0 on it is free, z'' = (a -
-/// 1) g until the last sample of the fall, then, as samples are joined by lines, along a line of
+/// with z = -(g/w^2) and throw it: z'' = a g - w^2 (z + g/w^2). From z = 0 on it is free, z'' = (a
+/// - 1) g until the last sample of the fall, then, as samples are joined by lines, along a line of
 /// 2 ms to -(a + 1) g.
 struct Flight {
   double unload, thrown;  ///< time and speed at which z = 0 [s], [m/s]

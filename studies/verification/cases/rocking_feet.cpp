@@ -166,8 +166,8 @@ Findings rock(const Feet& c, const Runner& runner) {
   const Run coarse = run(c, 0.004, runner, findings), middle = run(c, 0.002, runner, findings),
             fine = run(c, 0.001, runner, findings);
   const double own = largest(exact.top, rough.top);
-  // Errors c h^2 at 4, 2 and 1 ms differ by c times 12 and 3 ms^2. But of each landing inside a step
-  // the method misses anything up to gamma^2 / 2 of its phase squared, to either side
+  // Errors c h^2 at 4, 2 and 1 ms differ by c times 12 and 3 ms^2. But of each landing inside a
+  // step the method misses anything up to gamma^2 / 2 of its phase squared, to either side
   // (sliding_block.h), by where in the step it is: c is another at each step. Twice the larger one
   // is allowed for.
   const double per_square = 2 * std::max(largest(coarse.top, middle.top) / 12,

@@ -38,10 +38,10 @@ TEST(StepControl, EstimatesTheErrorOfLinearMotion) {
   }
 }
 
-/// A heaving trolley, undamped, its wheels symmetric about its centre: z = v / w sin(w t). With e = 1/3 - gamma a step of h misses the
-/// velocity by e (h w)^3 v |cos(w t)| and the phase by e (h w)^3. Steps of which the former is the
-/// allowed share tau of v have a mean of (h w)^2 of (tau / e)^(2/3) times the mean of
-/// |cos|^(-2/3), which is 2.32.
+/// A heaving trolley, undamped, its wheels symmetric about its centre: z = v / w sin(w t). With e =
+/// 1/3 - gamma a step of h misses the velocity by e (h w)^3 v |cos(w t)| and the phase by e (h
+/// w)^3. Steps of which the former is the allowed share tau of v have a mean of (h w)^2 of (tau /
+/// e)^(2/3) times the mean of |cos|^(-2/3), which is 2.32.
 double heave_error(double tolerance) {
   constexpr double kSpeed = 0.02, kEnd = 0.5;
   Scene scene = scene_of(small::trolley({0, 180, 0, 180}, small::bare_tread(3e5, 1e5)));

@@ -145,7 +145,8 @@ TEST_F(ItemFile, EachPlaceDrawsItsOwnWheel) {
             item.casters[2].type.properties.tread.rolling_friction_length);
 }
 
-/// What is reported of a caster like R100 with these distributions of its friction, without the place.
+/// What is reported of a caster like R100 with these distributions of its friction, without the
+/// place.
 std::string friction_error(const TempFolder& folder, const std::string& kinetic,
                            const std::string& fixed = "") {
   std::string text = contents_of(find_data(DataKind::kCaster, "R100", ""));

@@ -145,8 +145,8 @@ TEST(CapacityCheck, FindsCapacitiesThatAreNotLognormal) {
 }
 
 // Eight records with four cases each, scatter 0.35 between and 0.2 within them: 95 % intervals hold
-// the truth at least as often as they state, within 2.6 errors of 300 repeats (98 %). With the cases
-// as independent ones theta's hold it in 67 %, beta's in 75 %.
+// the truth at least as often as they state, within 2.6 errors of 300 repeats (98 %). With the
+// cases as independent ones theta's hold it in 67 %, beta's in 75 %.
 TEST(CapacityIntervals, OfRecordsWithSeveralCasesHoldTheTruth) {
   constexpr int kTrials = 300, kRecords = 8, kCases = 4;
   const double median = 1.3, beta = std::hypot(0.35, 0.2);

@@ -23,19 +23,20 @@ wait_for() {  # FILE: it is there
   complain "$1 does not come"
 }
 
-# begin JOB FILE ARGUMENTS...: a study in the background, stopped when its first part is written,
+# begin_in PARTS JOB FILE ARGUMENTS...: a study in the background, stopped when its first part is written,
 # however fast the machine is: the first run that ends a second after the start writes it, and a
 # stopped process has seconds. What is to happen to it then: kill -CONT, or a signal and kill -CONT.
-begin() {
-  "$gurney" run "$1" -o "$2" -j 1 "${@:3}" > out 2> err &
+begin_in() {
+  "$gurney" run "$2" -o "$3" -j 1 "${@:4}" > out 2> err &
   process=$!
-  wait_for "$2.parts/crashes"
+  wait_for "$1/crashes"
   kill -STOP "$process"
   sleep 1
   kill -CONT "$process"
-  wait_for "$2.parts/00000001.part"
+  wait_for "$1/00000001.part"
   kill -STOP "$process"
 }
+begin() { begin_in "$2.parts" "$@"; }  # JOB FILE ARGUMENTS...
 
 # ends CODE TEXT: what was begun goes on to its end, exits with CODE and says TEXT somewhere
 ends() {

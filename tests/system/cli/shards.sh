@@ -82,15 +82,9 @@ rm a.h5 b.h5
 # Killed at its first part, run twice at the same time, resumed.
 sed -i 's/^duration_s = .*/duration_s = 60/; s/^draws = .*/draws = 8/' job.toml
 study 0 "runs     96" job.toml -o long.h5 -j 2
-"$gurney" run job.toml -o a.h5 --shard 2/2 -j 1 > out 2> err &
-process=$!
-wait_for a.h5.shards/2-of-2/crashes
-kill -STOP "$process"
-sleep 1
+begin_in a.h5.shards/2-of-2 job.toml a.h5 --shard 2/2
 study 1 "a.h5.shards/2-of-2: another process works on this study: process $process on " job.toml -o a.h5 --shard 2/2 --resume
 expect 1 "a.h5.shards/2-of-2: another process works on this study: process $process on " "$gurney" merge a.h5.shards
-kill -CONT "$process"
-wait_for a.h5.shards/2-of-2/00000001.part
 kill -9 "$process"
 wait "$process" 2> /dev/null
 study 0 "shard    1 of 2" job.toml -o a.h5 --shard 1/2 -j 2
@@ -113,14 +107,7 @@ ends 143 "continue with: gurney run job.toml -o a.h5 --resume --shard 1/2 -j 1"
 rm -rf a.h5.shards
 
 # Progress, of shards that run, have finished, have stopped and have not started.
-"$gurney" run job.toml -o a.h5 --shard 1/3 -j 1 > out 2> err &
-process=$!
-wait_for a.h5.shards/1-of-3/crashes
-kill -STOP "$process"
-sleep 1
-kill -CONT "$process"
-wait_for a.h5.shards/1-of-3/00000001.part
-kill -STOP "$process"
+begin_in a.h5.shards/1-of-3 job.toml a.h5 --shard 1/3
 study 0 "shard    2 of 3" job.toml -o a.h5 --shard 2/3
 expect 0 "of 48 analysis cases, " "$gurney" status a.h5.shards
 grep -qE "^ +1/3 +[0-9]+ of 16 .* running: process $process on " stdout || complain "does not show that shard 1 runs"

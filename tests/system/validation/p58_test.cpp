@@ -49,7 +49,8 @@ TEST(ValidationP58, MediansAreProportionalToDepthOverHeight) {
 }
 
 /// At P-58's median of the highest bookcase, 0.25 m/s, half of 12 should fall; 2 or fewer then come
-/// with a probability of 0.019. The same block overturns at 0.8 m/s, so that the study can distinguish.
+/// with a probability of 0.019. The same block overturns at 0.8 m/s, so that the study can
+/// distinguish.
 TEST(ValidationP58, StandsWhereP58HasHalfOfThemFall) {
   const SmallRuns study("validation_p58");
   const auto runs = study.runs(

@@ -57,7 +57,7 @@ class StudyFile : public testing::Test {
 
   TempFolder folder_;
   std::vector<TaskResult> results_;
-  StudyCounts counts_;
+  RunCounts counts_;
 };
 
 TEST_F(StudyFile, NamesTheInputsOfASaltelliDesign) {
