@@ -107,6 +107,35 @@ Record make_long_period(const Values& v) {
                              .envelope_power = v.at("envelope_power")});
 }
 
+std::vector<SyntheticParameter> pulse_parameters() {
+  return {{"amplitude_m_per_s", "A, the peak velocity for phase 0", 0.8, Range::positive()},
+          {"period_s", "1 / f_p", 2, Range::positive()},
+          {"gamma", "length of the envelope in periods", 1.5, Range::within(1, 20).open_below()},
+          {"phase_deg", "nu; 90 comes back to its place", 90, Range::within(-360, 360)}};
+}
+
+std::vector<SyntheticParameter> stochastic_parameters() {
+  return {
+      kSeed,
+      {"time_step_s", "of the samples", 0.01, Range::within(0.0005, 0.02)},
+      {"arias_m_per_s", "expected Arias intensity of h1", 1, Range::positive()},
+      {"arias_ratio_h2", "Arias intensity of h2 to h1; 0: none", 0.8, Range::not_negative()},
+      {"arias_ratio_vertical", "Arias intensity up to h1; 0: none", 0.3, Range::not_negative()},
+      {"significant_duration_s", "D5-95", 12, Range::positive()},
+      {"middle_s", "time at which 45 % of the energy has come", 8, Range::positive()},
+      {"frequency_hz", "of the filter at middle_s", 5, Range::positive()},
+      {"frequency_slope_hz_per_s", "of the filter", -0.1, Range::any()},
+      {"filter_damping", "of the filter", 0.3, Range::within(0, 1).open_below().open_above()},
+      {"corner_frequency_hz", "of the high-pass", 0.1, Range::positive()},
+      {"vertical_frequency_ratio", "of the filter, vertical to horizontal", 2, Range::positive()}};
+}
+
+std::vector<SyntheticParameter> joined(std::vector<SyntheticParameter> first,
+                                       const std::vector<SyntheticParameter>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
 Record make_stochastic(const Values& v) {
   const StochasticComponent h1{.arias_intensity = v.at("arias_m_per_s"),
                                .duration = v.at("significant_duration_s"),
@@ -123,6 +152,20 @@ Record make_stochastic(const Values& v) {
   motion.components[2].frequency *= v.at("vertical_frequency_ratio");
   motion.components[2].frequency_slope *= v.at("vertical_frequency_ratio");
   return stochastic_motion(motion);
+}
+
+NearFaultPulse pulse_of(const Values& v) {
+  return {.amplitude = v.at("amplitude_m_per_s"),
+          .period = v.at("period_s"),
+          .gamma = v.at("gamma"),
+          .phase = v.at("phase_deg") * kRadiansPerDegree};
+}
+
+/// The middle of the pulse at that of the noise, but not before its first sample.
+Record make_near_fault(const Values& v) {
+  const NearFaultPulse pulse = pulse_of(v);
+  const double start = std::max(0., v.at("middle_s") - pulse.gamma * pulse.period / 2);
+  return with_pulse(make_stochastic(v), pulse, start);
 }
 
 Record make_ac156(const Values& v) {
@@ -187,21 +230,9 @@ std::vector<SyntheticKind> table() {
        [](const Values& v) {
          return ricker_wavelet(v.at("time_step_s"), v.at("pga_g") * kG, v.at("period_s"));
        }},
-      {"near_fault_pulse",
-       "near-fault velocity pulse",
-       "Mavroeidis & Papageorgiou (2003)",
-       {kTimeStep,
-        {"amplitude_m_per_s", "A, the peak velocity for phase 0", 0.8, Range::positive()},
-        {"period_s", "1 / f_p", 2, Range::positive()},
-        {"gamma", "length of the envelope in periods", 1.5, Range::within(1, 20).open_below()},
-        {"phase_deg", "nu; 90 comes back to its place", 90, Range::within(-360, 360)}},
-       [](const Values& v) {
-         return near_fault_pulse(v.at("time_step_s"),
-                                 {.amplitude = v.at("amplitude_m_per_s"),
-                                  .period = v.at("period_s"),
-                                  .gamma = v.at("gamma"),
-                                  .phase = v.at("phase_deg") * kRadiansPerDegree});
-       }},
+      {"near_fault_pulse", "near-fault velocity pulse", "Mavroeidis & Papageorgiou (2003)",
+       joined({kTimeStep}, pulse_parameters()),
+       [](const Values& v) { return near_fault_pulse(v.at("time_step_s"), pulse_of(v)); }},
       {"harmonic",
        "sine of constant frequency with tapered ends",
        kElementary,
@@ -258,23 +289,11 @@ std::vector<SyntheticKind> table() {
         {"peak_time_s", "of the envelope", 80, Range::positive()},
         {"envelope_power", "of the envelope", 1.5, Range::positive()}},
        make_long_period},
-      {"stochastic",
-       "noise whose strength and frequency change with time",
-       "Rezaeian & Der Kiureghian (2010)",
-       {kSeed,
-        {"time_step_s", "of the samples", 0.01, Range::within(0.0005, 0.02)},
-        {"arias_m_per_s", "expected Arias intensity of h1", 1, Range::positive()},
-        {"arias_ratio_h2", "Arias intensity of h2 to h1; 0: none", 0.8, Range::not_negative()},
-        {"arias_ratio_vertical", "Arias intensity up to h1; 0: none", 0.3, Range::not_negative()},
-        {"significant_duration_s", "D5-95", 12, Range::positive()},
-        {"middle_s", "time at which 45 % of the energy has come", 8, Range::positive()},
-        {"frequency_hz", "of the filter at middle_s", 5, Range::positive()},
-        {"frequency_slope_hz_per_s", "of the filter", -0.1, Range::any()},
-        {"filter_damping", "of the filter", 0.3, Range::within(0, 1).open_below().open_above()},
-        {"corner_frequency_hz", "of the high-pass", 0.1, Range::positive()},
-        {"vertical_frequency_ratio", "of the filter, vertical to horizontal", 2,
-         Range::positive()}},
-       make_stochastic},
+      {"stochastic", "noise whose strength and frequency change with time",
+       "Rezaeian & Der Kiureghian (2010)", stochastic_parameters(), make_stochastic},
+      {"near_fault", "velocity pulse on h1 in stochastic motion of three components",
+       "Mavroeidis & Papageorgiou (2003); Rezaeian & Der Kiureghian (2010)",
+       joined(stochastic_parameters(), pulse_parameters()), make_near_fault},
       {"ac156",
        "three-component floor motion for the required spectrum of AC156",
        "ICC-ES AC156 (2010), matched as by Gasparini & Vanmarcke (1976)",

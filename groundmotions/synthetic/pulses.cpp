@@ -83,4 +83,18 @@ Record near_fault_pulse(double time_step, const NearFaultPulse& pulse) {
   return single_component(time_step, std::move(a));
 }
 
+Record with_pulse(Record record, const NearFaultPulse& pulse, double start) {
+  const double step = record.time_step();
+  std::optional<Component>& h1 = record.components[static_cast<std::size_t>(Direction::kH1)];
+  assert(h1 && start >= 0);
+  const Component alone = *near_fault_pulse(step, pulse)[Direction::kH1];
+  const Eigen::Index first = std::lround(start / step), length = alone.acceleration.size();
+  require(first + length <= record.samples(),
+          fmt::format("the pulse ends at {:.6g} s, after the motion, which ends at {:.6g} s",
+                      static_cast<double>(first + length - 1) * step, h1->duration()));
+  h1->acceleration.segment(first, length) += alone.acceleration;
+  h1->warnings.insert(h1->warnings.end(), alone.warnings.begin(), alone.warnings.end());
+  return record;
+}
+
 }  // namespace gurney::groundmotions

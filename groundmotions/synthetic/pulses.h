@@ -47,4 +47,8 @@ struct NearFaultPulse {
 };
 Record near_fault_pulse(double time_step, const NearFaultPulse& pulse);
 
+/// The record with the pulse added to h1 from the sample nearest to `start` on.
+/// @throws Error where the pulse ends after the record
+Record with_pulse(Record record, const NearFaultPulse& pulse, double start);
+
 }  // namespace gurney::groundmotions

@@ -9,6 +9,7 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
 #include "studies/cli/signals.h"
+#include "studies/figures/calibration_figure.h"
 #include "studies/report/calibration_report.h"
 #include "studies/study/results/output_files.h"
 
@@ -32,7 +33,7 @@ void write_all(const CalibrateOptions& options, const calibration::Calibration& 
       {(folder / "calibration.txt").string(), report::calibration_text(calibration)},
       {(folder / "calibration.json").string(), report::calibration_json(calibration)},
       {(folder / ("calibration" + options.figures.suffix())).string(),
-       options.figures.bytes(report::calibration_figure(calibration))}};
+       options.figures.bytes(figures::calibration_figure(calibration))}};
   for (const calibration::CasterFile& caster : casters)
     all.emplace_back((folder / caster.name).string(), caster.text);
   study::OutputFiles files(options.overwrite);

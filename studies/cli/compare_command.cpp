@@ -9,6 +9,7 @@
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
+#include "studies/figures/comparison_figure.h"
 #include "studies/report/comparison_report.h"
 
 namespace gurney::cli {
@@ -107,7 +108,7 @@ int compare(const CompareOptions& options) {
   fmt::print("{}",
              options.json ? report::comparison_json(report) : report::comparison_text(report));
   if (!options.figure.empty())
-    options.figure.write(report::comparison_figure(report), options.overwrite, options.json);
+    options.figure.write(figures::comparison_figure(report), options.overwrite, options.json);
   return 0;
 }
 

@@ -7,6 +7,7 @@
 
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
+#include "studies/figures/convergence_figure.h"
 #include "studies/report/convergence_report.h"
 
 namespace gurney::cli {
@@ -32,7 +33,7 @@ int converge_command(const ConvergeOptions& options) {
   fmt::print("{}",
              options.json ? report::convergence_json(found) : report::convergence_text(found));
   if (!options.figure.empty())
-    options.figure.write(report::convergence_figure(found), options.overwrite, options.json);
+    options.figure.write(figures::convergence_figure(found), options.overwrite, options.json);
   return found.failed.empty() ? 0 : 3;
 }
 

@@ -13,6 +13,7 @@
 #include "studies/cli/figure_output.h"
 #include "studies/cli/json_errors.h"
 #include "studies/cli/standard_error.h"
+#include "studies/figures/equipment_figure.h"
 #include "studies/report/equipment_list.h"
 #include "studies/report/equipment_report.h"
 
@@ -55,7 +56,7 @@ int show(const ShowOptions& options) {
   for (std::string& finding : equipment::implausible(loaded.model))
     facts.warnings.push_back(std::move(finding));
   if (!options.figure.empty())
-    options.figure.write(report::equipment_figure(facts), options.overwrite, true);
+    options.figure.write(figures::equipment_figure(facts), options.overwrite, true);
   fmt::print("{}", options.json ? report::equipment_json(facts)
                                 : report::equipment_report(facts, options.assumptions));
   return 0;

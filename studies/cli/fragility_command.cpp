@@ -9,6 +9,8 @@
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
+#include "studies/figures/fragility_figure.h"
+#include "studies/figures/vector_figure.h"
 #include "studies/report/fragility_report.h"
 #include "studies/report/vector_report.h"
 #include "studies/study/limit_states/limit_state_reader.h"
@@ -52,7 +54,7 @@ std::string curves(const FragilityOptions& options, const study::StudyData& data
       results.push_back(study::fragility_of(
           data, {.state = state, .configuration = configuration, .measure = options.measure}));
   if (!options.figure.empty())
-    options.figure.write(report::fragility_figure(data, results), options.overwrite, true);
+    options.figure.write(figures::fragility_figure(data, results), options.overwrite, true);
   return options.json ? report::fragility_json(results) : report::fragility_report(data, results);
 }
 
@@ -66,7 +68,7 @@ std::string surfaces(const FragilityOptions& options, const study::StudyData& da
       results.push_back(
           study::vector_of(data, state, configuration, {options.measure, options.second}));
   if (!options.figure.empty())
-    options.figure.write(report::vector_figure(data, results), options.overwrite, true);
+    options.figure.write(figures::vector_figure(data, results), options.overwrite, true);
   return options.json ? report::vector_json(results) : report::vector_report(data, results);
 }
 

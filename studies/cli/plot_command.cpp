@@ -35,9 +35,9 @@ double points_of(const std::string& text) {
 }
 
 /// A smaller text leaves a wider page.
-report::PlotPage page_of(PlotOptions& options) {
+figures::PlotPage page_of(PlotOptions& options) {
   constexpr double kNarrowest = 220;
-  report::PlotPage page;
+  figures::PlotPage page;
   if (options.figure.width.empty()) options.figure.width = fmt::format("{}px", page.width);
   page.width = picture::length_in_mm(options.figure.width) * kPxPerMm * kPagePoints /
                points_of(options.font_size);
@@ -56,7 +56,7 @@ int plot(PlotOptions options) {
           "a figure needs its kind and -o FILE.svg, .pdf or .png; gurney plot FILE --list lists "
           "what can be plotted");
   options.figure.check(options.overwrite);
-  const report::PlotPage page = page_of(options);
+  const figures::PlotPage page = page_of(options);
   options.figure.write(plotted(options.request, page), options.overwrite, false);
   return 0;
 }

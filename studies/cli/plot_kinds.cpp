@@ -6,10 +6,11 @@
 
 #include "engine/base/error.h"
 #include "engine/config/nearest_name.h"
-#include "studies/report/demand_figures.h"
+#include "studies/figures/demand_figures.h"
+#include "studies/figures/fragility_figure.h"
+#include "studies/figures/history_figure.h"
+#include "studies/figures/trajectory_figure.h"
 #include "studies/report/fragility_report.h"
-#include "studies/report/history_figure.h"
-#include "studies/report/trajectory_figure.h"
 #include "studies/study/analysis/configuration_view.h"
 #include "studies/study/analysis/overview.h"
 #include "studies/study/limit_states/limit_state_reader.h"
@@ -17,7 +18,7 @@
 namespace gurney::cli {
 namespace {
 
-std::string history(const PlotRequest& request, const report::PlotPage& page) {
+std::string history(const PlotRequest& request, const figures::PlotPage& page) {
   const study::StoredHistories stored(request.file);
   const std::vector<std::size_t> runs = stored.runs();
   const std::size_t run = request.run.value_or(runs.empty() ? 0 : runs.front());
@@ -29,11 +30,11 @@ std::string history(const PlotRequest& request, const report::PlotPage& page) {
   return history_figure(page, stored.title(), note, histories);
 }
 
-std::string trajectories(const PlotRequest& request, const report::PlotPage& page) {
-  return report::trajectory_figure(page, request.file);
+std::string trajectories(const PlotRequest& request, const figures::PlotPage& page) {
+  return figures::trajectory_figure(page, request.file);
 }
 
-std::string fragility(const PlotRequest& request, const report::PlotPage& page) {
+std::string fragility(const PlotRequest& request, const figures::PlotPage& page) {
   const study::StudyData data(request.file);
   std::vector<std::size_t> states;
   for (const std::string& name : request.what)
@@ -46,12 +47,12 @@ std::string fragility(const PlotRequest& request, const report::PlotPage& page) 
          study::wanted_configurations(data, request.configurations))
       results.push_back(study::fragility_of(
           data, {.state = state, .configuration = configuration, .measure = request.measure}));
-  return report::fragility_figure(data, results, page);
+  return figures::fragility_figure(data, results, page);
 }
 
 /// A figure of demands.
 template <auto Draw>
-std::string of_demands(const PlotRequest& request, const report::PlotPage& page) {
+std::string of_demands(const PlotRequest& request, const figures::PlotPage& page) {
   const study::StudyData data(request.file);
   std::vector<std::string> names = request.what;
   if (names.empty()) names = {"peak_displacement"};
@@ -67,7 +68,7 @@ std::string of_demands(const PlotRequest& request, const report::PlotPage& page)
 struct PlotKind {
   const char *name, *what;
   bool of_studies;  ///< else of every file with histories
-  std::string (*draw)(const PlotRequest&, const report::PlotPage&);
+  std::string (*draw)(const PlotRequest&, const figures::PlotPage&);
 };
 
 constexpr PlotKind kKinds[] = {
@@ -75,12 +76,12 @@ constexpr PlotKind kKinds[] = {
     {"trajectories", "paths of the items seen from above", false, trajectories},
     {"fragility", "fragility curves of limit states", true, fragility},
     {"ida", "IDA curves of a demand with 16, 50 and 84 % fractiles", true,
-     of_demands<report::ida_figure>},
-    {"stripes", "demands at each intensity", true, of_demands<report::stripes_figure>},
+     of_demands<figures::ida_figure>},
+    {"stripes", "demands at each intensity", true, of_demands<figures::stripes_figure>},
     {"cloud", "demand over intensity with log-log regression", true,
-     of_demands<report::cloud_figure>},
+     of_demands<figures::cloud_figure>},
     {"cdf", "distribution of a demand at each level", true,
-     of_demands<report::distribution_figure>}};
+     of_demands<figures::distribution_figure>}};
 
 const PlotKind& kind_of(const PlotRequest& request) {
   std::vector<std::string> names;
@@ -118,7 +119,7 @@ std::string list_of_study(const std::string& file) {
 
 }  // namespace
 
-std::string plotted(const PlotRequest& request, const report::PlotPage& page) {
+std::string plotted(const PlotRequest& request, const figures::PlotPage& page) {
   const PlotKind& kind = kind_of(request);
   require(
       !kind.of_studies || study::is_study_file(request.file),

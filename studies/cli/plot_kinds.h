@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/report/plot_page.h"
+#include "studies/figures/plot_page.h"
 
 namespace gurney::cli {
 
@@ -18,7 +18,7 @@ struct PlotRequest {
 };
 
 /// The figure as SVG. @throws Error for what the file does not hold, with what it holds
-std::string plotted(const PlotRequest& request, const report::PlotPage& page);
+std::string plotted(const PlotRequest& request, const figures::PlotPage& page);
 
 /// What can be plotted from a file: a paragraph for each kind.
 std::string plot_list(const std::string& file);

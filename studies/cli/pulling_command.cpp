@@ -10,6 +10,7 @@
 #include "studies/cli/figure_output.h"
 #include "studies/cli/new_folder.h"
 #include "studies/cli/signals.h"
+#include "studies/figures/pulling_figures.h"
 #include "studies/report/pulling_report.h"
 #include "studies/study/analysis/overview.h"
 #include "studies/study/results/output_files.h"
@@ -55,10 +56,10 @@ int pulling(const PullingOptions& options) {
     const NewFolder created(folder.has_filename() ? folder : folder.parent_path());
     study::OutputFiles files(options.overwrite);
     const std::pair<const char*, std::string> figures[] = {
-        {"figure_4", report::pulling_figure_4(report)},
-        {"figure_6", report::pulling_figure_6(report)},
-        {"figure_7", report::pulling_figure_7(report)},
-        {"figure_11", report::pulling_figure_11(report)}};
+        {"figure_4", figures::pulling_figure_4(report)},
+        {"figure_6", figures::pulling_figure_6(report)},
+        {"figure_7", figures::pulling_figure_7(report)},
+        {"figure_11", figures::pulling_figure_11(report)}};
     const auto path = [&](const char* name) {
       return (folder / (name + options.figures.suffix())).string();
     };

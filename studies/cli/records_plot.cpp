@@ -9,7 +9,7 @@
 #include "studies/cli/figure_output.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"
-#include "studies/report/record_figure.h"
+#include "studies/figures/record_figure.h"
 
 namespace gurney::cli {
 namespace {
@@ -37,7 +37,7 @@ int plot(const PlotOptions& options) {
                 options.output + ": one figure for several records; name a folder with -o");
         if (!one_file)
           file.path = (output / (file_name(record.name) + options.figures.suffix())).string();
-        file.write(report::record_figure(record), options.overwrite, false);
+        file.write(figures::record_figure(record), options.overwrite, false);
       });
 }
 

@@ -22,7 +22,7 @@
 #include "studies/cli/records_output.h"
 #include "studies/cli/signals.h"
 #include "studies/cli/standard_error.h"
-#include "studies/report/suite_figure.h"
+#include "studies/figures/suite_figure.h"
 #include "studies/study/results/output_files.h"
 
 namespace gurney::cli {
@@ -218,7 +218,7 @@ int scale(const ScaleOptions& options) {
                 list_text(suite, scaling, target, fs::absolute(options.output).parent_path()));
   if (!options.figure.empty())
     files.stage(options.figure.path,
-                options.figure.bytes(report::suite_figure(target, periods, spectra, scaling)));
+                options.figure.bytes(figures::suite_figure(target, periods, spectra, scaling)));
   files.commit();
   return code;
 }

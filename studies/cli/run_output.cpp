@@ -8,7 +8,7 @@
 #include "engine/baselines/any_solver.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/signals.h"
-#include "studies/report/figure.h"
+#include "studies/figures/run_figure.h"
 #include "studies/report/summary.h"
 #include "studies/study/results/output_files.h"
 #include "studies/study/results/results_file.h"
@@ -70,7 +70,7 @@ Response run_and_write(const study::PreparedRun& run, const RunOutput& output) {
     files.stage(output.results.string(), study::results_image(run.facts, response));
     if (!output.no_figure)
       files.stage(output.figure().string(),
-                  output.style.bytes(report::figure(run.facts, response)));
+                  output.style.bytes(figures::run_figure(run.facts, response)));
     files.stage(output.log().string(), log_text(output.job, response, seconds));
     files.commit();
   }

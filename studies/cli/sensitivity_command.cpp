@@ -7,6 +7,7 @@
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
+#include "studies/figures/sensitivity_figure.h"
 #include "studies/report/sensitivity_report.h"
 
 namespace gurney::cli {
@@ -64,7 +65,7 @@ int sensitivity(const SensitivityCommand& options) {
   fmt::print("{}",
              options.json ? report::sensitivity_json(reports) : report::sensitivity_text(reports));
   if (!options.figure.empty())
-    options.figure.write(report::sensitivity_figure(reports.front()), options.overwrite,
+    options.figure.write(figures::sensitivity_figure(reports.front()), options.overwrite,
                          options.json);
   return 0;
 }

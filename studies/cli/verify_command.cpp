@@ -9,7 +9,7 @@
 
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
-#include "studies/report/verification_figure.h"
+#include "studies/figures/verification_figure.h"
 #include "studies/report/verification_report.h"
 #include "studies/study/results/output_files.h"
 #include "studies/verification/cases.h"
@@ -40,7 +40,7 @@ std::string figure_path(const VerifyOptions& options, const CaseRun& run) {
 void write_figures(const VerifyOptions& options, const std::vector<CaseRun>& runs) {
   study::OutputFiles files(options.overwrite);
   for (const CaseRun& run : runs)
-    if (const std::string figure = report::verification_figure(run); !figure.empty())
+    if (const std::string figure = figures::verification_figure(run); !figure.empty())
       files.stage(figure_path(options, run), options.style.bytes(figure));
   files.commit();
 }

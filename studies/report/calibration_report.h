@@ -12,7 +12,4 @@ std::string calibration_text(const calibration::Calibration& calibration);
 /// The same as one JSON object, in SI units.
 std::string calibration_json(const calibration::Calibration& calibration);
 
-/// Resistance against load with fitted lines and bands of 95 %, and the phases of one pull.
-std::string calibration_figure(const calibration::Calibration& calibration);
-
 }  // namespace gurney::report

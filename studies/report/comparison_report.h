@@ -20,7 +20,4 @@ struct ComparisonReport {
 std::string comparison_text(const ComparisonReport& report);
 std::string comparison_json(const ComparisonReport& report);
 
-/// The curves of each limit state that has one, with their bands and the shares that were seen.
-std::string comparison_figure(const ComparisonReport& report);
-
 }  // namespace gurney::report

@@ -27,7 +27,4 @@ std::string equipment_report(const EquipmentFacts& facts, bool with_assumptions)
 /// The same as a JSON object, in SI units.
 std::string equipment_json(const EquipmentFacts& facts);
 
-/// Plan and two sides (SVG).
-std::string equipment_figure(const EquipmentFacts& facts);
-
 }  // namespace gurney::report

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "studies/report/plot_page.h"
 #include "studies/study/analysis/fragility_result.h"
 
 namespace gurney::report {
@@ -14,11 +13,5 @@ std::string fragility_report(const study::StudyData& data,
 
 /// The same for machines, in SI; no curve: null.
 std::string fragility_json(const std::vector<study::FragilityResult>& results);
-
-/// One panel for each limit state: the curves of its configurations, their bands, and the fractions
-/// of runs, or the empirical distribution of capacities.
-std::string fragility_figure(const study::StudyData& data,
-                             const std::vector<study::FragilityResult>& results,
-                             const PlotPage& page = {});
 
 }  // namespace gurney::report

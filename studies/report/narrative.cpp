@@ -90,6 +90,7 @@ std::string common_ending(const Response& response) {
 /// What one run shows of an item.
 std::string trust(const Predictability& p) {
   const std::string change = "a change of mass by one part in a billion";
+  if (p.time_of_peaks == 0) return "Predictable: the item stays where it is";
   switch (p.verdict) {
     case Predictability::Verdict::kPredictable:
       return fmt::format("Predictable: {} grows {:.2g}-fold until the peaks at {:.2f} s{}", change,
@@ -100,8 +101,7 @@ std::string trust(const Predictability& p) {
     case Predictability::Verdict::kSensitive:
       return fmt::format(
           "SENSITIVE: {} grows {:.2g}-fold until the peaks at {:.2f} s; from {:.2f} s on an error "
-          "of "
-          "0.1 % may change the motion by its own size",
+          "of 0.1 % may change the motion by its own size",
           change, p.amplification_at_peaks, p.time_of_peaks, p.horizon);
     case Predictability::Verdict::kChaotic:
       break;

@@ -16,19 +16,6 @@ struct PullingReport {
   std::size_t shown = 0;                             ///< the trial of Figures 4 and 11
 };
 
-/// Displacement, velocity, acceleration and cable force of the shown trial, with its phases.
-std::string pulling_figure_4(const PullingReport& report);
-
-/// f_r of the aligned trials by the paper's method against N, with a fitted line for each caster.
-std::string pulling_figure_6(const PullingReport& report);
-
-/// f_r of the aligned trials against wheel diameter and floor, and against speed.
-std::string pulling_figure_7(const PullingReport& report);
-
-/// Displacement and velocity of the shown trial against the closed form, and a measured trial like
-/// it; work of the pull, loss to rolling resistance, kinetic energy.
-std::string pulling_figure_11(const PullingReport& report);
-
 /// Bias of the method, fitted Cr / R, error against the closed form.
 std::string pulling_text(const PullingReport& report);
 std::string pulling_json(const PullingReport& report);  ///< SI units

@@ -20,7 +20,4 @@ std::string name_of(const study::SensitiveInput& input);
 std::string sensitivity_text(const std::vector<SensitivityReport>& reports);
 std::string sensitivity_json(const std::vector<SensitivityReport>& reports);
 
-/// Indices with their intervals, and beside them the tornado.
-std::string sensitivity_figure(const SensitivityReport& report);
-
 }  // namespace gurney::report

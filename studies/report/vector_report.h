@@ -15,8 +15,4 @@ std::string vector_report(const study::StudyData& data,
 /// The same for machines, in SI; no fit: null.
 std::string vector_json(const std::vector<study::VectorResult>& results);
 
-/// A panel for each result: its runs in the plane of both measures, and where P is 16, 50 and 84 %.
-std::string vector_figure(const study::StudyData& data,
-                          const std::vector<study::VectorResult>& results);
-
 }  // namespace gurney::report

@@ -65,6 +65,10 @@ set(GURNEY_ROOMS
     studies/study/analysis
     studies/study/convergence studies/calibration/trials studies/calibration/fit
     studies/calibration/pulling"
+  "studies/figures: engine/base engine/scene engine/response groundmotions/record
+    groundmotions/measures groundmotions/scaling equipment/catalogue studies/statistics
+    studies/verification studies/study/results studies/study/analysis studies/study/convergence
+    studies/calibration/trials studies/calibration/fit studies/calibration/pulling studies/report"
   "studies/picture: engine/base"
   "studies/cli: engine/base engine/config engine/response engine/baselines groundmotions/record
     groundmotions/formats groundmotions/measures groundmotions/processing groundmotions/synthetic
@@ -72,7 +76,7 @@ set(GURNEY_ROOMS
     studies/build_info studies/verification studies/study/job studies/study/results
     studies/study/prepare studies/study/limit_states studies/study/plan studies/study/run
     studies/study/analysis studies/study/exports studies/calibration/fit
-    studies/calibration/pulling studies/report studies/picture")
+    studies/calibration/pulling studies/report studies/figures studies/picture")
 
 # Libraries that only these rooms, or files that begin so, may include, by how their headers begin.
 set(GURNEY_LIBRARIES

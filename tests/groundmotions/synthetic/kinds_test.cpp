@@ -49,6 +49,26 @@ TEST(SyntheticKinds, TakeSettings) {
   EXPECT_EQ(record.samples(), 1201);
 }
 
+// Default values: the middle of the noise is at 8 s, the pulse is 3 s long.
+TEST(SyntheticKinds, NearFaultIsStochasticMotionAndAPulseInItsMiddle) {
+  const Record both = make_record(synthetic_request("near_fault", {"seed=4"}));
+  const Record noise = make_record(synthetic_request("stochastic", {"seed=4"}));
+  const Record pulse = make_record(synthetic_request("near_fault_pulse", {"time_step_s=0.01"}));
+  for (const Direction direction : {Direction::kH2, Direction::kVertical})
+    EXPECT_EQ(both[direction]->acceleration, noise[direction]->acceleration);
+  Eigen::VectorXd rest = both[Direction::kH1]->acceleration - noise[Direction::kH1]->acceleration;
+  const Eigen::VectorXd& alone = pulse[Direction::kH1]->acceleration;
+  // Rounding of a sum and a difference of numbers below 10 m/s2.
+  EXPECT_LT((rest.segment(650, alone.size()) - alone).cwiseAbs().maxCoeff(), 4e-15);
+  rest.segment(650, alone.size()).setZero();
+  EXPECT_EQ(rest.cwiseAbs().maxCoeff(), 0);
+}
+
+TEST(SyntheticKinds, APulseLongerThanTheMotionIsAnError) {
+  EXPECT_ERROR(make_record(synthetic_request("near_fault", {"period_s=100"})),
+               "synthetic near_fault: the pulse ends at 150 s, after the motion, which ends at ");
+}
+
 TEST(SyntheticKinds, MakeTheShippedRecord) {
   const Record made = make_record(synthetic_request("clough_penzien", {}));
   const Record shipped = synthetic_record(shipped_synthetic_motion());

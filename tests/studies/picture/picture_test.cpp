@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/error.h"
+#include "studies/figures/panel.h"
 #include "studies/picture/grey.h"
-#include "studies/report/panel.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::picture {
@@ -13,9 +13,9 @@ namespace {
 constexpr double kMmPerInch = 25.4;
 
 std::string figure(double width, double height, const std::string& text = "text") {
-  report::Svg svg(width, height);
+  figures::Svg svg(width, height);
   for (std::size_t i = 0; i < 7; ++i)
-    svg.line(0, 10.0 * static_cast<double>(i), width, 0, {.stroke = report::palette(i)});
+    svg.line(0, 10.0 * static_cast<double>(i), width, 0, {.stroke = figures::palette(i)});
   svg.text(10, 10, text);
   return svg.str();
 }

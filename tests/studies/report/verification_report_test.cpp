@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "studies/report/verification_figure.h"
+#include "studies/figures/verification_figure.h"
 #include "studies/verification/cases.h"
 
 namespace gurney::report {
@@ -95,9 +95,9 @@ TEST(VerificationReport, MarkdownKeepsTheWorstOfEachQuantityAndItsCells) {
 TEST(VerificationFigure, ShowsComputedOnReference) {
   const Family family = falling();
   CaseRun run = run_of(family, 4.95);
-  EXPECT_THAT(verification_figure(run), HasSubstr("computed less reference"));
+  EXPECT_THAT(figures::verification_figure(run), HasSubstr("computed less reference"));
   run.findings.series.clear();
-  EXPECT_EQ(verification_figure(run), "");
+  EXPECT_EQ(figures::verification_figure(run), "");
 }
 
 /// The lines of a table that begin with a name in backquotes, as cells.

@@ -10,6 +10,7 @@
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/check_file.h"
 #include "studies/calibration/fit/caster_file.h"
+#include "studies/figures/calibration_figure.h"
 #include "tests/studies/calibration/trials/made_trial.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
@@ -107,7 +108,7 @@ TEST(Calibration, ReportsAllInTextAndJson) {
   EXPECT_EQ(json["left_out"].size(), 1u);
   EXPECT_EQ(json["pulls"].size(), 23u);
   EXPECT_EQ(json["simulated"], 30);
-  const std::string figure = report::calibration_figure(c);
+  const std::string figure = figures::calibration_figure(c);
   for (const char* part : {"III", "R100_mystique_0", "Phases of R100_forest_0", "SIMULATED"})
     EXPECT_THAT(figure, HasSubstr(part));
 }
@@ -188,7 +189,7 @@ TEST(Calibration, TakesTablesOfAverages) {
   EXPECT_EQ(c.constants.at(0).trials.size(), 3u);
   EXPECT_NEAR(c.constants[0].value, 0.0201, 1e-4);  // half of a3's mean excess of 1 %
   EXPECT_THAT(c.left_out.at(0).text(), HasSubstr("averages.csv:8: (M + J)(a_2 + a_3) is"));
-  EXPECT_THAT(report::calibration_figure(c), HasSubstr("Each point is a pull."));
+  EXPECT_THAT(figures::calibration_figure(c), HasSubstr("Each point is a pull."));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "studies/figures/pulling_figures.h"
 #include "tests/studies/calibration/pulling/pulling_study.h"
 
 namespace gurney::calibration {
@@ -32,18 +33,18 @@ std::size_t count(const std::string& text, const std::string& word) {
 TEST(PullingReport, FiguresHaveTheirSeries) {
   const TempFolder folder;
   report::PullingReport report = small_report(folder);
-  const std::string four = report::pulling_figure_4(report);
+  const std::string four = figures::pulling_figure_4(report);
   for (const char* title : {">Displacement<", ">Velocity<", ">Acceleration<", ">Cable force<"})
     EXPECT_THAT(four, HasSubstr(title));
   for (const char* phase : {">I<", ">II<", ">III<", ">IV<"})
     EXPECT_EQ(count(four, phase), 4u) << phase;
-  const std::string six = report::pulling_figure_6(report);
+  const std::string six = figures::pulling_figure_6(report);
   EXPECT_EQ(count(six, "<circle"), 3u) << "aligned trials only";
   EXPECT_THAT(six, HasSubstr("R100: Cr/R = 0.0200 (0.0200 input)"));
   EXPECT_THAT(six, HasSubstr("R125: Cr/R = 0.0160 (0.0160 input)"));
-  const std::string seven = report::pulling_figure_7(report);
+  const std::string seven = figures::pulling_figure_7(report);
   EXPECT_EQ(count(seven, "<circle"), 2u + 2u) << "empty trolleys; both phases of R100";
-  const std::string eleven = report::pulling_figure_11(report);
+  const std::string eleven = figures::pulling_figure_11(report);
   EXPECT_EQ(count(eleven, ">closed form<"), 2u);
   EXPECT_THAT(eleven, Not(HasSubstr(">measured<")));
   for (const char* energy : {">W_F: weight and strings<", ">W_R: rolling<", ">E_KT: kinetic<"})
@@ -57,16 +58,16 @@ TEST(PullingReport, MeasuredTrialsAreOverlaidWhereTheyAreLike) {
                          ""};
   measured.trial.name = "of the laboratory";
   report.measured = {measured};
-  EXPECT_EQ(count(report::pulling_figure_11(report), ">synthetic<"), 2u) << "an engine made it";
+  EXPECT_EQ(count(figures::pulling_figure_11(report), ">synthetic<"), 2u) << "an engine made it";
   EXPECT_THAT(report::pulling_text(report), HasSubstr("of the laboratory    simulated"));
   measured.trial.setup.origin = TrialOrigin::kMeasured;
   measured.trial.setup.mass *= 1.01;  // within 2 %
   report.measured = {measured};
-  EXPECT_EQ(count(report::pulling_figure_11(report), ">measured<"), 2u);
+  EXPECT_EQ(count(figures::pulling_figure_11(report), ">measured<"), 2u);
   EXPECT_THAT(report::pulling_text(report), HasSubstr("of the laboratory"));
-  EXPECT_THAT(report::pulling_figure_11(report), HasSubstr("measured: of the laboratory"));
+  EXPECT_THAT(figures::pulling_figure_11(report), HasSubstr("measured: of the laboratory"));
   report.shown = 2;
-  EXPECT_EQ(count(report::pulling_figure_11(report), ">measured<"), 0u) << "another caster";
+  EXPECT_EQ(count(figures::pulling_figure_11(report), ">measured<"), 0u) << "another caster";
   report.measured[0].fault = "a.csv:3: cells are empty";
   EXPECT_THAT(report::pulling_text(report), HasSubstr("not used: a.csv:3: cells are empty"));
 }

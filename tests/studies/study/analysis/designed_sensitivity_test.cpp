@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "engine/base/random/sampling.h"
+#include "studies/figures/sensitivity_figure.h"
 #include "studies/report/sensitivity_report.h"
 #include "tests/studies/study/analysis/made_study.h"
 #include "tests/support/expect_error.h"
@@ -92,7 +93,7 @@ TEST_F(DesignedSensitivity, IndicesAreTheClosedForms) {
   EXPECT_THAT(text, HasSubstr(" first  95 % interval   total  95 % interval"));
   EXPECT_THAT(text, HasSubstr("an input whose total is 0 does not matter"));
   EXPECT_THAT(report::sensitivity_json({{"", found, ""}}), HasSubstr("\"total_interval\""));
-  EXPECT_THAT(report::sensitivity_figure({"", found, ""}), HasSubstr("total index"));
+  EXPECT_THAT(figures::sensitivity_figure({"", found, ""}), HasSubstr("total index"));
 }
 
 TEST_F(DesignedSensitivity, WhatLevelsAddIsNoVarianceOfTheInputs) {

@@ -8,6 +8,7 @@
 
 #include "engine/base/random/normal_draw.h"
 #include "engine/base/units.h"
+#include "studies/figures/fragility_figure.h"
 #include "studies/report/fragility_report.h"
 #include "studies/study/analysis/performance.h"
 #include "tests/studies/study/analysis/small_study.h"
@@ -110,7 +111,7 @@ TEST_F(FragilityResultTest, AnIdaGivesCapacities) {
   EXPECT_EQ(json["capacities"]["brackets"].size(), 101);
   EXPECT_DOUBLE_EQ(json["theta_interval"][0], result.band.theta.low);
   EXPECT_FALSE(json.contains("profile"));
-  EXPECT_THAT(report::fragility_figure(study, {result}),
+  EXPECT_THAT(figures::fragility_figure(study, {result}),
               testing::AllOf(testing::HasSubstr("empirical distribution"),
                              testing::Not(testing::HasSubstr("<circle"))));
 }
@@ -186,7 +187,7 @@ TEST_F(FragilityResultTest, SaysWhyThereIsNoCurve) {
   EXPECT_THAT(report, testing::HasSubstr("median between 0.102 and 0.204 g"));
   EXPECT_THAT(report, testing::HasSubstr("no run exceeds"));
   EXPECT_THAT(report::fragility_json(results), testing::HasSubstr("\"curve\": null"));
-  EXPECT_THAT(report::fragility_figure(study, results), testing::HasSubstr("all (no curve)"));
+  EXPECT_THAT(figures::fragility_figure(study, results), testing::HasSubstr("all (no curve)"));
 }
 
 TEST_F(FragilityResultTest, PerformanceLevelsAddUpToOne) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "studies/figures/comparison_figure.h"
 #include "studies/report/comparison_report.h"
 #include "studies/study/analysis/input_differences.h"
 #include "tests/studies/study/analysis/made_study.h"
@@ -229,7 +230,7 @@ TEST_F(StudyComparisonTest, TheReportSaysWhatWasLeftOutAndWhatItMeans) {
   EXPECT_EQ(json["shares"][0]["name"], "moved");
   EXPECT_EQ(json["shares"][0]["difference"], -1);
   EXPECT_TRUE(json["shares"][1]["interval"].is_array());
-  EXPECT_THAT(report::comparison_figure(report), HasSubstr("free   against   locked"));
+  EXPECT_THAT(figures::comparison_figure(report), HasSubstr("free   against   locked"));
 }
 
 TEST_F(StudyComparisonTest, TooFewGroupsAreWarnedOf) {

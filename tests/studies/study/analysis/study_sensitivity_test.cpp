@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "engine/base/random/normal_draw.h"
+#include "studies/figures/sensitivity_figure.h"
 #include "studies/report/sensitivity_report.h"
 #include "tests/studies/study/analysis/made_study.h"
 #include "tests/support/expect_error.h"
@@ -81,7 +82,7 @@ TEST_F(StudySensitivityTest, EqualConstantAndCorrelatedInputsAreNamed) {
   EXPECT_THAT(text,
               HasSubstr("the index of each holds what the others do: much like small, small"));
   EXPECT_THAT(text, HasSubstr("Drawn, but the same in every run: fixed."));
-  EXPECT_THAT(report::sensitivity_figure({"", found, ""}), HasSubstr("big and 1 equal to it"));
+  EXPECT_THAT(figures::sensitivity_figure({"", found, ""}), HasSubstr("big and 1 equal to it"));
 }
 
 TEST_F(StudySensitivityTest, CorrelatedInputsCountOnce) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/base/random/normal_draw.h"
+#include "studies/figures/vector_figure.h"
 #include "studies/report/vector_report.h"
 #include "tests/studies/study/analysis/made_study.h"
 #include "tests/support/expect_error.h"
@@ -61,7 +62,7 @@ TEST_F(VectorResultTest, TwoMeasuresThatBothTellMakeOne) {
   EXPECT_THAT(text, HasSubstr("moved: each adds information to the other; together they are one "
                               "measure (PGA h1)^"));
   EXPECT_THAT(report::vector_json({found}), HasSubstr("\"share\""));
-  const std::string figure = report::vector_figure(study, {found});
+  const std::string figure = figures::vector_figure(study, {found});
   EXPECT_THAT(figure, HasSubstr("up: pfv (m/s)"));
   EXPECT_EQ(figure.find("nan"), std::string::npos);
 }
@@ -87,7 +88,7 @@ TEST_F(VectorResultTest, SaysWhatIsMissing) {
   const VectorResult fell = vector_of(study, 1, 0, {"PGA h1", "pfv"});
   EXPECT_THAT(report::vector_report(study, {fell}), HasSubstr("no run exceeds"));
   EXPECT_THAT(report::vector_json({fell}), HasSubstr("\"plane\": null"));
-  EXPECT_THAT(report::vector_figure(study, {fell}), HasSubstr("no fit"));
+  EXPECT_THAT(figures::vector_figure(study, {fell}), HasSubstr("no fit"));
   EXPECT_ERROR(vector_of(study, 0, 0, {"PGA h1", "pfw"}),
                "no intensity measure 'pfw'; did you mean 'pfa'?");
   EXPECT_ERROR(vector_of(study, 0, 0, {"", "PGA h1"}),

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/run/simulate.h"
+#include "studies/figures/convergence_figure.h"
 #include "studies/report/convergence_report.h"
 #include "tests/studies/study/small_study.h"
 #include "tests/support/temp_folder.h"
@@ -102,7 +103,7 @@ TEST(ConvergenceReportTest, ReportsVerdictsAndWhatWasVaried) {
   EXPECT_EQ(json["numbers"][0]["verdict"], "needs a smaller step");
   EXPECT_EQ(json["variants"][1]["varied"], "time_step");
   EXPECT_EQ(json["variants"][1]["factor"], 2);
-  EXPECT_THAT(report::convergence_figure(found), HasSubstr("cart, peak_displacement"));
+  EXPECT_THAT(figures::convergence_figure(found), HasSubstr("cart, peak_displacement"));
 }
 
 }  // namespace

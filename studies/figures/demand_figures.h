@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "studies/figures/plot_page.h"
+#include "studies/study/analysis/demand_runs.h"
+
+namespace gurney::figures {
+
+/// Figures of demands; each draws a panel, or one for each configuration, for each of `all`.
+
+/// Curves of the cases, 16, 50 and 84 % fractiles of the demand at given intensity, and where items
+/// overturn.
+std::string ida_figure(const PlotPage& page, const std::string& title,
+                       const std::vector<study::DemandRuns>& all);
+
+/// The demands at each intensity, with their median and 16 and 84 % fractiles.
+std::string stripes_figure(const PlotPage& page, const std::string& title,
+                           const std::vector<study::DemandRuns>& all);
+
+/// Demand over intensity, both in logarithms, with the censored regression of statistics/cloud.h.
+std::string cloud_figure(const PlotPage& page, const std::string& title,
+                         const std::vector<study::DemandRuns>& all);
+
+/// Empirical distributions of the demand at each level.
+std::string distribution_figure(const PlotPage& page, const std::string& title,
+                                const std::vector<study::DemandRuns>& all);
+
+}  // namespace gurney::figures

@@ -1,0 +1,60 @@
+#include "studies/figures/labels.h"
+
+#include <cctype>
+#include <map>
+
+namespace gurney::figures {
+namespace {
+
+/// Those whose column is not what the field calls them.
+const std::map<std::string, std::string>& special_labels() {
+  static const std::map<std::string, std::string> labels{
+      {"pfa", "Peak floor acceleration"},
+      {"pfv", "Peak floor velocity"},
+      {"lifted_time", "Uplift time"},
+      {"most_wheels_lifted", "Largest number of wheels off the floor"},
+      {"impacts", "Number of impacts"},
+      {"largest_approach_speed", "Largest approach speed of impacts"},
+      {"largest_impulse", "Largest impulse of impacts"},
+      {"displacement", "Displacement relative to the floor"},
+      {"velocity", "Velocity relative to the floor"},
+      {"acceleration", "Acceleration relative to the floor"},
+      {"floor_acceleration", "Floor acceleration"},
+      {"point_displacement", "Displacement of marked points"},
+      {"point_velocity", "Velocity of marked points"},
+      {"point_absolute_acceleration", "Absolute acceleration of marked points"},
+      {"wheel_rate", "Wheel rotation rate"},
+      {"energy_kinetic", "Kinetic energy"},
+      {"energy_gravitational", "Gravitational energy"},
+      {"energy_elastic", "Elastic energy"},
+      {"energy_of_weights", "Energy of drop weights"},
+      {"work_of_floor", "Work of floor motion"},
+  };
+  return labels;
+}
+
+}  // namespace
+
+std::string label_of(const std::string& column) {
+  const auto special = special_labels().find(column);
+  if (special != special_labels().end()) return special->second;
+  std::string label = column;
+  const bool loss = label.starts_with("loss_");
+  if (loss) label = label.substr(5) + "_loss";
+  for (char& c : label)
+    if (c == '_') c = ' ';
+  if (!label.empty())
+    label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+  if (label.ends_with(" x") || label.ends_with(" y") || label.ends_with(" z"))
+    label.insert(label.size() - 2, ",");
+  return label;
+}
+
+std::string with_unit(const std::string& label, const study::ReportUnit& unit) {
+  if (unit.name.empty() || unit.name == "1") return label;
+  std::string name = unit.name;
+  if (name.ends_with("s2")) name = name.substr(0, name.size() - 1) + "\u00b2";
+  return label + " (" + name + ")";
+}
+
+}  // namespace gurney::figures

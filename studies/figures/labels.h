@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "studies/study/analysis/report_unit.h"
+
+namespace gurney::figures {
+
+/// What axes call a column of the results: "Peak displacement" of `peak_displacement`, "Tilt" of
+/// `tilt`, "Peak floor acceleration" of `pfa`.
+std::string label_of(const std::string& column);
+
+/// A name with its unit: "Peak displacement (m)", "Impacts".
+std::string with_unit(const std::string& label, const study::ReportUnit& unit);
+
+}  // namespace gurney::figures

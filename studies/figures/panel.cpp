@@ -1,0 +1,326 @@
+#include "studies/figures/panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "studies/figures/panel_parts.h"
+
+namespace gurney::figures {
+namespace {
+
+constexpr double kTick = 4;
+const Pen kAxis{.stroke = "#444444", .width = 0.8};
+const Pen kGrid{.stroke = "#e6e6e6", .width = 0.7};
+
+void widen(Range& range, const std::vector<double>& values) {
+  for (const double value : values)
+    if (std::isfinite(value)) {
+      range.low = std::min(range.low, value);
+      range.high = std::max(range.high, value);
+    }
+}
+
+/// Of all that is drawn along an axis.
+Range range_of(const Panel& panel, bool along_x) {
+  Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const Curve& curve : panel.curves) widen(range, along_x ? curve.x : curve.y);
+  for (const Marks& marks : panel.marks) widen(range, along_x ? marks.x : marks.y);
+  for (const Area& area : panel.areas) {
+    widen(range, along_x ? area.x : area.low);
+    if (!along_x) widen(range, area.high);
+  }
+  return range.low <= range.high ? range : Range{0, 1};
+}
+
+/// Leaves some air, and gives a constant curve an axis of its own size.
+Range padded(Range range) {
+  const double size = std::max(std::abs(range.low), std::abs(range.high));
+  if (!(range.span() > 1e-9 * size)) {
+    const double half = size > 0 ? 0.5 * size : 1;
+    return {range.low - half, range.high + half};
+  }
+  return {range.low - 0.06 * range.span(), range.high + 0.06 * range.span()};
+}
+
+/// Widens one range until a unit is as long on both axes.
+void equalise(const Frame& frame, Range& x, Range& y) {
+  const double unit = std::max(x.span() / frame.width, y.span() / frame.height);
+  const auto widen = [](Range& range, double span) {
+    const double middle = (range.low + range.high) / 2;
+    range = {middle - span / 2, middle + span / 2};
+  };
+  widen(x, unit * frame.width);
+  widen(y, unit * frame.height);
+}
+
+std::string tick_label(double value, double step) {
+  if (std::abs(value) < 1e-9 * step) return "0";
+  const double size = std::max(std::abs(value), step);
+  if (size >= 1e6 || size < 1e-4) return fmt::format("{:.3g}", value);
+  int decimals = 0;
+  for (double rest = step; decimals < 6 && std::abs(rest - std::round(rest)) > 1e-6; ++decimals)
+    rest *= 10;
+  std::string label = fmt::format("{:.{}f}", value, decimals);
+  if (label.front() == '-') label = "\u2212" + label.substr(1);
+  return label;
+}
+
+double step_of(const std::vector<double>& at) { return at.size() > 1 ? at[1] - at[0] : 1; }
+
+std::vector<double> x_ticks_of(const Panel& panel, const Range& x, int wanted) {
+  std::vector<double> at = panel.x_ticks;
+  if (at.empty()) return panel.log_x ? decade_ticks(x) : ticks(x, wanted);
+  if (panel.log_x)
+    for (double& value : at) value = std::log10(value);
+  return at;
+}
+
+std::string log_label(double value) {
+  const double number = std::pow(10, value);
+  return fmt::format("{:.3g}", number);
+}
+
+/// The places among ticks of decades whose labels do not touch: powers of ten before all others.
+std::vector<bool> labelled(const std::vector<double>& at, const std::vector<double>& px,
+                           const std::vector<double>& sizes) {
+  std::vector<bool> shown(at.size(), false);
+  const auto free = [&](std::size_t i) {
+    for (std::size_t k = 0; k < at.size(); ++k)
+      if (shown[k] && std::abs(px[i] - px[k]) < (sizes[i] + sizes[k]) / 2 + 5) return false;
+    return true;
+  };
+  for (const bool powers : {true, false})
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if ((std::abs(at[i] - std::round(at[i])) < 1e-9) == powers && !shown[i]) shown[i] = free(i);
+  return shown;
+}
+
+std::string axis_name(const std::string& label, bool log) {
+  return log && !label.empty() ? label + ", log scale" : label;
+}
+
+/// Every digit of each decade, without labels.
+void draw_minor_ticks(Svg& svg, const Frame& frame, const Scaling& scaling, const Range& range,
+                      bool along_x) {
+  for (double decade = std::floor(range.low); decade <= range.high; ++decade)
+    for (int digit = 1; digit <= 9; ++digit) {
+      const double value = decade + std::log10(digit);
+      if (value < range.low || value > range.high) continue;
+      const double at = along_x ? scaling.x(value) : scaling.y(value);
+      const double bottom = frame.y + frame.height;
+      if (along_x)
+        svg.line(at, bottom, at, bottom + kTick / 2, kAxis);
+      else
+        svg.line(frame.x - kTick / 2, at, frame.x, at, kAxis);
+    }
+}
+
+void draw_x_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& scaling,
+                 const Range& range) {
+  constexpr double kSize = 10;
+  const double bottom = frame.y + frame.height;
+  const auto at = x_ticks_of(panel, range, std::max(2, static_cast<int>(frame.width / 70)));
+  std::vector<std::string> labels;
+  std::vector<double> px, sizes;
+  for (const double value : at) {
+    labels.push_back(panel.log_x ? log_label(value) : tick_label(value, step_of(at)));
+    px.push_back(scaling.x(value));
+    sizes.push_back(text_width(labels.back(), kSize));
+  }
+  const std::vector<bool> shown = labelled(at, px, sizes);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    svg.line(px[i], frame.y, px[i], bottom, kGrid);
+    svg.line(px[i], bottom, px[i], bottom + kTick, kAxis);
+    if (shown[i] && panel.x_labels)
+      svg.text(px[i], bottom + 15, labels[i], {.size = kSize, .anchor = Anchor::kMiddle});
+  }
+  if (panel.log_x) draw_minor_ticks(svg, frame, scaling, range, true);
+  svg.text(frame.x + frame.width / 2, bottom + 31, axis_name(panel.x_label, panel.log_x),
+           {.anchor = Anchor::kMiddle});
+}
+
+void draw_y_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& scaling,
+                 const Range& range) {
+  constexpr double kSize = 10, kLabelSize = 11;
+  const double apart = panel.equal_scales ? 70 : 26;  // equal scales: ticks as on the other axis
+  const int wanted = std::max(2, static_cast<int>(frame.height / apart));
+  std::vector<double> at = panel.log_y ? decade_ticks(range) : ticks(range, wanted);
+  for (int more = 1; at.size() < 2 && !panel.log_y && more < 4; ++more)
+    at = ticks(range, wanted + more);
+  std::vector<std::string> labels;
+  std::vector<double> px;
+  double widest = 0;
+  for (const double value : at) {
+    labels.push_back(panel.log_y ? log_label(value) : tick_label(value, step_of(at)));
+    px.push_back(scaling.y(value));
+    widest = std::max(widest, text_width(labels.back(), kSize));
+  }
+  const std::vector<bool> shown = labelled(at, px, std::vector<double>(at.size(), kSize));
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    svg.line(frame.x, px[i], frame.x + frame.width, px[i], kGrid);
+    svg.line(frame.x - kTick, px[i], frame.x, px[i], kAxis);
+    if (shown[i])
+      svg.text(frame.x - 7, px[i] + 3.5, labels[i], {.size = kSize, .anchor = Anchor::kEnd});
+  }
+  if (panel.log_y) draw_minor_ticks(svg, frame, scaling, range, false);
+  const std::string name = axis_name(panel.y_label, panel.log_y);
+  const double left = std::clamp(widest + 14, 34.0, 52.0);
+  svg.text(frame.x - left, frame.y + frame.height / 2,
+           fitted(name, kLabelSize, std::max(frame.height + 40, 80.0)),
+           {.size = kLabelSize, .anchor = Anchor::kMiddle, .upwards = true});
+}
+
+void draw_axes(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& scaling,
+               const Range& x, const Range& y) {
+  draw_x_axis(svg, frame, panel, scaling, x);
+  draw_y_axis(svg, frame, panel, scaling, y);
+  if (panel.zero_line && y.low < 0 && y.high > 0)
+    svg.line(frame.x, scaling.y(0), frame.x + frame.width, scaling.y(0),
+             {.stroke = "#999999", .width = 0.8});
+}
+
+/// Pieces of the curve between values that are not finite; points closer than a third of a px to
+/// the one before are left out.
+std::vector<Svg::Points> pieces(const Curve& curve, const Scaling& scaling) {
+  std::vector<Svg::Points> result(1);
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    if (!std::isfinite(curve.x[i]) || !std::isfinite(curve.y[i])) {
+      if (!result.back().empty()) result.emplace_back();
+      continue;
+    }
+    const std::pair<double, double> point{scaling.x(curve.x[i]), scaling.y(curve.y[i])};
+    Svg::Points& piece = result.back();
+    const bool last = i + 1 == curve.x.size();
+    if (piece.empty() || last ||
+        std::hypot(point.first - piece.back().first, point.second - piece.back().second) > 1.0 / 3)
+      piece.push_back(point);
+  }
+  return result;
+}
+
+/// The values of an axis of decades.
+void take_log10(std::vector<double>& values) {
+  for (double& value : values) value = std::log10(value);
+}
+
+Panel in_decades(Panel panel) {
+  for (Curve& curve : panel.curves) {
+    if (panel.log_x) take_log10(curve.x);
+    if (panel.log_y) take_log10(curve.y);
+  }
+  for (Marks& marks : panel.marks) {
+    if (panel.log_x) take_log10(marks.x);
+    if (panel.log_y) take_log10(marks.y);
+  }
+  for (Area& area : panel.areas) {
+    if (panel.log_x) take_log10(area.x);
+    if (panel.log_y) take_log10(area.low);
+    if (panel.log_y) take_log10(area.high);
+  }
+  return panel;
+}
+
+void draw_area(Svg& svg, const Area& area, const Scaling& scaling) {
+  Svg::Points outline;
+  for (std::size_t i = 0; i < area.x.size(); ++i)
+    outline.emplace_back(scaling.x(area.x[i]), scaling.y(area.low[i]));
+  for (std::size_t i = area.x.size(); i-- > 0;)
+    outline.emplace_back(scaling.x(area.x[i]), scaling.y(area.high[i]));
+  svg.polyline(outline, {.stroke = "", .fill = area.color, .opacity = area.opacity}, true);
+}
+
+}  // namespace
+
+std::vector<double> ticks(const Range& range, int wanted) {
+  const double rough = range.span() / std::max(1, wanted);
+  const double power = std::pow(10, std::floor(std::log10(rough)));
+  double step = 10 * power;
+  for (const double nice : {5.0, 2.5, 2.0, 1.0})
+    if (nice * power >= rough * 0.999) step = nice * power;
+  std::vector<double> result;
+  for (double i = std::ceil(range.low / step - 1e-9); i * step <= range.high + 1e-9 * step; ++i)
+    result.push_back(i * step);
+  return result;
+}
+
+std::vector<double> decade_ticks(const Range& log_range) {
+  const auto of_digits = [&](std::initializer_list<double> digits) {
+    std::vector<double> result;
+    for (double decade = std::floor(log_range.low); decade <= log_range.high; ++decade)
+      for (const double digit : digits)
+        if (const double at = decade + std::log10(digit);
+            at >= log_range.low - 1e-9 && at <= log_range.high + 1e-9)
+          result.push_back(at);
+    return result;
+  };
+  if (log_range.span() > 3) return of_digits({1.0});
+  const std::vector<double> result = of_digits({1.0, 2.0, 5.0});
+  return result.size() >= 3 ? result : of_digits({1, 2, 3, 4, 5, 6, 7, 8, 9});
+}
+
+Scaling draw(Svg& svg, const Frame& frame, const Panel& given) {
+  const Panel panel = in_decades(given);
+  Range x = panel.x_range, y = panel.y_range;
+  if (!(x.span() > 0))
+    x = panel.marks.empty() ? range_of(panel, true) : padded(range_of(panel, true));
+  if (!(y.span() > 0)) y = padded(range_of(panel, false));
+  if (!(x.span() > 0)) x = padded(x);
+  if (panel.equal_scales) equalise(frame, x, y);
+  const Scaling scaling(frame, x, y);
+  draw_axes(svg, frame, panel, scaling, x, y);
+  svg.begin_clip(frame.x, frame.y, frame.width, frame.height);
+  for (const Area& area : panel.areas) draw_area(svg, area, scaling);
+  for (const Curve& curve : panel.curves)
+    for (const Svg::Points& piece : pieces(curve, scaling)) svg.polyline(piece, curve.pen);
+  svg.end_clip();
+  svg.rectangle(frame.x, frame.y, frame.width, frame.height, kAxis);
+  for (const Marks& marks : panel.marks)
+    for (std::size_t i = 0; i < marks.x.size(); ++i)
+      if (std::isfinite(marks.x[i]) && std::isfinite(marks.y[i]))
+        draw_marker(svg, scaling.x(marks.x[i]), scaling.y(marks.y[i]), marks);
+  draw_head(svg, frame, panel);
+  return scaling;
+}
+
+void draw_lanes(Svg& svg, const Frame& frame, const Panel& panel) {
+  constexpr double kSpace = 5;
+  const auto count = static_cast<double>(panel.curves.size());
+  const double height = (frame.height - kSpace * (count - 1)) / count;
+  const Range y = panel.y_range.span() > 0 ? panel.y_range : padded(range_of(panel, false));
+  Panel lane = panel;
+  lane.y_range = y;
+  lane.legend_columns = 0;
+  lane.y_label.clear();
+  for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+    const double top = frame.y + static_cast<double>(i) * (height + kSpace);
+    const bool last = i + 1 == panel.curves.size();
+    lane.title = i == 0 ? panel.title : "";
+    lane.x_label = last ? panel.x_label : "";
+    lane.x_labels = last;
+    lane.curves = {panel.curves[i]};
+    draw(svg, {frame.x, top, frame.width, height}, lane);
+    const std::string name = fitted(panel.curves[i].label, 10, frame.width - 10);
+    const double right = frame.x + frame.width - 5, wide = text_width(name, 10);
+    const auto& values = panel.curves[i].y;  // the name is where the curve does not end
+    const bool high = !values.empty() && values.back() > (y.low + y.high) / 2;
+    const double line = high ? top + height - 4 : top + 11;
+    svg.rectangle(right - wide - 2, line - 10, wide + 5, 13,
+                  {.stroke = "", .fill = "#ffffff", .opacity = 0.8});
+    svg.text(right, line, name,
+             {.size = 10, .anchor = Anchor::kEnd, .color = panel.curves[i].pen.stroke});
+  }
+  svg.text(frame.x - 40, frame.y + frame.height / 2,
+           fitted(panel.y_label, 11, std::max(frame.height + 40, 80.0)),
+           {.anchor = Anchor::kMiddle, .upwards = true});
+}
+
+std::string palette(std::size_t index) {
+  static const char* const colors[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                       "#E69F00", "#56B4E9", "#000000"};
+  return colors[index % std::size(colors)];
+}
+
+}  // namespace gurney::figures

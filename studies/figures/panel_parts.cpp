@@ -1,0 +1,163 @@
+#include "studies/figures/panel_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace gurney::figures {
+namespace {
+
+constexpr double kKey = 18, kGap = 5, kSpace = 12, kRow = 13, kSize = 10, kTitleSize = 12;
+
+struct Entry {
+  std::string label;
+  const Curve* curve;
+  const Marks* marks;
+};
+
+std::vector<Entry> entries_of(const Panel& panel) {
+  std::vector<Entry> entries;
+  if (panel.legend_columns == 0) return entries;
+  for (const Curve& curve : panel.curves)
+    if (!curve.label.empty()) entries.push_back({curve.label, &curve, nullptr});
+  for (const Marks& marks : panel.marks)
+    if (!marks.label.empty()) entries.push_back({marks.label, nullptr, &marks});
+  return entries;
+}
+
+/// Entries row by row, in columns that are as wide as their widest.
+struct Legend {
+  std::vector<Entry> entries;
+  std::vector<double> widths;  ///< of the columns
+  double width = 0;
+
+  std::size_t rows() const {
+    return widths.empty() ? 0 : (entries.size() + widths.size() - 1) / widths.size();
+  }
+};
+
+Legend legend_of(std::vector<Entry> entries, std::size_t columns) {
+  Legend legend{std::move(entries), std::vector<double>(columns, 0.0), 0};
+  for (std::size_t i = 0; i < legend.entries.size(); ++i) {
+    double& width = legend.widths[i % columns];
+    width = std::max(width, kKey + kGap + kSpace + text_width(legend.entries[i].label, kSize));
+  }
+  for (const double width : legend.widths) legend.width += width;
+  return legend;
+}
+
+/// With as many columns as the panel asks for, or as there is room for.
+Legend legend_of(const Panel& panel, double width) {
+  std::vector<Entry> entries = entries_of(panel);
+  if (entries.empty()) return {};
+  for (Entry& entry : entries)
+    entry.label = fitted(entry.label, kSize, width - kKey - kGap - kSpace);
+  for (auto columns = std::min(static_cast<std::size_t>(panel.legend_columns), entries.size());;
+       --columns) {
+    Legend legend = legend_of(entries, columns);
+    if (legend.width <= width || columns == 1) return legend;
+  }
+}
+
+/// Whether title and last row of the legend do not fit beside each other.
+bool stacked(const Panel& panel, const Legend& legend, double width) {
+  return !panel.title.empty() && !legend.entries.empty() &&
+         1.08 * text_width(panel.title, kTitleSize) + legend.width + kSpace > width;
+}
+
+void draw_key(Svg& svg, double x, double y, const Entry& entry) {
+  if (entry.curve) svg.line(x, y, x + kKey, y, entry.curve->pen);
+  if (entry.curve && entry.curve->key)
+    draw_marker(svg, x + kKey / 2, y,
+                {"", {}, {}, {.stroke = entry.curve->pen.stroke}, *entry.curve->key, 2.8});
+  if (entry.marks) draw_marker(svg, x + kKey / 2, y, *entry.marks);
+}
+
+}  // namespace
+
+double head_height(const Panel& panel, double width) {
+  const Legend legend = legend_of(panel, width);
+  const double rows = kRow * static_cast<double>(legend.rows());
+  const double title = panel.title.empty() ? 0 : kTitleSize + 4;
+  return 8 + (stacked(panel, legend, width) ? rows + title : std::max(rows, title));
+}
+
+void draw_head(Svg& svg, const Frame& frame, const Panel& panel) {
+  const Legend legend = legend_of(panel, frame.width);
+  const auto rows = legend.rows();
+  for (std::size_t i = 0; i < legend.entries.size(); ++i) {
+    const auto columns = legend.widths.size();
+    double x = frame.x + frame.width - legend.width + kSpace;
+    for (std::size_t column = 0; column < i % columns; ++column) x += legend.widths[column];
+    const std::size_t row = i / columns;
+    const double y = frame.y - 13 - kRow * static_cast<double>(rows - 1 - row);
+    draw_key(svg, x, y, legend.entries[i]);
+    svg.text(x + kKey + kGap, y + 3.5, legend.entries[i].label, {.size = kSize});
+  }
+  const double up = stacked(panel, legend, frame.width) ? kRow * static_cast<double>(rows) : 0;
+  svg.text(frame.x, frame.y - 9 - up, fitted(panel.title, 1.08 * kTitleSize, frame.width),
+           {.size = kTitleSize, .bold = true});
+}
+
+void draw_marker(Svg& svg, double x, double y, const Marks& marks) {
+  const double r = marks.radius, wide = 1.25 * r;
+  Pen pen = marks.pen;
+  if (pen.fill.empty()) pen.fill = "#ffffff";
+  Pen stroke = marks.pen;
+  stroke.dash = "none";  // never that of a curve in grey
+  switch (marks.marker) {
+    case Marker::kCircle:
+      svg.circle(x, y, r, pen);
+      break;
+    case Marker::kSquare:
+      svg.rectangle(x - 0.9 * r, y - 0.9 * r, 1.8 * r, 1.8 * r, pen);
+      break;
+    case Marker::kTriangle:
+      svg.polyline({{x, y - wide}, {x - wide, y + 0.8 * wide}, {x + wide, y + 0.8 * wide}}, pen,
+                   true);
+      break;
+    case Marker::kDiamond:
+      svg.polyline({{x, y - wide}, {x - wide, y}, {x, y + wide}, {x + wide, y}}, pen, true);
+      break;
+    case Marker::kCross:
+      svg.line(x - r, y - r, x + r, y + r, stroke);
+      svg.line(x - r, y + r, x + r, y - r, stroke);
+      break;
+  }
+}
+
+double text_width(const std::string& text, double size) {
+  // Widths of Helvetica in em, by groups of letters.
+  double width = 0;
+  for (const char c : text) {
+    if ((static_cast<unsigned char>(c) & 0xc0) == 0x80) continue;  // not the first of its character
+    if (std::string_view(" fijltIr.,:;!|'()[]/-").find(c) != std::string_view::npos)
+      width += 0.3;
+    else if (std::string_view("mwMW%").find(c) != std::string_view::npos)
+      width += 0.85;
+    else
+      width += c >= 'A' && c <= 'Z' ? 0.69 : 0.55;
+  }
+  return size * width;
+}
+
+std::string fitted(const std::string& text, double size, double width) {
+  if (text_width(text, size) <= width) return text;
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t next = at + 1;
+    while (next < text.size() && (static_cast<unsigned char>(text[next]) & 0xc0) == 0x80) ++next;
+    if (text_width(text.substr(0, next) + "x", size) > width) break;
+    result = text.substr(0, next);
+    at = next;
+  }
+  return result + "\u2026";
+}
+
+Marker marker(std::size_t index) {
+  constexpr Marker kMarkers[] = {Marker::kCircle, Marker::kSquare, Marker::kTriangle,
+                                 Marker::kDiamond};
+  return kMarkers[index % std::size(kMarkers)];
+}
+
+}  // namespace gurney::figures

@@ -1,0 +1,75 @@
+#include <algorithm>
+#include <map>
+
+#include "studies/figures/demand_axes.h"
+#include "studies/figures/demand_figures.h"
+#include "studies/study/analysis/ida_curves.h"
+
+namespace gurney::figures {
+namespace {
+
+/// One configuration; `offset` keeps configurations apart [in the unit of the intensity].
+void add(Panel& panel, const study::DemandRuns& runs, const study::DemandRuns::Configuration& of,
+         std::size_t index, double offset, double ceiling) {
+  const std::string color = palette(index);
+  Marks stood{"", {}, {}, {.stroke = color, .width = 0.8}, marker(index), 2.2};
+  Marks fell{"", {}, {}, {.stroke = color, .width = 1}, Marker::kCross, 3};
+  std::map<double, std::vector<double>> stripes;
+  for (const study::DemandRun& run : of.runs) {
+    const double im = run.im / runs.measure_unit.in_si;
+    const double demand = run.demand / runs.unit.in_si;
+    Marks& marks = run.overturned ? fell : stood;
+    marks.x.push_back(im + offset);
+    marks.y.push_back(run.overturned ? ceiling : demand);
+    stripes[im].push_back(run.overturned ? std::numeric_limits<double>::infinity() : demand);
+  }
+  Curve median{
+      of.name.empty() ? "median" : of.name + ", median", {}, {}, {.stroke = color, .width = 1.8}};
+  median.key = marker(index);
+  Curve low{"", {}, {}, {.stroke = color, .width = 1, .dash = "2 3"}}, high = low;
+  for (auto& [im, values] : stripes) {
+    std::ranges::sort(values);
+    const auto at = [&sorted = values](double fraction) {
+      const auto count = static_cast<double>(sorted.size());
+      return sorted[static_cast<std::size_t>(std::min(count - 1, fraction * count))];
+    };
+    for (const auto& [curve, fraction] : {std::pair{&median, 0.5}, {&low, 0.16}, {&high, 0.84}}) {
+      curve->x.push_back(im + offset);
+      curve->y.push_back(at(fraction));
+    }
+  }
+  panel.curves.insert(panel.curves.end(), {median, low, high});
+  panel.marks.push_back(std::move(stood));
+  if (fell.x.empty()) return;
+  fell.label = of.name.empty() ? "overturned" : of.name + ", overturned";
+  panel.marks.push_back(std::move(fell));
+}
+
+}  // namespace
+
+std::string stripes_figure(const PlotPage& page, const std::string& title,
+                           const std::vector<study::DemandRuns>& all) {
+  std::vector<PlotPanel> panels;
+  for (const study::DemandRuns& runs : all) {
+    const double top = largest_demand(runs), right = largest_intensity(runs);
+    Panel panel{.title = runs.item,
+                .x_label = measure_label(runs),
+                .y_label = demand_label(runs),
+                .zero_line = false,
+                .legend_columns = 2,
+                .x_range = {0, 1.06 * right},
+                .y_range = {0, 1.12 * top}};
+    const std::size_t count = runs.configurations.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const double place = static_cast<double>(i) - 0.5 * static_cast<double>(count - 1);
+      add(panel, runs, runs.configurations[i], i, 0.012 * right * place, 1.07 * top);
+    }
+    panels.push_back({.panel = panel, .aspect = 0.6});
+  }
+  return plot_figure(page, title,
+                     "line: median of the runs of an intensity; dotted: 16 and 84 % fractiles; "
+                     "crosses at the top: runs in which the item overturned",
+                     panels);
+}
+
+}  // namespace gurney::figures

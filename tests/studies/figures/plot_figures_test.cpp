@@ -1,0 +1,153 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "studies/figures/demand_figures.h"
+#include "studies/figures/history_figure.h"
+#include "studies/figures/labels.h"
+#include "studies/figures/trajectory_figure.h"
+#include "studies/study/results/columns.h"
+#include "studies/study/results/results_file.h"
+#include "tests/support/fabricated_run.h"
+#include "tests/support/fabricated_ward.h"
+#include "tests/support/temp_folder.h"
+
+namespace gurney::figures {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+/// Two configurations of 5 records at three levels; demand = im, and record 4 of the second
+/// overturns at the highest.
+study::DemandRuns demands() {
+  study::DemandRuns all{"ICU bed", "peak_tilt", {"deg", 0.5}, "PGA geomean", {"g", 10}};
+  for (const char* name : {"off", "on"}) {
+    study::DemandRuns::Configuration of{name, {}};
+    for (std::size_t record = 0; record < 5; ++record)
+      for (const double level : {1.0, 2.0, 4.0})
+        of.runs.push_back({level, 0.1 * level * std::exp(0.1 * static_cast<double>(record)),
+                           *name == 'o' && name[1] == 'n' && record == 4 && level == 4, record,
+                           record, std::to_string(static_cast<int>(level)) + " g"});
+    all.configurations.push_back(of);
+  }
+  return all;
+}
+
+void expect_drawn(const std::string& svg) {
+  EXPECT_EQ(count(svg, "nan"), 0u);
+  EXPECT_EQ(count(svg, "\"inf"), 0u);
+  EXPECT_EQ(count(svg, ",inf"), 0u);
+  EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n");
+}
+
+TEST(Labels, AreTheFieldsWords) {
+  EXPECT_EQ(label_of("peak_displacement"), "Peak displacement");
+  EXPECT_EQ(label_of("pfv"), "Peak floor velocity");
+  EXPECT_EQ(label_of("loss_rolling"), "Rolling loss");
+  EXPECT_EQ(label_of("Sa(1) RotD50"), "Sa(1) RotD50");
+  EXPECT_EQ(with_unit("Tilt", {"deg", 1}), "Tilt (deg)");
+  EXPECT_EQ(with_unit("Floor acceleration", {"m/s2", 1}), "Floor acceleration (m/s\u00b2)");
+  EXPECT_EQ(with_unit("Number of impacts", {"1", 1}), "Number of impacts");
+  for (const auto& column : study::demand_columns())
+    EXPECT_THAT(label_of(column.name), Not(HasSubstr("_"))) << column.name;
+  for (const auto& column : study::wheel_sample_columns())
+    EXPECT_THAT(label_of(column.name), Not(HasSubstr("_"))) << column.name;
+}
+
+TEST(PlotFigures, IdaHasCurvesFractilesAndOverturnings) {
+  const std::string svg = ida_figure({}, "title", {demands()});
+  expect_drawn(svg);
+  for (const char* text : {"ICU bed, off", "ICU bed, on", "16 %", "50 %", "84 %", ">overturns<"})
+    EXPECT_THAT(svg, HasSubstr(text));
+  EXPECT_THAT(svg, HasSubstr("Peak tilt (deg)"));
+  EXPECT_THAT(svg, HasSubstr("PGA geomean (g)"));
+  // A curve for each record of each panel, and one key of the legend.
+  EXPECT_EQ(count(svg, "<polyline") - 2 * 3, 2u * 5);
+}
+
+TEST(PlotFigures, StripesMarkWhatOverturned) {
+  const std::string svg = stripes_figure({}, "title", {demands()});
+  expect_drawn(svg);
+  EXPECT_THAT(svg, HasSubstr("off, median"));
+  EXPECT_THAT(svg, HasSubstr("on, overturned"));
+  EXPECT_THAT(svg, Not(HasSubstr("off, overturned")));
+  EXPECT_EQ(count(svg, "<circle"), 15u + 1) << "runs of the first configuration, and its key";
+}
+
+TEST(PlotFigures, CloudStatesItsRegression) {
+  const std::string svg = cloud_figure({}, "title", {demands()});
+  expect_drawn(svg);
+  // ln(demand / 0.5) over ln(im / 10): slope 1, intercept ln(0.1 * 10 / 0.5) + mean of 0 to 0.4.
+  EXPECT_THAT(svg, HasSubstr("off: ln D = 0.893 + 1 ln IM"));
+  EXPECT_THAT(svg, HasSubstr("Peak tilt (deg), log scale"));
+  EXPECT_THAT(svg, HasSubstr("PGA geomean (g), log scale"));
+}
+
+TEST(PlotFigures, DistributionsHaveACurveForEachLevel) {
+  const std::string svg = distribution_figure({}, "title", {demands()});
+  expect_drawn(svg);
+  for (const char* level : {">1 g<", ">2 g<", ">4 g<"}) EXPECT_EQ(count(svg, level), 2u) << level;
+  EXPECT_THAT(svg, HasSubstr("Fraction of runs"));
+}
+
+TEST(PlotFigures, ManyWheelsHaveAxesOfTheirOwn) {
+  study::StoredHistory force{"normal_force", "N", "wheel", {0, 1, 2}, {}};
+  for (const char* wheel : {"a", "b", "c", "d"}) force.series.push_back({wheel, "", {1, 2, 3}});
+  const study::StoredHistory tilt{"tilt", "rad", "item", {0, 1, 2}, {{"", "", {0, 0.1, 0}}}};
+  const std::string svg = history_figure({}, "title", "run 3", {force, tilt});
+  expect_drawn(svg);
+  EXPECT_EQ(count(svg, "<clipPath"), 4u + 1);
+  EXPECT_THAT(svg, HasSubstr("Normal force (N)"));
+  EXPECT_THAT(svg, HasSubstr("Tilt (deg)"));
+  EXPECT_EQ(count(svg, "Time (s)"), 2u);
+}
+
+TEST(PlotFigures, TrajectoriesShowRoomItemsAndImpacts) {
+  const TempFolder folder;
+  const std::string path =
+      folder.write("ward.h5", study::results_image(fabricated_ward(), fabricated_ward_response()));
+  const std::string svg = trajectory_figure({}, path);
+  expect_drawn(svg);
+  EXPECT_THAT(svg, HasSubstr("x (m)"));
+  EXPECT_THAT(svg, HasSubstr(">impact<"));
+  for (const auto& item : fabricated_ward().scene.items)
+    EXPECT_THAT(svg, HasSubstr(">" + item.name)) << item.name;
+}
+
+TEST(PlotFigures, FitANarrowColumn) {
+  const PlotPage narrow{.width = 240};
+  study::DemandRuns all = demands();
+  all.item = std::string(500, 'W');
+  for (const std::string& svg :
+       {ida_figure(narrow, std::string(2000, 'x'), {all}), cloud_figure(narrow, "", {all}),
+        stripes_figure(narrow, "", {all}), distribution_figure(narrow, "", {all})}) {
+    expect_drawn(svg);
+    EXPECT_THAT(svg, HasSubstr("width=\"240\""));
+    EXPECT_THAT(svg, Not(HasSubstr(std::string(60, 'W'))));
+  }
+}
+
+TEST(PlotFigures, HostileNamesAreText) {
+  study::DemandRuns all = demands();
+  all.item = "<script>alert('x')</script>&\"";
+  all.configurations[0].name = std::string("a\x1b[31m\x01 \xc3\xa9\xe6\xbc\xa2 \xff");
+  for (const std::string& svg :
+       {ida_figure({}, all.item, {all}), stripes_figure({}, all.item, {all}),
+        cloud_figure({}, all.item, {all}), distribution_figure({}, all.item, {all})}) {
+    expect_drawn(svg);
+    EXPECT_THAT(svg, Not(HasSubstr("<script")));
+    EXPECT_THAT(svg, HasSubstr("&lt;script&gt;"));
+    EXPECT_THAT(svg, Not(HasSubstr("\x1b")));
+    EXPECT_THAT(svg, HasSubstr("\xc3\xa9\xe6\xbc\xa2"));
+  }
+}
+
+}  // namespace
+}  // namespace gurney::figures
