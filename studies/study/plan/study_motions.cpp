@@ -18,6 +18,10 @@
 namespace gurney::study {
 namespace {
 
+/// The floor motions that are kept, in bytes: ten levels of a record of 300 s with 200 samples a
+/// second, five times over.
+constexpr std::size_t kKeptFloors = 128 << 20;
+
 /// A tree as text: two trees that are read alike have the same.
 void write(const config::Node& node, std::string& text) {
   if (node.elements.empty()) text += describe(node);
@@ -56,8 +60,12 @@ double or_none(const std::function<double()>& value) {
 
 }  // namespace
 
-MotionSet::MotionSet(const Job& job, const Study& study)
-    : request_(job.record), intensity_(study.intensity), kept_(study.measures) {
+MotionSet::MotionSet(const Job& job, const Study& study, FloorRecords& floors, std::size_t index)
+    : request_(job.record),
+      intensity_(study.intensity),
+      kept_(study.measures),
+      floors_(floors),
+      index_(index) {
   if (!request_) {
     names_ = {""};
   } else if (study.synthetic_records > 0) {
@@ -126,28 +134,33 @@ double MotionSet::scale_for(std::size_t record, double value) const {
                   1 / groundmotions::scaling_power(intensity_.measure));
 }
 
-groundmotions::Record MotionSet::floor_record(std::size_t record, double scale) const {
-  const groundmotions::Record& ground = this->ground(record).record;
-  return floor_record_of(
-      scale == 1 ? ground : groundmotions::scaled(ground, scale, intensity_.vertical), *request_);
+FloorRecords::Shared MotionSet::floor_record(std::size_t record, double scale) const {
+  const auto make = [&] {
+    const groundmotions::Record& ground = this->ground(record).record;
+    return floor_record_of(
+        scale == 1 ? ground : groundmotions::scaled(ground, scale, intensity_.vertical), *request_);
+  };
+  if (request_->building) return floors_.of({index_, record, scale}, make);
+  return std::make_shared<const groundmotions::Record>(make());
 }
 
 FloorMotion MotionSet::floor(std::size_t record, double scale, double angle,
                              std::vector<std::string>& warnings) const {
   if (!request_) return {};
-  const groundmotions::Record floor = floor_record(record, scale);
+  const FloorRecords::Shared floor = floor_record(record, scale);
   const std::vector<std::string>& of_ground = ground(record).record.warnings;
-  for (const std::string& warning : floor.warnings)
+  for (const std::string& warning : floor->warnings)
     if (std::ranges::find(of_ground, warning) == of_ground.end()) warnings.push_back(warning);
-  return in_floor_axes(floor, *request_, request_->angle + angle);
+  return in_floor_axes(*floor, *request_, request_->angle + angle);
 }
 
 std::optional<Motion> MotionSet::motion(std::size_t record, double scale, double angle) const {
   if (!request_) return {};
-  return as_motion(floor_record(record, scale), *request_, request_->angle + angle);
+  return as_motion(*floor_record(record, scale), *request_, request_->angle + angle);
 }
 
-StudyMotions::StudyMotions(const StudyJob& job) {
+StudyMotions::StudyMotions(const StudyJob& job)
+    : floors_(std::make_unique<FloorRecords>(kKeptFloors)) {
   const config::FileSnapshot::Scope scope(job.files());
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < job.configurations().size(); ++i) {
@@ -156,7 +169,8 @@ StudyMotions::StudyMotions(const StudyJob& job) {
     while (found < texts.size() && texts[found] != text) ++found;
     if (found == texts.size()) {
       texts.push_back(text);
-      sets_.push_back(std::make_unique<MotionSet>(job.job(i, {}), job.study()));
+      sets_.push_back(
+          std::make_unique<MotionSet>(job.job(i, {}), job.study(), *floors_, sets_.size()));
     }
     of_configuration_.push_back(found);
   }

@@ -8,6 +8,7 @@
 
 #include "engine/base/floor_motion.h"
 #include "groundmotions/suites/suite.h"
+#include "studies/study/plan/floor_records.h"
 #include "studies/study/plan/study_job.h"
 #include "studies/study/prepare/motion.h"
 
@@ -24,8 +25,9 @@ struct GroundMotion {
 /// The records of all configurations that shake alike.
 class MotionSet {
  public:
+  /// @param floors  for the motions of floors, those of set `index` among them
   /// @throws Error for a suite without records, or with files that are none
-  MotionSet(const Job& job, const Study& study);
+  MotionSet(const Job& job, const Study& study, FloorRecords& floors, std::size_t index);
 
   std::size_t size() const { return names_.size(); }
   const std::string& name(std::size_t record) const { return names_[record]; }
@@ -47,7 +49,7 @@ class MotionSet {
 
  private:
   GroundMotion read(std::size_t record) const;
-  groundmotions::Record floor_record(std::size_t record, double scale) const;
+  FloorRecords::Shared floor_record(std::size_t record, double scale) const;
   bool scaled_by_measure() const { return intensity_.kind != IntensityPlan::Kind::kScales; }
 
   std::optional<RecordRequest> request_;
@@ -61,6 +63,8 @@ class MotionSet {
     GroundMotion motion;
   };
   std::unique_ptr<Slot[]> slots_;
+  FloorRecords& floors_;
+  std::size_t index_;
 };
 
 /// The motions of a study. Configurations whose excitation is the same share them.
@@ -80,6 +84,7 @@ class StudyMotions {
   void read_all(int threads) const;
 
  private:
+  std::unique_ptr<FloorRecords> floors_;
   std::vector<std::unique_ptr<MotionSet>> sets_;
   std::vector<std::size_t> of_configuration_;
 };

@@ -6,6 +6,7 @@
 #include <exception>
 #include <map>
 #include <mutex>
+#include <tuple>
 #include <utility>
 
 #include "studies/study/run/stage_levels.h"
@@ -88,17 +89,22 @@ double duration_of(const Batch& batch, std::size_t index) {
 }
 
 /// Tasks of the stage and shard that the folder lacks, those of the longest motions first, so that
-/// no thread is left alone with a long one at the end.
+/// no thread is left alone with a long one at the end; those of one motion together, so that its
+/// floor motions are made once.
 std::vector<std::size_t> missing_tasks(const Batch& batch, std::size_t stage, const Shard& shard,
                                        const PartFolder& folder) {
   const std::size_t tasks = batch.plan.tasks_of_stage();
   std::vector<std::size_t> missing;
   for (std::size_t task = stage * tasks; task < (stage + 1) * tasks; ++task)
     if (shard.has(task) && !folder.has(task)) missing.push_back(task);
-  std::vector<std::pair<double, std::size_t>> keys;
-  for (const std::size_t task : missing) keys.emplace_back(-duration_of(batch, task), task);
+  std::vector<std::tuple<double, std::size_t, std::size_t, std::size_t>> keys;
+  for (const std::size_t index : missing) {
+    const Task task = batch.plan.task(index);
+    keys.emplace_back(-duration_of(batch, index), batch.motions.index_of(task.configuration),
+                      task.record, index);
+  }
   std::ranges::sort(keys);
-  std::ranges::transform(keys, missing.begin(), [](const auto& key) { return key.second; });
+  std::ranges::transform(keys, missing.begin(), [](const auto& key) { return std::get<3>(key); });
   return missing;
 }
 
