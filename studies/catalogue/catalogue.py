@@ -1,0 +1,112 @@
+"""Makes the fragility catalogue of wheeled hospital equipment (docs/catalogue/methods.md).
+
+usage: catalogue.py GURNEY OUTPUT [--items a,b] [--suite FOLDER] [--threads N]
+
+GURNEY is the program, OUTPUT a folder for motions, jobs and results. A study that is finished is not
+run again, one that was interrupted goes on. --suite takes recorded motions instead of the synthetic
+ones of motions.csv. Afterwards tables.py OUTPUT writes the tables.
+"""
+
+import argparse
+import csv
+import json
+import os
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+
+GAP_BACK, GAP_SIDE = 0.1, 0.3  # [m] from the item to the walls of its bay
+LEVELS = {
+    "off": "item.brakes = false",
+    "on": "item.brakes = true",
+    "locked": "item.brakes = true\nitem.swivel_locks = true",
+}
+
+
+def rows(name):
+    with open(os.path.join(HERE, name), newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def make_motions(gurney, folder):
+    os.makedirs(folder, exist_ok=True)
+    for motion in rows("motions.csv"):
+        path = os.path.join(folder, motion["name"].replace(" ", "_") + ".csv")
+        if not os.path.exists(path):
+            subprocess.run([gurney, "records", "make", motion["kind"], *motion["parameters"].split(),
+                            "-o", path], check=True, stdout=subprocess.DEVNULL)
+
+
+def brakes(settings):
+    """The factor of the brakes, with the settings that the item has."""
+    if not settings:
+        return ""
+    text = '[[study.factor]]\nname = "brakes"\n'
+    for name in settings:
+        text += f"[study.factor.level.{name}]\n{LEVELS[name]}\n"
+    return text
+
+
+def job_text(gurney, item, jobs, suite):
+    """The template with the size of the item's bay."""
+    sheet = json.loads(subprocess.run([gurney, "equipment", "show", item["item"], "--json"],
+                                      check=True, capture_output=True, text=True).stdout)
+    length, width = sheet["size_m"][:2]
+    back, side = length / 2 + GAP_BACK + 0.05, width / 2 + GAP_SIDE + 0.05
+    words = {
+        "ITEM": item["item"],
+        "SUITE": os.path.relpath(suite, jobs),
+        "ROOT": os.path.relpath(ROOT, jobs),
+        "BACK": f"{-back:.3f}",
+        "HALF_BAY": f"{side + 0.05:.3f}",
+        "SIDE": f"{side:.3f}",
+        "FRONT": f"{length / 2:.3f}",
+        "BRAKES": brakes(item["brakes"].split()),
+    }
+    with open(os.path.join(HERE, "item_study.toml.in")) as file:
+        text = file.read()
+    for word, value in words.items():
+        text = text.replace(f"@{word}@", value)
+    return text
+
+
+def run(gurney, job, results, threads):
+    """Ends the study's run, which an earlier call may have begun."""
+    if os.path.exists(results):
+        return
+    resume = ["--resume"] if os.path.exists(results + ".parts") else []
+    subprocess.run([gurney, "run", job, "-o", results, "-j", str(threads), *resume], check=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("gurney")
+    parser.add_argument("output")
+    parser.add_argument("--items", help="of items.csv (default: all)")
+    parser.add_argument("--suite", help="folder of records instead of the synthetic motions")
+    parser.add_argument("--threads", type=int, default=os.cpu_count())
+    options = parser.parse_args()
+    items = rows("items.csv")
+    if options.items:
+        names = options.items.split(",")
+        unknown = set(names) - {item["item"] for item in items}
+        if unknown:
+            sys.exit(f"catalogue.py: not in items.csv: {', '.join(sorted(unknown))}")
+        items = [item for item in items if item["item"] in names]
+    jobs = os.path.join(options.output, "jobs")
+    os.makedirs(jobs, exist_ok=True)
+    suite = options.suite or os.path.join(options.output, "motions")
+    if not options.suite:
+        make_motions(options.gurney, suite)
+    for number, item in enumerate(items, 1):
+        print(f"{number} of {len(items)}: {item['item']}", flush=True)
+        job = os.path.join(jobs, item["item"] + ".toml")
+        with open(job, "w") as file:
+            file.write(job_text(options.gurney, item, jobs, suite))
+        run(options.gurney, job, os.path.join(options.output, item["item"] + ".h5"), options.threads)
+
+
+if __name__ == "__main__":
+    main()
