@@ -1,10 +1,11 @@
 """Makes the fragility catalogue of wheeled hospital equipment (docs/catalogue/methods.md).
 
-usage: catalogue.py GURNEY OUTPUT [--items a,b] [--suite FOLDER] [--threads N]
+usage: catalogue.py GURNEY OUTPUT [--items a,b] [--only FLOOR,PLACE,BRAKES] [--suite FOLDER] [--threads N]
 
 GURNEY is the program, OUTPUT a folder for motions, jobs and results. A study that is finished is not
 run again, one that was interrupted goes on. --suite takes recorded motions instead of the synthetic
-ones of motions.csv. Afterwards tables.py OUTPUT writes the tables.
+ones of motions.csv, --only runs one configuration, with the same numbers. Afterwards tables.py writes
+the tables.
 """
 
 import argparse
@@ -49,7 +50,11 @@ def brakes(settings):
     return text
 
 
-def job_text(gurney, item, jobs, suite):
+def combinations(only):
+    return f"combinations = [{json.dumps(only.split(','))}]\n" if only else ""
+
+
+def job_text(gurney, item, jobs, suite, only=None):
     """The template with the size of the item's bay."""
     sheet = json.loads(subprocess.run([gurney, "equipment", "show", item["item"], "--json"],
                                       check=True, capture_output=True, text=True).stdout)
@@ -64,6 +69,7 @@ def job_text(gurney, item, jobs, suite):
         "SIDE": f"{side:.3f}",
         "FRONT": f"{length / 2:.3f}",
         "BRAKES": brakes(item["brakes"].split()),
+        "COMBINATIONS": combinations(only),
     }
     with open(os.path.join(HERE, "item_study.toml.in")) as file:
         text = file.read()
@@ -85,6 +91,7 @@ def main():
     parser.add_argument("gurney")
     parser.add_argument("output")
     parser.add_argument("--items", help="of items.csv (default: all)")
+    parser.add_argument("--only", help="floor, place, brakes of one configuration")
     parser.add_argument("--suite", help="folder of records instead of the synthetic motions")
     parser.add_argument("--threads", type=int, default=os.cpu_count())
     options = parser.parse_args()
@@ -104,7 +111,7 @@ def main():
         print(f"{number} of {len(items)}: {item['item']}", flush=True)
         job = os.path.join(jobs, item["item"] + ".toml")
         with open(job, "w") as file:
-            file.write(job_text(options.gurney, item, jobs, suite))
+            file.write(job_text(options.gurney, item, jobs, suite, options.only))
         run(options.gurney, job, os.path.join(options.output, item["item"] + ".h5"), options.threads)
 
 

@@ -1,0 +1,144 @@
+"""Writes the tables of the fragility catalogue from the results of catalogue.py.
+
+usage: tables.py GURNEY RESULTS TABLES
+
+TABLES gets fragility.csv (every curve with its interval, or why there is none), measures.csv (which
+intensity measure predicts the displacement best), pelicun/ (a component library) and nrml/ (a file
+for each limit state).
+"""
+
+import csv
+import glob
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+
+MEASURES = {"pfv": ["--measure", "pfv"], "PGV larger": []}
+COLUMNS = ["item", "floor", "place", "brakes", "limit_state", "measure", "unit", "runs", "exceed", "theta",
+           "theta_low", "theta_high", "beta", "beta_low", "beta_high", "reason", "cautions"]
+NRML = "http://openquake.org/xmlns/nrml/0.5"
+
+
+def output_of(gurney, *arguments):
+    return subprocess.run([gurney, *arguments], check=True, capture_output=True, text=True).stdout
+
+
+def setting_of(configuration):
+    """Floor, place and brakes of a configuration's name; an item without brakes has none."""
+    return (configuration.split(", ") + ["none"])[:3]
+
+
+def number(value):
+    return "" if value is None else f"{value:.4g}"
+
+
+def bounds(interval):
+    """Texts of an interval whose limits may be unbounded, or of none."""
+    if interval is None:
+        return "", ""
+    low, high = interval
+    return number(low or 0), "inf" if high is None else number(high)
+
+
+def fragility_rows(gurney, item, file):
+    for measure, options in MEASURES.items():
+        for each in json.loads(output_of(gurney, "fragility", file, *options, "--json"))["fragilities"]:
+            curve = each["curve"] or {}
+            theta, beta = bounds(each.get("theta_interval")), bounds(each.get("beta_interval"))
+            floor, place, brakes = setting_of(each["configuration"])
+            yield {"item": item, "floor": floor, "place": place, "brakes": brakes,
+                   "limit_state": each["limit_state"], "measure": measure, "unit": each["units"],
+                   "runs": each["runs"], "exceed": each["exceeded"],
+                   "theta": number(curve.get("theta")), "beta": number(curve.get("beta")),
+                   "theta_low": theta[0], "theta_high": theta[1],
+                   "beta_low": beta[0], "beta_high": beta[1],
+                   "reason": "" if curve else each["reason"], "cautions": "; ".join(each["cautions"])}
+
+
+def measure_rows(gurney, item, file):
+    """The two best measures of each configuration for the displacement."""
+    text = output_of(gurney, "measures", file, "--limit", "moved 0.3 m", "--json")
+    for each in json.loads(text):
+        fitted = [m for m in each["measures"] if m["status"] == "fitted"]
+        best = sorted(fitted, key=lambda m: -m["log_likelihood"])[:2]
+        floor, place, brakes = setting_of(each["configuration"])
+        row = {"item": item, "floor": floor, "place": place, "brakes": brakes}
+        for rank, m in zip(("best", "second"), best):
+            row |= {rank: m["name"], rank + "_scatter": number(m["efficiency"])}
+        pfv = next((m for m in fitted if m["name"] == "pfv"), None)
+        yield row | {"pfv_scatter": number(pfv and pfv["efficiency"])}
+
+
+def write_csv(path, columns, rows):
+    with open(path, "w", newline="") as file:
+        writer = csv.DictWriter(file, columns, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def write_pelicun(gurney, files, folder):
+    """One component library of the exports of all items."""
+    os.makedirs(folder, exist_ok=True)
+    facts, header, lines = {}, "", []
+    with tempfile.TemporaryDirectory() as work:
+        for item, file in files:
+            out = os.path.join(work, item)
+            output_of(gurney, "export", file, "--to", "pelicun", "--measure", "pfv", "-o", out)
+            with open(os.path.join(out, "fragility.csv")) as text:
+                header, *own = text.read().splitlines()
+                lines += own
+            with open(os.path.join(out, "fragility.json")) as text:
+                facts |= json.load(text)
+    with open(os.path.join(folder, "fragility.csv"), "w") as file:
+        file.write("\n".join([header, *lines]) + "\n")
+    with open(os.path.join(folder, "fragility.json"), "w") as file:
+        json.dump(facts, file, indent=1)
+        file.write("\n")
+
+
+def write_nrml(gurney, files, folder):
+    """A model for each limit state, its functions those of all items on the ground measure."""
+    os.makedirs(folder, exist_ok=True)
+    xml.register_namespace("", NRML)
+    trees = {}
+    with tempfile.TemporaryDirectory() as work:
+        for item, file in files:
+            out = os.path.join(work, item)
+            output_of(gurney, "export", file, "--to", "nrml", "-o", out)
+            for path in sorted(glob.glob(os.path.join(out, "*.xml"))):
+                tree, name = xml.parse(path), os.path.basename(path)
+                model = tree.getroot().find(f"{{{NRML}}}fragilityModel")
+                for function in model.findall(f"{{{NRML}}}fragilityFunction"):
+                    function.set("id", f"{item}.{function.get('id')}")
+                if name not in trees:
+                    model.set("id", "gurney_catalogue_" + name.removesuffix(".xml"))
+                    description = model.find(f"{{{NRML}}}description")
+                    description.text = "Gurney fragility catalogue, PGV of the ground; cautions in fragility.csv"
+                    trees[name] = tree
+                else:
+                    trees[name].getroot()[0].extend(model.findall(f"{{{NRML}}}fragilityFunction"))
+    for name, tree in trees.items():
+        xml.indent(tree)
+        tree.write(os.path.join(folder, name), encoding="UTF-8", xml_declaration=True)
+
+
+def main():
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    gurney, results, tables = sys.argv[1:]
+    files = [(os.path.basename(path)[:-3], path) for path in sorted(glob.glob(os.path.join(results, "*.h5")))]
+    os.makedirs(tables, exist_ok=True)
+    write_csv(os.path.join(tables, "fragility.csv"), COLUMNS,
+              [row for item, file in files for row in fragility_rows(gurney, item, file)])
+    write_csv(os.path.join(tables, "measures.csv"),
+              ["item", "floor", "place", "brakes", "best", "best_scatter", "second", "second_scatter", "pfv_scatter"],
+              [row for item, file in files for row in measure_rows(gurney, item, file)])
+    write_pelicun(gurney, files, os.path.join(tables, "pelicun"))
+    write_nrml(gurney, files, os.path.join(tables, "nrml"))
+
+
+if __name__ == "__main__":
+    main()
