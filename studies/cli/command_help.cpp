@@ -33,6 +33,10 @@ constexpr std::array kCommands = {
                 "gurney plot ventilator.h5 --list\n"
                 "gurney plot ventilator.h5 fragility overturned --width 85mm -o overturned.pdf\n"
                 "gurney plot run.h5 history displacement tilt -o run.png"},
+    CommandHelp{
+        "report", "Write a results file as one HTML page",
+        "gurney report ventilator.h5 -o ventilator.html\n"
+        "gurney report ventilator.h5 --limit-state \"peak_displacement > 0.2 m\" -o far.html"},
     CommandHelp{"fragility", "Fit fragility functions and confidence bands",
                 "gurney fragility ventilator.h5 --figure ventilator.svg\n"
                 "gurney fragility ventilator.h5 --limit overturned --measure \"Sa(1) RotD50\"\n"

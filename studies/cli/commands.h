@@ -24,6 +24,7 @@ AddCommand add_merge;        ///< the shards of a study into its results
 AddCommand add_plot;         ///< figures of a results file
 AddCommand add_pulling;      ///< simulated pulling tests and their figures
 AddCommand add_records;      ///< and its commands
+AddCommand add_report;       ///< a results file as one HTML page
 AddCommand add_sensitivity;  ///< of a demand to the uncertain parameters
 AddCommand add_show;         ///< what a results file holds
 AddCommand add_status;       ///< of shards while they run

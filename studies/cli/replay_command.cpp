@@ -10,6 +10,7 @@
 #include "engine/base/hash/sha256.h"
 #include "engine/base/input_file.h"
 #include "studies/build_info/build_info.h"
+#include "studies/cli/job_of_log.h"
 #include "studies/cli/run_output.h"
 #include "studies/cli/standard_error.h"
 #include "studies/study/analysis/replica_spread.h"
@@ -28,20 +29,8 @@ std::string text_of(const fs::path& path) {
   return fs::exists(path) ? read_input_file(path.string()) : std::string();
 }
 
-/// The last job that the study's log names.
-std::string job_of_log(const fs::path& log) {
-  static const std::string kWord = "\njob ";
-  const std::string text = '\n' + text_of(log);
-  const auto place = text.rfind(kWord);
-  if (place == std::string::npos) return {};
-  const auto start = place + kWord.size();
-  return text.substr(start, text.find('\n', start) - start);
-}
-
 std::string job_of(const ReplayOptions& options, const study::StudyReader& file) {
-  const std::string job = options.job.empty()
-                              ? job_of_log(fs::path(options.file).replace_extension(".log"))
-                              : options.job;
+  const std::string job = options.job.empty() ? job_of_log(options.file) : options.job;
   require(!job.empty() && fs::exists(job),
           fmt::format("{}: the job's file {}; name it with --job", options.file,
                       job.empty() ? "is not known" : job + " no longer exists"));

@@ -17,13 +17,14 @@ std::vector<statistics::CloudPoint> points_of(const study::DemandRuns& runs,
                                               const study::DemandRuns::Configuration& of) {
   using Known = statistics::CloudPoint::Known;
   std::vector<statistics::CloudPoint> points;
+  const double floor = floor_of(runs);
   for (const study::DemandRun& run : of.runs) {
     const double demand = run.demand / runs.unit.in_si;
-    const Known known = run.overturned             ? Known::kAtLeast
-                        : demand <= floor_of(runs) ? Known::kAtMost
-                                                   : Known::kExactly;
+    const Known known = run.overturned    ? Known::kAtLeast
+                        : demand <= floor ? Known::kAtMost
+                                          : Known::kExactly;
     points.push_back(
-        {run.im / runs.measure_unit.in_si, std::max(demand, floor_of(runs)), known, run.record});
+        {run.im / runs.measure_unit.in_si, std::max(demand, floor), known, run.record});
   }
   return points;
 }

@@ -1,5 +1,7 @@
 #include "studies/figures/plot_page.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -22,6 +24,31 @@ std::vector<std::string> lines_of(const std::string& text, double size, double w
   return lines;
 }
 
+/// Every n-th of the marks, and of the curves without a name. @return n
+std::size_t thin_out(Panel& panel, std::size_t most) {
+  std::size_t marks = 0, curves = 0;
+  for (const Marks& each : panel.marks) marks += each.x.size();
+  for (const Curve& each : panel.curves) curves += each.label.empty();
+  const std::size_t every = (std::max(marks, curves) + most - 1) / most;
+  if (every <= 1) return 1;
+  for (Marks& each : panel.marks) {
+    Marks kept = each;
+    kept.x.clear();
+    kept.y.clear();
+    for (std::size_t i = 0; i < each.x.size(); i += every) {
+      kept.x.push_back(each.x[i]);
+      kept.y.push_back(each.y[i]);
+    }
+    each = std::move(kept);
+  }
+  if (curves > most) {
+    std::size_t seen = 0;
+    std::erase_if(panel.curves,
+                  [&](const Curve& each) { return each.label.empty() && seen++ % every != 0; });
+  }
+  return every;
+}
+
 double height_of(const PlotPanel& each, double width) {
   if (each.panel.lanes)
     return std::max(150.0, 62.0 * static_cast<double>(each.panel.curves.size()));
@@ -30,8 +57,13 @@ double height_of(const PlotPanel& each, double width) {
 
 }  // namespace
 
-std::string plot_figure(const PlotPage& page, const std::string& title, const std::string& note,
-                        const std::vector<PlotPanel>& panels) {
+std::string plot_figure(const PlotPage& page, const std::string& title, std::string note,
+                        std::vector<PlotPanel> panels) {
+  std::size_t every = 1;
+  if (page.most_marks > 0)
+    for (PlotPanel& each : panels) every = std::max(every, thin_out(each.panel, page.most_marks));
+  if (every > 1)
+    note += fmt::format("; of many runs one in {} is drawn, lines and areas are of all", every);
   constexpr std::size_t kTitleLines = 2;
   const double width = page.width - kLeft - kRight, text_space = page.width - 2 * kRight;
   std::vector<std::string> titles = lines_of(title, 1.08 * kTitleSize, text_space);

@@ -10,6 +10,9 @@ namespace gurney::figures {
 /// A page of panels, one below the other, that is laid out for its width. Texts are 10 to 12 px.
 struct PlotPage {
   double width = 700;  ///< [px]
+  /// Of a panel at most so many marks, and so many curves without a name, are drawn, evenly
+  /// chosen; 0: all. The note says so.
+  std::size_t most_marks = 0;
 };
 
 /// A panel as high as `aspect` times its width says, within bounds; with lanes as they need.
@@ -19,7 +22,7 @@ struct PlotPanel {
 };
 
 /// @param note  in small letters below the title: what the figure shows
-std::string plot_figure(const PlotPage& page, const std::string& title, const std::string& note,
-                        const std::vector<PlotPanel>& panels);
+std::string plot_figure(const PlotPage& page, const std::string& title, std::string note,
+                        std::vector<PlotPanel> panels);
 
 }  // namespace gurney::figures

@@ -49,40 +49,12 @@ std::string fit_note(const study::FragilityResult& result) {
                    *result.p_of_fit);
 }
 
-/// One line for each thing a reader should know before using a row.
+/// The notes on a row, a line each.
 std::string notes(const study::FragilityResult& result, const study::ReportUnit& unit) {
   std::string text;
   const std::string name =
       (result.configuration.empty() ? "" : result.configuration + ", ") + result.state;
-  const auto note = [&](const std::string& line) { text += name + ": " + line + "\n"; };
-  if (result.failed > 0) note(fmt::format("{} failed runs are excluded", result.failed));
-  if (result.p_of_fit && *result.p_of_fit < 0.05) note(fit_note(result));
-  if (result.capacities && result.capacities->resurrections > 0)
-    note(fmt::format("{} runs above the capacity of their record do not exceed (resurrections)",
-                     result.capacities->resurrections));
-  if (result.capacities && result.capacities->censored > 0)
-    note(fmt::format("{} of {} never exceed: right-censored at their highest intensity",
-                     result.capacities->censored,
-                     result.brackets.size() == result.records
-                         ? fmt::format("{} records", result.records)
-                         : fmt::format("{} analysis cases", result.brackets.size())));
-  for (const std::string& caution : study::cautions(result.audit, unit))
-    note("caution: " + caution);
-  if (result.cloud && result.cloud_curve)
-    note(fmt::format(
-        "cloud: theta {:.3g}, beta {:.2f}, R2 {:.2f} ({} demands uncensored, {} "
-        "right-censored, {} left-censored)",
-        result.cloud_curve->theta / unit.in_si, result.cloud_curve->beta, result.cloud->r_squared,
-        result.cloud->exact, result.cloud->at_least, result.cloud->at_most));
-  if (result.rate) {
-    note(fmt::format("{:.3g} times a year, {:.2g} % in 50 years", result.rate->rate,
-                     100 * statistics::probability_in(50, result.rate->rate)));
-    if (!result.rate->complete())
-      note(
-          fmt::format("the hazard curve is too short: stronger motions add at most {:.2g} a year, "
-                      "and P is {:.2g} at its lower end",
-                      result.rate->most_above, result.rate->below));
-  }
+  for (const std::string& note : fragility_notes(result, unit)) text += name + ": " + note + "\n";
   return text;
 }
 
@@ -212,6 +184,41 @@ Json json_of(const study::FragilityResult& result) {
 }
 
 }  // namespace
+
+std::vector<std::string> fragility_notes(const study::FragilityResult& result,
+                                         const study::ReportUnit& unit) {
+  std::vector<std::string> notes;
+  const auto note = [&](const std::string& line) { notes.push_back(line); };
+  if (result.failed > 0) note(fmt::format("{} failed runs are excluded", result.failed));
+  if (result.p_of_fit && *result.p_of_fit < 0.05) note(fit_note(result));
+  if (result.capacities && result.capacities->resurrections > 0)
+    note(fmt::format("{} runs above the capacity of their record do not exceed (resurrections)",
+                     result.capacities->resurrections));
+  if (result.capacities && result.capacities->censored > 0)
+    note(fmt::format("{} of {} never exceed: right-censored at their highest intensity",
+                     result.capacities->censored,
+                     result.brackets.size() == result.records
+                         ? fmt::format("{} records", result.records)
+                         : fmt::format("{} analysis cases", result.brackets.size())));
+  for (const std::string& caution : study::cautions(result.audit, unit))
+    note("caution: " + caution);
+  if (result.cloud && result.cloud_curve)
+    note(fmt::format(
+        "cloud: theta {:.3g}, beta {:.2f}, R2 {:.2f} ({} demands uncensored, {} "
+        "right-censored, {} left-censored)",
+        result.cloud_curve->theta / unit.in_si, result.cloud_curve->beta, result.cloud->r_squared,
+        result.cloud->exact, result.cloud->at_least, result.cloud->at_most));
+  if (result.rate) {
+    note(fmt::format("{:.3g} times a year, {:.2g} % in 50 years", result.rate->rate,
+                     100 * statistics::probability_in(50, result.rate->rate)));
+    if (!result.rate->complete())
+      note(
+          fmt::format("the hazard curve is too short: stronger motions add at most {:.2g} a year, "
+                      "and P is {:.2g} at its lower end",
+                      result.rate->most_above, result.rate->below));
+  }
+  return notes;
+}
 
 std::string fragility_report(const study::StudyData& data,
                              const std::vector<study::FragilityResult>& results) {

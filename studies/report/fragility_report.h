@@ -14,4 +14,8 @@ std::string fragility_report(const study::StudyData& data,
 /// The same for machines, in SI; no curve: null.
 std::string fragility_json(const std::vector<study::FragilityResult>& results);
 
+/// What a reader should know before using a row, with its cautions.
+std::vector<std::string> fragility_notes(const study::FragilityResult& result,
+                                         const study::ReportUnit& unit);
+
 }  // namespace gurney::report

@@ -57,7 +57,35 @@ std::string table_text(const study::StudySensitivity& found) {
   return text;
 }
 
-std::string remarks(const study::StudySensitivity& found) {
+void add_index(Json& json, const std::string& before,
+               const std::optional<statistics::VarianceIndex>& index) {
+  json[before + "index"] = index ? json_number(index->estimate) : Json();
+  json[before + "interval"] = index ? json_interval(index->interval) : Json();
+}
+
+Json input_json(const study::SensitiveInput& input) {
+  Json json{{"names", input.names}, {"drawn", input.drawn}};
+  add_index(json, "", input.index);
+  if (input.total) add_index(json, "total_", input.total);
+  if (input.drawn) {
+    json["low"] = json_number(input.low);
+    json["high"] = json_number(input.high);
+    json["mean_below"] = json_number(input.bar.low);
+    json["mean_below_error"] = json_number(input.bar.low_error);
+    json["mean_above"] = json_number(input.bar.high);
+    json["mean_above_error"] = json_number(input.bar.high_error);
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string name_of(const study::SensitiveInput& input) {
+  if (input.names.size() == 1) return input.names.front();
+  return fmt::format("{} and {} equal to it", input.names.front(), input.names.size() - 1);
+}
+
+std::string sensitivity_remarks(const study::StudySensitivity& found) {
   std::string text;
   const auto lead = std::ranges::find_if(found.inputs, [](const study::SensitiveInput& input) {
     const auto& index = input.total ? input.total : input.index;
@@ -119,34 +147,6 @@ std::string remarks(const study::StudySensitivity& found) {
   return text;
 }
 
-void add_index(Json& json, const std::string& before,
-               const std::optional<statistics::VarianceIndex>& index) {
-  json[before + "index"] = index ? json_number(index->estimate) : Json();
-  json[before + "interval"] = index ? json_interval(index->interval) : Json();
-}
-
-Json input_json(const study::SensitiveInput& input) {
-  Json json{{"names", input.names}, {"drawn", input.drawn}};
-  add_index(json, "", input.index);
-  if (input.total) add_index(json, "total_", input.total);
-  if (input.drawn) {
-    json["low"] = json_number(input.low);
-    json["high"] = json_number(input.high);
-    json["mean_below"] = json_number(input.bar.low);
-    json["mean_below_error"] = json_number(input.bar.low_error);
-    json["mean_above"] = json_number(input.bar.high);
-    json["mean_above_error"] = json_number(input.bar.high_error);
-  }
-  return json;
-}
-
-}  // namespace
-
-std::string name_of(const study::SensitiveInput& input) {
-  if (input.names.size() == 1) return input.names.front();
-  return fmt::format("{} and {} equal to it", input.names.front(), input.names.size() - 1);
-}
-
 std::string sensitivity_text(const std::vector<SensitivityReport>& reports) {
   std::string text;
   for (const SensitivityReport& report : reports) {
@@ -162,7 +162,7 @@ std::string sensitivity_text(const std::vector<SensitivityReport>& reports) {
                     found.level.empty() ? "" : ", " + found.level,
                     with_unit(found.mean, study::report_unit(found.units)),
                     with_unit(found.deviation, study::report_unit(found.units)), found.runs);
-    text += table_text(found) + remarks(found);
+    text += table_text(found) + sensitivity_remarks(found);
   }
   return text;
 }

@@ -18,6 +18,9 @@ struct SensitivityReport {
 std::string name_of(const study::SensitiveInput& input);
 
 std::string sensitivity_text(const std::vector<SensitivityReport>& reports);
+/// What the indices mean and how far to trust them, a line each.
+std::string sensitivity_remarks(const study::StudySensitivity& found);
+
 std::string sensitivity_json(const std::vector<SensitivityReport>& reports);
 
 }  // namespace gurney::report

@@ -70,13 +70,16 @@ set(GURNEY_ROOMS
     studies/verification studies/study/results studies/study/analysis studies/study/convergence
     studies/calibration/trials studies/calibration/fit studies/calibration/pulling studies/report"
   "studies/picture: engine/base"
+  "studies/page: engine/base engine/config engine/scene equipment/catalogue studies/build_info
+    studies/statistics studies/study/job studies/study/results studies/study/plan
+    studies/study/analysis studies/report studies/figures"
   "studies/cli: engine/base engine/config engine/response engine/baselines groundmotions/record
     groundmotions/formats groundmotions/measures groundmotions/processing groundmotions/synthetic
     groundmotions/scaling groundmotions/suites groundmotions/buildings equipment/catalogue
     studies/build_info studies/verification studies/study/job studies/study/results
     studies/study/prepare studies/study/limit_states studies/study/plan studies/study/run
     studies/study/analysis studies/study/exports studies/calibration/fit
-    studies/calibration/pulling studies/report studies/figures studies/picture")
+    studies/calibration/pulling studies/report studies/figures studies/picture studies/page")
 
 # Libraries that only these rooms, or files that begin so, may include, by how their headers begin.
 set(GURNEY_LIBRARIES
@@ -85,6 +88,6 @@ set(GURNEY_LIBRARIES
   "openssl/: engine/base"
   "boost/: engine/base studies/statistics"
   "hdf5|H5: studies/study/results/hdf5_"
-  "nlohmann/: engine/config studies/study/exports studies/report studies/cli"
+  "nlohmann/: engine/config studies/study/exports studies/report studies/page studies/cli"
   "cairo|librsvg/: studies/picture/rendering"
   "CLI/: studies/cli")

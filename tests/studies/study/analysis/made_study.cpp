@@ -54,7 +54,8 @@ void MadeStudy::write(const std::string& path) const {
             {{"set", std::vector<std::string>(records.size(), "0")},
              {"name", records},
              {"files", files.empty() ? records : files},
-             {"processing", std::vector<std::string>(records.size())}});
+             {"processing", std::vector<std::string>(records.size())},
+             {"warnings", std::vector<std::string>(records.size())}});
   add_texts(file, "data_files", {{"name", {"casters/a.toml"}}, {"sha256", {caster_sha256}}});
   std::vector<std::string> numbers, keys, values;
   for (std::size_t i = 0; i < configurations.size(); ++i) {
@@ -63,7 +64,16 @@ void MadeStudy::write(const std::string& path) const {
     values.push_back(configurations[i] == "true" ? "10 N m" : "0 N m");
   }
   add_texts(file, "assumptions",
-            {{"configuration", numbers}, {"key", keys}, {"value", values}, {"range", keys}});
+            {{"configuration", numbers},
+             {"key", keys},
+             {"value", values},
+             {"range", keys},
+             {"reason", keys},
+             {"file", keys}});
+  GrowingTable failures(file, "failures");
+  failures.add_whole("run", "run");
+  failures.add_text("cause", "cause", kWidth);
+  failures.finish();
 
   if (!design.empty()) add_texts(file, "design", {{"input", design}});
   GrowingTable motions(file, "motions"), table(file, "runs"), items(file, "items");
@@ -71,7 +81,7 @@ void MadeStudy::write(const std::string& path) const {
   motions.put(0.0).end_row();
   for (const char* name : {"run", "analysis_case", "configuration", "record", "motion", "draw"})
     table.add_whole(name, name);
-  for (const char* name : {"angle", "scale", "intensity", "pfa", "pfv"})
+  for (const char* name : {"angle", "scale", "intensity", "pfa", "pfv", "energy_closure"})
     table.add_number(name, "1", name);
   table.add_text("outcome", "outcome", 10);
   items.add_whole("run", "run");
@@ -85,7 +95,7 @@ void MadeStudy::write(const std::string& path) const {
         .put(double(run.record))
         .put(0.0);
     table.put(double(run.draw)).put(run.angle).put(run.level).put(run.level).put(run.level);
-    table.put(run.pfv);
+    table.put(run.pfv).put(1e-6);
     table.put(std::string(run.failed ? "diverged" : run.fell ? "overturned" : "rested")).end_row();
     if (run.failed) continue;
     Demands demands;

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "studies/page/table.h"
+#include "studies/study/results/hdf5_reader.h"
+
+namespace gurney::page {
+
+/// A group of columns of a results file as a table: every column but the row and the run, titles
+/// with units, meanings where one points. No rows where the file does not have the group.
+/// @param first  columns that come first, in this order; the others by name
+Table table_of_group(const study::Hdf5Reader& file, const std::string& group,
+                     const std::string& caption, const std::vector<std::string>& first);
+
+/// The same with a row for each column and a column for each row, which `name` names.
+Table turned_table_of_group(const study::Hdf5Reader& file, const std::string& group,
+                            const std::string& caption, const std::string& name);
+
+}  // namespace gurney::page

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "studies/study/analysis/assessment.h"
+
+namespace gurney::page {
+
+/// What a page is asked of.
+struct PageRequest {
+  std::string file;                        ///< of a study, or of one run
+  study::AssessmentRequest assessed_by{};  ///< of studies
+  std::string job{};  ///< where the job's file is, for names relative to it; empty: beside the file
+};
+
+/// The report of a results file as one HTML page.
+/// @throws Error unless it is a results file, and as StudyData does
+std::string results_page(const PageRequest& request);
+
+}  // namespace gurney::page

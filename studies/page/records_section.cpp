@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "studies/page/study_page.h"
+#include "studies/page/table.h"
+#include "studies/study/analysis/configuration_view.h"
+
+namespace gurney::page {
+namespace {
+
+struct Span {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void add(double value) {
+    if (std::isnan(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+Cell cell_of(const Span& span, const study::ReportUnit& unit) {
+  if (span.low > span.high) return {"\u2013"};
+  const std::string low = fmt::format("{:.3g}", span.low / unit.in_si),
+                    high = fmt::format("{:.3g}", span.high / unit.in_si);
+  Cell cell(low == high ? low : low + " to " + high);
+  cell.number = span.high;
+  return cell;
+}
+
+/// A record as its name and its files: sets of ground motions may share it.
+using Key = std::pair<std::string, std::string>;
+
+/// For each run the row of /records that it shook with.
+std::vector<std::size_t> record_of_runs(const study::StudyReader& file) {
+  const auto sets = file.strings("records/set");
+  std::map<std::string, std::vector<std::size_t>> rows_of_set;
+  for (std::size_t row = 0; row < sets.size(); ++row) rows_of_set[sets[row]].push_back(row);
+  const auto motion = file.numbers("runs/motion"), record = file.numbers("runs/record"),
+             set = file.numbers("motions/set");
+  std::vector<std::size_t> rows;
+  for (std::size_t run = 0; run < motion.size(); ++run) {
+    const int of_set = static_cast<int>(set[static_cast<std::size_t>(motion[run])]);
+    rows.push_back(rows_of_set[std::to_string(of_set)].at(static_cast<std::size_t>(record[run])));
+  }
+  return rows;
+}
+
+std::string short_hashes(const std::vector<std::string>& files) {
+  std::vector<std::string> names;
+  for (const std::string& each : files) {  // "SHA-256 name"
+    const std::size_t space = each.find(' ');
+    names.push_back(space == std::string::npos
+                        ? each
+                        : each.substr(space + 1) + " (" +
+                              each.substr(0, std::min<std::size_t>(space, 8)) + ")");
+  }
+  return names.empty() ? "synthetic" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+Section study_records(const StudyPage& page) {
+  const study::StudyReader& file = page.data.file();
+  if (page.overview.file.motions.empty())
+    return {"records", "Records", paragraph("The floor is at rest.")};
+  std::vector<study::RunMeasure> measures = study::known_measures(page.data);
+  const auto rows = record_of_runs(file);
+  const auto names = file.strings("records/name"), files = file.strings("records/files");
+  const auto scales = file.numbers("runs/scale");
+  std::map<Key, std::vector<Span>> spans;  // the factor, then the measures
+  for (std::size_t run = 0; run < rows.size(); ++run) {
+    std::vector<Span>& of = spans[{names[rows[run]], files[rows[run]]}];
+    of.resize(measures.size() + 1);
+    of[0].add(scales[run]);
+    for (std::size_t i = 0; i < measures.size(); ++i) of[i + 1].add(measures[i].values[run]);
+  }
+  Table table{"Records, and the range of their factors and intensity measures over the runs",
+              {{"Record"}, {"Runs\u2019 factor", true}}};
+  for (const study::RunMeasure& each : measures) {
+    const study::ReportUnit unit = study::report_unit(page.data, each);
+    table.columns.push_back(
+        {each.name + (unit.name.empty() || unit.name == "1" ? "" : " (" + unit.name + ")"), true});
+  }
+  table.columns.push_back({"Files (start of SHA-256)"});
+  std::vector<std::string> warnings;
+  for (const auto& motion : page.overview.file.motions) {
+    const auto of = spans.find({motion.name, fmt::format("{}", fmt::join(motion.files, "\n"))});
+    std::vector<Cell> row{motion.name};
+    for (std::size_t i = 0; i <= measures.size(); ++i) {
+      const study::ReportUnit unit =
+          i == 0 ? study::ReportUnit{"1", 1} : study::report_unit(page.data, measures[i - 1]);
+      row.push_back(of == spans.end() ? Cell("\u2013") : cell_of(of->second[i], unit));
+    }
+    row.push_back(short_hashes(motion.files));
+    table.rows.push_back(std::move(row));
+    for (const std::string& each : motion.warnings) warnings.push_back(motion.name + ": " + each);
+  }
+  Html content = html(table);
+  if (!warnings.empty())
+    content += folded(counted(warnings.size(), "warning") + " on records", list(warnings));
+  return {"records", "Records", content};
+}
+
+}  // namespace gurney::page

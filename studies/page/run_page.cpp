@@ -1,0 +1,157 @@
+#include "studies/page/run_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "engine/base/error.h"
+#include "studies/figures/history_figure.h"
+#include "studies/figures/labels.h"
+#include "studies/figures/trajectory_figure.h"
+#include "studies/page/drawing.h"
+#include "studies/page/file_table.h"
+#include "studies/page/study_page.h"
+
+namespace gurney::page {
+namespace {
+
+/// What the page of one run is made of.
+struct RunFile {
+  explicit RunFile(const PageRequest& request)
+      : overview(study::run_overview(request.file)), file(request.file), histories(request.file) {
+    try {
+      scene = scene_of_run(file, request.job);
+    } catch (const Error& error) {
+      no_scene = std::string("No drawing: ") + error.what();
+    }
+  }
+
+  study::RunOverview overview;
+  study::Hdf5Reader file;
+  study::StoredHistories histories;
+  std::optional<JobScene> scene;
+  std::string no_scene;
+};
+
+Section summary(const RunFile& run) {
+  const study::RunOverview& overview = run.overview;
+  std::vector<std::pair<std::string, std::string>> named{
+      {"Outcome", fmt::format("{} at {:.4g} s{}{}", overview.outcome, overview.end_time,
+                              overview.cause.empty() ? "" : ": ", overview.cause)}};
+  if (!std::isnan(overview.file.energy_closure))
+    named.emplace_back("Energy balance", fmt::format("closes within {:.2g} of the energy in play",
+                                                     overview.file.energy_closure));
+  Html cautions;
+  if (!overview.file.warnings.empty())
+    cautions = element("div", element("h3", "Cautions") + list(overview.file.warnings),
+                       {{"class", "cautions"}});
+  return {"summary", "At a glance",
+          facts(named) + cautions +
+              html(turned_table_of_group(run.file, "items", "Demands of the items", "item"))};
+}
+
+Section design(const RunFile& run) {
+  Html content;
+  if (run.scene)
+    content += scene_drawings(*run.scene, "");
+  else
+    content += paragraph(run.no_scene);
+  content += html(table_of_group(run.file, "drawn", "Parameters that were drawn",
+                                 {"variable", "value", "unit"}));
+  return {"design", "What was run", content};
+}
+
+Section record(const RunFile& run) {
+  std::vector<std::pair<std::string, std::string>> named;
+  for (const auto& motion : run.overview.file.motions) {
+    named.emplace_back("Record", motion.name);
+    for (const std::string& each : motion.files) named.emplace_back("File", each);
+  }
+  for (const std::string& each : run.file.text_attributes("record_components"))
+    named.emplace_back("Component", each);
+  for (const std::string& each : run.file.text_attributes("record_processing"))
+    named.emplace_back("Processing", each);
+  return {"records", "Ground motion",
+          named.empty() ? paragraph("The floor is at rest.") : facts(named)};
+}
+
+Section paths(const RunFile& run) {
+  if (run.histories.names().empty())
+    return {"paths", "Paths", paragraph("The run kept no histories (settings.history_step_s).")};
+  return {"paths", "Paths",
+          html(Drawing{"paths", figures::trajectory_figure({}, run.histories.path()),
+                       "Paths of the items seen from above, outlines at the start and at the end.",
+                       "The room with the items before and after the motion."})};
+}
+
+Section histories(const RunFile& run) {
+  const std::vector<std::string> known = run.histories.names();
+  Html figures;
+  for (const char* name : {"floor_acceleration", "displacement", "velocity", "tilt", "yaw",
+                           "normal_force", "swivel_angle", "point_absolute_acceleration"}) {
+    if (std::ranges::find(known, name) == known.end() || run.histories.runs().empty()) continue;
+    const study::StoredHistory history = run.histories.history(name, run.histories.runs().front());
+    if (history.series.empty() || history.time.empty()) continue;
+    std::string id = std::string("history-") + name;
+    std::ranges::replace(id, '_', '-');
+    figures += html(Drawing{
+        id, figures::history_figure({}, "", "", {history}), figures::label_of(name) + " over time.",
+        fmt::format("{} over {:.4g} seconds.", counted(history.series.size(), "curve"),
+                    history.time.back())});
+  }
+  return {"histories", "Histories", figures};
+}
+
+Section tables(const RunFile& run) {
+  struct Group {
+    const char *name, *caption;
+    std::vector<std::string> first;
+  };
+  const Group groups[] = {
+      {"events", "Impacts, by time", {"time", "item", "body", "other", "other_body"}},
+      {"zones", "Zones of the room", {"zone"}},
+      {"tethers", "Tethers", {"tether"}},
+      {"wheels", "Wheels", {"item", "wheel"}},
+      {"points", "Marked points", {"item", "point"}},
+      {"energy", "Energy balance at the end", {"item"}},
+      {"predictability", "What became of a change of all masses by 1e-9", {"item", "verdict"}},
+      {"verification", "Numerical quality", {}}};
+  Html content;
+  for (const Group& group : groups)
+    content += html(table_of_group(run.file, group.name, group.caption, group.first));
+  return {"tables", "Tables", content};
+}
+
+Section methods(const RunFile& run) {
+  const study::FileOverview& file = run.overview.file;
+  std::string text = fmt::format(
+      "The response was simulated with Gurney {} (commit {}, CPU class "
+      "{})",
+      file.program_version, file.git_commit, file.cpu_class);
+  if (run.scene && run.scene->settings.tolerance <= 0)
+    text += fmt::format(" with a time step of {:g} ms", 1000 * run.scene->settings.time_step);
+  text += file.motions.empty()
+              ? "; the floor was at rest."
+              : "; the floor moved as the record " + file.motions.front().name + ".";
+  text += fmt::format(" The run ended after {:.4g} s ({}).", run.overview.end_time,
+                      run.overview.outcome);
+  return {"methods", "Methods", element("div", paragraph(text), {{"class", "methods"}})};
+}
+
+}  // namespace
+
+Document run_document(const PageRequest& request) {
+  const RunFile run(request);
+  const study::FileOverview& file = run.overview.file;
+  return {file.title.empty() ? file.job_name : file.title,
+          fmt::format("One run of {}: {} at {:.4g} s", counted(run.overview.items.size(), "item"),
+                      run.overview.outcome, run.overview.end_time),
+          {summary(run), design(run), record(run), paths(run), histories(run), tables(run),
+           methods(run), assumptions_section(file, {}),
+           provenance_section(file, run.file.text_attribute("job_text"), {})},
+          {}};
+}
+
+}  // namespace gurney::page

@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <set>
+
+#include "engine/base/units.h"
+#include "engine/config/document.h"
+#include "equipment/catalogue/item_sheet.h"
+#include "studies/figures/equipment_figure.h"
+#include "studies/figures/scene_figure.h"
+#include "studies/page/drawing.h"
+#include "studies/page/study_page.h"
+#include "studies/report/equipment_report.h"
+#include "studies/study/job/job.h"
+#include "studies/study/plan/data_files.h"
+#include "studies/study/plan/study_job.h"
+
+namespace gurney::page {
+namespace {
+
+/// Of the kinds of items of a scene as many as these are drawn.
+constexpr std::size_t kMaxDrawn = 3;
+
+std::string beside(const std::string& results) {
+  return (std::filesystem::path(results).parent_path() / "the job of the results.toml").string();
+}
+
+report::EquipmentFacts facts_of(const EquipmentModel& model, const Scene& scene) {
+  const ContactConstants floor = contact_constants(scene, model.material, scene.floor_material);
+  return {model, equipment::item_sheet(model, floor), floor, "", {}, {}, {}};
+}
+
+}  // namespace
+
+JobScene scene_of_study(const study::StudyReader& file, const std::string& job) {
+  const study::StudyJob study(file.job_text(), job.empty() ? beside(file.path()) : job);
+  const study::Job first = study.job(0, std::nullopt);
+  JobScene scene{first.scene, first.settings};
+  if (!file.has("data_files")) return scene;
+  const auto now = study::data_files(study);
+  const auto names = file.strings("data_files/name"), hashes = file.strings("data_files/sha256");
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (const auto found = now.find(names[i]); found != now.end() && found->second != hashes[i])
+      scene.changed.push_back(names[i]);
+  return scene;
+}
+
+JobScene scene_of_run(const study::Hdf5Reader& file, const std::string& job) {
+  config::Document document(file.text_attribute("job_text"),
+                            job.empty() ? beside(file.path()) : job);
+  document.take("study");  // of a run that was replayed
+  const study::Job read = study::read_job(document);
+  return {read.scene, read.settings};
+}
+
+Html scene_drawings(const JobScene& of, const std::string& title) {
+  const Scene& scene = of.scene;
+  Html all = html(Drawing{"scene", figures::scene_figure({}, title, scene),
+                          "The scene before the motion, seen from above.",
+                          fmt::format("{} on the floor{}{}.", counted(scene.items.size(), "item"),
+                                      scene.room.empty() ? "" : ", in a room",
+                                      scene.zones.empty() ? "" : ", with zones")});
+  std::set<std::string> drawn;
+  Html items;
+  for (const PlacedItem& item : scene.items) {
+    if (drawn.size() == kMaxDrawn || !drawn.insert(item.model.name).second) continue;
+    const auto facts = facts_of(item.model, scene);
+    items += html(Drawing{
+        fmt::format("item-{}", drawn.size()), figures::equipment_figure(facts),
+        item.model.name + ": plan and two sides.",
+        fmt::format("Mass {:.4g} kg, {} casters, static tilt before overturning {:.3g} degrees.",
+                    facts.sheet.whole.mass, item.model.casters.size(),
+                    facts.sheet.stability.tilt / kRadiansPerDegree)});
+  }
+  if (!of.changed.empty())
+    items +=
+        paragraph(fmt::format("Drawn with the catalogue of today; changed since the study: {}.",
+                              fmt::join(of.changed, ", ")));
+  return all + items;
+}
+
+}  // namespace gurney::page

@@ -1,0 +1,188 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/shell_word.h"
+#include "studies/figures/fragility_figure.h"
+#include "studies/figures/labels.h"
+#include "studies/figures/sensitivity_figure.h"
+#include "studies/page/drawing.h"
+#include "studies/page/study_page.h"
+#include "studies/page/table.h"
+#include "studies/report/fragility_report.h"
+#include "studies/study/analysis/performance.h"
+
+namespace gurney::page {
+namespace {
+
+std::string interval(const statistics::Interval& of, double unit, int digits) {
+  const auto end = [&](double value) {
+    return std::isfinite(value) ? fmt::format("{:.{}g}", value / unit, digits) : "\u221e";
+  };
+  return end(of.low) + " to " + end(of.high);
+}
+
+std::vector<Cell> row_of(const study::FragilityResult& of, const study::ReportUnit& unit,
+                         bool rates) {
+  const study::ReportUnit one{"1", 1};
+  const std::string exceeded =
+      fmt::format("{} of {} {}", of.audit.exceeded, of.audit.outcomes, of.audit.counted);
+  std::vector<Cell> row{of.state, of.configuration.empty() ? "all runs" : of.configuration,
+                        exceeded};
+  if (const auto curve = of.curve()) {
+    row.insert(row.end(), {Cell(curve->theta, unit), Cell(curve->beta, one, 2),
+                           interval(of.band.theta, unit.in_si, 3), interval(of.band.beta, 1, 2)});
+  } else {
+    row.insert(row.end(), {"\u2013", "\u2013", study::no_curve_text(of.status(), of.median(), unit),
+                           "\u2013"});
+  }
+  if (rates) {
+    row.push_back(of.rate ? Cell(of.rate->rate, one) : Cell("\u2013"));
+    row.push_back(of.rate ? Cell(100 * statistics::probability_in(50, of.rate->rate), one, 2)
+                          : Cell("\u2013"));
+  }
+  return row;
+}
+
+Html table_of(const StudyPage& page) {
+  const auto& all = page.fragilities;
+  const study::ReportUnit unit = study::report_unit(page.data, all.front().measure);
+  const bool rates =
+      std::ranges::any_of(all, [](const auto& each) { return each.rate.has_value(); });
+  const std::string of_unit = unit.name == "1" ? "" : " (" + unit.name + ")";
+  Table table{fmt::format("Lognormal fragility curves over {}", all.front().measure.name),
+              {{"Limit state"},
+               {"Configuration"},
+               {"Exceeded"},
+               {"\u03b8" + of_unit, true, "median"},
+               {"\u03b2", true, "dispersion"},
+               {"95 % of \u03b8"},
+               {"95 % of \u03b2"}}};
+  if (rates) {
+    table.columns.push_back({"Rate (1/year)", true, "mean annual rate of exceedance"});
+    table.columns.push_back({"In 50 years (%)", true});
+  }
+  for (const study::FragilityResult& each : all) table.rows.push_back(row_of(each, unit, rates));
+  return html(table);
+}
+
+Html figure_of(const StudyPage& page) {
+  std::vector<study::FragilityResult> drawn;
+  std::vector<std::string> configurations;
+  for (const study::FragilityResult& each : page.fragilities) {
+    if (std::ranges::find(configurations, each.configuration) == configurations.end())
+      configurations.push_back(each.configuration);
+    if (configurations.size() <= kMaxConfigurations) drawn.push_back(each);
+  }
+  Html figure = html(
+      Drawing{"fragility", figures::fragility_figure(page.data, drawn, {.most_marks = kMaxMarks}),
+              "Fragility curves with 95 % confidence bands, a panel for each limit state.",
+              "Probability of exceedance over intensity; the table has medians and dispersions."});
+  if (configurations.size() > kMaxConfigurations)
+    figure += paragraph(fmt::format(
+        "The figure draws the first {} of {} configurations. Others: gurney fragility {} "
+        "--configuration NAME --figure fragility.svg.",
+        kMaxConfigurations, configurations.size(), shell_word(page.path)));
+  return figure;
+}
+
+Html notes_of(const StudyPage& page) {
+  std::vector<std::string> all;
+  for (const study::FragilityResult& each : page.fragilities)
+    for (const std::string& note :
+         report::fragility_notes(each, study::report_unit(page.data, each.measure)))
+      all.push_back((each.configuration.empty() ? "" : each.configuration + ", ") + each.state +
+                    ": " + note);
+  if (all.empty()) return {};
+  return element("h3", "Notes on the curves") +
+         (all.size() > 12 ? folded(counted(all.size(), "note"), list(all)) : list(all));
+}
+
+Html performance_of(const StudyPage& page) {
+  Html all;
+  for (const study::PerformanceTable& of : study::performance_tables(page.data, page.fragilities)) {
+    const auto& measure = page.fragilities.front().measure;
+    const study::ReportUnit unit = study::report_unit(page.data, measure), percent{"%", 0.01};
+    Table table{fmt::format("{}Probability (%) that each level is the worst that is reached",
+                            of.configuration.empty() ? "" : of.configuration + ": "),
+                {{figures::with_unit(measure.name, unit), true}, {"none", true}}};
+    for (const std::string& level : of.levels) table.columns.push_back({level, true});
+    for (std::size_t i = 0; i < of.im.size(); ++i) {
+      std::vector<Cell> row{Cell(of.im[i], unit)};
+      for (const double probability : of.at[i].of_level) row.emplace_back(probability, percent);
+      table.rows.push_back(std::move(row));
+    }
+    all += html(table);
+  }
+  return all.empty() ? all : element("h3", "Performance levels") + all;
+}
+
+Html sensitivity_table(const report::SensitivityReport& report) {
+  const study::StudySensitivity& found = report.found;
+  const study::ReportUnit unit = study::report_unit(found.units), one{"1", 1};
+  const std::string of_unit = unit.name == "1" ? "" : " (" + unit.name + ")";
+  Table table{fmt::format("Inputs of {}{}", found.output,
+                          report.configuration.empty() ? "" : ", " + report.configuration),
+              {{"Input"},
+               {"First-order index", true, "share of the variance by the input alone"},
+               {"95 % interval"}}};
+  if (found.designed) {
+    table.columns.push_back({"Total index", true, "with all interactions"});
+    table.columns.push_back({"95 % interval"});
+  }
+  for (const char* end : {"Mean in its lowest ", "Mean in its highest "})
+    table.columns.push_back({fmt::format("{}{:g} %{}", end, 100 * found.share, of_unit), true});
+  table.columns.push_back({"Swing" + of_unit, true});
+  const auto add = [&](std::vector<Cell>& row,
+                       const std::optional<statistics::VarianceIndex>& index) {
+    row.push_back(index ? Cell(index->estimate, one, 2) : Cell("\u2013"));
+    row.push_back(index ? Cell(interval(index->interval, 1, 2)) : Cell("too few runs"));
+  };
+  for (const study::SensitiveInput& input : found.inputs) {
+    std::vector<Cell> row{report::name_of(input)};
+    add(row, input.index);
+    if (found.designed) add(row, input.total);
+    for (const double value : {input.bar.low, input.bar.high, input.bar.swing()})
+      row.push_back(input.drawn ? Cell(value, unit) : Cell("\u2013"));
+    table.rows.push_back(std::move(row));
+  }
+  return html(table);
+}
+
+}  // namespace
+
+Section study_fragility(const StudyPage& page) {
+  if (page.fragilities.empty()) return {"fragility", "Fragility", {}};
+  return {"fragility", "Fragility",
+          paragraph("P(limit state | im) = \u03a6(ln(im / \u03b8) / \u03b2)") + table_of(page) +
+              figure_of(page) + notes_of(page) + performance_of(page)};
+}
+
+Section study_sensitivity(const StudyPage& page) {
+  Html content;
+  for (std::size_t i = 0; i < page.sensitivities.size(); ++i) {
+    const report::SensitivityReport& each = page.sensitivities[i];
+    const study::StudySensitivity& found = each.found;
+    if (page.sensitivities.size() > 1 && !each.configuration.empty())
+      content += element("h3", each.configuration);
+    if (!each.why_not.empty()) {
+      content += paragraph("No sensitivity: " + each.why_not);
+      continue;
+    }
+    const study::ReportUnit unit = study::report_unit(found.units);
+    content +=
+        paragraph(fmt::format("{}: mean {:.3g} {}, standard deviation {:.3g} {}, {}.", found.output,
+                              found.mean / unit.in_si, unit.name, found.deviation / unit.in_si,
+                              unit.name, counted(found.runs, "run"))) +
+        html(Drawing{fmt::format("sensitivity-{}", i + 1), figures::sensitivity_figure(each),
+                     "Sensitivity: indices with 95 % intervals, and tornado.",
+                     "First-order indices of the inputs, and means of the demand where an input is "
+                     "low or high; the table has the numbers."}) +
+        sensitivity_table(each) +
+        element("p", report::sensitivity_remarks(found), {{"class", "lines"}});
+  }
+  return {"sensitivity", "Sensitivity", content};
+}
+
+}  // namespace gurney::page

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scene/scene.h"
+#include "engine/scene/settings.h"
+#include "studies/page/document.h"
+#include "studies/page/page.h"
+#include "studies/report/sensitivity_report.h"
+#include "studies/study/analysis/fragility_result.h"
+#include "studies/study/analysis/overview.h"
+#include "studies/study/analysis/stored_histories.h"
+
+namespace gurney::page {
+
+/// What stood where in a job, read again with the catalogue of today.
+struct JobScene {
+  Scene scene;
+  SimulationSettings settings;
+  std::vector<std::string> changed = {};  ///< data files that are not as the study read them
+};
+
+/// What the page of a study is made of. Every number is that of the commands show, fragility and
+/// sensitivity.
+struct StudyPage {
+  explicit StudyPage(const PageRequest& request);
+
+  std::string path;
+  study::StudyOverview overview;
+  study::StudyData data;
+  std::vector<study::FragilityResult> fragilities;  ///< states of a configuration together
+  std::vector<report::SensitivityReport> sensitivities;
+  std::optional<JobScene> scene;  ///< of the first configuration
+  std::string no_scene;           ///< why there is none
+};
+
+/// What a page draws of a study at most; it says so where there is more.
+inline constexpr std::size_t kMaxConfigurations = 6, kMaxItems = 4, kMaxMarks = 1500;
+
+// The sections of a study's page, in this order.
+Section study_summary(const StudyPage& page);
+Section study_design(const StudyPage& page);
+Section study_records(const StudyPage& page);
+Section study_outcomes(const StudyPage& page);
+Section study_demands(const StudyPage& page);
+Section study_fragility(const StudyPage& page);
+Section study_sensitivity(const StudyPage& page);
+Section study_zones(const StudyPage& page);
+Section study_cases(const StudyPage& page);
+Section study_failures(const StudyPage& page);
+Section study_time_step(const StudyPage& page);
+Section study_methods(const StudyPage& page);
+
+// Of studies and of single runs.
+Section assumptions_section(const study::FileOverview& file,
+                            const std::vector<std::string>& undrawn);
+Section provenance_section(const study::FileOverview& file, const std::string& job_text,
+                           const Html& more);
+
+/// Sentences for the methods of a paper, and the publications that they name.
+struct Methods {
+  std::vector<std::string> sentences, sources;
+};
+Methods methods_of(const StudyPage& page);
+
+/// "1 run", "3 runs".
+std::string counted(std::size_t count, const std::string& what);
+
+/// The scene of the job that a results file keeps; of a study that of its first configuration.
+/// @param job  path of the job's file, for relative names; empty: beside the results
+/// @throws Error where the job names what is not there any more
+JobScene scene_of_study(const study::StudyReader& file, const std::string& job);
+JobScene scene_of_run(const study::Hdf5Reader& file, const std::string& job);
+
+/// The scene from above and a drawing of each kind of item.
+Html scene_drawings(const JobScene& scene, const std::string& title);
+
+}  // namespace gurney::page

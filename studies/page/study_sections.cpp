@@ -1,0 +1,205 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/units.h"
+#include "studies/page/study_page.h"
+#include "studies/page/table.h"
+#include "studies/report/failed_runs.h"
+#include "studies/report/fragility_report.h"
+#include "studies/study/analysis/zone_occupancy.h"
+
+namespace gurney::page {
+namespace {
+
+std::string percent(std::size_t count, std::size_t of) {
+  return of == 0 ? "\u2013" : fmt::format("{:.3g} %", 100.0 * double(count) / double(of));
+}
+
+Html tile(const std::string& value, const std::string& name) {
+  return element("li", element("b", value) + element("span", name));
+}
+
+/// What a reader has to know before any number of the page is used.
+std::vector<std::string> cautions_of(const StudyPage& page) {
+  const study::StudyOverview& overview = page.overview;
+  std::vector<std::string> all;
+  if (overview.failed > 0)
+    all.push_back(fmt::format("{} of {}: excluded from every statistic",
+                              report::failed_runs(overview.failed, overview.untrusted),
+                              counted(overview.runs, "run")));
+  if (overview.factors_on_records.above() + overview.factors_on_records.below() > 0)
+    all.push_back("scale factors " + overview.factors_on_records.text());
+  if (overview.warned > 0)
+    all.push_back(fmt::format("in {} the building warned, such as: {}",
+                              counted(overview.warned, "run"), overview.first_warning));
+  if (overview.step_check)
+    for (const study::StateChange& each : overview.step_check->states)
+      all.push_back(fmt::format("with half the time step the outcome at {} differs in {} of {}",
+                                each.state, each.runs.size(),
+                                counted(overview.step_check->runs, "run")));
+  for (const study::FragilityResult& each : page.fragilities) {
+    const study::ReportUnit unit = study::report_unit(page.data, each.measure);
+    study::CurveAudit audit = each.audit;
+    audit.factors = {};  // stated once, of all runs
+    for (const std::string& caution : study::cautions(audit, unit))
+      all.push_back((each.configuration.empty() ? "" : each.configuration + ", ") + each.state +
+                    ": " + caution);
+  }
+  return all;
+}
+
+/// Long lists are folded away after the first lines.
+Html caution_box(const std::vector<std::string>& all) {
+  constexpr std::size_t kShown = 8;
+  if (all.empty()) return {};
+  const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(kShown, all.size()));
+  Html box = element("h3", "Cautions") + list({all.begin(), end});
+  if (end != all.end())
+    box += folded(fmt::format("{} more", all.end() - end), list({end, all.end()}));
+  return element("div", box, {{"class", "cautions"}});
+}
+
+}  // namespace
+
+Section study_summary(const StudyPage& page) {
+  const study::StudyOverview& overview = page.overview;
+  Html tiles = tile(std::to_string(overview.runs), "runs") +
+               tile(std::to_string(overview.overturned), "overturned") +
+               tile(std::to_string(overview.failed), "failed") +
+               tile(std::to_string(overview.configurations.size()), "configurations") +
+               tile(std::to_string(overview.file.motions.size()), "records");
+  for (std::size_t i = 0; i < overview.states.size(); ++i) {
+    std::size_t exceeded = 0, runs = 0;
+    for (const study::LevelCounts& each : overview.counts) {
+      exceeded += each.exceeded[i];
+      runs += each.counted();
+    }
+    tiles += tile(percent(exceeded, runs), "of runs: " + overview.states[i].name);
+  }
+  std::vector<std::pair<std::string, std::string>> named;
+  if (!std::isnan(overview.file.energy_closure))
+    named.emplace_back("Energy balance",
+                       fmt::format("closes within {:.2g} of the energy in play (worst: run {})",
+                                   overview.file.energy_closure, overview.energy_closure_run));
+  return {"summary", "At a glance",
+          element("ul", tiles, {{"class", "key"}}) + caution_box(cautions_of(page)) + facts(named)};
+}
+
+Section study_design(const StudyPage& page) {
+  const study::StudyOverview& overview = page.overview;
+  std::vector<std::string> angles;
+  for (const double angle : overview.angles)
+    angles.push_back(fmt::format("{:g}", angle / kRadiansPerDegree));
+  std::vector<std::pair<std::string, std::string>> named;
+  for (const auto& factor : overview.factors)
+    named.emplace_back("Factor " + factor.name, fmt::format("{}", fmt::join(factor.levels, ", ")));
+  named.emplace_back("Configurations", std::to_string(overview.configurations.size()));
+  named.emplace_back("Angles", fmt::format("{} deg", fmt::join(angles, ", ")));
+  named.emplace_back(overview.measure.empty() ? "Records" : "Intensity, " + overview.measure,
+                     fmt::format("{}", fmt::join(overview.levels, ", ")));
+  if (overview.factors_on_records.any())
+    named.emplace_back("Scale factors", overview.factors_on_records.text());
+  named.emplace_back("Draws", overview.draws > 0 ? fmt::format("{} of each record", overview.draws)
+                                                 : "none: every parameter has its value");
+  if (overview.replicas > 1)
+    named.emplace_back("Replicas", fmt::format("{} of each draw", overview.replicas));
+  for (const study::LimitState& state : overview.states)
+    named.emplace_back("Limit state " + state.name, state.origin.empty()
+                                                        ? state.words
+                                                        : state.words + " (" + state.origin + ")");
+  const std::string what =
+      overview.configurations.size() > 1 ? "configuration " + overview.configurations.front() : "";
+  return {
+      "design", "What was run",
+      facts(named) + (page.scene ? scene_drawings(*page.scene, what) : paragraph(page.no_scene))};
+}
+
+Section study_outcomes(const StudyPage& page) {
+  const study::StudyOverview& overview = page.overview;
+  Table table{
+      "Runs of each configuration and intensity, and the share of those that did not fail "
+      "that exceeds each limit state",
+      {{"Configuration"},
+       {overview.measure.empty() ? "Records" : overview.measure},
+       {"Runs", true},
+       {"Overturned", true},
+       {"Failed", true}}};
+  for (const study::LimitState& state : overview.states)
+    table.columns.push_back({state.name, true, state.words});
+  for (const study::LevelCounts& each : overview.counts) {
+    std::vector<Cell> row{each.configuration.empty() ? "all runs" : each.configuration, each.level,
+                          each.runs, each.overturned, each.failed};
+    for (const std::size_t exceeded : each.exceeded) {
+      Cell cell(percent(exceeded, each.counted()));
+      if (each.counted() > 0) cell.number = double(exceeded) / double(each.counted());
+      row.push_back(cell);
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return {"outcomes", "Outcomes", html(table)};
+}
+
+Section study_zones(const StudyPage& page) {
+  const study::ReportUnit metres{"m", 1}, seconds{"s", 1};
+  Table table{"Zones of the room, over the runs that did not fail",
+              {{"Zone"},
+               {"Configuration"},
+               {"Runs", true},
+               {"Entered", true, "share of the runs in which an item entered the zone"},
+               {"Occupied at the end", true, "share of the runs"},
+               {"Mean time occupied (s)", true},
+               {"Median least free width (m)", true, "of the widest free path along the zone"},
+               {"Smallest free width (m)", true, "over all runs"}}};
+  for (const study::ZoneOccupancy& each : study::zone_occupancy(page.data)) {
+    Cell entered(percent(each.entered, each.runs)),
+        at_end(percent(each.occupied_at_end, each.runs));
+    entered.number = double(each.entered) / double(each.runs);
+    at_end.number = double(each.occupied_at_end) / double(each.runs);
+    table.rows.push_back({each.zone, each.configuration.empty() ? "all runs" : each.configuration,
+                          each.runs, entered, at_end, Cell(each.occupied_time, seconds),
+                          Cell(each.least_free_width, metres),
+                          Cell(each.smallest_free_width, metres)});
+  }
+  return {"zones", "Zones", html(table)};
+}
+
+Section study_failures(const StudyPage& page) {
+  Table table{"Runs that failed, why, and the command that re-runs each",
+              {{"Run", true}, {"Cause"}, {"Command"}}};
+  for (const study::FailedRun& each : page.overview.failures)
+    table.rows.push_back({each.run, each.cause, each.command});
+  return {"failures", "Failed runs",
+          table.rows.empty() ? paragraph("No run failed.") : html(table)};
+}
+
+Section study_time_step(const StudyPage& page) {
+  const study::ReportUnit one{"1", 1};
+  if (!page.overview.step_check)
+    return {"time-step", "Time-step check",
+            paragraph("The study asked for none (study.step_check): how far the time step changes "
+                      "these results is not known from this file.")};
+  const study::StepCheck& of = *page.overview.step_check;
+  Table table{
+      "Relative change of the demands with half the time step",
+      {{"Demand"}, {"Compared", true}, {"Median", true}, {"Largest", true}, {"In run", true}}};
+  for (const study::StepChange& each : of.changes)
+    if (each.compared > 0)
+      table.rows.push_back({each.demand, each.compared, Cell(each.median, one, 2),
+                            Cell(each.largest, one, 2),
+                            each.largest > 0 ? Cell(each.largest_run) : Cell("\u2013")});
+  std::vector<std::string> lines;
+  if (of.failed > 0) lines.push_back(counted(of.failed, "further repetition") + " failed.");
+  for (const study::StateChange& each : of.states)
+    lines.push_back(fmt::format("{}: a different outcome in {} of {}.", each.state,
+                                each.runs.size(), counted(of.runs, "run")));
+  for (const std::string& each : of.unjudged)
+    lines.push_back(each + ": not compared, the repeated runs keep only demands of items.");
+  return {"time-step", "Time-step check",
+          paragraph(fmt::format("{} {} repeated with half the time step.", counted(of.runs, "run"),
+                                of.runs == 1 ? "was" : "were")) +
+              html(table) + list(lines)};
+}
+
+}  // namespace gurney::page

@@ -1,0 +1,141 @@
+#include "studies/page/page.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "studies/page/case_columns.h"
+#include "studies/study/analysis/fragility_result.h"
+#include "studies/study/results/results_file.h"
+#include "tests/studies/page/balanced.h"
+#include "tests/studies/study/analysis/made_study.h"
+#include "tests/support/fabricated_run.h"
+#include "tests/support/fabricated_study.h"
+#include "tests/support/temp_folder.h"
+
+namespace gurney::page {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using Json = nlohmann::json;
+
+std::string between(const std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t start = text.find(from);
+  if (start == text.npos) return {};
+  return text.substr(start + from.size(), text.find(to, start) - start - from.size());
+}
+
+Json cases_of(const std::string& page) {
+  return Json::parse(between(page, "id=\"cases-data\">", "</script>"));
+}
+
+std::vector<double> values_of(const Json& cases, const std::string& title) {
+  for (const Json& column : cases["columns"])
+    if (column["title"] == title) {
+      std::vector<double> values;
+      for (const Json& each : column["values"])
+        values.push_back(each.is_null() ? std::nan("") : each.get<double>());
+      return values;
+    }
+  ADD_FAILURE() << "no column " << title;
+  return {};
+}
+
+TEST(Page, OfAStudyIsWholeAndBalanced) {
+  const TempFolder folder;
+  FabricatedStudy::write(folder.file("s.h5"));
+  const std::string page = results_page({.file = folder.file("s.h5")});
+  EXPECT_EQ(unbalanced(page), "");
+  for (const char* id : {"summary", "design", "records", "outcomes", "demands", "fragility",
+                         "cases", "failures", "time-step", "methods", "assumptions", "provenance"})
+    EXPECT_THAT(page, HasSubstr(fmt::format("<section id=\"{}\" ", id)));
+  EXPECT_THAT(page, Not(HasSubstr("src=\"")));
+  EXPECT_THAT(page, Not(HasSubstr("href=\"http")));
+  EXPECT_THAT(page, HasSubstr(fmt::format("gurney replay {} {}", folder.file("s.h5"),
+                                          FabricatedStudy::kFailed)));
+}
+
+TEST(Page, HasTheNumbersOfTheFile) {
+  const TempFolder folder;
+  FabricatedStudy::write(folder.file("s.h5"));
+  const std::string page = results_page({.file = folder.file("s.h5")});
+  const study::StudyData data(folder.file("s.h5"));
+  const Json cases = cases_of(page);
+
+  const auto peak = values_of(cases, "Peak displacement (m)");
+  const auto runs = data.file().numbers("items/run"),
+             stored = data.file().numbers("items/peak_displacement");
+  ASSERT_EQ(peak.size(), data.file().runs());
+  for (std::size_t row = 0; row < runs.size(); ++row)
+    EXPECT_EQ(peak[static_cast<std::size_t>(runs[row])], stored[row]);
+  EXPECT_TRUE(std::isnan(peak[FabricatedStudy::kFailed]));
+
+  const study::FragilityResult fit = fragility_of(data, {.state = 0, .configuration = 1});
+  EXPECT_THAT(page, HasSubstr(fmt::format("data-value=\"{}\"", fit.curve()->theta)));
+  EXPECT_THAT(page, HasSubstr(fmt::format("data-value=\"{}\"", fit.curve()->beta)));
+}
+
+TEST(Page, TakesOtherLimitStates) {
+  const TempFolder folder;
+  FabricatedStudy::write(folder.file("s.h5"));
+  const std::string page =
+      results_page({.file = folder.file("s.h5"),
+                    .assessed_by = {.limit_states = {"far = peak_displacement > 1 cm"}}});
+  EXPECT_THAT(page, HasSubstr("Limit state far"));
+  EXPECT_THAT(page, Not(HasSubstr("Limit state moved")));
+}
+
+TEST(Page, ShowsHostileNamesAsText) {
+  const TempFolder folder;
+  const std::string hostile = "</script><img src=x onerror=alert(1)>'\"\u65e5{{script}}";
+  study::MadeStudy study{
+      .job = study::made_job(), .records = {hostile, "<b>r"}, .files = {}, .runs = {}};
+  for (std::size_t record = 0; record < 2; ++record)
+    for (const double level : {1.0, 2.0})
+      study.runs.push_back({.record = record, .level = level, .displacement = 0.1 * level});
+  study.write(folder.file("s.h5"));
+  const std::string page = results_page({.file = folder.file("s.h5")});
+  EXPECT_EQ(unbalanced(page), "");
+  EXPECT_THAT(page, Not(HasSubstr("<img")));
+  EXPECT_THAT(page, HasSubstr("&lt;/script&gt;&lt;img src=x"));
+  const Json cases = cases_of(page);
+  for (const Json& column : cases["columns"])
+    if (column["title"] == "Record") {
+      EXPECT_EQ(column["texts"][0], hostile);
+    }
+}
+
+/// 100,000 runs: the page is below 20 MB, and has all of them.
+TEST(Page, OfManyRunsStaysSmall) {
+  const TempFolder folder;
+  study::MadeStudy study{.job = study::made_job(), .records = {}, .files = {}, .runs = {}};
+  constexpr std::size_t kRuns = 100'000, kRecords = 50;
+  for (std::size_t i = 0; i < kRecords; ++i) study.records.push_back(fmt::format("record {}", i));
+  for (std::size_t i = 0; i < kRuns; ++i)
+    study.runs.push_back({.record = i % kRecords,
+                          .level = i % 100 < 50 ? 1.0 : 2.0,
+                          .displacement = 0.3 / (1.0 + double(i % 9973)),
+                          .fell = i % 1000 == 0});
+  study.write(folder.file("s.h5"));
+  const std::string page = results_page({.file = folder.file("s.h5")});
+  EXPECT_LT(page.size(), 20'000'000);
+  EXPECT_EQ(values_of(cases_of(page), "Run").size(), kRuns);
+  EXPECT_THAT(page, HasSubstr("one in 67 is drawn"));  // 100,000 of 1,500 marks
+}
+
+TEST(Page, OfOneRunHasItsDemands) {
+  const TempFolder folder;
+  const Response response = fabricated_response();
+  folder.write("r.h5", study::results_image(fabricated_facts(), response));
+  const std::string page = results_page({.file = folder.file("r.h5")});
+  EXPECT_EQ(unbalanced(page), "");
+  EXPECT_THAT(page, HasSubstr(fmt::format("data-value=\"{}\"",
+                                          response.items[0].demands.peak_displacement)));
+  EXPECT_THAT(page, HasSubstr("<section id=\"histories\""));
+}
+
+}  // namespace
+}  // namespace gurney::page

@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# The pages of gurney report in a browser: no errors, tables that sort and turn their pages, numbers
+# that are those of the file, hostile names as text.
+# usage: report.sh GURNEY SOURCE_FOLDER
+set -uo pipefail
+gurney=$1
+. "$2/tests/system/cli/expect.sh"
+. "$2/tests/system/browser/chromium.sh"
+
+cat > study.toml << 'TOML'
+schema = "gurney-job/1"
+title = "</script><img src=x onerror=console.error(1)>"
+[item]
+equipment = "icu_ventilator"
+[excitation.record]
+synthetic = { kind = "clough_penzien" }
+[study]
+synthetic_records = 10
+measures = "PGA h1"
+[study.intensity]
+measure = "PGA"
+component = "h1"
+unit = "g"
+levels = [0.1, 0.2, 0.4]
+TOML
+expect 0 "study.h5" "$gurney" run study.toml -o study.h5
+expect 0 "study.html" "$gurney" report study.h5 -o study.html
+expect 0 "csv" "$gurney" export study.h5 --to csv -o csv
+
+dom study.html > shown.html || complain "the page does not open"
+quiet study.html
+grep -q '<img' shown.html && complain "a title became HTML"
+grep -q 'runs 1 to 25 of 30' shown.html || complain "the table of runs is not there"
+
+# ask SCRIPT EXPECTED: in a copy of the page
+ask() {
+  printf '%s\n' "$1" > script.js
+  with_script study.html script.js copy.html
+  dom copy.html | found > stdout
+  quiet copy.html
+  [ "$(cat stdout)" = "$2" ] || complain "expected $2 of: $1"
+}
+
+read -r -d '' shared << 'JS'
+const titles = (table) => [...table.tHead.rows[0].cells];
+const column = (table, title) => titles(table).findIndex((th) => th.textContent === title);
+const click = (table, title) => titles(table)[column(table, title)].querySelector("button").click();
+const numbers = (table, title) =>
+  [...table.tBodies[0].rows].map((row) => Number(row.cells[column(table, title)].dataset.value));
+const all = document.getElementById("cases-all");
+const rises = (of) => of.every((value, i) => i === 0 || of[i - 1] <= value);
+const falls = (of) => rises([...of].reverse());
+const peak = "Peak displacement (m)";
+JS
+
+ask "$shared click(all, peak); const up = numbers(all, peak); click(all, peak);
+  const down = numbers(all, peak); return [rises(up), falls(down), up.length, down[0] > up[24]];" \
+  '[true,true,25,true]'
+ask "$shared click(all, peak); const th = titles(all)[column(all, peak)];
+  return [th.getAttribute('aria-sort'), th.querySelector('button').tabIndex];" '["ascending",0]'
+ask "$shared document.getElementById('cases-on').click();
+  return [all.tBodies[0].rows.length, document.getElementById('cases-page').textContent];" \
+  '[5,"runs 26 to 30 of 30"]'
+ask "$shared const field = document.getElementById('cases-filter'); field.value = '7';
+  field.dispatchEvent(new Event('input')); all.tBodies[0].querySelector('button').click();
+  return document.getElementById('cases-command').textContent;" '"gurney replay study.h5 7"'
+ask "$shared const table = document.querySelector('#outcomes table'); click(table, 'moved');
+  return rises(numbers(table, 'moved'));" 'true'
+# The file's largest peak displacement, by way of another program's format.
+largest=$(awk -F, 'NR == 1 {for (i = 1; i <= NF; i++) if ($i == "peak_displacement") c = i; next}
+  $c + 0 > most {most = $c + 0; text = $c} END {print text}' csv/items.csv)
+ask "$shared click(all, peak); click(all, peak); return numbers(all, peak)[0] === $largest;" 'true'
+ask "$shared const link = document.querySelector('#fragility a.save'); link.href = '#';
+  link.addEventListener('click', (event) => event.preventDefault()); link.click();
+  return [link.href.startsWith('blob:'), link.download];" '[true,"fragility.svg"]'
+# Nothing is wider than a telephone but what scrolls by itself.
+printf 'return document.documentElement.scrollWidth <= innerWidth;\n' > script.js
+with_script study.html script.js copy.html
+[ "$(in_browser --dump-dom --window-size=500,900 copy.html | found)" = true ] ||
+  complain "the page is wider than its window"
+
+exit $((failures > 0))

@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# gurney report from outside: pages of a run and of a study.
+# usage: report.sh GURNEY SOURCE_FOLDER
+set -uo pipefail
+gurney=$1
+. "$2/tests/system/cli/expect.sh"
+
+cat > run.toml << 'TOML'
+schema = "gurney-job/1"
+title = "<b>'quoted' & \"more\"</b> \u65e5\u672c"
+[item]
+equipment = "icu_ventilator"
+[excitation.record]
+synthetic = { kind = "ricker", pga_g = 0.3, period_s = 0.5 }
+use = "x"
+TOML
+{
+  cat run.toml
+  cat << 'TOML'
+[study]
+measures = "PGA h1"
+[study.intensity]
+measure = "PGA"
+component = "h1"
+unit = "g"
+levels = [0.1, 0.2, 0.4]
+[[study.factor]]
+name = "brakes"
+[study.factor.level.off]
+item.brakes = false
+[study.factor.level."<i>on</i>"]
+item.brakes = true
+TOML
+} > study.toml
+expect 0 "run.h5" "$gurney" run run.toml -o run.h5 --no-figure
+expect 0 "study.h5" "$gurney" run study.toml -o study.h5
+
+has() { grep -qF -- "$2" "$1" || complain "$1 lacks '$2'"; }
+has_not() { ! grep -qF -- "$2" "$1" || complain "$1 has '$2'"; }
+
+expect 0 "run.html" "$gurney" report run.h5 -o run.html
+expect 0 "study.html" "$gurney" report study.h5 -o study.html
+for page in run.html study.html; do
+  has "$page" "<title>&lt;b&gt;&#39;quoted&#39; &amp; &quot;more&quot;&lt;/b&gt; 日本</title>"
+  has "$page" 'id="scene"'
+  has "$page" 'id="item-1"'
+  has_not "$page" "No drawing"
+  has_not "$page" "<i>on"
+  has_not "$page" 'src="'
+  has_not "$page" 'href="http'
+  has "$page" "$("$gurney" --version | awk '/^commit/ {print $2}')"
+done
+has run.html 'id="history-tilt"'
+has study.html "Limit state overturned"
+expect 0 "again.html" "$gurney" report study.h5 -o again.html
+cmp study.html again.html || complain "two pages of one file differ"
+expect 0 "far.html" "$gurney" report study.h5 --limit-state 'peak_displacement > 0.2 m' -o far.html
+has far.html "peak_displacement &gt; 0.2 m"
+has_not far.html "Limit state overturned"
+
+expect 1 "run.html: exists already" "$gurney" report run.h5 -o run.html
+expect 0 "run.html" "$gurney" report run.h5 -o run.html --overwrite
+expect 1 "must end in .html" "$gurney" report run.h5 -o run.pdf
+expect 1 "is the file of one run" "$gurney" report run.h5 --limit-state overturned -o x.html
+expect 1 "missing.h5" "$gurney" report missing.h5 -o x.html
+expect 1 "no_such" "$gurney" report study.h5 --limit-state 'no_such > 1 m' -o x.html
+expect 2 "--output is required" "$gurney" report run.h5
+[ -e x.html ] && complain "x.html was left"
+
+exit $((failures > 0))
