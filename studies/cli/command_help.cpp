@@ -37,6 +37,9 @@ constexpr std::array kCommands = {
         "report", "Write a results file as one HTML page",
         "gurney report ventilator.h5 -o ventilator.html\n"
         "gurney report ventilator.h5 --limit-state \"peak_displacement > 0.2 m\" -o far.html"},
+    CommandHelp{"play", "Write a page that plays a run back in three dimensions",
+                "gurney play shake.h5 -o shake.html\n"
+                "gurney play ventilator.h5 --run 3 --run 7 -o both.html"},
     CommandHelp{"fragility", "Fit fragility functions and confidence bands",
                 "gurney fragility ventilator.h5 --figure ventilator.svg\n"
                 "gurney fragility ventilator.h5 --limit overturned --measure \"Sa(1) RotD50\"\n"

@@ -21,6 +21,7 @@ AddCommand add_export;       ///< results for other programs
 AddCommand add_fragility;    ///< curves and bands of a study
 AddCommand add_measures;     ///< efficiency and sufficiency of intensity measures
 AddCommand add_merge;        ///< the shards of a study into its results
+AddCommand add_play;         ///< a page that plays a run back
 AddCommand add_plot;         ///< figures of a results file
 AddCommand add_pulling;      ///< simulated pulling tests and their figures
 AddCommand add_records;      ///< and its commands

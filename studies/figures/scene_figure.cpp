@@ -1,4 +1,4 @@
-#include "studies/report/scene_figure.h"
+#include "studies/figures/scene_figure.h"
 
 #include <algorithm>
 #include <cmath>

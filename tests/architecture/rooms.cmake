@@ -42,8 +42,8 @@ set(GURNEY_ROOMS
     studies/study/job studies/study/results"
   "studies/study/limit_states: engine/base engine/config engine/scene engine/response
     studies/study/results"
-  "studies/study/plan: engine/base engine/config groundmotions/assembly groundmotions/suites
-    equipment/catalogue studies/statistics studies/study/job studies/study/prepare
+  "studies/study/plan: engine/base engine/config groundmotions/record groundmotions/assembly
+    groundmotions/suites equipment/catalogue studies/statistics studies/study/job studies/study/prepare
     studies/study/limit_states"
   "studies/study/run: engine/base engine/config engine/response engine/baselines studies/build_info
     studies/statistics studies/study/results studies/study/prepare studies/study/limit_states
@@ -73,13 +73,15 @@ set(GURNEY_ROOMS
   "studies/page: engine/base engine/config engine/scene equipment/catalogue studies/build_info
     studies/statistics studies/study/job studies/study/results studies/study/plan
     studies/study/analysis studies/report studies/figures"
+  "studies/playback: engine/base engine/response studies/study/results"
   "studies/cli: engine/base engine/config engine/response engine/baselines groundmotions/record
     groundmotions/formats groundmotions/measures groundmotions/processing groundmotions/synthetic
     groundmotions/scaling groundmotions/suites groundmotions/buildings equipment/catalogue
     studies/build_info studies/verification studies/study/job studies/study/results
     studies/study/prepare studies/study/limit_states studies/study/plan studies/study/run
     studies/study/analysis studies/study/exports studies/calibration/fit
-    studies/calibration/pulling studies/report studies/figures studies/picture studies/page")
+    studies/calibration/pulling studies/report studies/figures studies/picture studies/page
+    studies/playback")
 
 # Libraries that only these rooms, or files that begin so, may include, by how their headers begin.
 set(GURNEY_LIBRARIES
@@ -88,6 +90,7 @@ set(GURNEY_LIBRARIES
   "openssl/: engine/base"
   "boost/: engine/base studies/statistics"
   "hdf5|H5: studies/study/results/hdf5_"
-  "nlohmann/: engine/config studies/study/exports studies/report studies/page studies/cli"
+  "nlohmann/: engine/config studies/study/exports studies/report studies/page studies/playback
+    studies/cli"
   "cairo|librsvg/: studies/picture/rendering"
   "CLI/: studies/cli")

@@ -26,6 +26,11 @@ class Table {
     file_.add({group_ + name, "1", meaning, scales()}, values);
   }
 
+  void add(const std::string& name, const std::string& units, const std::string& meaning,
+           const std::vector<double>& values) {
+    file_.add({group_ + name, units, meaning, scales()}, values);
+  }
+
   template <class Row>
   void add(std::span<const TableColumn<Row>> columns, const std::vector<Row>& rows) {
     add_columns(file_, group_, columns, scales(), rows);
@@ -124,12 +129,46 @@ void add_events(Hdf5Writer& file, const Scene& scene, const std::vector<Impact>&
   table.add(impact_columns(), impacts);
 }
 
+/// `value` of each of the first `rows` parts.
+template <class Part, class Value>
+std::vector<double> values_of(const std::vector<Part>& parts, std::size_t rows, Value value) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < rows; ++i) values.push_back(value(parts.at(i)));
+  return values;
+}
+
+void add_places(Table& table, const std::vector<Zone>& zones, std::size_t rows) {
+  const auto add = [&](const char* name, const char* units, const char* meaning, auto value) {
+    table.add(name, units, meaning, values_of(zones, rows, value));
+  };
+  add("center_x", "m", "x of its middle", [](const Zone& z) { return z.center.x(); });
+  add("center_y", "m", "y of its middle", [](const Zone& z) { return z.center.y(); });
+  add("length", "m", "length along its way through", [](const Zone& z) { return z.length; });
+  add("width", "m", "width across", [](const Zone& z) { return z.width; });
+  add("angle", "rad", "of its way through, from the floor's x axis",
+      [](const Zone& z) { return z.angle; });
+}
+
+void add_places(Table& table, const std::vector<Tether>& tethers, std::size_t rows) {
+  const char* const axes[] = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string letter = axes[axis];
+    table.add("point_" + letter, "m", letter + " of its end at the item, item axes",
+              values_of(tethers, rows, [axis](const Tether& t) { return t.point[axis]; }));
+    table.add("anchor_" + letter, "m", letter + " of its end in the room, floor axes",
+              values_of(tethers, rows, [axis](const Tether& t) { return t.anchor[axis]; }));
+  }
+  table.add("slack_length", "m", "length up to which it is slack",
+            values_of(tethers, rows, [](const Tether& t) { return t.slack_length; }));
+}
+
 void add_zones(Hdf5Writer& file, const Scene& scene, const std::vector<ZoneOutcome>& zones) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < zones.size(); ++i) names.push_back(scene.zones.at(i).name);
   Table table(file, "zones", zones.size());
   table.add("zone", "name of the zone", names);
   table.add(zone_columns(), zones);
+  add_places(table, scene.zones, zones.size());
 }
 
 void add_tethers(Hdf5Writer& file, const Scene& scene, const std::vector<TetherOutcome>& tethers) {
@@ -143,6 +182,7 @@ void add_tethers(Hdf5Writer& file, const Scene& scene, const std::vector<TetherO
   table.add("tether", "name of the tether", names);
   table.add("item", kItem, items);
   table.add(tether_columns(), tethers);
+  add_places(table, scene.tethers, tethers.size());
 }
 
 }  // namespace

@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "engine/base/error.h"
+#include "engine/baselines/any_solver.h"
+#include "studies/cli/commands.h"
+#include "studies/cli/records_output.h"
+#include "studies/cli/study_case.h"
+#include "studies/playback/page.h"
+#include "studies/study/results/hdf5_reader.h"
+#include "studies/study/results/output_files.h"
+#include "studies/study/results/results_file.h"
+
+namespace gurney::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PlayOptions {
+  std::string file, job, output;
+  std::vector<std::size_t> runs;
+  bool overwrite = false;
+};
+
+/// A file that is there as long as the object.
+class ScratchFile {
+ public:
+  explicit ScratchFile(const std::string& bytes)
+      : path_(fs::temp_directory_path() / fmt::format("gurney_{}.h5", getpid())) {
+    study::OutputFiles files(true);
+    files.stage(path_.string(), bytes);
+    files.commit();
+  }
+  ~ScratchFile() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+
+  std::string path() const { return path_.string(); }
+
+ private:
+  fs::path path_;
+};
+
+/// A study keeps no full histories: its run is made again.
+playback::RecordedRun run_again(const PlayOptions& options, std::size_t index) {
+  const StudyCase study_case(options.file, index, options.job);
+  const study::PreparedRun run = study_case.prepared();
+  const Response response =
+      baselines::simulate_with_any_solver(run.facts.scene, run.facts.floor, run.facts.settings);
+  const std::string differs = study_case.difference(response);
+  require(differs.empty(), differs);
+  return playback::read_recorded_run(ScratchFile(study::results_image(run.facts, response)).path());
+}
+
+bool is_study(const std::string& path) {
+  const study::Hdf5Reader file(path);
+  const auto attributes = file.attributes();
+  return std::ranges::find(attributes, "filetype") != attributes.end() &&
+         file.text_attribute("filetype") == "gurney-study";
+}
+
+std::vector<playback::PageRun> runs_of(const PlayOptions& options) {
+  if (!is_study(options.file)) {
+    require(options.runs.empty() || options.runs == std::vector<std::size_t>{0},
+            options.file + ": is a single run, which has no --run but 0");
+    return {{"", playback::read_recorded_run(options.file)}};
+  }
+  require(!options.runs.empty(),
+          options.file + ": is a study; choose one of its runs with --run N, or two to compare");
+  std::vector<playback::PageRun> runs;
+  for (const std::size_t run : options.runs)
+    runs.push_back(
+        {options.runs.size() == 1 ? "" : fmt::format("run {}", run), run_again(options, run)});
+  return runs;
+}
+
+int play(const PlayOptions& options) {
+  constexpr std::size_t kMostRuns = 4;
+  require(fs::path(options.output).extension() == ".html",
+          options.output + ": the page must end in .html (-o FILE.html)");
+  require(options.runs.size() <= kMostRuns,
+          fmt::format("--run: at most {} runs fit beside each other", kMostRuns));
+  study::OutputFiles(options.overwrite).check(options.output);
+  write_output(options.output, playback::playback_page(runs_of(options)), options.overwrite, false);
+  return 0;
+}
+
+}  // namespace
+
+void add_play(CLI::App& app, std::function<int()>& action) {
+  auto shared = std::make_shared<PlayOptions>();
+  PlayOptions& options = *shared;
+  CLI::App* const command =
+      app.add_subcommand("play", "Write a page that plays a run back in three dimensions");
+  command->add_option("FILE", options.file, "The results file of one run or of a study")
+      ->required();
+  command
+      ->add_option("--run", options.runs,
+                   "The run of a study, which is run again; several play side by side")
+      ->allow_extra_args(false);
+  command->add_option("--job", options.job,
+                      "The study's job file (default: the path in the study's log)");
+  command->add_option("-o,--output", options.output, "The page (.html)")->required();
+  command->add_flag("--overwrite", options.overwrite, "Replace a page that exists");
+  command->callback([shared, &action] { action = [shared] { return play(*shared); }; });
+}
+
+}  // namespace gurney::cli

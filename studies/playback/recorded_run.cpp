@@ -1,0 +1,254 @@
+#include "studies/playback/recorded_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/error.h"
+#include "studies/playback/moments.h"
+#include "studies/study/results/hdf5_reader.h"
+
+namespace gurney::playback {
+namespace {
+
+using study::Hdf5Reader;
+
+bool has(const Hdf5Reader& file, const std::string& path) {
+  return std::ranges::any_of(file.datasets(), [&](const auto& each) { return each.path == path; });
+}
+
+/// A history, whose samples have `width` numbers each.
+class History {
+ public:
+  History(const Hdf5Reader& file, const std::string& name, std::size_t samples, std::size_t width)
+      : values_(file.numbers("/histories/" + name)), width_(width) {
+    require(values_.size() == samples * width,
+            fmt::format("{}: /histories/{} is not as long as its scales", file.path(), name));
+  }
+
+  std::vector<double> series(std::size_t column) const {
+    std::vector<double> result;
+    for (std::size_t i = column; i < values_.size(); i += width_) result.push_back(values_[i]);
+    return result;
+  }
+
+  std::vector<Vector3> vectors(std::size_t part) const {
+    std::vector<Vector3> result;
+    for (std::size_t i = 3 * part; i < values_.size(); i += width_)
+      result.emplace_back(values_[i], values_[i + 1], values_[i + 2]);
+    return result;
+  }
+
+  std::vector<Quaternion> quaternions(std::size_t part) const {
+    std::vector<Quaternion> result;
+    for (std::size_t i = 4 * part; i < values_.size(); i += width_)
+      result.emplace_back(values_[i], values_[i + 1], values_[i + 2], values_[i + 3]);
+    return result;
+  }
+
+ private:
+  std::vector<double> values_;
+  std::size_t width_;
+};
+
+/// Trapezoidal rule.
+std::vector<double> integral(const std::vector<double>& time, const std::vector<double>& rate) {
+  std::vector<double> result{0};
+  for (std::size_t i = 1; i < time.size(); ++i)
+    result.push_back(result.back() + (time[i] - time[i - 1]) * (rate[i] + rate[i - 1]) / 2);
+  return result;
+}
+
+/// Centre, radius and width of a wheel whose shape is two rings about its axle.
+RecordedWheel wheel_of(const RecordedShape& shape, const Vector3& pivot) {
+  RecordedWheel wheel;
+  wheel.name = shape.name;
+  wheel.pivot = pivot;
+  const std::size_t sides = shape.points.size() / 2;
+  Vector3 ends[2] = {Vector3::Zero(), Vector3::Zero()};
+  for (std::size_t i = 0; i < 2 * sides; ++i)
+    ends[i / sides] += shape.points[i] / static_cast<double>(sides);
+  wheel.center = (ends[0] + ends[1]) / 2;
+  wheel.width = (ends[1] - ends[0]).norm();
+  wheel.radius = (shape.points.front() - ends[0]).norm();
+  return wheel;
+}
+
+void read_shapes(const Hdf5Reader& file, RecordedRun& run) {
+  const auto items = file.strings("/shapes/item"), bodies = file.strings("/shapes/body"),
+             kinds = file.strings("/shapes/kind");
+  const auto first = file.numbers("/shapes/first"), count = file.numbers("/shapes/count"),
+             pivots = file.numbers("/shapes/pivot"), points = file.numbers("/shapes/point");
+  file.require_length({"/shapes/body", "/shapes/kind", "/shapes/first", "/shapes/count"},
+                      items.size());
+  require(pivots.size() == 3 * items.size(), file.path() + ": /shapes/pivot has another length");
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    require(first[i] >= 0 && count[i] >= 4 && 3 * (first[i] + count[i]) <= double(points.size()),
+            fmt::format("{}: /shapes: shape {} has points that are not there", file.path(), i));
+    RecordedShape shape{bodies[i], kinds[i], {}};
+    const auto from = static_cast<std::size_t>(first[i]);
+    for (std::size_t k = from; k < from + static_cast<std::size_t>(count[i]); ++k)
+      shape.points.emplace_back(points[3 * k], points[3 * k + 1], points[3 * k + 2]);
+    if (items[i].empty()) {
+      run.room.push_back(std::move(shape));
+      continue;
+    }
+    const auto item = std::ranges::find(run.items, items[i], &RecordedItem::name);
+    require(
+        item != run.items.end(),
+        fmt::format("{}: /shapes names the item '{}', /histories does not", file.path(), items[i]));
+    if (bodies[i] == "chassis")
+      item->boxes.push_back(std::move(shape));
+    else
+      item->wheels.push_back(
+          wheel_of(shape, Vector3(pivots[3 * i], pivots[3 * i + 1], pivots[3 * i + 2])));
+  }
+}
+
+void read_bodies(const Hdf5Reader& file, RecordedRun& run) {
+  const std::size_t samples = run.time.size(), items = run.items.size();
+  const std::vector<double> start = file.numbers("/histories/start");
+  require(start.size() == 3 * items, file.path() + ": /histories/start has another length");
+  const History displacement(file, "displacement", samples, 3 * items);
+  const History orientation(file, "orientation", samples, 4 * items);
+  for (std::size_t i = 0; i < items; ++i) {
+    RecordedItem& item = run.items[i];
+    item.position = displacement.vectors(i);
+    for (Vector3& p : item.position) p += Vector3(start[3 * i], start[3 * i + 1], start[3 * i + 2]);
+    item.orientation = orientation.quaternions(i);
+  }
+}
+
+void read_wheels(const Hdf5Reader& file, RecordedRun& run) {
+  const std::size_t samples = run.time.size();
+  const std::size_t wheels = file.strings("/histories/wheel").size();
+  const History swivel(file, "swivel_angle", samples, wheels);
+  const History rate(file, "wheel_rate", samples, wheels);
+  const History normal(file, "normal_force", samples, wheels);
+  const History longitudinal(file, "longitudinal_force", samples, wheels);
+  const History lateral(file, "lateral_force", samples, wheels);
+  const History mode(file, "mode", samples, wheels);
+  std::size_t column = 0;
+  for (RecordedItem& item : run.items)
+    for (RecordedWheel& wheel : item.wheels) {
+      require(column < wheels, file.path() + ": /shapes has more wheels than /histories");
+      wheel.swivel = swivel.series(column);
+      wheel.roll = integral(run.time, rate.series(column));
+      wheel.normal = normal.series(column);
+      wheel.longitudinal = longitudinal.series(column);
+      wheel.lateral = lateral.series(column);
+      for (const double code : mode.series(column))
+        wheel.mode.push_back(static_cast<std::uint8_t>(code));
+      ++column;
+    }
+  require(column == wheels, file.path() + ": /histories has more wheels than /shapes");
+}
+
+void read_floor(const Hdf5Reader& file, RecordedRun& run) {
+  if (!has(file, "/histories/floor_acceleration")) return;
+  const std::size_t samples = run.time.size();
+  const auto acceleration = History(file, "floor_acceleration", samples, 3).vectors(0);
+  const auto displacement = History(file, "floor_displacement", samples, 3).vectors(0);
+  const auto at_rest = [](const Vector3& v) { return v.isZero(0); };
+  if (std::ranges::all_of(acceleration, at_rest) && std::ranges::all_of(displacement, at_rest))
+    return;
+  run.floor_acceleration = acceleration;
+  run.floor_displacement = displacement;
+}
+
+Vector3 vector_at(const Hdf5Reader& file, const std::string& name, std::size_t row) {
+  return {file.numbers(name + "_x").at(row), file.numbers(name + "_y").at(row),
+          file.numbers(name + "_z").at(row)};
+}
+
+void read_places(const Hdf5Reader& file, RecordedRun& run) {
+  if (!has(file, "/zones/center_x") || !has(file, "/tethers/anchor_x")) return;
+  const auto zones = file.strings("/zones/zone");
+  const auto zone_number = [&](const char* name, std::size_t row) {
+    return file.numbers(std::string("/zones/") + name).at(row);
+  };
+  for (std::size_t i = 0; i < zones.size(); ++i)
+    run.zones.push_back({zones[i], zone_number("center_x", i), zone_number("center_y", i),
+                         zone_number("length", i), zone_number("width", i),
+                         zone_number("angle", i)});
+  const auto tethers = file.strings("/tethers/tether"), items = file.strings("/tethers/item");
+  const auto slack = file.numbers("/tethers/slack_length"),
+             broken = file.numbers("/tethers/time_broken");
+  file.require_length({"/tethers/item", "/tethers/slack_length", "/tethers/time_broken",
+                       "/tethers/point_x", "/tethers/point_y", "/tethers/point_z",
+                       "/tethers/anchor_x", "/tethers/anchor_y", "/tethers/anchor_z"},
+                      tethers.size());
+  for (std::size_t i = 0; i < tethers.size(); ++i)
+    run.tethers.push_back({tethers[i], items[i], vector_at(file, "/tethers/point", i),
+                           vector_at(file, "/tethers/anchor", i), slack[i], broken[i]});
+}
+
+/// Samples of a run that diverged may end in what are no numbers.
+std::size_t finite_samples(const RecordedRun& run) {
+  std::size_t count = 0;
+  const auto finite = [&](const RecordedItem& item) {
+    return item.position[count].allFinite() && item.orientation[count].coeffs().allFinite();
+  };
+  while (count < run.time.size() && std::ranges::all_of(run.items, finite)) ++count;
+  return count;
+}
+
+void cut(RecordedRun& run, std::size_t count) {
+  const auto shorten = [count](auto& values) {
+    if (values.size() > count) values.resize(count);
+  };
+  shorten(run.time);
+  shorten(run.floor_acceleration);
+  shorten(run.floor_displacement);
+  for (RecordedItem& item : run.items) {
+    shorten(item.position);
+    if (item.orientation.size() > count) item.orientation.resize(count, Quaternion::Identity());
+    for (RecordedWheel& wheel : item.wheels) {
+      for (auto* values :
+           {&wheel.swivel, &wheel.roll, &wheel.normal, &wheel.longitudinal, &wheel.lateral})
+        shorten(*values);
+      shorten(wheel.mode);
+    }
+  }
+}
+
+std::string text_or_nothing(const Hdf5Reader& file, const std::string& path) {
+  const std::vector<std::string> texts = file.strings(path);
+  return texts.empty() ? std::string() : texts.front();
+}
+
+}  // namespace
+
+RecordedRun read_recorded_run(const std::string& path) {
+  const Hdf5Reader file(path);
+  const auto attributes = file.attributes();
+  require(std::ranges::find(attributes, "filetype") != attributes.end() &&
+              file.text_attribute("filetype") == "gurney-results",
+          path + ": not the results file of a single run");
+  RecordedRun run;
+  run.title = file.text_attribute("title");
+  run.record = text_or_nothing(file, "/runs/record");
+  run.outcome = text_or_nothing(file, "/runs/outcome");
+  run.cause = text_or_nothing(file, "/runs/cause");
+  run.time = file.numbers("/histories/time");
+  require(run.time.size() > 1,
+          path + ": holds no histories; settings.history_step_s of its job is their spacing");
+  const auto models = file.strings("/items/model");
+  for (const std::string& name : file.strings("/histories/item")) {
+    RecordedItem& item = run.items.emplace_back();
+    item.name = name;
+    if (run.items.size() <= models.size()) item.model = models[run.items.size() - 1];
+  }
+  read_shapes(file, run);
+  read_bodies(file, run);
+  read_wheels(file, run);
+  read_floor(file, run);
+  read_places(file, run);
+  cut(run, finite_samples(run));
+  require(!run.time.empty(), path + ": its histories hold no numbers");
+  run.moments = moments(file, run);
+  return run;
+}
+
+}  // namespace gurney::playback
