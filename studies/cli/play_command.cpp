@@ -83,11 +83,11 @@ std::vector<playback::PageRun> runs_of(const PlayOptions& options) {
 }
 
 int play(const PlayOptions& options) {
-  constexpr std::size_t kMostRuns = 4;
+  constexpr std::size_t kMaxRuns = 4;
   require(fs::path(options.output).extension() == ".html",
           options.output + ": the page must end in .html (-o FILE.html)");
-  require(options.runs.size() <= kMostRuns,
-          fmt::format("--run: at most {} runs fit beside each other", kMostRuns));
+  require(options.runs.size() <= kMaxRuns,
+          fmt::format("--run: at most {} runs fit beside each other", kMaxRuns));
   study::OutputFiles(options.overwrite).check(options.output);
   write_output(options.output, playback::playback_page(runs_of(options)), options.overwrite, false);
   return 0;

@@ -9,7 +9,7 @@ namespace gurney::playback {
 
 /// Bytes of base64 for all runs of a page, of which every n-th sample is kept so that it has no
 /// more. A page has 60 kB besides.
-inline constexpr std::size_t kMostBytes = 4'500'000;
+inline constexpr std::size_t kMaxBytes = 4'500'000;
 
 /// One of the runs that a page shows side by side.
 struct PageRun {

@@ -175,7 +175,7 @@ Json json_of(const PageRun& page_run, std::size_t stride) {
 std::size_t stride(const std::vector<PageRun>& runs) {
   std::size_t bytes = 0;
   for (const PageRun& each : runs) bytes += raw_bytes(each.run) * 4 / 3;
-  return bytes / kMostBytes + 1;
+  return bytes / kMaxBytes + 1;
 }
 
 std::string page_data(const std::vector<PageRun>& runs) {

@@ -27,6 +27,7 @@ class Player {
     this.connect();
     this.readLink();
     this.applyTheme();
+    this.draw();
     window.requestAnimationFrame((now) => this.tick(now));
   }
 
@@ -53,7 +54,7 @@ class Player {
     this.scenes = this.runs.map((run) => new RoomScene(this.renderer, run));
     const { low, high } = this.scenes[0].extent;
     const size = Math.max(high[0] - low[0], high[1] - low[1], 1.5);
-    this.camera.home = { target: [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, 0.35], distance: 1.28 * size + 0.6 };
+    this.camera.home = { target: [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, 0.35], distance: 1.34 * size + 0.6 };
     this.camera.reset();
   }
 
@@ -245,17 +246,21 @@ class Player {
       const { camera, eye } = this.camera.view(share / height, this.lookedAt(scene, at, offset));
       scene.eye = eye;
       const view = { x: i * share, y: 0, width: share, height, camera, eye, sun: kSun, theme, now: this.time, light: this.lightOf(scene, offset) };
-      this.renderer.drawView(view, scene.parts(at, offset, theme, this.shown), scene.ribbons(offset, this.shown));
+      this.renderer.drawView(view, scene.parts(at, offset, theme, this.shown, this.followed()), scene.ribbons(offset, this.shown));
       if (this.shown.labels) labels.push(...this.placed(scene.labels(at, offset), camera, i));
       if (scene.run.name) labels.push({ kind: 'run', text: scene.run.name, left: ((i + 0.5) * element('view').clientWidth) / this.scenes.length, top: 52 });
     });
     this.labels.draw(labels);
   }
 
+  followed() {
+    return this.mode === 'follow' ? Number(element('followed').value) : -1;
+  }
+
   /// Of the follow view, how far the item is from the middle of the room.
   lookedAt(scene, at, offset) {
-    const item = scene.run.items[Number(element('followed').value)];
-    if (this.mode !== 'follow' || !item) return [0, 0, 0];
+    const item = scene.run.items[this.followed()];
+    if (!item) return [0, 0, 0];
     const p = add(itemPose(item, at).p, offset);
     return [p[0] - this.camera.home.target[0], p[1] - this.camera.home.target[1], 0.1];
   }

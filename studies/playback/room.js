@@ -97,8 +97,8 @@ class RoomScene {
     this.tracks = [];
     this.paths = [];
     run.items.forEach((item, i) => {
-      const path = new RibbonBuilder(0.012, 0.004);
-      const tracks = item.wheels.map(() => new RibbonBuilder(0.009, 0.003));
+      const path = new RibbonBuilder(0.016, 0.004);
+      const tracks = item.wheels.map(() => new RibbonBuilder(0.012, 0.003));
       for (let s = 0; s < run.time.length; ++s) {
         const at = { sample: s, next: s, fraction: 0 };
         const pose = itemPose(item, at);
@@ -114,16 +114,18 @@ class RoomScene {
   }
 
   /// Parts at a time; `offset` is where the room stands in the frame of the view.
-  parts(at, offset, theme, shown) {
+  /// Of the other items than the followed one (-1: none) one sees through.
+  parts(at, offset, theme, shown, followed) {
     const parts = [];
     const still = stillAt(offset);
     const put = (mesh, model, more) => parts.push({ mesh, model, kind: 0, tint: [1, 1, 1], alpha: 1, casts: false, edge: null, ...more });
+    const pale = (mesh, model, more) => put(mesh, model, { ...more, alpha: 0.25 * (more.alpha || 1), edge: more.edge && [...more.edge.slice(0, 3), 0.3] });
     put(this.floor, still, { kind: 2, tint: theme.floor });
     put(this.slab, still, { tint: theme.floor.map((v) => 0.8 * v), edge: theme.wallEdge });
     if (this.run.floorMoves) put(this.ground, stillAt(subtract(offset, this.run.floorAt(at))), { kind: 2, tint: theme.ground });
     if (shown.room) this.putRoom(put, still, theme);
     if (shown.zones) this.run.zones.forEach((zone) => this.putZone(put, zone, offset));
-    this.run.items.forEach((item, i) => this.putItem(put, item, i, at, offset, theme, shown));
+    this.run.items.forEach((item, i) => this.putItem(followed < 0 || i === followed ? put : pale, item, i, at, offset, theme, shown));
     if (shown.tethers) this.run.tethers.forEach((tether) => this.putTether(put, tether, at, offset));
     return parts;
   }
@@ -178,7 +180,7 @@ class RoomScene {
     const tint = kModes[mode].color;
     const p = contactPoint(fork, wheel);
     const floor = [p[0], p[1], offset[2] + 0.0025];
-    const radius = Math.min(0.3, 0.075 * Math.sqrt(normal / this.usualLoad));
+    const radius = Math.min(0.3, 0.085 * Math.sqrt(normal / this.usualLoad));
     put(this.disc, flatMatrix(floor, [1, 0, 0], radius, radius), { kind: 3, tint, alpha: 0.62 });
     const heading = rotated(fork.q, [1, 0, 0]);
     const along = unit([heading[0], heading[1], 0]);
