@@ -1,0 +1,31 @@
+"""Results of Gurney as tables of pandas and datasets of xarray.
+
+    import gurney
+    with gurney.open("study.h5") as study:
+        study.runs                            # one row for each run
+        study.demands.join(study.runs)        # one row for each item of each run
+        study.fragility("overturned", configuration="brakes on")
+
+All values are in SI units, angles in radians, as in the file; ``frame.attrs["units"]`` has the unit
+of every column. Drawn parameters keep the unit that their name ends with. Files are only read.
+"""
+
+from .errors import DamagedFile, Error, NotInFile
+from .fragility import Fragility
+from .hazard import Hazard, read_hazard
+from .limit_states import LimitState
+from .results import Results
+
+__all__ = ["DamagedFile", "Error", "Fragility", "Hazard", "LimitState", "NotInFile", "Results",
+           "open", "read_hazard"]
+__version__ = "0.1.0"
+
+
+def open(path, verify=True):  # noqa: A001 (as h5py and xarray call it)
+    """Opens a results file of a single run or of a study, for reading.
+
+    :param path: a file of ``gurney run`` or ``gurney merge``
+    :param verify: compare the SHA-256 at the end of the file first, which reads all of it
+    :returns: :class:`Results`, to be closed or used in ``with``
+    """
+    return Results(path, verify=verify)

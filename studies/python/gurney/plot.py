@@ -1,0 +1,77 @@
+"""Figures with matplotlib; each function draws into ``ax`` and returns it."""
+
+import numpy
+
+from .errors import Error
+
+
+def _axes(ax):
+    if ax is not None:
+        return ax
+    try:
+        from matplotlib import pyplot
+    except ImportError as error:
+        raise Error("figures need matplotlib (Debian: python3-matplotlib); "
+                    "`gurney plot` needs no Python") from error
+    return pyplot.subplots()[1]
+
+
+def history(results, name="displacement", run=None, item=None, ax=None):
+    """A history of a run over time, a line for each item, wheel or axis that it has."""
+    ax = _axes(ax)
+    data = results.histories(run, item)
+    if name not in data:
+        raise Error(f"{results.path}: no history '{name}'; it has: {', '.join(data)}")
+    variable = data[name]
+    lines = variable.stack(line=[dim for dim in variable.dims if dim != "time"] or None) \
+        if variable.ndim > 1 else variable.expand_dims("line", axis=1)
+    for i in range(lines.sizes["line"]):
+        label = lines["line"].values[i] if "line" in lines.coords else ""
+        ax.plot(data["time"], lines[:, i], lw=0.8, label=" ".join(numpy.atleast_1d(label)))
+    ax.set_xlabel("time [s]")
+    ax.set_ylabel(f"{name.replace('_', ' ')} [{variable.attrs['units']}]")
+    if lines.sizes["line"] > 1:
+        ax.legend(frameon=False)
+    return ax
+
+
+def fragility(results, limit_state, measure=None, configuration=None, ax=None):
+    """Fragility curves of the configurations, with the observed fractions of stripes."""
+    ax = _axes(ax)
+    names = results.configurations["name"] if configuration is None else [configuration]
+    for name in names:
+        curve = results.fragility(limit_state, measure, name)
+        line, = ax.plot([], [], label=f"{name or 'all runs'}: {curve.status}"
+                        if curve.status != "fitted" else
+                        f"{name or 'all runs'}: {curve.theta:.3g} {curve.units}, "
+                        f"{curve.beta:.2f}")
+        stripes = curve.stripes
+        if len(stripes) <= 40:
+            ax.plot(stripes["im"], stripes["exceeded"] / stripes["runs"], "o", ms=4,
+                    color=line.get_color(), mfc="none")
+        if curve.status == "fitted":
+            im = numpy.geomspace(stripes["im"].min() / 1.5, stripes["im"].max() * 1.5, 200)
+            line.set_data(im, curve.probability(im))
+    ax.set_xscale("log")
+    ax.set_xlabel(f"{curve.measure} [{curve.units}]")
+    ax.set_ylabel(f"P({curve.limit_state})")
+    ax.set_ylim(0, 1)
+    ax.relim()
+    ax.autoscale_view()
+    ax.legend(frameon=False, title="median, beta")
+    return ax
+
+
+def cloud(results, demand="peak_displacement", measure="intensity", ax=None):
+    """A demand over an intensity measure, one mark for each item of each run."""
+    ax = _axes(ax)
+    data = results.demands.join(results.runs[["configuration", measure]])
+    for name, rows in data.groupby("configuration"):
+        ax.plot(rows[measure], rows[demand], "o", ms=3, mfc="none", label=name or None)
+    units, of_runs = results.demands.attrs["units"], results.runs.attrs
+    ax.set(xscale="log", yscale="log", ylabel=f"{demand.replace('_', ' ')} [{units[demand]}]")
+    shown = of_runs["intensity_measure"] if measure == "intensity" else measure
+    ax.set_xlabel(f"{shown} [{of_runs['units'][measure]}]")
+    if data["configuration"].nunique() > 1:
+        ax.legend(frameon=False)
+    return ax

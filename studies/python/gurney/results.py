@@ -1,0 +1,228 @@
+"""A results file: its tables, histories and provenance."""
+
+import os
+import tomllib
+from functools import cached_property
+
+import h5py
+
+from . import histories, run_table, tables
+from .errors import Error, NotInFile, not_in_file, shortened
+from .fragility import fit_of_study
+from .limit_states import limit_states_of
+
+#: filetype: version of the layout that this package reads
+_VERSIONS = {"gurney-results": 2, "gurney-study": 2}
+
+
+class Results:
+    """A results file, open for reading. Frames are read when they are first asked for.
+
+    ``kind`` is ``"study"`` or ``"run"``. Close it, or use it in ``with``.
+    """
+
+    def __init__(self, path, verify=True):
+        self.path = os.fspath(path)
+        if not os.path.isfile(self.path):
+            raise Error(f"{self.path}: no such file")
+        if not h5py.is_hdf5(self.path):
+            raise Error(f"{self.path}: not an HDF5 file; `gurney run` writes those")
+        self.verified = tables.verify(self.path) if verify else None
+        self._file = h5py.File(self.path, "r")
+        try:
+            self._check_layout()
+        except Error:
+            self.close()
+            raise
+
+    def _check_layout(self):
+        kind = tables.attribute(self._file.attrs.get("filetype", "none"))
+        if kind not in _VERSIONS:
+            raise Error(f"{self.path}: its filetype is {kind}; must be one of "
+                        f"{', '.join(_VERSIONS)}")
+        version = int(self._file.attrs["format_version"])
+        if version != _VERSIONS[kind]:
+            raise Error(f"{self.path}: version {version} of the layout; this package reads "
+                        f"version {_VERSIONS[kind]}")
+        self.kind = "study" if kind == "gurney-study" else "run"
+
+    def close(self):
+        """Closes the file; frames that were read stay valid."""
+        self._file.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def __repr__(self):
+        return (f"<gurney results of a {self.kind}: {self.provenance['title']!r}, "
+                f"{len(self._file['runs/run'])} runs; tables {', '.join(self.tables)}>")
+
+    def verify(self):
+        """Compares the SHA-256 at the end of the file with its bytes.
+
+        :returns: True; False if the file has no hash, because another program wrote into it
+        :raises DamagedFile: a byte differs
+        """
+        return tables.verify(self.path)
+
+    @cached_property
+    def provenance(self):
+        """What made the file: a dict of its attributes, such as ``program_version``,
+        ``git_commit``, ``job_sha256``, ``seed`` and ``record_sha256``."""
+        return {name: tables.attribute(value) for name, value in self._file.attrs.items()}
+
+    @cached_property
+    def job(self):
+        """The job as nested dicts, from the text that the file holds."""
+        return tomllib.loads(self.provenance["job_text"])
+
+    @property
+    def tables(self):
+        """Names of the groups of the file."""
+        return list(self._file)
+
+    def table(self, name, raw=False):
+        """A group of the file as it is: a DataFrame, one column for each dataset.
+
+        :param raw: keep -1 and other values that stand for a missing one
+        """
+        if name not in self._file:
+            raise not_in_file(self.path, "table", name,
+                              [each for each in self._file if each != "histories"])
+        return tables.frame(self._file[name], raw)
+
+    @cached_property
+    def runs(self):
+        """One row for each run, index ``run``: what was given and how the run ended.
+
+        Of a study, an index of the file is replaced by what it stands for: ``configuration`` and
+        ``record`` are names, each factor is a column with its level, each intensity measure a
+        column of the scaled ground motion, each drawn parameter a column with the value of this
+        run. A name that two of them have gets the table before it, ``motions.scale``.
+        ``record_index`` and ``configuration_index`` are the indices. ``failed`` is True for runs
+        without demands, and ``cause`` says why.
+        """
+        return run_table.of_study(self) if self.kind == "study" else run_table.of_run(self)
+
+    @cached_property
+    def demands(self):
+        """One row for each item of each run that did not fail, index ``(run, item)``.
+
+        ``demands.join(runs)`` adds the columns of the runs; NaN: there is no such value, for
+        example no ``time_of_overturning`` where the item stands.
+        """
+        return self._rows("items", "item")
+
+    @cached_property
+    def points(self):
+        """One row for each marked point of each item of each run, index ``(run, item, point)``."""
+        return self._rows("points", "item", "point")
+
+    @cached_property
+    def wheels(self):
+        """One row for each wheel, index ``(run, item, wheel)``."""
+        return self._rows("wheels", "item", "wheel")
+
+    @cached_property
+    def zones(self):
+        """One row for each zone of the room in each run, index ``(run, zone)``."""
+        return self._rows("zones", "zone")
+
+    @cached_property
+    def tethers(self):
+        """One row for each cord, hose or line in each run, index ``(run, tether)``."""
+        return self._rows("tethers", "tether")
+
+    @cached_property
+    def energy(self):
+        """Energy balance of each item at the end of each run, index ``(run, item)`` [J]."""
+        return self._rows("energy", "item")
+
+    @cached_property
+    def impacts(self):
+        """One row for each impact in order of time, index ``run``."""
+        return self._rows("events")
+
+    @cached_property
+    def records(self):
+        """One row for each record: name, files with their hashes, processing, warnings."""
+        if self.kind == "study":
+            return self._rows("records")
+        return run_table.records_of_run(self)
+
+    @cached_property
+    def configurations(self):
+        """One row for each configuration of a study, index as in the file, with its levels."""
+        return self._rows("configurations")
+
+    @cached_property
+    def motions(self):
+        """One row for each scaled record of a study, with its intensity measures."""
+        return self._rows("motions")
+
+    @cached_property
+    def parameters(self):
+        """The drawn parameters. Of a study one row for each draw, index
+        ``(configuration, draw)``, NaN where a configuration does not draw a parameter; of a run
+        one row for each parameter with ``value`` and ``unit``. Empty if nothing was drawn."""
+        return run_table.parameters(self)
+
+    @cached_property
+    def assumptions(self):
+        """One row for each parameter without a source: value, range and reason."""
+        return self._rows("assumptions")
+
+    @cached_property
+    def limit_states(self):
+        """The limit states of the study's job by name, or the usual four if it has none."""
+        return limit_states_of(self)
+
+    def exceeded(self, limit_state):
+        """Which runs exceed a limit state: a Series of bool, index ``run``, without failed runs.
+
+        :param limit_state: a name of ``limit_states``, or a line such as
+            ``"peak_displacement > 0.2 m"``
+        """
+        from .limit_states import find, runs_that_exceed
+        return runs_that_exceed(self, find(self, limit_state))
+
+    def fragility(self, limit_state, measure=None, configuration=None):
+        """The lognormal fragility function of one configuration by maximum likelihood.
+
+        :param limit_state: a name of ``limit_states``, a line such as
+            ``"peak_displacement > 0.2 m"``, or a Series of bool with the index ``run``
+        :param measure: a column of ``runs``, such as ``"PGV geomean"`` or ``"pfa"``; the measure
+            that the study scaled its records to if not stated
+        :param configuration: its name; may be left out if there is one
+        :returns: :class:`gurney.Fragility`, in SI units
+        """
+        return fit_of_study(self, limit_state, measure, configuration)
+
+    def histories(self, run=None, item=None):
+        """Histories of a run: an xarray Dataset with the dimensions ``time`` [s], ``item``,
+        ``axis``, ``wheel``, ``point``, and ``units`` of every variable.
+
+        Without xarray a dict of arrays with the same names.
+
+        :param run: may be left out if the file has histories of one run only
+        :param item: only this item
+        """
+        return histories.of_run(self, run, item)
+
+    def _rows(self, name, *index):
+        """A table with the index (run, ...), without the column that counts its rows."""
+        if name not in self._file:
+            raise NotInFile(f"{self.path}: it has no /{name}; its tables are "
+                            f"{shortened(self._file, 30)}" +
+                            ("; [study.keep] of the job asks for more"
+                             if self.kind == "study" else ""))
+        frame = self.table(name)
+        attributes = frame.attrs
+        by = [each for each in ("run", *index) if each in frame]
+        frame = frame.drop(columns="row", errors="ignore")
+        frame = frame.set_index(by) if by else frame
+        frame.attrs = attributes
+        return frame

@@ -1,0 +1,45 @@
+"""What the tests of studies/python share. Exit code 77: a package is not installed.
+
+usage of each test: TEST.py GURNEY SOURCE_FOLDER
+"""
+
+import importlib.util
+import json
+import os
+import subprocess
+import sys
+
+GURNEY, SOURCE = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+PACKAGE = os.path.join(SOURCE, "studies/python")
+
+
+def skip(reason):
+    print(f"skipped: {reason}")
+    sys.exit(77)
+
+
+def need(*names):
+    """Skips the test where a module is missing."""
+    for name in names:
+        if importlib.util.find_spec(name) is None:
+            skip(f"no Python module {name} (Debian: python3-{name})")
+
+
+def use_package():
+    """Puts the package of this repository before any that is installed."""
+    need("h5py", "pandas")
+    sys.dont_write_bytecode = True
+    sys.path.insert(0, PACKAGE)
+
+
+def gurney(*arguments):
+    """Runs the program; returns what it prints."""
+    done = subprocess.run([GURNEY, *map(str, arguments)], capture_output=True, text=True)
+    assert done.returncode == 0, (arguments, done.stdout, done.stderr)
+    return done.stdout
+
+
+def fragilities(path, *options):
+    """`gurney fragility --json` by (configuration, limit state)."""
+    found = json.loads(gurney("fragility", path, "--json", *options))["fragilities"]
+    return {(each["configuration"], each["limit_state"]): each for each in found}
