@@ -1,12 +1,12 @@
 #include "equipment/catalogue/catalogue.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
 #include "engine/base/error.h"
 #include "engine/config/file_snapshot.h"
 #include "engine/config/nearest_name.h"
+#include "equipment/catalogue/data_folder.h"
 
 namespace gurney::equipment {
 namespace {
@@ -40,10 +40,7 @@ fs::path folder_of(DataKind kind) {
 
 }  // namespace
 
-std::string data_folder() {
-  const char* set = std::getenv("GURNEY_DATA");
-  return set != nullptr && *set != '\0' ? set : GURNEY_DATA_DIR;
-}
+std::string data_folder() { return find_data_folder().path; }
 
 std::vector<std::string> catalogue_names(DataKind kind) {
   const fs::path folder = folder_of(kind);

@@ -7,9 +7,8 @@ namespace gurney::equipment {
 
 enum class DataKind { kItem, kCaster, kFloor, kRoom, kTether };
 
-/// Where the shipped data are: the environment variable GURNEY_DATA, else the source folder this
-/// program was built from. It holds equipment/ with a folder for each kind, contacts.toml and
-/// levelness.toml.
+/// Where the shipped data are (data_folder.h). It holds equipment/ with a folder for each kind,
+/// contacts.toml and levelness.toml.
 std::string data_folder();
 
 /// Names in the catalogue, sorted.

@@ -1,0 +1,39 @@
+#include "equipment/catalogue/data_folder.h"
+
+#include <cstdlib>
+
+namespace gurney::equipment {
+
+namespace fs = std::filesystem;
+
+const char* name_of(DataFolder::Origin origin) {
+  switch (origin) {
+    case DataFolder::Origin::kEnvironment:
+      return "environment variable GURNEY_DATA";
+    case DataFolder::Origin::kBesideProgram:
+      return "installed with the program";
+    case DataFolder::Origin::kSource:
+      break;
+  }
+  return "source folder of the build";
+}
+
+DataFolder find_data_folder(const char* stated, const fs::path& program,
+                            const std::string& source) {
+  if (stated != nullptr && *stated != '\0') return {stated, DataFolder::Origin::kEnvironment};
+  if (!program.empty()) {
+    const fs::path installed = program.parent_path().parent_path() / "share" / "gurney";
+    std::error_code ignored;
+    if (fs::is_directory(installed / "equipment", ignored))
+      return {installed.string(), DataFolder::Origin::kBesideProgram};
+  }
+  return {source, DataFolder::Origin::kSource};
+}
+
+DataFolder find_data_folder() {
+  std::error_code unknown;
+  return find_data_folder(std::getenv("GURNEY_DATA"), fs::read_symlink("/proc/self/exe", unknown),
+                          GURNEY_DATA_DIR);
+}
+
+}  // namespace gurney::equipment

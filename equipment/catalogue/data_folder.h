@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace gurney::equipment {
+
+/// The folder of the shipped data: equipment/, groundmotions/ and studies/.
+struct DataFolder {
+  enum class Origin {
+    kEnvironment,    ///< the environment variable GURNEY_DATA
+    kBesideProgram,  ///< ../share/gurney, seen from the folder of the program: an installation
+    kSource          ///< what the program was built from
+  };
+  std::string path;
+  Origin origin = Origin::kSource;
+};
+const char* name_of(DataFolder::Origin origin);
+
+/// The first of the three that is there; the environment counts whatever it says.
+/// @param stated   value of GURNEY_DATA; nullptr or empty: not set
+/// @param program  path of the running program; empty: not known
+DataFolder find_data_folder(const char* stated, const std::filesystem::path& program,
+                            const std::string& source);
+
+/// That of this program.
+DataFolder find_data_folder();
+
+}  // namespace gurney::equipment
