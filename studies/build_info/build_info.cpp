@@ -1,6 +1,7 @@
 #include "studies/build_info/build_info.h"
 
 #include "git_commit.h"  // written by write_git_commit.cmake at every build
+#include "studies/build_info/libraries.h"
 
 namespace gurney::build_info {
 
@@ -12,5 +13,7 @@ BuildInfo build_info() {
 #endif
   return {GURNEY_VERSION, GURNEY_GIT_COMMIT, compiler, GURNEY_BULLET_PRECISION, GURNEY_CPU_CLASS};
 }
+
+std::string libraries() { return GURNEY_LIBRARIES; }
 
 }  // namespace gurney::build_info

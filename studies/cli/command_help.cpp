@@ -77,6 +77,30 @@ constexpr std::array kCommands = {
                 "gurney equipment check my_cart.toml my_caster.toml"},
     CommandHelp{"calibrate", "Estimate caster parameters from measured pulls and impacts",
                 "gurney calibrate studies/calibration/example -o calibrated"},
+    CommandHelp{"records ls", "List the records of files and folders",
+                "gurney records ls groundmotions/records\ngurney records ls PEER_download --json"},
+    CommandHelp{"records info", "Print peaks, durations and intensity measures of records",
+                "gurney records info groundmotions/records/synthetic_3c.csv"},
+    CommandHelp{"records convert", "Write records as Gurney's CSV or as AT2, processed on the way",
+                "gurney records convert groundmotions/records/synthetic_3c.csv -o filtered.csv \\\n"
+                "  --step \"band_pass corners_hz=[0.1,25]\""},
+    CommandHelp{"records make", "Generate a synthetic motion",
+                "gurney records make --list\n"
+                "gurney records make near_fault_pulse period_s=2 -o pulse.csv"},
+    CommandHelp{
+        "records scale", "Factors that bring a suite of records to a target spectrum",
+        "gurney records scale groundmotions/records --target \"asce7 sds_g=1 sd1_g=0.6\" \\\n"
+        "  --periods 0.2:2 -o suite.csv"},
+    CommandHelp{"new", "Write a commented file to begin with, which runs as it is",
+                "gurney new job first\n"
+                "gurney new item my_cart\n"
+                "gurney new study fragility --from PEER_download --item my_cart.toml"},
+    CommandHelp{"doctor", "Report whether the program works on this machine",
+                "gurney doctor\ngurney doctor --json"},
+    CommandHelp{"completion", "Print the script that completes commands in bash or zsh",
+                "source <(gurney completion bash)"},
+    CommandHelp{"help", "Print this help, or that of a command",
+                "gurney help records scale\ngurney help --man"},
     CommandHelp{
         "verify", "Verify the engine against closed-form solutions",
         "gurney verify\ngurney verify --list\ngurney verify skid_to_roll --draw 7 --count 3"}};

@@ -15,9 +15,13 @@
 #include "engine/base/printable.h"
 #include "engine/config/nearest_name.h"
 #include "studies/build_info/build_info.h"
+#include "studies/build_info/libraries.h"
 #include "studies/cli/command_help.h"
+#include "studies/cli/command_tree.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/help_format.h"
 #include "studies/cli/json_errors.h"
+#include "studies/cli/manual_page.h"
 #include "studies/cli/replay_command.h"
 #include "studies/cli/run_command.h"
 #include "studies/cli/signals.h"
@@ -32,9 +36,9 @@ std::string version() {
   const build_info::BuildInfo build = build_info::build_info();
   return fmt::format(
       "gurney {}\ncommit           {}\ncompiler         {}\nBullet precision {}\n"
-      "CPU class        {}",
+      "CPU class        {}\nlibraries        {}",
       build.program_version, build.git_commit, build.compiler, build.bullet_precision,
-      build.cpu_class);
+      build.cpu_class, build_info::libraries());
 }
 
 void add_run(CLI::App& app, std::function<int()>& action) {
@@ -48,7 +52,8 @@ void add_run(CLI::App& app, std::function<int()>& action) {
                   "The results file; the figure and the log are written beside it "
                   "(default: out/<name of the job>.h5)");
   run->add_flag("--overwrite", options.overwrite, "Replace files that exist");
-  run->add_flag("--json", options.json, "Print the summary as JSON");
+  CLI::Option* const json = run->add_flag("--json", options.json, "Print the summary as JSON");
+  run->add_flag("-q,--quiet", options.quiet, "Print warnings and errors only")->excludes(json);
   run->add_flag("--no-figure", options.no_figure, "Draw no figure");
   add_figure_format(*run, options.figures);
   run->add_flag("--resume", options.resume, "Continue an interrupted study");
@@ -97,14 +102,14 @@ CLI::App& command_at(CLI::App& app, const std::vector<std::string>& words) {
   return *at;
 }
 
-/// What is wrong with the command, before its options are looked at; empty if nothing is.
 /// In the order of the help.
 constexpr AddCommand* kAddCommands[] = {
     add_run,         add_check,     add_replay,  add_show,      add_plot,      add_play,
     add_report,      add_fragility, add_export,  add_compare,   add_pulling,   add_measures,
     add_sensitivity, add_converge,  add_records, add_equipment, add_calibrate, add_verify,
-    add_merge,       add_status,    add_submit};
+    add_merge,       add_status,    add_submit,  add_new,       add_doctor,    add_completion};
 
+/// What is wrong with the command, before its options are looked at; empty if nothing is.
 std::string unknown_command(CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* at = &app;
   for (const std::string& word : words) {
@@ -129,6 +134,10 @@ int parse_and_run(CLI::App& app, const std::function<int()>& action, int argc, c
   std::vector<std::string> words(argv + 1, argv + argc);
   const bool wants_help = !words.empty() && words[0] == "help";
   if (wants_help) words.erase(words.begin());
+  if (wants_help && words == std::vector<std::string>{"--man"}) {
+    fmt::print("{}", manual_page(app, build_info::build_info().program_version));
+    return kDone;
+  }
   if (const std::string unknown = unknown_command(app, words); !unknown.empty()) {
     print_error("{}\n", unknown);
     return kBadUsage;
@@ -153,15 +162,19 @@ int run_command_line(int argc, char** argv) {
   open_standard_files();
   handle_signals();
   CLI::App app("What will hospital equipment on casters do when the floor shakes?", "gurney");
-  app.set_version_flag("--version", version());
+  app.set_version_flag("--version", version(), "Print versions of the program and its libraries");
+  app.formatter(std::make_shared<HelpFormat>());
   app.require_subcommand(0, 1);  // what follows it is no command, as in: verify pulling
   app.footer(
       "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 a run failed or a check failed, "
       "130/143 interrupted.");
   std::function<int()> action;
   for (AddCommand* const add : kAddCommands) add(app, action);
-  app.add_subcommand("help", "Print this help, or that of a command: help records scale");
+  app.add_subcommand("help", "Print this help, or that of a command: help records scale")
+      ->add_flag("--man")
+      ->description("Print the manual page gurney(1)");
   describe_commands(app);
+  name_values(app);
   try {
     return flushed(parse_and_run(app, action, argc, argv));
   } catch (const Error& error) {

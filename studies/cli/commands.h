@@ -15,13 +15,16 @@ using AddCommand = void(CLI::App& app, std::function<int()>& action);
 AddCommand add_calibrate;    ///< caster constants from pull and impact tests
 AddCommand add_check;        ///< reads a job with all it names and prints what would run
 AddCommand add_compare;      ///< configurations, pairwise
+AddCommand add_completion;   ///< scripts for bash and zsh
 AddCommand add_converge;     ///< of a job with the time step and the solver
+AddCommand add_doctor;       ///< whether the program works on this machine
 AddCommand add_equipment;    ///< ls, show, check
 AddCommand add_export;       ///< results for other programs
 AddCommand add_fragility;    ///< curves and bands of a study
 AddCommand add_measures;     ///< efficiency and sufficiency of intensity measures
 AddCommand add_merge;        ///< the shards of a study into its results
 AddCommand add_play;         ///< a page that plays a run back
+AddCommand add_new;          ///< files to begin with
 AddCommand add_plot;         ///< figures of a results file
 AddCommand add_pulling;      ///< simulated pulling tests and their figures
 AddCommand add_records;      ///< and its commands

@@ -96,7 +96,8 @@ void add_fragility(CLI::App& app, std::function<int()>& action) {
   command->add_option("FILE", options.file, "The results file of the study")->required();
   add_limit_state_options(*command, options.assessed_by);
   command->add_option("--limit", options.states, "Only limit states of this name (default: all)");
-  command->add_option("--configuration", options.configurations, "Configurations (default: all)");
+  command->add_option("--configuration,--configurations", options.configurations,
+                      "Configurations (default: all)");
   command->add_option("--measure", options.measure, "Intensity measure (default: the study's own)");
   CLI::Option* const second = command->add_option(
       "--and", options.second, "A second measure: P given both, and whether it adds to the first");

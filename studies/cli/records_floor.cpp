@@ -131,7 +131,8 @@ void add_records_floor(CLI::App& records, std::function<int()>& action) {
       ->add_option("--building", options->building,
                    "A building file (docs/formats/building_file.md)")
       ->required();
-  command->add_option("--floor", options->floor, "0 (the base) to the number of storeys, or roof");
+  command->add_option("--storey,--floor", options->floor,
+                      "0 (the base) to the number of storeys, or roof");
   command->add_option("-o,--output", options->output, "The .csv file to write")->required();
   command->add_flag("--json", options->json, "Print the peaks as JSON");
   command->add_flag("--overwrite", options->overwrite, "Replace a file that exists");

@@ -246,7 +246,8 @@ void add_records_scale(CLI::App& records, std::function<int()>& action) {
                    "The mean is nowhere below this share of the target; 0: it meets the target "
                    "on average")
       ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--limits", options->limits, "Factors allowed for a record, LOW:HIGH");
+  command->add_option("--factors,--limits", options->limits,
+                      "Factors allowed for a record, LOW:HIGH");
   command->add_flag("--common", options->common, "One factor for all records");
   command->add_option("-o,--output", options->output, "A list of the scaled suite to write (.csv)");
   add_figure_option(*command, options->figure, "A figure to write");

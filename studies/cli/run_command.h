@@ -11,6 +11,7 @@ struct RunOptions {
   std::string output;  ///< path of the results file; empty: out/<name of the job>.h5
   bool overwrite = false;
   bool json = false;
+  bool quiet = false;  ///< print no summary and no progress
   bool no_figure = false;
   NamedFigures figures;
   bool resume = false;  ///< go on with a study that was interrupted

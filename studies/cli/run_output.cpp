@@ -74,7 +74,7 @@ Response run_and_write(const study::PreparedRun& run, const RunOutput& output) {
     files.stage(output.log().string(), log_text(output.job, response, seconds));
     files.commit();
   }
-  print(output, run, response, seconds);
+  if (!output.quiet) print(output, run, response, seconds);
   return response;
 }
 

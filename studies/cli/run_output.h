@@ -15,6 +15,7 @@ struct RunOutput {
   std::string job;                ///< path of the job's file, for the log
   bool overwrite = false, json = false, no_figure = false;
   NamedFigures style = {};
+  bool quiet = false;
 
   std::filesystem::path figure() const;
   std::filesystem::path log() const;

@@ -156,7 +156,7 @@ int run_study(const RunOptions& options) {
   for (const std::string& warning : crashes.warnings()) print_error("{}\n", warning);
 
   note_interruptions();
-  StudyProgress line(options.json);
+  StudyProgress line(options.json || options.quiet);
   study::BatchProgress progress;
   study::RunCounts counts;
   const auto fail = [&](const std::string& reason) {
@@ -187,7 +187,7 @@ int run_study(const RunOptions& options) {
   folder.remove();
   const double rate =
       progress.runs_now > 0 ? static_cast<double>(progress.runs_now) / progress.seconds : 0;
-  print_study(batch, paths.results, counts, rate, options.json);
+  if (!options.quiet) print_study(batch, paths.results, counts, rate, options.json);
   return counts.failed > 0 ? 3 : 0;
 }
 

@@ -1,21 +1,33 @@
 #include "studies/report/wrapped.h"
 
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
 #include <sstream>
 
 namespace gurney::report {
-namespace {
 
-constexpr std::size_t kColumns = 100;
-
-}  // namespace
+std::size_t columns() {
+  constexpr std::size_t kFewest = 40, kMost = 100;
+  std::size_t found = 0;
+  winsize window{};
+  if (const char* stated = std::getenv("COLUMNS"))
+    found = std::strtoul(stated, nullptr, 10);
+  else if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0)
+    found = window.ws_col;
+  return found == 0 ? kMost : std::clamp(found, kFewest, kMost);
+}
 
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t used) {
+  const std::size_t most = columns();
   std::istringstream words(text);
   std::string result, word;
   std::size_t column = used;
   bool first = true;
   while (words >> word) {
-    if (!first && column + 1 + word.size() > kColumns) {
+    if (!first && column + 1 + word.size() > most) {
       result.append("\n").append(indent, ' ');
       column = indent;
     } else if (!first) {

@@ -4,7 +4,11 @@
 
 namespace gurney::report {
 
-/// Breaks a text between words at 100 columns; lines after the first start with `indent` blanks.
+/// Columns of a line of text: the environment variable COLUMNS, else the width of the terminal;
+/// from 40 to 100, and 100 where the output is no terminal.
+std::size_t columns();
+
+/// Breaks a text between words at columns(); lines after the first start with `indent` blanks.
 /// @param used  columns before the first word
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t used);
 

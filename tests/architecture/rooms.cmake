@@ -74,6 +74,9 @@ set(GURNEY_ROOMS
     studies/statistics studies/study/job studies/study/results studies/study/plan
     studies/study/analysis studies/report studies/figures"
   "studies/playback: engine/base engine/response studies/study/results"
+  "studies/doctor: engine/base equipment/catalogue studies/build_info studies/study/results
+    studies/study/run studies/picture"
+  "studies/templates: engine/base"
   "studies/cli: engine/base engine/config engine/response engine/baselines groundmotions/record
     groundmotions/formats groundmotions/measures groundmotions/processing groundmotions/synthetic
     groundmotions/scaling groundmotions/suites groundmotions/buildings equipment/catalogue
@@ -81,7 +84,7 @@ set(GURNEY_ROOMS
     studies/study/prepare studies/study/limit_states studies/study/plan studies/study/run
     studies/study/analysis studies/study/exports studies/calibration/fit
     studies/calibration/pulling studies/report studies/figures studies/picture studies/page
-    studies/playback")
+    studies/playback studies/doctor studies/templates")
 
 # Libraries that only these rooms, or files that begin so, may include, by how their headers begin.
 set(GURNEY_LIBRARIES

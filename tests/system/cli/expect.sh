@@ -49,6 +49,7 @@ ends() {
   grep -qF -- "$2" stdout stderr || complain "does not say '$2'"
 }
 
+unset COLUMNS  # the width of text
 failures=0
 folder=$(mktemp -d "${TMPDIR:-/tmp}/gurney cli XXXXXX") || exit 1
 trap 'chmod -R u+w "$folder"; rm -rf "$folder"' EXIT

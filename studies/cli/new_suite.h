@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "studies/templates/templates.h"
+
+namespace gurney::cli {
+
+/// Lets a study run over the records found in a folder: the folder, or the files of it that can be
+/// read, with the components that all of them have.
+/// @param unit  of files that do not state theirs; empty: all do
+/// @param file  the job that will name them
+/// @throws Error if there are no records, with the reasons
+void use_records(const std::filesystem::path& folder, const std::string& unit,
+                 const std::filesystem::path& file, templates::Wishes& wishes);
+
+}  // namespace gurney::cli

@@ -1,0 +1,18 @@
+#include "studies/study/results/hdf5_version.h"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+
+namespace gurney::study {
+
+std::string hdf5_version_built() {
+  return fmt::format("{}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE);
+}
+
+std::string hdf5_version_loaded() {
+  unsigned major = 0, minor = 0, release = 0;
+  H5get_libversion(&major, &minor, &release);
+  return fmt::format("{}.{}.{}", major, minor, release);
+}
+
+}  // namespace gurney::study

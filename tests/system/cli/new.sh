@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# `gurney new`: every kind of file is accepted and runs as it is, and nothing is overwritten.
+# usage: new.sh GURNEY SOURCE_FOLDER
+set -uo pipefail
+gurney=$1
+. "$2/tests/system/cli/expect.sh"
+
+for kind in job item caster room study calibration; do
+  expect 0 "written  my_$kind" "$gurney" new "$kind" "my_$kind"
+  eval "$(sed -n 's/^next *gurney/"$gurney"/p' stdout)" > next 2>&1 || complain "$kind: what it says to do next fails"
+  expect 1 "exists already" "$gurney" new "$kind" "my_$kind"
+done
+expect 0 "a valid single run" "$gurney" check my_job.toml
+expect 0 "a valid study" "$gurney" check my_study.toml
+expect 0 "Cr/R of R100" "$gurney" calibrate my_calibration -o calibrated
+
+# An item on a new caster in a new room, and a study of it.
+expect 0 "written" "$gurney" new item cart --caster my_caster.toml
+mkdir jobs
+expect 0 "written" "$gurney" new job jobs/all --item cart.toml --room my_room.toml
+grep -q '^equipment = "../cart.toml"' jobs/all.toml || complain "the item is not named from the job's folder"
+expect 0 "results" "$gurney" run jobs/all.toml -o all.h5 --no-figure
+expect 0 "200 runs" bash -c '"$1" run my_study.toml -o study.h5 -q && "$1" show study.h5 && echo 200 runs' bash "$gurney"
+expect 0 "displaced" "$gurney" fragility study.h5
+
+# From a folder of records: two that can be read, one that cannot, no vertical component in one.
+mkdir records
+expect 0 "pulse.csv" "$gurney" records make near_fault_pulse period_s=1 -o records/pulse.csv
+cp "$2/groundmotions/records/synthetic_3c.csv" records
+expect 0 "written" "$gurney" new study found --from records --item cart.toml
+grep -q '^suite = "records"' found.toml || complain "the folder is not named"
+grep -q '^use = "x"  # components that every record has' found.toml || complain "components are not stated"
+expect 0 "a valid study" "$gurney" check found.toml
+echo "no record" > records/notes.txt
+expect 0 "written" "$gurney" new study listed --from records --item cart.toml
+grep -q '"records/pulse.csv",' listed.toml || complain "the files are not listed"
+expect 0 "a valid study" "$gurney" check listed.toml
+"$gurney" run listed.toml -o listed.h5 --quiet > stdout 2> stderr || complain "the listed records do not run"
+[ -s stdout ] && complain "--quiet prints something"
+rm records/*.csv
+expect 1 "no record can be read" "$gurney" new study none --from records --item cart.toml
+[ -e none.toml ] && complain "a file is left by a command that failed"
+
+expect 1 "has no use for --item" "$gurney" new caster another --item icu_ventilator
+expect 1 "no such file" "$gurney" new job another --item none.toml
+expect 1 "--from is for a study" "$gurney" new job another --from records
+expect 2 "SHELF" "$gurney" new SHELF another
+
+[ "$failures" -eq 0 ] && echo "every new file runs"
+exit $((failures > 0))
