@@ -1,0 +1,66 @@
+# `cmake --install`: the program with its data, manual page and completions, and the engine for other
+# programs (find_package(gurney)). `cpack` makes a Debian package of each of the two. The program finds
+# its data from its own place, so that the folder may be moved.
+install(TARGETS gurney RUNTIME DESTINATION bin COMPONENT program)
+
+# The folders of the source tree keep their places, so that jobs find what they name.
+foreach(folder equipment groundmotions/records groundmotions/buildings studies/jobs studies/assessment
+    studies/calibration/example)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION share/gurney/${folder}
+    COMPONENT program FILES_MATCHING PATTERN "*.toml" PATTERN "*.csv" PATTERN catalogue EXCLUDE)
+endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/gurney RENAME copyright
+  COMPONENT program)
+
+# Written by the program itself.
+install(CODE [[
+  foreach(page "help --man:gurney.1" "completion bash:gurney" "completion zsh:_gurney")
+    string(REGEX MATCH "^(.*):(.*)$" page "${page}")
+    separate_arguments(arguments UNIX_COMMAND "${CMAKE_MATCH_1}")
+    execute_process(COMMAND "$<TARGET_FILE:gurney>" ${arguments} COMMAND_ERROR_IS_FATAL ANY
+      OUTPUT_FILE "$<TARGET_FILE_DIR:gurney>/manual/${CMAKE_MATCH_2}")
+  endforeach()
+]] COMPONENT program)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/manual)
+install(FILES ${PROJECT_BINARY_DIR}/manual/gurney.1 DESTINATION share/man/man1 COMPONENT program)
+install(FILES ${PROJECT_BINARY_DIR}/manual/gurney DESTINATION share/bash-completion/completions
+  COMPONENT program)
+install(FILES ${PROJECT_BINARY_DIR}/manual/_gurney DESTINATION share/zsh/vendor-completions
+  COMPONENT program)
+
+# The engine for other programs: rooms below studies/ are not among them.
+set(exported gurney_options)
+foreach(line IN LISTS GURNEY_ROOMS)
+  string(REGEX MATCH "^(engine|groundmotions|equipment)/[a-z_]+" room "${line}")
+  string(REPLACE "/" "_" name "${room}")
+  if(room AND TARGET gurney_${name})
+    list(APPEND exported gurney_${name})
+    set_target_properties(gurney_${name} PROPERTIES EXPORT_NAME ${name})
+    list(APPEND ${CMAKE_MATCH_1}_rooms gurney_${name})
+  endif()
+endforeach()
+foreach(group engine groundmotions equipment)
+  add_library(gurney_${group} INTERFACE)
+  target_link_libraries(gurney_${group} INTERFACE ${${group}_rooms})
+  set_target_properties(gurney_${group} PROPERTIES EXPORT_NAME ${group})
+  list(APPEND exported gurney_${group})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${group}/ DESTINATION include/gurney/${group}
+    COMPONENT development FILES_MATCHING PATTERN "*.h")
+endforeach()
+target_compile_definitions(gurney_equipment INTERFACE
+  $<INSTALL_INTERFACE:GURNEY_DATA_FOLDER="$<INSTALL_PREFIX>/share/gurney">)
+set_target_properties(gurney_options PROPERTIES EXPORT_NAME options)
+install(TARGETS ${exported} EXPORT gurney ARCHIVE DESTINATION lib/gurney COMPONENT development)
+install(EXPORT gurney NAMESPACE gurney:: FILE gurneyTargets.cmake DESTINATION lib/cmake/gurney
+  COMPONENT development)
+
+include(CMakePackageConfigHelpers)
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/gurneyConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/gurneyConfig.cmake INSTALL_DESTINATION lib/cmake/gurney)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/gurneyConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/gurneyConfig.cmake
+  ${PROJECT_BINARY_DIR}/gurneyConfigVersion.cmake DESTINATION lib/cmake/gurney
+  COMPONENT development)
+
+include(${CMAKE_CURRENT_LIST_DIR}/package.cmake)

@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# `cmake --install`: the program with its data, in a folder that is moved afterwards, gives the same
+# bits as that of the build folder, and a program of somebody else embeds the engine.
+# usage: install.sh GURNEY SOURCE_FOLDER BUILD_FOLDER CMAKE
+set -uo pipefail
+gurney=$1 source=$2 build=$3 cmake=$4
+. "$source/tests/system/cli/expect.sh"
+unset GURNEY_DATA
+
+expect 0 "bin/gurney" "$cmake" --install "$build" --prefix "$folder/first"
+mkdir moved
+mv first "moved/to here"
+prefix="$folder/moved/to here"
+installed="$prefix/bin/gurney"
+
+# Its own data: an item that only this folder has.
+cp "$prefix/share/gurney/equipment/items/xu_trolley.toml" \
+  "$prefix/share/gurney/equipment/items/only_here.toml"
+expect 0 "only_here" "$installed" equipment ls
+GURNEY_DATA=$source expect 0 "xu_trolley" "$installed" equipment ls
+grep -q only_here stdout && complain "GURNEY_DATA does not go before the folder of the program"
+rm "$prefix/share/gurney/equipment/items/only_here.toml"
+
+# Every shipped file is there, and the same bits come out.
+for part in equipment groundmotions/records groundmotions/buildings studies/jobs studies/assessment \
+    studies/calibration/example; do
+  while IFS= read -r -d '' file; do
+    cmp -s "$source/$file" "$prefix/share/gurney/$file" || complain "$file is not installed"
+  done < <(cd "$source" && find "$part" \( -name '*.toml' -o -name '*.csv' \) -print0)
+done
+for job in icu_ventilator_shake icu_bay; do
+  expect 0 "results" "$installed" run "$prefix/share/gurney/studies/jobs/$job.toml" -o installed.h5 \
+    --overwrite --no-figure
+  expect 0 "results" "$gurney" run "$source/studies/jobs/$job.toml" -o built.h5 --overwrite --no-figure
+  cmp built.h5 installed.h5 || complain "$job: the installed program gives other results"
+done
+
+for page in share/man/man1/gurney.1 share/bash-completion/completions/gurney \
+    share/zsh/vendor-completions/_gurney; do
+  [ -s "$prefix/$page" ] || complain "$page is not installed"
+done
+
+# Twenty lines of somebody else.
+expect 0 "Build files" "$cmake" -S "$source/tests/system/install/embed" -B embed -DCMAKE_PREFIX_PATH="$prefix" \
+  -DCMAKE_BUILD_TYPE=Release
+expect 0 "embed" "$cmake" --build embed
+record="$prefix/share/gurney/groundmotions/records/synthetic_3c.csv"
+expect 0 "0.5 " embed/embed "$record"
+cp stdout embedded
+for scale in 0.5 1; do
+  printf 'schema = "gurney-job/1"\n[item]\nequipment = "icu_ventilator"\n[excitation.record]\nfile = "%s"\nscale = %s\n' \
+    "$record" "$scale" > job.toml
+  expect 0 '"peak_displacement"' "$gurney" run job.toml -o job.h5 --overwrite --no-figure --json
+  python3 - stdout embedded "$scale" << 'PYTHON' || complain "the embedded engine gives other results"
+import json, sys
+def found(tree):
+    for key, value in tree.items() if isinstance(tree, dict) else enumerate(tree) if isinstance(tree, list) else ():
+        if key == "peak_displacement":
+            yield value["value"] if isinstance(value, dict) else value
+        yield from found(value)
+embedded = dict(line.split() for line in open(sys.argv[2]))
+asked = next(found(json.load(open(sys.argv[1]))))
+assert float(embedded[sys.argv[3]]) == asked, (embedded, asked)
+PYTHON
+done
+
+[ "$failures" -eq 0 ] && echo "installed, moved and embedded"
+exit $((failures > 0))
