@@ -14,8 +14,8 @@ struct GroupColumn {
 };
 
 /// Values that mean "none": of times -1, of numbers NaN.
-Cell cell_of(const study::Hdf5Dataset& dataset, const std::string& name, double value) {
-  if (name.starts_with("time_") && value == -1) return {"\u2013"};
+Cell cell_of(const study::Hdf5Dataset& dataset, double value) {
+  if (dataset.units == "s" && value == -1) return {"\u2013"};
   if (dataset.type == "int64") {
     Cell cell(std::to_string(static_cast<long>(value)));
     cell.number = value;
@@ -42,7 +42,7 @@ std::vector<GroupColumn> columns_of(const study::Hdf5Reader& file, const std::st
       for (const std::string& each : file.strings(dataset.path)) column.cells.emplace_back(each);
     else
       for (const double each : file.numbers(dataset.path))
-        column.cells.push_back(cell_of(dataset, name, each));
+        column.cells.push_back(cell_of(dataset, each));
     columns.push_back(std::move(column));
   }
   return columns;
@@ -70,10 +70,11 @@ Table table_of_group(const study::Hdf5Reader& file, const std::string& group,
 Table turned_table_of_group(const study::Hdf5Reader& file, const std::string& group,
                             const std::string& caption, const std::string& name) {
   const std::vector<GroupColumn> columns = columns_of(file, group);
-  Table table{caption, {{"Demand"}}};
+  Table table{caption, {{"Quantity"}}};
   for (const GroupColumn& column : columns)
     if (column.name == name)
       for (const Cell& cell : column.cells) table.columns.push_back({cell.text, true});
+  if (name.empty()) table.columns.push_back({"Value", true});
   table.columns.push_back({"Meaning"});
   for (const GroupColumn& column : columns) {
     if (!column.head.numbers || column.cells.size() + 2 != table.columns.size()) continue;

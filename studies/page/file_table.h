@@ -14,7 +14,8 @@ namespace gurney::page {
 Table table_of_group(const study::Hdf5Reader& file, const std::string& group,
                      const std::string& caption, const std::vector<std::string>& first);
 
-/// The same with a row for each column and a column for each row, which `name` names.
+/// The same with a row for each column of numbers, and a column for each row, which the column
+/// `name` names; empty: the group has one row.
 Table turned_table_of_group(const study::Hdf5Reader& file, const std::string& group,
                             const std::string& caption, const std::string& name);
 

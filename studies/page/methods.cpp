@@ -62,7 +62,7 @@ std::string motions_of(const StudyPage& page, Methods& methods) {
   if (plan.kind == Kind::kIda) {
     methods.sources.push_back(kIda);
     text += fmt::format(
-        " {} scaled step by step in an incremental dynamic analysis over {} (hunt and fill; "
+        " {} scaled step by step in an incremental dynamic analysis over {} ("
         "Vamvatsikos & Cornell 2002) until the limit state {} was exceeded",
         records == 1 ? "was" : "were", overview.measure,
         page.data.study().limit_states[plan.until].words);

@@ -28,9 +28,9 @@ Document document_of(const StudyPage& page) {
                                 counted(overview.file.motions.size(), "record")),
                     {},
                     program()};
-  for (const auto section : {study_summary, study_design, study_records, study_outcomes,
-                             study_demands, study_fragility, study_sensitivity, study_zones,
-                             study_cases, study_failures, study_time_step, study_methods})
+  for (const auto section : {study_summary, study_design, study_outcomes, study_fragility,
+                             study_demands, study_sensitivity, study_zones, study_cases,
+                             study_failures, study_time_step, study_records, study_methods})
     document.sections.push_back(section(page));
   document.sections.push_back(assumptions_section(overview.file, overview.undrawn));
   Table data_files{"Data files, as they were read", {{"File"}, {"SHA-256"}}};

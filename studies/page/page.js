@@ -45,6 +45,8 @@
   if (!source) return;
   const { columns, replay } = JSON.parse(source.textContent);
   const count = columns[0].values.length, perPage = 25;
+  for (const column of columns)
+    column.long = Boolean(column.texts) && column.texts.some((t) => /\S{31}/.test(t));
   const text = (column, i) => {
     const v = column.values[i];
     if (v === null) return "\u2013";
@@ -62,7 +64,7 @@
       columns.forEach((column, k) => {
         const cell = document.createElement(k ? "td" : "th");
         if (!k) cell.scope = "row";
-        if (!column.texts) cell.className = "number";
+        cell.className = column.texts ? (column.long ? "long" : "") : "number";
         if (!column.texts && column.values[i] !== null) cell.dataset.value = column.values[i];
         if (k) cell.textContent = text(column, i);
         else {

@@ -55,11 +55,15 @@ JobScene scene_of_run(const study::Hdf5Reader& file, const std::string& job) {
 
 Html scene_drawings(const JobScene& of, const std::string& title) {
   const Scene& scene = of.scene;
-  Html all = html(Drawing{"scene", figures::scene_figure({}, title, scene),
-                          "The scene before the motion, seen from above.",
-                          fmt::format("{} on the floor{}{}.", counted(scene.items.size(), "item"),
-                                      scene.room.empty() ? "" : ", in a room",
-                                      scene.zones.empty() ? "" : ", with zones")});
+  const bool alone =
+      scene.items.size() == 1 && scene.room.empty() && scene.zones.empty() && scene.tethers.empty();
+  Html all;
+  if (!alone)
+    all += html(Drawing{"scene", figures::scene_figure({}, title, scene),
+                        "The scene before the motion, seen from above.",
+                        fmt::format("{} on the floor{}{}.", counted(scene.items.size(), "item"),
+                                    scene.room.empty() ? "" : ", in a room",
+                                    scene.zones.empty() ? "" : ", with zones")});
   std::set<std::string> drawn;
   Html items;
   for (const PlacedItem& item : scene.items) {

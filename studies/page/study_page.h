@@ -42,15 +42,15 @@ inline constexpr std::size_t kMaxConfigurations = 6, kMaxItems = 4, kMaxMarks = 
 // The sections of a study's page, in this order.
 Section study_summary(const StudyPage& page);
 Section study_design(const StudyPage& page);
-Section study_records(const StudyPage& page);
 Section study_outcomes(const StudyPage& page);
-Section study_demands(const StudyPage& page);
 Section study_fragility(const StudyPage& page);
+Section study_demands(const StudyPage& page);
 Section study_sensitivity(const StudyPage& page);
 Section study_zones(const StudyPage& page);
 Section study_cases(const StudyPage& page);
 Section study_failures(const StudyPage& page);
 Section study_time_step(const StudyPage& page);
+Section study_records(const StudyPage& page);
 Section study_methods(const StudyPage& page);
 
 // Of studies and of single runs.
@@ -74,7 +74,7 @@ std::string counted(std::size_t count, const std::string& what);
 JobScene scene_of_study(const study::StudyReader& file, const std::string& job);
 JobScene scene_of_run(const study::Hdf5Reader& file, const std::string& job);
 
-/// The scene from above and a drawing of each kind of item.
+/// The scene from above, unless it is one item on a bare floor, and a drawing of each kind of item.
 Html scene_drawings(const JobScene& scene, const std::string& title);
 
 }  // namespace gurney::page

@@ -39,6 +39,10 @@ std::vector<std::string> cautions_of(const StudyPage& page) {
       all.push_back(fmt::format("with half the time step the outcome at {} differs in {} of {}",
                                 each.state, each.runs.size(),
                                 counted(overview.step_check->runs, "run")));
+  if (!overview.undrawn.empty() && overview.undrawn.front() != "none")
+    all.push_back(
+        "parameters with a range were not drawn, so their uncertainty is in no number of "
+        "this page: see Assumptions");
   for (const study::FragilityResult& each : page.fragilities) {
     const study::ReportUnit unit = study::report_unit(page.data, each.measure);
     study::CurveAudit audit = each.audit;

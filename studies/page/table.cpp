@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gurney::page {
@@ -18,10 +19,22 @@ Html head_of(const Table& table) {
   return element("thead", element("tr", row));
 }
 
+/// How the width of a cell is found: that of a number, of a sentence, or of a word that is longer
+/// than a column should be.
+std::string class_of(const Cell& cell, const Column& column) {
+  constexpr std::size_t kLongWord = 30, kSentence = 40;
+  if (column.numbers) return "number";
+  std::size_t longest = 0, word = 0;
+  for (const char c : cell.text) longest = std::max(longest, word = c == ' ' ? 0 : word + 1);
+  if (longest > kLongWord) return "long";
+  return cell.text.size() > kSentence ? "prose" : "";
+}
+
 Html html(const Cell& cell, const Column& column, bool names_row) {
   Attributes attributes;
   if (names_row) attributes.emplace_back("scope", "row");
-  if (column.numbers) attributes.emplace_back("class", "number");
+  if (const std::string of = class_of(cell, column); !of.empty())
+    attributes.emplace_back("class", of);
   if (cell.number) attributes.emplace_back("data-value", fmt::format("{}", *cell.number));
   return element(names_row ? "th" : "td", cell.text, attributes);
 }

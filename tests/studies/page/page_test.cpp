@@ -10,6 +10,7 @@
 #include "studies/study/analysis/fragility_result.h"
 #include "studies/study/results/results_file.h"
 #include "tests/studies/page/balanced.h"
+#include "tests/studies/page/large_study.h"
 #include "tests/studies/study/analysis/made_study.h"
 #include "tests/support/fabricated_run.h"
 #include "tests/support/fabricated_study.h"
@@ -111,18 +112,10 @@ TEST(Page, ShowsHostileNamesAsText) {
 /// 100,000 runs: the page is below 20 MB, and has all of them.
 TEST(Page, OfManyRunsStaysSmall) {
   const TempFolder folder;
-  study::MadeStudy study{.job = study::made_job(), .records = {}, .files = {}, .runs = {}};
-  constexpr std::size_t kRuns = 100'000, kRecords = 50;
-  for (std::size_t i = 0; i < kRecords; ++i) study.records.push_back(fmt::format("record {}", i));
-  for (std::size_t i = 0; i < kRuns; ++i)
-    study.runs.push_back({.record = i % kRecords,
-                          .level = i % 100 < 50 ? 1.0 : 2.0,
-                          .displacement = 0.3 / (1.0 + double(i % 9973)),
-                          .fell = i % 1000 == 0});
-  study.write(folder.file("s.h5"));
+  large_study().write(folder.file("s.h5"));
   const std::string page = results_page({.file = folder.file("s.h5")});
   EXPECT_LT(page.size(), 20'000'000);
-  EXPECT_EQ(values_of(cases_of(page), "Run").size(), kRuns);
+  EXPECT_EQ(values_of(cases_of(page), "Run").size(), 100'000);
   EXPECT_THAT(page, HasSubstr("one in 67 is drawn"));  // 100,000 of 1,500 marks
 }
 

@@ -5,21 +5,22 @@ browser=${GURNEY_BROWSER:-$(command -v chromium || true)}
 [ -n "$browser" ] || { echo "skipped: there is no chromium"; exit 77; }
 profile="$folder/profile"
 
-# in_browser ARGUMENTS... PAGE.html: headless; what the page logs goes to `console`
+# in_browser ARGUMENTS... PAGE.html: headless; what the page logs goes to `console`. A page that goes on
+# by itself after its load is given time by --virtual-time-budget=MILLISECONDS, which passes at once.
 in_browser() {
   local page=${*: -1}
   timeout -k 5 120 "$browser" --headless --no-sandbox --disable-gpu --disable-quic --no-first-run \
     --disable-background-networking --disable-component-update --disable-sync \
     --disable-dev-shm-usage --host-resolver-rules='MAP * ~NOTFOUND' --user-data-dir="$profile" \
-    --virtual-time-budget=20000 --enable-logging=stderr --v=0 "${@:1:$#-1}" \
+    --enable-logging=stderr --v=0 "${@:1:$#-1}" \
     "file://$(realpath "$page" | sed 's/ /%20/g')" 2> log
   local code=$?
   grep -a ':CONSOLE' log > console
   return "$code"
 }
 
-# dom PAGE.html: prints the page as it is once its scripts have run
-dom() { in_browser --dump-dom "$1"; }
+# dom PAGE.html [ARGUMENTS...]: prints the page as it is once its scripts have run
+dom() { in_browser --dump-dom "${@:2}" "$1"; }
 
 # screenshot PAGE.html PICTURE.png WIDTH,HEIGHT [ARGUMENTS...]
 screenshot() {

@@ -42,7 +42,6 @@ expect 0 "run.html" "$gurney" report run.h5 -o run.html
 expect 0 "study.html" "$gurney" report study.h5 -o study.html
 for page in run.html study.html; do
   has "$page" "<title>&lt;b&gt;&#39;quoted&#39; &amp; &quot;more&quot;&lt;/b&gt; 日本</title>"
-  has "$page" 'id="scene"'
   has "$page" 'id="item-1"'
   has_not "$page" "No drawing"
   has_not "$page" "<i>on"
