@@ -31,13 +31,18 @@ class Graph {
     pen.font = '11px system-ui, sans-serif';
     const half = (this.height - 18) / 2;
     if (this.run.floorMoves) {
-      this.panel(pen, 2, half - 6, this.run.floorAcceleration, 'm/s²', 'floor acceleration');
-      this.panel(pen, half + 4, half - 6, this.run.floorDisplacement.map((v) => v.map((d) => 1000 * d)), 'mm', 'floor displacement');
+      this.panel(pen, 2, half - 6, this.run.floorAcceleration, 'm/s²', this.named('floor acceleration'));
+      this.panel(pen, half + 4, half - 6, this.run.floorDisplacement.map((v) => v.map((d) => 1000 * d)), 'mm', this.named('floor displacement'));
     } else {
       pen.fillStyle = this.ink;
       pen.fillText('The floor is at rest, or the file does not hold its motion.', kGraphLeft + 6, half);
     }
     this.timeAxis(pen);
+  }
+
+  /// Of several runs the graph has the motion of one.
+  named(text) {
+    return this.run.name ? `${text}, ${this.run.name}` : text;
   }
 
   panel(pen, top, height, curves, units, name) {

@@ -52,10 +52,16 @@ class Player {
     this.camera = new Camera(element('view'), () => this.redraw());
     if (!this.renderer) return;
     this.scenes = this.runs.map((run) => new RoomScene(this.renderer, run));
-    const { low, high } = this.scenes[0].extent;
-    const size = Math.max(high[0] - low[0], high[1] - low[1], 1.5);
-    this.camera.home = { target: [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, 0.35], distance: 1.34 * size + 0.6 };
+    this.camera.home = this.home(this.scenes[0].extent);
     this.camera.reset();
+  }
+
+  /// A view of the items that still shows the room.
+  home(room) {
+    const size = ({ low, high }) => Math.max(high[0] - low[0], high[1] - low[1], 1.2);
+    const middle = ({ low, high }) => scaled(add(low, high), 0.5);
+    const target = middle(room.items).map((v, i) => mix(v, middle(room)[i], 0.3));
+    return { target: [target[0], target[1], 0.45], distance: 0.75 * size(room) + 0.65 * size(room.items) + 0.4 };
   }
 
   connect() {

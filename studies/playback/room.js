@@ -35,6 +35,7 @@ function extentOf(run) {
       const pose = itemPose(item, { sample: i, next: i, fraction: 0 });
       for (const box of item.boxes) for (const p of box) extent.take(add(pose.p, rotated(pose.q, p)));
     }
+  extent.items = { low: [...extent.low], high: [...extent.high] };
   const near = { low: extent.low.map((v) => v - 4), high: extent.high.map((v) => v + 4) };
   for (const shape of run.room)
     for (const p of shape.points) extent.take(p.map((v, i) => Math.min(Math.max(v, near.low[i]), near.high[i])));

@@ -25,7 +25,7 @@ brakes = true
 name = "cord"
 item = "pole"
 point_m = { value = [0, 0, 1.0], assumption = "for this test", low = [-0.01, -0.01, 0.9], high = [0.01, 0.01, 1.1] }
-anchor_m = { value = [-0.5, 0.9, 0.3], assumption = "for this test", low = [-0.6, 0.8, 0.2], high = [-0.4, 1.0, 0.4] }
+anchor_m = { value = [0.5, 0.9, 0.3], assumption = "for this test", low = [0.4, 0.8, 0.2], high = [0.6, 1.0, 0.4] }
 slack_length_m = { value = 1.0, assumption = "for this test", range = [0.9, 1.1] }
 kind = "power_cord"
 [excitation.record]
