@@ -33,13 +33,14 @@ synthetic = { kind = "ricker", pga_g = 0.9, period_s = 1.2 }
 use = "x"
 TOML
 
-# browse OPTIONS... ADDRESS: the document after 3 s of the page's own time
+# browse OPTIONS... ADDRESS: the document after `budget` ms of the page's own time
+budget=3000
 browse() {
   local profile
   profile=$(mktemp -d)
   timeout 300 "$chromium" --headless --no-sandbox --disable-quic --no-first-run --disable-background-networking \
     --disable-component-update --disable-sync --use-angle=swiftshader --enable-unsafe-swiftshader \
-    --user-data-dir="$profile" --enable-logging=stderr --virtual-time-budget=3000 --window-size=1200,800 \
+    --user-data-dir="$profile" --enable-logging=stderr --virtual-time-budget=$budget --window-size=1200,800 \
     --dump-dom "$@" > stdout 2> log
   rm -rf "$profile"
   grep "CONSOLE" log | grep -v "GL Driver Message" > stderr && complain "the console has errors: $*"
@@ -55,11 +56,14 @@ for t in 0 1.2 2.5 1000; do
   /usr/bin/python3 "$source/tests/system/browser/read_playback.py" run.h5 stdout "$t" ||
     complain "the page does not show the poses or events of the file at $t s"
 done
+# A busy machine draws few frames in this time; the playback must only have moved.
+budget=20000
 browse "$page#t=1&view=follow&frame=ground&theme=dark&play"
+budget=3000
 /usr/bin/python3 - << 'PYTHON' || complain "the playback does not move"
 import re
 time = float(re.search(r'<output id="time"[^>]*>([0-9.]+) s', open("stdout").read()).group(1))
-assert time > 1.2, time
+assert time > 1, time
 PYTHON
 grep -q 'id="trouble" role="alert" hidden' stdout || complain "WebGL2 does not work in this browser"
 browse --disable-3d-apis "$page#t=2.5"
