@@ -34,15 +34,27 @@ std::string named(const std::string& schema) {
   return "\"" + schema + "\"";
 }
 
+const FileKind* kind_of(const std::string& schema) {
+  const auto* const kind = std::ranges::find(
+      kKinds, schema, [](const FileKind& each) { return std::string(each.schema); });
+  return kind == kKinds.end() ? nullptr : kind;
+}
+
 }  // namespace
+
+bool holds_equipment(const std::string& file) {
+  config::Document document(file);
+  config::Table root = document.root();
+  const FileKind* const kind = root.is_text("schema") ? kind_of(root.text("schema")) : nullptr;
+  return kind != nullptr && std::string(kind->command) == kCheck;
+}
 
 void refuse_other_kind(config::Document& document, const std::string& wanted) {
   config::Table root = document.root();
   if (!root.is_text("schema")) return;
   const std::string schema = root.text("schema");
-  const auto* const kind = std::ranges::find(
-      kKinds, schema, [](const FileKind& each) { return std::string(each.schema); });
-  if (kind == kKinds.end() || schema == wanted) return;
+  const FileKind* const kind = kind_of(schema);
+  if (kind == nullptr || schema == wanted) return;
   if (wanted.empty() && std::string(kind->command) == kCheck) return;
   throw Error(
       fmt::format("{}: schema = \"{}\": the file is {}, not {}; the command for it is: {} {}",

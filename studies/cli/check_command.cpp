@@ -8,8 +8,9 @@
 #include <thread>
 
 #include "engine/base/units.h"
+#include "equipment/catalogue/file_kind.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/json_errors.h"
+#include "studies/cli/equipment_check.h"
 #include "studies/cli/study_size.h"
 #include "studies/report/scale_factors_json.h"
 #include "studies/report/wrapped.h"
@@ -202,6 +203,7 @@ Answer check_run(const std::string& job) {
 }
 
 int check_command(const CheckOptions& options) {
+  if (equipment::holds_equipment(options.job)) return check_equipment({options.job}, options.json);
   const int threads = options.threads > 0
                           ? options.threads
                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -218,15 +220,12 @@ void add_check(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* const check =
       app.add_subcommand("check", "Validate a job and estimate its cost (dry run)");
-  check->add_option("JOB", options->job, "The job file")->required();
+  check->add_option("JOB", options->job, "The job file; or a file of an item, caster, room ...")
+      ->required();
   check->add_flag("--json", options->json, "Print the answer as JSON");
   check->add_option("-j,--threads", options->threads, "Threads of the study")
       ->check(CLI::Range(1, 4096));
-  check->callback([options, &action] {
-    action = [options] {
-      return with_json_errors(options->json, [&] { return check_command(*options); });
-    };
-  });
+  check->callback([options, &action] { action = [options] { return check_command(*options); }; });
 }
 
 }  // namespace gurney::cli

@@ -63,11 +63,7 @@ void add_run(CLI::App& app, std::function<int()>& action) {
   run->add_option("-j,--threads", options.threads,
                   "Threads for a study (default: all hardware threads)")
       ->check(CLI::Range(1, 4096));
-  run->callback([shared, &action] {
-    action = [shared] {
-      return with_json_errors(shared->json, [shared] { return run_command(*shared); });
-    };
-  });
+  run->callback([shared, &action] { action = [shared] { return run_command(*shared); }; });
 }
 
 void add_replay(CLI::App& app, std::function<int()>& action) {
@@ -130,6 +126,14 @@ int flushed(int code) {
   return code;
 }
 
+/// Whether the command has the option --json and was given it.
+bool wants_json(const CLI::App& app) {
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  const CLI::Option* const json = command->get_option_no_throw("--json");
+  return json != nullptr && json->count() > 0;
+}
+
 int parse_and_run(CLI::App& app, const std::function<int()>& action, int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   const bool wants_help = !words.empty() && words[0] == "help";
@@ -151,7 +155,7 @@ int parse_and_run(CLI::App& app, const std::function<int()>& action, int argc, c
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kBadUsage;
   }
-  if (!app.get_subcommands().empty()) return action();
+  if (!app.get_subcommands().empty()) return with_json_errors(wants_json(app), action);
   print_error("a command is needed\n\n{}", app.help());
   return kBadUsage;
 }

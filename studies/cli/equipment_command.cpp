@@ -2,17 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "engine/base/error.h"
 #include "equipment/catalogue/catalogue.h"
-#include "equipment/catalogue/check_file.h"
 #include "equipment/catalogue/implausible.h"
 #include "equipment/catalogue/load_item.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/equipment_check.h"
 #include "studies/cli/figure_output.h"
-#include "studies/cli/json_errors.h"
-#include "studies/cli/standard_error.h"
 #include "studies/figures/equipment_figure.h"
 #include "studies/report/equipment_list.h"
 #include "studies/report/equipment_report.h"
@@ -67,45 +64,6 @@ struct CheckOptions {
   bool json = false;
 };
 
-const char* noun(equipment::DataKind kind) {
-  switch (kind) {
-    case equipment::DataKind::kItem:
-      return "item";
-    case equipment::DataKind::kCaster:
-      return "caster";
-    case equipment::DataKind::kFloor:
-      return "floor covering";
-    case equipment::DataKind::kRoom:
-      return "room";
-    case equipment::DataKind::kTether:
-      break;
-  }
-  return "kind of tether";
-}
-
-int check(const CheckOptions& options) {
-  int code = 0;
-  nlohmann::ordered_json results = nlohmann::ordered_json::array();
-  for (const std::string& file : options.files) {
-    try {
-      const equipment::CheckedFile checked = equipment::check_data_file(file);
-      results.push_back({{"file", file},
-                         {"kind", noun(checked.kind)},
-                         {"name", checked.name},
-                         {"warnings", checked.warnings}});
-      if (options.json) continue;
-      fmt::print("{}: {} '{}' is valid\n", file, noun(checked.kind), checked.name);
-      for (const std::string& warning : checked.warnings) fmt::print("  warning: {}\n", warning);
-    } catch (const Error& error) {
-      code = 1;
-      results.push_back({{"file", file}, {"errors", json_errors(error.what())}});
-      if (!options.json) print_error("{}\n", error.what());
-    }
-  }
-  if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"files", results}}.dump(2));
-  return code;
-}
-
 void add_list(CLI::App& equipment, std::function<int()>& action) {
   auto json = std::make_shared<bool>(false);
   CLI::App* const command =
@@ -146,7 +104,9 @@ void add_equipment_check(CLI::App& equipment, std::function<int()>& action) {
       "check", "Validate files of items, casters, floor coverings, rooms and tethers");
   command->add_option("FILE", options->files, "Files (docs/formats/equipment_file.md)")->required();
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options, &action] { action = [options] { return check(*options); }; });
+  command->callback([options, &action] {
+    action = [options] { return check_equipment(options->files, options->json); };
+  });
 }
 
 }  // namespace

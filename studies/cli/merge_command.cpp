@@ -9,7 +9,6 @@
 
 #include "engine/base/error.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/json_errors.h"
 #include "studies/cli/standard_error.h"
 #include "studies/cli/study_output.h"
 #include "studies/study/results/output_files.h"
@@ -92,11 +91,7 @@ void add_merge(CLI::App& app, std::function<int()>& action) {
   merge->add_option("--job", options->job, "The job file (default: where the shards found it)");
   merge->add_flag("--overwrite", options->overwrite, "Replace files that exist");
   merge->add_flag("--json", options->json, "Print the summary as JSON");
-  merge->callback([options, &action] {
-    action = [options] {
-      return with_json_errors(options->json, [options] { return merge_command(*options); });
-    };
-  });
+  merge->callback([options, &action] { action = [options] { return merge_command(*options); }; });
 }
 
 }  // namespace gurney::cli

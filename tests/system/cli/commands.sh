@@ -28,7 +28,9 @@ files ""
 # An item file is no job, and errors are JSON where JSON is asked for.
 item=$2/equipment/items/icu_ventilator.toml
 expect 1 "the file is an item, not a job" "$gurney" run "$item"
-expect 1 "the command for it is: gurney equipment check $item" "$gurney" check "$item"
+expect 1 "the command for it is: gurney equipment check $item" "$gurney" run "$item"
+expect 0 "is valid" "$gurney" check "$item"
+expect 1 '"errors": [' "$gurney" show missing.h5 --json
 printf 'schema = "gurney-job/1"\n[item]\nequipment = "icu_ventilator"\nbrake = true\n' > bad.toml
 for command in run check; do
   expect 1 '"errors": [' "$gurney" "$command" bad.toml --json

@@ -10,6 +10,7 @@ for kind in job item caster room study calibration; do
   eval "$(sed -n 's/^next *gurney/"$gurney"/p' stdout)" > next 2>&1 || complain "$kind: what it says to do next fails"
   expect 1 "exists already" "$gurney" new "$kind" "my_$kind"
 done
+for kind in job item caster room study; do expect 0 "valid" "$gurney" check "my_$kind.toml"; done
 expect 0 "a valid single run" "$gurney" check my_job.toml
 expect 0 "a valid study" "$gurney" check my_study.toml
 expect 0 "Cr/R of R100" "$gurney" calibrate my_calibration -o calibrated

@@ -7,7 +7,7 @@ set -uo pipefail
 gurney=$1 source=$2 build=$3 cpack=$4
 . "$source/tests/system/cli/expect.sh"
 unset GURNEY_DATA
-for tool in "$cpack" dpkg dpkg-shlibdeps apt-cache; do
+for tool in "$cpack" dpkg dpkg-shlibdeps apt-cache file; do
   command -v "$tool" > /dev/null || { echo "skipped: $tool is not here"; exit 77; }
 done
 
