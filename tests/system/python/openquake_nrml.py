@@ -1,0 +1,85 @@
+"""OpenQuake's own reader reads the exported NRML, and its functions give the probabilities of the
+curves. Skipped unless GURNEY_OPENQUAKE names a folder that holds its package `openquake`: the engine,
+or its libraries of 2016, which read the same NRML 0.5.
+"""
+
+import collections
+import collections.abc
+import inspect
+import math
+import os
+import sys
+import tempfile
+import types
+import warnings
+
+import support
+
+folder = os.environ.get("GURNEY_OPENQUAKE")
+if not folder:
+    support.skip("GURNEY_OPENQUAKE names no folder with the package openquake")
+support.need("numpy", "scipy", "h5py", "shapely")
+sys.dont_write_bytecode = True
+warnings.simplefilter("ignore")
+
+
+def allow_libraries_of_2016():
+    """Names that Python, numpy and scipy have dropped since."""
+    import numpy
+    import scipy
+    for name in collections.abc.__all__:
+        if not hasattr(collections, name):
+            setattr(collections, name, getattr(collections.abc, name))
+    for kind in (bool, float, int, object, str):
+        if kind.__name__ not in vars(numpy):
+            setattr(numpy, kind.__name__, kind)
+    scipy.random = numpy.random
+    sys.modules.setdefault("imp", types.ModuleType("imp"))
+
+
+sys.path.insert(0, folder)
+try:
+    from openquake.hazardlib.nrml import to_python as read
+    from openquake.risklib import riskmodels  # noqa: F401  (adds the reader of fragilities)
+except (AttributeError, ImportError):
+    for name in [each for each in sys.modules if each.split(".")[0] == "openquake"]:
+        del sys.modules[name]
+    allow_libraries_of_2016()
+    from openquake.commonlib.nrml import parse as read
+from openquake.risklib.scientific import FragilityFunctionContinuous
+
+
+def function_of(limit_state, curves):
+    """OpenQuake's function of the first limit state of a file."""
+    mean, stddev = (curves.array[name][0] for name in ("mean", "stddev"))
+    given = {"limit_state": limit_state, "mean": mean, "stddev": stddev,
+             "minIML": getattr(curves, "minIML", None), "maxIML": getattr(curves, "maxIML", None)}
+    known = inspect.signature(FragilityFunctionContinuous.__init__).parameters
+    return FragilityFunctionContinuous(**{name: given[name] for name in given if name in known})
+
+
+with tempfile.TemporaryDirectory() as temporary:
+    study, exported = (os.path.join(temporary, name) for name in ("trolley.h5", "nrml"))
+    support.gurney("run", os.path.join(support.SOURCE, "studies/jobs/trolley_levels.toml"), "-o",
+                   study)
+    support.gurney("export", study, "--to", "nrml", "-o", exported)
+    curves = {each["limit_state"]: each["curve"] for each in
+              support.fragilities(study).values() if each["curve"]}
+    count = 0
+    for name in sorted(os.listdir(exported)):
+        model = read(os.path.join(exported, name))
+        limit_state = name.removesuffix(".xml")
+        for key, found in model.items():
+            assert "PGA" in key, key
+            function = function_of(limit_state, found)
+            curve = curves[limit_state]
+            low, high = found.minIML, found.maxIML
+            for share in (0.1, 0.3, 0.5, 0.7, 0.9):
+                im = low * (high / low) ** share  # [g]
+                z = math.log(im * 9.80665 / curve["theta"]) / curve["beta"]
+                expected = 0.5 * math.erfc(-z / math.sqrt(2))
+                # mean and stddev have 16 digits; beta^2 = ln(1 + cv^2) loses 1 / beta^2 of them
+                assert abs(float(function(im)) - expected) < 1e-13 / curve["beta"] ** 2, (key, im)
+            count += 1
+    assert count == len(curves) > 0, (count, curves)
+print(f"OpenQuake agrees on {count} curves")
