@@ -116,9 +116,10 @@ std::string draws_of(const StudyPage& page) {
       break;
   }
   return fmt::format(
-      "Uncertain parameters were drawn {} times from their distributions by {} "
+      "Each record was combined with {} of the uncertain parameters from their distributions, by "
+      "{} "
       "(seed {}).",
-      study.draws, how, page.overview.file.seed);
+      counted(static_cast<std::size_t>(study.draws), "draw"), how, page.overview.file.seed);
 }
 
 std::string states_of(const study::StudyOverview& overview) {
@@ -183,12 +184,11 @@ Methods methods_of(const StudyPage& page) {
   if (const std::string factors = factors_of(overview); !factors.empty())
     methods.sentences.push_back(factors);
   methods.sentences.push_back(draws_of(page));
-  methods.sentences.push_back(
-      fmt::format("Of {} {} failed and {} excluded.", counted(overview.runs, "run"),
-                  overview.failed == 0 ? "none" : std::to_string(overview.failed),
-                  overview.failed == 1   ? "was"
-                  : overview.failed == 0 ? "had to be"
-                                         : "were"));
+  methods.sentences.push_back(overview.failed == 0
+                                  ? fmt::format("None of {} failed.", counted(overview.runs, "run"))
+                                  : fmt::format("Of {} {} failed and {} excluded.",
+                                                counted(overview.runs, "run"), overview.failed,
+                                                overview.failed == 1 ? "was" : "were"));
   methods.sentences.push_back(states_of(overview));
   add_fits(page, methods);
   methods.sentences.push_back(step_of(overview));

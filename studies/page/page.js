@@ -46,7 +46,7 @@
   const { columns, replay } = JSON.parse(source.textContent);
   const count = columns[0].values.length, perPage = 25;
   for (const column of columns)
-    column.long = Boolean(column.texts) && column.texts.some((t) => /\S{31}/.test(t));
+    column.long = Boolean(column.texts) && column.texts.some((t) => t.length > 30);
   const text = (column, i) => {
     const v = column.values[i];
     if (v === null) return "\u2013";
@@ -64,7 +64,7 @@
       columns.forEach((column, k) => {
         const cell = document.createElement(k ? "td" : "th");
         if (!k) cell.scope = "row";
-        cell.className = column.texts ? (column.long ? "long" : "") : "number";
+        cell.className = column.texts ? (column.long ? "long" : "short") : "number";
         if (!column.texts && column.values[i] !== null) cell.dataset.value = column.values[i];
         if (k) cell.textContent = text(column, i);
         else {

@@ -98,7 +98,7 @@ Section study_design(const StudyPage& page) {
     angles.push_back(fmt::format("{:g}", angle / kRadiansPerDegree));
   std::vector<std::pair<std::string, std::string>> named;
   for (const auto& factor : overview.factors)
-    named.emplace_back("Factor " + factor.name, fmt::format("{}", fmt::join(factor.levels, ", ")));
+    named.emplace_back("Factor " + factor.name, fmt::format("{}", fmt::join(factor.levels, "; ")));
   named.emplace_back("Configurations", std::to_string(overview.configurations.size()));
   named.emplace_back("Angles", fmt::format("{} deg", fmt::join(angles, ", ")));
   named.emplace_back(overview.measure.empty() ? "Records" : "Intensity, " + overview.measure,

@@ -22,12 +22,12 @@ Html head_of(const Table& table) {
 /// How the width of a cell is found: that of a number, of a sentence, or of a word that is longer
 /// than a column should be.
 std::string class_of(const Cell& cell, const Column& column) {
-  constexpr std::size_t kLongWord = 30, kSentence = 40;
+  constexpr std::size_t kLongWord = 30, kSentence = 40, kShort = 24;
   if (column.numbers) return "number";
   std::size_t longest = 0, word = 0;
   for (const char c : cell.text) longest = std::max(longest, word = c == ' ' ? 0 : word + 1);
   if (longest > kLongWord) return "long";
-  return cell.text.size() > kSentence ? "prose" : "";
+  return cell.text.size() > kSentence ? "prose" : cell.text.size() < kShort ? "short" : "";
 }
 
 Html html(const Cell& cell, const Column& column, bool names_row) {

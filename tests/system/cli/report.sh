@@ -42,14 +42,14 @@ expect 0 "run.html" "$gurney" report run.h5 -o run.html
 expect 0 "study.html" "$gurney" report study.h5 -o study.html
 for page in run.html study.html; do
   has "$page" "<title>&lt;b&gt;&#39;quoted&#39; &amp; &quot;more&quot;&lt;/b&gt; 日本</title>"
-  has "$page" 'id="item-1"'
+  has "$page" 'id="item-1-figure"'
   has_not "$page" "No drawing"
   has_not "$page" "<i>on"
   has_not "$page" 'src="'
   has_not "$page" 'href="http'
   has "$page" "$("$gurney" --version | awk '/^commit/ {print $2}')"
 done
-has run.html 'id="history-tilt"'
+has run.html 'id="history-tilt-figure"'
 has study.html "Limit state overturned"
 expect 0 "again.html" "$gurney" report study.h5 -o again.html
 cmp study.html again.html || complain "two pages of one file differ"
