@@ -11,6 +11,7 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/new_folder.h"
 #include "studies/cli/standard_error.h"
+#include "studies/playback/gltf.h"
 #include "studies/study/analysis/overview.h"
 #include "studies/study/exports/csv_tables.h"
 #include "studies/study/exports/nrml.h"
@@ -44,7 +45,8 @@ void check_choice(const ExportOptions& options) {
   if (!options.assessed_by.limit_states.empty())
     refuse("--limit-state", options.assessed_by.limit_states.front(), fits);
   refuse("--configuration", options.choice.configuration,
-         options.format != "csv" && options.format != "trials" && options.format != "xdmf");
+         options.format != "csv" && options.format != "trials" && options.format != "xdmf" &&
+             options.format != "gltf");
 }
 
 std::vector<std::string> write(const ExportOptions& options, const study::TakeFile& take) {
@@ -55,6 +57,11 @@ std::vector<std::string> write(const ExportOptions& options, const study::TakeFi
   if (options.format == "xdmf") {
     study::export_xdmf(
         options.file, study::plain_identifier(fs::path(options.file).stem().string(), "run"), take);
+    return {};
+  }
+  if (options.format == "gltf") {
+    const std::string name = study::plain_identifier(fs::path(options.file).stem().string(), "run");
+    take(name + ".gltf", playback::gltf(playback::read_recorded_run(options.file)));
     return {};
   }
   require(study::is_study_file(options.file),
@@ -107,9 +114,10 @@ void add_export(CLI::App& app, std::function<int()>& action) {
           "--to", options.format,
           "csv: every table; pelicun: fragility for the Damage and Loss Model Library; "
           "nrml: fragility for OpenQuake; response-csv: demands run by run; trials: pulling "
-          "tests as files of trials, marked synthetic; xdmf: one run's moving shapes for ParaView")
+          "tests as files of trials, marked synthetic; xdmf: one run's moving shapes for ParaView; "
+          "gltf: the same, animated, for Blender and others")
       ->required()
-      ->check(CLI::IsMember({"csv", "pelicun", "nrml", "response-csv", "trials", "xdmf"}));
+      ->check(CLI::IsMember({"csv", "pelicun", "nrml", "response-csv", "trials", "xdmf", "gltf"}));
   command->add_option("-o,--output", options.folder,
                       "Folder for the files (default: FILE_FORMAT beside FILE)");
   command->add_option("--configuration", options.choice.configuration,

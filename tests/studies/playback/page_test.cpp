@@ -9,6 +9,7 @@
 
 #include "studies/playback/channel.h"
 #include "studies/study/results/results_file.h"
+#include "tests/studies/playback/base64_bytes.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fabricated_run.h"
 #include "tests/support/temp_folder.h"
@@ -17,22 +18,6 @@ namespace gurney::playback {
 namespace {
 
 using Json = nlohmann::json;
-
-std::vector<std::uint8_t> bytes_of(const std::string& text) {
-  static const std::string kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::vector<std::uint8_t> bytes;
-  std::uint32_t group = 0, bits = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    group = group << 6 | static_cast<std::uint32_t>(kDigits.find(c));
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes.push_back(static_cast<std::uint8_t>(group >> bits & 255u));
-  }
-  return bytes;
-}
 
 std::vector<double> values_of(double offset, double step, int bits, const std::string& data,
                               std::size_t count) {

@@ -59,6 +59,8 @@ sed "s|file = \"../../|file = \"$2/|" "$2/studies/jobs/icu_ventilator_shake.toml
 expect 0 "one run" "$gurney" show one.h5
 expect 0 "wrote    one_csv/histories_time.csv" "$gurney" export one.h5 --to csv
 expect 0 "wrote    one_xdmf/one.xdmf" "$gurney" export one.h5 --to xdmf
+expect 0 "wrote    one_gltf/one.gltf" "$gurney" export one.h5 --to gltf
+expect 1 "not the results file of a single run" "$gurney" export study.h5 --to gltf -o new
 folder_holds one_xdmf one.xdmf one_shapes.h5
 expect 1 "study.h5: holds many runs; make the one to be seen with gurney replay" "$gurney" export \
   study.h5 --to xdmf -o new
