@@ -20,6 +20,7 @@ for library in libbullet libhdf5 libfmt libtomlplusplus; do
 done
 dpkg-deb -f "$package" Recommends > stdout
 grep -q librsvg2-2 stdout || complain "the package does not recommend librsvg2-2"
+[ "$failures" -eq 0 ] || exit 1
 
 database() {  # ROOT: an empty one
   mkdir -p "$1"/var/lib/dpkg/{info,updates} "$1/tmp" "$1/proc"
@@ -30,9 +31,9 @@ database() {  # ROOT: an empty one
 # Names of the packages that the package needs, with those that they need.
 needed() {
   dpkg-deb -f "$package" Depends | tr ',' '\n' | awk '{print $1}' |
-    xargs apt-cache depends --recurse --installed --no-recommends --no-suggests --no-conflicts \
+    xargs -r apt-cache depends --recurse --installed --no-recommends --no-suggests --no-conflicts \
       --no-breaks --no-replaces --no-enhances | grep '^[a-z]' | sort -u |
-    xargs dpkg-query -W -f='${db:Status-Status} ${binary:Package}\n' 2> /dev/null |
+    xargs -r dpkg-query -W -f='${db:Status-Status} ${binary:Package}\n' 2> /dev/null |
     awk '$1 == "installed" {print $2}'
 }
 
