@@ -49,7 +49,7 @@ set(GURNEY_ROOMS
     studies/statistics studies/study/results studies/study/prepare studies/study/limit_states
     studies/study/plan"
   "studies/study/analysis: engine/base engine/config engine/response studies/statistics
-    studies/study/results studies/study/limit_states studies/study/plan"
+    studies/study/job studies/study/results studies/study/limit_states studies/study/plan"
   "studies/study/convergence: engine/base engine/baselines studies/statistics studies/study/results
     studies/study/prepare studies/study/limit_states studies/study/run"
   "studies/study/exports: engine/base engine/config groundmotions/measures equipment/catalogue

@@ -8,6 +8,7 @@
 
 #include "engine/config/document.h"
 #include "engine/config/overlay.h"
+#include "studies/study/job/old_names.h"
 #include "studies/study/plan/flat_tree.h"
 
 namespace gurney::study {
@@ -20,6 +21,7 @@ using Entries = std::map<std::string, std::string>;
 Entries job_of(const ConfigurationView& side) {
   const StudyReader& file = side.data->file();
   config::Document document(file.job_text(), file.path());
+  rename_old_keys(document);
   Entries entries;
   auto study = document.take("study");
   std::erase_if(study->elements, [](const Node& each) { return each.key == "factor"; });

@@ -10,6 +10,7 @@
 #include "engine/config/nearest_name.h"
 #include "engine/config/table.h"
 #include "engine/response/response.h"
+#include "studies/study/job/old_names.h"
 #include "studies/study/plan/study_reader.h"
 
 namespace gurney::study {
@@ -18,6 +19,7 @@ namespace {
 /// The table [study] of the job that the file holds; the job's other files are not needed.
 Study study_of(const StudyReader& file) {
   config::Document document(file.job_text(), file.path() + " (its job)");
+  rename_old_keys(document);
   config::Table root = document.root();
   auto table = root.table("study");
   require(table.has_value(), file.path() + ": its job has no table [study]");

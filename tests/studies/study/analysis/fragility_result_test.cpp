@@ -67,6 +67,21 @@ TEST_F(FragilityResultTest, GivesBackTheCurveThatTheDemandsFollow) {
               1e-3 * std::pow(curve.theta / kG, -2) * std::exp(2 * curve.beta * curve.beta), 1e-9);
 }
 
+// A file of the days when the key of an IDA was `hunt`.
+TEST_F(FragilityResultTest, AnIdaUnderItsOldNameGivesCapacities) {
+  std::string job = kSmallStudy;
+  const std::string levels = "levels = [0.1, 0.2, 0.4]\n";
+  job.replace(job.find(levels), levels.size(),
+              "hunt = { first = 0.1, increment = 0.1, until = \"moved\" }\n");
+  std::vector<SmallRun> runs;
+  for (std::size_t record = 0; record < 5; ++record) {
+    const double capacity = (0.1 + 0.05 * double(record)) * kG;
+    runs.push_back({record, 0.9 * capacity, 0.05});
+    runs.push_back({record, 1.1 * capacity, 0.2});
+  }
+  EXPECT_TRUE(fragility_of(data(runs, job), {}).capacities);
+}
+
 TEST_F(FragilityResultTest, AnIdaGivesCapacities) {
   std::string job = kSmallStudy;
   const std::string levels = "levels = [0.1, 0.2, 0.4]\n";
