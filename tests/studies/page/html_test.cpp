@@ -40,7 +40,7 @@ TEST(PageTable, KeepsTheNumberOfTheFileBesideTheText) {
   const std::string code = html(table).code;
   EXPECT_THAT(code, HasSubstr("data-value=\"0.30000000000000004\">0.3</td>"));
   EXPECT_THAT(code, HasSubstr("<caption>&lt;caption&gt;</caption>"));
-  EXPECT_THAT(code, HasSubstr("scope=\"row\">&lt;b&gt;</th>"));
+  EXPECT_THAT(code, HasSubstr("scope=\"row\" class=\"short\">&lt;b&gt;</th>"));
   EXPECT_EQ(unbalanced(code), "");
   EXPECT_EQ(html(Table{"no rows", {{"A"}}}).code, "");
 }
