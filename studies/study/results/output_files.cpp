@@ -58,6 +58,14 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
+/// @throws Error unless a file can be made beside `path`. A process that is killed meanwhile leaves
+/// nothing where the file system has files without names.
+void require_writable_folder(const std::string& path) {
+  const Descriptor nameless(
+      ::open(folder_of(path).c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0600));
+  if (nameless.get() < 0) ::unlink(new_file_beside(path).path.c_str());
+}
+
 /// After this the new names survive a power cut; some file systems cannot, which is no error.
 void sync_folder(const std::string& path) {
   const Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -89,7 +97,7 @@ void OutputFiles::check(const std::string& path) const {
           path + ": cannot be written: the folder " + folder + " does not exist");
   require(overwrite_ || !std::filesystem::exists(std::filesystem::symlink_status(path, ignored)),
           path + ": exists already; give another name with -o, or --overwrite to replace it");
-  ::unlink(new_file_beside(path).path.c_str());
+  require_writable_folder(path);
 }
 
 void OutputFiles::stage(const std::string& path, std::string_view bytes) {

@@ -34,6 +34,9 @@ std::string missing_by_shard(const std::vector<std::size_t>& missing, std::size_
   return text;
 }
 
+/// The path of the job, also as a killed process left it (OutputFiles).
+bool is_job_file(const std::string& name) { return name == "job" || name.starts_with("job.part"); }
+
 }  // namespace
 
 fs::path shards_path(const fs::path& results) { return results.string() + ".shards"; }
@@ -92,7 +95,8 @@ void ShardFolders::remove() {
   folders_.clear();
   std::error_code ignored;
   for (const Shard& shard : shards_) fs::remove(log_of(folder_, shard), ignored);
-  fs::remove(folder_ / "job", ignored);
+  for (const auto& entry : fs::directory_iterator(folder_, ignored))
+    if (is_job_file(entry.path().filename().string())) fs::remove(entry.path(), ignored);
   fs::remove(folder_, ignored);  // unless it holds something else
 }
 

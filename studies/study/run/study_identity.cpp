@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -117,10 +118,13 @@ std::string identity_of(const Batch& batch) {
 std::size_t tasks_in(const std::string& identity) {
   const Entries entries = entries_of(identity);
   const auto found = entries.find("analysis_cases");
-  require(found != entries.end() && !found->second.empty() &&
-              found->second.find_first_not_of("0123456789") == std::string::npos,
+  const std::string text = found == entries.end() ? "" : found->second;
+  std::size_t tasks = 0;
+  const auto end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, tasks);
+  require(!text.empty() && read.ec == std::errc() && read.ptr == end,
           "the file 'study' states no number of analysis cases");
-  return std::stoul(found->second);
+  return tasks;
 }
 
 std::string job_difference(const std::string& theirs, const std::string& ours) {

@@ -41,6 +41,7 @@ wait
 grep -q "shard    2 of 3: 8 analysis cases, 16 runs, 0 overturned, 0 failed" out.2 || complain "does not report shard 2"
 grep -qx "when all shards are finished: gurney merge a.h5.shards" out.2 || complain "does not say how to go on"
 gone a.h5
+: > a.h5.shards/job.part  # as a process that was killed leaves it
 expect 0 "runs     48, 0 overturned, 0 failed" "$gurney" merge a.h5.shards
 same whole.h5 a.h5
 gone a.h5.shards

@@ -5,6 +5,7 @@
 #include "studies/study/run/complete_study.h"
 #include "studies/study/run/study_file.h"
 #include "tests/studies/study/small_study.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::study {
@@ -36,6 +37,14 @@ TEST(StudyIdentityTest, NamesFilesThatDiffer) {
   EXPECT_EQ(difference("a.toml = 1\nrecord x = 2 x.at2\nanalysis_cases = 7\n\njob",
                        "a.toml = 1\nrecord x = 3 x.at2\nb.toml = 4\nanalysis_cases = 7\n\njob"),
             "b.toml: there nothing, here '4'; record x: there '2 x.at2', here '3 x.at2'");
+}
+
+// The file `study` may be anybody's: more digits than a number holds were an exception of the library.
+TEST(StudyIdentityTest, TheNumberOfCasesIsAWholeNumber) {
+  EXPECT_EQ(tasks_in("a.toml = 1\nanalysis_cases = 7\n\njob"), 7u);
+  for (const char* wrong : {"99999999999999999999", "", "7 ", "-1", "x"})
+    EXPECT_ERROR(tasks_in("analysis_cases = " + std::string(wrong) + "\n\njob"),
+                 "the file 'study' states no number of analysis cases");
 }
 
 TEST(StudyIdentityTest, RecordsOfOneNameAreComparedOneByOne) {
