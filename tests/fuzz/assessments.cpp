@@ -1,0 +1,16 @@
+#include "studies/study/limit_states/limit_state_expression.h"
+#include "studies/study/plan/assessment_files.h"
+#include "tests/fuzz/feed.h"
+
+/// Limit states, performance levels and hazards of finished studies, as files and as lines.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace gurney;
+  static const fuzz::InputFile file("assessment.toml");
+  static const study::Places kPlaces{{"bed", "pole"}, {"doorway"}, {"cord"}, {{"bed", "screen"}}};
+  const std::string text = fuzz::text_of(data, size);
+  const std::string& path = file.with(text);
+  fuzz::feed([&] { study::read_limit_states_file(path, {}); });
+  fuzz::feed([&] { study::read_hazard_file(path); });
+  fuzz::feed([&] { study::read_limit_state_expression(text, kPlaces); });
+  return 0;
+}
