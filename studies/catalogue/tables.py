@@ -17,7 +17,7 @@ import tempfile
 import xml.etree.ElementTree as xml
 
 MEASURES = {"pfv": ["--measure", "pfv"], "PGV larger": []}
-COLUMNS = ["item", "floor", "place", "brakes", "limit_state", "measure", "unit", "runs", "exceed", "theta",
+COLUMNS = ["item", "floor", "place", "brakes", "limit_state", "measure", "unit", "runs", "exceed", "failed", "theta",
            "theta_low", "theta_high", "beta", "beta_low", "beta_high", "reason", "cautions"]
 NRML = "http://openquake.org/xmlns/nrml/0.5"
 
@@ -51,7 +51,7 @@ def fragility_rows(gurney, item, file):
             floor, place, brakes = setting_of(each["configuration"])
             yield {"item": item, "floor": floor, "place": place, "brakes": brakes,
                    "limit_state": each["limit_state"], "measure": measure, "unit": each["units"],
-                   "runs": each["runs"], "exceed": each["exceeded"],
+                   "runs": each["runs"], "exceed": each["exceeded"], "failed": each["failed"],
                    "theta": number(curve.get("theta")), "beta": number(curve.get("beta")),
                    "theta_low": theta[0], "theta_high": theta[1],
                    "beta_low": beta[0], "beta_high": beta[1],
