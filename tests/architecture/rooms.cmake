@@ -60,19 +60,17 @@ set(GURNEY_ROOMS
   "studies/calibration/pulling: engine/base engine/scene studies/study/results studies/study/plan
     studies/study/exports studies/calibration/trials"
   "studies/report: engine/base engine/scene engine/response groundmotions/record
-    groundmotions/measures groundmotions/assembly groundmotions/scaling equipment/catalogue
-    studies/build_info studies/statistics studies/verification studies/study/results
-    studies/study/analysis
-    studies/study/convergence studies/calibration/trials studies/calibration/fit
-    studies/calibration/pulling"
+    groundmotions/measures groundmotions/assembly equipment/catalogue studies/build_info
+    studies/verification studies/study/results studies/study/analysis studies/study/convergence
+    studies/calibration/trials studies/calibration/fit studies/calibration/pulling"
   "studies/figures: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/scaling equipment/catalogue studies/statistics
     studies/verification studies/study/results studies/study/analysis studies/study/convergence
-    studies/calibration/trials studies/calibration/fit studies/calibration/pulling studies/report"
+    studies/calibration/fit studies/report"
   "studies/picture: engine/base"
   "studies/page: engine/base engine/config engine/scene equipment/catalogue studies/build_info
-    studies/statistics studies/study/job studies/study/results studies/study/plan
-    studies/study/analysis studies/report studies/figures"
+    studies/study/job studies/study/results studies/study/plan studies/study/analysis
+    studies/report studies/figures"
   "studies/playback: engine/base engine/response studies/study/results"
   "studies/doctor: engine/base equipment/catalogue studies/build_info studies/study/results
     studies/study/run studies/picture"
