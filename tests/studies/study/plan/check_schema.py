@@ -62,6 +62,6 @@ with tempfile.TemporaryDirectory() as temporary:
     from_toml = json.loads(subprocess.run(
         [gurney, "check", os.path.join(folder, "brakes_study.toml"), "--json"], check=True,
         capture_output=True, text=True).stdout)
-    for key in ("configurations", "records", "levels", "analysis_cases", "runs"):
+    for key in ("configurations", "records", "levels", "cases", "runs"):
         assert from_json[key] == from_toml[key], (key, from_json[key], from_toml[key])
 print(f"{len(jobs)} jobs fit, {len(bad) + 2} bad ones do not")
