@@ -108,7 +108,7 @@ def item_page(catalogue, item, sheet):
     return [
         f"# {sheet['name']}", "", sheet["description"] + ".", "",
         f"{sheet['mass_kg']:.0f} kg, {size} mm, base over height {sheet['base_over_height']:.2f}, tips from "
-        f"{sheet['tips_from_g']:.2f} g where its wheels cannot roll. [Data](../../equipment/items/{item}.toml).", "",
+        f"{sheet['tips_from_g']:.2f} g where its wheels cannot roll. Data: `equipment/items/{item}.toml`.", "",
         f"{catalogue.advice(item)} ([rule](methods.md#what-to-do)).", "",
         f"![Plan and sides](images/{item}.svg)", "",
         f"![Fragility on an upper floor of the flexible building](images/{item}_fragility.svg)", "",
