@@ -2,7 +2,7 @@
 
 # damage FOLDER: of one part, of another file of the folder of parts, or of all
 damage() {
-  local parts=("$1"/*.part) part
+  local parts=("$1"/[0-9]*.part) part  # not study.part, which is being written
   [ -e "${parts[0]}" ] || return 0
   part=${parts[RANDOM % ${#parts[@]}]}
   local size
