@@ -80,10 +80,9 @@ def job_text(gurney, item, jobs, suite, only=None):
 
 
 def run(gurney, job, results, threads):
-    """Ends the study's run, which an earlier call may have begun."""
-    if os.path.exists(results):
-        return
-    resume = ["--resume"] if os.path.exists(results + ".parts") else []
+    """Ends the study's run, which an earlier call may have begun or finished; results of another job are
+    an error."""
+    resume = ["--resume"] if os.path.exists(results) or os.path.exists(results + ".parts") else []
     code = subprocess.run([gurney, "run", job, "-o", results, "-j", str(threads), *resume]).returncode
     if code not in (0, SOME_FAILED):
         sys.exit(f"catalogue.py: {job}: gurney run ended with {code}")

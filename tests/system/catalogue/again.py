@@ -1,11 +1,12 @@
 """Makes a part of the fragility catalogue again: one configuration of one item gives the rows of the
-shipped table, to the digit, and its page has the numbers of the table.
+shipped table, to the digit, and the pages have the numbers of the tables.
 
 usage: again.py GURNEY SOURCE_DIR
 """
 
 import csv
 import os
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -41,3 +42,22 @@ with open(os.path.join(source, "docs", "catalogue", "items.md")) as file:
     text = file.read()
 for item in catalogue.items:
     assert catalogue.advice(item) in next(line for line in text.splitlines() if f"({item}.md)" in line), item
+
+def text_of(*path):
+    with open(os.path.join(source, "docs", *path)) as file:
+        return " ".join(file.read().split())
+
+
+methods = text_of("catalogue", "methods.md")
+decision = text_of("decisions", "0016-the-catalogue-rests-on-synthetic-motions.md")
+
+# The numbers in the prose of the methods and of the decision.
+for brakes, words in (("off", "the median 13 % larger"), ("on", "with brakes on 30 %"), ("locked", "locked 63 %")):
+    above = statistics.median(float(row["pfv_scatter"]) / float(row["best_scatter"]) - 1
+                              for row in catalogue.measures if row["brakes"] == brakes)
+    assert f"{100 * above:.0f} %" in words and words in methods, (brakes, above)
+for floor, words in (("ground", "0.45 m/s on the ground"), ("flexible building", "0.41 in the flexible"),
+                     ("stiff building", "0.38 in the stiff"), ("isolated building", "0.27 in the isolated")):
+    median = statistics.median(float(catalogue.rows[item, floor, "open", "off", "moved 0.3 m"]["theta"])
+                               for item in catalogue.items)
+    assert words.startswith(f"{median:.2f}") and words in decision, (floor, median)
