@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <cmath>
 #include <set>
 
+#include "engine/base/linear_algebra.h"
 #include "engine/scene/problems.h"
 
 namespace gurney {
@@ -16,7 +16,7 @@ bool spans_a_volume(const std::vector<Vector3>& points) {
   Eigen::Matrix3Xd spread(3, points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     spread.col(static_cast<Eigen::Index>(i)) = points[i] - points[0];
-  return spread.allFinite() && Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(spread).rank() == 3;
+  return spread.allFinite() && rank(spread) == 3;
 }
 
 void check_shape(const RoomShape& shape, Problems& problems) {

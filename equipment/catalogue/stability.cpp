@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "engine/base/linear_algebra.h"
 #include "engine/base/units.h"
 #include "equipment/catalogue/support.h"
 
@@ -30,7 +30,7 @@ std::vector<double> wheel_loads_of(const EquipmentModel& item, const MassPropert
       if (carries[i]) stiffness += item.casters[i].tread.normal_stiffness * at * at.transpose();
     }
     const Vector3 load = weight * Vector3(1, whole.center_of_mass.x(), whole.center_of_mass.y());
-    const Vector3 sink = stiffness.completeOrthogonalDecomposition().solve(load);
+    const Vector3 sink = least_norm_solution(stiffness, load);
     std::vector<double> loads(item.casters.size(), 0);
     std::size_t worst = loads.size();
     for (std::size_t i = 0; i < loads.size(); ++i) {

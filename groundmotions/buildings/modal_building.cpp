@@ -1,24 +1,24 @@
 #include "groundmotions/buildings/modal_building.h"
 
-#include <Eigen/Eigenvalues>
 #include <cassert>
 #include <cmath>
 #include <numbers>
+
+#include "engine/base/linear_algebra.h"
 
 namespace gurney::groundmotions {
 
 ModalAxis modes_of(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
                    const Eigen::MatrixXd& floors) {
   assert(mass.size() > 0 && mass.minCoeff() > 0 && stiffness.rows() == mass.size());
-  const Eigen::MatrixXd mass_matrix = mass.asDiagonal();
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, mass_matrix);
-  assert(solver.info() == Eigen::Success && solver.eigenvalues()[0] > 0);
+  const auto [squared_frequencies, shapes] = natural_modes(stiffness, mass.asDiagonal());
+  assert(squared_frequencies[0] > 0);
   ModalAxis axis;
   for (Eigen::Index i = 0; i < mass.size(); ++i) {
-    const Eigen::VectorXd shape = solver.eigenvectors().col(i);  // phi' M phi = 1
+    const Eigen::VectorXd shape = shapes.col(i);  // phi' M phi = 1
     const double participation = shape.dot(mass);
     Mode mode;
-    mode.omega = std::sqrt(solver.eigenvalues()[i]);
+    mode.omega = std::sqrt(squared_frequencies[i]);
     mode.effective_shape = Eigen::VectorXd::Zero(floors.rows() + 1);
     mode.effective_shape.tail(floors.rows()) = participation * floors * shape;
     mode.effective_mass = participation * participation / mass.sum();

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
-
 #include "engine/base/error.h"
+#include "engine/base/linear_algebra.h"
 #include "groundmotions/measures/integrate.h"
 
 namespace gurney::groundmotions {
@@ -37,7 +36,7 @@ void check_degree(int degree, int lowest, int highest, Eigen::Index samples) {
 Eigen::VectorXd without_polynomial(const Eigen::VectorXd& acceleration, int degree) {
   check_degree(degree, 0, kHighestBaselineDegree, acceleration.size());
   const Eigen::MatrixXd basis = legendre(acceleration.size(), degree);
-  return acceleration - basis * basis.householderQr().solve(acceleration);
+  return acceleration - basis * least_squares(basis, acceleration);
 }
 
 Eigen::VectorXd without_pre_event_mean(double time_step, const Eigen::VectorXd& acceleration,
@@ -71,14 +70,14 @@ Eigen::VectorXd ending_at_rest(const Eigen::VectorXd& acceleration, int degree) 
   const Eigen::Vector2d wanted(left.velocity / duration, target[samples - 1]);
 
   // ends^T c = wanted: c = Q1 R^-T wanted + Q2 y, with y free for the fit.
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(ends);
-  const Eigen::MatrixXd q = qr.householderQ();
-  const Eigen::Matrix2d r = qr.matrixQR().topRows<2>().triangularView<Eigen::Upper>();
+  const QrFactors factors = qr_factors(ends);
+  const Eigen::MatrixXd& q = factors.q;
+  const Eigen::Matrix2d r = factors.r.topRows<2>();
   Eigen::VectorXd c =
       q.leftCols<2>() * r.transpose().triangularView<Eigen::Lower>().solve(wanted).eval();
   if (terms > 2) {
     const Eigen::MatrixXd free = q.rightCols(terms - 2);
-    c += free * (displacement * free).householderQr().solve(target - displacement * c);
+    c += free * least_squares(displacement * free, target - displacement * c);
   }
   return acceleration - basis * c;
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 #include <numbers>
 
 #include "engine/base/error.h"
+#include "engine/base/linear_algebra.h"
 #include "studies/statistics/special.h"
 
 namespace gurney::statistics {
@@ -166,9 +166,8 @@ CensoredNormalFit fit_censored_normal(const Eigen::MatrixXd& design,
   CensoredNormalFit fit;
   if (design.rows() <= p) return fit;
   const Eigen::VectorXd rough = rough_values(values);
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> squares(design);
-  if (squares.rank() < p) return fit;
-  const Eigen::VectorXd first = squares.solve(rough);
+  if (rank(design) < p) return fit;
+  const Eigen::VectorXd first = pivoted_least_squares(design, rough);
   const double spread =
       (rough - design * first).norm() / std::sqrt(static_cast<double>(rough.size()));
   if (!(spread > 1e-9 * (1 + rough.cwiseAbs().maxCoeff()))) return fit;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/base/error.h"
+#include "engine/base/linear_algebra.h"
 #include "studies/statistics/special.h"
 
 namespace gurney::statistics {
@@ -21,10 +22,10 @@ Weighted solve(const Eigen::VectorXd& y, const Eigen::VectorXd& variance,
                const Eigen::MatrixXd& design) {
   const Eigen::VectorXd weight = variance.cwiseInverse();
   const Eigen::MatrixXd normal = design.transpose() * weight.asDiagonal() * design;
-  const auto factor = normal.ldlt();
+  const SymmetricFactors factors(normal);
   Weighted result;
-  result.coefficients = factor.solve(design.transpose() * weight.cwiseProduct(y));
-  result.inverse = factor.solve(Eigen::MatrixXd::Identity(normal.rows(), normal.cols()));
+  result.coefficients = factors.solve(Eigen::VectorXd(design.transpose() * weight.cwiseProduct(y)));
+  result.inverse = factors.inverse();
   const Eigen::VectorXd residual = y - design * result.coefficients;
   result.squares = residual.dot(weight.cwiseProduct(residual));
   return result;

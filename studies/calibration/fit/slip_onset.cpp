@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/linear_algebra.h"
+
 namespace gurney::calibration {
 namespace {
 
@@ -110,12 +112,13 @@ class Onset {
     else
       x -= moved;
     const Eigen::MatrixXd normal = columns.transpose() * columns;
-    const Eigen::LDLT<Eigen::MatrixXd> factor(normal);
-    const Eigen::VectorXd c = factor.solve(columns.transpose() * x);
+    const SymmetricFactors factors(normal);
+    const Eigen::VectorXd c = factors.solve(Eigen::VectorXd(columns.transpose() * x));
     const double squares = (x - columns * c).squaredNorm();
     if (!free) return {squares};
     const double variance = squares / static_cast<double>(n - 4);
-    return {squares, c[2], std::sqrt(variance * factor.solve(Eigen::Vector3d::UnitZ())[2])};
+    return {squares, c[2],
+            std::sqrt(variance * factors.solve(Eigen::VectorXd(Eigen::Vector3d::UnitZ()))[2])};
   }
 
   struct Best {

@@ -1,8 +1,9 @@
 #include "studies/calibration/trials/polynomial_fit.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <cmath>
+
+#include "engine/base/linear_algebra.h"
 
 namespace gurney::calibration {
 
@@ -42,11 +43,10 @@ PolynomialFit fit_polynomial(const std::vector<double>& time, const std::vector<
     double power = 1;
     for (int k = 0; k <= degree; ++k, power *= (time[at] - fit.middle) / half) powers(i, k) = power;
   }
-  const Eigen::VectorXd scaled = powers.householderQr().solve(values);
+  const Eigen::VectorXd scaled = least_squares(powers, values);
   const double sum = (values - powers * scaled).squaredNorm();
   fit.residual = std::sqrt(sum / static_cast<double>(n - degree - 1));
-  const Eigen::MatrixXd inverse =
-      (powers.transpose() * powers).ldlt().solve(Eigen::MatrixXd::Identity(degree + 1, degree + 1));
+  const Eigen::MatrixXd inverse = SymmetricFactors(powers.transpose() * powers).inverse();
   Eigen::VectorXd scale(degree + 1);
   for (int k = 0; k <= degree; ++k) scale[k] = std::pow(half, -k);
   fit.c = scale.cwiseProduct(scaled);

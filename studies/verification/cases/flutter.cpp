@@ -1,8 +1,8 @@
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 
+#include "engine/base/linear_algebra.h"
 #include "engine/base/units.h"
 #include "studies/verification/family.h"
 #include "studies/verification/scenes/small_scenes.h"
@@ -59,7 +59,7 @@ Findings swing(const Towing& c, const Runner& runner) {
   settings.residual = 1e-12;  // the forces of the start are 1e-4 of the weight
   const Response response = runner(findings, scene, {}, settings);
   const Matrix3 a = linear_model(c, small::swivel_inertia(scene.items[0].model.casters[0]));
-  const auto exact = oscillation(a.eigenvalues());
+  const auto exact = oscillation(eigenvalues(a));
   const Matrix3 one_step = small::sdirk_step(a, kStep);
 
   // Nothing but the method stands between the simulated angles and the linear model, but for the
@@ -84,7 +84,7 @@ Findings swing(const Towing& c, const Runner& runner) {
               (lag * duration + 1e-5 + largest * largest / 8) * largest);
   track.report(findings);
 
-  const auto method = oscillation(Eigen::VectorXcd(one_step.eigenvalues().array().log() / kStep));
+  const auto method = oscillation(Eigen::VectorXcd(eigenvalues(one_step).array().log() / kStep));
   const auto found = oscillation(small::exponents(angles, kStep, 3));
   const double rest = lag + (1e-5 + largest * largest / 40) * std::abs(exact);
   const char* const why =
@@ -101,7 +101,7 @@ Findings swing(const Towing& c, const Runner& runner) {
 /// the run is: its exponents are read from all of it.
 bool oscillates(const Towing& c) {
   const auto root = oscillation(
-      linear_model(c, small::swivel_inertia(towed(c).items[0].model.casters[0])).eigenvalues());
+      eigenvalues(linear_model(c, small::swivel_inertia(towed(c).items[0].model.casters[0]))));
   return std::abs(root.real()) < 0.3 * root.imag() && root.imag() < 750 &&
          root.real() * kSteps * kStep > -6 &&
          kStart * std::exp(root.real() * kSteps * kStep) < 0.02;

@@ -1,9 +1,9 @@
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
+#include "engine/base/linear_algebra.h"
 #include "engine/base/units.h"
 #include "studies/verification/family.h"
 #include "studies/verification/scenes/small_scenes.h"
@@ -111,17 +111,15 @@ std::vector<double> swivel_angles(const Pivot& c, double step, const Runner& run
 }
 
 /// Steps for which the method's own error is 0.02 % of |lambda|.
-double step_of(const Pivot& c) {
-  return 0.03 / std::abs(oscillation(rigid_wheel(c).eigenvalues()));
-}
+double step_of(const Pivot& c) { return 0.03 / std::abs(oscillation(eigenvalues(rigid_wheel(c)))); }
 
 Findings shake(const Pivot& c, const Runner& runner) {
   Findings findings;
-  const auto exact = oscillation(rigid_wheel(c).eigenvalues());
-  const auto elastic = oscillation(elastic_tread(c).eigenvalues());
+  const auto exact = oscillation(eigenvalues(rigid_wheel(c)));
+  const auto elastic = oscillation(eigenvalues(elastic_tread(c)));
   const double step = step_of(c);
   const auto method = oscillation(
-      Eigen::VectorXcd(small::sdirk_step(rigid_wheel(c), step).eigenvalues().array().log() / step));
+      Eigen::VectorXcd(eigenvalues(small::sdirk_step(rigid_wheel(c), step)).array().log() / step));
   std::vector<double> angles = swivel_angles(c, step, runner, findings);
   angles.erase(angles.begin(), angles.begin() + kSettled);  // the push is over
   const auto found = oscillation(small::exponents(angles, step, 3));
@@ -145,10 +143,10 @@ Findings shake(const Pivot& c, const Runner& runner) {
 /// The caster can be built, it oscillates, and its angle stays small.
 bool oscillates(const Pivot& c) {
   if (!(c.center < 0.8 * c.trail)) return false;
-  const auto root = oscillation(rigid_wheel(c).eigenvalues());
+  const auto root = oscillation(eigenvalues(rigid_wheel(c)));
   return caster_of(c, {}).fork_inertia(2, 2) > 0 && root.imag() > 5 * std::abs(root.real()) &&
          root.imag() < 800 && root.real() * kCount * step_of(c) < 5 &&
-         std::abs(oscillation(elastic_tread(c).eigenvalues()) - root) < 1e-4 * std::abs(root);
+         std::abs(oscillation(eigenvalues(elastic_tread(c))) - root) < 1e-4 * std::abs(root);
 }
 
 struct Known {
@@ -156,7 +154,7 @@ struct Known {
 };
 
 Findings known(const Known& k, const Runner&) {
-  const auto root = oscillation(rigid_wheel({1, 0.05, 0.03, k.inertia, 2e4, 1, 0}).eigenvalues());
+  const auto root = oscillation(eigenvalues(rigid_wheel({1, 0.05, 0.03, k.inertia, 2e4, 1, 0})));
   const char* const digits = "the digits of the independent solution";
   return {{{"formula, growth rate", "1/s", root.real(), k.growth, 6e-4, digits},
            {"formula, frequency", "Hz", root.imag() / (2 * std::numbers::pi), k.frequency, 6e-3,

@@ -1,13 +1,12 @@
 #include "studies/verification/scenes/small_scenes.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
+#include "engine/base/linear_algebra.h"
 #include "engine/base/units.h"
 
 namespace gurney::small {
@@ -122,8 +121,8 @@ Eigen::VectorXcd exponents(const std::vector<double>& samples, double step, int 
   }
   Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(order, order);
   companion.topRightCorner(order - 1, order - 1).setIdentity();
-  companion.row(order - 1) = past.colPivHouseholderQr().solve(next).transpose();
-  return companion.eigenvalues().array().log() / step;
+  companion.row(order - 1) = pivoted_least_squares(past, next).transpose();
+  return eigenvalues(companion).array().log() / step;
 }
 
 Eigen::MatrixXd sdirk_step(const Eigen::MatrixXd& a, double step) {

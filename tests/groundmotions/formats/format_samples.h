@@ -16,8 +16,8 @@ struct FormatSample {
   ReadOptions options = {};
 };
 
-inline std::vector<FormatSample> format_samples() {
-  return {
+inline const std::vector<FormatSample>& format_samples() {
+  static const std::vector<FormatSample> samples = {
       {"SAC", sac_file(), true, {.unit = "g"}},
       {"USGS SMC", smc_file()},
       {"USGS SMC", smc_pairs()},
@@ -46,6 +46,7 @@ inline std::vector<FormatSample> format_samples() {
       {"plain text", page_example("record_plain.md", "## Example"), false},
       {"plain text", "# comment\n.1\n-.2\n.3\n", false, {.unit = "g", .time_step = 0.02}},
   };
+  return samples;
 }
 
 }  // namespace gurney::groundmotions
