@@ -15,7 +15,8 @@ Response simulate_with_any_solver(const Scene& scene, const FloorMotion& floor,
 void add_predictability(const Scene& scene, const FloorMotion& floor,
                         const SimulationSettings& settings, Response& response) {
   if (settings.solver != Solver::kImplicit || is_failure(response.outcome)) return;
-  const std::vector<Predictability> found = predictability(scene, floor, settings, response);
+  std::vector<Predictability> found = predictability(scene, floor, settings, response);
+  add_half_step(scene, floor, settings, found);
   for (std::size_t i = 0; i < found.size(); ++i) response.items[i].predictability = found[i];
 }
 

@@ -12,8 +12,8 @@ namespace gurney::baselines {
 Response simulate_with_any_solver(const Scene& scene, const FloorMotion& floor,
                                   const SimulationSettings& settings);
 
-/// Adds to a response what its twin shows of each item (engine/run/predictability.h); nothing where
-/// a baseline made it or where it failed.
+/// Adds to a response what its twin and half its time step show of each item
+/// (engine/run/predictability.h); nothing where a baseline made it or where it failed.
 void add_predictability(const Scene& scene, const FloorMotion& floor,
                         const SimulationSettings& settings, Response& response);
 

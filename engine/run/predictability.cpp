@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/units.h"
 #include "engine/run/simulate.h"
 #include "engine/scene/perturbed.h"
 
 namespace gurney {
 namespace {
 
-/// Peaks below these count as rest: nobody measures or asks for less.
-constexpr double kLeastDisplacement = 1e-3;             // [m]
-constexpr double kLeastTilt = 0.1 * kRadiansPerDegree;  // [rad]
-constexpr double kLeastYaw = 1 * kRadiansPerDegree;     // [rad]
+constexpr double kLeastDisplacement = Predictability::kLeastDisplacement,
+                 kLeastTilt = Predictability::kLeastTilt, kLeastYaw = Predictability::kLeastYaw;
 
 double time_of_peaks(const Demands& d) {
   if (d.time_of_overturning >= 0) return d.time_of_overturning;
@@ -83,6 +80,18 @@ std::vector<Predictability> predictability(const Scene& scene, const FloorMotion
   const Response twin = simulate(perturbed(scene, 1), floor, settings);
   if (is_failure(twin.outcome)) return {};
   return compare_twin(run, twin);
+}
+
+void add_half_step(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings,
+                   std::vector<Predictability>& of_items) {
+  SimulationSettings finer = with_steps_times(0.5, settings);
+  finer.history_step = 0;
+  const Response half = simulate(scene, floor, finer);
+  if (is_failure(half.outcome)) return;
+  for (std::size_t i = 0; i < of_items.size(); ++i) {
+    of_items[i].displacement_at_half_step = half.items[i].demands.peak_displacement;
+    of_items[i].tilt_at_half_step = half.items[i].demands.peak_tilt;
+  }
 }
 
 }  // namespace gurney

@@ -20,4 +20,9 @@ std::vector<Predictability> compare_twin(const Response& run, const Response& tw
 std::vector<Predictability> predictability(const Scene& scene, const FloorMotion& floor,
                                            SimulationSettings settings, const Response& run);
 
+/// Runs the run again with half its time step, for the peaks at half step of each item.
+/// @throws Error as simulate()
+void add_half_step(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings,
+                   std::vector<Predictability>& of_items);
+
 }  // namespace gurney

@@ -87,48 +87,6 @@ std::string common_ending(const Response& response) {
   return {};
 }
 
-/// What one run shows of an item.
-std::string trust(const Predictability& p) {
-  const std::string change = "a change of mass by one part in a billion";
-  if (p.time_of_peaks == 0) return "Predictable: the item stays where it is";
-  switch (p.verdict) {
-    case Predictability::Verdict::kPredictable:
-      return fmt::format("Predictable: {} grows {:.2g}-fold until the peaks at {:.2f} s{}", change,
-                         p.amplification_at_peaks, p.time_of_peaks,
-                         p.horizon > p.time_of_peaks
-                             ? fmt::format("; from {:.2f} s on the motion is sensitive", p.horizon)
-                             : "");
-    case Predictability::Verdict::kSensitive:
-      return fmt::format(
-          "SENSITIVE: {} grows {:.2g}-fold until the peaks at {:.2f} s; from {:.2f} s on an error "
-          "of 0.1 % may change the motion by its own size",
-          change, p.amplification_at_peaks, p.time_of_peaks, p.horizon);
-    case Predictability::Verdict::kChaotic:
-      break;
-  }
-  return fmt::format(
-      "CHAOTIC: {} leads to another motion before the peaks at {:.2f} s. They are those of one run "
-      "among many; study.replicas gives their distribution",
-      change, p.time_of_peaks);
-}
-
-/// A sentence for one item; of several a line for each that is not predictable.
-std::string predictabilities(const Response& response, const std::vector<std::string>& names) {
-  std::string text, predictable;
-  for (std::size_t i = 0; i < response.items.size(); ++i) {
-    const auto& found = response.items[i].predictability;
-    if (!found) continue;
-    if (names.size() == 1) return trust(*found) + ".\n";
-    if (found->verdict == Predictability::Verdict::kPredictable)
-      predictable += (predictable.empty() ? "" : ", ") + names[i];
-    else
-      text += fmt::format("  {}: {}\n", names[i], trust(*found));
-  }
-  if (!predictable.empty())
-    text += fmt::format("  predictable until their peaks: {}\n", predictable);
-  return text.empty() ? "" : "Predictability\n" + text;
-}
-
 /// One line for each item that moved; the others in one.
 std::string motions(const Response& response, const std::vector<std::string>& names) {
   std::string text, still;
@@ -167,7 +125,7 @@ std::string narrative(const study::RunFacts& facts, const Response& response) {
                          : common_ending(response) + "\n" + motions(response, names);
   text += narrative_of_falls(facts, response) + narrative_of_impacts(response, names) +
           narrative_of_zones(facts, response) + narrative_of_tethers(facts, response) +
-          predictabilities(response, names);
+          narrative_of_trust(response, names);
   text.pop_back();
   return text;
 }

@@ -35,8 +35,16 @@ struct Row {
   double cpu = 0;
 };
 
+/// What the change with half the step says of the error of the default step.
+struct Estimate {
+  int covered = 0;  ///< errors within twice the change
+  int small = 0;    ///< changes of at most half of kSettled
+  int kept = 0;     ///< of these: errors within kSettled
+};
+
 struct Table {
   int predictable = 0;
+  Estimate estimate;
   std::array<Row, kVariants.size()> rows;
 };
 
@@ -48,16 +56,22 @@ void add_motion(const Scene& scene, const FloorMotion& floor, Table& table) {
   const bool predictable =
       !found.empty() && found[0].verdict == Predictability::Verdict::kPredictable;
   std::array<Row, kVariants.size()> rows;
+  std::array<Demands, kVariants.size()> demands;
   for (std::size_t v = 0; v < rows.size(); ++v) {
     const double start = cpu_time();
     const Response run = simulate(scene, floor, kVariants[v]);
     rows[v].cpu = cpu_time() - start;
-    rows[v].settled =
-        predictable && step_error(run.items[0].demands, reference.items[0].demands) <= kSettled;
+    demands[v] = run.items[0].demands;
+    rows[v].settled = predictable && step_error(demands[v], reference.items[0].demands) <= kSettled;
   }
+  const double error = step_error(demands[0], reference.items[0].demands),
+               change = step_error(demands[0], demands[1]);
 #pragma omp critical
   {
     table.predictable += predictable;
+    table.estimate.covered += predictable && error <= 2 * change;
+    table.estimate.small += predictable && change <= kSettled / 2;
+    table.estimate.kept += predictable && change <= kSettled / 2 && error <= kSettled;
     for (std::size_t v = 0; v < rows.size(); ++v) {
       table.rows[v].settled += rows[v].settled;
       table.rows[v].cpu += rows[v].cpu;
@@ -80,6 +94,11 @@ void print_step_control(int records) {
     for (int k = 0; k < records; ++k)
       add_motion(scene, motion_of_regime(regime, k, records), table);
     fmt::print("{}: {} predictable of {}\n", regime.name, table.predictable, records);
+    fmt::print(
+        "  errors at 4 ms within twice the change with 2 ms: {}; of {} changes within {:g} %, {} "
+        "errors within {:g} %\n",
+        table.estimate.covered, table.estimate.small, 50 * kSettled, table.estimate.kept,
+        100 * kSettled);
     for (std::size_t v = 0; v < kVariants.size(); ++v) {
       const SimulationSettings& settings = kVariants[v];
       const std::string name = settings.tolerance > 0

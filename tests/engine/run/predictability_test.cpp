@@ -131,5 +131,20 @@ TEST(Predictability, NeedsNoHistoryOfTheRun) {
   EXPECT_EQ(without.time_of_peaks, with.time_of_peaks);
 }
 
+TEST(HalfStep, HasThePeaksOfTheFinerRun) {
+  const Scene scene = braked_and_tall();
+  const FloorMotion floor = small::noise_record(3, 2, {5, 4, 2});
+  const SimulationSettings settings{.time_step = 0.008, .tolerance = 0.1};
+  SimulationSettings finer = settings;
+  finer.time_step = 0.004;
+  finer.tolerance = 0.1 / 8;  // of second order: errors of a step go with its cube
+  std::vector<Predictability> found(1);
+  add_half_step(scene, floor, settings, found);
+  const Demands expected = simulate(scene, floor, finer).items[0].demands;
+  EXPECT_GT(expected.peak_tilt, Predictability::kLeastTilt);
+  EXPECT_EQ(found[0].displacement_at_half_step, expected.peak_displacement);
+  EXPECT_EQ(found[0].tilt_at_half_step, expected.peak_tilt);
+}
+
 }  // namespace
 }  // namespace gurney

@@ -43,6 +43,35 @@ TEST(Story, ReportsEachOutcomeOfASingleItem) {
               StartsWith("The item did not move. Every wheel stayed on the floor."));
 }
 
+TEST(Story, SaysWhatHalfTheTimeStepChanges) {
+  Response response = fabricated_response();
+  ItemResponse& item = response.items[0];
+  item.demands.peak_tilt = 0.02;
+  Predictability& p = item.predictability.emplace();
+  p.displacement_at_half_step = 0.98 * item.demands.peak_displacement;
+  p.tilt_at_half_step = 1.003 * item.demands.peak_tilt;
+  const std::string text = narrative(fabricated_facts(), response);
+  EXPECT_THAT(text, HasSubstr("\nTime step: half of it changes the peak displacement by -2 %, "
+                              "the peak tilt by +0.3 %."));
+  item.demands.peak_tilt = p.tilt_at_half_step = 1e-3;  // less than 0.1 degrees: at rest
+  EXPECT_THAT(narrative(fabricated_facts(), response), HasSubstr("peak displacement by -2 %."));
+  p.verdict = Predictability::Verdict::kChaotic;  // its difference is not the step's
+  EXPECT_THAT(narrative(fabricated_facts(), response), Not(HasSubstr("Time step")));
+}
+
+TEST(Story, NamesTheItemThatTheTimeStepChangesMost) {
+  Response response = fabricated_ward_response();
+  for (std::size_t i = 0; i < response.items.size(); ++i) {
+    const double peak = response.items[i].demands.peak_displacement = 0.1;
+    response.items[i].demands.peak_tilt = 0;
+    response.items[i].predictability.emplace().displacement_at_half_step =
+        peak * (i == 2 ? 0.9 : 1.05);
+    response.items[i].predictability->tilt_at_half_step = 0;
+  }
+  EXPECT_THAT(narrative(fabricated_ward(), response),
+              HasSubstr("Time step: half of it changes peak displacements by at most 10 % ("));
+}
+
 TEST(Story, ReportsHowFarEachItemMoved) {
   const std::string text = narrative(fabricated_ward(), fabricated_ward_response());
   EXPECT_THAT(text, StartsWith("1 of 10 items overturned; the run ended at 15.00 s.\n"));
