@@ -60,6 +60,17 @@ expect 0 "one run" "$gurney" show one.h5
 expect 0 "wrote    one_csv/histories_time.csv" "$gurney" export one.h5 --to csv
 expect 0 "wrote    one_xdmf/one.xdmf" "$gurney" export one.h5 --to xdmf
 expect 0 "wrote    one_gltf/one.gltf" "$gurney" export one.h5 --to gltf
+if command -v python3 > python3.path; then
+  python3 "$2/tests/system/cli/gltf_structure.py" one_gltf/one.gltf > stdout 2> stderr ||
+    complain "one.gltf is not as glTF 2.0 demands"
+  # What is wrong is found: a maximum, a length, a time.
+  for change in 's/"max":\[[^]]*\]/"max":[9,9,9]/' 's/"byteLength":[0-9]*,"uri"/"byteLength":7,"uri"/' \
+    's/"count":[0-9]*/"count":1000000/'; do
+    sed "$change" one_gltf/one.gltf > wrong.gltf
+    cmp -s one_gltf/one.gltf wrong.gltf && complain "$change changes nothing"
+    python3 "$2/tests/system/cli/gltf_structure.py" wrong.gltf > stdout 2> stderr && complain "$change is not found"
+  done
+fi
 expect 1 "not the results file of a single run" "$gurney" export study.h5 --to gltf -o new
 folder_holds one_xdmf one.xdmf one_shapes.h5
 expect 1 "study.h5: holds many runs; make the one to be seen with gurney replay" "$gurney" export \
