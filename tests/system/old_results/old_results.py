@@ -1,0 +1,106 @@
+"""Results that an earlier program wrote open in this one, and mean the same.
+
+The files are those of gurney 0.1.0 of commit bde08e5 (2026-11-22): a run, and a study of which this is
+the job. That program called the column analysis_case `unit`, and the keys ida and step_check `hunt`
+and `certificate`.
+
+usage: old_results.py GURNEY SOURCE_FOLDER
+"""
+
+import gzip
+import hashlib
+import json
+import os
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../python"))
+import support  # noqa: E402
+
+support.use_package()
+
+import gurney  # noqa: E402
+import h5py  # noqa: E402
+
+
+def unpacked(name, folder):
+    path = os.path.join(folder, name)
+    packed = os.path.join(support.SOURCE, "tests/system/old_results", f"{name}.gz")
+    with gzip.open(packed) as source, open(path, "wb") as target:
+        target.write(source.read())
+    return path
+
+
+def in_words_of_today(path, folder):
+    """The same study under the names that this program gives."""
+    today = os.path.join(folder, "today.h5")
+    with open(path, "rb") as source, open(today, "wb") as target:
+        target.write(source.read())
+    with h5py.File(today, "r+") as file:
+        file["runs"].move("unit", "analysis_case")
+        text = file.attrs["job_text"]
+        text = text.replace("hunt", "ida").replace("certificate", "step_check")
+        file.attrs.modify("job_text", text)
+        file.attrs.modify("job_sha256", hashlib.sha256(text.encode()).hexdigest())
+    return today
+
+
+class OldResults(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.study = unpacked("study_of_bde08e5.h5", self.folder.name)
+        self.run_file = unpacked("run_of_bde08e5.h5", self.folder.name)
+        self.today = in_words_of_today(self.study, self.folder.name)
+
+    def csv_of(self, path):
+        folder = f"{path}.csv"
+        support.gurney("export", path, "--to", "csv", "-o", folder)
+        tables = {}
+        for name in os.listdir(folder):
+            with open(os.path.join(folder, name), encoding="utf-8") as table:
+                tables[name] = table.read()
+        return tables
+
+    def test_have_the_old_names(self):
+        with h5py.File(self.study) as file:
+            self.assertIn("unit", file["runs"])
+            self.assertNotIn("analysis_case", file["runs"])
+            self.assertIn("hunt = {", file.attrs["job_text"])
+            self.assertIn("certificate = ", file.attrs["job_text"])
+            self.assertTrue(file.attrs["git_commit"].startswith("bde08e5"))
+
+    def test_say_what_they_say_under_the_names_of_today(self):
+        for command in (["fragility", "--json"], ["compare", "--configuration", "false,true"],
+                        ["measures"]):
+            said = [support.gurney(command[0], path, *([path] if command[0] == "compare" else []),
+                                   *command[1:]).replace(path, "FILE")
+                    for path in (self.study, self.today)]
+            self.assertEqual(*said)
+        self.assertIn('"moved"', support.gurney("fragility", self.study, "--json"))
+        # Of a table only the name of the column is another.
+        old, today = self.csv_of(self.study), self.csv_of(self.today)
+        self.assertEqual(old.keys(), today.keys())
+        for name in old.keys() - {"runs.csv"}:
+            self.assertEqual(old[name], today[name], name)
+
+    def test_of_studies_and_runs_open_in_every_command(self):
+        self.assertIn("a study of 24 runs", support.gurney("show", self.study))
+        self.assertIn("Trolley, as of November 2026", support.gurney("show", self.run_file))
+        for path in (self.study, self.run_file):
+            support.gurney("report", path, "-o", f"{path}.html")
+        support.gurney("play", self.run_file, "-o", f"{self.run_file}.play.html")
+        self.csv_of(self.run_file)
+
+    def test_open_in_the_python_package(self):
+        old, today = gurney.Results(self.study), gurney.Results(self.today)
+        self.assertEqual(list(old.runs["analysis_case"]), list(today.runs["analysis_case"]))
+        fits = [json.dumps(str(each.fragility("moved", configuration="true")).replace(
+            os.path.basename(path), "")) for each, path in ((old, self.study), (today, self.today))]
+        self.assertEqual(*fits)
+        self.assertGreater(len(gurney.Results(self.run_file).demands), 0)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
