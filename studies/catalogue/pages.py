@@ -7,31 +7,15 @@ PAGES gets items.md (the overview), a page for each item, and their figures.
 
 import csv
 import json
-import math
 import os
 import subprocess
 import sys
 
-SPEEDS = (0.4, 0.8)  # [m/s] peak floor velocities of the overview
+from advice import ACTIONS, SPEED, Advice
+
 WHERE = ("flexible building", "open")  # of the overview
 LIMITS = ["moved 0.1 m", "moved 0.3 m", "moved 1 m", "hit at 0.4 m/s", "hit at 0.8 m/s", "overturned"]
 SETTINGS = ["off", "on", "locked"]
-FEW = 0.05  # a probability that counts as small in the advice
-
-
-def probability(row, speed):
-    """At a peak floor velocity: of the curve, or of the bounds of runs that have no curve."""
-    if row["theta"]:
-        return 0.5 * math.erfc(-math.log(speed / float(row["theta"])) / float(row["beta"]) / math.sqrt(2))
-    if int(row["exceed"]) == 0:
-        return 0.0
-    return 1.0 if int(row["exceed"]) == int(row["runs"]) else int(row["exceed"]) / int(row["runs"])
-
-
-def percent(value):
-    if value < 0.005:
-        return "0 %"
-    return "100 %" if value > 0.995 else f"{100 * value:.0f} %"
 
 
 def cell(row):
@@ -51,36 +35,36 @@ class Catalogue:
         with open(os.path.join(tables, "measures.csv"), newline="") as file:
             self.measures = list(csv.DictReader(file))
 
-    def at(self, item, brakes, limit, speed, where=WHERE):
-        return probability(self.rows[(item, *where, brakes, limit)], speed)
 
-    def advice(self, item):
-        """One line, by the rule of docs/catalogue/methods.md, at the higher speed of the overview."""
-        speed = SPEEDS[1]
-        travels = self.at(item, "off", "moved 1 m", speed)
-        held = self.at(item, "on", "moved 1 m", speed)
-        falls = max(self.at(item, s, "overturned", speed) for s in ("on", "locked"))
-        falls_free = self.at(item, "off", "overturned", speed)
-        if falls_free > FEW:
-            return "**Tether it high**: it overturns even on free casters"
-        if falls > FEW:
-            return "**Tether it**: free it travels, with its brakes on it overturns"
-        if travels <= FEW:
-            return "**Leave it**: it stays within 1 m in any state of its brakes"
-        if held < travels / 2:
-            return "**Set the brakes**: it stays nearer and does not overturn"
-        return "**Tether it**: its brakes do not hold it"
-
-
-def overview(catalogue, names):
-    lines = ["| item | moves 0.3 m, brakes off | moves 1 m, off | moves 1 m, on | overturns, on | overturns, locked | what to do |",
-             "| --- | --- | --- | --- | --- | --- | --- |"]
-    for item in catalogue.items:
-        both = lambda brakes, limit: ", ".join(percent(catalogue.at(item, brakes, limit, s)) for s in SPEEDS)
-        lines.append(f"| [{names[item]}]({item}.md) | {both('off', 'moved 0.3 m')} | {both('off', 'moved 1 m')} | "
-                     f"{both('on', 'moved 1 m')} | {both('on', 'overturned')} | {both('locked', 'overturned')} | "
-                     f"{catalogue.advice(item)} |")
+def decisions(advice, names):
+    """Each action with its items, the one to read first."""
+    lines = []
+    for action, words in ACTIONS.items():
+        items = [f"[{names[item]}]({item}.md)" for item in names if advice.action(item) == action]
+        if items:
+            lines.append(f"- **{words}** ({len(items)}): {', '.join(items)}")
     return lines
+
+
+def overview(advice, names):
+    lines = ["| item | moves 1 m, brakes off | moves 1 m, on | overturns, on | overturns, locked | what to do |",
+             "| --- | --- | --- | --- | --- | --- |"]
+    columns = [("off", "moved 1 m"), ("on", "moved 1 m"), ("on", "overturned"), ("locked", "overturned")]
+    for item, name in names.items():
+        cells = " | ".join(advice.words(item, *column) for column in columns)
+        lines.append(f"| [{name}]({item}.md) | {cells} | {advice.line(item)} |")
+    return lines
+
+
+def overview_page(advice, names):
+    return ["# What to brake, what to tether, what to leave", "",
+            f"At a peak floor velocity of {SPEED} m/s on an upper floor of a flexible building, on an open floor, by 16 "
+            "motions ([rule](methods.md#what-to-do)):", "",
+            *decisions(advice, names), "",
+            "Where nothing is shown or decided, a tether is the choice that does not depend on it. "
+            "[Methods](methods.md), with what these numbers must not be used for.", "",
+            "Probabilities, with intervals of 95 %:", "",
+            *overview(advice, names), ""]
 
 
 def item_table(catalogue, item):
@@ -103,13 +87,13 @@ def best_measures(catalogue, item):
     return ", ".join(f"{name} ({n})" for name, n in ranked[:3])
 
 
-def item_page(catalogue, item, sheet):
+def item_page(catalogue, advice, item, sheet):
     size = " x ".join(f"{1000 * each:.0f}" for each in sheet["size_m"])
     return [
         f"# {sheet['name']}", "", sheet["description"] + ".", "",
         f"{sheet['mass_kg']:.0f} kg, {size} mm, base over height {sheet['base_over_height']:.2f}, tips from "
         f"{sheet['tips_from_g']:.2f} g where its wheels cannot roll. Data: `equipment/items/{item}.toml`.", "",
-        f"{catalogue.advice(item)} ([rule](methods.md#what-to-do)).", "",
+        f"{advice.line(item)} ([rule](methods.md#what-to-do)).", "",
         f"![Plan and sides](images/{item}.svg)", "",
         f"![Fragility on an upper floor of the flexible building](images/{item}_fragility.svg)", "",
         "## Fragility", "",
@@ -137,7 +121,7 @@ def main():
     if len(sys.argv) != 5:
         sys.exit(__doc__)
     gurney, results, tables, pages = sys.argv[1:]
-    catalogue = Catalogue(tables)
+    catalogue, advice = Catalogue(tables), Advice(tables)
     os.makedirs(os.path.join(pages, "images"), exist_ok=True)
     names = {}
     for item in catalogue.items:
@@ -146,13 +130,9 @@ def main():
         names[item] = sheet["name"]
         figures(gurney, item, results, os.path.join(pages, "images"))
         with open(os.path.join(pages, item + ".md"), "w") as file:
-            file.write("\n".join(item_page(catalogue, item, sheet)))
+            file.write("\n".join(item_page(catalogue, advice, item, sheet)))
     with open(os.path.join(pages, "items.md"), "w") as file:
-        file.write("\n".join([
-            "# What to brake, what to tether, what to leave", "",
-            f"Probabilities at peak floor velocities of {SPEEDS[0]} and {SPEEDS[1]} m/s on an upper floor of a flexible "
-            "building, on an open floor. [Methods](methods.md), with what these numbers must not be used for.", "",
-            *overview(catalogue, names), ""]))
+        file.write("\n".join(overview_page(advice, names)))
 
 
 if __name__ == "__main__":

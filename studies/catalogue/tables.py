@@ -2,20 +2,25 @@
 
 usage: tables.py GURNEY RESULTS TABLES
 
-TABLES gets fragility.csv (every curve with its interval, or why there is none), measures.csv (which
-intensity measure predicts the displacement best), pelicun/ (a component library) and nrml/ (a file
-for each limit state).
+TABLES gets fragility.csv (every curve with its interval, or why there is none), probabilities.csv and
+brakes.csv (what the advice rests on), measures.csv (which intensity measure predicts the displacement
+best), pelicun/ (a component library) and nrml/ (a file for each limit state).
 """
 
 import csv
 import glob
 import json
+import math
 import os
 import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as xml
 
+ADVISED = ("flexible building", "open")  # where the advice is given, and at which velocities [m/s]
+SPEEDS = (0.4, 0.8)
+BRAKES = ("off", "on", "locked")
+COMPARED = ("moved 1 m = peak_displacement > 1 m", "overturned")
 MEASURES = {"pfv": ["--measure", "pfv"], "PGV larger": []}
 COLUMNS = ["item", "floor", "place", "brakes", "limit_state", "measure", "unit", "runs", "exceed", "failed", "theta",
            "theta_low", "theta_high", "beta", "beta_low", "beta_high", "reason", "cautions"]
@@ -56,6 +61,42 @@ def fragility_rows(gurney, item, file):
                    "theta_low": theta[0], "theta_high": theta[1],
                    "beta_low": beta[0], "beta_high": beta[1],
                    "reason": "" if curve else each["reason"], "cautions": "; ".join(each["cautions"])}
+
+
+def at_intensity(curve, band, im):
+    """Probability and its interval: of the curve where there is one, between the points of the band."""
+    above = next(i for i, point in enumerate(band) if point[0] >= im)
+    (x0, *lower), (x1, *upper) = band[above - 1], band[above]
+    share = math.log(im / x0) / math.log(x1 / x0)
+    ends = [a + share * (b - a) for a, b in zip(lower, upper)]
+    middle = 0.5 * math.erfc(-math.log(im / curve["theta"]) / curve["beta"] / math.sqrt(2)) if curve else None
+    return middle, *ends
+
+
+def probability_rows(gurney, item, file, settings=BRAKES):
+    """Probabilities where the advice is given. Without a curve there is an interval only."""
+    names = [", ".join([*ADVISED, brakes]) for brakes in settings]
+    fits = json.loads(output_of(gurney, "fragility", file, "--measure", "pfv", "--configuration", *names, "--json"))
+    for each in fits["fragilities"]:
+        brakes = setting_of(each["configuration"])[2]
+        for speed in SPEEDS:
+            middle, low, high = at_intensity(each["curve"], each["band"], speed)
+            yield {"item": item, "brakes": brakes, "limit_state": each["limit_state"], "pfv": speed,
+                   "probability": "" if middle is None else f"{middle:.4f}", "low": f"{low:.4f}",
+                   "high": f"{high:.4f}"}
+
+
+def brake_rows(gurney, item, file):
+    """By how much the share of runs that exceed is smaller with brakes than without, run by run in pairs."""
+    states = [word for state in COMPARED for word in ("--limit-state", state)]
+    for brakes in BRAKES[1:]:
+        names = ",".join(", ".join([*ADVISED, setting]) for setting in ("off", brakes))
+        shares = json.loads(output_of(gurney, "compare", file, "--configurations", names, *states, "--json"))["shares"]
+        for each in shares:
+            low, high = each["interval"]
+            yield {"item": item, "brakes": brakes, "limit_state": each["name"], "off": number(each["a"]),
+                   "braked": number(each["b"]), "difference": number(each["difference"]), "low": number(low),
+                   "high": number(high), "p": number(each["p"])}
 
 
 def measure_rows(gurney, item, file):
@@ -133,6 +174,12 @@ def main():
     os.makedirs(tables, exist_ok=True)
     write_csv(os.path.join(tables, "fragility.csv"), COLUMNS,
               [row for item, file in files for row in fragility_rows(gurney, item, file)])
+    write_csv(os.path.join(tables, "probabilities.csv"),
+              ["item", "brakes", "limit_state", "pfv", "probability", "low", "high"],
+              [row for item, file in files for row in probability_rows(gurney, item, file)])
+    write_csv(os.path.join(tables, "brakes.csv"),
+              ["item", "brakes", "limit_state", "off", "braked", "difference", "low", "high", "p"],
+              [row for item, file in files for row in brake_rows(gurney, item, file)])
     write_csv(os.path.join(tables, "measures.csv"),
               ["item", "floor", "place", "brakes", "best", "best_scatter", "second", "second_scatter", "pfv_scatter"],
               [row for item, file in files for row in measure_rows(gurney, item, file)])

@@ -14,6 +14,7 @@ import tempfile
 gurney, source = sys.argv[1:]
 scripts = os.path.join(source, "studies", "catalogue")
 sys.path.insert(0, scripts)
+import advice  # noqa: E402
 import pages  # noqa: E402
 import tables  # noqa: E402
 
@@ -28,20 +29,29 @@ assert len(shipped) == 12, f"{len(shipped)} rows of {CONFIGURATION} in the shipp
 with tempfile.TemporaryDirectory() as folder:
     subprocess.run([sys.executable, os.path.join(scripts, "catalogue.py"), gurney, folder, "--items", ITEM, "--only",
                     ",".join(CONFIGURATION)], check=True, capture_output=True)
-    again = list(tables.fragility_rows(gurney, ITEM, os.path.join(folder, ITEM + ".h5")))
+    results = os.path.join(folder, ITEM + ".h5")
+    again = list(tables.fragility_rows(gurney, ITEM, results))
+    shipped += [row for row in advice.read(data, "probabilities.csv")
+                if row["item"] == ITEM and row["brakes"] == CONFIGURATION[2]]
+    again += tables.probability_rows(gurney, ITEM, results, CONFIGURATION[2:])
 for old, new in zip(shipped, again, strict=True):
     new = {key: str(value) for key, value in new.items()}
     assert old == new, f"shipped: {old}\nagain:   {new}"
 
-catalogue = pages.Catalogue(data)
+catalogue, advised = pages.Catalogue(data), advice.Advice(data)
 with open(os.path.join(source, "docs", "catalogue", ITEM + ".md")) as file:
     page = file.read()
-for line in pages.item_table(catalogue, ITEM) + [catalogue.advice(ITEM)]:
+for line in pages.item_table(catalogue, ITEM) + [advised.line(ITEM)]:
     assert line in page, f"not on the page of {ITEM}: {line}"
 with open(os.path.join(source, "docs", "catalogue", "items.md")) as file:
     text = file.read()
 for item in catalogue.items:
-    assert catalogue.advice(item) in next(line for line in text.splitlines() if f"({item}.md)" in line), item
+    # Brakes are advised only where intervals show that they hold and bound what they overturn.
+    if advised.action(item) == "brake":
+        assert float(advised.brakes[item, "on", "moved 1 m"]["high"]) < 0, item
+        assert advised.interval(item, "on", "overturned")[2] <= advice.MOST, item
+    assert advised.line(item) in next(line for line in text.splitlines()
+                                     if line.startswith("|") and f"({item}.md)" in line), item
 
 def text_of(*path):
     with open(os.path.join(source, "docs", *path)) as file:
