@@ -22,7 +22,7 @@ struct FragilityOptions {
   std::string file, measure, second;
   FigureFile figure;
   study::AssessmentRequest assessed_by;
-  std::vector<std::string> states, configurations;
+  std::vector<std::string> states, configurations, records;
   bool json = false, overwrite = false;
 };
 
@@ -74,7 +74,7 @@ std::string surfaces(const FragilityOptions& options, const study::StudyData& da
 
 int fragility(const FragilityOptions& options) {
   options.figure.check(options.overwrite);
-  const study::StudyData data(options.file, options.assessed_by);
+  const study::StudyData data(options.file, options.assessed_by, options.records);
   const auto states =
       chosen(options.states, data.limit_states().size(),
              [&](const std::string& name) { return study::index_of(data.limit_states(), name); });
@@ -98,6 +98,7 @@ void add_fragility(CLI::App& app, std::function<int()>& action) {
   command->add_option("--limit", options.states, "Only limit states of this name (default: all)");
   command->add_option("--configuration,--configurations", options.configurations,
                       "Configurations (default: all)");
+  command->add_option("--record", options.records, "Only runs of these records (default: all)");
   command->add_option("--measure", options.measure, "Intensity measure (default: the study's own)");
   CLI::Option* const second = command->add_option(
       "--and", options.second, "A second measure: P given both, and whether it adds to the first");

@@ -26,13 +26,28 @@ Study study_of(const StudyReader& file) {
   return read_study(*table, *document.tree().find("study"));
 }
 
+/// For each record of a file: is it wanted? Empty where none is named.
+std::vector<bool> named_records(const StudyReader& file, const std::vector<std::string>& wanted) {
+  if (wanted.empty()) return {};
+  const std::vector<std::string> names = file.strings("records/name");
+  for (const std::string& name : wanted)
+    require(
+        std::ranges::find(names, name) != names.end(),
+        fmt::format("{}: no record '{}'{}", file.path(), name, config::suggestion(name, names)));
+  std::vector<bool> named;
+  for (const std::string& name : names)
+    named.push_back(std::ranges::find(wanted, name) != wanted.end());
+  return named;
+}
+
 bool is_number(const std::vector<double>& values) {
   return std::ranges::any_of(values, [](double value) { return !std::isnan(value); });
 }
 
 }  // namespace
 
-StudyData::StudyData(const std::string& path, const AssessmentRequest& request)
+StudyData::StudyData(const std::string& path, const AssessmentRequest& request,
+                     const std::vector<std::string>& records)
     : file_(std::make_unique<StudyReader>(path)),
       values_(*file_),
       study_(study_of(*file_)),
@@ -43,9 +58,11 @@ StudyData::StudyData(const std::string& path, const AssessmentRequest& request)
   const std::vector<double> configuration = file_->numbers("runs/configuration");
   const std::vector<double> record = file_->numbers("runs/record");
   const std::vector<std::string> outcome = file_->strings("runs/outcome");
+  const std::vector<bool> counts = named_records(*file_, records);
   for (std::size_t run = 0; run < configuration.size(); ++run) {
     const auto of = static_cast<std::size_t>(configuration[run]);
     record_.push_back(static_cast<std::size_t>(record[run]));
+    if (!counts.empty() && !counts.at(record_.back())) continue;
     if (is_failure(outcome[run]))
       ++failed_.at(of);
     else

@@ -23,8 +23,10 @@ struct RunMeasure {
 /// A study file with what its job states of it, for statistics. Failed runs are never counted.
 class StudyData {
  public:
+  /// @param records  names of those whose runs count; empty: all
   /// @throws Error unless it is the results file of a study that can be assessed so
-  explicit StudyData(const std::string& path, const AssessmentRequest& request = {});
+  explicit StudyData(const std::string& path, const AssessmentRequest& request = {},
+                     const std::vector<std::string>& records = {});
 
   const StudyReader& file() const { return *file_; }
   const Study& study() const { return study_; }

@@ -39,7 +39,7 @@ synthetic = { kind = "ac156" }
 [settings]
 duration_s = 6
 [study]
-synthetic_records = 6
+synthetic_records = ${records:-6}
 draws = 2
 $(cat performance.toml)
 [study.intensity]
@@ -80,6 +80,15 @@ same stated.json given.json
 grep -q "times a year" given.txt || complain "no rate"
 grep -q "P(worst level reached)" given.txt || complain "no performance levels"
 grep -q '"theta"' given.json || complain "no curve to compare"
+
+# Of named records: as a study without the others.
+records=3 study few.h5 "levels = [0.1, 0.25, 0.5]"
+mapfile -t names < <("$gurney" show few.h5 --json | sed -n 's/^ *"name": "\(.*\)",$/\1/p' | head -3)
+[ "${#names[@]}" -eq 3 ] || complain "few.h5 does not have three records"
+"$gurney" fragility plain.h5 --limit-states limits.toml --record "${names[@]}" > given.txt
+"$gurney" fragility few.h5 --limit-states limits.toml > stated.txt
+same stated.txt given.txt
+expect 1 "no record 'nowhere'" "$gurney" fragility plain.h5 --record nowhere
 
 # One line instead of a file, and the other commands.
 "$gurney" fragility stated.h5 --limit rolled --json | grep -v '"per_year\|"in_50_years' > stated.json
