@@ -47,9 +47,28 @@ struct SmallRun {
   double scale = 1;
 };
 
+/// A row of /zones.
+struct SmallZone {
+  std::size_t run;
+  std::string zone;
+  ZoneOutcome outcome;
+};
+
+inline void write_zones(Hdf5Writer& file, const std::vector<SmallZone>& zones) {
+  if (zones.empty()) return;
+  GrowingTable table(file, "zones");
+  table.add_whole("run", "run");
+  table.add_text("zone", "zone", 8);
+  table.add(zone_columns());
+  for (const SmallZone& each : zones)
+    table.put(double(each.run)).put(each.zone).put(zone_columns(), each.outcome).end_row();
+  table.finish();
+}
+
 /// One configuration; items `cart` and, at rest, `bed`.
 inline void write_small_study(const std::string& path, const std::vector<SmallRun>& runs,
-                              const std::string& job = kSmallStudy) {
+                              const std::string& job = kSmallStudy,
+                              const std::vector<SmallZone>& zones = {}) {
   Hdf5Writer file(path);
   file.set_attribute("/", "filetype", std::string("gurney-study"));
   file.set_attribute("/", "format_version", std::int64_t{kStudyFormatVersion});
@@ -85,6 +104,7 @@ inline void write_small_study(const std::string& path, const std::vector<SmallRu
     items.put(double(i)).put("cart").put(demand_columns(), cart).end_row();
     items.put(double(i)).put("bed").put(demand_columns(), Demands{}).end_row();
   }
+  write_zones(file, zones);
   configurations.finish();
   table.finish();
   items.finish();
