@@ -70,10 +70,11 @@ void add_plot(CLI::App& app, std::function<int()>& action) {
   command->add_option("FILE", options.request.file, "The results file of a study or of one run")
       ->required();
   command->add_option("KIND", options.request.kind,
-                      "history, trajectories, fragility, ida, stripes, cloud or cdf");
+                      "history, trajectories, collisions, fragility, ida, stripes, cloud, cdf, "
+                      "tornado or spectra");
   command->add_option("WHAT", options.request.what,
-                      "Histories, demands or limit states (default: displacement, "
-                      "peak_displacement, all limit states)");
+                      "Histories, demands, limit states, what was hit, or which spectra "
+                      "(default: displacement, peak_displacement, all)");
   command->add_flag("--list", options.list, "List what can be plotted from the file");
   command->add_option("-o,--output", options.figure.path, "The figure (.svg, .pdf or .png)");
   command->add_option("--run", options.request.run, "The run of a history (default: the first)");
@@ -83,6 +84,13 @@ void add_plot(CLI::App& app, std::function<int()>& action) {
       ->allow_extra_args(false);
   command->add_option("--measure", options.request.measure,
                       "Intensity measure (default: the study's own)");
+  command
+      ->add_option_function<std::size_t>(
+          "--level", [shared](std::size_t level) { shared->request.level = level - 1; },
+          "Of tornado and spectra: the N-th level, counted from 1 (default: all; the highest)")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--job", options.request.job,
+                      "The job file, of collisions and spectra (default: the path in the log)");
   add_figure_style(*command, options.figure);
   command->add_option("--font-size", options.font_size, "Size of the labels [pt] (default: 8.25)");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");

@@ -11,10 +11,12 @@ namespace gurney::cli {
 /// What `gurney plot` is asked for.
 struct PlotRequest {
   std::string file, kind;
-  std::vector<std::string> what;  ///< histories, demands or limit states; empty: the usual ones
+  std::vector<std::string> what;  ///< histories, demands, limit states; empty: the usual ones
   std::vector<std::string> configurations;
   std::string measure;
   std::optional<std::size_t> run;
+  std::optional<std::size_t> level;  ///< its index
+  std::string job;                   ///< path of the study's job; empty: that in its log
 };
 
 /// The figure as SVG. @throws Error for what the file does not hold, with what it holds

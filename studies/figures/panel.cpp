@@ -176,7 +176,7 @@ void draw_y_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling
 void draw_axes(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& scaling,
                const Range& x, const Range& y) {
   draw_x_axis(svg, frame, panel, scaling, x);
-  draw_y_axis(svg, frame, panel, scaling, y);
+  if (panel.y_axis) draw_y_axis(svg, frame, panel, scaling, y);
   if (panel.zero_line && y.low < 0 && y.high > 0)
     svg.line(frame.x, scaling.y(0), frame.x + frame.width, scaling.y(0),
              {.stroke = "#999999", .width = 0.8});

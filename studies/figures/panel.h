@@ -68,6 +68,7 @@ struct Panel {
   std::vector<double> x_ticks = {};  ///< empty: round numbers
   bool lanes = false;                ///< for draw_lanes(): each curve on axes of its own
   bool x_labels = true;              ///< numbers at the ticks
+  bool y_axis = true;                ///< ticks and name of the vertical axis
   std::vector<Marks> marks = {};
   std::vector<Area> areas = {};  ///< below the curves
 };

@@ -50,6 +50,7 @@ std::size_t thin_out(Panel& panel, std::size_t most) {
 }
 
 double height_of(const PlotPanel& each, double width) {
+  if (each.height > 0) return each.height;
   if (each.panel.lanes)
     return std::max(150.0, 62.0 * static_cast<double>(each.panel.curves.size()));
   return std::clamp(each.aspect * width, 120.0, 640.0);
@@ -86,11 +87,14 @@ std::string plot_figure(const PlotPage& page, const std::string& title, std::str
   y = head;
   for (const PlotPanel& each : panels) {
     y += head_height(each.panel, width);
-    const Frame frame{kLeft, y, width, height_of(each, width)};
-    if (each.panel.lanes)
+    const double left = each.panel.y_axis ? kLeft : kRight;
+    const Frame frame{left, y, width + kLeft - left, height_of(each, width)};
+    if (each.panel.lanes) {
       draw_lanes(svg, frame, each.panel);
-    else
-      draw(svg, frame, each.panel);
+    } else {
+      const Scaling scaling = draw(svg, frame, each.panel);
+      if (each.overlay) each.overlay(svg, frame, scaling);
+    }
     y += frame.height + kBelow;
   }
   return svg.str();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct PlotPage {
 struct PlotPanel {
   Panel panel;
   double aspect = 0.62;
+  double height = 0;                                                     ///< [px]; 0: by `aspect`
+  std::function<void(Svg&, const Frame&, const Scaling&)> overlay = {};  ///< drawn over the axes
 };
 
 /// @param note  in small letters below the title: what the figure shows

@@ -58,20 +58,23 @@ void add_item(Panel& panel, const PlacedItem& item, std::string name, const std:
   }
 }
 
-double aspect_of(const Panel& panel) {
+}  // namespace
+
+double aspect_of_plan(const Panel& panel) {
   Vector2 low = Vector2::Constant(1e300), high = -low;
-  for (const Curve& curve : panel.curves)
-    for (std::size_t i = 0; i < curve.x.size(); ++i) {
-      low = low.cwiseMin(Vector2(curve.x[i], curve.y[i]));
-      high = high.cwiseMax(Vector2(curve.x[i], curve.y[i]));
+  const auto include = [&](const std::vector<double>& x, const std::vector<double>& y) {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      low = low.cwiseMin(Vector2(x[i], y[i]));
+      high = high.cwiseMax(Vector2(x[i], y[i]));
     }
+  };
+  for (const Curve& curve : panel.curves) include(curve.x, curve.y);
+  for (const Marks& marks : panel.marks) include(marks.x, marks.y);
   const Vector2 size = high - low;
   return size.x() > 0 ? std::clamp(size.y() / size.x(), 0.35, 0.8) : 0.8;
 }
 
-}  // namespace
-
-std::string scene_figure(const PlotPage& page, const std::string& title, const Scene& scene) {
+Panel scene_panel(const Scene& scene) {
   Panel panel{.title = "",
               .x_label = "x (m)",
               .y_label = "y (m)",
@@ -99,10 +102,15 @@ std::string scene_figure(const PlotPage& page, const std::string& title, const S
   const std::vector<std::string> names = study::item_names(scene);
   for (std::size_t i = 0; i < names.size(); ++i)
     add_item(panel, scene.items[i], names[i], palette(i));
+  return panel;
+}
+
+std::string scene_figure(const PlotPage& page, const std::string& title, const Scene& scene) {
+  const Panel panel = scene_panel(scene);
   return plot_figure(page, title,
                      "seen from above, before the motion; grey: room; dots: fronts of the items; "
                      "thick lines: wheels",
-                     {{.panel = panel, .aspect = aspect_of(panel)}});
+                     {{.panel = panel, .aspect = aspect_of_plan(panel)}});
 }
 
 }  // namespace gurney::figures

@@ -7,6 +7,12 @@
 
 namespace gurney::figures {
 
+/// Room, zones, tethers and items of a scene before anything moves, on the axes of a plan.
+Panel scene_panel(const Scene& scene);
+
+/// Height over width of the curves and marks of a plan, within what a page has room for.
+double aspect_of_plan(const Panel& panel);
+
 /// A scene before anything moves, from above: the room, its zones and tethers, the boxes of the
 /// items with their fronts, the wheels.
 std::string scene_figure(const PlotPage& page, const std::string& title, const Scene& scene);

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <set>
 
 #include "engine/base/units.h"
@@ -11,6 +10,7 @@
 #include "studies/page/drawing.h"
 #include "studies/page/study_page.h"
 #include "studies/report/equipment_report.h"
+#include "studies/study/analysis/kept_job.h"
 #include "studies/study/job/job.h"
 #include "studies/study/plan/data_files.h"
 #include "studies/study/plan/study_job.h"
@@ -21,10 +21,6 @@ namespace {
 /// Of the kinds of items of a scene as many as these are drawn.
 constexpr std::size_t kMaxDrawn = 3;
 
-std::string beside(const std::string& results) {
-  return (std::filesystem::path(results).parent_path() / "the job of the results.toml").string();
-}
-
 report::EquipmentFacts facts_of(const EquipmentModel& model, const Scene& scene) {
   const ContactConstants floor = contact_constants(scene, model.material, scene.floor_material);
   return {model, equipment::item_sheet(model, floor), floor, "", {}, {}, {}};
@@ -32,9 +28,10 @@ report::EquipmentFacts facts_of(const EquipmentModel& model, const Scene& scene)
 
 }  // namespace
 
-JobScene scene_of_study(const study::StudyReader& file, const std::string& job) {
-  const study::StudyJob study(file.job_text(), job.empty() ? beside(file.path()) : job);
-  const study::Job first = study.job(0, std::nullopt);
+JobScene scene_of_study(const study::StudyReader& file, const std::string& job,
+                        std::size_t configuration) {
+  const study::StudyJob study(file.job_text(), study::place_of_job(job, file.path()));
+  const study::Job first = study.job(configuration, std::nullopt);
   JobScene scene{first.scene, first.settings};
   if (!file.has("data_files")) return scene;
   const auto now = study::data_files(study);
@@ -46,8 +43,7 @@ JobScene scene_of_study(const study::StudyReader& file, const std::string& job) 
 }
 
 JobScene scene_of_run(const study::Hdf5Reader& file, const std::string& job) {
-  config::Document document(file.text_attribute("job_text"),
-                            job.empty() ? beside(file.path()) : job);
+  config::Document document(file.text_attribute("job_text"), study::place_of_job(job, file.path()));
   document.take("study");  // of a run that was replayed
   const study::Job read = study::read_job(document);
   return {read.scene, read.settings};

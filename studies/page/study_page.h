@@ -4,9 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/scene.h"
-#include "engine/scene/settings.h"
 #include "studies/page/document.h"
+#include "studies/page/job_scene.h"
 #include "studies/page/page.h"
 #include "studies/report/sensitivity_report.h"
 #include "studies/study/analysis/fragility_result.h"
@@ -15,19 +14,12 @@
 
 namespace gurney::page {
 
-/// What stood where in a job, read again with the catalogue of today.
-struct JobScene {
-  Scene scene;
-  SimulationSettings settings;
-  std::vector<std::string> changed = {};  ///< data files that are not as the study read them
-};
-
 /// What the page of a study is made of. Every number is that of the commands show, fragility and
 /// sensitivity.
 struct StudyPage {
   explicit StudyPage(const PageRequest& request);
 
-  std::string path;
+  std::string path, job;  ///< job: path of its file; empty: not known
   study::StudyOverview overview;
   study::StudyData data;
   std::vector<study::FragilityResult> fragilities;  ///< states of a configuration together
@@ -67,12 +59,6 @@ Methods methods_of(const StudyPage& page);
 
 /// "1 run", "3 runs".
 std::string counted(std::size_t count, const std::string& what);
-
-/// The scene of the job that a results file keeps; of a study that of its first configuration.
-/// @param job  path of the job's file, for relative names; empty: beside the results
-/// @throws Error where the job names what is not there any more
-JobScene scene_of_study(const study::StudyReader& file, const std::string& job);
-JobScene scene_of_run(const study::Hdf5Reader& file, const std::string& job);
 
 /// The scene from above, unless it is one item on a bare floor, and a drawing of each kind of item.
 Html scene_drawings(const JobScene& scene, const std::string& title);

@@ -39,6 +39,11 @@ class MotionSet {
   /// Factor on the ground motion that gives a value of the study's measure.
   double scale_for(std::size_t record, double value) const;
 
+  /// What stands on the floor feels of the record times `scale`, before it is turned: the motion of
+  /// the building's floor, or of the ground where there is no building.
+  FloorRecords::Shared floor_record(std::size_t record, double scale) const;
+  bool has_building() const { return request_ && request_->building; }
+
   /// What the floor does under the record times `scale`.
   /// @param warnings  gets those of the building, such as of isolators beyond their capacity
   FloorMotion floor(std::size_t record, double scale, double angle,
@@ -49,7 +54,6 @@ class MotionSet {
 
  private:
   GroundMotion read(std::size_t record) const;
-  FloorRecords::Shared floor_record(std::size_t record, double scale) const;
   bool scaled_by_measure() const { return intensity_.kind != IntensityPlan::Kind::kScales; }
 
   std::optional<RecordRequest> request_;

@@ -55,6 +55,32 @@ for kind in fragility ida stripes cloud cdf; do
   # 85 mm are 240.94 pt.
   grep -aq "MediaBox \[ 0 0 240.9" "$kind.pdf" || complain "$kind.pdf is not 85 mm wide"
 done
+plot 1 "the study drew no numbers" study.h5 tornado -o x.svg
+plot 0 "spectra.pdf" study.h5 spectra --level 2 -o spectra.pdf
+plot 0 "records.svg" study.h5 spectra records -o records.svg
+plot 1 "no spectra of the floor: the study has no building" study.h5 spectra floor -o x.svg
+plot 1 "has no level 4; it has 3" study.h5 spectra --level 4 -o x.svg
+plot 1 "no item hit anything" study.h5 collisions -o x.svg
+cat > wall.toml << 'TOML'
+schema = "gurney-job/1"
+title = "wall"
+[item]
+equipment = "icu_ventilator"
+[[room.wall]]
+name = "wall"
+from_m = [0.42, -2]
+to_m = [0.42, 2]
+thickness_m = 0.1
+height_m = 2
+[excitation.record]
+synthetic = { kind = "ricker", pga_g = 0.8, period_s = 0.8 }
+use = "x"
+TOML
+expect 0 "wall.h5" "$gurney" run wall.toml -o wall.h5
+plot 0 "collisions.svg" wall.h5 collisions -o collisions.svg
+grep -q "impacts\? in 1 run" collisions.svg || complain "no impacts in collisions.svg"
+plot 0 "hits.svg" wall.h5 collisions wall -o hits.svg
+plot 1 "no item hit 'wal'; did you mean 'wall'?" wall.h5 collisions wal -o x.svg
 # Width and height follow the 16th byte of a PNG; 85 mm at 300 pixels to the inch are 1004.
 [ "$(od -An -tu1 -j16 -N4 t.png | awk '{print $3 * 256 + $4}')" = 1004 ] ||
   complain "t.png is not 1004 pixels wide"
