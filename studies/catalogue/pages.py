@@ -5,13 +5,13 @@ usage: pages.py GURNEY RESULTS TABLES PAGES
 PAGES gets items.md (the overview), a page for each item, and their figures.
 """
 
-import csv
 import json
 import os
 import subprocess
 import sys
 
-from advice import ACTIONS, SPEED, Advice
+from advice import ACTIONS, SPEED, Advice, read
+from tables import FURTHER, MUCH_BETTER, much_better
 
 WHERE = ("flexible building", "open")  # of the overview
 LIMITS = ["moved 0.1 m", "moved 0.3 m", "moved 1 m", "hit at 0.4 m/s", "hit at 0.8 m/s", "overturned"]
@@ -27,13 +27,13 @@ def cell(row):
 
 class Catalogue:
     def __init__(self, tables):
-        with open(os.path.join(tables, "fragility.csv"), newline="") as file:
-            rows = [row for row in csv.DictReader(file) if row["measure"] == "pfv"]
-        self.rows = {(r["item"], r["floor"], r["place"], r["brakes"], r["limit_state"]): r for r in rows}
+        rows = [row for row in read(tables, "fragility.csv") if row["measure"] == "pfv"]
+        self.rows = {(r["item"], r["floor"], r["place"], r["brakes"], r["limit_state"]): r
+                     for r in rows + read(tables, "more_states.csv")}
         self.items = sorted({r["item"] for r in rows})
         self.floors = list(dict.fromkeys(r["floor"] for r in rows))
-        with open(os.path.join(tables, "measures.csv"), newline="") as file:
-            self.measures = list(csv.DictReader(file))
+        self.measures = read(tables, "measures.csv")
+        self.measure_of = {(r["item"], r["floor"], r["place"], r["brakes"]): r for r in self.measures}
 
 
 def decisions(advice, names):
@@ -67,13 +67,31 @@ def overview_page(advice, names):
             *overview(advice, names), ""]
 
 
+def best_and_second(row):
+    if not row["best"]:
+        return "none"
+    mark = "†" if much_better(row) else ""
+    return f"{row['best']}{mark} ({row['second']})" if row["second"] else row["best"] + mark
+
+
 def item_table(catalogue, item):
-    lines = ["| floor | place | brakes | " + " | ".join(LIMITS) + " |", "| --- " * (3 + len(LIMITS)) + "|"]
+    lines = ["| floor | place | brakes | " + " | ".join(LIMITS) + " | best measure (second) |",
+             "| --- " * (4 + len(LIMITS)) + "|"]
     for floor in catalogue.floors:
         for place in ("open", "bay"):
             for brakes in SETTINGS:
                 cells = [cell(catalogue.rows[(item, floor, place, brakes, limit)]) for limit in LIMITS]
+                cells.append(best_and_second(catalogue.measure_of[item, floor, place, brakes]))
                 lines.append(f"| {floor} | {place} | {brakes} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def further_table(catalogue, item):
+    lines = ["| place | brakes | " + " | ".join(FURTHER) + " |", "| --- " * (2 + len(FURTHER)) + "|"]
+    for place in ("open", "bay"):
+        for brakes in SETTINGS:
+            cells = [cell(catalogue.rows[item, WHERE[0], place, brakes, limit]) for limit in FURTHER]
+            lines.append(f"| {place} | {brakes} | " + " | ".join(cells) + " |")
     return lines
 
 
@@ -99,8 +117,14 @@ def item_page(catalogue, advice, item, sheet):
         "## Fragility", "",
         "Median peak floor velocity [m/s] and, in brackets, the standard deviation of its logarithm. Without a curve: runs "
         "that exceed. `*`: few runs exceed, or the median is beyond the runs. Intervals of 95 % and the curves for the PGV of "
-        "the ground are in [fragility.csv](data/fragility.csv). A hit on an open floor is that of an item that overturns.", "",
+        "the ground are in [fragility.csv](data/fragility.csv). A hit on an open floor is that of an item that overturns. "
+        f"`†`: the scatter about the peak floor velocity is more than {100 * MUCH_BETTER:.0f} % larger than about the best "
+        "measure of the displacement; curves on that measure are in [best_measure.csv](data/best_measure.csv).", "",
         *item_table(catalogue, item), "",
+        "## Further limit states", "",
+        f"On an upper floor of the {WHERE[0]}, as above; from [more_states.csv](data/more_states.csv). "
+        "[What they bound](methods.md#further-limit-states).", "",
+        *further_table(catalogue, item), "",
         "## Intensity measure", "",
         f"Best predictors of the peak displacement, with the number of configurations: {best_measures(catalogue, item)}.", ""]
 

@@ -4,7 +4,8 @@ usage: tables.py GURNEY RESULTS TABLES
 
 TABLES gets fragility.csv (every curve with its interval, or why there is none), probabilities.csv and
 brakes.csv (what the advice rests on), measures.csv (which intensity measure predicts the displacement
-best), pelicun/ (a component library) and nrml/ (a file for each limit state).
+best), best_measure.csv (curves on it where it is much better), more_states.csv (curves of further limit
+states), pelicun/ (a component library) and nrml/ (a file for each limit state).
 """
 
 import csv
@@ -21,6 +22,13 @@ ADVISED = ("flexible building", "open")  # where the advice is given, and at whi
 SPEEDS = (0.4, 0.8)
 BRAKES = ("off", "on", "locked")
 COMPARED = ("moved 1 m = peak_displacement > 1 m", "overturned")
+MUCH_BETTER = 0.3  # the scatter about the peak floor velocity is larger by this than about the best measure
+FURTHER = {  # limit states from the demands that every run has; what they bound: docs/catalogue/methods.md
+    "0.5 m from its outlet": "peak_displacement > 0.5 m",
+    "left 0.5 m away": "residual_displacement > 0.5 m",
+    "1 g at its sensitive point": "{item}/{point}: peak_absolute_acceleration > 1 g",
+}
+HERE = os.path.dirname(os.path.abspath(__file__))
 MEASURES = {"pfv": ["--measure", "pfv"], "PGV larger": []}
 COLUMNS = ["item", "floor", "place", "brakes", "limit_state", "measure", "unit", "runs", "exceed", "failed", "theta",
            "theta_low", "theta_high", "beta", "beta_low", "beta_high", "reason", "cautions"]
@@ -48,19 +56,49 @@ def bounds(interval):
     return number(low or 0), "inf" if high is None else number(high)
 
 
+def curve_rows(gurney, item, file, measure, *options):
+    for each in json.loads(output_of(gurney, "fragility", file, *options, "--json"))["fragilities"]:
+        curve = each["curve"] or {}
+        theta, beta = bounds(each.get("theta_interval")), bounds(each.get("beta_interval"))
+        floor, place, brakes = setting_of(each["configuration"])
+        yield {"item": item, "floor": floor, "place": place, "brakes": brakes,
+               "limit_state": each["limit_state"], "measure": measure, "unit": each["units"],
+               "runs": each["runs"], "exceed": each["exceeded"], "failed": each["failed"],
+               "theta": number(curve.get("theta")), "beta": number(curve.get("beta")),
+               "theta_low": theta[0], "theta_high": theta[1],
+               "beta_low": beta[0], "beta_high": beta[1],
+               "reason": "" if curve else each["reason"], "cautions": "; ".join(each["cautions"])}
+
+
 def fragility_rows(gurney, item, file):
     for measure, options in MEASURES.items():
-        for each in json.loads(output_of(gurney, "fragility", file, *options, "--json"))["fragilities"]:
-            curve = each["curve"] or {}
-            theta, beta = bounds(each.get("theta_interval")), bounds(each.get("beta_interval"))
-            floor, place, brakes = setting_of(each["configuration"])
-            yield {"item": item, "floor": floor, "place": place, "brakes": brakes,
-                   "limit_state": each["limit_state"], "measure": measure, "unit": each["units"],
-                   "runs": each["runs"], "exceed": each["exceeded"], "failed": each["failed"],
-                   "theta": number(curve.get("theta")), "beta": number(curve.get("beta")),
-                   "theta_low": theta[0], "theta_high": theta[1],
-                   "beta_low": beta[0], "beta_high": beta[1],
-                   "reason": "" if curve else each["reason"], "cautions": "; ".join(each["cautions"])}
+        yield from curve_rows(gurney, item, file, measure, *options)
+
+
+def much_better(row):
+    """Is the best measure of a row of measures.csv much better than the peak floor velocity?"""
+    return row["pfv_scatter"] and float(row["pfv_scatter"]) > (1 + MUCH_BETTER) * float(row["best_scatter"])
+
+
+def best_measure_rows(gurney, item, file, measures):
+    chosen = {}
+    for row in measures:
+        if row["item"] == item and much_better(row):
+            chosen.setdefault(row["best"], []).append(f"{row['floor']}, {row['place']}, {row['brakes']}")
+    for measure, names in chosen.items():
+        yield from curve_rows(gurney, item, file, measure, "--measure", measure, "--configuration", *names)
+
+
+def sensitive_point(item):
+    with open(os.path.join(HERE, "items.csv"), newline="") as file:
+        return next(row["sensitive_point"] for row in csv.DictReader(file) if row["item"] == item)
+
+
+def further_rows(gurney, item, file, places=("open", "bay"), settings=BRAKES):
+    states = [word for name, words in FURTHER.items()
+              for word in ("--limit-state", f"{name} = {words.format(item=item, point=sensitive_point(item))}")]
+    names = [", ".join([ADVISED[0], place, brakes]) for place in places for brakes in settings]
+    yield from curve_rows(gurney, item, file, "pfv", "--measure", "pfv", *states, "--configuration", *names)
 
 
 def at_intensity(curve, band, im):
@@ -180,9 +218,14 @@ def main():
     write_csv(os.path.join(tables, "brakes.csv"),
               ["item", "brakes", "limit_state", "off", "braked", "difference", "low", "high", "p"],
               [row for item, file in files for row in brake_rows(gurney, item, file)])
+    measures = [row for item, file in files for row in measure_rows(gurney, item, file)]
     write_csv(os.path.join(tables, "measures.csv"),
               ["item", "floor", "place", "brakes", "best", "best_scatter", "second", "second_scatter", "pfv_scatter"],
-              [row for item, file in files for row in measure_rows(gurney, item, file)])
+              measures)
+    write_csv(os.path.join(tables, "best_measure.csv"), COLUMNS,
+              [row for item, file in files for row in best_measure_rows(gurney, item, file, measures)])
+    write_csv(os.path.join(tables, "more_states.csv"), COLUMNS,
+              [row for item, file in files for row in further_rows(gurney, item, file)])
     write_pelicun(gurney, files, os.path.join(tables, "pelicun"))
     write_nrml(gurney, files, os.path.join(tables, "nrml"))
 

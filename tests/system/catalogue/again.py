@@ -34,6 +34,9 @@ with tempfile.TemporaryDirectory() as folder:
     shipped += [row for row in advice.read(data, "probabilities.csv")
                 if row["item"] == ITEM and row["brakes"] == CONFIGURATION[2]]
     again += tables.probability_rows(gurney, ITEM, results, CONFIGURATION[2:])
+    shipped += [row for row in advice.read(data, "more_states.csv")
+                if row["item"] == ITEM and (row["floor"], row["place"], row["brakes"]) == CONFIGURATION]
+    again += tables.further_rows(gurney, ITEM, results, CONFIGURATION[1:2], CONFIGURATION[2:])
 for old, new in zip(shipped, again, strict=True):
     new = {key: str(value) for key, value in new.items()}
     assert old == new, f"shipped: {old}\nagain:   {new}"
@@ -41,7 +44,7 @@ for old, new in zip(shipped, again, strict=True):
 catalogue, advised = pages.Catalogue(data), advice.Advice(data)
 with open(os.path.join(source, "docs", "catalogue", ITEM + ".md")) as file:
     page = file.read()
-for line in pages.item_table(catalogue, ITEM) + [advised.line(ITEM)]:
+for line in pages.item_table(catalogue, ITEM) + pages.further_table(catalogue, ITEM) + [advised.line(ITEM)]:
     assert line in page, f"not on the page of {ITEM}: {line}"
 with open(os.path.join(source, "docs", "catalogue", "items.md")) as file:
     text = file.read()
@@ -62,6 +65,27 @@ methods = text_of("catalogue", "methods.md")
 decision = text_of("decisions", "0016-the-catalogue-rests-on-synthetic-motions.md")
 
 # The numbers in the prose of the methods and of the decision.
+better = [row["brakes"] for row in catalogue.measures if tables.much_better(row)]
+words = (f"{len(better)} of {len(catalogue.measures)} configurations, {better.count('off')} with brakes off, "
+         f"{better.count('on')} on, {better.count('locked')} locked")
+assert words in methods, words
+named = {(row["item"], row["floor"], row["place"], row["brakes"]) for row in advice.read(data, "best_measure.csv")}
+assert len(named) == len(better), len(named)
+
+
+def ratios(brakes, state):
+    """Of beta on the best measure to that on the peak floor velocity."""
+    for row in advice.read(data, "best_measure.csv"):
+        pfv = catalogue.rows[row["item"], row["floor"], row["place"], row["brakes"], row["limit_state"]]
+        if ((row["brakes"], row["limit_state"]) == (brakes, state) and row["theta"] and pfv["theta"] and
+                10 <= int(row["exceed"]) <= int(row["runs"]) - 10):
+            yield float(row["beta"]) / float(pfv["beta"])
+
+
+for brakes in pages.SETTINGS:
+    found = [list(ratios(brakes, state)) for state in ("moved 0.1 m", "moved 0.3 m", "moved 1 m", "overturned")]
+    words = f"| {brakes} | " + " | ".join(f"{statistics.median(each):.2f}" if each else "" for each in found)
+    assert words.rstrip() in methods, words
 for brakes, words in (("off", "the median 13 % larger"), ("on", "with brakes on 30 %"), ("locked", "locked 63 %")):
     above = statistics.median(float(row["pfv_scatter"]) / float(row["best_scatter"]) - 1
                               for row in catalogue.measures if row["brakes"] == brakes)
