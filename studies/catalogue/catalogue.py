@@ -1,11 +1,12 @@
 """Makes the fragility catalogue of wheeled hospital equipment (docs/catalogue/methods.md).
 
-usage: catalogue.py GURNEY OUTPUT [--items a,b] [--only FLOOR,PLACE,BRAKES] [--suite FOLDER] [--threads N]
+usage: catalogue.py GURNEY OUTPUT [--items a,b] [--only FLOOR,PLACE,BRAKES]... [--variance]
+           [--suite FOLDER] [--threads N]
 
 GURNEY is the program, OUTPUT a folder for motions, jobs and results. A study that is finished is not
 run again, one that was interrupted goes on. --suite takes recorded motions instead of the synthetic
-ones of motions.csv, --only runs one configuration, with the same numbers. Afterwards tables.py writes
-the tables.
+ones of motions.csv, --only runs single configurations, with the same numbers; tables.py then writes the
+tables. --variance runs the studies of variance.py: several draws and replicas of each motion.
 """
 
 import argparse
@@ -19,8 +20,10 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 
 GAP_BACK, GAP_SIDE = 0.1, 0.3  # [m] from the item to the walls of its bay
+LEVELS_OF_CURVES = [0.15, 0.4, 0.8, 1.5]  # [m/s] PGV of the ground
+VARIANCE = {"floor": "flexible building", "place": "open", "draws": 4, "replicas": 2, "levels": [0.8]}
 SOME_FAILED = 3  # exit code: the curves leave out these runs, and the tables count them
-LEVELS = {
+BRAKES = {
     "off": "item.brakes = false",
     "on": "item.brakes = true",
     "locked": "item.brakes = true\nitem.swivel_locks = true",
@@ -47,15 +50,25 @@ def brakes(settings):
         return ""
     text = '[[study.factor]]\nname = "brakes"\n'
     for name in settings:
-        text += f"[study.factor.level.{name}]\n{LEVELS[name]}\n"
+        text += f"[study.factor.level.{name}]\n{BRAKES[name]}\n"
     return text
 
 
-def combinations(only):
-    return f"combinations = [{json.dumps(only.split(','))}]\n" if only else ""
+def combinations(rows_of_levels):
+    return f"combinations = {json.dumps(rows_of_levels)}\n" if rows_of_levels else ""
 
 
-def job_text(gurney, item, jobs, suite, only=None):
+def design(item, only, variance):
+    """The words of the template that say which runs a study has."""
+    if not variance:
+        return {"DRAWS": "1", "LEVELS": json.dumps(LEVELS_OF_CURVES),
+                "COMBINATIONS": combinations([each.split(",") for each in only])}
+    chosen = [[VARIANCE["floor"], VARIANCE["place"], setting] for setting in item["brakes"].split()]
+    return {"DRAWS": str(VARIANCE["draws"]), "LEVELS": json.dumps(VARIANCE["levels"]),
+            "COMBINATIONS": combinations(chosen) + f"replicas = {VARIANCE['replicas']}\n"}
+
+
+def job_text(gurney, item, jobs, suite, only=(), variance=False):
     """The template with the size of the item's bay."""
     sheet = json.loads(subprocess.run([gurney, "equipment", "show", item["item"], "--json"],
                                       check=True, capture_output=True, text=True).stdout)
@@ -70,8 +83,7 @@ def job_text(gurney, item, jobs, suite, only=None):
         "SIDE": f"{side:.3f}",
         "FRONT": f"{length / 2:.3f}",
         "BRAKES": brakes(item["brakes"].split()),
-        "COMBINATIONS": combinations(only),
-    }
+    } | design(item, only, variance)
     with open(os.path.join(HERE, "item_study.toml.in")) as file:
         text = file.read()
     for word, value in words.items():
@@ -93,8 +105,9 @@ def main():
     parser.add_argument("gurney")
     parser.add_argument("output")
     parser.add_argument("--items", help="of items.csv (default: all)")
-    parser.add_argument("--only", help="floor, place, brakes of one configuration")
-    parser.add_argument("--suite", help="folder of records instead of the synthetic motions")
+    parser.add_argument("--only", action="append", default=[], help="floor, place, brakes of one configuration; repeatable")
+    parser.add_argument("--variance", action="store_true", help="draws and replicas instead of the curves")
+    parser.add_argument("--suite", help="folder or list of records instead of the synthetic motions")
     parser.add_argument("--threads", type=int, default=os.cpu_count())
     options = parser.parse_args()
     items = rows("items.csv")
@@ -113,7 +126,7 @@ def main():
         print(f"{number} of {len(items)}: {item['item']}", flush=True)
         job = os.path.join(jobs, item["item"] + ".toml")
         with open(job, "w") as file:
-            file.write(job_text(options.gurney, item, jobs, suite, options.only))
+            file.write(job_text(options.gurney, item, jobs, suite, options.only, options.variance))
         run(options.gurney, job, os.path.join(options.output, item["item"] + ".h5"), options.threads)
 
 

@@ -94,11 +94,12 @@ def sensitive_point(item):
         return next(row["sensitive_point"] for row in csv.DictReader(file) if row["item"] == item)
 
 
-def further_rows(gurney, item, file, places=("open", "bay"), settings=BRAKES):
+def further_rows(gurney, item, file):
     states = [word for name, words in FURTHER.items()
               for word in ("--limit-state", f"{name} = {words.format(item=item, point=sensitive_point(item))}")]
-    names = [", ".join([ADVISED[0], place, brakes]) for place in places for brakes in settings]
-    yield from curve_rows(gurney, item, file, "pfv", "--measure", "pfv", *states, "--configuration", *names)
+    names = present(gurney, file, [", ".join([ADVISED[0], place, brakes]) for place in ("open", "bay") for brakes in BRAKES])
+    if names:
+        yield from curve_rows(gurney, item, file, "pfv", "--measure", "pfv", *states, "--configuration", *names)
 
 
 def at_intensity(curve, band, im):
@@ -111,9 +112,17 @@ def at_intensity(curve, band, im):
     return middle, *ends
 
 
-def probability_rows(gurney, item, file, settings=BRAKES):
+def present(gurney, file, names):
+    """Those configurations that were run."""
+    done = json.loads(output_of(gurney, "show", file, "--json"))["configurations"]
+    return [name for name in names if name in done]
+
+
+def probability_rows(gurney, item, file):
     """Probabilities where the advice is given. Without a curve there is an interval only."""
-    names = [", ".join([*ADVISED, brakes]) for brakes in settings]
+    names = present(gurney, file, [", ".join([*ADVISED, brakes]) for brakes in BRAKES])
+    if not names:
+        return
     fits = json.loads(output_of(gurney, "fragility", file, "--measure", "pfv", "--configuration", *names, "--json"))
     for each in fits["fragilities"]:
         brakes = setting_of(each["configuration"])[2]
@@ -128,8 +137,10 @@ def brake_rows(gurney, item, file):
     """By how much the share of runs that exceed is smaller with brakes than without, run by run in pairs."""
     states = [word for state in COMPARED for word in ("--limit-state", state)]
     for brakes in BRAKES[1:]:
-        names = ",".join(", ".join([*ADVISED, setting]) for setting in ("off", brakes))
-        shares = json.loads(output_of(gurney, "compare", file, "--configurations", names, *states, "--json"))["shares"]
+        pair = [", ".join([*ADVISED, setting]) for setting in ("off", brakes)]
+        if present(gurney, file, pair) != pair:
+            continue
+        shares = json.loads(output_of(gurney, "compare", file, "--configurations", ",".join(pair), *states, "--json"))["shares"]
         for each in shares:
             low, high = each["interval"]
             yield {"item": item, "brakes": brakes, "limit_state": each["name"], "off": number(each["a"]),

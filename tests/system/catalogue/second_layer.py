@@ -1,10 +1,11 @@
-"""The layer above the curves: halves of the motions. Checks the functions on
+"""The layer above the curves: halves of the motions, other suites. Checks the functions on
 made-up numbers, and the numbers in the prose of the methods on the shipped tables.
 
 usage: second_layer.py SOURCE_DIR
 """
 
 import csv
+import math
 import os
 import sys
 
@@ -12,6 +13,7 @@ sys.dont_write_bytecode = True
 source = sys.argv[1]
 sys.path.insert(0, os.path.join(source, "studies", "catalogue"))
 import halves  # noqa: E402
+import suites  # noqa: E402
 
 data = os.path.join(source, "docs", "catalogue", "data")
 with open(os.path.join(source, "docs", "catalogue", "methods.md")) as file:
@@ -49,4 +51,18 @@ def check_halves():
         states(f"{100 * inside / medians:.0f} % of {medians} medians {division}")
 
 
+def check_suites():
+    base = dict.fromkeys(suites.KEY, "x") | {"theta": "1", "theta_low": "0.5", "theta_high": "inf"}
+    [row] = suites.pairs({("x",) * 5: base}, {("x",) * 5: base | {"theta": "2"}})
+    assert float(row["ratio"]) == 2 and row["within"] == "yes", row
+    [row] = suites.summary([row, row | {"ratio": "0.5", "within": "no"}])
+    assert (row["ratio"], row["lowest"], row["within"]) == ("1.00", "0.50", 1), row
+    rows = read("suites.csv")
+    inside = sum(row["within"] == "yes" for row in rows)
+    ratio = math.exp(sum(math.log(float(row["ratio"])) for row in rows) / len(rows))
+    states(f"{inside} of {len(rows)} medians with records lie within the interval")
+    states(f"{ratio:.2f} times the synthetic one")
+
+
 check_halves()
+check_suites()

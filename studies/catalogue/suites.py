@@ -1,0 +1,66 @@
+"""How the medians of the catalogue differ with another suite of motions.
+
+usage: suites.py TABLES OTHER_TABLES [OUTPUT]
+
+Both folders are of tables.py, the second of results that catalogue.py made with --suite. Prints the ratio
+of the medians on the peak floor velocity, the other suite's over the shipped one's; OUTPUT gets each pair.
+"""
+
+import csv
+import math
+import os
+import sys
+
+from tables import number, write_csv
+
+KEY = ("item", "floor", "place", "brakes", "limit_state")
+
+
+def curves(folder):
+    with open(os.path.join(folder, "fragility.csv"), newline="") as file:
+        return {tuple(row[k] for k in KEY): row for row in csv.DictReader(file)
+                if row["measure"] == "pfv" and row["theta"]}
+
+
+def within(value, row):
+    return float(row["theta_low"]) <= float(value) <= float(row["theta_high"])
+
+
+def pairs(first, second):
+    for key in sorted(first.keys() & second.keys()):
+        a, b = first[key], second[key]
+        yield dict(zip(KEY, key)) | {
+            "theta": a["theta"], "theta_low": a["theta_low"], "theta_high": a["theta_high"], "other": b["theta"],
+            "other_low": b["theta_low"], "other_high": b["theta_high"],
+            "ratio": number(float(b["theta"]) / float(a["theta"])),
+            "within": "yes" if within(b["theta"], a) else "no"}
+
+
+def summary(rows):
+    """Of each setting of the brakes and limit state: pairs, geometric mean and ends of the ratios, and how many
+    of the other medians lie in the interval of the shipped one."""
+    groups = {}
+    for row in rows:
+        groups.setdefault((row["brakes"], row["limit_state"]), []).append(row)
+    for (brakes, state), group in groups.items():
+        ratios = [float(row["ratio"]) for row in group]
+        yield {"brakes": brakes, "limit_state": state, "curves": len(group),
+               "ratio": f"{math.exp(sum(map(math.log, ratios)) / len(ratios)):.2f}", "lowest": f"{min(ratios):.2f}",
+               "highest": f"{max(ratios):.2f}", "within": sum(row["within"] == "yes" for row in group)}
+
+
+def main():
+    if len(sys.argv) not in (3, 4):
+        sys.exit(__doc__)
+    rows = list(pairs(curves(sys.argv[1]), curves(sys.argv[2])))
+    if not rows:
+        sys.exit("suites.py: no curve is in both")
+    if len(sys.argv) == 4:
+        write_csv(sys.argv[3], list(rows[0]), rows)
+    for row in summary(rows):
+        print(f"{row['brakes']:7} {row['limit_state']:15} {row['curves']:3} curves, ratio {row['ratio']} "
+              f"({row['lowest']} to {row['highest']}), {row['within']} within the interval")
+
+
+if __name__ == "__main__":
+    main()
