@@ -40,6 +40,9 @@ constexpr std::array kCommands = {
     CommandHelp{"play", "Write a page that plays a run back in three dimensions",
                 "gurney play shake.h5 -o shake.html\n"
                 "gurney play ventilator.h5 --run 3 --run 7 -o both.html"},
+    CommandHelp{"explain", "Explain what happened in a run, why, and what would have prevented it",
+                "gurney explain shake.h5 -o why.svg\n"
+                "gurney explain ventilator.h5 --run 3 --what-if"},
     CommandHelp{"fragility", "Fit fragility functions and confidence bands",
                 "gurney fragility ventilator.h5 --figure ventilator.svg\n"
                 "gurney fragility ventilator.h5 --limit overturned --measure \"Sa(1) RotD50\"\n"

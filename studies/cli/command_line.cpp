@@ -100,10 +100,11 @@ CLI::App& command_at(CLI::App& app, const std::vector<std::string>& words) {
 
 /// In the order of the help.
 constexpr AddCommand* kAddCommands[] = {
-    add_run,         add_check,     add_replay,  add_show,      add_plot,      add_play,
-    add_report,      add_fragility, add_export,  add_compare,   add_pulling,   add_measures,
-    add_sensitivity, add_converge,  add_records, add_equipment, add_calibrate, add_verify,
-    add_merge,       add_status,    add_submit,  add_new,       add_doctor,    add_completion};
+    add_run,     add_check,     add_replay,    add_show,        add_plot,
+    add_play,    add_explain,   add_report,    add_fragility,   add_export,
+    add_compare, add_pulling,   add_measures,  add_sensitivity, add_converge,
+    add_records, add_equipment, add_calibrate, add_verify,      add_merge,
+    add_status,  add_submit,    add_new,       add_doctor,      add_completion};
 
 /// What is wrong with the command, before its options are looked at; empty if nothing is.
 std::string unknown_command(CLI::App& app, const std::vector<std::string>& words) {

@@ -19,6 +19,7 @@ AddCommand add_completion;   ///< scripts for bash and zsh
 AddCommand add_converge;     ///< of a job with the time step and the solver
 AddCommand add_doctor;       ///< whether the program works on this machine
 AddCommand add_equipment;    ///< ls, show, check
+AddCommand add_explain;      ///< why a run ended as it did
 AddCommand add_export;       ///< results for other programs
 AddCommand add_fragility;    ///< curves and bands of a study
 AddCommand add_measures;     ///< efficiency and sufficiency of intensity measures

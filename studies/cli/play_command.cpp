@@ -2,17 +2,16 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 
 #include "engine/base/error.h"
 #include "engine/baselines/any_solver.h"
+#include "studies/cli/case_again.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/records_output.h"
 #include "studies/cli/study_case.h"
 #include "studies/playback/page.h"
-#include "studies/study/results/hdf5_reader.h"
 #include "studies/study/results/output_files.h"
 #include "studies/study/results/results_file.h"
 
@@ -58,13 +57,6 @@ playback::RecordedRun run_again(const PlayOptions& options, std::size_t index) {
   const std::string differs = study_case.difference(response);
   require(differs.empty(), differs);
   return playback::read_recorded_run(ScratchFile(study::results_image(run.facts, response)).path());
-}
-
-bool is_study(const std::string& path) {
-  const study::Hdf5Reader file(path);
-  const auto attributes = file.attributes();
-  return std::ranges::find(attributes, "filetype") != attributes.end() &&
-         file.text_attribute("filetype") == "gurney-study";
 }
 
 std::vector<playback::PageRun> runs_of(const PlayOptions& options) {

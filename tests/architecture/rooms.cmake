@@ -67,10 +67,12 @@ set(GURNEY_ROOMS
     groundmotions/measures groundmotions/scaling equipment/catalogue studies/statistics
     studies/verification studies/study/results studies/study/analysis studies/study/convergence
     studies/calibration/fit studies/report"
+  "studies/explanation: engine/base engine/scene engine/response engine/run engine/baselines
+    equipment/catalogue studies/study/results studies/report studies/figures"
   "studies/picture: engine/base"
   "studies/page: engine/base engine/config engine/scene equipment/catalogue studies/build_info
     studies/study/job studies/study/results studies/study/plan studies/study/analysis
-    studies/report studies/figures"
+    studies/report studies/figures studies/explanation"
   "studies/playback: engine/base engine/response studies/study/results"
   "studies/doctor: engine/base equipment/catalogue studies/build_info studies/study/results
     studies/study/run studies/picture"
@@ -81,8 +83,8 @@ set(GURNEY_ROOMS
     studies/build_info studies/verification studies/study/job studies/study/results
     studies/study/prepare studies/study/limit_states studies/study/plan studies/study/run
     studies/study/analysis studies/study/exports studies/calibration/fit
-    studies/calibration/pulling studies/report studies/figures studies/picture studies/page
-    studies/playback studies/doctor studies/templates")
+    studies/calibration/pulling studies/report studies/figures studies/explanation studies/picture
+    studies/page studies/playback studies/doctor studies/templates")
 
 # Libraries that only these rooms, or files that begin so, may include, by how their headers begin.
 set(GURNEY_LIBRARIES
@@ -91,7 +93,7 @@ set(GURNEY_LIBRARIES
   "openssl/: engine/base"
   "boost/: engine/base studies/statistics"
   "hdf5|H5: studies/study/results/hdf5_"
-  "nlohmann/: engine/config studies/study/exports studies/report studies/page studies/playback
-    studies/cli"
+  "nlohmann/: engine/config studies/study/exports studies/report studies/explanation studies/page
+    studies/playback studies/cli"
   "cairo|librsvg/: studies/picture/rendering"
   "CLI/: studies/cli")

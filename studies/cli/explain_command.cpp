@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <thread>
+
+#include "engine/base/error.h"
+#include "studies/cli/case_again.h"
+#include "studies/cli/commands.h"
+#include "studies/cli/explained_case.h"
+#include "studies/cli/figure_output.h"
+#include "studies/explanation/figure.h"
+#include "studies/explanation/json.h"
+#include "studies/explanation/text.h"
+
+namespace gurney::cli {
+namespace {
+
+struct ExplainOptions {
+  std::string file, job;
+  std::optional<std::size_t> run;
+  FigureFile figure;
+  bool json = false, what_if = false, overwrite = false;
+  int replicas = 0;  ///< 0: one, or kReplicas where the run is chaotic
+  int threads = 0;
+};
+
+constexpr std::size_t kReplicas = 20;
+
+std::size_t replicas_of(const ExplainOptions& options, const explanation::Explanation& found) {
+  if (options.replicas > 0) return static_cast<std::size_t>(options.replicas);
+  const bool chaotic =
+      found.predictability && found.predictability->verdict == Predictability::Verdict::kChaotic;
+  return chaotic ? kReplicas : 1;
+}
+
+int explain(const ExplainOptions& options) {
+  require(options.what_if || options.replicas == 0,
+          "--replicas: are of the variants of --what-if, which is missing");
+  options.figure.check(options.overwrite);
+  const CaseAgain again = case_again(options.file, options.run, options.job);
+  const explanation::Explanation found = explained(again);
+  std::optional<explanation::WhatIf> what;
+  if (options.what_if && !found.failed)
+    what = explanation::what_if(
+        again.run.facts, found, replicas_of(options, found),
+        options.threads > 0 ? options.threads
+                            : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  if (!options.figure.empty())
+    options.figure.write(explanation::figure(found), options.overwrite, options.json);
+  if (options.json) {
+    fmt::print("{}", explanation::json(found, what ? &*what : nullptr));
+  } else {
+    fmt::print("{}", explanation::text(found));
+    if (what) fmt::print("{}", explanation::text(*what, found));
+  }
+  return found.failed ? 3 : 0;
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, std::function<int()>& action) {
+  auto shared = std::make_shared<ExplainOptions>();
+  ExplainOptions& options = *shared;
+  CLI::App* const command = app.add_subcommand("explain", "Explain what happened in a run and why");
+  command->add_option("FILE", options.file, "The results file of one run or of a study")
+      ->required();
+  command->add_option("--run", options.run, "The run of a study");
+  command->add_option("--job", options.job,
+                      "The job file (default: the path in the log beside the file)");
+  command->add_option("-o,--output", options.figure.path, "A figure (.svg, .pdf or .png)");
+  add_figure_style(*command, options.figure);
+  command->add_flag("--what-if", options.what_if,
+                    "Run variants of the case that might have prevented it");
+  command
+      ->add_option("--replicas", options.replicas,
+                   "Runs of each variant (default: 1, or 20 where the run is chaotic)")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("-j,--threads", options.threads, "Threads (default: all hardware threads)")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--json", options.json, "Print JSON in SI units");
+  command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
+  command->callback([shared, &action] { action = [shared] { return explain(*shared); }; });
+}
+
+}  // namespace gurney::cli

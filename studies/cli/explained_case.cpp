@@ -1,0 +1,20 @@
+#include "studies/cli/explained_case.h"
+
+#include "engine/base/error.h"
+#include "engine/baselines/any_solver.h"
+#include "studies/explanation/explain.h"
+
+namespace gurney::cli {
+
+explanation::Explanation explained(const CaseAgain& again) {
+  const study::RunFacts& facts = again.run.facts;
+  const SimulationSettings settings =
+      explanation::finely_stored(facts.settings, facts.floor, facts.scene.items.size());
+  Response response = baselines::simulate_with_any_solver(facts.scene, facts.floor, settings);
+  const std::string differs = again.difference(response);
+  require(differs.empty(), differs);
+  baselines::add_predictability(facts.scene, facts.floor, settings, response);
+  return explanation::explain(facts, response);
+}
+
+}  // namespace gurney::cli

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "studies/explanation/facts.h"
+#include "studies/study/results/run_facts.h"
+
+namespace gurney::explanation {
+
+inline constexpr double kVisible = 1e-3;  ///< displacement that counts as motion [m]
+
+/// A time from the first caster that leaves the floor until all are back, at samples of the
+/// histories.
+struct Lift {
+  double from = 0, until = 0;  ///< [s]; until the end of the histories where none is back
+  bool landed = false;
+  std::vector<std::size_t> casters;  ///< in the order in which they left
+};
+std::vector<Lift> lifts_of(const EquipmentModel& item, const std::vector<Sample>& history);
+
+/// Onset of the first visible displacement: the last sample before it in which the origin was
+/// slower than 1 mm/s. < 0: none [s].
+double onset_of_motion(const std::vector<Sample>& history);
+
+/// First sample in which a braked caster skids, and which; time < 0: none.
+struct Skid {
+  double time = -1;
+  std::size_t caster = 0;
+};
+Skid first_skid(const EquipmentModel& item, const std::vector<Sample>& history);
+
+/// What happened, by time. Times of impacts, tethers, zones, overturning and peaks are those of the
+/// response; the others are found in the histories.
+std::vector<Event> events_of(const study::RunFacts& facts, const Response& response);
+
+}  // namespace gurney::explanation

@@ -1,0 +1,280 @@
+#include "studies/explanation/explain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/base/units.h"
+#include "studies/explanation/caster_words.h"
+#include "studies/explanation/events.h"
+#include "studies/explanation/margins.h"
+#include "studies/explanation/stages.h"
+#include "studies/study/results/names.h"
+
+namespace gurney::explanation {
+namespace {
+
+ItemFacts item_facts(const study::RunFacts& facts, const Response& response, std::size_t index) {
+  const ItemResponse& item = response.items[index];
+  const EquipmentModel& model = facts.scene.items.at(index).model;
+  const Demands& d = item.demands;
+  const MassProperties whole = whole_item(model);
+  ItemFacts result{.name = study::item_names(facts.scene).at(index),
+                   .has_casters = !model.casters.empty(),
+                   .mass = whole.mass,
+                   .height_of_center_of_mass = whole.center_of_mass.z(),
+                   .peak_displacement = d.peak_displacement,
+                   .time_of_peak_displacement = d.time_of_peak_displacement,
+                   .residual_displacement = d.residual_displacement,
+                   .peak_velocity = d.peak_velocity,
+                   .tilt = tilt_margin(model, item.history, until_fall(item)),
+                   .grip = grip_margin(facts, index, item.history, until_fall(item)),
+                   .first_lifted = {},
+                   .first_skidded = {}};
+  result.finding = finding_of(response, index, result.tilt.ratio());
+  if (const auto lifts = lifts_of(model, item.history); !lifts.empty()) {
+    result.first_lifted = caster_words(model, lifts.front().casters.front());
+    result.time_of_lift = lifts.front().from;
+  }
+  if (const Skid skid = first_skid(model, item.history); skid.time >= 0) {
+    result.first_skidded = caster_words(model, skid.caster);
+    result.time_of_skid = skid.time;
+  }
+  return result;
+}
+
+/// Of the worst finding; of several the first to overturn, the hardest hit, the farthest moved.
+std::size_t subject_of(const std::vector<ItemFacts>& items, const Response& response) {
+  const auto severity = [&](std::size_t i) {
+    const Impact* hit = hardest_impact(response, i);
+    switch (items[i].finding) {
+      case Finding::kOverturned:
+        return -response.items[i].demands.time_of_overturning;
+      case Finding::kHit:
+        return hit->approach_speed;
+      case Finding::kRocked:
+        return items[i].tilt.ratio();
+      default:
+        return items[i].peak_displacement;
+    }
+  };
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < items.size(); ++i) {
+    const auto here = std::pair(items[i].finding, severity(i));
+    if (here > std::pair(items[worst].finding, severity(worst))) worst = i;
+  }
+  return worst;
+}
+
+/// The last sample before `time` for which `still` holds; without one, the start.
+template <class Still>
+double last_before(const std::vector<Sample>& history, double time, Still still) {
+  double last = 0;
+  for (const Sample& sample : history)
+    if (sample.time < time && still(sample)) last = sample.time;
+  return last;
+}
+
+const Sample& sample_before(const std::vector<Sample>& history, double time) {
+  auto found = std::ranges::lower_bound(history, time, {}, &Sample::time);
+  return found == history.begin() ? *found : *std::prev(found);
+}
+
+Vector2 unit(const Vector2& v) { return v.norm() > 0 ? Vector2(v.normalized()) : Vector2::Zero(); }
+
+/// Since when the item has moved along `direction` without a stop.
+double swing_start(const std::vector<Sample>& history, double time, const Vector2& direction) {
+  return last_before(history, time,
+                     [&](const Sample& s) { return direction.dot(s.velocity.head<2>()) <= 0; });
+}
+
+/// When and in which direction the worst happened.
+void find_worst(const Response& response, Explanation& result) {
+  const ItemResponse& item = response.items[result.subject];
+  const Demands& d = item.demands;
+  switch (result.item().finding) {
+    case Finding::kOverturned:
+      result.worst_time = d.time_of_overturning;
+      result.direction = {std::cos(d.direction_of_overturning),
+                          std::sin(d.direction_of_overturning)};
+      return;
+    case Finding::kHit: {
+      result.hit = *hardest_impact(response, result.subject);
+      result.worst_time = result.hit->time;
+      if (item.history.empty()) return;
+      const Sample& before = sample_before(item.history, result.worst_time);
+      result.direction = unit(before.velocity.head<2>());
+      result.swing_start = swing_start(item.history, before.time, result.direction);
+      return;
+    }
+    case Finding::kRocked: {
+      result.worst_time = result.item().tilt.time;
+      const Sample& then = sample_before(item.history, result.worst_time);
+      result.direction = unit((then.orientation * Vector3::UnitZ()).head<2>());
+      result.swing_start = last_before(item.history, result.worst_time, [](const Sample& s) {
+        return s.tilt < 1 * kRadiansPerDegree;
+      });
+      return;
+    }
+    case Finding::kMoved: {
+      result.worst_time = d.time_of_peak_displacement;
+      if (item.history.empty()) return;
+      const Sample& then = sample_before(item.history, result.worst_time);
+      result.direction = unit(then.displacement.head<2>());
+      result.swing_start = swing_start(item.history, then.time, result.direction);
+      return;
+    }
+    case Finding::kStill:
+      return;
+  }
+}
+
+/// As report::falls() has it where the item overturned, with the same look back otherwise.
+void find_pulse(const study::RunFacts& facts, const Response& response, Explanation& result) {
+  if (result.direction.isZero()) return;
+  if (result.item().finding == Finding::kOverturned) {
+    for (const report::Fall& fall : report::falls(facts, response))
+      if (fall.item == result.subject) {
+        result.pulse = fall.pulse;
+        result.swing_start = fall.liftoffs.empty() ? fall.time : fall.liftoffs.front().time;
+      }
+  } else {
+    result.pulse =
+        report::largest_pulse(facts.floor, -result.direction,
+                              result.swing_start - report::Fall::kLookBack, result.worst_time);
+  }
+  if (!result.pulse) return;
+  const double step = facts.floor.time_step();
+  for (double time = result.pulse->start; time < result.pulse->end + step; time += step)
+    result.pulse_velocity =
+        std::max(result.pulse_velocity,
+                 std::abs(result.direction.dot(
+                     facts.floor.velocity_at(std::min(time, result.pulse->end)).head<2>())));
+}
+
+Tracks tracks_of(const study::RunFacts& facts, const ItemResponse& item, const Explanation& of) {
+  Tracks tracks;
+  const EquipmentModel& model = facts.scene.items.at(of.subject).model;
+  const Vector2 along = of.direction.isZero() ? Vector2::UnitX() : of.direction;
+  const double until = until_fall(item);
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  for (const Sample& sample : item.history) {
+    const Grip grip = sample.time > until ? Grip{kNone, kNone} : grip_of(facts, of.subject, sample);
+    tracks.time.push_back(sample.time);
+    tracks.floor.push_back(along.dot(facts.floor.acceleration_at(sample.time).head<2>()));
+    tracks.displacement.push_back(sample.displacement.head<2>().norm());
+    tracks.tilt.push_back(sample.tilt);
+    tracks.critical.push_back(critical_tilt(model, sample));
+    tracks.demand.push_back(grip.demand);
+    tracks.grip.push_back(grip.grip);
+    tracks.energy.push_back(sample.energy);
+  }
+  return tracks;
+}
+
+double resolution_of(const std::vector<Sample>& history) {
+  double largest = 0;
+  for (std::size_t i = 1; i + 1 < history.size(); ++i)
+    largest = std::max(largest, history[i].time - history[i - 1].time);
+  return largest;
+}
+
+}  // namespace
+
+double until_fall(const ItemResponse& item) {
+  const double fall = item.demands.time_of_overturning;
+  return fall >= 0 ? fall : std::numeric_limits<double>::infinity();
+}
+
+const Impact* hardest_impact(const Response& response, std::size_t item) {
+  const Impact* hardest = nullptr;
+  for (const Impact& impact : response.impacts) {
+    if (impact.item != item && impact.other_item != static_cast<int>(item)) continue;
+    if (impact.other == "floor") continue;
+    if (hardest == nullptr || impact.approach_speed > hardest->approach_speed) hardest = &impact;
+  }
+  return hardest;
+}
+
+Finding finding_of(const Response& response, std::size_t item, double tilt_ratio) {
+  const Demands& d = response.items.at(item).demands;
+  if (d.time_of_overturning >= 0) return Finding::kOverturned;
+  const Impact* const hit = hardest_impact(response, item);
+  if (hit != nullptr && hit->approach_speed >= kHit) return Finding::kHit;
+  if (tilt_ratio >= kRocks) return Finding::kRocked;
+  return d.peak_displacement >= kVisible ? Finding::kMoved : Finding::kStill;
+}
+
+SimulationSettings finely_stored(SimulationSettings settings, const FloorMotion& floor,
+                                 std::size_t items) {
+  constexpr double kMaxSamples = 40'000, kAfter = 10;  // [-], [s]
+  const double length = settings.duration > 0 ? settings.duration : floor.duration() + kAfter;
+  const double samples = static_cast<double>(items) * length / settings.time_step;
+  settings.history_step = settings.time_step * std::max(1.0, std::ceil(samples / kMaxSamples));
+  return settings;
+}
+
+Explanation explain(const study::RunFacts& facts, const Response& response) {
+  Explanation result{.title = facts.title.empty() ? facts.job_name : facts.title,
+                     .record = facts.record ? facts.record->name : "",
+                     .outcome = name_of(response.outcome),
+                     .cause = response.cause,
+                     .failed = is_failure(response.outcome),
+                     .end_time = response.end_time,
+                     .items = {},
+                     .hit = {},
+                     .events = {},
+                     .pulse = {},
+                     .stages = {},
+                     .tracks = {},
+                     .predictability = {}};
+  if (result.failed) return result;
+  for (std::size_t i = 0; i < response.items.size(); ++i)
+    result.items.push_back(item_facts(facts, response, i));
+  result.subject = subject_of(result.items, response);
+  const ItemResponse& item = response.items[result.subject];
+  result.resolution = resolution_of(item.history);
+  result.events = events_of(facts, response);
+  find_worst(response, result);
+  find_pulse(facts, response, result);
+  result.stages = stages_of(result, item);
+  result.tracks = tracks_of(facts, item, result);
+  result.predictability = item.predictability;
+  return result;
+}
+
+const char* name_of(Finding finding) {
+  switch (finding) {
+    case Finding::kStill:
+      return "still";
+    case Finding::kMoved:
+      return "moved";
+    case Finding::kRocked:
+      return "rocked";
+    case Finding::kHit:
+      return "hit";
+    case Finding::kOverturned:
+      break;
+  }
+  return "overturned";
+}
+
+const char* name_of(EventKind kind) {
+  constexpr const char* kNames[] = {"moved",
+                                    "grip_exceeded",
+                                    "brake_turned",
+                                    "lift_off",
+                                    "landed",
+                                    "tipped",
+                                    "impact",
+                                    "taut",
+                                    "unplugged",
+                                    "zone",
+                                    "peak_displacement",
+                                    "peak_tilt",
+                                    "overturned",
+                                    "end"};
+  return kNames[static_cast<int>(kind)];
+}
+
+}  // namespace gurney::explanation

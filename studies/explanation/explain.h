@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+
+#include "studies/explanation/facts.h"
+#include "studies/study/results/run_facts.h"
+
+namespace gurney::explanation {
+
+/// Slower impacts are a touch [m/s].
+inline constexpr double kHit = 0.05;
+/// Less of the critical tilt is no rocking to speak of [-].
+inline constexpr double kRocks = 0.5;
+
+/// When the item had overturned; infinite: it did not [s].
+double until_fall(const ItemResponse& item);
+
+/// @param response  of the scene, with histories
+Explanation explain(const study::RunFacts& facts, const Response& response);
+
+/// The worst that happened to an item.
+Finding finding_of(const Response& response, std::size_t item, double tilt_ratio);
+
+/// The hardest impact of an item with anything but the floor; none: null.
+const Impact* hardest_impact(const Response& response, std::size_t item);
+
+/// Settings whose histories resolve single steps, as far as memory allows: no more than 40,000
+/// samples of all items together. The spacing has no influence on the results.
+SimulationSettings finely_stored(SimulationSettings settings, const FloorMotion& floor,
+                                 std::size_t items);
+
+}  // namespace gurney::explanation

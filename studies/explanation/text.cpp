@@ -1,0 +1,297 @@
+#include "studies/explanation/text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/base/units.h"
+#include "studies/report/wrapped.h"
+
+namespace gurney::explanation {
+namespace {
+
+std::string degrees(double angle) {
+  const double value = angle / kRadiansPerDegree;
+  return fmt::format("{:.{}f} deg", value, value < 10 ? 1 : 0);
+}
+
+/// "front left" for a direction of the item.
+std::string side_of(double direction) {
+  constexpr const char* kNames[] = {"front", "front left", "left",  "rear left",
+                                    "rear",  "rear right", "right", "front right"};
+  const long octant = std::lround(direction / (45 * kRadiansPerDegree));
+  return kNames[((octant % 8) + 8) % 8];
+}
+
+double angle_of(const Vector2& direction) { return std::atan2(direction.y(), direction.x()); }
+
+bool belongs(const Event& event, const Explanation& of) {
+  const bool of_subject = event.item.empty() || event.item == of.item().name;
+  return of_subject || event.kind == EventKind::kOverturned || event.kind == EventKind::kImpact;
+}
+
+TextPart events_part(const Explanation& of) {
+  constexpr std::size_t kMost = 40;
+  TextPart part{"What happened", {}};
+  std::size_t more = 0;
+  for (const Event& event : of.events) {
+    if (!belongs(event, of)) continue;
+    if (part.lines.size() >= kMost && event.kind != EventKind::kEnd)
+      ++more;
+    else
+      part.lines.push_back(
+          {fmt::format("{:8.3f} s  ", event.time), words_of(event, of.items.size() > 1)});
+  }
+  if (more > 0) part.lines.push_back({"", fmt::format("{} more events: --json lists them", more)});
+  if (of.resolution > 0)
+    part.lines.push_back(
+        {"", fmt::format("Moving off, brakes, lift-off, landing and tipping are found in samples "
+                         "{:g} ms apart; other times are those of the time steps.",
+                         1000 * of.resolution)});
+  return part;
+}
+
+std::string pulse_text(const Explanation& of) {
+  if (of.record.empty()) return "The floor is at rest: the item was pushed, or set in motion.";
+  if (!of.pulse)
+    return "The floor's velocity against the motion did not rise before it: no single pulse of the "
+           "floor drove it.";
+  const report::FloorPulse& pulse = *of.pulse;
+  return fmt::format(
+      "A half cycle of the floor's motion {}, opposite to the motion of the item, from {:.2f} s to "
+      "{:.2f} s: {:.2f} s long, up to {:.3g} m/s2 ({:.2f} g, at {:.2f} s) and {:.3g} m/s; it "
+      "changed the floor's velocity by {:.3g} m/s.",
+      towards(angle_of(-of.direction)), pulse.start, pulse.end, pulse.end - pulse.start,
+      pulse.peak_acceleration, pulse.peak_acceleration / kStandardGravity, pulse.time_of_peak,
+      of.pulse_velocity, pulse.velocity_change);
+}
+
+std::string tilt_text(const ItemFacts& item) {
+  const TiltMargin& tilt = item.tilt;
+  if (tilt.tilt <= 0) return "It hardly tilted (less than 0.1 deg).";
+  if (item.finding == Finding::kOverturned && tilt.time_passed >= 0)
+    return fmt::format(
+        "Its tilt passed the critical angle at {:.2f} s, leaning to its {}: there its centre of "
+        "mass, {:.2f} m up, is above the edge of its support.",
+        tilt.time_passed, side_of(tilt.direction), item.height_of_center_of_mass);
+  std::string text = fmt::format(
+      "Tilt: nearest to the edge at {:.2f} s, {} to its {} of a critical {}: {:.0f} % of it.",
+      tilt.time, degrees(tilt.tilt), side_of(tilt.direction), degrees(tilt.critical),
+      100 * tilt.ratio());
+  if (tilt.time_passed >= 0) text += " It was past the edge and the floor brought it back.";
+  return text;
+}
+
+std::string grip_text(const ItemFacts& item, bool floor) {
+  const GripMargin& grip = item.grip;
+  if (!floor) return {};
+  const char* const what = !item.has_casters ? "friction on the floor"
+                           : grip.braked
+                               ? "its brakes and the rolling resistance of its free casters"
+                               : "the rolling resistance of its casters (no brake is on)";
+  if (grip.time_exceeded < 0)
+    return fmt::format(
+        "Grip: holding it on the moving floor took {:.0f} N at most, and {} could always give "
+        "more; the margin was smallest at {:.2f} s ({:.0f} N of {:.0f} N).",
+        grip.peak_demand, what, grip.time, grip.demand, grip.grip);
+  return fmt::format(
+      "Grip: holding it on the moving floor takes its mass ({:.0f} kg) times the floor's "
+      "acceleration. {} first could not give that at {:.2f} s; worst at {:.2f} s, {:.0f} N against "
+      "{:.0f} N.",
+      item.mass, std::string(1, static_cast<char>(std::toupper(what[0]))) + (what + 1),
+      grip.time_exceeded, grip.time, grip.demand, grip.grip);
+}
+
+std::string first_caster_text(const ItemFacts& item) {
+  std::string text;
+  if (!item.first_lifted.empty())
+    text += fmt::format("First caster off the floor: {}, at {:.3f} s. ", item.first_lifted,
+                        item.time_of_lift);
+  if (!item.first_skidded.empty())
+    text += fmt::format("First braked caster to skid: {}, at {:.3f} s.", item.first_skidded,
+                        item.time_of_skid);
+  return text;
+}
+
+TextPart margins_part(const Explanation& of) {
+  const ItemFacts& item = of.item();
+  TextPart part{"Margins", {}};
+  for (const std::string& words :
+       {tilt_text(item), grip_text(item, !of.record.empty()), first_caster_text(item)})
+    if (!words.empty()) part.lines.push_back({"", words});
+  return part;
+}
+
+/// Two decimals; what is rounded to nothing has no sign.
+std::string joules(double energy) {
+  return fmt::format("{:>9.2f}", std::abs(energy) < 0.005 ? 0.0 : energy);
+}
+
+TextPart energy_part(const Explanation& of) {
+  TextPart part{fmt::format("Energy of {} since the start [J]", of.item().name), {}, true};
+  part.lines.push_back(
+      {"", fmt::format("{:<16}{:>8}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}", "", "time", "kinetic",
+                       "height", "floor", "friction", "rolling", "impacts", "other")});
+  for (const Stage& s : of.stages)
+    part.lines.push_back({"", fmt::format("{:<16}{:>8.2f}", s.name, s.time) + joules(s.kinetic) +
+                                  joules(s.potential) + joules(s.floor_work) + joules(s.friction) +
+                                  joules(s.rolling) + joules(s.impacts) +
+                                  joules(s.elastic - s.other_work + s.other_loss)});
+  return part;
+}
+
+TextPart energy_key() {
+  return {"",
+          {{"",
+            "height: weight times the rise of the centre of mass; floor: work of the floor's "
+            "motion on the item; friction: sliding and damping of the treads; rolling: rolling "
+            "resistance, bearings and brakes; other: springs, loads, neighbours. The work of "
+            "the floor is the sum of the others."}}};
+}
+
+TextPart others_part(const Explanation& of) {
+  TextPart part{"The other items", {}};
+  for (std::size_t i = 0; i < of.items.size(); ++i) {
+    if (i == of.subject) continue;
+    const ItemFacts& item = of.items[i];
+    if (item.finding == Finding::kStill)
+      part.lines.push_back(
+          {"", item.name + " did nothing: it moved less than 1 mm and hardly tilted."});
+    else
+      part.lines.push_back(
+          {"", fmt::format("{}: {}; moved up to {}, tilt up to {:.0f} % of critical.", item.name,
+                           name_of(item.finding), length_words(item.peak_displacement),
+                           100 * item.tilt.ratio())});
+  }
+  return part;
+}
+
+std::string trust_text(const Explanation& of) {
+  if (!of.predictability) return {};
+  switch (of.predictability->verdict) {
+    case Predictability::Verdict::kPredictable:
+      return {};
+    case Predictability::Verdict::kSensitive:
+      return "SENSITIVE: small errors of mass or friction change these times and sizes noticeably.";
+    case Predictability::Verdict::kChaotic:
+      break;
+  }
+  return "CHAOTIC: a change of mass by one part in a billion leads to another motion. This "
+         "explains "
+         "one run among many.";
+}
+
+}  // namespace
+
+std::string length_words(double metres) {
+  return metres < 0.1 ? fmt::format("{:.{}f} mm", 1000 * metres, metres < 0.01 ? 1 : 0)
+                      : fmt::format("{:.2f} m", metres);
+}
+
+std::string towards(double direction) {
+  constexpr const char* kNames[] = {"towards +x",        "between +x and +y", "towards +y",
+                                    "between -x and +y", "towards -x",        "between -x and -y",
+                                    "towards -y",        "between +x and -y"};
+  const long octant = std::lround(direction / (45 * kRadiansPerDegree));
+  return fmt::format("{} ({:.0f} deg from the x axis)", kNames[((octant % 8) + 8) % 8],
+                     std::round(direction / kRadiansPerDegree) + 0.0);
+}
+
+std::string words_of(const Event& event, bool name_item) {
+  const std::string who = name_item && !event.item.empty() ? event.item + ": " : "";
+  switch (event.kind) {
+    case EventKind::kMoved:
+      return who + "starts to slide or roll";
+    case EventKind::kGripExceeded:
+      return who + fmt::format("the braked caster {} skids: its grip is exceeded", event.part);
+    case EventKind::kBrakeTurned:
+      return who + fmt::format("the caster {} turns against its brake", event.part);
+    case EventKind::kLiftOff:
+      return who + fmt::format("off the floor: {} ({})", event.part,
+                               std::isfinite(event.value)
+                                   ? fmt::format("for {:.3g} s", event.value - event.time)
+                                   : "not back before it overturned or the run ended");
+    case EventKind::kLanded:
+      return who + fmt::format("back on the floor: {}", event.part);
+    case EventKind::kTipped:
+      return who + fmt::format("tips ({})", degrees(event.value));
+    case EventKind::kImpact:
+      return who + fmt::format("hits {} with {:.2f} m/s", event.part, event.value);
+    case EventKind::kTaut:
+      return who + fmt::format("{} gets taut (up to {:.0f} N)", event.part, event.value);
+    case EventKind::kUnplugged:
+      return who + fmt::format("{} breaks or unplugs", event.part);
+    case EventKind::kZone:
+      return fmt::format("an item enters the zone {}", event.part);
+    case EventKind::kPeakDisplacement:
+      return who + fmt::format("farthest from its start, {}", length_words(event.value));
+    case EventKind::kPeakTilt:
+      return who + fmt::format("largest tilt, {}", degrees(event.value));
+    case EventKind::kOverturned:
+      return who + "OVERTURNS" + (std::isfinite(event.value) ? " " + towards(event.value) : "");
+    case EventKind::kEnd:
+      break;
+  }
+  if (event.part == name_of(Outcome::kRested)) return "all is at rest";
+  if (event.part == name_of(Outcome::kOverturned)) return "the run ends";
+  if (event.part == name_of(Outcome::kStopped)) return "the run ends, as asked";
+  return "the run ends; something still moves";
+}
+
+std::string headline(const Explanation& of) {
+  if (of.failed)
+    return fmt::format("The run failed at {:.4g} s: {}. There is nothing to explain.", of.end_time,
+                       of.cause);
+  const ItemFacts& item = of.item();
+  switch (item.finding) {
+    case Finding::kOverturned:
+      return fmt::format("{} overturned at {:.2f} s, {}.", item.name, of.worst_time,
+                         towards(angle_of(of.direction)));
+    case Finding::kHit: {
+      const std::string other =
+          of.hit->item == of.subject ? of.hit->other : of.items.at(of.hit->item).name;
+      return fmt::format("{} moved up to {} and hit {} with {:.2f} m/s at {:.2f} s.", item.name,
+                         length_words(item.peak_displacement), other, of.hit->approach_speed,
+                         of.hit->time);
+    }
+    case Finding::kRocked:
+      return fmt::format("{} rocked and did not overturn: its tilt reached {:.0f} % of critical.",
+                         item.name, 100 * item.tilt.ratio());
+    case Finding::kMoved:
+      return fmt::format("{} moved up to {} (at {:.2f} s) and hit nothing.", item.name,
+                         length_words(item.peak_displacement), item.time_of_peak_displacement);
+    case Finding::kStill:
+      break;
+  }
+  return of.items.size() == 1
+             ? item.name + " did nothing: it moved less than 1 mm and hardly tilted."
+             : "No item did anything: each moved less than 1 mm and hardly tilted.";
+}
+
+std::vector<TextPart> parts_of(const Explanation& of) {
+  if (of.failed) return {};
+  std::vector<TextPart> parts{events_part(of)};
+  if (of.item().finding != Finding::kStill)
+    parts.push_back({"What drove it", {{"", pulse_text(of)}}});
+  parts.push_back(margins_part(of));
+  parts.push_back(energy_part(of));
+  parts.push_back(energy_key());
+  if (of.items.size() > 1) parts.push_back(others_part(of));
+  if (const std::string trust = trust_text(of); !trust.empty())
+    parts.push_back({"How far to trust it", {{"", trust}}});
+  return parts;
+}
+
+std::string text(const Explanation& of) {
+  std::string result = report::wrapped(headline(of), 0, 0) + "\n";
+  for (const TextPart& part : parts_of(of)) {
+    if (!part.heading.empty()) result += "\n" + part.heading + "\n";
+    for (const auto& [label, words] : part.lines) {
+      const std::size_t hang = 2 + label.size();
+      result += "  " + label + (part.table ? words : report::wrapped(words, hang, hang)) + "\n";
+    }
+  }
+  return result;
+}
+
+}  // namespace gurney::explanation

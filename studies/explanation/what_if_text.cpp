@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "studies/explanation/caster_words.h"
+#include "studies/explanation/text.h"
+#include "studies/explanation/what_if.h"
+#include "studies/report/wrapped.h"
+
+namespace gurney::explanation {
+namespace {
+
+std::string overturned_cell(const VariantOutcome& outcome, bool replicas) {
+  if (!replicas) return outcome.overturned > 0 ? "yes" : "no";
+  return fmt::format("{} of {}", outcome.overturned, outcome.runs);
+}
+
+std::string row(const VariantOutcome& outcome, bool replicas, std::size_t width) {
+  const std::string impact =
+      outcome.hardest_impact > 0 ? fmt::format("{:.2f}", outcome.hardest_impact) : "-";
+  const std::string tilt = outcome.tilt_ratio > 1 && 2 * outcome.overturned > outcome.runs
+                               ? ">100"
+                               : fmt::format("{:.0f}", 100 * outcome.tilt_ratio);
+  return fmt::format("  {:<{}}{:>11.3f}{:>11}{:>11}{:>13}\n", outcome.name, width,
+                     outcome.peak_displacement, tilt, impact, overturned_cell(outcome, replicas));
+}
+
+/// "overturning", as what was prevented or not.
+std::string event_of(Finding finding) {
+  switch (finding) {
+    case Finding::kOverturned:
+      return "overturning";
+    case Finding::kHit:
+      return "the impact";
+    case Finding::kRocked:
+      return "the rocking";
+    case Finding::kMoved:
+    case Finding::kStill:
+      break;
+  }
+  return fmt::format("moving by more than {:g} m", kHarmless);
+}
+
+/// "Locking every wheel, turning it by 90 degrees and ..."
+std::string clauses(const std::vector<const VariantOutcome*>& outcomes) {
+  std::vector<std::string> names;
+  for (const VariantOutcome* each : outcomes) {
+    std::string clause = each->clause;
+    if (!names.empty()) clause[0] = static_cast<char>(std::tolower(clause[0]));
+    names.push_back(clause);
+  }
+  return listed(names);
+}
+
+/// What the best of those that prevent it leave.
+std::string left_over(const VariantOutcome& best) {
+  return fmt::format(" {} keeps it nearest to its place: it then moves by up to {}.", best.clause,
+                     length_words(best.peak_displacement));
+}
+
+std::string of_single_runs(const WhatIf& what, const std::string& event) {
+  std::vector<const VariantOutcome*> good, bad;
+  for (const VariantOutcome& each : what.variants)
+    if (each.reason.empty()) (each.prevented() ? good : bad).push_back(&each);
+  std::string text;
+  if (good.empty()) text = "Nothing that was tried would have prevented " + event + ".";
+  if (!good.empty()) text = clauses(good) + " would have prevented " + event + ".";
+  if (good.size() > 1)
+    text += left_over(**std::ranges::min_element(
+        good, {}, [](const VariantOutcome* each) { return each->peak_displacement; }));
+  if (!good.empty() && !bad.empty()) text += " " + clauses(bad) + " would not.";
+  return text;
+}
+
+double share(const VariantOutcome& outcome) {
+  return outcome.runs == 0
+             ? 0
+             : static_cast<double>(outcome.happened) / static_cast<double>(outcome.runs);
+}
+
+std::string of_replicas(const WhatIf& what, const std::string& event) {
+  const VariantOutcome* best = nullptr;
+  for (const VariantOutcome& each : what.variants)
+    if (each.reason.empty() && (best == nullptr || share(each) < share(*best))) best = &each;
+  std::string text = fmt::format(
+      "The motion is chaotic, so one run proves little. As it was, {} "
+      "has a probability of {:.2f} ({} of {} replicas).",
+      event, share(what.as_it_was), what.as_it_was.happened, what.as_it_was.runs);
+  if (best != nullptr && share(*best) < share(what.as_it_was))
+    text += fmt::format(" The lowest of the variants, {:.2f}, is that of: {}.", share(*best),
+                        best->name);
+  else
+    text += " No variant made it rarer.";
+  return text;
+}
+
+}  // namespace
+
+std::string conclusion(const WhatIf& what, const Explanation& of) {
+  const ItemFacts& item = of.item();
+  if (item.finding == Finding::kStill ||
+      (item.finding == Finding::kMoved && item.peak_displacement <= kHarmless))
+    return fmt::format("{} moved by less than {:g} m and hit nothing: there is nothing to prevent.",
+                       item.name, kHarmless);
+  const std::string event = event_of(item.finding);
+  return what.replicas > 1 ? of_replicas(what, event) : of_single_runs(what, event);
+}
+
+std::string text(const WhatIf& what, const Explanation& of) {
+  const bool replicas = what.replicas > 1;
+  std::size_t width = 12;
+  for (const VariantOutcome& each : what.variants) width = std::max(width, each.name.size() + 1);
+  std::string text = "\nWhat if (each variant was run)\n";
+  if (replicas)
+    text +=
+        fmt::format("  {} replicas of each, whose masses differ by parts in a billion; medians\n",
+                    what.replicas);
+  text +=
+      fmt::format("  {:<{}}{:>11}{:>11}{:>11}{:>13}\n  {:<{}}{:>11}{:>11}{:>11}\n", "", width,
+                  "farthest", "tilt", "impact", "overturned", "", width, "m", "% of crit.", "m/s");
+  text += row(what.as_it_was, replicas, width);
+  std::string without;
+  for (const VariantOutcome& each : what.variants) {
+    if (each.reason.empty())
+      text += row(each, replicas, width);
+    else
+      without += fmt::format("  {:<{}}  {}\n", each.name, width,
+                             report::wrapped(each.reason, width + 4, width + 4));
+  }
+  if (!without.empty()) text += "  Not tried:\n" + without;
+  return text + "\n" + report::wrapped(conclusion(what, of), 0, 0) + "\n";
+}
+
+}  // namespace gurney::explanation

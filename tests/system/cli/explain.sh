@@ -1,0 +1,102 @@
+#!/usr/bin/env bash
+# gurney explain from outside.
+# usage: explain.sh GURNEY SOURCE_FOLDER
+set -uo pipefail
+gurney=$1
+. "$2/tests/system/cli/expect.sh"
+
+cat > run.toml << 'TOML'
+schema = "gurney-job/1"
+title = "<b>'quoted' & \"more\"</b>"
+[item]
+equipment = "icu_ventilator"
+[excitation.record]
+synthetic = { kind = "ricker", pga_g = 0.3, period_s = 1.0 }
+use = "x"
+TOML
+{
+  cat run.toml
+  cat << 'TOML'
+[study]
+[study.intensity]
+measure = "PGA"
+component = "h1"
+unit = "g"
+levels = [0.1, 0.3]
+TOML
+} > study.toml
+cat > items.toml << 'TOML'
+schema = "gurney-job/1"
+[[item]]
+name = "<i>bed & \"co\"</i>"
+equipment = "icu_bed"
+brakes = true
+[[item]]
+name = "pole, a very long name of an infusion pole that stands beside the bed all night and day"
+equipment = "infusion_pole"
+position_m = [0, 2]
+[excitation.record]
+synthetic = { kind = "ricker", pga_g = 0.4, period_s = 0.8 }
+use = "x"
+TOML
+cat > calm.toml << 'TOML'
+schema = "gurney-job/1"
+[item]
+equipment = "icu_ventilator"
+brakes = true
+[excitation.record]
+synthetic = { kind = "ricker", pga_g = 0.01, period_s = 0.5 }
+use = "x"
+TOML
+for job in run items calm; do expect 0 "$job.h5" "$gurney" run $job.toml -o $job.h5 --no-figure; done
+expect 0 "study.h5" "$gurney" run study.toml -o study.h5
+explain() { expect "$1" "$2" "$gurney" explain "${@:3}"; }
+
+# One run.
+explain 0 "icu_ventilator moved up to" run.h5
+for words in "What happened" "starts to slide or roll" "half cycle of the floor" "Margins" "no brake is on" "Energy of"; do
+  grep -qF "$words" stdout || complain "does not state '$words'"
+done
+[ "$(awk 'length > 100' stdout)" = "" ] || complain "lines of more than 100 columns"
+cp stdout of_run
+explain 0 "did nothing: it moved less than 1 mm" calm.h5
+explain 0 '"finding": "moved"' run.h5 --json
+python3 -m json.tool stdout > run.json || complain "no JSON"
+grep -q "b>'quoted'" run.json || complain "the title is missing"
+
+# A run of a study is that of the job.
+explain 1 "choose one of its runs with --run N" study.h5
+explain 1 "has no run 9; it has runs 0 to 1" study.h5 --run 9
+explain 1 "has no --run but 0" run.h5 --run 1
+explain 0 "icu_ventilator moved up to" study.h5 --run 1
+diff of_run stdout || complain "the run of the study is explained in other words"
+sed 's/0.3/0.31/' run.toml > other.toml
+explain 1 "is not the job of run.h5" run.h5 --job other.toml
+explain 1 "no longer exists" run.h5 --job none.toml
+explain 1 "not" run.toml
+
+# The figure; hostile names are text in it.
+explain 0 "why.svg" run.h5 -o why.svg
+grep -q '<b>' why.svg && complain "the title is not text"
+explain 1 "exists already" run.h5 -o why.svg
+explain 1 "why.doc" run.h5 -o why.doc
+explain 0 "why.pdf" run.h5 -o why.pdf --width 85mm --grey
+explain 0 "pole, a very long name" items.h5 -o items.svg
+grep -q '<i>' items.svg && complain "the name of an item is not text"
+explain 0 '"items"' items.h5 --json
+python3 -m json.tool stdout > items.json || complain "no JSON"
+
+# Variants.
+explain 1 "--what-if, which is missing" run.h5 --replicas 3
+explain 0 "all brakes on" run.h5 --what-if -j 1
+for words in "Not tried" "none of its casters is braked" "there is nothing in the room" "would have prevented"; do
+  grep -qF "$words" stdout || complain "does not state '$words'"
+done
+cp stdout one_thread
+explain 0 "all brakes on" run.h5 --what-if -j 3
+cmp one_thread stdout || complain "variants depend on the number of threads"
+explain 0 "of 2 replicas" run.h5 --what-if --replicas 2
+explain 0 '"conclusion"' run.h5 --what-if --json
+python3 -m json.tool stdout > variants.json || complain "no JSON"
+explain 0 "there is nothing to prevent" calm.h5 --what-if
+exit $((failures > 0))
