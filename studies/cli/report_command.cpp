@@ -4,6 +4,7 @@
 #include "engine/base/error.h"
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/explained_case.h"
 #include "studies/cli/job_of_log.h"
 #include "studies/cli/records_output.h"
 #include "studies/page/page.h"
@@ -18,12 +19,23 @@ struct ReportOptions {
   bool overwrite = false;
 };
 
+/// Of one run, where its job can be run again and gives the same demands.
+void add_explanation(page::PageRequest& request) {
+  try {
+    if (is_study(request.file)) return;
+    request.explanation = explained(case_again(request.file, {}, request.job));
+  } catch (const Error& error) {
+    request.no_explanation = error.what();
+  }
+}
+
 int report(const ReportOptions& options) {
   require(options.output.ends_with(".html"),
           options.output + ": the report must end in .html (-o REPORT.html)");
   study::OutputFiles(options.overwrite).check(options.output);
   page::PageRequest request = options.request;
   if (request.job.empty()) request.job = job_of_log(request.file);
+  add_explanation(request);
   write_output(options.output, page::results_page(request), options.overwrite);
   return 0;
 }

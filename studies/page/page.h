@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "studies/explanation/facts.h"
 #include "studies/study/analysis/assessment.h"
 
 namespace gurney::page {
@@ -11,6 +13,8 @@ struct PageRequest {
   std::string file;                        ///< of a study, or of one run
   study::AssessmentRequest assessed_by{};  ///< of studies
   std::string job{};  ///< where the job's file is, for names relative to it; empty: beside the file
+  std::optional<explanation::Explanation> explanation{};  ///< of one run
+  std::string no_explanation{};                           ///< why there is none
 };
 
 /// The report of a results file as one HTML page.

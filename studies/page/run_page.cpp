@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "engine/base/error.h"
+#include "studies/explanation/figure.h"
+#include "studies/explanation/text.h"
 #include "studies/figures/history_figure.h"
 #include "studies/figures/labels.h"
 #include "studies/figures/trajectory_figure.h"
@@ -86,6 +88,30 @@ Section paths(const RunFile& run) {
                        "The room with the items before and after the motion."})};
 }
 
+Section explanation_section(const PageRequest& request) {
+  if (!request.explanation)
+    return {"explanation", "What happened and why",
+            paragraph("Not explained: " + request.no_explanation)};
+  const explanation::Explanation& of = *request.explanation;
+  Html content = paragraph(explanation::headline(of));
+  for (const explanation::TextPart& part : explanation::parts_of(of)) {
+    if (!part.heading.empty()) content += element("h3", part.heading);
+    std::string table;
+    std::vector<std::string> lines;
+    for (const auto& [label, words] : part.lines) {
+      lines.push_back(label + words);
+      table += words + "\n";
+    }
+    content += part.table          ? element("pre", table)
+               : lines.size() == 1 ? paragraph(lines.front())
+                                   : list(lines);
+  }
+  if (!of.failed)
+    content += html(Drawing{"explanation", explanation::figure(of), explanation::headline(of),
+                            "Floor acceleration, distance, tilt, forces and energies around it."});
+  return {"explanation", "What happened and why", content};
+}
+
 Section histories(const RunFile& run) {
   const std::vector<std::string> known = run.histories.names();
   Html figures;
@@ -148,8 +174,8 @@ Document run_document(const PageRequest& request) {
   return {file.title.empty() ? file.job_name : file.title,
           fmt::format("One run of {}: {} at {:.4g} s", counted(run.overview.items.size(), "item"),
                       run.overview.outcome, run.overview.end_time),
-          {summary(run), design(run), record(run), paths(run), histories(run), tables(run),
-           methods(run), assumptions_section(file, {}),
+          {summary(run), design(run), record(run), paths(run), explanation_section(request),
+           histories(run), tables(run), methods(run), assumptions_section(file, {}),
            provenance_section(file, run.file.text_attribute("job_text"), {})},
           {}};
 }

@@ -86,6 +86,21 @@ grep -q '<i>' items.svg && complain "the name of an item is not text"
 explain 0 '"items"' items.h5 --json
 python3 -m json.tool stdout > items.json || complain "no JSON"
 
+# The report of one run has the text; without its job it says why not.
+expect 0 "run.html" "$gurney" report run.h5 -o run.html
+for words in "What happened and why" "starts to slide or roll" "Energy of icu_ventilator"; do
+  grep -qF "$words" run.html || complain "the report does not state '$words'"
+done
+expect 0 "items.html" "$gurney" report items.h5 -o items.html
+grep -q '<i>' items.html && complain "the name of an item is not text in the report"
+mv run.log kept.log
+expect 0 "bare.html" "$gurney" report run.h5 -o bare.html
+grep -qF "Not explained: run.h5: the job&#39;s file is not known" bare.html ||
+  grep -qF "Not explained: run.h5: the job's file is not known" bare.html || complain "the report does not say why"
+explain 1 "is not known; name it with --job" run.h5
+explain 0 "icu_ventilator moved up to" run.h5 --job run.toml
+mv kept.log run.log
+
 # Variants.
 explain 1 "--what-if, which is missing" run.h5 --replicas 3
 explain 0 "all brakes on" run.h5 --what-if -j 1
