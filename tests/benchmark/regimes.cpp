@@ -4,11 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/run/predictability.h"
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/load_item.h"
 
 namespace gurney::benchmark {
 namespace {
+
+constexpr double kDefaultStep = 0.004, kFinestStep = 0.00025;  // [s]
 
 /// Inner faces of walls of 0.2 m, 0.25 m from the base of 647 x 547 mm.
 void add_walls(Scene& scene) {
@@ -49,6 +52,23 @@ double step_error(const Demands& run, const Demands& finest) {
   if (here) return std::abs(run.time_of_overturning / finest.time_of_overturning - 1);
   return std::max(std::abs(run.peak_displacement / finest.peak_displacement - 1),
                   std::abs(run.peak_tilt / finest.peak_tilt - 1));
+}
+
+std::optional<Predictability::Verdict> verdict_of_run(const Scene& scene,
+                                                      const FloorMotion& floor) {
+  const SimulationSettings settings{.time_step = kDefaultStep};
+  const auto found = predictability(scene, floor, settings, simulate(scene, floor, settings));
+  if (found.empty()) return {};
+  return found[0].verdict;
+}
+
+std::optional<JudgedRun> judged_run(const Scene& scene, const FloorMotion& floor) {
+  const SimulationSettings settings{.time_step = kDefaultStep};
+  const Response run = simulate(scene, floor, settings);
+  const auto found = predictability(scene, floor, settings, run);
+  if (found.empty()) return {};
+  const Response finest = simulate(scene, floor, {.time_step = kFinestStep});
+  return JudgedRun{found[0].verdict, step_error(run.items[0].demands, finest.items[0].demands)};
 }
 
 }  // namespace gurney::benchmark

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "engine/response/predictability.h"
 #include "tests/benchmark/workload.h"
 
 namespace gurney::benchmark {
@@ -27,5 +30,13 @@ FloorMotion motion_of_regime(const Regime& regime, int k, int records);
 /// How far a run's peaks of displacement and tilt are from those of the finest step, over the
 /// latter; of items that overturn, the time; infinite where only one overturns.
 double step_error(const Demands& run, const Demands& finest);
+
+/// A run at the default step of 4 ms, its verdict, and its error against 0.25 ms.
+struct JudgedRun {
+  Predictability::Verdict verdict;
+  double error;
+};
+std::optional<Predictability::Verdict> verdict_of_run(const Scene& scene, const FloorMotion& floor);
+std::optional<JudgedRun> judged_run(const Scene& scene, const FloorMotion& floor);
 
 }  // namespace gurney::benchmark
