@@ -6,6 +6,15 @@ namespace gurney::equipment {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+fs::path& stated_program() {
+  static fs::path place;
+  return place;
+}
+
+}  // namespace
+
 const char* name_of(DataFolder::Origin origin) {
   switch (origin) {
     case DataFolder::Origin::kEnvironment:
@@ -32,8 +41,11 @@ DataFolder find_data_folder(const char* stated, const fs::path& program,
 
 DataFolder find_data_folder() {
   std::error_code unknown;
-  return find_data_folder(std::getenv("GURNEY_DATA"), fs::read_symlink("/proc/self/exe", unknown),
-                          GURNEY_DATA_DIR);
+  const fs::path program =
+      stated_program().empty() ? fs::read_symlink("/proc/self/exe", unknown) : stated_program();
+  return find_data_folder(std::getenv("GURNEY_DATA"), program, GURNEY_DATA_DIR);
 }
+
+void take_as_program(const fs::path& place) { stated_program() = place; }
 
 }  // namespace gurney::equipment

@@ -26,4 +26,8 @@ DataFolder find_data_folder(const char* stated, const std::filesystem::path& pro
 /// That of this program.
 DataFolder find_data_folder();
 
+/// For a library in a program of somebody else, before the first look: the place that counts as that
+/// of the program.
+void take_as_program(const std::filesystem::path& place);
+
 }  // namespace gurney::equipment

@@ -28,6 +28,20 @@ install(FILES ${PROJECT_BINARY_DIR}/manual/gurney DESTINATION share/bash-complet
 install(FILES ${PROJECT_BINARY_DIR}/manual/_gurney DESTINATION share/zsh/vendor-completions
   COMPONENT program)
 
+# The Python package, with gurney.simulate where it was built. Debian's Python looks into these folders.
+install(CODE [[
+  set(GURNEY_PYTHON_FOLDER lib/python3/dist-packages)
+  if(CMAKE_INSTALL_PREFIX STREQUAL "/usr/local")
+    set(GURNEY_PYTHON_FOLDER lib/python3.11/dist-packages)
+  endif()
+]] COMPONENT python)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/studies/python/gurney DESTINATION "\${GURNEY_PYTHON_FOLDER}"
+  COMPONENT python FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
+if(TARGET gurney_bindings)
+  install(TARGETS gurney_bindings LIBRARY DESTINATION "\${GURNEY_PYTHON_FOLDER}/gurney"
+    COMPONENT python OPTIONAL)
+endif()
+
 # The engine for other programs: rooms below studies/ are not among them.
 set(exported gurney_options)
 foreach(line IN LISTS GURNEY_ROOMS)

@@ -1,4 +1,4 @@
-# `cpack`: gurney, which runs, and gurney-dev, the engine for other programs.
+# `cpack`: gurney, which runs, gurney-dev, the engine for other programs, and python3-gurney.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME gurney)
 set(CPACK_PACKAGE_VENDOR "the Gurney developers")
@@ -12,7 +12,7 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXE
   GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_ALL program development)
+set(CPACK_COMPONENTS_ALL program development python)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME gurney)
@@ -25,4 +25,12 @@ find_package(gurney) for CMake: gurney::engine, gurney::groundmotions, gurney::e
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "gurney (= ${PROJECT_VERSION}), libbullet-dev, \
 libeigen3-dev, libfmt-dev, libssl-dev, libtomlplusplus-dev, pkg-config")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-gurney)
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The Python package: results as data frames, and gurney.simulate, \
+which runs items in memory.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "gurney (= ${PROJECT_VERSION}), python3 (>= 3.11), \
+python3 (<< 3.12), python3-h5py, python3-pandas")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-xarray, python3-matplotlib")
 include(CPack)

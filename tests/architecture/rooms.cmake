@@ -77,6 +77,9 @@ set(GURNEY_ROOMS
   "studies/doctor: engine/base equipment/catalogue studies/build_info studies/study/results
     studies/study/run studies/picture"
   "studies/templates: engine/base"
+  "studies/bindings: engine/base engine/config engine/response engine/baselines groundmotions/record
+    equipment/catalogue studies/build_info studies/study/job studies/study/results
+    studies/study/prepare"
   "studies/cli: engine/base engine/config engine/response engine/baselines groundmotions/record
     groundmotions/formats groundmotions/measures groundmotions/processing groundmotions/synthetic
     groundmotions/scaling groundmotions/suites groundmotions/buildings equipment/catalogue
@@ -96,4 +99,5 @@ set(GURNEY_LIBRARIES
   "nlohmann/: engine/config studies/study/exports studies/report studies/explanation studies/page
     studies/playback studies/cli"
   "cairo|librsvg/: studies/picture/rendering"
-  "CLI/: studies/cli")
+  "CLI/: studies/cli"
+  "pybind11/: studies/bindings")

@@ -6,18 +6,24 @@
         study.demands.join(study.runs)        # one row for each item of each run
         study.fragility("overturned", configuration="brakes on")
 
+Single runs, where the compiled module is installed:
+
+    run = gurney.simulate("icu_ventilator", acceleration, time_step=0.005)
+    run.demands["icu_ventilator"]["peak_displacement"]
+
 All values are in SI units, angles in radians, as in the file; ``frame.attrs["units"]`` has the unit
 of every column. Drawn parameters keep the unit that their name ends with. Files are only read.
 """
 
-from .errors import DamagedFile, Error, NotInFile
+from .errors import DamagedFile, Error, InputError, NotInFile
 from .fragility import Fragility
 from .hazard import Hazard, read_hazard
 from .limit_states import LimitState
 from .results import Results
+from .simulation import Run, simulate, simulate_job
 
-__all__ = ["DamagedFile", "Error", "Fragility", "Hazard", "LimitState", "NotInFile", "Results",
-           "open", "read_hazard"]
+__all__ = ["DamagedFile", "Error", "Fragility", "Hazard", "InputError", "LimitState", "NotInFile",
+           "Results", "Run", "open", "read_hazard", "simulate", "simulate_job"]
 __version__ = "0.1.0"
 
 

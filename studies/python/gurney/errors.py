@@ -11,6 +11,10 @@ class DamagedFile(Error):
     """The bytes of a file differ from those that Gurney wrote."""
 
 
+class InputError(Error, ValueError):
+    """What is wrong with a job, an item or a record: a line for each error, with its place."""
+
+
 class NotInFile(Error, LookupError):
     """A table, name or run that the file does not have."""
 

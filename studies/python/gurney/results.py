@@ -1,5 +1,7 @@
 """A results file: its tables, histories and provenance."""
 
+import io
+import json
 import os
 import tomllib
 from functools import cached_property
@@ -22,18 +24,23 @@ class Results:
     """
 
     def __init__(self, path, verify=True):
-        self.path = os.fspath(path)
-        if not os.path.isfile(self.path):
-            raise Error(f"{self.path}: no such file")
-        if not h5py.is_hdf5(self.path):
-            raise Error(f"{self.path}: not an HDF5 file; `gurney run` writes those")
-        self.verified = tables.verify(self.path) if verify else None
-        self._file = h5py.File(self.path, "r")
+        self._bytes = path if isinstance(path, bytes) else None
+        self.path = "run in memory" if self._bytes else os.fspath(path)
+        if not self._bytes:
+            self._check_file()
+        self.verified = self.verify() if verify else None
+        self._file = h5py.File(io.BytesIO(self._bytes) if self._bytes else self.path, "r")
         try:
             self._check_layout()
         except Error:
             self.close()
             raise
+
+    def _check_file(self):
+        if not os.path.isfile(self.path):
+            raise Error(f"{self.path}: no such file")
+        if not h5py.is_hdf5(self.path):
+            raise Error(f"{self.path}: not an HDF5 file; `gurney run` writes those")
 
     def _check_layout(self):
         kind = tables.attribute(self._file.attrs.get("filetype", "none"))
@@ -66,7 +73,7 @@ class Results:
         :returns: True; False if the file has no hash, because another program wrote into it
         :raises DamagedFile: a byte differs
         """
-        return tables.verify(self.path)
+        return tables.verify(self._bytes or self.path)
 
     @cached_property
     def provenance(self):
@@ -77,7 +84,8 @@ class Results:
     @cached_property
     def job(self):
         """The job as nested dicts, from the text that the file holds."""
-        return tomllib.loads(self.provenance["job_text"])
+        text = self.provenance["job_text"]
+        return json.loads(text) if text.lstrip().startswith("{") else tomllib.loads(text)
 
     @property
     def tables(self):

@@ -1,6 +1,7 @@
 """Groups of an HDF5 file as data frames, and the hash at its end."""
 
 import hashlib
+import io
 
 import h5py
 import numpy
@@ -12,9 +13,13 @@ _MARK = b"\ngurney sha256 "
 _LINE = len(_MARK) + 64 + 1  # the hash in hexadecimal digits, and the end of the line
 
 
-def stated_hash(path):
+def _opened(source):
+    return io.BytesIO(source) if isinstance(source, bytes) else open(source, "rb")
+
+
+def stated_hash(source):
     """SHA-256 in the last line of the file, and the number of bytes it is of; None: no line."""
-    with open(path, "rb") as file:
+    with _opened(source) as file:
         size = file.seek(0, 2)
         file.seek(max(0, size - _LINE))
         line = file.read()
@@ -23,17 +28,17 @@ def stated_hash(path):
     return line[len(_MARK):-1].decode("ascii", "replace"), size - _LINE
 
 
-def verify(path):
-    """Compares the SHA-256 at the end of a file with its bytes.
+def verify(source):
+    """Compares the SHA-256 at the end of a file, or of bytes, with the bytes before it.
 
     :returns: True; False if the file has no hash, because another program wrote into it
     :raises DamagedFile: a byte differs
     """
-    stated, size = stated_hash(path)
+    stated, size = stated_hash(source)
     if stated is None:
         return False
     found = hashlib.sha256()
-    with open(path, "rb") as file:
+    with _opened(source) as file:
         while size > 0:
             block = file.read(min(size, 1 << 20))
             if not block:
@@ -41,7 +46,8 @@ def verify(path):
             found.update(block)
             size -= len(block)
     if found.hexdigest() != stated:
-        raise DamagedFile(f"{path}: damaged: its SHA-256 is {found.hexdigest()}, "
+        name = "run in memory" if isinstance(source, bytes) else source
+        raise DamagedFile(f"{name}: damaged: its SHA-256 is {found.hexdigest()}, "
                           f"its last line states {stated}")
     return True
 

@@ -196,7 +196,10 @@ Motion as_motion(const groundmotions::Record& floor, const RecordRequest& reques
 }
 
 Motion motion_of(const RecordRequest& request) {
-  const groundmotions::Record raw = ground_record(request);
+  return motion_of(ground_record(request), request);
+}
+
+Motion motion_of(const groundmotions::Record& raw, const RecordRequest& request) {
   const groundmotions::Record record = floor_record_of(scaled_as_asked(raw, request), request);
   Motion motion = as_motion(record, request, request.angle);
   const std::vector<std::string> findings = implausible(raw);

@@ -26,6 +26,9 @@ struct Motion {
 ///         not leave out, or looks implausible where the job refuses that.
 Motion motion_of(const RecordRequest& request);
 
+/// The same of a record that is there already, read or made and processed.
+Motion motion_of(const groundmotions::Record& raw, const RecordRequest& request);
+
 /// The parts of motion_of(), for studies, which scale and turn one record many times: read or made
 /// and processed; taken through the building; turned, with the components that act.
 groundmotions::Record ground_record(const RecordRequest& request);

@@ -35,6 +35,21 @@ for job in icu_ventilator_shake icu_bay; do
   cmp built.h5 installed.h5 || complain "$job: the installed program gives other results"
 done
 
+# The Python package finds its module, and the module the data of its folder.
+packages="$prefix/lib/python3/dist-packages"
+[ -f "$packages/gurney/simulation.py" ] || complain "the Python package is not installed"
+if compgen -G "$packages/gurney/_engine.*.so" > /dev/null && /usr/bin/python3 -c 'import h5py, pandas' 2> /dev/null; then
+  cp "$prefix/share/gurney/equipment/items/xu_trolley.toml" \
+    "$prefix/share/gurney/equipment/items/only_here.toml"
+  PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$packages expect 0 "only_here" /usr/bin/python3 -c "
+import gurney, sys
+gurney.simulate_job(sys.argv[1]).save('python.h5')
+print(gurney.simulate('only_here', settings={'duration_s': 0.1}).outcome, 'only_here')" \
+    "$prefix/share/gurney/studies/jobs/icu_bay.toml"
+  cmp built.h5 python.h5 || complain "the installed module gives other results"
+  rm "$prefix/share/gurney/equipment/items/only_here.toml"
+fi
+
 for page in share/man/man1/gurney.1 share/bash-completion/completions/gurney \
     share/zsh/vendor-completions/_gurney; do
   [ -s "$prefix/$page" ] || complain "$page is not installed"

@@ -14,6 +14,11 @@ done
 expect 0 "gurney_" "$cpack" --config "$build/CPackConfig.cmake" -B "$folder/packages"
 package=$(echo packages/gurney_*.deb)
 compgen -G "packages/gurney-dev_*.deb" > stdout || complain "no package of the engine"
+if compgen -G "$build/python/gurney/_engine.*.so" > /dev/null; then
+  dpkg-deb -c packages/python3-gurney_*.deb > stdout
+  grep -q "usr/lib/python3/dist-packages/gurney/_engine\..*so" stdout || complain "no module in python3-gurney"
+  grep -q "usr/lib/python3/dist-packages/gurney/simulation.py" stdout || complain "no package in python3-gurney"
+fi
 dpkg-deb -f "$package" Depends > stdout
 for library in libbullet libhdf5 libfmt libtomlplusplus; do
   grep -q "$library" stdout || complain "the package does not depend on $library"

@@ -1,6 +1,8 @@
 """What the tests of studies/python share. Exit code 77: a package is not installed.
 
-usage of each test: TEST.py GURNEY SOURCE_FOLDER
+usage of each test: TEST.py GURNEY SOURCE_FOLDER [BUILT_PACKAGE]
+
+BUILT_PACKAGE holds the package of the build folder, where gurney.simulate is if it was built.
 """
 
 import importlib.util
@@ -11,6 +13,7 @@ import sys
 
 GURNEY, SOURCE = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 PACKAGE = os.path.join(SOURCE, "studies/python")
+BUILT = os.path.abspath(sys.argv[3]) if len(sys.argv) > 3 else PACKAGE
 
 
 def skip(reason):
@@ -29,7 +32,17 @@ def use_package():
     """Puts the package of this repository before any that is installed."""
     need("h5py", "pandas")
     sys.dont_write_bytecode = True
-    sys.path.insert(0, PACKAGE)
+    sys.path.insert(0, BUILT)
+
+
+def has_module():
+    """Whether gurney.simulate was built."""
+    return any(name.startswith("_engine.") for name in os.listdir(os.path.join(BUILT, "gurney")))
+
+
+def need_module():
+    if not has_module():
+        skip("gurney.simulate is not built: it needs python3-dev and pybind11-dev")
 
 
 def gurney(*arguments):

@@ -60,8 +60,11 @@ with tempfile.TemporaryDirectory() as folder:
         subprocess.run(["bash", "-euo", "pipefail", "-c", command], check=True, env=environment,
                        capture_output=True)
     examples = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
-    assert len(examples) == 3, examples
+    assert len(examples) == 4, examples
     for example in examples:
+        if "simulate(" in example and not support.has_module():
+            print("gurney.simulate is not built: its example was not run")
+            continue
         exec(example, {})
     assert os.path.getsize("moved_python.svg") > 1000
 print("the pages are right")
