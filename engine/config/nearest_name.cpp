@@ -50,6 +50,8 @@ int largest_distance(const std::string& name) {
 /// The same word spelt otherwise, then one letter wrong, then a forgotten unit, then a typo:
 /// `swivel` is `swivels` and not the beginning of `swivel_lock`.
 const std::string* nearest(const std::string& name, const std::vector<std::string>& known) {
+  constexpr std::size_t kLongest = 200;  // a file may have keys of megabytes
+  if (name.size() > kLongest) return nullptr;
   const auto found = [&](auto is_it) -> const std::string* {
     const auto at = std::ranges::find_if(known, is_it);
     return at == known.end() ? nullptr : &*at;

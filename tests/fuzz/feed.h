@@ -1,12 +1,12 @@
 #pragma once
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "engine/base/error.h"
@@ -29,7 +29,8 @@ inline std::string text_of(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
-/// A file for readers that take a path: the same one for every input of a process.
+/// A file for readers that take a path: the same one for every input of a process. It is kept open,
+/// since to make a file anew takes longer than most readers; fuzz.sh puts it into memory.
 class InputFile {
  public:
   /// @param name  of the file; its ending may tell its kind
@@ -38,8 +39,11 @@ class InputFile {
                 ("gurney_fuzz_" + std::to_string(::getpid()))) {
     std::filesystem::create_directories(folder_);
     path_ = (folder_ / name).string();
+    file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+    if (file_ < 0) std::abort();
   }
   ~InputFile() {
+    ::close(file_);
     std::error_code ignored;
     std::filesystem::remove_all(folder_, ignored);
   }
@@ -47,13 +51,16 @@ class InputFile {
   InputFile& operator=(const InputFile&) = delete;
 
   const std::string& with(const std::string& bytes) const {
-    std::ofstream(path_, std::ios::binary | std::ios::trunc) << bytes;
+    const auto size = static_cast<ssize_t>(bytes.size());
+    if (::ftruncate(file_, size) != 0 || ::pwrite(file_, bytes.data(), bytes.size(), 0) != size)
+      std::abort();
     return path_;
   }
 
  private:
   std::filesystem::path folder_;
   std::string path_;
+  int file_ = -1;
 };
 
 }  // namespace gurney::fuzz

@@ -212,6 +212,9 @@ TEST(NearestName, SuggestsANeighbourOrListsAll) {
   EXPECT_EQ(suggestion("timestep", {"time_step_s", "residual"}), "; did you mean 'time_step_s'?");
   EXPECT_EQ(suggestion("mass", {"mass_kg", "size_mm"}), "; did you mean 'mass_kg'?");
   EXPECT_EQ(suggestion("x", {}), "");
+  // To compare a key of megabytes would take gigabytes.
+  EXPECT_EQ(suggestion(std::string(300, 'x'), {std::string(301, 'x'), "b"}).substr(0, 9),
+            "; known: ");
   // One letter wrong wins over a longer name that begins so.
   EXPECT_EQ(suggestion("swivel", {"swivel_lock", "swivels"}), "; did you mean 'swivels'?");
   EXPECT_EQ(suggestion("swivel", {"swivel_lock", "brake"}), "; did you mean 'swivel_lock'?");
