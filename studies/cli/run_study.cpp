@@ -19,6 +19,7 @@
 #include "studies/report/failed_runs.h"
 #include "studies/study/results/output_files.h"
 #include "studies/study/run/complete_study.h"
+#include "studies/study/run/identity_file.h"
 #include "studies/study/run/run_batch.h"
 #include "studies/study/run/shard.h"
 #include "studies/study/run/shard_folders.h"
@@ -59,7 +60,7 @@ std::string attempt(const study::BatchProgress& progress, int threads) {
 /// The results are there already and nothing is left to do.
 bool is_complete(const RunOptions& options, const Paths& paths, const study::Batch& batch) {
   if (!options.resume || !fs::exists(paths.results)) return false;
-  const bool has_parts = !study::identity_in(paths.parts).empty();
+  const bool has_parts = study::IdentityFile(paths.parts).exists();
   if (has_parts && options.overwrite) return false;
   const std::string difference = study::difference_to_results(paths.results.string(), batch);
   require(difference.empty(),
@@ -149,7 +150,8 @@ int run_study(const RunOptions& options) {
   if (options.output.empty()) fs::create_directory("out");
   study::OutputFiles(options.overwrite).check(paths.results.string());
   if (!options.shard.empty()) make_shards_folder(options, paths);
-  study::PartFolder folder(paths.parts, study::identity_of(batch), plan.tasks(), start_of(options));
+  study::PartFolder folder(paths.parts, study::identity_of(batch), plan.tasks(), start_of(options),
+                           shard);
   const study::CrashLog crashes(folder.path() / "crashes");
   for (const std::string& note : batch.job.notes()) print_error("{}\n", note);
   for (const std::string& warning : folder.warnings()) print_error("{}\n", warning);

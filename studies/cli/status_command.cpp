@@ -2,11 +2,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "engine/base/printable.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/study_size.h"
 #include "studies/report/failed_runs.h"
@@ -16,6 +20,7 @@
 namespace gurney::cli {
 namespace {
 
+using study::RecordTime;
 using study::ShardStatus;
 
 struct StatusOptions {
@@ -83,10 +88,38 @@ Total total_of(const std::vector<ShardStatus>& shards) {
   return all;
 }
 
+/// Of all shards, those with the slowest runs first.
+std::vector<std::pair<std::string, RecordTime>> slowest_records(
+    const std::vector<ShardStatus>& shards) {
+  constexpr std::size_t kMost = 5;
+  std::map<std::string, RecordTime> all;
+  for (const ShardStatus& shard : shards)
+    for (const auto& [name, time] : shard.records) {
+      all[name].runs += time.runs;
+      all[name].seconds += time.seconds;
+    }
+  std::vector<std::pair<std::string, RecordTime>> sorted(all.begin(), all.end());
+  std::ranges::stable_sort(sorted, std::greater<>(),
+                           [](const auto& each) { return each.second.mean(); });
+  if (sorted.size() > kMost) sorted.resize(kMost);
+  return sorted;
+}
+
+report::ReportTable table_of(const std::vector<std::pair<std::string, RecordTime>>& records) {
+  report::ReportTable table({{"slowest records", "<32", "", "record"},
+                             {"runs", ">9", "", "runs"},
+                             {"CPU time of a run [s]", ">22", ".3g", "cpu_seconds_per_run"}});
+  for (const auto& [name, time] : records)
+    table.add({name.empty() ? "floor at rest" : printable(name), time.runs, time.mean()});
+  return table;
+}
+
 int status_command(const StatusOptions& options) {
   const std::vector<ShardStatus> shards = study::shard_status(options.folder);
   const report::ReportTable table = table_of(shards);
   const Total all = total_of(shards);
+  const auto records = slowest_records(shards);
+  const report::ReportTable slowest = table_of(records);
   if (options.json) {
     fmt::print("{}\n", nlohmann::ordered_json{{"shards", table.json()},
                                               {"analysis_cases", all.tasks},
@@ -95,7 +128,8 @@ int status_command(const StatusOptions& options) {
                                               {"failed", all.failed},
                                               {"damaged_parts", all.damaged},
                                               {"runs_per_second", all.rate},
-                                              {"seconds_to_go", all.to_go}}
+                                              {"seconds_to_go", all.to_go},
+                                              {"slowest_records", slowest.json()}}
                            .dump(2));
     return 0;
   }
@@ -107,6 +141,7 @@ int status_command(const StatusOptions& options) {
   if (all.to_go > 0) fmt::print(", {} to go", duration_text(all.to_go));
   if (all.damaged > 0) fmt::print("\n{} damaged parts, whose runs will be repeated", all.damaged);
   fmt::print("\n");
+  if (records.size() > 1) fmt::print("\n{}", slowest.text());
   return 0;
 }
 

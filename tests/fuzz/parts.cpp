@@ -9,7 +9,7 @@ namespace {
 using namespace gurney;
 
 constexpr const char* kIdentity = "job = 1\nanalysis_cases = 8\n\nschema = \"gurney-job/1\"\n";
-constexpr std::string_view kMagic = "gurney part 2\n";
+constexpr std::string_view kMagic = "gurney part 3\n";
 
 void read_part(const std::string& bytes) {
   const study::PartFormat format(kIdentity, 8);

@@ -107,7 +107,8 @@ void write_results(Seeds& seeds, const fs::path& folder) {
   Response response = fabricated_response();
   for (ItemResponse& item : response.items) item.history.resize(3);
   seeds.add("results", study::results_image(fabricated_facts(), response));
-  study::TaskResult task{.task = 3, .drawn = {1, 2}, .runs = {{.response = response}}};
+  study::TaskResult task{
+      .task = 3, .drawn = {1, 2}, .runs = {{.response = response}}, .cost = {"a", 0.5, 1, 2}};
   seeds.add("parts", study::to_bytes(task));
   seeds.add("parts", "job = 1\nanalysis_cases = 8\n\nschema = \"gurney-job/1\"\ntitle = \"a\"\n");
 }

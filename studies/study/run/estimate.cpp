@@ -29,7 +29,9 @@ Trial make_run(const Batch& batch, std::size_t index, double value) {
   run.response = baselines::simulate_with_any_solver(of_run.scene, of_run.floor, of_run.settings);
   if (study.keep.histories != Histories::kAll)
     for (ItemResponse& item : run.response.items) item.history.clear();
-  TaskResult result{.task = index, .drawn = {}, .runs = {std::move(run)}};
+  TaskResult result;
+  result.task = index;
+  result.runs.push_back(std::move(run));
   const std::size_t bytes = to_bytes(result).size();
   return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), bytes};
 }

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kMagic = "gurney part 2\n";
+constexpr std::string_view kMagic = "gurney part 3\n";
 constexpr std::size_t kHashLength = 64;
 constexpr std::size_t kHeadLength = 16 + kHashLength;  ///< of a task: its number, size and hash
 constexpr std::size_t kNameLength = 13;                ///< 00000001.part
@@ -67,7 +67,7 @@ PartContent PartFormat::decode(std::string_view bytes) const {
     if (size > content - at - kHeadLength) return {{}, "an analysis case is larger than the part"};
     if (task >= tasks_) return {{}, fmt::format("it has analysis case {} of {}", task, tasks_)};
     if (hash_of(task, bytes.substr(at + kHeadLength, size)) != bytes.substr(at + 16, kHashLength))
-      return {{}, fmt::format("its analysis case {} belongs to another study", task)};
+      return {{}, fmt::format("its analysis case {} belongs to another study", task), true};
     part.entries.push_back({task, at + kHeadLength, size});
     at += kHeadLength + size;
   }

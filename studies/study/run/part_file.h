@@ -22,7 +22,8 @@ struct PartEntry {
 /// number, and at the end the SHA-256 of all before.
 struct PartContent {
   std::vector<PartEntry> entries;
-  std::string damage;  ///< why it cannot be used; empty: nothing
+  std::string damage;    ///< why it cannot be used; empty: nothing
+  bool foreign = false;  ///< it is whole, and of another study
 };
 
 /// Those of one study.

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/base/error.h"
 #include "studies/study/results/output_files.h"
+#include "studies/study/run/identity_file.h"
 #include "studies/study/run/study_identity.h"
 
 namespace gurney::study {
@@ -38,13 +41,9 @@ void remove_parts(const fs::path& folder) {
 
 }  // namespace
 
-std::string identity_in(const fs::path& folder) {
-  const fs::path study = folder / "study";
-  return fs::exists(study) ? file_bytes(study) : std::string();
-}
-
-PartFolder::PartFolder(fs::path folder, const std::string& identity, std::size_t tasks, Start start)
-    : lock_(std::move(folder)), format_(identity, tasks) {
+PartFolder::PartFolder(fs::path folder, const std::string& identity, std::size_t tasks, Start start,
+                       const Shard& shard)
+    : lock_(std::move(folder)), format_(identity, tasks), shard_(shard) {
   if (!lock_.warning().empty()) warnings_.push_back(lock_.warning());
   if (start == Start::kReplace) remove_parts(path());
   this->start(identity, start);
@@ -55,22 +54,36 @@ PartFolder::PartFolder(fs::path folder, const std::string& identity, std::size_t
 }
 
 void PartFolder::start(const std::string& identity, Start start) {
-  const std::string theirs = identity_in(path());
-  if (!theirs.empty()) {
+  const IdentityFile study(path());
+  const std::vector<std::uint32_t> parts = part_numbers(path());
+  if (study.exists() || !parts.empty()) {
     require(start == Start::kResume,
             path().string() +
                 ": contains runs of an interrupted study; continue with --resume, or start again "
                 "with --overwrite");
-    require(theirs == identity,
-            path().string() + ": contains runs of another study: " + difference(theirs, identity));
-    return;
+    if (study.exists() && !study.damaged()) {
+      require(study.identity() == identity, path().string() + ": contains runs of another study: " +
+                                                difference(study.identity(), identity));
+      return;
+    }
+    restore(study.exists() ? "is damaged" : "is missing", parts);
   }
-  require(part_numbers(path()).empty(), path().string() +
-                                            ": contains runs, but no file 'study' that identifies "
-                                            "them; start again with --overwrite");
   std::error_code ignored;
-  fs::remove(path() / "study", ignored);  // an empty one
-  write_whole(path() / "study", identity);
+  fs::remove(path() / "study", ignored);  // a damaged or empty one
+  write_whole(path() / "study", IdentityFile::bytes_of(identity));
+}
+
+void PartFolder::restore(const std::string& problem, const std::vector<std::uint32_t>& parts) {
+  const std::string what = (path() / "study").string() + ": " + problem;
+  const auto foreign = std::ranges::find_if(parts, [&](std::uint32_t part) {
+    return format_.decode(file_bytes(part_path(path(), part))).foreign;
+  });
+  if (foreign != parts.end())
+    throw Error(
+        fmt::format("{}, and {} beside it belongs to another study, or to this one as another "
+                    "program ran it; start again with --overwrite",
+                    what, part_path({}, *foreign).string()));
+  warnings_.push_back(what + "; it is written again: no part beside it belongs to another study");
 }
 
 void PartFolder::take_over(std::uint32_t part) {
@@ -95,13 +108,15 @@ void PartFolder::add(const TaskBytes& tasks) {
 }
 
 void PartFolder::place(std::uint32_t part, const PartEntry& entry) {
-  if (places_.size() <= entry.task) places_.resize(entry.task + 1);
-  if (places_[entry.task].part == 0) ++size_;
-  places_[entry.task] = {part, entry};
+  if (!shard_.has(entry.task)) return;
+  const std::size_t index = index_of(entry.task);
+  if (places_.size() <= index) places_.resize(index + 1);
+  if (places_[index].part == 0) ++size_;
+  places_[index] = {part, entry};
 }
 
 std::string PartFolder::read(std::size_t task) const {
-  const Place& place = places_.at(task);
+  const Place& place = places_.at(index_of(task));
   return format_.read(part_path(path(), place.part), place.entry);
 }
 

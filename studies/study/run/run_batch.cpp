@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <ctime>
 #include <exception>
 #include <map>
 #include <mutex>
@@ -35,8 +36,10 @@ BatchProgress done_before(const Batch& batch, const PartFolder& folder, const Sh
 /// run, so that parts stay few and little is lost.
 class Collector {
  public:
-  Collector(const std::function<void(const BatchProgress&)>& report, const BatchProgress& before)
-      : report_(report), progress_(before) {}
+  /// @param attempt  see TaskCost
+  Collector(const std::function<void(const BatchProgress&)>& report, const BatchProgress& before,
+            std::uint64_t attempt)
+      : report_(report), progress_(before), attempt_(attempt) {}
 
   /// @return a part that is due to be written; else empty
   TaskBytes add(TaskResult result) {
@@ -44,8 +47,10 @@ class Collector {
     progress_.runs_now += result.runs.size();
     ++progress_.tasks_now;
     const std::size_t task = result.task;
-    bytes_ += (waiting_[task] = to_bytes(result)).size();
     progress_.seconds = since(start_);
+    result.cost.attempt = attempt_;
+    result.cost.ended = progress_.seconds;
+    bytes_ += (waiting_[task] = to_bytes(result)).size();
     if (since(reported_) > 0.5) {
       report_(progress_);
       reported_ = Clock::now();
@@ -75,6 +80,7 @@ class Collector {
 
   const std::function<void(const BatchProgress&)>& report_;
   BatchProgress progress_;
+  std::uint64_t attempt_;
   TaskBytes waiting_;
   std::size_t bytes_ = 0;
   Clock::time_point start_ = Clock::now(), taken_ = start_, reported_ = start_;
@@ -108,6 +114,13 @@ std::vector<std::size_t> missing_tasks(const Batch& batch, std::size_t stage, co
   return missing;
 }
 
+/// Of this thread: a busy machine does not make a record look slow.
+double cpu_seconds() {
+  timespec time{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 /// What the threads of a batch share.
 struct Work {
   const Batch& batch;
@@ -127,8 +140,11 @@ void run_tasks(const Work& work, const std::vector<std::size_t>& tasks, const St
     if (broken || !work.go_on()) continue;
     try {
       const Task task = work.batch.plan.task(tasks[i]);
+      const double before = cpu_seconds();
       TaskResult result = run_task(work.batch, tasks[i], work.go_on, work.crashes.given_up(),
                                    &levels.of(task.configuration));
+      result.cost.record = work.batch.motions.set_of(task.configuration).name(task.record);
+      result.cost.cpu_seconds = cpu_seconds() - before;
       TaskBytes part;
       {
         const std::lock_guard lock(collecting);
@@ -151,7 +167,7 @@ void run_tasks(const Work& work, const std::vector<std::size_t>& tasks, const St
 BatchProgress run_batch(const Batch& batch, PartFolder& folder, const CrashLog& crashes,
                         const Shard& shard, int threads, const std::function<bool()>& go_on,
                         const std::function<void(const BatchProgress&)>& progress) {
-  Collector collector(progress, done_before(batch, folder, shard));
+  Collector collector(progress, done_before(batch, folder, shard), folder.next_part());
   const Work work{batch, folder, crashes, collector, go_on};
   StageLevels levels(batch);
   run_tasks(work, missing_tasks(batch, 0, shard, folder), levels, threads);

@@ -113,7 +113,7 @@ TaskResult run_task(const Batch& batch, std::size_t index, const std::function<b
   if (levels != nullptr) plan.levels = *levels;
   Intensities intensities(plan);
   while (const std::optional<double> value = intensities.next()) {
-    if (!go_on()) return {index, {}, {}};
+    if (!go_on()) return {};
     StudyRun run;
     run.scale = by_measure ? motions.scale_for(task.record, *value) : *value;
     run.intensity = by_measure ? *value : 0;

@@ -59,7 +59,7 @@ ShardFolders::ShardFolders(fs::path folder, const std::string& identity, std::si
     : folder_(std::move(folder)), of_task_(tasks, kNone) {
   for (const auto& [shard, path] : shards_in(folder_)) {
     folders_.push_back(
-        std::make_unique<PartFolder>(path, identity, tasks, PartFolder::Start::kResume));
+        std::make_unique<PartFolder>(path, identity, tasks, PartFolder::Start::kResume, shard));
     shards_.push_back(shard);
     const PartFolder& parts = *folders_.back();
     warnings_.insert(warnings_.end(), parts.warnings().begin(), parts.warnings().end());

@@ -1,13 +1,13 @@
 #include "studies/study/run/shard_status.h"
 
 #include <algorithm>
-#include <chrono>
+#include <map>
 #include <set>
 
 #include "engine/base/error.h"
 #include "studies/study/run/folder_lock.h"
+#include "studies/study/run/identity_file.h"
 #include "studies/study/run/part_file.h"
-#include "studies/study/run/part_folder.h"
 #include "studies/study/run/shard_folders.h"
 #include "studies/study/run/study_identity.h"
 
@@ -16,49 +16,51 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Time = fs::file_time_type;
+/// What was done since a start, and how long it took. Dates of files would not do: clocks are set.
+struct Attempt {
+  std::size_t runs = 0, tasks = 0;
+  double seconds = 0;
 
-Time time_of(const fs::path& file) {
-  std::error_code gone;
-  const Time time = fs::last_write_time(file, gone);
-  return gone ? Time::min() : time;
-}
+  void add(const TaskResult& result) {
+    runs += result.runs.size();
+    ++tasks;
+    seconds = std::max(seconds, result.cost.ended);
+  }
+};
 
-/// The runs of parts that were written since the last start, and how long they took.
-void measure(ShardStatus& status, std::size_t runs, std::size_t tasks, Time start, Time last) {
-  const double seconds = std::chrono::duration<double>(last - start).count();
-  if (runs == 0 || !(seconds > 0)) return;
-  status.runs_per_second = static_cast<double>(runs) / seconds;
-  status.seconds_per_task = seconds / static_cast<double>(tasks);
+void add_to_record(RecordTime& record, const TaskResult& result) {
+  record.runs += result.runs.size();
+  record.seconds += result.cost.cpu_seconds;
 }
 
 ShardStatus status_of(const fs::path& folder, const Shard& shard) {
-  const std::string identity = identity_in(folder);
+  const std::string identity = IdentityFile(folder).identity();
   const std::size_t tasks = tasks_in(identity);
   const PartFormat format(identity, tasks);
   ShardStatus status{.shard = shard, .tasks = shard.tasks_of(tasks), .started = true};
   status.process = working_process(folder);
-  const Time start = time_of(folder / "lock");
-  Time last = start;
   std::set<std::size_t> done;
-  std::size_t runs_now = 0, tasks_now = 0;
+  std::map<std::uint64_t, Attempt> attempts;
   for (const std::uint32_t part : part_numbers(folder)) {
     const fs::path path = part_path(folder, part);
     const std::string bytes = file_bytes(path);
     const PartContent content = format.decode(bytes);
     status.damaged += !content.damage.empty();
-    const bool now = time_of(path) > start;
     for (const PartEntry& entry : content.entries) {
       if (!done.insert(entry.task).second) continue;
-      const std::size_t before = status.counts.runs;
-      status.counts.add(task_from_bytes(std::string_view(bytes).substr(entry.offset, entry.size)));
-      runs_now += now ? status.counts.runs - before : 0;
-      tasks_now += now;
+      const TaskResult result =
+          task_from_bytes(std::string_view(bytes).substr(entry.offset, entry.size));
+      status.counts.add(result);
+      add_to_record(status.records[result.cost.record], result);
+      attempts[result.cost.attempt].add(result);
     }
-    if (now) last = std::max(last, time_of(path));
   }
   status.done = done.size();
-  measure(status, runs_now, tasks_now, start, last);
+  if (attempts.empty()) return status;
+  const Attempt& last = attempts.rbegin()->second;
+  if (!(last.seconds > 0)) return status;
+  status.runs_per_second = static_cast<double>(last.runs) / last.seconds;
+  status.seconds_per_task = last.seconds / static_cast<double>(last.tasks);
   return status;
 }
 
@@ -71,7 +73,7 @@ std::vector<ShardStatus> shard_status(const fs::path& folder) {
   for (const auto& [shard, path] : found) all.push_back(status_of(path, shard));
   if (found.front().first.count != found.back().first.count) return all;
   const std::size_t count = found.front().first.count;
-  const std::size_t tasks = tasks_in(identity_in(found.front().second));
+  const std::size_t tasks = tasks_in(IdentityFile(found.front().second).identity());
   for (std::size_t number = 1; number <= count; ++number) {
     const Shard shard{number, count};
     if (std::ranges::find(all, shard, &ShardStatus::shard) == all.end())

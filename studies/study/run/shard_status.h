@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,14 @@
 #include "studies/study/run/task_result.h"
 
 namespace gurney::study {
+
+/// What the runs under one record took.
+struct RecordTime {
+  std::size_t runs = 0;
+  double seconds = 0;  ///< CPU time of all
+
+  double mean() const { return runs == 0 ? 0 : seconds / static_cast<double>(runs); }
+};
 
 /// What a shard has finished, read beside the process that works on it.
 struct ShardStatus {
@@ -19,6 +28,7 @@ struct ShardStatus {
   std::string process = {};     ///< that works on it: "process 12 on node3"; empty: none
   double runs_per_second = 0;   ///< of the last attempt, up to its last part; 0: unknown
   double seconds_per_task = 0;  ///< the same
+  std::map<std::string, RecordTime> records = {};  ///< by name; empty: the floor is at rest
 };
 
 /// Of a folder FILE.h5.shards with those that have not started, or of one FILE.h5.parts as shard 1

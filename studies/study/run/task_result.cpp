@@ -82,6 +82,11 @@ void visit(A& a, StudyRun& run) {
     run.at_half_step);
 }
 
+template <class A>
+void visit(A& a, TaskCost& c) {
+  a(c.record, c.cpu_seconds, c.attempt, c.ended);
+}
+
 void RunCounts::add(const TaskResult& result) {
   runs += result.runs.size();
   for (const StudyRun& run : result.runs) {
@@ -93,14 +98,14 @@ void RunCounts::add(const TaskResult& result) {
 
 std::string to_bytes(TaskResult& result) {
   ByteWriter writer;
-  writer(result.task, result.drawn, result.runs);
+  writer(result.task, result.drawn, result.runs, result.cost);
   return writer.take();
 }
 
 TaskResult task_from_bytes(std::string_view bytes) {
   ByteReader reader(bytes);
   TaskResult result;
-  reader(result.task, result.drawn, result.runs);
+  reader(result.task, result.drawn, result.runs, result.cost);
   require(reader.done(), "there are more bytes than an analysis case has");
   return result;
 }

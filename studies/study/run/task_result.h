@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,11 +23,20 @@ struct StudyRun {
   std::vector<Demands> at_half_step;
 };
 
+/// What a task of run_batch() took. Parts alone have it: results must not depend on the machine.
+struct TaskCost {
+  std::string record;         ///< name of its ground motion
+  double cpu_seconds = 0;     ///< of its thread
+  std::uint64_t attempt = 0;  ///< number of the first part of its attempt
+  double ended = 0;           ///< time since the attempt began [s], of a clock that nobody sets
+};
+
 /// A finished task: its runs in the order they were made.
 struct TaskResult {
   std::size_t task = 0;
   std::vector<double> drawn;  ///< as drawn_variables() of its job
   std::vector<StudyRun> runs;
+  TaskCost cost;
 };
 
 /// Runs by how they ended.

@@ -119,6 +119,16 @@ expect 0 '"seconds_to_go": ' "$gurney" status a.h5.shards --json
 kill -TERM "$process"
 ends 143 "continue with"
 expect 0 " stopped" "$gurney" status a.h5.shards
+grep -qx "slowest records  *runs  *CPU time of a run \[s\]" stdout || complain "names no slowest records"
+grep -qE "^long +[0-9]+ +[0-9.e-]+$" stdout || complain "does not say how long the record 'long' takes"
+expect 0 '"cpu_seconds_per_run": ' "$gurney" status a.h5.shards --json
+
+# A damaged file `study` is written again from what its parts state.
+cp a.h5.shards/2-of-3/study study.whole
+printf X | dd of=a.h5.shards/2-of-3/study bs=1 seek=90 conv=notrunc 2> /dev/null
+expect 1 "a.h5.shards/2-of-3/study: is damaged (its checksum does not match)" "$gurney" status a.h5.shards
+expect 0 "a.h5.shards/2-of-3/study: is damaged; it is written again" "$gurney" run job.toml -o a.h5 --shard 2/3 --resume
+same study.whole a.h5.shards/2-of-3/study
 expect 1 "none: is not a folder of shards" "$gurney" status none
 rm -rf a.h5.shards
 

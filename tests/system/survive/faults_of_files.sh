@@ -7,13 +7,15 @@ damage() {
   part=${parts[RANDOM % ${#parts[@]}]}
   local size
   size=$(stat -c %s "$part" 2> /dev/null) || return 0
-  case $((RANDOM % 6)) in
+  case $((RANDOM % 8)) in
     0) tally "damage part removed" && rm -f "$part" ;;
     1) tally "damage truncated" && truncate -s $((size * (RANDOM % 100) / 100)) "$part" ;;
     2) tally "damage bit" && flip_bit "$part" $(((RANDOM * 32768 + RANDOM) % size)) ;;
     3) tally "damage crashes" && printf '3 1' >> "$1/crashes" ;;
     4) tally "damage torn" && head -c $((size / 2)) "$part" > "$1/00000099.part.part" ;;
     5) tally "damage folder removed" && rm -rf "$1" ;;
+    6) tally "damage study" && flip_bit "$1/study" $((RANDOM % 80)) ;;
+    7) tally "damage study removed" && rm -f "$1/study" ;;
   esac 2> /dev/null
   return 0
 }

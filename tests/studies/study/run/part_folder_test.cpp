@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "engine/base/hash/sha256.h"
+#include "studies/study/run/identity_file.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
@@ -67,7 +68,7 @@ class Parts : public testing::Test {
       std::memcpy(text.data(), &number, 8);
       return text;
     };
-    const std::string whole = "gurney part 2\n" + bytes(task) + bytes(size) +
+    const std::string whole = "gurney part 3\n" + bytes(task) + bytes(size) +
                               sha256(sha256(identity) + bytes(task) + content) + content;
     return whole + sha256(whole);
   }
@@ -116,13 +117,42 @@ TEST_F(Parts, OfAnotherStudyAreRefusedWithBothValues) {
             folder() + ": contains runs of another study: analysis_cases: there '7', here nothing");
 }
 
-TEST_F(Parts, WithoutTheirIdentityAreRefused) {
+TEST_F(Parts, StateTheirStudyWhereTheFileStudyIsDamagedOrMissing) {
   fill();
-  std::filesystem::remove(part("study"));
-  EXPECT_EQ(error_text([&] { open(Start::kResume); }),
-            folder() +
-                ": contains runs, but no file 'study' that identifies them; start again with "
-                "--overwrite");
+  const std::string whole = contents_of(part("study"));
+  EXPECT_EQ(whole, "sha256 = " + sha256(kIdentity) + "\n" + kIdentity);
+  std::string flipped = whole;
+  flipped[whole.find("aaa")] = 'b';
+  for (const std::string& bytes : {flipped, whole.substr(0, whole.size() - 1), whole + "x",
+                                   whole.substr(1), std::string("\n"), std::string()}) {
+    std::ofstream(part("study"), std::ios::binary) << bytes;
+    EXPECT_EQ(IdentityFile(folder()).damaged(), !bytes.empty());
+    EXPECT_THAT(error_text([&] { open(Start::kNew); }), HasSubstr("continue with --resume"));
+    const PartFolder parts = open(Start::kResume);
+    EXPECT_EQ(parts.size(), 3u);
+    EXPECT_EQ(
+        parts.warnings(),
+        std::vector<std::string>{part("study") + (bytes.empty() ? ": is missing" : ": is damaged") +
+                                 "; it is written again: no part beside it belongs "
+                                 "to another study"});
+    EXPECT_EQ(contents_of(part("study")), whole);
+  }
+}
+
+TEST_F(Parts, OfAnotherStudyAreNotTakenForOursWhereTheFileStudyIsDamaged) {
+  fill();
+  std::ofstream(part("study"), std::ios::binary) << "torn";
+  EXPECT_EQ(
+      error_text([&] { open(Start::kResume, "a.toml = bbb\nanalysis_cases = 7\n"); }),
+      part("study") +
+          ": is damaged, and 00000001.part beside it belongs to another study, or to this one "
+          "as another program ran it; start again with --overwrite");
+  EXPECT_TRUE(std::filesystem::exists(part("00000001.part")));
+  EXPECT_EQ(
+      error_text([&] { IdentityFile(folder()).identity(); }),
+      part("study") +
+          ": is damaged (its checksum does not match); `gurney run` with --resume and `gurney "
+          "merge` write it again");
 }
 
 TEST_F(Parts, ThatAreDamagedAreSetAsideAndReported) {
@@ -132,7 +162,7 @@ TEST_F(Parts, ThatAreDamagedAreSetAsideAndReported) {
   flipped[flipped.find("three")] = 'T';
   for (const std::string& bytes :
        {whole.substr(0, whole.size() - 1), whole.substr(0, 20), std::string(), flipped, whole + "x",
-        "gurney part 1\n" + whole.substr(14)}) {
+        "gurney part 2\n" + whole.substr(14)}) {
     std::ofstream(part("00000001.part"), std::ios::binary) << bytes;
     const PartFolder parts = open(Start::kResume);
     EXPECT_EQ(parts.size(), 1u);

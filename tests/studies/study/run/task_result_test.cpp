@@ -66,9 +66,13 @@ auto members(StudyRun& s) {
   auto& [a, b, c, d, e, f, g, h] = s;
   return std::tie(a, b, c, d, e, f, g, h);
 }
+auto members(TaskCost& s) {
+  auto& [a, b, c, d] = s;
+  return std::tie(a, b, c, d);
+}
 auto members(TaskResult& s) {
-  auto& [a, b, c] = s;
-  return std::tie(a, b, c);
+  auto& [a, b, c, d] = s;
+  return std::tie(a, b, c, d);
 }
 auto members(Vector3& v) { return std::tie(v.x(), v.y(), v.z()); }
 auto members(Quaternion& q) { return std::tie(q.w(), q.x(), q.y(), q.z()); }
