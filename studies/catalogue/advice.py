@@ -77,7 +77,8 @@ class Advice:
             return f"free it moves 1 m in {self.words(item, 'off', 'moved 1 m')}"
         if action == "brake":
             unless = ", but do not lock its swivels" if self.overturns(item, "locked") == "shown" else ""
-            return f"it moves 1 m less often, and overturning is not shown, {self.words(item, 'on', 'overturned')}{unless}"
+            falls = self.words(item, "on", "overturned")
+            return f"it moves 1 m less often, and overturning is not shown, {falls}{unless}"
         if action == "alike":
             return "16 motions do not show that its brakes shorten its way"
         return (f"its brakes shorten its way; whether it then overturns 16 motions neither show nor exclude, "

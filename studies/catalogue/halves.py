@@ -15,6 +15,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from tables import output_of, write_csv
 
+COUNTS = ["medians", "within", "bounded", "within_bounded", "no_curve"]
 HERE = os.path.dirname(os.path.abspath(__file__))
 PLACE = "open"  # where a hit is that of an item that overturns
 STATES = ["moved 0.1 m", "moved 0.3 m", "moved 1 m", "overturned"]
@@ -51,7 +52,7 @@ def count(first, second):
     found = {}
     for key in first:
         for own, other in ((first[key], second[key]), (second[key], first[key])):
-            tally = found.setdefault(key[0], {"medians": 0, "within": 0, "bounded": 0, "within_bounded": 0, "no_curve": 0})
+            tally = found.setdefault(key[0], dict.fromkeys(COUNTS, 0))
             if not (own["curve"] and other["curve"]):
                 tally["no_curve"] += 1
                 continue
@@ -86,8 +87,7 @@ def main():
     gurney, results, tables = sys.argv[1:]
     files = sorted(glob.glob(os.path.join(results, "*.h5")))
     write_csv(os.path.join(tables, "halves.csv"),
-              ["division", "limit_state", "medians", "within", "bounded", "within_bounded", "no_curve"],
-              rows(gurney, files))
+              ["division", "limit_state", *COUNTS], rows(gurney, files))
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ from tables import FURTHER, MUCH_BETTER, much_better
 WHERE = ("flexible building", "open")  # of the overview
 LIMITS = ["moved 0.1 m", "moved 0.3 m", "moved 1 m", "hit at 0.4 m/s", "hit at 0.8 m/s", "overturned"]
 SETTINGS = ["off", "on", "locked"]
+SHOWN = 0.05  # of p, adjusted for the number of constants
 
 
 def cell(row):
@@ -33,6 +34,8 @@ class Catalogue:
         self.items = sorted({r["item"] for r in rows})
         self.floors = list(dict.fromkeys(r["floor"] for r in rows))
         self.measures = read(tables, "measures.csv")
+        self.variance = read(tables, "variance.csv")
+        self.constants = read(tables, "constants.csv")
         self.measure_of = {(r["item"], r["floor"], r["place"], r["brakes"]): r for r in self.measures}
 
 
@@ -95,6 +98,33 @@ def further_table(catalogue, item):
     return lines
 
 
+def share_cell(row, part):
+    middle, low, high = (f"{100 * float(row[part + end]):.0f}" for end in ("", "_low", "_high"))
+    return f"{middle} ({low} to {high})"
+
+
+def variance_table(catalogue, item):
+    parts = ["record", "parameters", "chaos"]
+    lines = ["| brakes | of | " + " | ".join(f"{part} [%]" for part in parts) + " |", "| --- " * (2 + len(parts)) + "|"]
+    for row in catalogue.variance:
+        if row["item"] == item:
+            cells = " | ".join(share_cell(row, part) for part in parts)
+            lines.append(f"| {row['brakes']} | {row['response']} | {cells} |")
+    return lines
+
+
+def constants_line(catalogue, item):
+    """The constants whose influence on the displacement is shown, or the strongest of those that are not."""
+    own = [row for row in catalogue.constants if row["item"] == item]
+    words = lambda row: (f"`{row['constant']}` (brakes {row['brakes']}: {row['correlation']}, "
+                         f"p {float(row['p_holm']):.3f})")
+    shown = [words(row) for row in own if float(row["p_holm"]) < SHOWN]
+    if shown:
+        return "To be measured first, by rank correlation with the displacement: " + ", ".join(shown) + "."
+    strongest = min(own, key=lambda row: float(row["p"]))
+    return f"No constant is shown to matter in 64 draws; the strongest is {words(strongest)}."
+
+
 def best_measures(catalogue, item):
     """How often each measure predicts the displacement best."""
     count = {}
@@ -125,6 +155,11 @@ def item_page(catalogue, advice, item, sheet):
         f"On an upper floor of the {WHERE[0]}, as above; from [more_states.csv](data/more_states.csv). "
         "[What they bound](methods.md#further-limit-states).", "",
         *further_table(catalogue, item), "",
+        "## What the scatter is due to", "",
+        "Shares of the variance at a PGV of 0.8 m/s on an upper floor of the flexible building, open floor, with intervals of "
+        "95 % ([method](methods.md#record-parameters-chaos)):", "",
+        *variance_table(catalogue, item), "",
+        constants_line(catalogue, item) + " [Method](methods.md#what-to-measure-first).", "",
         "## Intensity measure", "",
         f"Best predictors of the peak displacement, with the number of configurations: {best_measures(catalogue, item)}.", ""]
 

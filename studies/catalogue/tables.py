@@ -97,7 +97,8 @@ def sensitive_point(item):
 def further_rows(gurney, item, file):
     states = [word for name, words in FURTHER.items()
               for word in ("--limit-state", f"{name} = {words.format(item=item, point=sensitive_point(item))}")]
-    names = present(gurney, file, [", ".join([ADVISED[0], place, brakes]) for place in ("open", "bay") for brakes in BRAKES])
+    wanted = [", ".join([ADVISED[0], place, brakes]) for place in ("open", "bay") for brakes in BRAKES]
+    names = present(gurney, file, wanted)
     if names:
         yield from curve_rows(gurney, item, file, "pfv", "--measure", "pfv", *states, "--configuration", *names)
 
@@ -140,8 +141,8 @@ def brake_rows(gurney, item, file):
         pair = [", ".join([*ADVISED, setting]) for setting in ("off", brakes)]
         if present(gurney, file, pair) != pair:
             continue
-        shares = json.loads(output_of(gurney, "compare", file, "--configurations", ",".join(pair), *states, "--json"))["shares"]
-        for each in shares:
+        names = ["--configurations", ",".join(pair)]
+        for each in json.loads(output_of(gurney, "compare", file, *names, *states, "--json"))["shares"]:
             low, high = each["interval"]
             yield {"item": item, "brakes": brakes, "limit_state": each["name"], "off": number(each["a"]),
                    "braked": number(each["b"]), "difference": number(each["difference"]), "low": number(low),

@@ -1,12 +1,14 @@
-"""The layer above the curves: halves of the motions, other suites. Checks the functions on
+"""The layer above the curves: halves of the motions, variance components, other suites. Checks the functions on
 made-up numbers, and the numbers in the prose of the methods on the shipped tables.
 
 usage: second_layer.py SOURCE_DIR
 """
 
 import csv
+import importlib.util
 import math
 import os
+import statistics
 import sys
 
 sys.dont_write_bytecode = True
@@ -64,5 +66,49 @@ def check_suites():
     states(f"{ratio:.2f} times the synthetic one")
 
 
+def check_variance():
+    import numpy
+    import variance
+    random = numpy.random.default_rng(1)
+    records, draws, replicas = 400, 4, 2
+    deviations = numpy.array([2.0, 1.0, 0.5])
+    values = (deviations[0] * random.standard_normal((records, 1, 1)) +
+              deviations[1] * random.standard_normal((records, draws, 1)) +
+              deviations[2] * random.standard_normal((records, draws, replicas)))
+    # The scatter of a mean square of n degrees of freedom is sqrt(2 / n) of it; five times that of the three
+    # mean squares (n = 399, 1200, 1600), divided as the components are.
+    squares = numpy.array([0.25 + 2 * 1 + 8 * 4, 0.25 + 2 * 1, 0.25])
+    scatter = 5 * squares * numpy.sqrt(2 / numpy.array([399, 1200, 1600]))
+    most = [(scatter[0] + scatter[1]) / 8, (scatter[1] + scatter[2]) / 2, scatter[2]]
+    found = variance.components(values)
+    assert (abs(numpy.array(found) - deviations ** 2) <= most).all(), (found, most)
+    only_records = numpy.broadcast_to(random.standard_normal((5, 1, 1)), (5, 3, 2))
+    assert numpy.allclose(variance.shares(only_records), [1, 0, 0])
+
+    # A constant that alone decides has rank correlation 1, whatever the records add to the response.
+    constant = random.standard_normal((16, 4))
+    assert variance.rank_correlation(constant, constant) > 1 - 1e-12
+    assert variance.p_value(constant, constant) == 1 / (variance.PERMUTATIONS + 1)
+    assert variance.holm([0.01, 0.04, 0.03]).tolist() == [0.03, 0.06, 0.06]
+
+    for row in read("variance.csv"):
+        total = sum(float(row[part]) for part in ("record", "parameters", "chaos"))
+        assert abs(total - 1) < 0.016, row  # three roundings to 0.01
+    for brakes in ("off", "on", "locked"):
+        words = f"| {brakes} |"
+        for response in ("ln displacement", "overturned"):
+            rows = [row for row in read("variance.csv") if (row["brakes"], row["response"]) == (brakes, response)]
+            for part in ("record", "parameters", "chaos"):
+                words += f" {100 * statistics.median(float(row[part]) for row in rows):.0f} % |" if rows else " |"
+        states(words)
+    shown = [row for row in read("constants.csv") if float(row["p_holm"]) < 0.05]
+    slope = [row for row in shown if (row["constant"], row["brakes"]) == ("floor slope", "off")]
+    items = {row["item"] for row in read("constants.csv")}
+    states(f"matter for {len(slope)} of {len(items)} items")
+    states(f"Else {len(shown) - len(slope)} constants are shown")
+
+
 check_halves()
 check_suites()
+if importlib.util.find_spec("h5py") and importlib.util.find_spec("numpy"):
+    check_variance()
