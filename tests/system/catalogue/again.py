@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True
 gurney, source = sys.argv[1:]
 scripts = os.path.join(source, "studies", "catalogue")
 sys.path.insert(0, scripts)
