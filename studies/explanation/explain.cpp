@@ -7,6 +7,7 @@
 #include "engine/base/units.h"
 #include "studies/explanation/caster_words.h"
 #include "studies/explanation/events.h"
+#include "studies/explanation/half_cycle.h"
 #include "studies/explanation/margins.h"
 #include "studies/explanation/stages.h"
 #include "studies/study/results/names.h"
@@ -97,6 +98,9 @@ void find_worst(const Response& response, Explanation& result) {
       result.worst_time = d.time_of_overturning;
       result.direction = {std::cos(d.direction_of_overturning),
                           std::sin(d.direction_of_overturning)};
+      if (const Impact* const hit = hardest_impact(response, result.subject, result.worst_time);
+          hit != nullptr && hit->approach_speed >= kHit)
+        result.hit = *hit;
       return;
     case Finding::kHit: {
       result.hit = *hardest_impact(response, result.subject);
@@ -129,20 +133,17 @@ void find_worst(const Response& response, Explanation& result) {
   }
 }
 
-/// As report::falls() has it where the item overturned, with the same look back otherwise.
+/// Of the half cycles that end during the motion, else of those up to 1 s before.
 void find_pulse(const study::RunFacts& facts, const Response& response, Explanation& result) {
   if (result.direction.isZero()) return;
-  if (result.item().finding == Finding::kOverturned) {
+  if (result.item().finding == Finding::kOverturned)
     for (const report::Fall& fall : report::falls(facts, response))
-      if (fall.item == result.subject) {
-        result.pulse = fall.pulse;
+      if (fall.item == result.subject)
         result.swing_start = fall.liftoffs.empty() ? fall.time : fall.liftoffs.front().time;
-      }
-  } else {
-    result.pulse =
-        report::largest_pulse(facts.floor, -result.direction,
-                              result.swing_start - report::Fall::kLookBack, result.worst_time);
-  }
+  for (const double look_back : {0.0, report::Fall::kLookBack})
+    if (!result.pulse)
+      result.pulse = driving_half_cycle(facts.floor, -result.direction,
+                                        result.swing_start - look_back, result.worst_time);
   if (!result.pulse) return;
   const double step = facts.floor.time_step();
   for (double time = result.pulse->start; time < result.pulse->end + step; time += step)
@@ -186,11 +187,11 @@ double until_fall(const ItemResponse& item) {
   return fall >= 0 ? fall : std::numeric_limits<double>::infinity();
 }
 
-const Impact* hardest_impact(const Response& response, std::size_t item) {
+const Impact* hardest_impact(const Response& response, std::size_t item, double until) {
   const Impact* hardest = nullptr;
   for (const Impact& impact : response.impacts) {
     if (impact.item != item && impact.other_item != static_cast<int>(item)) continue;
-    if (impact.other == "floor") continue;
+    if (impact.other == "floor" || impact.time > until) continue;
     if (hardest == nullptr || impact.approach_speed > hardest->approach_speed) hardest = &impact;
   }
   return hardest;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 #include "studies/explanation/facts.h"
 #include "studies/study/results/run_facts.h"
@@ -21,8 +22,9 @@ Explanation explain(const study::RunFacts& facts, const Response& response);
 /// The worst that happened to an item.
 Finding finding_of(const Response& response, std::size_t item, double tilt_ratio);
 
-/// The hardest impact of an item with anything but the floor; none: null.
-const Impact* hardest_impact(const Response& response, std::size_t item);
+/// The hardest impact of an item with anything but the floor up to a time; none: null.
+const Impact* hardest_impact(const Response& response, std::size_t item,
+                             double until = std::numeric_limits<double>::infinity());
 
 /// Settings whose histories resolve single steps, as far as memory allows: no more than 40,000
 /// samples of all items together. The spacing has no influence on the results.

@@ -108,9 +108,9 @@ struct Explanation {
   double end_time = 0;
   double resolution = 0;  ///< step of the histories [s]
   std::vector<ItemFacts> items;
-  std::size_t subject = 0;              ///< the item that is explained
-  std::optional<Impact> hit;            ///< the hardest of the subject, where that is the finding
-  double worst_time = 0;                ///< of the finding [s]
+  std::size_t subject = 0;    ///< the item that is explained
+  std::optional<Impact> hit;  ///< the hardest of the subject, before it overturned; none: no hit
+  double worst_time = 0;      ///< of the finding [s]
   Vector2 direction = Vector2::Zero();  ///< of the motion that led to it, floor axes; zero: none
   double swing_start = 0;               ///< of that motion [s]
   std::vector<Event> events;            ///< by time

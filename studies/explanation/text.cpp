@@ -207,10 +207,11 @@ std::string words_of(const Event& event, bool name_item) {
     case EventKind::kBrakeTurned:
       return who + fmt::format("the caster {} turns against its brake", event.part);
     case EventKind::kLiftOff:
-      return who + fmt::format("off the floor: {} ({})", event.part,
+      return who + fmt::format("off the floor {}: {}",
                                std::isfinite(event.value)
                                    ? fmt::format("for {:.3g} s", event.value - event.time)
-                                   : "not back before it overturned or the run ended");
+                                   : "for good",
+                               event.part);
     case EventKind::kLanded:
       return who + fmt::format("back on the floor: {}", event.part);
     case EventKind::kTipped:

@@ -6,6 +6,7 @@
 #include "studies/explanation/text.h"
 #include "studies/explanation/what_if.h"
 #include "studies/report/wrapped.h"
+#include "studies/statistics/bands.h"
 
 namespace gurney::explanation {
 namespace {
@@ -74,23 +75,42 @@ std::string of_single_runs(const WhatIf& what, const std::string& event) {
 
 double share(const VariantOutcome& outcome) {
   return outcome.runs == 0
-             ? 0
+             ? 1
              : static_cast<double>(outcome.happened) / static_cast<double>(outcome.runs);
 }
 
+statistics::Interval interval_of(const VariantOutcome& outcome) {
+  return statistics::proportion_interval(static_cast<int>(outcome.happened),
+                                         static_cast<int>(outcome.runs));
+}
+
+/// "13 of 20 replicas (0.41 to 0.85)"
+std::string frequency(const VariantOutcome& outcome) {
+  const statistics::Interval interval = interval_of(outcome);
+  return fmt::format("{} of {} replicas ({:.2f} to {:.2f})", outcome.happened, outcome.runs,
+                     interval.low, interval.high);
+}
+
 std::string of_replicas(const WhatIf& what, const std::string& event) {
+  double lowest = share(what.as_it_was);
+  for (const VariantOutcome& each : what.variants)
+    if (each.reason.empty()) lowest = std::min(lowest, share(each));
+  std::vector<std::string> names;
   const VariantOutcome* best = nullptr;
   for (const VariantOutcome& each : what.variants)
-    if (each.reason.empty() && (best == nullptr || share(each) < share(*best))) best = &each;
+    if (each.reason.empty() && share(each) == lowest) {
+      names.push_back(each.name);
+      best = &each;
+    }
   std::string text = fmt::format(
-      "The motion is chaotic, so one run proves little. As it was, {} "
-      "has a probability of {:.2f} ({} of {} replicas).",
-      event, share(what.as_it_was), what.as_it_was.happened, what.as_it_was.runs);
-  if (best != nullptr && share(*best) < share(what.as_it_was))
-    text += fmt::format(" The lowest of the variants, {:.2f}, is that of: {}.", share(*best),
-                        best->name);
-  else
-    text += " No variant made it rarer.";
+      "One run of a variant proves little here. As it was, {} happened "
+      "in {}, in brackets the 95 % interval of its probability.",
+      event, frequency(what.as_it_was));
+  if (best == nullptr || lowest >= share(what.as_it_was))
+    return text + " No variant made it rarer.";
+  text += fmt::format(" It was rarest, {}, in: {}.", frequency(*best), listed(names));
+  if (interval_of(*best).high >= interval_of(what.as_it_was).low)
+    text += " The intervals overlap: more --replicas would tell whether that is chance.";
   return text;
 }
 

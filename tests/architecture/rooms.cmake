@@ -68,7 +68,7 @@ set(GURNEY_ROOMS
     studies/verification studies/study/results studies/study/analysis studies/study/convergence
     studies/calibration/fit studies/report"
   "studies/explanation: engine/base engine/scene engine/response engine/run engine/baselines
-    equipment/catalogue studies/study/results studies/report studies/figures"
+    equipment/catalogue studies/statistics studies/study/results studies/report studies/figures"
   "studies/picture: engine/base"
   "studies/page: engine/base engine/config engine/scene equipment/catalogue studies/build_info
     studies/study/job studies/study/results studies/study/plan studies/study/analysis

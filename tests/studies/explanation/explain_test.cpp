@@ -11,6 +11,7 @@
 #include "studies/explanation/caster_words.h"
 #include "studies/explanation/events.h"
 #include "studies/explanation/figure.h"
+#include "studies/explanation/half_cycle.h"
 #include "studies/explanation/json.h"
 #include "studies/explanation/margins.h"
 #include "studies/explanation/text.h"
@@ -104,6 +105,32 @@ TEST(Explain, FindsThePulseThatPushedABlock) {
   // 2 A T / pi; trapezoids miss (pi dt / T)^2 / 12 = 1.3e-5 of it.
   EXPECT_NEAR(found.pulse->velocity_change, 2 * kPeak * kLasts / kPi, 1e-4);
   EXPECT_NEAR(found.pulse_velocity, 2 * kPeak * kLasts / kPi, 1e-4) << "it starts from rest";
+}
+
+TEST(HalfCycle, IsOneHalfOfAWaveThatGoesOn) {
+  // Waves of 1 s and 3 m/s2, the third of 4 m/s2, with a ripple of 20 Hz and 6 m/s2 on top, whose
+  // velocity goes up and down by r = 6 / (40 pi) = 0.048 m/s: no reversal of 20 % of 4 / pi.
+  constexpr double kRipple = 6 / (40 * kPi);
+  Eigen::Matrix3Xd motion = Eigen::Matrix3Xd::Zero(3, 2001);
+  for (int i = 0; i <= 1000; ++i) {
+    const double t = i * 0.005;
+    motion(0, i) = (t >= 2 && t < 3 ? 4 : 3) * std::sin(2 * kPi * t) + 6 * std::sin(40 * kPi * t);
+  }
+  const FloorMotion floor(0.005, motion);
+  const auto found = driving_half_cycle(floor, {1, 0}, 1.9, 2.9);
+  ASSERT_TRUE(found);
+  // The ripple moves a turning point while A / (2 pi) (1 - cos(2 pi d)) < 2 r, here of A = 3.
+  const double moved = std::acos(1 - 2 * kRipple * 2 * kPi / 3) / (2 * kPi);
+  EXPECT_NEAR(found->start, 2, moved);
+  EXPECT_NEAR(found->end, 2.5, moved);
+  EXPECT_NEAR(found->velocity_change, 4 / kPi, 2 * kRipple) << "A T / pi";
+  EXPECT_NEAR(found->time_of_peak, 2.25, 0.05) << "within a period of the ripple";
+  const auto other = driving_half_cycle(floor, {-1, 0}, 2.1, 2.9);
+  ASSERT_TRUE(other);
+  EXPECT_NEAR(other->start, 2.5, moved);
+  EXPECT_FALSE(driving_half_cycle(floor, {0, 1}, 1, 3)) << "nothing moves across";
+  EXPECT_FALSE(driving_half_cycle(floor, {1, 0}, 8, 9)) << "the floor is at rest again";
+  EXPECT_FALSE(driving_half_cycle({}, {1, 0}, 0, 1));
 }
 
 TEST(Explain, BalancesTheEnergyOfEachStage) {

@@ -110,7 +110,7 @@ done
 cp stdout one_thread
 explain 0 "all brakes on" run.h5 --what-if -j 3
 cmp one_thread stdout || complain "variants depend on the number of threads"
-explain 0 "of 2 replicas" run.h5 --what-if --replicas 2
+explain 0 "2 replicas of each" run.h5 --what-if --replicas 2
 explain 0 '"conclusion"' run.h5 --what-if --json
 python3 -m json.tool stdout > variants.json || complain "no JSON"
 explain 0 "there is nothing to prevent" calm.h5 --what-if
