@@ -47,8 +47,9 @@ constexpr std::array kCommands = {
                 "gurney fragility ventilator.h5 --figure ventilator.svg\n"
                 "gurney fragility ventilator.h5 --limit overturned --measure \"Sa(1) RotD50\"\n"
                 "gurney fragility ventilator.h5 --limit-state \"peak_displacement > 0.2 m\""},
-    CommandHelp{"export", "Export results to the formats of other programs",
+    CommandHelp{"export", "Export results and items to the formats of other programs",
                 "gurney export ventilator.h5 --to csv\n"
+                "gurney export icu_ventilator --to mjcf\n"
                 "gurney export ventilator.h5 --to pelicun -o pelicun"},
     CommandHelp{"compare", "Compare configurations pairwise",
                 "gurney compare ventilator.h5 --configurations off,on\n"

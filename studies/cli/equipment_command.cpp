@@ -10,6 +10,7 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/equipment_check.h"
 #include "studies/cli/figure_output.h"
+#include "studies/cli/item_file.h"
 #include "studies/figures/equipment_figure.h"
 #include "studies/report/equipment_list.h"
 #include "studies/report/equipment_report.h"
@@ -41,7 +42,7 @@ equipment::ItemOptions item_options(const ShowOptions& options,
 
 int show(const ShowOptions& options) {
   options.figure.check(options.overwrite);
-  const std::string file = equipment::find_data(equipment::DataKind::kItem, options.item, "");
+  const std::string file = item_file(options.item);
   const equipment::ItemDescription item =
       equipment::load_item_description(file, options.variants).stated();
   const equipment::LoadedItem loaded = assemble_item(item, item_options(options, item));

@@ -6,14 +6,17 @@
 #include <string>
 
 #include "engine/base/error.h"
+#include "equipment/catalogue/load_item.h"
 #include "studies/calibration/pulling/trials.h"
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/item_file.h"
 #include "studies/cli/new_folder.h"
 #include "studies/cli/standard_error.h"
 #include "studies/playback/gltf.h"
 #include "studies/study/analysis/overview.h"
 #include "studies/study/exports/csv_tables.h"
+#include "studies/study/exports/item_bodies.h"
 #include "studies/study/exports/nrml.h"
 #include "studies/study/exports/pelicun.h"
 #include "studies/study/exports/response_csv.h"
@@ -27,10 +30,14 @@ namespace fs = std::filesystem;
 
 struct ExportOptions {
   std::string file, format, folder;
+  std::vector<std::string> variants;
   study::ExportChoice choice;
   study::AssessmentRequest assessed_by;
   bool overwrite = false;
 };
+
+/// Formats of items, not of results.
+bool is_of_item(const std::string& format) { return format == "mjcf" || format == "urdf"; }
 
 void check_choice(const ExportOptions& options) {
   const bool fits = options.format == "pelicun" || options.format == "nrml";
@@ -46,10 +53,26 @@ void check_choice(const ExportOptions& options) {
     refuse("--limit-state", options.assessed_by.limit_states.front(), fits);
   refuse("--configuration", options.choice.configuration,
          options.format != "csv" && options.format != "trials" && options.format != "xdmf" &&
-             options.format != "gltf");
+             options.format != "gltf" && !is_of_item(options.format));
+  require(options.variants.empty() || is_of_item(options.format),
+          "--variant is for items: --to mjcf and --to urdf");
+}
+
+void write_item(const ExportOptions& options, const study::TakeFile& take) {
+  const study::ItemBodies item = study::item_bodies(
+      equipment::load_item(item_file(options.file), {}, options.variants).model);
+  const std::string name = study::plain_identifier(fs::path(options.file).stem().string(), "item");
+  if (options.format == "mjcf")
+    take(name + ".xml", mjcf_text(item));
+  else
+    take(name + ".urdf", urdf_text(item));
 }
 
 std::vector<std::string> write(const ExportOptions& options, const study::TakeFile& take) {
+  if (is_of_item(options.format)) {
+    write_item(options, take);
+    return {};
+  }
   if (options.format == "csv") {
     study::export_tables(options.file, take);
     return {};
@@ -80,7 +103,7 @@ std::vector<std::string> write(const ExportOptions& options, const study::TakeFi
 
 int export_command(const ExportOptions& options) {
   check_choice(options);
-  study::is_study_file(options.file);
+  if (!is_of_item(options.format)) study::is_study_file(options.file);
   const fs::path file = options.file;
   const fs::path folder = options.folder.empty()
                               ? file.parent_path() / (file.stem().string() + "_" + options.format)
@@ -107,17 +130,22 @@ void add_export(CLI::App& app, std::function<int()>& action) {
   auto shared = std::make_shared<ExportOptions>();
   ExportOptions& options = *shared;
   CLI::App* const command =
-      app.add_subcommand("export", "Export results to the formats of other programs");
-  command->add_option("FILE", options.file, "The results file")->required();
+      app.add_subcommand("export", "Export results and items to the formats of other programs");
+  command
+      ->add_option("FILE", options.file,
+                   "The results file; for mjcf and urdf an item: its name or .toml file")
+      ->required();
   command
       ->add_option(
           "--to", options.format,
           "csv: every table; pelicun: fragility for the Damage and Loss Model Library; "
           "nrml: fragility for OpenQuake; response-csv: demands run by run; trials: pulling "
           "tests as files of trials, marked synthetic; xdmf: one run's moving shapes for ParaView; "
-          "gltf: the same, animated, for Blender and others")
+          "gltf: the same, animated, for Blender and others; mjcf, urdf: an item for MuJoCo, for "
+          "ROS and others")
       ->required()
-      ->check(CLI::IsMember({"csv", "pelicun", "nrml", "response-csv", "trials", "xdmf", "gltf"}));
+      ->check(CLI::IsMember(
+          {"csv", "pelicun", "nrml", "response-csv", "trials", "xdmf", "gltf", "mjcf", "urdf"}));
   command->add_option("-o,--output", options.folder,
                       "Folder for the files (default: FILE_FORMAT beside FILE)");
   command->add_option("--configuration", options.choice.configuration,
@@ -126,6 +154,8 @@ void add_export(CLI::App& app, std::function<int()>& action) {
                       "Intensity measure of the curves (default: the study's own)");
   add_limit_state_options(*command, options.assessed_by);
   command->add_option("--limit", options.choice.limit, "This limit state only (default: all)");
+  command->add_option("--variant", options.variants,
+                      "mjcf, urdf: a variant of the item; several in order");
   command->add_flag("--overwrite", options.overwrite, "Replace files that exist");
   command->callback([shared, &action] { action = [shared] { return export_command(*shared); }; });
 }

@@ -52,8 +52,9 @@ set(GURNEY_ROOMS
     groundmotions/measures studies/statistics studies/study/job studies/study/results studies/study/limit_states studies/study/plan"
   "studies/study/convergence: engine/base engine/baselines studies/statistics studies/study/results
     studies/study/prepare studies/study/limit_states studies/study/run"
-  "studies/study/exports: engine/base engine/config groundmotions/measures equipment/catalogue
-    studies/statistics studies/study/results studies/study/limit_states studies/study/analysis"
+  "studies/study/exports: engine/base engine/config engine/scene groundmotions/measures
+    equipment/catalogue studies/statistics studies/study/results studies/study/limit_states
+    studies/study/analysis"
   "studies/calibration/trials: engine/base engine/config engine/scene"
   "studies/calibration/fit: engine/base engine/config engine/scene engine/run equipment/catalogue
     studies/statistics studies/calibration/trials"
