@@ -20,19 +20,27 @@ std::string cell(double value) { return std::isnan(value) ? "-" : fmt::format("{
 std::string row_text(const statistics::IntensityRow& row, std::size_t width) {
   if (row.status != statistics::CloudStatus::kFitted)
     return fmt::format("{:<{}}  {}\n", row.name, width, text(row.status));
-  return fmt::format("{:<{}} {:>10} {:>12} {:>11} {:>7} {:>9.2f} {:>11}{}\n", row.name, width,
-                     cell(row.efficiency), cell(row.practicality), cell(row.proficiency),
-                     fmt::format("{:.3f}", row.r_squared), row.log_likelihood,
-                     cell(row.sufficiency.front()),
-                     row.left_out > 0 ? fmt::format("  {} runs only", row.runs) : "");
+  std::string text =
+      fmt::format("{:<{}} {:>10} {:>12} {:>11} {:>7} {:>9.2f}", row.name, width,
+                  cell(row.efficiency), cell(row.practicality), cell(row.proficiency),
+                  fmt::format("{:.3f}", row.r_squared), row.log_likelihood);
+  for (const double p : row.sufficiency) text += fmt::format(" {:>11}", cell(p));
+  return text + (row.left_out > 0 ? fmt::format("  {} runs only", row.runs) : "") + "\n";
+}
+
+/// "scale" of "factor on the record".
+std::string short_name(const std::string& property) {
+  return property == "factor on the record" ? "scale" : property;
 }
 
 std::string table_text(const study::MeasureChoice& choice) {
   std::size_t width = 8;
   for (const statistics::IntensityRow& row : choice.rows) width = std::max(width, row.name.size());
-  std::string text =
-      fmt::format("{:<{}} {:>10} {:>12} {:>11} {:>7} {:>9} {:>11}\n", "measure", width,
-                  "efficiency", "practicality", "proficiency", "R2", "ln L", "p of scale");
+  std::string text = fmt::format("{:<{}} {:>10} {:>12} {:>11} {:>7} {:>9}", "measure", width,
+                                 "efficiency", "practicality", "proficiency", "R2", "ln L");
+  for (const std::string& property : choice.properties)
+    text += fmt::format(" {:>11}", "p of " + short_name(property));
+  text += "\n";
   for (const statistics::IntensityRow& row : choice.rows) text += row_text(row, width);
   if (!choice.unknown.empty())
     text += fmt::format("not known for these records: {}\n", fmt::join(choice.unknown, ", "));
@@ -43,11 +51,21 @@ std::string sufficiency_text(const study::MeasureChoice& choice) {
   const bool known = std::ranges::any_of(choice.rows, [](const statistics::IntensityRow& row) {
     return row.status == statistics::CloudStatus::kFitted && !std::isnan(row.sufficiency.front());
   });
-  return std::string(known ? "p of scale: of no dependence on the factor on the records once the "
-                             "measure is known; small: scaling biases"
+  std::string text = known ? "p of scale: of no dependence on the factor on the records once the "
+                             "measure is known; small: scaling biases\n"
                            : "p of scale: unknown, the factor on the records follows from the "
-                             "measure or does not vary") +
-         "\nnot tested: magnitude and distance, which the file does not contain\n";
+                             "measure or does not vary\n";
+  std::vector<std::string> tested, untested;
+  for (const char* name : {"magnitude", "distance"})
+    (std::ranges::find(choice.properties, name) != choice.properties.end() ? tested : untested)
+        .push_back(name);
+  if (!tested.empty())
+    text += fmt::format("p of {}: the same for the {} of the records\n",
+                        fmt::join(tested, ", p of "), fmt::join(tested, " and "));
+  if (!untested.empty())
+    text += fmt::format("not tested: {}, which the file does not contain for every run\n",
+                        fmt::join(untested, " and "));
+  return text;
 }
 
 Json row_json(const statistics::IntensityRow& row, const study::MeasureChoice& choice,

@@ -86,6 +86,24 @@ std::vector<double> of_runs(const std::vector<double>& values,
   return result;
 }
 
+/// Properties of the records that each of the runs has: the factor, and of their sources.
+std::vector<statistics::NamedValues> properties_of(const StudyReader& file,
+                                                   const std::vector<std::size_t>& runs) {
+  std::vector<statistics::NamedValues> all{
+      {"factor on the record", of_runs(file.numbers("runs/scale"), runs)}};
+  for (const char* name : {"magnitude", "distance"})
+    if (const std::string column = std::string("runs/") + name; file.has_column(column))
+      all.push_back({name, of_runs(file.numbers(column), runs)});
+  for (statistics::NamedValues& each : all)
+    if (each.name != "magnitude")
+      for (double& value : each.values) value = std::log(value);
+  std::erase_if(all, [](const statistics::NamedValues& each) {
+    return each.name != "factor on the record" &&
+           !std::ranges::all_of(each.values, [](double value) { return std::isfinite(value); });
+  });
+  return all;
+}
+
 }  // namespace
 
 std::vector<std::size_t> sized_states(const StudyData& data) {
@@ -121,12 +139,10 @@ MeasureChoice choose_measure(const ConfigurationView& side, std::size_t state, i
   for (const std::string& name : data.measures())
     if (std::ranges::find(known, name, &RunMeasure::name) == known.end())
       choice.unknown.push_back(name);
-  statistics::NamedValues scale{"factor on the record",
-                                of_runs(data.file().numbers("runs/scale"), runs)};
-  for (double& value : scale.values) value = std::log(value);
-  choice.properties.push_back(scale.name);
+  const std::vector<statistics::NamedValues> properties = properties_of(data.file(), runs);
+  for (const statistics::NamedValues& each : properties) choice.properties.push_back(each.name);
   const std::vector<statistics::IntensityRow> rows =
-      statistics::compare_intensities(demands, measures, {scale});
+      statistics::compare_intensities(demands, measures, properties);
 
   std::vector<std::size_t> order(rows.size());
   std::iota(order.begin(), order.end(), 0);

@@ -81,6 +81,15 @@ MotionSet::MotionSet(const Job& job, const Study& study, FloorRecords& floors, s
   slots_ = std::make_unique<Slot[]>(names_.size());
 }
 
+groundmotions::SourceFacts MotionSet::source_of(const groundmotions::Record& record,
+                                                std::size_t index) const {
+  std::vector<groundmotions::NamedFacts> sources;
+  if (!suite_.empty()) sources.push_back(suite_[index].facts);
+  for (const auto& component : record.components)
+    if (component) sources.push_back(component->header);
+  return groundmotions::source_facts(sources);
+}
+
 const GroundMotion& MotionSet::ground(std::size_t record) const {
   Slot& slot = slots_[record];
   std::call_once(slot.once, [&] { slot.motion = read(record); });
@@ -105,6 +114,7 @@ GroundMotion MotionSet::read(std::size_t record) const {
   }
   motion.record = ground_record(request);
   motion.record.name = names_[record];
+  motion.source = source_of(motion.record, record);
   if (request.scale_to) motion.record = scaled_to(motion.record, *request.scale_to);
   if (scale != 1) motion.record = groundmotions::scaled(std::move(motion.record), scale);
   motion.warnings = motion.record.warnings;

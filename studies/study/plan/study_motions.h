@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/base/floor_motion.h"
+#include "groundmotions/record/source_facts.h"
 #include "groundmotions/suites/suite.h"
 #include "studies/study/plan/floor_records.h"
 #include "studies/study/plan/study_job.h"
@@ -20,6 +21,7 @@ struct GroundMotion {
   double intensity = 0;          ///< the measure that levels are stated in [SI]
   std::vector<double> measures;  ///< as Study::measures [SI]; NaN: the record has none
   std::vector<std::string> warnings;
+  groundmotions::SourceFacts source;
 };
 
 /// The records of all configurations that shake alike.
@@ -54,6 +56,8 @@ class MotionSet {
 
  private:
   GroundMotion read(std::size_t record) const;
+  groundmotions::SourceFacts source_of(const groundmotions::Record& record,
+                                       std::size_t index) const;
   bool scaled_by_measure() const { return intensity_.kind != IntensityPlan::Kind::kScales; }
 
   std::optional<RecordRequest> request_;

@@ -122,6 +122,10 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
   runs.add_number("intensity", "1", "the study's intensity measure, in its SI unit; 0: none");
   runs.add_number("pfa", "m/s2", "largest horizontal acceleration of the floor");
   runs.add_number("pfv", "m/s", "largest horizontal velocity of the floor");
+  runs.add_number("magnitude", "1",
+                  "of the earthquake, as the source of the record states it; NaN: it does not");
+  runs.add_number("distance", "m", "of the site, of the kind in /records; NaN: not stated");
+  runs.add_number("vs30", "m/s", "mean shear-wave velocity of the uppermost 30 m; NaN: not stated");
   runs.add_text("outcome", "how the run ended", kLongestOutcome);
   runs.add_number("end_time", "s", "end of the run");
   runs.add_number("energy_closure", "1", "largest energy balance error over the energy in play");
@@ -225,6 +229,8 @@ void RunTables::add_run(const TaskResult& result, const Task& task, const StudyR
   runs.put(double(task.record)).put(double(motion_of(task, run.scale)));
   runs.put(batch_.job.study().angles[task.angle]).put(draw ? double(draw->run()) : -1.0);
   runs.put(double(task.replica)).put(run.scale).put(run.intensity).put(run.pfa).put(run.pfv);
+  const auto& source = batch_.motions.set_of(task.configuration).ground(task.record).source;
+  runs.put(source.magnitude).put(source.distance).put(source.vs30);
   runs.put(std::string(name_of(run.response.outcome))).put(run.response.end_time);
   runs.put(run.response.quality.energy_closure).end_row();
   for (const std::string& warning : run.warnings)

@@ -73,7 +73,7 @@ void add_configurations(Hdf5Writer& file, const Batch& batch) {
 }
 
 void add_records(Hdf5Writer& file, const Batch& batch) {
-  std::vector<std::string> sets, names, files, processing, warnings;
+  std::vector<std::string> sets, names, files, processing, warnings, distances;
   for (std::size_t set = 0; set < batch.motions.sets(); ++set)
     for (std::size_t i = 0; i < batch.motions.set(set).size(); ++i) {
       const GroundMotion& motion = batch.motions.set(set).ground(i);
@@ -82,13 +82,16 @@ void add_records(Hdf5Writer& file, const Batch& batch) {
       files.push_back(files_of(motion.record));
       processing.push_back(fmt::format("{}", fmt::join(motion.record.processing, "\n")));
       warnings.push_back(fmt::format("{}", fmt::join(motion.warnings, "\n")));
+      distances.push_back(motion.source.distance_kind);
     }
   GrowingTable table(file, "records");
   TextTable{{{"set", "set of ground motions", sets},
              {"name", "name of the record; empty: the floor is at rest", names},
              {"files", "SHA-256 and name of each of its files", files},
              {"processing", "what was done to it, step by step", processing},
-             {"warnings", "what its reading warned of", warnings}}}
+             {"warnings", "what its reading warned of", warnings},
+             {"distance_kind",
+              "kind of runs/distance: Rrup, Rjb, epicentral, not stated; empty: none", distances}}}
       .write(table);
 }
 

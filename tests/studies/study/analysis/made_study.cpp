@@ -1,5 +1,7 @@
 #include "tests/studies/study/analysis/made_study.h"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "studies/study/results/columns.h"
@@ -83,6 +85,9 @@ void MadeStudy::write(const std::string& path) const {
     table.add_whole(name, name);
   for (const char* name : {"angle", "scale", "intensity", "pfa", "pfv", "energy_closure"})
     table.add_number(name, "1", name);
+  const bool magnitudes =
+      std::ranges::any_of(runs, [](const MadeRun& run) { return run.magnitude.has_value(); });
+  if (magnitudes) table.add_number("magnitude", "1", "magnitude");
   table.add_text("outcome", "outcome", 10);
   items.add_whole("run", "run");
   items.add_text("item", "item", 4);
@@ -96,6 +101,7 @@ void MadeStudy::write(const std::string& path) const {
         .put(0.0);
     table.put(double(run.draw)).put(run.angle).put(run.level).put(run.level).put(run.level);
     table.put(run.pfv).put(1e-6);
+    if (magnitudes) table.put(run.magnitude.value_or(std::nan("")));
     table.put(std::string(run.failed ? "diverged" : run.fell ? "overturned" : "rested")).end_row();
     if (run.failed) continue;
     Demands demands;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct MadeRun {
   bool fell = false, failed = false;
   double pfv = 0.1;                          ///< [m/s]
   std::map<std::string, double> drawn = {};  ///< by variable, of this draw
+  std::optional<double> magnitude = {};      ///< none in any run: the file has no such column
 };
 
 /// A study file with known outcomes.

@@ -87,6 +87,34 @@ TEST_F(MeasureChoiceTest, FallenAndResettingRunsAreCensored) {
   EXPECT_THAT(text, HasSubstr("not tested: magnitude and distance"));
 }
 
+/// The demand rises e-fold with each magnitude, over 2 of them.
+std::vector<MadeRun> ruled_by_magnitude() {
+  std::vector<MadeRun> runs = ruled_by_pfv(40, 0.1);
+  for (MadeRun& run : runs) {
+    run.magnitude = 6 + 0.05 * static_cast<double>(run.record);
+    run.displacement *= std::exp(*run.magnitude - 7);
+  }
+  return runs;
+}
+
+TEST_F(MeasureChoiceTest, MagnitudesOfAllRunsAreTested) {
+  const StudyData study = data(ruled_by_magnitude(), 40);
+  const MeasureChoice choice = choose_measure({&study, 0}, 0);
+  ASSERT_THAT(choice.properties, testing::ElementsAre("factor on the record", "magnitude"));
+  // ln demand scatters by 0.1 about a slope of 1: 50 standard errors and more in 80 runs.
+  EXPECT_LT(choice.rows.front().sufficiency[1], 1e-6);
+  const std::string text = report::measure_text({{"", "moved", "", choice}});
+  EXPECT_THAT(text, HasSubstr("p of magnitude: the same for the magnitude of the records"));
+  EXPECT_THAT(text, HasSubstr("not tested: distance,"));
+}
+
+TEST_F(MeasureChoiceTest, MagnitudesOfSomeRunsAreNot) {
+  std::vector<MadeRun> runs = ruled_by_magnitude();
+  runs.back().magnitude = std::nan("");
+  const StudyData study = data(runs, 40);
+  EXPECT_EQ(choose_measure({&study, 0}, 0).properties.size(), 1);
+}
+
 TEST_F(MeasureChoiceTest, EventsHaveNoSize) {
   const StudyData study = data(ruled_by_pfv(5, 0.3), 5);
   EXPECT_THAT(sized_states(study), testing::ElementsAre(0));
