@@ -54,13 +54,15 @@ void check_choice(const ExportOptions& options) {
   refuse("--configuration", options.choice.configuration,
          options.format != "csv" && options.format != "trials" && options.format != "xdmf" &&
              options.format != "gltf" && !is_of_item(options.format));
+  require(!options.choice.sequences || fits, "--sequences is for --to pelicun and --to nrml");
+  require(!options.choice.discrete || options.format == "nrml", "--discrete is for --to nrml");
   require(options.variants.empty() || is_of_item(options.format),
           "--variant is for items: --to mjcf and --to urdf");
 }
 
 void write_item(const ExportOptions& options, const study::TakeFile& take) {
-  const study::ItemBodies item = study::item_bodies(
-      equipment::load_item(item_file(options.file), {}, options.variants).model);
+  const study::ItemBodies item =
+      study::item_bodies(equipment::load_item(item_file(options.file), {}, options.variants).model);
   const std::string name = study::plain_identifier(fs::path(options.file).stem().string(), "item");
   if (options.format == "mjcf")
     take(name + ".xml", mjcf_text(item));
@@ -154,6 +156,10 @@ void add_export(CLI::App& app, std::function<int()>& action) {
                       "Intensity measure of the curves (default: the study's own)");
   add_limit_state_options(*command, options.assessed_by);
   command->add_option("--limit", options.choice.limit, "This limit state only (default: all)");
+  command->add_flag("--sequences", options.choice.sequences,
+                    "Combine limit states of one quantity: damage states of one component");
+  command->add_flag("--discrete", options.choice.discrete,
+                    "nrml: probabilities at 100 intensities, not parameters");
   command->add_option("--variant", options.variants,
                       "mjcf, urdf: a variant of the item; several in order");
   command->add_flag("--overwrite", options.overwrite, "Replace files that exist");

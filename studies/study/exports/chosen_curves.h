@@ -13,6 +13,8 @@ namespace gurney::study {
 /// own measure.
 struct ExportChoice {
   std::string configuration{}, measure{}, limit{};
+  bool sequences = false;  ///< limit states of one quantity as damage states of one component
+  bool discrete = false;   ///< NRML with probabilities at intensities, not parameters
 };
 
 /// Indices of the configurations that are chosen.

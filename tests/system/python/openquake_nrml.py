@@ -46,7 +46,9 @@ except (AttributeError, ImportError):
         del sys.modules[name]
     allow_libraries_of_2016()
     from openquake.commonlib.nrml import parse as read
-from openquake.risklib.scientific import FragilityFunctionContinuous
+import numpy  # noqa: E402
+from openquake.risklib.scientific import (  # noqa: E402
+    FragilityFunctionContinuous, FragilityFunctionDiscrete)
 
 
 def function_of(limit_state, curves):
@@ -82,4 +84,31 @@ with tempfile.TemporaryDirectory() as temporary:
                 assert abs(float(function(im)) - expected) < 1e-13 / curve["beta"] ** 2, (key, im)
             count += 1
     assert count == len(curves) > 0, (count, curves)
-print(f"OpenQuake agrees on {count} curves")
+
+    # Two limit states in one file; their functions as parameters, and as points.
+    support.gurney("export", study, "--to", "nrml", "--sequences", *support.STATES, "-o", exported)
+    points = os.path.join(temporary, "points")
+    support.gurney("export", study, "--to", "nrml", "--sequences", "--discrete", *support.STATES,
+                   "-o", points)
+    curves = {each["limit_state"]: each["curve"] for each in
+              support.fragilities(study, *support.STATES).values()}
+    (continuous,) = read(os.path.join(exported, "near_far.xml")).values()
+    (discrete,) = read(os.path.join(points, "near_far.xml")).values()
+    imls = numpy.array(discrete.imls)
+    for number, state in enumerate(("near", "far")):
+        curve = curves[state]
+        mean, stddev = (continuous.array[name][number] for name in ("mean", "stddev"))
+        cv2 = (stddev / mean) ** 2
+        assert abs(mean / math.sqrt(1 + cv2) * 9.80665 / curve["theta"] - 1) < 1e-12, state
+        function = FragilityFunctionDiscrete(
+            state, [discrete.nodamage, *imls], [0, *discrete.array[number]], discrete.nodamage)
+        for im in numpy.geomspace(0.5 * imls[0], 2 * imls[-1], 300):
+            z = math.log(im * 9.80665 / curve["theta"]) / curve["beta"]
+            expected = 0.5 * math.erfc(-z / math.sqrt(2))
+            # Lines between points that are a share s apart miss by max |F''| (s im)^2 / 8, and
+            # im^2 |F''| = |phi(z) (z + beta)| / beta^2 is at most (0.242 + 0.399 beta) / beta^2;
+            # 1e-4 is left out at both ends.
+            step = imls[1] / imls[0] - 1
+            most = (0.242 + 0.399 * curve["beta"]) / curve["beta"] ** 2 * step ** 2 / 8 + 1e-4
+            assert abs(float(numpy.ravel(function(im))[0]) - expected) <= most, (state, im)
+print(f"OpenQuake agrees on {count} curves, and on a sequence as parameters and as points")

@@ -45,32 +45,54 @@ with tempfile.TemporaryDirectory() as temporary:
     assert len(rows) > 0 and (rows["Demand-Type"] == "Peak Ground Acceleration").all(), rows
     curves = support.fragilities(study)
 
-    # A demand without scatter: the probability of damage is then that of the curve.
+    def damage(library, name, pga):
+        """Probabilities of no damage and of each damage state, of a demand without scatter [g]."""
+        assessment = Assessment({"PrintLog": False, "Seed": 7,
+                                 "NonDirectionalMultipliers": {"ALL": 1.0}})
+        marginals = pandas.DataFrame(
+            {"Theta_0": [pga], "Theta_1": [1e-9], "Family": ["lognormal"], "Units": ["g"]},
+            index=pandas.MultiIndex.from_tuples([("PGA", "0", "1")]))
+        assessment.demand.load_model({"marginals": marginals})
+        assessment.demand.generate_sample({"SampleSize": SAMPLES})
+        assessment.stories = 0
+        quantities = pandas.DataFrame(
+            {"Units": ["ea"], "Location": ["0"], "Direction": ["1"], "Theta_0": [1.0],
+             "Blocks": [1]}, index=[name])
+        assessment.asset.load_cmp_model({"marginals": quantities})
+        assessment.asset.generate_cmp_sample(SAMPLES)
+        assessment.damage.load_model_parameters([library], {name})
+        assessment.damage.calculate()
+        return assessment.damage.ds_model.probabilities().iloc[0].to_numpy()
+
+    def exceeded(curve, im):
+        return 0.5 * math.erfc(-math.log(im / curve["theta"]) / curve["beta"] / math.sqrt(2))
+
+    def compare(found, expected, *about):
+        # The share of SAMPLES that exceed: five standard deviations of a binomial share.
+        most = 5 * math.sqrt(max(expected * (1 - expected), 1 / SAMPLES) / SAMPLES)
+        assert abs(found - expected) <= most, (*about, found, expected)
+
     for pga in (0.8, 1.0, 1.3):
         for name, row in rows.iterrows():
-            assessment = Assessment({"PrintLog": False, "Seed": 7,
-                                     "NonDirectionalMultipliers": {"ALL": 1.0}})
-            at = pga * row["LS1-Theta_0"]
-            marginals = pandas.DataFrame(
-                {"Theta_0": [at], "Theta_1": [1e-9], "Family": ["lognormal"], "Units": ["g"]},
-                index=pandas.MultiIndex.from_tuples([("PGA", "0", "1")]))
-            assessment.demand.load_model({"marginals": marginals})
-            assessment.demand.generate_sample({"SampleSize": SAMPLES})
-            assessment.stories = 0
-            quantities = pandas.DataFrame(
-                {"Units": ["ea"], "Location": ["0"], "Direction": ["1"], "Theta_0": [1.0],
-                 "Blocks": [1]}, index=[name])
-            assessment.asset.load_cmp_model({"marginals": quantities})
-            assessment.asset.generate_cmp_sample(SAMPLES)
-            assessment.damage.load_model_parameters([library], {name})
-            assessment.damage.calculate()
-            found = float(assessment.damage.ds_model.probabilities().iloc[0, 1])
             curve = next(each["curve"] for each in curves.values() if each["curve"] and
                          abs(each["curve"]["theta"] / 9.80665 / row["LS1-Theta_0"] - 1) < 1e-9)
-            expected = 0.5 * math.erfc(-math.log(pga) / curve["beta"] / math.sqrt(2))
-            # The share of SAMPLES that exceed: five standard deviations of a binomial share.
-            most = 5 * math.sqrt(max(expected * (1 - expected), 1 / SAMPLES) / SAMPLES)
-            assert abs(found - expected) <= most, (name, pga, found, expected)
+            at = pga * row["LS1-Theta_0"]
+            compare(damage(library, name, at)[1], exceeded(curve, at * 9.80665), name, pga)
+
+    # Damage states of one component: who exceeds the second is not counted in the first.
+    states = os.path.join(temporary, "states")
+    support.gurney("export", study, "--to", "pelicun", "--sequences", *support.STATES, "-o", states)
+    library = os.path.join(states, "fragility.csv")
+    (name,) = pandas.read_csv(library, index_col="ID").index
+    assert name == "trolley_levels.near_far", name
+    near, far = (each["curve"] for _, each in sorted(
+        support.fragilities(study, *support.STATES).items(), reverse=True))
+    assert near["theta"] < far["theta"]
+    for pga in (0.1, 0.14, 0.17, 0.2):
+        found = damage(library, name, pga)
+        beyond = exceeded(far, pga * 9.80665)
+        compare(found[2], beyond, name, pga)
+        compare(found[1], exceeded(near, pga * 9.80665) - beyond, name, pga)
 
     samples = [name for name in os.listdir(demands) if name.startswith("demands_")]
     assert len(samples) == 3, os.listdir(demands)
@@ -83,4 +105,5 @@ with tempfile.TemporaryDirectory() as temporary:
         for kind in ("PFA", "PFV"):
             error = loaded[(kind, "0", "1")].to_numpy() / written[f"{kind}-0-1"].to_numpy() - 1
             assert abs(error).max() < 1e-12, (kind, error)
-print(f"pelicun agrees on {len(rows)} curves at three intensities, and loads {len(samples)} samples")
+print(f"pelicun agrees on {len(rows)} curves at three intensities and a sequence of two, and "
+      f"loads {len(samples)} samples")

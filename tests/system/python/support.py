@@ -56,3 +56,8 @@ def fragilities(path, *options):
     """`gurney fragility --json` by (configuration, limit state)."""
     found = json.loads(gurney("fragility", path, "--json", *options))["fragilities"]
     return {(each["configuration"], each["limit_state"]): each for each in found}
+
+
+#: two limit states of studies/jobs/trolley_levels.toml that are nested: options, and names in order
+STATES = ("--limit-state", "near = peak_displacement > 0.03 m", "--limit-state",
+          "far = peak_displacement > 0.05 m")
