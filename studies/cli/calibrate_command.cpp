@@ -8,6 +8,7 @@
 #include "studies/calibration/fit/caster_file.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
+#include "studies/cli/new_folder.h"
 #include "studies/cli/signals.h"
 #include "studies/figures/calibration_figure.h"
 #include "studies/report/calibration_report.h"
@@ -50,8 +51,9 @@ void write_all(const CalibrateOptions& options, const calibration::Calibration& 
 void check_folder(const CalibrateOptions& options) {
   namespace fs = std::filesystem;
   std::error_code ignored;
-  if (options.folder.empty() || !fs::exists(options.folder, ignored)) return;
-  require(fs::is_directory(options.folder, ignored), options.folder + ": is a file, not a folder");
+  if (options.folder.empty()) return;
+  require_name_of_folder(options.folder);
+  if (!fs::exists(options.folder, ignored)) return;
   for (const std::string& suffix :
        {std::string(".txt"), std::string(".json"), options.figures.suffix()})
     study::OutputFiles(options.overwrite)

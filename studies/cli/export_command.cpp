@@ -110,7 +110,7 @@ int export_command(const ExportOptions& options) {
   const fs::path folder = options.folder.empty()
                               ? file.parent_path() / (file.stem().string() + "_" + options.format)
                               : fs::path(options.folder);
-  const NewFolder created(folder.has_filename() ? folder : folder.parent_path());
+  const NewFolder created(folder);
   study::OutputFiles files(options.overwrite);
   std::string written;
   const std::vector<std::string> left_out =

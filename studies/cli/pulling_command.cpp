@@ -53,7 +53,7 @@ int pulling(const PullingOptions& options) {
   std::string written;
   if (!options.folder.empty()) {
     const fs::path folder = options.folder;
-    const NewFolder created(folder.has_filename() ? folder : folder.parent_path());
+    const NewFolder created(folder);
     study::OutputFiles files(options.overwrite);
     const std::pair<const char*, std::string> figures[] = {
         {"figure_4", figures::pulling_figure_4(report)},

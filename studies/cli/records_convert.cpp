@@ -12,6 +12,7 @@
 #include "groundmotions/formats/at2_text.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/inline_table.h"
+#include "studies/cli/new_folder.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"
 #include "studies/cli/signals.h"
@@ -77,15 +78,15 @@ study::ScaleTo scale_to_of(const std::string& text) {
 
 int convert(const ConvertOptions& options) {
   const fs::path output = options.output;
-  const bool one_file = output.extension() == ".csv";
+  const bool one_file = names_a_file(output);
   require(!one_file || options.format == "csv",
           options.output + ": AT2 files hold one component each; name a folder with -o");
-  require(one_file || fs::is_directory(output),
-          options.output + (options.format == "csv"
-                                ? ": must be a file that ends in .csv, or a folder that exists"
-                                : ": must be a folder that exists"));
+  require(!one_file || output.extension() == ".csv",
+          options.output + ": must be a file that ends in .csv, or a folder");
   std::optional<study::ScaleTo> scale_to;
   if (!options.scale_to.empty()) scale_to = scale_to_of(options.scale_to);
+  std::optional<NewFolder> folder;
+  if (!one_file) folder.emplace(output);
   study::OutputFiles files(options.overwrite);
   std::vector<fs::path> written;
   const int code = for_each_record(
@@ -118,8 +119,7 @@ void add_records_convert(CLI::App& records, std::function<int()>& action) {
   CLI::App* const command = records.add_subcommand(
       "convert", "Write records as Gurney's CSV or as AT2, processed on the way");
   add_source_options(*command, options->source);
-  command->add_option("-o,--output", options->output, "A .csv file, or a folder that exists")
-      ->required();
+  command->add_option("-o,--output", options->output, "A .csv file, or a folder")->required();
   command->add_option(
       "--scale-to", options->scale_to,
       "Scale each record, after its steps, such as \"Sa(1.0) component=RotD50 "

@@ -3,10 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "engine/base/error.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
+#include "studies/cli/new_folder.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"
 #include "studies/figures/record_figure.h"
@@ -25,10 +27,12 @@ struct PlotOptions {
 
 int plot(const PlotOptions& options) {
   const fs::path output = options.output;
-  const bool one_file = !fs::is_directory(output);
+  const bool one_file = names_a_file(output);
   FigureFile file{options.figures, options.output};
   if (one_file) file.check(options.overwrite);
   options.figures.check();
+  std::optional<NewFolder> folder;
+  if (!one_file) folder.emplace(output);
   std::size_t count = 0;
   return for_each_record(
       options.source, nullptr,
@@ -48,9 +52,7 @@ void add_records_plot(CLI::App& records, std::function<int()>& action) {
   CLI::App* const command = records.add_subcommand(
       "plot", "Draw acceleration, velocity, displacement and spectra of records");
   add_source_options(*command, options->source);
-  command
-      ->add_option("-o,--output", options->output,
-                   "A file (.svg, .pdf or .png), or a folder that exists")
+  command->add_option("-o,--output", options->output, "A file (.svg, .pdf or .png), or a folder")
       ->required();
   add_figure_format(*command, options->figures);
   command->add_flag("--overwrite", options->overwrite, "Replace files that exist");

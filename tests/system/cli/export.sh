@@ -46,6 +46,9 @@ expect 1 "--limit cannot be combined with --to csv" "$gurney" export study.h5 --
 expect 1 "the folder none does not exist" "$gurney" export study.h5 --to csv -o none/new
 expect 1 "study.h5: is a file, the name of a folder is needed" "$gurney" export study.h5 --to csv \
   -o study.h5
+expect 1 "tables.csv: is named like a file, but several are written: name a folder (-o tables)" \
+  "$gurney" export study.h5 --to csv -o tables.csv
+[ ! -e tables.csv ] || complain "a folder was named like a file"
 expect 2 "svg" "$gurney" export study.h5 --to svg
 expect 2 "--to is required" "$gurney" export study.h5
 # shellcheck disable=SC2317
