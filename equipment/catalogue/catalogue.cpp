@@ -71,8 +71,11 @@ std::string find_data(DataKind kind, const std::string& name, const std::string&
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     std::string list;
     for (const std::string& each : names) list += (list.empty() ? "" : ", ") + each;
-    throw Error("unknown " + noun + config::near_name(name, names) + " (the catalogue has " + list +
-                ")");
+    const fs::path beside = fs::path(named_in).parent_path() / (name + ".toml");
+    const std::string file_beside =
+        config::FileSnapshot::exists(beside) ? "; for the file write " + name + ".toml" : "";
+    throw Error("unknown " + noun + config::near_name(name, names) + file_beside +
+                " (the catalogue has " + list + ")");
   }
   return file;
 }

@@ -50,29 +50,34 @@ void write_trials(const fs::path& folder) {
   files.commit();
 }
 
-void write_file(const NewOptions& options, const fs::path& file) {
+/// @returns what it says of records; empty: nothing
+std::string write_file(const NewOptions& options, const fs::path& file) {
   templates::Wishes wishes = options.wishes;
   wishes.name = file.stem().string();
   for (std::string* each : {&wishes.item, &wishes.caster, &wishes.room})
     if (!each->empty()) *each = seen_from(file, *each);
   require(options.records.empty() || options.kind == "study",
           "--from is for a study: gurney new study NAME --from FOLDER");
-  if (!options.records.empty()) use_records(options.records, options.unit, file, wishes);
+  std::string records;
+  if (!options.records.empty()) records = use_records(options.records, options.unit, file, wishes);
   require(!fs::exists(file), file.string() + ": exists already");
   study::OutputFiles files(false);
   files.check(file.string());
   files.stage(file.string(), templates::file_text(options.kind, wishes));
   files.commit();
+  return records;
 }
 
 int new_command(const NewOptions& options) {
   fs::path file = options.name;
+  std::string records;
   if (options.kind == "calibration") {
     write_trials(file);
   } else {
     if (file.extension() != ".toml") file += ".toml";
-    write_file(options, file);
+    records = write_file(options, file);
   }
+  if (!records.empty()) fmt::print("records  {}\n", records);
   fmt::print("written  {}\nnext     {}\n", file.string(), next_command(options, file));
   return 0;
 }

@@ -51,8 +51,8 @@ std::string comment(const std::string& text) {
 
 }  // namespace
 
-void use_records(const fs::path& folder, const std::string& unit, const fs::path& file,
-                 templates::Wishes& wishes) {
+std::string use_records(const fs::path& folder, const std::string& unit, const fs::path& file,
+                        templates::Wishes& wishes) {
   groundmotions::ReadOptions options;
   options.unit = unit;
   const Readable found = readable(groundmotions::read_suite({folder}, options));
@@ -76,6 +76,10 @@ void use_records(const fs::path& folder, const std::string& unit, const fs::path
                         y ? "y" : "", z ? "z" : "");
   wishes.suite = text;
   if (!x || !y) wishes.component = x ? "h1" : y ? "h2" : "vertical";
+  if (found.refused.empty()) return fmt::format("{} records", found.names.size());
+  return fmt::format("{} of {} records; {} states why the others are excluded{}",
+                     found.names.size(), found.names.size() + found.refused.size(), file.string(),
+                     unit.empty() ? " (no unit in them: --unit g)" : "");
 }
 
 }  // namespace gurney::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "studies/templates/templates.h"
 
@@ -10,8 +11,9 @@ namespace gurney::cli {
 /// read, with the components that all of them have.
 /// @param unit  of files that do not state theirs; empty: all do
 /// @param file  the job that will name them
+/// @returns `3 of 5 records; the file states why the others are excluded`
 /// @throws Error if there are no records, with the reasons
-void use_records(const std::filesystem::path& folder, const std::string& unit,
-                 const std::filesystem::path& file, templates::Wishes& wishes);
+std::string use_records(const std::filesystem::path& folder, const std::string& unit,
+                        const std::filesystem::path& file, templates::Wishes& wishes);
 
 }  // namespace gurney::cli

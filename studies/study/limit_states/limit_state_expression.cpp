@@ -86,7 +86,9 @@ void add_place(const std::string& place, const Places& places, StateTable& table
     if (place == known.back()) item_of_point = item;
   }
   require(!kinds.empty(), fmt::format("no item, marked point, zone or tether '{}'{}", place,
-                                      config::suggestion(place, known)));
+                                      config::suggestion(place, known)) +
+                              "; a name of the limit state stands before =, as in 'far = "
+                              "peak_displacement > 0.2 m'");
   require(kinds.size() == 1, fmt::format("'{}' is the name of {}; state which in a file: "
                                          "--limit-states FILE",
                                          place, fmt::join(kinds, " and of ")));

@@ -23,6 +23,9 @@ grep -q '^equipment = "../cart.toml"' jobs/all.toml || complain "the item is not
 expect 0 "results" "$gurney" run jobs/all.toml -o all.h5 --no-figure
 expect 0 "200 runs" bash -c '"$1" run my_study.toml -o study.h5 -q && "$1" show study.h5 && echo 200 runs' bash "$gurney"
 expect 0 "displaced" "$gurney" fragility study.h5
+expect 0 "off            displaced" "$gurney" fragility study.h5
+expect 1 "my_cart: unknown item of equipment; for the file write my_cart.toml" \
+  bash -c 'cp cart.toml my_cart.toml && "$1" equipment show my_cart' bash "$gurney"
 
 # From a folder of records: two that can be read, one that cannot, no vertical component in one.
 mkdir records
@@ -33,7 +36,8 @@ grep -q '^suite = "records"' found.toml || complain "the folder is not named"
 grep -q '^use = "x"  # components that every record has' found.toml || complain "components are not stated"
 expect 0 "a valid study" "$gurney" check found.toml
 echo "no record" > records/notes.txt
-expect 0 "written" "$gurney" new study listed --from records --item cart.toml
+expect 0 "records  2 of 3 records; listed.toml states why the others are excluded (no unit in them: --unit g)" \
+  "$gurney" new study listed --from records --item cart.toml
 grep -q '"records/pulse.csv",' listed.toml || complain "the files are not listed"
 expect 0 "a valid study" "$gurney" check listed.toml
 "$gurney" run listed.toml -o listed.h5 --quiet > stdout 2> stderr || complain "the listed records do not run"

@@ -56,7 +56,8 @@ TEST(LimitStateExpression, NamesWhatIsWrong) {
                ": a limit is exceeded beyond its value: >, not >=");
   EXPECT_ERROR(read("overtuned"), ": event = \"overtuned\": must be one of overturned, impact");
   EXPECT_ERROR(read("caart: overturned"),
-               ": no item, marked point, zone or tether 'caart'; did you mean 'cart'?");
+               ": no item, marked point, zone or tether 'caart'; did you mean 'cart'?; "
+               "a name of the limit state stands before =");
   EXPECT_ERROR(read("gate: entered"), ": 'gate' is the name of item and of zone");
   EXPECT_ERROR(read("at least two items: overturned"), ": must be as in: at least 3 items");
   EXPECT_ERROR(read("at least 2.5 items: overturned"), ": at_least = 2.5: must be");
