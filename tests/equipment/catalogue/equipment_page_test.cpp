@@ -134,11 +134,18 @@ std::vector<std::string> rows_of_page(const std::string& section) {
   return rows;
 }
 
+bool is_row_of(const std::string& row, const std::string& name) {
+  return row.starts_with("| `" + name + "` |");
+}
+
 /// Every name has one row, in the catalogue's order, that starts as the files say and then has
 /// words.
 void compare(const std::string& section, DataKind kind, std::string (*row_of)(const std::string&)) {
   const std::vector<std::string> rows = rows_of_page(section);
   const std::vector<std::string> names = catalogue_names(kind);
+  for (const std::string& name : names)
+    if (std::ranges::none_of(rows, [&](const std::string& row) { return is_row_of(row, name); }))
+      ADD_FAILURE() << "\"" << section << "\" has no row " << row_of(name) << " ... (and words)";
   ASSERT_EQ(rows.size(), names.size()) << section;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string expected = row_of(names[i]);
