@@ -29,7 +29,10 @@ struct Outcomes {
 double smallest_change(const std::string& units, double time_step) {
   static const std::map<std::string, double> kSmallest = {{"m", 1e-4}, {"m/s", 1e-3}, {"rad", 1e-4},
                                                           {"N", 0.1},  {"N s", 0.1},  {"1", 0}};
-  return units == "s" ? time_step : kSmallest.at(units);
+  if (units == "s") return time_step;
+  const auto found = kSmallest.find(units);
+  require(found != kSmallest.end(), "convergence: no smallest change is stated for " + units);
+  return found->second;
 }
 
 Outcomes outcomes_of(const RunCase& run, const std::vector<LimitState>& states) {

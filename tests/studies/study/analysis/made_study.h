@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "studies/study/results/study_reader.h"
+
 namespace gurney::study {
 
 /// One run of a study that was never simulated; item `cart`.
@@ -29,7 +31,7 @@ struct MadeStudy {
   std::vector<std::string> design = {};  ///< inputs of a Saltelli design
   std::string measure = "PGA h1";
   std::string commit = "abc";
-  int format_version = 2;
+  int format_version = kStudyFormatVersion;
   std::string caster_sha256 = "c1";
 
   void write(const std::string& path) const;

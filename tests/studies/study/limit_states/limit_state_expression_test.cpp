@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "engine/base/units.h"
+#include "studies/study/results/columns.h"
+#include "tests/support/error_text.h"
 #include "tests/support/expect_error.h"
 
 namespace gurney::study {
@@ -22,6 +24,23 @@ TEST(LimitStateExpression, ReadsDemandsWithTheirUnits) {
   EXPECT_EQ(count.limit, 2);
   EXPECT_EQ(count.words, "impacts > 2");
   EXPECT_EQ(read("largest_impulse > 3 N s").limit, 3);
+}
+
+template <class Columns>
+void expect_units_of(const Columns& columns, const std::string& place) {
+  for (const auto& column : columns) {
+    const std::string unit =
+        column.units == std::string("1") ? "" : std::string(" ") + column.units;
+    const std::string line = place + column.name + " > 1" + unit;
+    EXPECT_EQ(error_text([&] { read(line); }), "(no error)") << "kUnits of limit_state_reader.cpp";
+  }
+}
+
+TEST(LimitStateExpression, KnowsTheUnitOfEveryDemand) {
+  expect_units_of(demand_columns(), "");
+  expect_units_of(point_demand_columns(), "screen: ");
+  expect_units_of(zone_columns(), "door: ");
+  expect_units_of(tether_columns(), "cord: ");
 }
 
 TEST(LimitStateExpression, ReadsWhatReportsPrint) {
