@@ -6,7 +6,8 @@
 #include "studies/calibration/fit/constants.h"
 #include "tests/studies/calibration/fit/virtual_pulls.h"
 
-/// How often intervals hold the truth when a laboratory repeats its trials.
+/// Coverage of the intervals of studies/calibration/fit: how often they hold the truth when a
+/// laboratory repeats its trials.
 namespace gurney::calibration {
 
 inline constexpr int kRepeats = 200;
@@ -27,9 +28,9 @@ std::vector<TrialValue> read_all(
 
 struct Coverage {
   int interval = 0;    ///< of kRepeats whose interval holds the truth
-  int prediction = 0;  ///< whose prediction holds one more trial
+  int prediction = 0;  ///< whose prediction interval holds one more trial
   double bias = 0;     ///< mean of ln(value / truth)
-  double width = 0;    ///< mean half of the interval, as a share
+  double width = 0;    ///< mean of half the interval over its lower end
 };
 
 /// Laboratories that draw `trials` of the values each.
