@@ -1,20 +1,49 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "engine/base/error.h"
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/job_of_log.h"
 #include "studies/report/overview_report.h"
+#include "studies/study/analysis/kept_job.h"
 #include "studies/study/analysis/overview.h"
+#include "studies/study/run/finished_cases.h"
 
 namespace gurney::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
+/// A folder that is there as long as the object.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (fs::temp_directory_path() / "gurney_XXXXXX").string();
+    require(mkdtemp(name.data()) != nullptr, name + ": cannot be made");
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  std::string file(const char* name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
 struct ShowOptions {
-  std::string file;
+  std::string file, job;
   study::AssessmentRequest assessed_by;
   bool json = false;
 };
@@ -25,7 +54,50 @@ int show(const Overview& overview, bool json) {
   return 0;
 }
 
+/// The results that FILE.h5.parts, or .shards, will become.
+std::string results_of(const fs::path& folder) {
+  const fs::path name = folder.has_filename() ? folder : folder.parent_path();
+  return (name.parent_path() / name.stem()).string();
+}
+
+/// The path of the job in a folder of shards, or in the log beside the parts, which is written when a
+/// process ends.
+std::string job_of_folder(const fs::path& folder) {
+  if (!fs::exists(folder / "job"))
+    return study::place_of_job(job_of_log(results_of(folder)), results_of(folder));
+  std::string path = study::file_bytes(folder / "job");
+  while (path.ends_with('\n')) path.pop_back();
+  return path;
+}
+
+/// Of what is finished, as a results file that is there for the moment. Its runs will have other
+/// numbers once the study is complete, so that none can be repeated yet.
+int show_unfinished(const ShowOptions& options) {
+  const study::FinishedCases cases(options.file);
+  require(cases.finished() > 0, options.file + ": no analysis case is finished yet");
+  const ScratchFolder scratch;
+  cases.write(scratch.file("unfinished.h5"),
+              options.job.empty() ? job_of_folder(options.file) : options.job);
+  study::StudyOverview overview =
+      study::study_overview(scratch.file("unfinished.h5"), options.assessed_by);
+  overview.file.path = options.file;
+  for (study::FailedRun& each : overview.failures)
+    each.command = "(can be repeated once the study is complete)";
+  if (options.json) {
+    auto json = nlohmann::ordered_json::parse(report::overview_json(overview));
+    json["unfinished"] = {{"analysis_cases", cases.tasks()}, {"finished", cases.finished()}};
+    fmt::print("{}\n", json.dump(2));
+    return 0;
+  }
+  fmt::print("UNFINISHED: {} of {} analysis cases; all below is of these alone{}\n\n{}",
+             cases.finished(), cases.tasks(),
+             cases.damaged() > 0 ? fmt::format(", without {} damaged parts", cases.damaged()) : "",
+             report::overview_text(overview));
+  return 0;
+}
+
 int show_command(const ShowOptions& options) {
+  if (fs::is_directory(options.file)) return show_unfinished(options);
   if (study::is_study_file(options.file))
     return show(study::study_overview(options.file, options.assessed_by), options.json);
   require(options.assessed_by.empty(),
@@ -38,7 +110,12 @@ int show_command(const ShowOptions& options) {
 void add_show(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<ShowOptions>();
   CLI::App* const show = app.add_subcommand("show", "Summarize a results file");
-  show->add_option("FILE", options->file, "The results file of a study or of one run")->required();
+  show->add_option("FILE", options->file,
+                   "The results file of a study or of one run, or the folder FILE.h5.parts or "
+                   "FILE.h5.shards of a study that is still running")
+      ->required();
+  show->add_option("--job", options->job,
+                   "The job file, of such a folder (default: the path in its log)");
   add_limit_state_options(*show, options->assessed_by);
   show->add_flag("--json", options->json, "Print it as JSON");
   show->callback([options, &action] { action = [options] { return show_command(*options); }; });

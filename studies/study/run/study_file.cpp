@@ -141,7 +141,8 @@ void add_assumptions(Hdf5Writer& file, const Batch& batch) {
 }  // namespace
 
 RunCounts write_study_file(const std::string& path, const Batch& batch,
-                           const std::function<TaskResult(std::size_t)>& read) {
+                           const std::function<TaskResult(std::size_t)>& read,
+                           const std::function<bool(std::size_t)>& has) {
   Hdf5Writer file(path);
   add_root(file, batch);
   add_configurations(file, batch);
@@ -152,6 +153,7 @@ RunCounts write_study_file(const std::string& path, const Batch& batch,
   RunCounts counts;
   RunTables tables(file, batch);
   for (std::size_t task = 0; task < batch.plan.tasks(); ++task) {
+    if (has && !has(task)) continue;
     const TaskResult result = read(task);
     require(result.task == task,
             fmt::format("the results of analysis case {} stand where those of case {} must be",

@@ -47,11 +47,6 @@ Entries entries_of(const std::string& identity) {
   return entries;
 }
 
-std::string job_text_in(const std::string& identity) {
-  const auto end = identity.find("\n\n");
-  return end == std::string::npos ? std::string() : identity.substr(end + 2);
-}
-
 std::string value_in(const Entries& entries, const std::string& key) {
   const auto found = entries.find(key);
   return found == entries.end() ? "nothing" : "'" + found->second + "'";
@@ -77,6 +72,11 @@ Entries keys_of_job(const std::string& text) {
 }
 
 }  // namespace
+
+std::string job_text_in(const std::string& identity) {
+  const auto end = identity.find("\n\n");
+  return end == std::string::npos ? std::string() : identity.substr(end + 2);
+}
 
 std::string record_line(const std::string& set, const std::string& name, const std::string& files) {
   std::string on_one_line = files;

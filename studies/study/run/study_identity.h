@@ -27,6 +27,9 @@ std::string data_file_line(const std::string& name, const std::string& sha256);
 /// SHA-256 and name of each file of a record, one a line.
 std::string files_of(const groundmotions::Record& record);
 
+/// The job's text in it.
+std::string job_text_in(const std::string& identity);
+
 /// How two identities differ: `item.toml: there '1', here '2'`, of a job by the keys that differ;
 /// empty only where they are equal.
 std::string difference(const std::string& theirs, const std::string& ours);

@@ -116,6 +116,10 @@ grep -qE "^ +2/3 +16 of 16 +32 +0 +0 failed .* finished$" stdout || complain "do
 grep -qE "^ +3/3 +0 of 16 +0 .* not started$" stdout || complain "does not show that shard 3 is missing"
 grep -qE "; 1 of 3 shards finished, 1 running, [0-9.]+ runs/s, .* to go$" stdout || complain "no rate"
 expect 0 '"seconds_to_go": ' "$gurney" status a.h5.shards --json
+expect 0 "of 48 analysis cases; all below is of these alone" "$gurney" show a.h5.shards
+grep -q "^UNFINISHED: [0-9]" stdout || complain "an unfinished study is not marked as such"
+expect 0 '"analysis_cases": 48' "$gurney" show a.h5.shards --json
+grep -q "gurney replay" stdout && complain "offers to repeat runs whose numbers will change"
 kill -TERM "$process"
 ends 143 "continue with"
 expect 0 " stopped" "$gurney" status a.h5.shards
@@ -130,6 +134,8 @@ expect 1 "a.h5.shards/2-of-3/study: is damaged (its checksum does not match)" "$
 expect 0 "a.h5.shards/2-of-3/study: is damaged; it is written again" "$gurney" run job.toml -o a.h5 --shard 2/3 --resume
 same study.whole a.h5.shards/2-of-3/study
 expect 1 "none: is not a folder of shards" "$gurney" status none
+mkdir none.parts
+expect 1 "none.parts" "$gurney" show none.parts
 rm -rf a.h5.shards
 
 # A script for Slurm: what it runs, with a program in place of srun.
