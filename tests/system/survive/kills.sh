@@ -64,7 +64,7 @@ disturb() {  # FOLDER of parts, LIMIT of the attempt
   tally "exit $code"
   case $code.$limit in
     0.* | 1.* | 130.* | 137.* | 143.*) ;;
-    127.memory) ;;  # too little to load the program
+    127.memory | 134.memory) ;;  # too little to load the program, or to set it up before main()
     *) complain "exit code $code after $signal" ;;
   esac
 }
