@@ -65,6 +65,7 @@ struct GripMargin {
   double time_exceeded = -1;    ///< when demand > grip first; < 0: never [s]
   double peak_demand = 0;       ///< [N]
   bool braked = false;          ///< some caster is
+  bool rolls = false;           ///< some caster is not
 };
 
 struct ItemFacts {

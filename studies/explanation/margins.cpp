@@ -79,7 +79,7 @@ GripMargin grip_margin(const study::RunFacts& facts, std::size_t item,
                        const std::vector<Sample>& history, double until) {
   GripMargin margin;
   for (const Caster& caster : facts.scene.items.at(item).model.casters)
-    margin.braked |= caster.brake_torque > 0;
+    (caster.brake_torque > 0 ? margin.braked : margin.rolls) = true;
   double smallest = std::numeric_limits<double>::infinity();
   for (const Sample& sample : history) {
     if (sample.time > until) break;

@@ -82,13 +82,18 @@ std::string tilt_text(const ItemFacts& item) {
   return text;
 }
 
+/// What keeps an item in its place on the floor.
+const char* grip_words(const ItemFacts& item) {
+  if (!item.has_casters) return "friction on the floor";
+  if (!item.grip.braked) return "the rolling resistance of its casters (no brake is on)";
+  return item.grip.rolls ? "its brakes and the rolling resistance of its free casters"
+                         : "its brakes, which are on at every caster,";
+}
+
 std::string grip_text(const ItemFacts& item, bool floor) {
   const GripMargin& grip = item.grip;
   if (!floor) return {};
-  const char* const what = !item.has_casters ? "friction on the floor"
-                           : grip.braked
-                               ? "its brakes and the rolling resistance of its free casters"
-                               : "the rolling resistance of its casters (no brake is on)";
+  const char* const what = grip_words(item);
   if (grip.time_exceeded < 0)
     return fmt::format(
         "Grip: holding it on the moving floor took {:.0f} N at most, and {} could always give "

@@ -315,6 +315,9 @@ TEST(Grip, IsThatOfBrakesAndOfRolling) {
   item.casters[0].brake_torque = 100;  // more than the tread: 60 N
   item.casters[1].brake_torque = 2;    // less: 40 N
   EXPECT_NEAR(grip_of(facts, 0, sample).grip, 60 + 40 + 2 * 2, 1e-9);
+  const GripMargin margin = grip_margin(facts, 0, {sample}, 10);
+  EXPECT_TRUE(margin.braked && margin.rolls);
+  EXPECT_NEAR(margin.grip, 104, 1e-9);
 }
 
 }  // namespace
