@@ -7,13 +7,21 @@
 #include "tests/benchmark/sections.h"
 
 /// Prints accuracy and speed in one run. `--quick` takes a small ensemble;
-/// `--predictability` and `--step-control` print the tables of docs/theory/predictability.md and
-/// step_control.md alone.
+/// `--predictability`, `--replicas` and `--step-control` print the tables of
+/// docs/theory/predictability.md and step_control.md alone, `--cost` those of docs/performance.md.
 int main(int argc, char** argv) try {
   using namespace gurney::benchmark;
   const bool quick = argc > 1 && std::string_view(argv[1]) == "--quick";
   if (argc > 1 && std::string_view(argv[1]) == "--predictability") {
     print_predictability(100);
+    return 0;
+  }
+  if (argc > 1 && std::string_view(argv[1]) == "--replicas") {
+    print_replicas(argc > 2 ? std::atoi(argv[2]) : 200);
+    return 0;
+  }
+  if (argc > 1 && std::string_view(argv[1]) == "--cost") {
+    print_cost();
     return 0;
   }
   if (argc > 1 && std::string_view(argv[1]) == "--step-control") {

@@ -18,4 +18,11 @@ void print_predictability(int records);
 /// Accuracy and CPU time of fixed steps and of steps chosen by a tolerance.
 void print_step_control(int records);
 
+/// Whether the interval of P(overturned) from a few replicas of chaotic runs contains that of many.
+void print_replicas(int motions);
+
+/// CPU time over the number of casters, of items and the length of the record, and of batches on two
+/// threads.
+void print_cost();
+
 }  // namespace gurney::benchmark
