@@ -64,7 +64,8 @@ std::string plot_figure(const PlotPage& page, const std::string& title, std::str
   if (page.most_marks > 0)
     for (PlotPanel& each : panels) every = std::max(every, thin_out(each.panel, page.most_marks));
   if (every > 1)
-    note += fmt::format("; of many runs one in {} is drawn, lines and areas are of all", every);
+    note += fmt::format("; of many runs or records one in {} is drawn, lines and areas are of all",
+                        every);
   constexpr std::size_t kTitleLines = 2;
   const double width = page.width - kLeft - kRight, text_space = page.width - 2 * kRight;
   std::vector<std::string> titles = lines_of(title, 1.08 * kTitleSize, text_space);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
@@ -63,14 +64,22 @@ std::vector<View> views_of(const std::vector<Suite>& suites, const std::vector<s
   return views;
 }
 
-/// The fractile at each period.
-Curve fractile(const std::vector<Eigen::VectorXd>& spectra, const Eigen::VectorXd& periods,
-               double fraction, const std::string& label, const Pen& pen) {
-  Curve curve{label, {periods.begin(), periods.end()}, {}, pen};
-  for (Eigen::Index i = 0; i < periods.size(); ++i) {
-    std::vector<double> values;
-    for (const Eigen::VectorXd& each : spectra) values.push_back(each[i] / kStandardGravity);
-    curve.y.push_back(statistics::quantile_of(values, fraction));
+/// Fractiles at each period, as one curve with a gap: it is drawn whole or not at all.
+Curve fractiles(const std::vector<Eigen::VectorXd>& spectra, const Eigen::VectorXd& periods,
+                const std::vector<double>& fractions, const std::string& label, const Pen& pen) {
+  constexpr double kNoPoint = std::numeric_limits<double>::quiet_NaN();
+  Curve curve{label, {}, {}, pen};
+  for (const double fraction : fractions) {
+    if (!curve.x.empty()) {
+      curve.x.push_back(kNoPoint);
+      curve.y.push_back(kNoPoint);
+    }
+    for (Eigen::Index i = 0; i < periods.size(); ++i) {
+      std::vector<double> values;
+      for (const Eigen::VectorXd& each : spectra) values.push_back(each[i] / kStandardGravity);
+      curve.x.push_back(periods[i]);
+      curve.y.push_back(statistics::quantile_of(values, fraction));
+    }
   }
   return curve;
 }
@@ -102,10 +111,9 @@ PlotPanel panel_of(const Suite& suite, const View& view, bool named) {
   }
   if (suite.records.size() < 2) return {.panel = panel, .aspect = 0.6};
   panel.curves.push_back(
-      fractile(spectra, suite.periods, 0.5, "median", {.stroke = palette(0), .width = 2}));
-  const Pen dashed{.stroke = palette(1), .width = 1.5, .dash = "6 3"};
-  panel.curves.push_back(fractile(spectra, suite.periods, 0.16, "16 and 84 % fractiles", dashed));
-  panel.curves.push_back(fractile(spectra, suite.periods, 0.84, "", dashed));
+      fractiles(spectra, suite.periods, {0.5}, "median", {.stroke = palette(0), .width = 2}));
+  panel.curves.push_back(fractiles(spectra, suite.periods, {0.16, 0.84}, "16 and 84 % fractiles",
+                                   {.stroke = palette(1), .width = 1.5, .dash = "6 3"}));
   return {.panel = panel, .aspect = 0.6};
 }
 

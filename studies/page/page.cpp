@@ -69,6 +69,7 @@ std::string counted(std::size_t count, const std::string& what) {
 
 StudyPage::StudyPage(const PageRequest& request)
     : path(request.file),
+      job(request.job),
       overview(study::study_overview(path, request.assessed_by)),
       data(path, request.assessed_by) {
   for (std::size_t i = 0; i < data.configurations().size(); ++i)

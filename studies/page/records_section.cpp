@@ -4,9 +4,13 @@
 #include <limits>
 #include <map>
 
+#include "engine/base/error.h"
+#include "studies/figures/spectra_figure.h"
+#include "studies/page/drawing.h"
 #include "studies/page/study_page.h"
 #include "studies/page/table.h"
 #include "studies/study/analysis/configuration_view.h"
+#include "studies/study/analysis/suite_spectra.h"
 
 namespace gurney::page {
 namespace {
@@ -59,6 +63,26 @@ std::string short_hashes(const std::vector<std::string>& files) {
   return names.empty() ? "synthetic" : fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// The suite at the highest level, of the first configuration that was run.
+Html spectra_of(const StudyPage& page) {
+  constexpr int kPeriods = 26;
+  constexpr figures::PlotPage kSmall{.most_marks = 8};
+  std::size_t first = 0;
+  while (first + 1 < page.data.configurations().size() && page.data.runs_of(first).empty()) ++first;
+  try {
+    const auto suites = study::suite_spectra(
+        page.data, {.job = page.job, .level = {}, .configurations = {first}, .periods = kPeriods});
+    const bool scaled = std::ranges::any_of(suites.front().records,
+                                            [](const auto& record) { return record.factor != 1; });
+    return html(Drawing{
+        "spectra", figures::spectra_figure(kSmall, "", suites, {scaled ? "scaled" : "records"}),
+        "Response spectra of the records with their median, 16 and 84 % fractiles.",
+        "Pseudo-acceleration over the period, 5 % damping, on logarithmic axes."});
+  } catch (const Error& error) {
+    return paragraph(std::string("No spectra: ") + error.what());
+  }
+}
+
 }  // namespace
 
 Section study_records(const StudyPage& page) {
@@ -97,7 +121,7 @@ Section study_records(const StudyPage& page) {
     table.rows.push_back(std::move(row));
     for (const std::string& each : motion.warnings) warnings.push_back(motion.name + ": " + each);
   }
-  Html content = html(table);
+  Html content = html(table) + spectra_of(page);
   if (!warnings.empty())
     content += folded(counted(warnings.size(), "warning") + " on records", list(warnings));
   return {"records", "Records", content};

@@ -11,6 +11,7 @@
 #include "studies/explanation/text.h"
 #include "studies/figures/history_figure.h"
 #include "studies/figures/labels.h"
+#include "studies/figures/spectra_figure.h"
 #include "studies/figures/trajectory_figure.h"
 #include "studies/page/drawing.h"
 #include "studies/page/file_table.h"
@@ -65,6 +66,15 @@ Section design(const RunFile& run) {
   return {"design", "What was run", content};
 }
 
+/// Nothing for files of earlier programs, which do not have the floor's motion.
+Html spectra_of_floor(const RunFile& run) {
+  const auto spectra = study::floor_spectra(run.histories);
+  if (!spectra) return {};
+  return html(Drawing{"spectra", figures::floor_spectra_figure({}, "", *spectra),
+                      "Response spectra of the floor\u2019s motion.",
+                      "Pseudo-acceleration over the period, 5 % damping, on logarithmic axes."});
+}
+
 Section record(const RunFile& run) {
   std::vector<std::pair<std::string, std::string>> named;
   for (const auto& motion : run.overview.file.motions) {
@@ -75,8 +85,8 @@ Section record(const RunFile& run) {
     named.emplace_back("Component", each);
   for (const std::string& each : run.file.text_attributes("record_processing"))
     named.emplace_back("Processing", each);
-  return {"records", "Ground motion",
-          named.empty() ? paragraph("The floor is at rest.") : facts(named)};
+  if (named.empty()) return {"records", "Ground motion", paragraph("The floor is at rest.")};
+  return {"records", "Ground motion", facts(named) + spectra_of_floor(run)};
 }
 
 Section paths(const RunFile& run) {

@@ -108,7 +108,10 @@ TEST(SpectraFigure, OfManyRecordsIsSmall) {
   study::SuiteSpectra large = suite(false);
   large.periods = Eigen::VectorXd::LinSpaced(32, 0.02, 10);
   large.records.assign(1000, {"record", 2, large.periods.cwiseInverse(), {}});
-  EXPECT_LT(spectra_figure({.most_marks = 8}, "", {large}, {"scaled"}).size(), 20000);
+  const std::string svg = spectra_figure({.most_marks = 8}, "", {large}, {"scaled"});
+  EXPECT_LT(svg.size(), 20000);
+  // The first record and 8 others, the median and both fractiles.
+  EXPECT_EQ(numbers(svg, "polyline points=\"([0-9.]+),").size(), 1u + 8 + 3);
 }
 
 TEST(SpectraFigure, OfAFloorHasACurveForEachAxis) {
