@@ -69,14 +69,15 @@ int merge_command(const MergeOptions& options) {
   for (const std::string& warning : shards.warnings()) print_error("{}\n", warning);
   const std::string missing = shards.missing();
   require(missing.empty(), missing);
-  const study::RunCounts counts = write_results(
+  const StudySummary summary = write_results(
       batch, folder, [&](std::size_t task) { return shards.read(task); }, results,
       options.overwrite);
-  append_log(fs::path(results).replace_extension(".log"),
-             shards.logs() + log_entry(path, "merged", fmt::format("{} runs", counts.runs)));
+  append_log(
+      fs::path(results).replace_extension(".log"),
+      shards.logs() + log_entry(path, "merged", fmt::format("{} runs", summary.counts.runs)));
   shards.remove();
-  print_study(batch, results, counts, 0, options.json);
-  return counts.failed > 0 ? 3 : 0;
+  print_study(batch, results, summary, 0, options.json);
+  return summary.counts.failed > 0 ? 3 : 0;
 }
 
 }  // namespace

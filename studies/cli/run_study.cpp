@@ -160,7 +160,7 @@ int run_study(const RunOptions& options) {
   note_interruptions();
   StudyProgress line(options.json || options.quiet);
   study::BatchProgress progress;
-  study::RunCounts counts;
+  StudySummary summary;
   const auto fail = [&](const std::string& reason) {
     throw Error(reason + '\n' + resume_hint(options, paths, folder, shard.tasks_of(plan.tasks())));
   };
@@ -169,7 +169,7 @@ int run_study(const RunOptions& options) {
         batch, folder, crashes, shard, threads, [] { return interruption() == 0; },
         [&](const study::BatchProgress& now) { line(now); });
     if (progress.done == progress.tasks && options.shard.empty())
-      counts = write_results(
+      summary = write_results(
           batch, folder.path(), [&](std::size_t task) { return folder.read(task); }, paths.results,
           options.overwrite);
   } catch (const Error& error) {
@@ -189,8 +189,8 @@ int run_study(const RunOptions& options) {
   folder.remove();
   const double rate =
       progress.runs_now > 0 ? static_cast<double>(progress.runs_now) / progress.seconds : 0;
-  if (!options.quiet) print_study(batch, paths.results, counts, rate, options.json);
-  return counts.failed > 0 ? 3 : 0;
+  if (!options.quiet) print_study(batch, paths.results, summary, rate, options.json);
+  return summary.counts.failed > 0 ? 3 : 0;
 }
 
 }  // namespace gurney::cli

@@ -5,7 +5,9 @@
 
 #include <chrono>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "engine/base/error.h"
@@ -21,15 +23,49 @@ namespace gurney::cli {
 
 namespace fs = std::filesystem;
 
-study::RunCounts write_results(const study::Batch& batch, const fs::path& folder,
-                               const std::function<std::string(std::size_t)>& read,
-                               const fs::path& results, bool overwrite) {
+namespace {
+
+/// Factors on the records of a study; none where nothing shakes. Configurations may have records of
+/// their own.
+class FactorsOfTasks {
+ public:
+  explicit FactorsOfTasks(const study::Batch& batch) : batch_(batch) {
+    for (std::size_t set = 0; set < batch.motions.sets(); ++set)
+      for (std::size_t i = 0; i < batch.motions.set(set).size(); ++i)
+        shaken_ = shaken_ || !batch.motions.set(set).name(i).empty();
+  }
+
+  void add(const study::TaskResult& result) {
+    if (!shaken_) return;
+    const study::Task task = batch_.plan.task(result.task);
+    const std::pair key{batch_.motions.index_of(task.configuration), task.record};
+    const std::size_t number = numbers_.try_emplace(key, numbers_.size()).first->second;
+    for (const study::StudyRun& run : result.runs) factors_.add(number, run.scale);
+  }
+
+  const study::ScaleFactors& factors() const { return factors_; }
+
+ private:
+  const study::Batch& batch_;
+  bool shaken_ = false;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> numbers_;  ///< of set and record
+  study::ScaleFactors factors_;
+};
+
+}  // namespace
+
+StudySummary write_results(const study::Batch& batch, const fs::path& folder,
+                           const std::function<std::string(std::size_t)>& read,
+                           const fs::path& results, bool overwrite) {
   const fs::path complete = folder / "results.h5";
   study::RunCounts counts;
+  FactorsOfTasks factors(batch);
   try {
     fs::remove(complete);
     counts = study::write_study_file(complete.string(), batch, [&](std::size_t task) {
-      return study::task_from_bytes(read(task));
+      study::TaskResult result = study::task_from_bytes(read(task));
+      if (result.task == task) factors.add(result);  // else it is refused
+      return result;
     });
   } catch (...) {
     std::error_code ignored;
@@ -41,13 +77,13 @@ study::RunCounts write_results(const study::Batch& batch, const fs::path& folder
   } catch (const Error& error) {
     throw Error(fmt::format("{}; the finished results are in {}", error.what(), complete.string()));
   }
-  return counts;
+  return {counts, factors.factors()};
 }
 
-void print_study(const study::Batch& batch, const fs::path& results, const study::RunCounts& counts,
+void print_study(const study::Batch& batch, const fs::path& results, const StudySummary& summary,
                  double runs_per_second, bool json) {
   const std::vector<std::string> undrawn = study::undrawn_ranges(batch).lines();
-  const study::ScaleFactors factors = study::scale_factors(study::StudyData(results.string()));
+  const auto& [counts, factors] = summary;
   if (json) {
     nlohmann::ordered_json text{{"results", results.string()},     {"runs", counts.runs},
                                 {"overturned", counts.overturned}, {"failed", counts.failed},

@@ -4,23 +4,31 @@
 #include <functional>
 #include <string>
 
+#include "studies/study/analysis/scale_factors.h"
 #include "studies/study/run/run_batch.h"
 #include "studies/study/run/study_file.h"
 
 namespace gurney::cli {
 
+/// What its results file says of all runs of a study, known without reading it back: a study may be
+/// larger than the memory.
+struct StudySummary {
+  study::RunCounts counts;
+  study::ScaleFactors factors;
+};
+
 /// Writes the results of a study from its finished tasks, complete or not at all.
 /// @param folder  for the file while it is not complete
 /// @param read    the bytes of a task
 /// @throws Error where it cannot be written or somebody made such a file meanwhile
-study::RunCounts write_results(const study::Batch& batch, const std::filesystem::path& folder,
-                               const std::function<std::string(std::size_t)>& read,
-                               const std::filesystem::path& results, bool overwrite);
+StudySummary write_results(const study::Batch& batch, const std::filesystem::path& folder,
+                           const std::function<std::string(std::size_t)>& read,
+                           const std::filesystem::path& results, bool overwrite);
 
 /// Prints the counts of a study, the scale factors of its motions and which ranges were not drawn.
 /// @param runs_per_second  0: not measured
 void print_study(const study::Batch& batch, const std::filesystem::path& results,
-                 const study::RunCounts& counts, double runs_per_second, bool json);
+                 const StudySummary& summary, double runs_per_second, bool json);
 
 /// A line of a study's log, and one with the path of the job: time, host, versions.
 /// @param how  such as "finished"; @param what  such as the number of runs
