@@ -16,7 +16,6 @@ constexpr double kStickStiffnessRatio = 10;
 /// further out with every degree, on its edge from 30 degrees on (assumptions). A sharp edge would
 /// have a valley between middle and edge in which no single contact point can stay.
 constexpr double kCrownBegins = 10 * kRadiansPerDegree, kCrownEnds = 30 * kRadiansPerDegree;
-const double kSineOfCrown = std::sin(kCrownBegins);
 
 /// Nearer to its axle than this a direction has no part in the wheel's plane: sine of the angle.
 constexpr double kSquare = 1e-6;
@@ -45,36 +44,48 @@ CasterDynamics::CasterDynamics(const Caster& caster, const Vector3& chassis_cent
     : tread_(caster.tread, caster.wheel_radius),
       axle_limit_(caster.axle.coulomb + caster.brake_torque),
       swivel_limit_(caster.swivel.coulomb + caster.swivel_lock_torque),
-      swivels_(caster.swivels),
       braked_(caster.brake_torque > 0),
       turns_into_motion_(caster.swivels && caster.swivel_lock_torque == 0 &&
                          caster.trail > 0.02 * caster.wheel_radius),
       heading_(caster.heading),
-      radius_(caster.wheel_radius),
-      width_(caster.wheel_width),
-      mass_(caster.fork_mass + caster.wheel_mass),
-      axial_inertia_(caster.wheel_axial_inertia),
       mount_(caster.mount - chassis_center),
       wheel_center_(-caster.trail, 0, -(caster.height - caster.wheel_radius)) {
-  axle_ = {stick_stiffness(caster, radius_), caster.axle.viscous};
-  swivel_ = {stick_stiffness(caster, std::max(caster.trail, radius_)), caster.swivel.viscous};
+  const double radius = caster.wheel_radius;
+  axle_ = {stick_stiffness(caster, radius), caster.axle.viscous};
+  swivel_ = {stick_stiffness(caster, std::max(caster.trail, radius)), caster.swivel.viscous};
   const double transverse = caster.wheel_transverse_inertia;
   MassProperties whole;
   whole.add(caster.fork_mass, caster.fork_center_of_mass, caster.fork_inertia);
   whole.add(caster.wheel_mass, wheel_center_,
-            Vector3(transverse, axial_inertia_, transverse).asDiagonal());
+            Vector3(transverse, caster.wheel_axial_inertia, transverse).asDiagonal());
   center_ = whole.center_of_mass;
-  inertia_ = whole.inertia;
-  swing_ = wheel_center_.norm() + std::hypot(radius_, caster.wheel_width / 2);
+  swing_ = wheel_center_.norm() + std::hypot(radius, caster.wheel_width / 2);
   reach_ = mount_.norm() + swing_;
+  constants_ = {caster.fork_mass + caster.wheel_mass,
+                caster.wheel_axial_inertia,
+                radius,
+                caster.wheel_width,
+                caster.swivels ? 1.0 : 0.0,
+                tread_.spin_radius(),
+                same<double>(mount_),
+                same<double>(wheel_center_),
+                same<double>(center_),
+                same<double>(whole.inertia)};
+}
+
+Vector3 crown_contact(double axle_z, double radius, double width, const Vector3& up,
+                      const Vector3& axle) {
+  const CrownPoint point = crown_point(std::asin(std::min(1.0, std::abs(axle_z))), 0.5 * width);
+  return (point.drop - radius) * up - std::copysign(point.out, axle_z) * axle;
 }
 
 std::array<Vector3, CasterDynamics::kRimPoints> CasterDynamics::rim(bool left) const {
-  const double radius = radius_ - crown_point(kCrownEnds, 0.5 * width_).drop;
+  const double half_width = 0.5 * wheel_width();
+  const double radius = wheel_radius() - crown_point(kCrownEnds, half_width).drop;
   std::array<Vector3, kRimPoints> points;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(k) / kRimPoints;
-    points[k] = wheel_center_ + Vector3(radius * std::cos(angle), (left ? 0.5 : -0.5) * width_,
+    points[k] = wheel_center_ + Vector3(radius * std::cos(angle), left ? half_width : -half_width,
                                         radius * std::sin(angle));
   }
   return points;
@@ -85,9 +96,10 @@ Vector3 CasterDynamics::tread_point(const Vector3& direction, const Vector3& fou
   const Vector3 in_plane(direction.x(), 0, direction.z());
   if (in_plane.norm() < kSquare) return found;
   const Vector3 outwards = in_plane.normalized();
-  if (std::abs(sine) <= kSineOfCrown) return wheel_center_ + radius_ * outwards;
-  const CrownPoint point = crown_point(std::asin(std::min(1.0, std::abs(sine))), 0.5 * width_);
-  return wheel_center_ + (radius_ - point.drop) * outwards +
+  if (std::abs(sine) <= kSineOfCrown) return wheel_center_ + wheel_radius() * outwards;
+  const CrownPoint point =
+      crown_point(std::asin(std::min(1.0, std::abs(sine))), 0.5 * wheel_width());
+  return wheel_center_ + (wheel_radius() - point.drop) * outwards +
          std::copysign(point.out, sine) * Vector3::UnitY();
 }
 
@@ -111,74 +123,42 @@ Vector3 CasterDynamics::center_of_mass(const Pose& pose, double swivel_angle) co
 void CasterDynamics::evaluate(const Pose& pose, double swivel_angle,
                               const Vector6& chassis_velocity, const Eigen::Vector2d& joint_rates,
                               const Vector3& gravity, Geometry& out) const {
-  const Matrix3 fork = fork_rotation(pose, swivel_angle);
-  const Vector3 s = fork.col(2), a = fork.col(1);
-  out.swivel_axis = s;
-  out.axle = a;
-  out.mount = pose.rotation * mount_;
-  const Vector3 arm = fork * wheel_center_;
-  out.wheel_center = out.mount + arm;
-
-  // The lowest point of the disc lies against the component of z in the wheel's plane.
-  const Vector3 up = (Vector3::UnitZ() - a.z() * a).normalized();
-  Vector3 down = -radius_ * up;
-  if (std::abs(a.z()) > kSineOfCrown) {
-    const CrownPoint point = crown_point(std::asin(std::min(1.0, std::abs(a.z()))), 0.5 * width_);
-    down = (point.drop - radius_) * up - std::copysign(point.out, a.z()) * a;
-  }
-  out.contact = out.wheel_center + down;
-  out.height = lies(a) ? 1 : pose.position.z() + out.contact.z();
-  out.axle_level = Vector3(a.x(), a.y(), 0).normalized();
+  CasterGeometry<double> g;
+  caster_geometry<double>(
+      constants_,
+      {same<double>(pose.rotation), pose.position.z(), std::sin(swivel_angle),
+       std::cos(swivel_angle), same<double>(Vector3(chassis_velocity.tail<3>())), joint_rates[0],
+       joint_rates[1], same<double>(gravity)},
+      g);
+  const auto vector = [](const Triple<double>& v) -> Vector3 { return {v.x, v.y, v.z}; };
+  const auto cross_matrix = [](const Triple<double>& v) {
+    Matrix3 m;
+    m << 0, -v.z, v.y, v.z, 0, -v.x, -v.y, v.x, 0;
+    return m;
+  };
+  out.swivel_axis = vector(g.swivel_axis);
+  out.axle = vector(g.axle);
+  out.mount = vector(g.mount);
+  out.wheel_center = vector(g.wheel_center);
+  out.contact = vector(g.contact);
+  out.height = g.height;
+  out.axle_level = vector(g.axle_level);
   out.heading = out.axle_level.cross(Vector3::UnitZ());
 
-  // Inertia: momentum of the caster m v_L and J w_f + I_a theta' a about its centre.
-  const Vector3 rho = fork * center_;
-  const Vector3 r = out.mount + rho;
-  const Matrix3 J = fork * inertia_ * fork.transpose();
-  const double swivel = swivels_ ? 1.0 : 0.0;
-  const Vector3 d = swivel * s.cross(rho);
-  const Vector3 Js = swivel * (J * s);
-  const Vector3 spin_momentum = axial_inertia_ * a;
-
-  out.mass_chassis.topLeftCorner<3, 3>() = mass_ * Matrix3::Identity();
-  Matrix3 rx;
-  rx << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-  out.mass_chassis.topRightCorner<3, 3>() = -mass_ * rx;
-  out.mass_chassis.bottomLeftCorner<3, 3>() = mass_ * rx;
-  out.mass_chassis.bottomRightCorner<3, 3>() = J - mass_ * rx * rx;
-  out.mass_coupling.col(0) << mass_ * d, mass_ * r.cross(d) + Js;
-  out.mass_coupling.col(1) << Vector3::Zero(), spin_momentum;
-  out.mass_joints << (swivels_ ? mass_ * d.squaredNorm() + s.dot(Js) : 1.0),
-      swivel * spin_momentum.dot(s), swivel * spin_momentum.dot(s), axial_inertia_;
-
-  const Vector3 w = chassis_velocity.tail<3>();
-  const double psi = swivel * joint_rates[0], theta = joint_rates[1];
-  const Vector3 w_fork = w + psi * s;
-  const Vector3 s_rate = w.cross(s);
-  const Vector3 r_rate = w.cross(r) + psi * s.cross(rho);
-  const Vector3 linear =
-      mass_ * (w.cross(r_rate) + psi * (s_rate.cross(rho) + s.cross(w_fork.cross(rho))) - gravity);
-  const Vector3 swivel_rate_change = psi * s_rate;
-  const Vector3 angular =
-      J * swivel_rate_change + w_fork.cross(J * w_fork) + theta * w_fork.cross(spin_momentum);
-  out.bias_chassis << linear, r.cross(linear) + angular;
-  out.bias_joints << d.dot(linear) + swivel * s.dot(angular), spin_momentum.dot(swivel_rate_change);
-
-  auto& jc = out.jacobian_chassis;
-  auto& jl = out.jacobian_joints;
-  const Vector3& p = out.contact;
-  const Vector3 swivel_speed = swivel * s.cross(arm + down);
-  const Vector3 axle_speed = a.cross(down);
-  const Vector3& level = out.axle_level;
-  const double rs = tread_.spin_radius();
-  jc << 1, 0, 0, 0, p.z(), -p.y(),  //
-      0, 1, 0, -p.z(), 0, p.x(),    //
-      0, 0, 1, p.y(), -p.x(), 0,    //
-      0, 0, 0, 0, 0, rs,            //
-      0, 0, 0, level.x(), level.y(), level.z();
-  jl.topRows<3>() << swivel_speed, axle_speed;
-  jl.row(3) << swivel * rs * s.z(), rs * a.z();
-  jl.row(4) << swivel * s.dot(out.axle_level), a.dot(out.axle_level);
+  out.mass_chassis << constants_.mass * Matrix3::Identity(), -cross_matrix(g.mass_moment),
+      cross_matrix(g.mass_moment), Matrix3::Zero();
+  out.mass_chassis.bottomRightCorner<3, 3>() << vector(g.inertia.x), vector(g.inertia.y),
+      vector(g.inertia.z);
+  out.mass_coupling << vector(g.coupling_linear), Vector3::Zero(), vector(g.coupling_angular),
+      vector(g.spin_momentum);
+  out.mass_joints << g.joint_inertia, g.joint_coupling, g.joint_coupling, constants_.axial_inertia;
+  out.bias_chassis << vector(g.bias_linear), vector(g.bias_angular);
+  out.bias_joints << g.bias_swivel, g.bias_axle;
+  out.jacobian_chassis << Matrix3::Identity(), -cross_matrix(g.contact),
+      Vector3::Zero().transpose(), Vector3(0, 0, constants_.spin_radius).transpose(),
+      Vector3::Zero().transpose(), out.axle_level.transpose();
+  out.jacobian_joints << vector(g.swivel_speed), vector(g.axle_speed), g.swivel_spin, g.axle_spin,
+      g.swivel_roll, g.axle_roll;
 }
 
 double CasterDynamics::kinetic_energy(const Geometry& g, const Vector6& v,

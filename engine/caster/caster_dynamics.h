@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/base/vector.h"
+#include "engine/caster/caster_geometry.h"
 #include "engine/contact/dry_friction.h"
 #include "engine/contact/tread_law.h"
 #include "engine/scene/equipment_model.h"
@@ -72,7 +73,7 @@ class CasterDynamics {
 
   /// Whether a wheel with this axle lies on its side, more than 60 degrees from upright: it then
   /// has no contact on its tread.
-  static bool lies(const Vector3& axle) { return std::abs(axle.z()) > 0.866; }
+  static bool lies(const Vector3& axle) { return std::abs(axle.z()) > kSineOfLying; }
 
   /// A direction in fork axes.
   Vector3 across(const Pose& pose, double swivel_angle, const Vector3& direction) const {
@@ -100,13 +101,14 @@ class CasterDynamics {
   const DryFriction& swivel_friction() const { return swivel_; }
   double axle_limit() const { return axle_limit_; }
   double swivel_limit() const { return swivel_limit_; }
-  bool swivels() const { return swivels_; }
+  bool swivels() const { return constants_.swivels != 0; }
   /// Whether a free swivel follows the motion at the start: it has a trail to speak of and no lock.
   bool turns_into_motion() const { return turns_into_motion_; }
   bool braked() const { return braked_; }
-  double mass() const { return mass_; }
-  double wheel_radius() const { return radius_; }
-  double wheel_width() const { return width_; }
+  const CasterConstants<double>& constants() const { return constants_; }
+  double mass() const { return constants_.mass; }
+  double wheel_radius() const { return constants_.radius; }
+  double wheel_width() const { return constants_.width; }
   const Vector3& wheel_center() const { return wheel_center_; }  ///< fork axes, from the mount
   double heading() const { return heading_; }
   double swing() const {
@@ -120,12 +122,13 @@ class CasterDynamics {
   TreadLaw tread_;
   DryFriction axle_, swivel_;
   double axle_limit_, swivel_limit_;
-  bool swivels_, braked_, turns_into_motion_;
-  double heading_, radius_, width_, mass_, axial_inertia_, swing_, reach_;
+  bool braked_, turns_into_motion_;
+  double heading_, swing_, reach_;
   Vector3 mount_;         // chassis axes, relative to O
   Vector3 wheel_center_;  // fork axes, relative to the mount
   Vector3 center_;        // of fork and wheel, fork axes, relative to the mount
-  Matrix3 inertia_;  // of fork and wheel about center_, fork axes; wheel counted as not spinning
+  // Of fork and wheel; the inertia is about center_, fork axes, with the wheel as not spinning.
+  CasterConstants<double> constants_;
 };
 
 }  // namespace gurney

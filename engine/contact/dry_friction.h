@@ -1,7 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include "engine/base/lanes.h"
 
 namespace gurney {
 
@@ -13,37 +12,36 @@ namespace gurney {
 /// (return mapping, Simo & Hughes 1998, chapter 1). Below the limit nothing creeps, however long
 /// the load lasts: the joint only winds up by limit / k. The stiffness k is numerical; it is chosen
 /// far above the compliance of the tread, so that the deflection is invisible.
-struct DryFriction {
-  double stiffness = 0;  ///< k > 0 [N m/rad]
-  double viscous = 0;    ///< c >= 0 [N m s/rad]
+template <class T>
+struct DryFrictionOf {
+  T stiffness{};  ///< k > 0 [N m/rad]
+  T viscous{};    ///< c >= 0 [N m s/rad]
 
   struct Result {
-    double torque = 0;       ///< on the joint, along +w [N m]
-    double rate_slope = 0;   ///< -dT/dw >= 0 [N m s/rad]
-    double limit_slope = 0;  ///< dT/dlimit: -1, 0 or 1
-    double deflection = 0;   ///< z at the end of the stage [rad]
-    bool slips = false;
+    T torque{};       ///< on the joint, along +w [N m]
+    T rate_slope{};   ///< -dT/dw >= 0 [N m s/rad]
+    T limit_slope{};  ///< dT/dlimit: -1, 0 or 1
+    T deflection{};   ///< z at the end of the stage [rad]
+    Mask<T> slips{};
   };
 
   /// @param deflection  z at the start of the stage [rad]
   /// @param rate        w at its end [rad/s]
   /// @param limit       largest dry torque, >= 0, may be infinite [N m]
-  Result evaluate(double deflection, double rate, double limit, double tau) const {
+  Result evaluate(const T& deflection, const T& rate, const T& limit, const T& tau) const {
     Result result;
-    const double trial = -stiffness * (deflection + tau * rate);
-    double dry = trial;
-    if (limit > 0 && std::abs(trial) <= limit) {
-      result.rate_slope = stiffness * tau;
-    } else {
-      dry = std::copysign(limit, trial);
-      result.limit_slope = std::copysign(1.0, trial);
-      result.slips = true;
-    }
+    const T trial = -stiffness * (deflection + tau * rate);
+    const Mask<T> sticks = both(limit > T{}, magnitude(trial) <= limit);
+    const T dry = select(sticks, trial, with_sign(limit, trial));
+    result.rate_slope = select(sticks, stiffness * tau, T{}) + viscous;
+    result.limit_slope = select(sticks, T{}, with_sign(same<T>(1), trial));
+    result.slips = none(sticks);
     result.deflection = -dry / stiffness;
     result.torque = dry - viscous * rate;
-    result.rate_slope += viscous;
     return result;
   }
 };
+
+using DryFriction = DryFrictionOf<double>;
 
 }  // namespace gurney

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "engine/base/vector.h"
-#include "engine/contact/dry_friction.h"
+#include "engine/contact/tread_patch.h"
 #include "engine/scene/equipment_model.h"
 
 namespace gurney {
@@ -64,6 +64,7 @@ class TreadLaw {
     double relaxation_power = 0;
     double damping_power = 0;  ///< by c_n and c_t [W]
     double slip_speed = 0;     ///< of the sliding patch, translation only [m/s]
+    double spring_rates = 0;   ///< sum of k x'^2 over the springs of the tread [W/s]
   };
 
   /// Force at rates u; `slope` becomes -df/du.
@@ -72,27 +73,25 @@ class TreadLaw {
   /// New state and powers at the rates that solve the stage, where `force` is the force.
   Result finish(const Stage& stage, const Vector5& u, const Vector5& force) const;
 
-  /// Sum of k x'^2 over the springs of the tread during a finished stage [W/s].
-  double spring_rates(const Stage& stage, const Vector5& u, const Result& result) const;
-
   double static_force(double compression) const {
     return compression > 0 ? tread_.normal_stiffness * compression : 0;
   }
-  double spin_radius() const { return spin_radius_; }
+  double spin_radius() const { return constants_.spin_radius; }
   double tangential_stiffness() const { return tread_.tangential_stiffness; }
 
   /// Elastic energy stored at a compression and state [J].
   double stored_energy(double compression, const TreadState& state) const;
 
+  const TreadConstants<double>& constants() const { return constants_; }
+  double friction(const TreadState& state) const {
+    return state.sliding ? tread_.kinetic_friction : tread_.static_friction;
+  }
+
  private:
-  struct Normal {
-    double force, slope, damping_force;
-  };
-  Normal normal(double compression, double u_z, double tau) const;
+  TreadStage<double> inputs(const Stage& stage) const;
 
   Tread tread_;
-  double spin_radius_;
-  DryFriction roll_;
+  TreadConstants<double> constants_;
 };
 
 }  // namespace gurney

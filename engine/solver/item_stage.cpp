@@ -1,27 +1,18 @@
 #include "engine/solver/item_stage.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "engine/base/units.h"
 
 namespace gurney {
-namespace {
-
-using Matrix58 = Eigen::Matrix<double, 5, 8>;
-using Matrix8 = Eigen::Matrix<double, 8, 8>;
-
-/// a b, the five products of every entry summed in pairs, by columns: eight sums at once.
-Matrix8 product(const ItemStage::Matrix85& a, const Matrix58& b) {
-  Matrix8 result;
-  for (int j = 0; j < 8; ++j)
-    result.col(j) = (a.col(0) * b(0, j) + a.col(2) * b(2, j)) +
-                    (a.col(1) * b(1, j) + a.col(3) * b(3, j)) + a.col(4) * b(4, j);
-  return result;
+ItemStage::ItemStage(const Mechanism& mechanism) : mechanism_(mechanism) {
+  for (std::size_t first = 0; first < mechanism.casters.size(); first += kLanes)
+    casters_.emplace_back(mechanism, first);
+  double mass = mechanism.chassis.mass;
+  for (const CasterDynamics& caster : mechanism.casters) mass += caster.mass();
+  mass_.topLeftCorner<3, 3>() = mass * Matrix3::Identity();
 }
-
-}  // namespace
 
 bool ItemStage::constrained(int dof) const {
   const Guide::Kind kind = mechanism_.fixture.guides[dof].kind;
@@ -42,29 +33,23 @@ void ItemStage::update_geometry(const Input& input, const Velocity& v, bool firs
   const auto& chassis = mechanism_.chassis;
   const Matrix3 inertia = pose_.rotation * chassis.inertia * pose_.rotation.transpose();
   const Vector3 w = v.chassis.tail<3>();
-  mass_.topLeftCorner<3, 3>() = chassis.mass * Matrix3::Identity();
-  mass_.topRightCorner<3, 3>().setZero();
-  mass_.bottomLeftCorner<3, 3>().setZero();
-  mass_.bottomRightCorner<3, 3>() = inertia;
-  bias_ << -chassis.mass * gravity, w.cross(inertia * w);
-
-  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) {
-    const CasterDynamics& caster = mechanism_.casters[i];
-    CasterWork& work = casters_[i];
-    work.kept = false;
-    const double swivel = start.casters[i].swivel_angle + tau * v.joints[i][0];
-    caster.evaluate(pose_, swivel, v.chassis, v.joints[i], gravity, work.g);
-    mass_ += work.g.mass_chassis;
-    bias_ += work.g.bias_chassis;
-    work.jacobian_transposed.topRows<6>() = work.g.jacobian_chassis.transpose();
-    work.jacobian_transposed.bottomRows<2>() = work.g.jacobian_joints.transpose();
-    const Vector5 u = work.g.jacobian_chassis * v.chassis + work.g.jacobian_joints * v.joints[i];
-    work.tread.tau = tau;
-    work.tread.compression = -work.g.height + tau * u[2];
-    work.tread.start = start.casters[i].tread;
-    const bool rolls = first ? start.casters[i].tread.rolling : std::abs(work.slope(4, 4)) == 0;
-    work.tread.rolling_speed = rolls ? caster.wheel_radius() * std::abs(u[4]) : 0;
+  std::array<double, 20> sums{};  // moment of mass, inertia by columns, bias
+  Eigen::Map<Matrix3> inertia_sum(&sums[3]);
+  Eigen::Map<Vector6> bias_sum(&sums[12]);
+  inertia_sum = inertia;
+  bias_sum << -chassis.mass * gravity, w.cross(inertia * w);
+  auto packed = loaded<5>(sums.data());
+  for (CasterLanes& lanes : casters_) {
+    lanes.update_geometry(start, tau, v, pose_, gravity, first);
+    add_lanes(lanes.inertia_and_bias().data(), lanes.count(), packed);
   }
+  store(packed, sums.data());
+  Matrix3 moment;
+  moment << 0, -sums[2], sums[1], sums[2], 0, -sums[0], -sums[1], sums[0], 0;
+  mass_.topRightCorner<3, 3>() = -moment;
+  mass_.bottomLeftCorner<3, 3>() = moment;
+  mass_.bottomRightCorner<3, 3>() = inertia_sum;
+  bias_ = bias_sum;
 }
 
 double ItemStage::geometry_error(const Velocity& v) const {
@@ -77,44 +62,25 @@ double ItemStage::geometry_error(const Velocity& v) const {
 void ItemStage::begin_forces(const Input& input, const Velocity& v) {
   const State& start = *input.start;
   const double tau = input.tau;
-  force_ = -bias_;
   Vector6 chassis_change = v.chassis - start.velocity.chassis;
   if (input.floor.rotates) chassis_change += tau * carried_;
-  momentum_ = mass_ * chassis_change;
-  // Laws first, then sums: a vector read right after it is written makes the processor wait.
-  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) {
-    const CasterDynamics& caster = mechanism_.casters[i];
-    CasterWork& work = casters_[i];
-    const Eigen::Vector2d& rates = v.joints[i];
-    work.rates.noalias() = work.g.jacobian_chassis * v.chassis + work.g.jacobian_joints * rates;
-    work.force = caster.tread().force(work.tread, work.rates, work.slope);
-    work.swivel = caster.swivel_friction().evaluate(start.casters[i].swivel_wind, rates[0],
-                                                    caster.swivel_limit(), tau);
-    work.axle = caster.axle_friction().evaluate(start.casters[i].axle_wind, rates[1],
-                                                caster.axle_limit(), tau);
-  }
-  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) {
-    CasterWork& work = casters_[i];
-    force_.noalias() += work.g.jacobian_chassis.transpose() * work.force;
-    const Eigen::Vector2d change = v.joints[i] - start.velocity.joints[i];
-    momentum_.noalias() += work.g.mass_coupling * change;
-    const Eigen::Vector2d momentum = work.g.mass_joints * change;
-    const double torques[2] = {mechanism_.casters[i].swivels() ? work.swivel.torque : 0.0,
-                               work.axle.torque};
-    for (int k = 0; k < 2; ++k) {
-      const double joint_force =
-          work.g.jacobian_joints.col(k).dot(work.force) - work.g.bias_joints[k] + torques[k];
-      work.joint_residual[k] =
-          work.g.mass_coupling.col(k).dot(chassis_change) + momentum[k] - tau * joint_force;
-    }
-  }
+  std::array<double, 12> sums;
+  Eigen::Map<Vector6> force(&sums[0]), momentum(&sums[6]);
+  force = -bias_;
+  momentum = mass_ * chassis_change;
+  auto packed = loaded<3>(sums.data());
+  for (CasterLanes& lanes : casters_)
+    add_lanes(lanes.evaluate_forces(start, tau, v, chassis_change).data(), lanes.count(), packed);
+  store(packed, sums.data());
+  force_ = force;
+  momentum_ = momentum;
 }
 
 void ItemStage::add_contact_force(int caster, const Matrix36& chassis, const Matrix32& joints,
                                   const Vector3& force) {
   force_.noalias() += chassis.transpose() * force;
   if (caster >= 0)
-    casters_[static_cast<std::size_t>(caster)].joint_residual -= tau_ * joints.transpose() * force;
+    lanes_of(caster).add_joint_residual(lane_of(caster), -tau_ * joints.transpose() * force);
 }
 
 double ItemStage::end_forces(const Input& input, const Velocity& v) {
@@ -133,59 +99,44 @@ double ItemStage::end_forces(const Input& input, const Velocity& v) {
         mechanism_.total_mass * (v.chassis[dof] - mechanism_.fixture.guides[dof].velocity);
   }
   double joints = 0;
-  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i)
-    joints = std::max(joints, casters_[i].joint_residual.cwiseAbs().maxCoeff() /
-                                  mechanism_.casters[i].wheel_radius());
+  for (const CasterLanes& lanes : casters_)
+    joints = std::max(joints, lanes.largest_joint_residual());
   const double scale = 1 / (mechanism_.total_mass * kStandardGravity * tau);
   return scale * std::max({residual_.head<3>().cwiseAbs().maxCoeff(),
                            residual_.tail<3>().cwiseAbs().maxCoeff() / mechanism_.length, joints});
 }
 
 void ItemStage::begin_matrix() {
-  matrix_ = mass_;
-  // All slopes first: a matrix read right after it is written makes the processor wait.
-  std::array<Matrix5, kMaxCasters> slopes;
-  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) slopes[i] = tau_ * casters_[i].slope;
-  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) {
-    const CasterDynamics& caster = mechanism_.casters[i];
-    CasterWork& work = casters_[i];
-    const Matrix5& slope = slopes[i];
-    Matrix58 forces;
-    forces.leftCols<3>() = slope.leftCols<3>();  // the contact point moves with the chassis
-    forces.middleCols<3>(3).noalias() = slope * work.g.jacobian_chassis.rightCols<3>();
-    forces.rightCols<2>().noalias() = slope * work.g.jacobian_joints;
-    const Matrix8 added = product(work.jacobian_transposed, forces);
-    matrix_ += added.topLeftCorner<6, 6>();
-    work.k_chassis_joints = work.g.mass_coupling + added.topRightCorner<6, 2>();
-    work.k_joints_chassis = work.g.mass_coupling.transpose() + added.bottomLeftCorner<2, 6>();
-    work.k_joints = work.g.mass_joints + added.bottomRightCorner<2, 2>();
-    if (caster.swivels()) work.k_joints(0, 0) += tau_ * work.swivel.rate_slope;
-    work.k_joints(1, 1) += tau_ * work.axle.rate_slope;
-  }
+  auto sums = loaded<9>(mass_.data());
+  for (CasterLanes& lanes : casters_) add_lanes(lanes.matrix(tau_).data(), lanes.count(), sums);
+  store(sums, matrix_.data());
 }
 
 void ItemStage::add_contact_slope(int caster, const Matrix36& chassis, const Matrix32& joints,
                                   const Matrix3& slope) {
   matrix_ += chassis.transpose() * slope * chassis;
   if (caster < 0) return;
-  CasterWork& owner = casters_[static_cast<std::size_t>(caster)];
-  owner.k_chassis_joints += chassis.transpose() * slope * joints;
-  owner.k_joints_chassis += joints.transpose() * slope * chassis;
-  owner.k_joints += joints.transpose() * slope * joints;
+  lanes_of(caster).add_slopes(lane_of(caster), chassis.transpose() * slope * joints,
+                              joints.transpose() * slope * chassis,
+                              joints.transpose() * slope * joints);
 }
 
 void ItemStage::eliminate() {
   right_side_ = -residual_;
   for (const auto& row : load_rows_)
     if (row.slope != 0) matrix_ += tau_ * row.slope * row.direction * row.direction.transpose();
-  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) {
-    CasterWork& work = casters_[i];
-    if (work.kept) continue;
-    work.k_inverse = work.k_joints.inverse();
-    const Eigen::Matrix<double, 6, 2> eliminated = work.k_chassis_joints * work.k_inverse;
-    matrix_.noalias() -= eliminated * work.k_joints_chassis;
-    right_side_.noalias() += eliminated * work.joint_residual;
+  std::array<double, 8> side{};
+  Eigen::Map<Vector6>(side.data()) = right_side_;
+  auto matrix = loaded<9>(matrix_.data());
+  auto right_side = loaded<2>(side.data());
+  for (CasterLanes& lanes : casters_) {
+    const CasterLanes::Elimination taken = lanes.eliminate();
+    add_lanes(taken.matrix.data(), lanes.count(), matrix);
+    add_lanes(taken.right_side.data(), lanes.count(), right_side);
   }
+  store(matrix, matrix_.data());
+  store(right_side, side.data());
+  right_side_ = Eigen::Map<Vector6>(side.data());
   for (int dof = 0; dof < 6; ++dof) {
     if (!constrained(dof)) continue;
     matrix_.row(dof).setZero();
@@ -196,11 +147,7 @@ void ItemStage::eliminate() {
 
 void ItemStage::apply(const Vector6& step, Velocity& v) const {
   v.chassis += step;
-  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) {
-    const CasterWork& work = casters_[i];
-    if (work.kept) continue;
-    v.joints[i] -= work.k_inverse * (work.joint_residual + work.k_joints_chassis * step);
-  }
+  for (const CasterLanes& lanes : casters_) lanes.apply(step, v);
 }
 
 }  // namespace gurney

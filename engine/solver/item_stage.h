@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "engine/solver/caster_lanes.h"
 #include "engine/solver/floor_stage.h"
 #include "engine/solver/mechanism.h"
 
@@ -20,7 +21,6 @@ class ItemStage {
  public:
   using Matrix36 = Eigen::Matrix<double, 3, 6>;
   using Matrix32 = Eigen::Matrix<double, 3, 2>;
-  using Matrix85 = Eigen::Matrix<double, 8, 5>;
 
   struct Input {
     const State* start = nullptr;  ///< pose, velocity and memory the stage starts from
@@ -39,7 +39,7 @@ class ItemStage {
     std::array<Vector2, kMaxCasters> heading;
   };
 
-  explicit ItemStage(const Mechanism& mechanism) : mechanism_(mechanism) {}
+  explicit ItemStage(const Mechanism& mechanism);
 
   /// Moves the geometry (M, J, bias) to the end of the stage that `v` leads to.
   void update_geometry(const Input& input, const Velocity& v, bool first);
@@ -55,7 +55,7 @@ class ItemStage {
 
   /// K at the last v: begin, add every contact, then eliminate the joints of casters not kept.
   void begin_matrix();
-  void keep(int caster) { casters_[static_cast<std::size_t>(caster)].kept = true; }
+  void keep(int caster) { lanes_of(caster).keep(lane_of(caster)); }
   void add_contact_slope(int caster, const Matrix36& chassis, const Matrix32& joints,
                          const Matrix3& slope);
   void eliminate();
@@ -65,39 +65,31 @@ class ItemStage {
 
   void finish(const Input& input, const Velocity& v, State& end, Output& out) const;
 
-  struct CasterWork {
-    CasterDynamics::Geometry g;
-    Matrix85 jacobian_transposed;  ///< of the chassis and the joints
-    TreadLaw::Stage tread;
-    Vector5 rates;
-    Vector5 force;
-    Matrix5 slope;
-    DryFriction::Result swivel, axle;
-    bool kept = false;
-    Eigen::Vector2d joint_residual;
-    Matrix2 k_joints, k_inverse;
-    Eigen::Matrix<double, 6, 2> k_chassis_joints;
-    Eigen::Matrix<double, 2, 6> k_joints_chassis;
-  };
   const Mechanism& mechanism() const { return mechanism_; }
   const Pose& pose() const { return pose_; }
-  const CasterWork& caster(int i) const { return casters_[static_cast<std::size_t>(i)]; }
+  bool kept(int caster) const { return lanes_of(caster).kept(lane_of(caster)); }
+  /// The lanes of a caster, and which of them is its.
+  const CasterLanes& lanes_of(int caster) const {
+    return casters_[static_cast<std::size_t>(caster) / kLanes];
+  }
+  static std::size_t lane_of(int caster) { return static_cast<std::size_t>(caster) % kLanes; }
   /// After eliminate(): of the chassis, K and the negative residual.
   const Matrix6& matrix() const { return matrix_; }
   const Vector6& right_side() const { return right_side_; }
   bool constrained(int dof) const;
 
  private:
+  CasterLanes& lanes_of(int caster) { return casters_[static_cast<std::size_t>(caster) / kLanes]; }
   /// Of the chassis and what it carries, linear and about its centre.
   Vector6 all_momentum(const Velocity& v) const;
 
   const Mechanism& mechanism_;
-  std::array<CasterWork, kMaxCasters> casters_;
+  std::vector<CasterLanes> casters_;
   std::vector<Loads::Row> load_rows_;
   double tau_ = 0;
   Pose pose_;           // predicted end of the stage
   Velocity predicted_;  // the velocity that leads there
-  Matrix6 mass_, matrix_;
+  Matrix6 mass_ = Matrix6::Zero(), matrix_;
   Vector6 carried_;  // acceleration that a rotating floor gives the chassis
   Vector6 bias_, momentum_, force_, residual_, right_side_;
   std::array<double, 6> reaction_{};  // of guides, impulse

@@ -6,8 +6,11 @@ namespace gurney {
 
 Vector6 ItemStage::all_momentum(const Velocity& v) const {
   Vector6 momentum = mass_ * v.chassis;
-  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i)
-    momentum += casters_[i].g.mass_coupling * v.joints[i];
+  for (const CasterLanes& lanes : casters_) {
+    const CasterLanes::Six joints = lanes.joint_momentum(v);
+    for (std::size_t k = 0; k < lanes.count(); ++k)
+      for (std::size_t i = 0; i < 6; ++i) momentum[static_cast<int>(i)] += joints[i][k];
+  }
   return momentum;
 }
 
@@ -25,44 +28,11 @@ void ItemStage::finish(const Input& input, const Velocity& v, State& end, Output
   const Vector6& a = out.acceleration.chassis;
   double rates = a.dot(mass_ * a);
   Vector3 momentum = mechanism_.chassis.mass * v.chassis.head<3>();
-  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) {
-    const CasterDynamics& caster = mechanism_.casters[i];
-    const CasterWork& work = casters_[i];
-    const CasterState& was = start.casters[i];
-    CasterState& is = end.casters[i];
-    const Eigen::Vector2d& q = v.joints[i];
-    out.acceleration.joints[i] = (q - start.velocity.joints[i]) / tau;
-    const Eigen::Vector2d& b = out.acceleration.joints[i];
-    rates += 2 * a.dot(work.g.mass_coupling * b) + b.dot(work.g.mass_joints * b);
-    momentum +=
-        work.g.mass_chassis.topRows<3>() * v.chassis + work.g.mass_coupling.topRows<3>() * q;
-
-    is.swivel_angle = was.swivel_angle + tau * q[0];
-    is.axle_angle = was.axle_angle + tau * q[1];
-    out.treads[i] = caster.tread().finish(work.tread, work.rates, work.force);
-    const TreadLaw::Result& tread = out.treads[i];
-    is.tread = tread.end;
-    is.swivel_wind = work.swivel.deflection;
-    is.axle_wind = work.axle.deflection;
-    out.axle_slips[i] = work.axle.slips;
-    out.heading[i] = work.g.heading.head<2>();
-
-    power.rolling_loss += tread.rolling_power;
-    power.sliding_loss += tread.sliding_power;
-    power.relaxation_loss += tread.relaxation_power;
-    power.tread_loss += tread.damping_power;
-    const double swivel_wind_rate = (is.swivel_wind - was.swivel_wind) / tau;
-    const double axle_wind_rate = (is.axle_wind - was.axle_wind) / tau;
-    const double swivel_dry = -caster.swivel_friction().stiffness * is.swivel_wind;
-    const double axle_dry = -caster.axle_friction().stiffness * is.axle_wind;
-    if (caster.swivels())
-      power.swivel_loss +=
-          caster.swivel_friction().viscous * q[0] * q[0] - swivel_dry * (q[0] - swivel_wind_rate);
-    power.axle_loss +=
-        caster.axle_friction().viscous * q[1] * q[1] - axle_dry * (q[1] - axle_wind_rate);
-    rates += caster.swivel_friction().stiffness * swivel_wind_rate * swivel_wind_rate +
-             caster.axle_friction().stiffness * axle_wind_rate * axle_wind_rate +
-             caster.tread().spring_rates(work.tread, work.rates, tread);
+  for (const CasterLanes& lanes : casters_) {
+    const std::size_t i = lanes.first();
+    lanes.finish(start, tau, v, a, end,
+                 {&out.treads[i], &out.axle_slips[i], &out.heading[i], &out.acceleration.joints[i]},
+                 {power, rates, momentum});
   }
   power.work_of_floor = -input.floor.acceleration.dot(momentum);
   if (input.floor.rotates) power.work_of_floor -= carried_.dot(all_momentum(v));

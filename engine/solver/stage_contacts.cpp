@@ -12,12 +12,14 @@ void StageSolver::place(const Input& input, const std::vector<Velocity>& v, cons
   } else {
     const auto i = static_cast<std::size_t>(at.caster);
     const CasterDynamics& caster = item.mechanism().casters[i];
-    const CasterDynamics::Geometry& g = item.caster(at.caster).g;
+    const CasterLanes& lanes = item.lanes_of(at.caster);
+    const std::size_t lane = ItemStage::lane_of(at.caster);
     const double swivel =
         input.start->items[at.item].casters[i].swivel_angle + input.tau * v[at.item].joints[i][0];
     side.point = point_of(caster, item.pose(), swivel, at);
-    if (caster.swivels()) side.joints.col(0) = frame * g.swivel_axis.cross(side.point - g.mount);
-    side.joints.col(1) = frame * g.axle.cross(side.point - g.wheel_center);
+    if (caster.swivels())
+      side.joints.col(0) = frame * lanes.swivel_axis(lane).cross(side.point - lanes.mount(lane));
+    side.joints.col(1) = frame * lanes.axle(lane).cross(side.point - lanes.wheel_center(lane));
     side.joints(2, 1) = 0;  // a wheel that spins comes no nearer
   }
   side.chassis.leftCols<3>() = frame;

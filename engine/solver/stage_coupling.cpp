@@ -21,7 +21,7 @@ void StageSolver::coupled_step(const Island& island, double tau, std::vector<Vel
     places[i].chassis = size;
     size += 6;
     for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j) {
-      if (!items_[i].caster(static_cast<int>(j)).kept) continue;
+      if (!items_[i].kept(static_cast<int>(j))) continue;
       places[i].joints[j] = size;
       size += 2;
     }
@@ -34,13 +34,14 @@ void StageSolver::coupled_step(const Island& island, double tau, std::vector<Vel
     K.block<6, 6>(at, at) = item.matrix();
     right_side.segment<6>(at) = item.right_side();
     for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j) {
-      const ItemStage::CasterWork& caster = item.caster(static_cast<int>(j));
-      if (!caster.kept) continue;
+      if (!item.kept(static_cast<int>(j))) continue;
+      const CasterLanes& lanes = item.lanes_of(static_cast<int>(j));
+      const std::size_t lane = ItemStage::lane_of(static_cast<int>(j));
       const Eigen::Index joint = places[i].joints[j];
-      K.block<2, 2>(joint, joint) = caster.k_joints;
-      K.block<6, 2>(at, joint) = caster.k_chassis_joints;
-      K.block<2, 6>(joint, at) = caster.k_joints_chassis;
-      right_side.segment<2>(joint) = -caster.joint_residual;
+      K.block<2, 2>(joint, joint) = lanes.joints(lane);
+      K.block<6, 2>(at, joint) = lanes.chassis_joints(lane);
+      K.block<2, 6>(joint, at) = lanes.joints_chassis(lane);
+      right_side.segment<2>(joint) = -lanes.joint_residual(lane);
     }
   }
   for (const ContactWork& work : contacts_) {
@@ -75,7 +76,7 @@ void StageSolver::coupled_step(const Island& island, double tau, std::vector<Vel
   for (std::size_t i : island.items) {
     items_[i].apply(step.segment<6>(places[i].chassis), v[i]);
     for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j)
-      if (items_[i].caster(static_cast<int>(j)).kept)
+      if (items_[i].kept(static_cast<int>(j)))
         v[i].joints[j] += step.segment<2>(places[i].joints[j]);
   }
 }

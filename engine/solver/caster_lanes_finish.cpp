@@ -1,0 +1,103 @@
+#include "engine/solver/caster_lanes.h"
+
+// What a finished stage did to the casters.
+namespace gurney {
+namespace {
+
+struct Joint {
+  Lanes rate, wind, end;  ///< wind: at the start of the stage, end: at its end [rad]
+};
+
+/// Power that dry and viscous friction take (W), and k z'^2 (W/s).
+struct JointOutcome {
+  Lanes loss, spring_rates;
+};
+
+JointOutcome outcome_of(const DryFrictionOf<Lanes>& friction, const Joint& joint,
+                        const Lanes& tau) {
+  const Lanes wind_rate = (joint.end - joint.wind) / tau;
+  const Lanes dry = -friction.stiffness * joint.end;
+  return {friction.viscous * joint.rate * joint.rate - dry * (joint.rate - wind_rate),
+          friction.stiffness * wind_rate * wind_rate};
+}
+
+void add(const Lanes& values, std::size_t count, double& sum) {
+  for (std::size_t k = 0; k < count; ++k) sum += values[k];
+}
+
+}  // namespace
+
+void CasterLanes::finish(const State& start, double length, const Velocity& v,
+                         const Vector6& acceleration, State& end, const Outputs& out,
+                         const Sums& sums) const {
+  const CasterGeometry<Lanes>& g = geometry_;
+  const Lanes tau = same<Lanes>(length);
+  const TreadRates<Lanes> u{
+      {rates_.velocity.x, rates_.velocity.y, rates_.spin}, rates_.velocity.z, rates_.roll};
+  const TreadOutcome<Lanes> tread = tread_outcome(tread_, stage_, u, force_);
+  const Lanes swivel_rate = joint_rates(v, 0), axle_rate = joint_rates(v, 1);
+  const Lanes b0 = (swivel_rate - joint_rates(start.velocity, 0)) / tau;
+  const Lanes b1 = (axle_rate - joint_rates(start.velocity, 1)) / tau;
+
+  // a' M a of the joints, and 2 a' M b.
+  const Six coupled = coupled_momentum(b0, b1);
+  const auto part = [&](std::size_t i) { return acceleration[static_cast<int>(i)] * coupled[i]; };
+  const Lanes along = (part(0) + (part(2) + part(4))) + (part(1) + (part(3) + part(5)));
+  const Lanes joint0 = madd(g.joint_coupling, b1, g.joint_inertia * b0);
+  const Lanes joint1 = madd(body_.axial_inertia, b1, g.joint_coupling * b0);
+  const Lanes inertial_rates = 2.0 * along + (b0 * joint0 + b1 * joint1);
+
+  const JointOutcome swivel =
+      outcome_of(swivel_, {swivel_rate, swivel_wind_, swivel_friction_.deflection}, tau);
+  const JointOutcome axle =
+      outcome_of(axle_, {axle_rate, axle_wind_, axle_friction_.deflection}, tau);
+  const Lanes spring_rates = swivel.spring_rates + axle.spring_rates + tread.spring_rates;
+
+  // Momentum: of the chassis' motion, then of the joints.
+  const Vector6& V = v.chassis;
+  const Triple<Lanes>& m = g.mass_moment;
+  const Triple<Lanes> carried = {
+      madd(-m.y, same<Lanes>(V[5]), madd(m.z, same<Lanes>(V[4]), body_.mass * V[0])),
+      madd(m.x, same<Lanes>(V[5]), madd(-m.z, same<Lanes>(V[3]), body_.mass * V[1])),
+      body_.mass * V[2] + (m.y * V[3] + -m.x * V[4])};
+  const Triple<Lanes> momentum = carried + swivel_rate * g.coupling_linear;
+
+  for (std::size_t k = 0; k < count_; ++k) {
+    sums.spring_rates += inertial_rates[k];
+    sums.spring_rates += spring_rates[k];
+    sums.momentum += of_lane(momentum, k);
+    const std::size_t i = first_ + k;
+    const CasterState& was = start.casters[i];
+    CasterState& is = end.casters[i];
+    is.swivel_angle = was.swivel_angle + length * swivel_rate[k];
+    is.axle_angle = was.axle_angle + length * axle_rate[k];
+    is.tread = {of_lane(tread.deflection, k), tread.roll_deflection[k], tread.slides[k] != 0,
+                tread.rolls[k] != 0};
+    is.swivel_wind = swivel_friction_.deflection[k];
+    is.axle_wind = axle_friction_.deflection[k];
+    TreadLaw::Result& result = out.treads[k];
+    result.force << force_.patch.x[k], force_.patch.y[k], force_.normal[k], force_.patch.z[k],
+        force_.roll[k];
+    result.end = is.tread;
+    result.compression = tread.compression[k];
+    result.compression_rate = tread.compression_rate[k];
+    result.sliding_power = tread.sliding_power[k];
+    result.rolling_power = tread.rolling_power[k];
+    result.relaxation_power = tread.relaxation_power[k];
+    result.damping_power = tread.damping_power[k];
+    result.slip_speed = tread.slip_speed[k];
+    result.spring_rates = tread.spring_rates[k];
+    out.axle_slips[k] = axle_friction_.slips[k] != 0;
+    out.heading[k] = of_lane(g.axle_level, k).cross(Vector3::UnitZ()).head<2>();
+    out.accelerations[k] = {b0[k], b1[k]};
+  }
+  EnergyAccount& power = sums.power;
+  add(tread.rolling_power, count_, power.rolling_loss);
+  add(tread.sliding_power, count_, power.sliding_loss);
+  add(tread.relaxation_power, count_, power.relaxation_loss);
+  add(tread.damping_power, count_, power.tread_loss);
+  add(select(body_.swivels > Lanes{}, swivel.loss, Lanes{}), count_, power.swivel_loss);
+  add(axle.loss, count_, power.axle_loss);
+}
+
+}  // namespace gurney
