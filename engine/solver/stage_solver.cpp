@@ -1,10 +1,10 @@
 #include "engine/solver/stage_solver.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "engine/base/units.h"
+#include "engine/solver/solve6.h"
 
 namespace gurney {
 namespace {
@@ -72,7 +72,7 @@ void StageSolver::newton_step(const Input& input, std::vector<Velocity>& v) {
   if (input.island->items.size() > 1) return coupled_step(*input.island, input.tau, v);
   const std::size_t only = input.island->items.front();
   const ItemStage& item = items_[only];
-  item.apply(item.matrix().partialPivLu().solve(item.right_side()), v[only]);
+  item.apply(solve6(item.matrix(), item.right_side()), v[only]);
 }
 
 double StageSolver::geometry_error(const Island& island, const std::vector<Velocity>& v) const {
