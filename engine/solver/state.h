@@ -54,9 +54,10 @@ struct SceneState {
 /// Rotation by the vector `angle` (axis times angle), after `rotation`.
 inline Quaternion rotated(const Vector3& angle, const Quaternion& rotation) {
   const double half = 0.5 * angle.norm();
-  const double sinc = half > 1e-8 ? std::sin(half) / half : 1 - half * half / 6;
+  const double sine = std::sin(half), cosine = std::cos(half);  // one call for both
+  const double sinc = half > 1e-8 ? sine / half : 1 - half * half / 6;
   const Vector3 v = 0.5 * sinc * angle;
-  Quaternion result = Quaternion(std::cos(half), v.x(), v.y(), v.z()) * rotation;
+  Quaternion result = Quaternion(cosine, v.x(), v.y(), v.z()) * rotation;
   result.normalize();
   return result;
 }
