@@ -1,5 +1,6 @@
 #include "engine/baselines/stock_baseline.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -34,16 +35,24 @@ bool is_free(const Fixture& fixture) {
   return true;
 }
 
+bool of_boxes(const std::vector<RoomShape>& room) {
+  return std::ranges::all_of(
+      room, [](const RoomShape& shape) { return std::holds_alternative<RoomBox>(shape.shape); });
+}
+
 }  // namespace
 
 Response simulate_on_stock_bullet(const Scene& scene, const FloorMotion& floor,
                                   const SimulationSettings& settings) {
   validate(scene);
   validate(settings);
-  require(scene.room.empty() && scene.tethers.empty() && scene.zones.empty() &&
-              scene.items.size() == 1 && !scene.items[0].model.casters.empty(),
-          "the stock Bullet baselines know one item on casters and no room; use solver = "
-          "\"implicit\" for this job");
+  const bool paper =
+      settings.solver == Solver::kBulletPaper || settings.solver == Solver::kBulletPaperDantzig;
+  require((scene.room.empty() || (!paper && of_boxes(scene.room))) && scene.tethers.empty() &&
+              scene.zones.empty() && scene.items.size() == 1 &&
+              !scene.items[0].model.casters.empty(),
+          "the stock Bullet baselines know one item on casters, no tethers and zones, and of rooms "
+          "boxes only (the paper's model none); use solver = \"implicit\" for this job");
   const PlacedItem& item = scene.items.front();
   require(is_free(item.fixture) && loads_of<DropWeight>(item.loads).empty() &&
               loads_of<Blocks>(item.loads).empty(),
@@ -60,8 +69,6 @@ Response simulate_on_stock_bullet(const Scene& scene, const FloorMotion& floor,
   mechanism.set_in_motion(item.initial, state);
   Recorder recorder(scene, assembly, 0, scene_state);
   RunClock clock(floor, mechanism.loads.breakpoints(), settings);
-  const bool paper =
-      settings.solver == Solver::kBulletPaper || settings.solver == Solver::kBulletPaperDantzig;
   const std::unique_ptr<StockModel> world =
       paper ? make_paper_model(scene, mechanism, settings.solver == Solver::kBulletPaperDantzig)
             : make_stock_multibody(scene, mechanism, settings.solver);

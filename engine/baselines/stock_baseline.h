@@ -13,10 +13,14 @@ namespace gurney::baselines {
 /// The floor's acceleration is the exact mean of each step in gravity. What differs is the item:
 /// stock_multibody.h of `bullet` and `bullet-dantzig`, paper_model.h of the others.
 ///
+/// Boxes of a room (`bullet` and `bullet-dantzig`): the chassis touches them, with the restitution
+/// and friction of its materials; wheels do not, and impacts are not listed.
+///
 /// Limits: rigid treads (no compliance, damping or scrub); no energy balance beyond kinetic and
 /// gravitational energy.
-/// @throws Error for drop weights, blocks, fixtures and a floor that rotates, which it does not
-///         know; the paper's model for brakes and locks too.
+/// @throws Error for drop weights, blocks, fixtures, tethers, zones, other shapes of a room and a
+///         floor that rotates, which it does not know; the paper's model for brakes, locks and any
+///         room too.
 Response simulate_on_stock_bullet(const Scene& scene, const FloorMotion& floor,
                                   const SimulationSettings& settings);
 

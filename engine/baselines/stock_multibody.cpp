@@ -3,6 +3,7 @@
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
@@ -19,6 +20,7 @@ namespace gurney::baselines {
 namespace {
 
 constexpr double kUnlimitedTorque = 1e6;  // [N m]
+constexpr double kLeastRebound = 0.01;    // as of our impacts (docs/theory/impact.md) [m/s]
 
 class StockMultibody : public StockModel {
  public:
@@ -54,10 +56,12 @@ class StockMultibody : public StockModel {
       normal_.push_back(mechanism.total_mass * -mechanism.gravity.z() /
                         static_cast<double>(mechanism.casters.size()));
     }
+    if (!scene.room.empty()) add_room(scene);
   }
 
   ~StockMultibody() override {
     for (auto& motor : motors_) world_.removeMultiBodyConstraint(motor.get());
+    for (auto& wall : walls_) world_.removeCollisionObject(wall.get());
     world_.removeCollisionObject(&floor_);
   }
 
@@ -93,6 +97,29 @@ class StockMultibody : public StockModel {
   }
 
  private:
+  /// Bullet multiplies frictions and restitutions of two bodies: those of the pair are left.
+  void add_room(const Scene& scene) {
+    world_.getSolverInfo().m_restitutionVelocityThreshold = kLeastRebound;
+    btMultiBodyLinkCollider* const chassis = item_.body().getBaseCollider();
+    chassis->setRestitution(1);
+    world_.removeCollisionObject(chassis);
+    world_.addCollisionObject(chassis, MultibodyItem::kChassis,
+                              MultibodyItem::kFloor | MultibodyItem::kRoom);
+    for (const RoomShape& shape : scene.room) {
+      const ContactConstants pair =
+          contact_constants(scene, scene.items[0].model.material, shape.material);
+      wall_shapes_.push_back(std::make_unique<btBoxShape>(
+          to_bullet(Vector3(0.5 * std::get<RoomBox>(shape.shape).size))));
+      walls_.push_back(std::make_unique<btCollisionObject>());
+      walls_.back()->setCollisionShape(wall_shapes_.back().get());
+      walls_.back()->setWorldTransform(
+          btTransform(to_bullet(shape.rotation), to_bullet(shape.position)));
+      walls_.back()->setFriction(pair.friction / chassis->getFriction());
+      walls_.back()->setRestitution(pair.restitution);
+      world_.addCollisionObject(walls_.back().get(), MultibodyItem::kRoom, MultibodyItem::kChassis);
+    }
+  }
+
   void read_normal_forces(double duration) {
     std::fill(normal_.begin(), normal_.end(), 0.0);
     for (int m = 0; m < dispatcher_.getNumManifolds(); ++m) {
@@ -120,6 +147,8 @@ class StockMultibody : public StockModel {
   std::vector<std::unique_ptr<btMultiBodyJointMotor>> motors_;
   std::vector<btMultiBodyJointMotor*> axles_, swivels_;
   std::vector<double> resistance_, normal_;
+  std::vector<std::unique_ptr<btBoxShape>> wall_shapes_;
+  std::vector<std::unique_ptr<btCollisionObject>> walls_;
 };
 
 }  // namespace

@@ -7,8 +7,22 @@
 /// An item on engines that share nothing with ours: docs/theory/peers.md.
 namespace gurney::peers {
 
-/// The item's origin in plan and its yaw at equal times, the start included [m], [m], [rad].
-using Path = std::vector<Vector3>;
+/// The item at one time.
+struct Snapshot {
+  Vector3 place = Vector3::Zero();  ///< its origin in plan and its yaw [m], [m], [rad]
+  double tilt = 0;                  ///< of its z axis from the vertical [rad]
+};
+
+/// At equal times, the start included, until the item overturns (tilt of 60 degrees).
+using Path = std::vector<Snapshot>;
+inline constexpr double kOverturned = 1.0471975511965976;
+Snapshot snapshot(const Vector3& origin, const Matrix3& rotation);
+
+/// A rigid wall that the chassis alone touches: points with normal . p >= offset are free.
+struct Wall {
+  Vector3 normal;
+  double offset;
+};
 
 /// The input of both engines: rolling resistance is Coulomb friction of the axle with the limit
 /// Cr N, N that of the step before; a wheel is a sphere of its radius, which touches where a thin
@@ -17,8 +31,13 @@ struct CrossCheck {
   Scene scene;        ///< one item on casters; treads act as rigid, no scrub, mu_s = mu_k
   FloorMotion floor;  ///< acts as gravity that changes, with its exact mean over each step
   double duration = 0;
-  double sampling = 0;  ///< [s]; a whole number of steps
+  double sampling = 0;           ///< [s]; a whole number of steps
+  std::vector<Wall> walls = {};  ///< the same as boxes in scene.room, of its default constants
 };
+
+/// Defaults of the engine with the solver that its manual names first; the most accurate set-up that
+/// was found (docs/performance.md); of MuJoCo also stiff contacts with all else by default.
+enum class Setup { kDefaults, kStiff, kBest };
 
 /// Most that holds an axle or a swivel axis in both engines [N m]: Cr N, or a lock.
 inline constexpr double kLocked = 1e5;
@@ -28,10 +47,11 @@ inline double axle_friction(const Caster& caster, double load) {
 inline double swivel_friction(const Caster& caster) { return caster.swivels ? 0 : kLocked; }
 
 /// MuJoCo: generalised coordinates, soft convex contacts as stiff as the step allows, elliptic
-/// friction cones, Newton's method.
-Path mujoco_path(const CrossCheck& check, double time_step);
+/// friction cones, Newton's method. Defaults: contacts of 20 ms, friction pyramids.
+Path mujoco_path(const CrossCheck& check, double time_step, Setup setup);
 
-/// ODE: bodies and hinges, Dantzig's solver, friction pyramids along and across each caster.
-Path ode_path(const CrossCheck& check, double time_step);
+/// ODE: bodies and hinges, Dantzig's solver, friction pyramids along and across each caster. Defaults:
+/// QuickStep, rigid contacts.
+Path ode_path(const CrossCheck& check, double time_step, Setup setup);
 
 }  // namespace gurney::peers

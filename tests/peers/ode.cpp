@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/base/units.h"
 #include "tests/peers/cross_check.h"
@@ -22,17 +23,30 @@ struct Wheel {
 /// The world of one run.
 class OdeTrolley {
  public:
-  explicit OdeTrolley(const EquipmentModel& item) {
+  OdeTrolley(const CrossCheck& check, double time_step, Setup setup)
+      : best_(setup == Setup::kBest), wall_(wall_contact(check, time_step)) {
+    const EquipmentModel& item = check.scene.items[0].model;
     dInitODE2(0);
     world_ = dWorldCreate();
     space_ = dSimpleSpaceCreate(nullptr);
     contacts_ = dJointGroupCreate(0);
     floor_ = dCreatePlane(space_, 0, 0, 1, 0);
-    dWorldSetCFM(world_, 1e-10);
-    dWorldSetERP(world_, 0.2);
+    if (best_) {
+      dWorldSetCFM(world_, 1e-10);
+      dWorldSetERP(world_, 0.2);
+    }
     const MassProperties chassis = chassis_with_payloads(item);
     center_ = chassis.center_of_mass;
     chassis_ = body(chassis.mass, center_, chassis.inertia);
+    for (const Wall& wall : check.walls)
+      walls_.push_back(
+          dCreatePlane(nullptr, wall.normal.x(), wall.normal.y(), wall.normal.z(), wall.offset));
+    for (const Box& box : item.shape) {
+      boxes_.push_back(dCreateBox(nullptr, box.size.x(), box.size.y(), box.size.z()));
+      dGeomSetBody(boxes_.back(), chassis_);
+      const Vector3 at = box.center - center_;
+      dGeomSetOffsetPosition(boxes_.back(), at.x(), at.y(), at.z());
+    }
     const double share = whole_item(item).mass / static_cast<double>(item.casters.size());
     for (const Caster& c : item.casters) {
       Wheel wheel{};
@@ -60,6 +74,8 @@ class OdeTrolley {
   OdeTrolley& operator=(const OdeTrolley&) = delete;
   ~OdeTrolley() {
     dJointGroupDestroy(contacts_);
+    for (const dGeomID geom : walls_) dGeomDestroy(geom);
+    for (const dGeomID geom : boxes_) dGeomDestroy(geom);
     dSpaceDestroy(space_);
     dWorldDestroy(world_);
     dCloseODE();
@@ -74,16 +90,20 @@ class OdeTrolley {
       wheel.contact.f1[2] = 0;
       touch(wheel);
     }
-    dWorldStep(world_, time_step);
+    for (const dGeomID box : boxes_)
+      for (const dGeomID wall : walls_) touch_wall(box, wall);
+    if (best_)
+      dWorldStep(world_, time_step);
+    else
+      dWorldQuickStep(world_, time_step);
   }
 
-  Vector3 pose() const {
+  Snapshot pose() const {
     const dReal *p = dBodyGetPosition(chassis_), *r = dBodyGetRotation(chassis_);
     Matrix3 rotation;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) rotation(i, j) = r[4 * i + j];
-    const Vector3 origin = Vector3(p[0], p[1], p[2]) - rotation * center_;
-    return {origin.x(), origin.y(), std::atan2(rotation(1, 0), rotation(0, 0))};
+    return snapshot(Vector3(p[0], p[1], p[2]) - rotation * center_, rotation);
   }
 
  private:
@@ -112,7 +132,8 @@ class OdeTrolley {
     dVector3 axle;
     dJointGetHingeAxis(wheel.axle, axle);
     const Vector3 rolls = Vector3(axle[0], axle[1], axle[2]).cross(Vector3::UnitZ()).normalized();
-    contact.surface.mode = dContactApprox1 | dContactFDir1 | dContactSoftCFM | dContactSoftERP;
+    contact.surface.mode = dContactApprox1 | dContactFDir1;
+    if (best_) contact.surface.mode |= dContactSoftCFM | dContactSoftERP;
     contact.surface.mu = wheel.caster->tread.kinetic_friction;
     contact.surface.soft_cfm = 1e-9;
     contact.surface.soft_erp = 0.2;
@@ -122,6 +143,44 @@ class OdeTrolley {
     dJointSetFeedback(joint, &wheel.contact);
   }
 
+  /// Defaults: rebound by restitution. Best: a linear spring with our numerical stiffness and the
+  /// damping that has our restitution e under the whole mass; ODE's manual, section 3.8.2:
+  /// ERP = h k / (h k + c), CFM = 1 / (h k + c).
+  dSurfaceParameters wall_contact(const CrossCheck& check, double time_step) const {
+    const ContactConstants pair = contact_constants(check.scene, "", "");
+    dSurfaceParameters surface{};
+    surface.mu = pair.friction;
+    surface.mode = dContactApprox1;
+    if (!best_) {
+      surface.mode |= dContactBounce;
+      surface.bounce = pair.restitution;
+      surface.bounce_vel = 0.01;
+      return surface;
+    }
+    const double decay = -std::log(pair.restitution);
+    const double ratio = decay / std::hypot(std::numbers::pi, decay);
+    const double mass = whole_item(check.scene.items[0].model).mass;
+    const double spring = time_step * pair.stiffness;
+    const double sum = spring + 2 * ratio * std::sqrt(pair.stiffness * mass);
+    surface.mode |= dContactSoftCFM | dContactSoftERP;
+    surface.soft_erp = spring / sum;
+    surface.soft_cfm = 1 / sum;
+    return surface;
+  }
+
+  void touch_wall(dGeomID box, dGeomID wall) {
+    dContact contacts[4]{};
+    const int count = dCollide(box, wall, 4, &contacts[0].geom, sizeof contacts[0]);
+    for (int i = 0; i < count; ++i) {
+      contacts[i].surface = wall_;
+      const dJointID joint = dJointCreateContact(world_, contacts_, &contacts[i]);
+      dJointAttach(joint, dGeomGetBody(contacts[i].geom.g1), dGeomGetBody(contacts[i].geom.g2));
+    }
+  }
+
+  bool best_;
+  dSurfaceParameters wall_;
+  std::vector<dGeomID> walls_, boxes_;
   dWorldID world_;
   dSpaceID space_;
   dJointGroupID contacts_;
@@ -133,8 +192,8 @@ class OdeTrolley {
 
 }  // namespace
 
-Path ode_path(const CrossCheck& check, double time_step) {
-  OdeTrolley trolley(check.scene.items[0].model);
+Path ode_path(const CrossCheck& check, double time_step, Setup setup) {
+  OdeTrolley trolley(check, time_step, setup);
   const long stride = std::lround(check.sampling / time_step);
   const long steps = std::lround(check.duration / time_step);
   Path path{trolley.pose()};
@@ -143,7 +202,9 @@ Path ode_path(const CrossCheck& check, double time_step) {
     const Vector3 floor =
         (check.floor.velocity_at(t + time_step) - check.floor.velocity_at(t)) / time_step;
     trolley.step(time_step, -check.scene.gravity * Vector3::UnitZ() - floor);
-    if ((k + 1) % stride == 0) path.push_back(trolley.pose());
+    if ((k + 1) % stride != 0) continue;
+    path.push_back(trolley.pose());
+    if (path.back().tilt > kOverturned) break;
   }
   return path;
 }

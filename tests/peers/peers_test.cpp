@@ -45,7 +45,7 @@ CrossCheck locked_casters(unsigned record) {
 
 struct Peer {
   const char* name;
-  Path (*path_of)(const CrossCheck&, double);
+  Path (*path_of)(const CrossCheck&, double, Setup);
 };
 constexpr Peer kPeers[] = {{"MuJoCo", mujoco_path}, {"ODE", ode_path}};
 
@@ -58,13 +58,13 @@ Path our_path(const CrossCheck& check) {
   const Response response = simulate(check.scene, floor, settings);
   Path path;
   for (const Sample& s : response.items[0].history)
-    path.push_back({s.displacement.x(), s.displacement.y(), s.yaw});
+    path.push_back({{s.displacement.x(), s.displacement.y(), s.yaw}, s.tilt});
   return path;
 }
 
 double peak(const Path& path) {
   double largest = 0;
-  for (const Vector3& at : path) largest = std::max(largest, at.head<2>().norm());
+  for (const Snapshot& at : path) largest = std::max(largest, at.place.head<2>().norm());
   return largest;
 }
 
@@ -72,7 +72,7 @@ double distance(const Path& a, const Path& b) {
   EXPECT_EQ(a.size(), b.size());
   double largest = 0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    largest = std::max(largest, (a[i] - b[i]).head<2>().norm());
+    largest = std::max(largest, (a[i].place - b[i].place).head<2>().norm());
   return largest;
 }
 
@@ -91,7 +91,8 @@ TEST(Peers, WithoutRollingResistanceAllTakeOnePath) {
   const Path ours = our_path(check);
   for (const auto& [name, path_of] : kPeers) {
     SCOPED_TRACE(fmt::format("{}, record {}", name, kRecord));
-    const Path coarse = path_of(check, 4 * kStep), fine = path_of(check, kStep);
+    const Path coarse = path_of(check, 4 * kStep, Setup::kBest),
+               fine = path_of(check, kStep, Setup::kBest);
     row("no resistance", kRecord, name, 4 * kStep, ours, coarse);
     row("no resistance", kRecord, name, kStep, ours, fine);
     EXPECT_LT(distance(ours, fine), 0.001 * peak(ours));
@@ -107,7 +108,7 @@ TEST(Peers, WithRollingResistanceAllTakeOnePath) {
     const Path ours = our_path(check);
     for (const auto& [name, path_of] : kPeers) {
       SCOPED_TRACE(fmt::format("{}, record {}", name, record));
-      const Path theirs = path_of(check, kStep);
+      const Path theirs = path_of(check, kStep, Setup::kBest);
       row("resistance", record, name, kStep, ours, theirs);
       EXPECT_LT(distance(ours, theirs), 0.005 * peak(ours));
       EXPECT_NEAR(peak(theirs), peak(ours), 0.005 * peak(ours));
@@ -118,8 +119,8 @@ TEST(Peers, WithRollingResistanceAllTakeOnePath) {
 TEST(Peers, LockedWheelsSlideInACone) {
   constexpr unsigned kRecord = 1;
   const CrossCheck check = locked_casters(kRecord);
-  const Path ours = our_path(check), cone = mujoco_path(check, kStep),
-             pyramid = ode_path(check, kStep);
+  const Path ours = our_path(check), cone = mujoco_path(check, kStep, Setup::kBest),
+             pyramid = ode_path(check, kStep, Setup::kBest);
   row("locked", kRecord, "MuJoCo", kStep, ours, cone);
   row("locked", kRecord, "ODE", kStep, ours, pyramid);
   EXPECT_NEAR(peak(cone), peak(ours), 0.05 * peak(ours));
@@ -135,8 +136,8 @@ TEST(Peers, LockedWheelsSlideAlikeAlongTheAxesOfThePyramid) {
   Eigen::Matrix3Xd acceleration = check.floor.acceleration();
   acceleration.row(1).setZero();
   check.floor = FloorMotion(check.floor.time_step(), acceleration);
-  const Path ours = our_path(check), cone = mujoco_path(check, kStep),
-             pyramid = ode_path(check, kStep);
+  const Path ours = our_path(check), cone = mujoco_path(check, kStep, Setup::kBest),
+             pyramid = ode_path(check, kStep, Setup::kBest);
   row("locked, x", 1, "MuJoCo", kStep, ours, cone);
   row("locked, x", 1, "ODE", kStep, ours, pyramid);
   EXPECT_LT(distance(ours, pyramid), 0.03 * peak(ours));
