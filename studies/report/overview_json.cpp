@@ -53,6 +53,22 @@ Json counts(const study::StudyOverview& overview) {
   return result;
 }
 
+Json distributions(const std::vector<study::StepDistribution>& all, const char* name) {
+  Json rows = Json::array();
+  for (const study::StepDistribution& each : all) {
+    const bool bounded = each.of.pairs > 1;
+    rows.push_back({{name, each.name},
+                    {"records", each.of.pairs},
+                    {"mean_at_step", each.of.mean_a},
+                    {"mean_at_half_step", each.of.mean_b},
+                    {"difference", each.of.difference},
+                    {"low", bounded ? Json(each.of.interval.low) : Json(nullptr)},
+                    {"high", bounded ? Json(each.of.interval.high) : Json(nullptr)},
+                    {"p", each.of.p_permutation}});
+  }
+  return rows;
+}
+
 Json step_check(const study::StepCheck& of) {
   Json demands = Json::array(), states = Json::array();
   for (const study::StepChange& each : of.changes) {
@@ -66,11 +82,16 @@ Json step_check(const study::StepCheck& of) {
   }
   for (const study::StateChange& each : of.states)
     states.push_back({{"limit_state", each.state}, {"changed_runs", each.runs}});
-  return {{"runs", of.runs},
-          {"failed", of.failed},
-          {"demands", demands},
-          {"limit_states", states},
-          {"not_compared", of.unjudged}};
+  Json json = {{"runs", of.runs},
+               {"failed", of.failed},
+               {"demands", demands},
+               {"limit_states", states},
+               {"not_compared", of.unjudged}};
+  if (of.chaotic)
+    json["chaotic"] = {{"runs", of.chaotic->runs},
+                       {"ln_demands", distributions(of.chaotic->demands, "demand")},
+                       {"limit_states", distributions(of.chaotic->states, "limit_state")}};
+  return json;
 }
 
 }  // namespace

@@ -135,6 +135,32 @@ std::string failures(const study::StudyOverview& overview) {
   return "\nruns that failed, why, and the command that re-runs each\n" + shortened(lines, "runs");
 }
 
+/// "0.98 [0.90, 1.07]"
+std::string with_interval(double value, double low, double high) {
+  return fmt::format("{:.3g} [{:.3g}, {:.3g}]", value, low, high);
+}
+
+std::string chaotic_steps(const study::ChaoticStepCheck& of) {
+  std::string all = fmt::format(
+      "  {} of them are of chaotic cases, whose replicas part: no step gives them a number, so "
+      "distributions are compared, by records\n",
+      of.runs);
+  TextTable table(1);
+  table.add({"demand", "records", "median at half the step over that at the step"});
+  for (const study::StepDistribution& each : of.demands)
+    if (each.of.pairs > 1)
+      table.add({each.name, std::to_string(each.of.pairs),
+                 with_interval(std::exp(each.of.difference), std::exp(each.of.interval.low),
+                               std::exp(each.of.interval.high))});
+  all += table.text();
+  for (const study::StepDistribution& each : of.states)
+    all +=
+        fmt::format("  {}: P {:.3g} at the step, {:.3g} at half of it, difference {}\n", each.name,
+                    each.of.mean_a, each.of.mean_b,
+                    with_interval(each.of.difference, each.of.interval.low, each.of.interval.high));
+  return all;
+}
+
 std::string step_check(const study::StudyOverview& overview) {
   if (!overview.step_check) return {};
   const study::StepCheck& of = *overview.step_check;
@@ -143,6 +169,9 @@ std::string step_check(const study::StudyOverview& overview) {
       of.runs);
   if (of.failed > 0)
     all += fmt::format("  {} further repetition{} failed\n", of.failed, of.failed == 1 ? "" : "s");
+  if (of.chaotic) all += chaotic_steps(*of.chaotic);
+  const std::size_t numbers = of.runs - (of.chaotic ? of.chaotic->runs : 0);
+  if (numbers == 0) return all;
   TextTable table(1);
   table.add({"demand", "compared", "median", "largest", "in run"});
   for (const study::StepChange& each : of.changes)
@@ -153,7 +182,7 @@ std::string step_check(const study::StudyOverview& overview) {
   all += table.text();
   for (const study::StateChange& each : of.states)
     all += fmt::format("  {}: a different outcome in {} of {} runs\n", each.state, each.runs.size(),
-                       of.runs);
+                       numbers);
   for (const std::string& each : of.unjudged)
     all += fmt::format("  {}: not compared, the repeated runs keep only demands of items\n", each);
   return all;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "studies/statistics/quantiles.h"
+#include "studies/study/analysis/replica_cases.h"
 #include "studies/study/results/columns.h"
 #include "studies/study/results/names.h"
 
@@ -90,6 +91,34 @@ class ItemTable {
   std::map<std::string, std::vector<double>> columns_;
 };
 
+/// Logarithms of a demand that is above 0 at both steps.
+StepDistribution distribution_of(const StudyReader& file, const TableColumn<Demands>& column,
+                                 const std::vector<Pair>& pairs,
+                                 const std::vector<double>& records) {
+  const std::vector<double> full = file.numbers(std::string("items/") + column.name);
+  const std::vector<double> half = file.numbers(std::string("half_step/") + column.name);
+  std::vector<statistics::Measured> a, b;
+  for (const Pair& pair : pairs) {
+    const double at_full = full[pair.full], at_half = half[pair.half];
+    if (column.is_missing(at_full) || column.is_missing(at_half)) continue;
+    if (!(at_full > 0) || !(at_half > 0)) continue;
+    const auto record = static_cast<std::size_t>(records[pair.run]);
+    a.push_back({std::log(at_full), record});
+    b.push_back({std::log(at_half), record});
+  }
+  return {column.name, statistics::paired_difference(a, b)};
+}
+
+/// Takes what belongs to chaotic runs out of `all`.
+template <class Type, class RunOf>
+std::vector<Type> taken(std::vector<Type>& all, const std::vector<bool>& chaotic, RunOf run_of) {
+  std::vector<Type> out;
+  for (const Type& each : all)
+    if (chaotic[run_of(each)]) out.push_back(each);
+  std::erase_if(all, [&](const Type& each) { return chaotic[run_of(each)]; });
+  return out;
+}
+
 std::size_t failed_repetitions(const StudyReader& file) {
   if (!file.has("warnings")) return 0;
   return static_cast<std::size_t>(std::ranges::count_if(
@@ -108,9 +137,18 @@ std::optional<StepCheck> step_check(const StudyData& data) {
     if (half.rows()[run].second > half.rows()[run].first) runs.push_back(run);
   step_check.runs = runs.size();
   step_check.failed = failed_repetitions(data.file());
-  const std::vector<Pair> pairs = pairs_of(full.rows(), half.rows());
-  for (const TableColumn<Demands>& column : demand_columns())
+  std::vector<Pair> pairs = pairs_of(full.rows(), half.rows());
+  const std::vector<bool> chaotic = in_chaotic_cases(data.file());
+  const std::vector<double> records = data.file().numbers("runs/record");
+  const auto chaotic_runs = taken(runs, chaotic, [](std::size_t run) { return run; });
+  const auto chaotic_pairs = taken(pairs, chaotic, [](const Pair& pair) { return pair.run; });
+  if (!chaotic_runs.empty()) step_check.chaotic = ChaoticStepCheck{chaotic_runs.size(), {}, {}};
+  for (const TableColumn<Demands>& column : demand_columns()) {
     step_check.changes.push_back(change_of(data.file(), column, pairs));
+    if (step_check.chaotic)
+      step_check.chaotic->demands.push_back(
+          distribution_of(data.file(), column, chaotic_pairs, records));
+  }
   const std::vector<LimitState>& states = data.limit_states();
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (!of_items(states, i)) {
@@ -122,6 +160,14 @@ std::optional<StepCheck> step_check(const StudyData& data) {
       if (exceeded(states, i, full.of_run(run)) != exceeded(states, i, half.of_run(run)))
         change.runs.push_back(run);
     step_check.states.push_back(change);
+    if (!step_check.chaotic) continue;
+    std::vector<statistics::Measured> a, b;
+    for (const std::size_t run : chaotic_runs) {
+      const auto record = static_cast<std::size_t>(records[run]);
+      a.push_back({exceeded(states, i, full.of_run(run)) ? 1.0 : 0.0, record});
+      b.push_back({exceeded(states, i, half.of_run(run)) ? 1.0 : 0.0, record});
+    }
+    step_check.chaotic->states.push_back({states[i].name, statistics::paired_difference(a, b)});
   }
   return step_check;
 }

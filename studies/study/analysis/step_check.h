@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/statistics/two_groups.h"
 #include "studies/study/analysis/study_data.h"
 
 namespace gurney::study {
@@ -24,10 +25,27 @@ struct StateChange {
   std::vector<std::size_t> runs;
 };
 
+/// A demand or a limit state of chaotic runs at both steps, paired by record: a is the step, b half
+/// of it.
+struct StepDistribution {
+  std::string name;
+  statistics::PairedDifference of;
+};
+
+/// Runs of chaotic cases (in_chaotic_cases()). No step gives them a number, so distributions are
+/// compared.
+struct ChaoticStepCheck {
+  std::size_t runs = 0;
+  std::vector<StepDistribution> demands;  ///< of ln demand: exp(difference) is a ratio of medians
+                                          ///< where demands are lognormal; demands > 0 only
+  std::vector<StepDistribution> states;   ///< of 1 where exceeded, else 0: a difference of P
+};
+
 /// What the runs that were repeated with half the time step show of the others.
 struct StepCheck {
-  std::size_t runs = 0;    ///< that were repeated
-  std::size_t failed = 0;  ///< whose repetition failed
+  std::size_t runs = 0;                     ///< that were repeated
+  std::size_t failed = 0;                   ///< whose repetition failed
+  std::optional<ChaoticStepCheck> chaotic;  ///< where there are such runs; the rest leaves them out
   std::vector<StepChange> changes;
   std::vector<StateChange> states;    ///< those that ask for demands of items only
   std::vector<std::string> unjudged;  ///< the others: the repetition keeps items alone

@@ -23,6 +23,21 @@ void add_texts(Hdf5Writer& file, const std::string& name,
   table.finish();
 }
 
+void add_half_steps(Hdf5Writer& file, const std::vector<MadeRun>& runs) {
+  if (std::ranges::all_of(runs, [](const MadeRun& run) { return run.half_step < 0; })) return;
+  GrowingTable table(file, "half_step");
+  table.add_whole("run", "run");
+  table.add_text("item", "item", 4);
+  table.add(demand_columns());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs[i].half_step < 0) continue;
+    Demands demands;
+    demands.peak_displacement = runs[i].half_step;
+    table.put(double(i)).put("cart").put(demand_columns(), demands).end_row();
+  }
+  table.finish();
+}
+
 void add_drawn(Hdf5Writer& file, const std::vector<MadeRun>& runs) {
   if (runs.empty() || runs.front().draw < 0) return;
   GrowingTable drawn(file, "drawn");
@@ -81,7 +96,8 @@ void MadeStudy::write(const std::string& path) const {
   GrowingTable motions(file, "motions"), table(file, "runs"), items(file, "items");
   motions.add_whole("set", "set");
   motions.put(0.0).end_row();
-  for (const char* name : {"run", "analysis_case", "configuration", "record", "motion", "draw"})
+  for (const char* name :
+       {"run", "analysis_case", "configuration", "record", "motion", "draw", "replica"})
     table.add_whole(name, name);
   for (const char* name : {"angle", "scale", "intensity", "pfa", "pfv", "energy_closure"})
     table.add_number(name, "1", name);
@@ -99,7 +115,12 @@ void MadeStudy::write(const std::string& path) const {
         .put(double(run.configuration))
         .put(double(run.record))
         .put(0.0);
-    table.put(double(run.draw)).put(run.angle).put(run.level).put(run.level).put(run.level);
+    table.put(double(run.draw))
+        .put(double(run.replica))
+        .put(run.angle)
+        .put(run.level)
+        .put(run.level)
+        .put(run.level);
     table.put(run.pfv).put(1e-6);
     if (magnitudes) table.put(run.magnitude.value_or(std::nan("")));
     table.put(std::string(run.failed ? "diverged" : run.fell ? "overturned" : "rested")).end_row();
@@ -111,6 +132,7 @@ void MadeStudy::write(const std::string& path) const {
   }
   for (GrowingTable* each : {&motions, &table, &items}) each->finish();
   add_drawn(file, runs);
+  add_half_steps(file, runs);
   file.finish();
 }
 

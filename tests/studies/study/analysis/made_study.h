@@ -18,6 +18,8 @@ struct MadeRun {
   int draw = -1;
   bool fell = false, failed = false;
   double pfv = 0.1;                          ///< [m/s]
+  int replica = 0;
+  double half_step = -1;  ///< peak displacement at half the step [m]; < 0: not repeated
   std::map<std::string, double> drawn = {};  ///< by variable, of this draw
   std::optional<double> magnitude = {};      ///< none in any run: the file has no such column
 };
