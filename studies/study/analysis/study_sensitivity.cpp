@@ -10,6 +10,7 @@
 #include "engine/base/error.h"
 #include "studies/statistics/quantiles.h"
 #include "studies/study/analysis/designed_sensitivity.h"
+#include "studies/study/analysis/replica_cases.h"
 #include "studies/study/analysis/sensitivity_output.h"
 
 namespace gurney::study {
@@ -81,6 +82,16 @@ void add_classes(const char* name, const std::vector<double>& values, const std:
   result.inputs.back().index = statistics::first_order_index_of_classes(classes, y);
 }
 
+/// What is left of the variance where everything is given but the replica.
+void add_chaos(const StudyReader& file, const SensitivityOutput& output, StudySensitivity& result) {
+  if (!has_replicas(file)) return;
+  const std::vector<std::size_t> cases = replica_cases(file);
+  std::vector<std::size_t> classes;
+  for (const std::size_t run : output.runs) classes.push_back(cases[run]);
+  result.inputs.push_back({.names = {kChaos}, .set = result.inputs.size(), .drawn = false});
+  result.inputs.back().index = statistics::share_within_classes(classes, output.values);
+}
+
 std::vector<double> picked(const std::vector<double>& all, const std::vector<std::size_t>& runs) {
   std::vector<double> result;
   for (const std::size_t run : runs) result.push_back(all[run]);
@@ -129,6 +140,7 @@ StudySensitivity study_sensitivity(const ConfigurationView& side,
   add_classes("record", picked(file.numbers("runs/record"), runs), y, result);
   add_classes("angle", picked(file.numbers("runs/angle"), runs), y, result);
   add_classes("level", level, y, result);
+  add_chaos(file, output, result);
   std::map<std::size_t, double> largest;
   for (const SensitiveInput& input : result.inputs) {
     if (!input.index) continue;

@@ -14,7 +14,7 @@ namespace gurney::study {
 struct SensitiveInput {
   std::vector<std::string> names;  ///< more than one: their values are equal in every run
   std::size_t set = 0;             ///< of inputs that go together: see StudySensitivity::correlated
-  bool drawn = true;               ///< else record, angle or level, which have no order
+  bool drawn = true;               ///< else record, angle, level or chaos, which have no order
   std::optional<statistics::VarianceIndex> index =
       {};  ///< first order; none: not to be had from these runs
   std::optional<statistics::VarianceIndex> total =
@@ -22,6 +22,10 @@ struct SensitiveInput {
   double low = 0, high = 0;  ///< of a drawn number: its quantiles at the tornado's share and above
   statistics::TornadoBar bar = {};  ///< of a drawn number: means of the output there
 };
+
+/// The input of studies with replicas that stands for changes that nobody can measure. Its index is
+/// the share that is left where all else is given: with its interactions.
+inline constexpr const char* kChaos = "chaos";
 
 /// Which inputs rule an output of one configuration.
 struct StudySensitivity {

@@ -144,5 +144,30 @@ TEST_F(StudySensitivityTest, WhatCannotBeReportedIsRefused) {
   EXPECT_ERROR(study_sensitivity({&undrawn, 0}, kPeak), "the study drew no numbers");
 }
 
+// displacement = 3 u + v with v anew in each of four replicas: chaos is 1 / 10 of the variance.
+// MS_within of 300 * 3 degrees has the relative error sqrt(2 / 900) sqrt(1 + kurtosis / 2 of -1.2),
+// 3 %; the variance of 3 u over 300 draws 5 %: together 0.006, times 4.5.
+TEST_F(StudySensitivityTest, ReplicasShowTheShareOfChaos) {
+  std::vector<MadeRun> runs;
+  for (int i = 0; i < 300; ++i)
+    for (int replica = 0; replica < 4; ++replica) {
+      const auto k = static_cast<std::uint64_t>(i);
+      const double u = uniform_draw(1, k, 1);
+      MadeRun run{.displacement = 3 * u + uniform_draw(2, k, static_cast<std::uint64_t>(replica)),
+                  .draw = i,
+                  .replica = replica};
+      run.drawn = {{"big", u}};
+      runs.push_back(run);
+    }
+  const StudyData study = data(runs);
+  const StudySensitivity found = study_sensitivity({&study, 0}, kPeak);
+  ASSERT_EQ(found.inputs.size(), 2);
+  EXPECT_THAT(found.inputs[1].names, ElementsAre(kChaos));
+  EXPECT_FALSE(found.inputs[1].drawn);
+  EXPECT_NEAR(found.inputs[1].index->estimate, 0.1, 0.027);
+  EXPECT_NEAR(found.sum, 1, 0.05);
+  EXPECT_THAT(report::sensitivity_text({{"", found, ""}}), HasSubstr("chaos"));
+}
+
 }  // namespace
 }  // namespace gurney::study
