@@ -160,6 +160,8 @@ Json json_of(const study::FragilityResult& result) {
     json["profile"] = {{"theta", json_interval(result.profile->theta)},
                        {"beta", json_interval(result.profile->beta)}};
   if (result.p_of_fit) json["p_of_fit"] = json_number(*result.p_of_fit);
+  if (!result.fit_is_judged)
+    json["fit_not_judged"] = "several runs of a record at one intensity are not independent";
   for (std::size_t i = 0; i < result.stripes.size(); ++i)
     json["stripes"].push_back({{"im", result.stripes[i].im},
                                {"runs", result.stripes[i].runs},

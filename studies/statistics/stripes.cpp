@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -42,6 +43,12 @@ std::vector<Stripe> StripeTable::resampled(const std::vector<int>& times) const 
     }
   }
   return stripes;
+}
+
+bool StripeTable::repeats_groups() const {
+  return std::ranges::any_of(of_group_, [](const std::vector<Share>& shares) {
+    return std::ranges::any_of(shares, [](const Share& share) { return share.runs > 1; });
+  });
 }
 
 }  // namespace gurney::statistics

@@ -34,6 +34,9 @@ class StripeTable {
   const std::vector<Stripe>& stripes() const { return stripes_; }  ///< im increases
   std::size_t groups() const { return of_group_.size(); }          ///< those that have a run
 
+  /// Whether a group has several runs at one intensity: such runs are not independent.
+  bool repeats_groups() const;
+
   struct Share {
     std::size_t stripe;
     double runs, exceeded;

@@ -34,6 +34,8 @@ void add_cloud(const StudyData& data, const FragilityRequest& request, const Run
 void judge_stripes(const statistics::StripeTable& table, const FragilityRequest& request,
                    std::uint64_t seed, FragilityResult& result) {
   result.profile = statistics::profile_intervals(table, request.confidence, true);
+  result.fit_is_judged = !table.repeats_groups();
+  if (!result.fit_is_judged) return;
   if (const auto check = statistics::check_fit(result.stripes, 999, seed))
     result.p_of_fit = check->p_simulated;
 }
@@ -49,7 +51,9 @@ void judge_capacities(const FragilityRequest& request, std::uint64_t seed,
   result.band.of_curve = intervals.of_curve;
   result.band.theta = intervals.theta;
   result.band.beta = intervals.beta;
-  result.p_of_fit = statistics::p_of_lognormal(result.brackets, *result.capacities, 499, seed);
+  result.fit_is_judged = result.brackets.size() == result.records;
+  if (result.fit_is_judged)
+    result.p_of_fit = statistics::p_of_lognormal(result.brackets, *result.capacities, 499, seed);
 }
 
 }  // namespace

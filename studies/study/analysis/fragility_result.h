@@ -35,7 +35,10 @@ struct FragilityResult : FittedCurve {
   std::vector<statistics::Stripe> stripes;
   std::optional<statistics::ProfileIntervals> profile;  ///< of stripes; capacities have no others
   std::optional<double> p_of_fit;                       ///< small: a lognormal curve fits badly
-  std::vector<double> isotonic;                         ///< at the stripes
+  /// False where a record has several runs at one intensity (angles, draws, replicas) or several
+  /// capacities: the tests suppose independent ones and would call good fits bad.
+  bool fit_is_judged = true;
+  std::vector<double> isotonic;  ///< at the stripes
 
   std::optional<statistics::CloudFit> cloud;  ///< where the state is a demand above a limit
   std::optional<statistics::LognormalCurve> cloud_curve;

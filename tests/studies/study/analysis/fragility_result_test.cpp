@@ -221,5 +221,17 @@ TEST_F(FragilityResultTest, PerformanceLevelsAddUpToOne) {
   }
 }
 
+// Four equal runs of each record: their fractions are twice as far from the curve, in standard
+// deviations, as those of independent runs would be.
+TEST_F(FragilityResultTest, RepeatedRunsOfARecordHaveNoGoodnessOfFit) {
+  const std::vector<SmallRun> once = known_runs(40, {0.1, 0.2, 0.4});
+  EXPECT_TRUE(fragility_of(data(once), {}).p_of_fit);
+  std::vector<SmallRun> four;
+  for (int i = 0; i < 4; ++i) four.insert(four.end(), once.begin(), once.end());
+  const FragilityResult result = fragility_of(data(four), {});
+  EXPECT_FALSE(result.fit_is_judged);
+  EXPECT_FALSE(result.p_of_fit);
+}
+
 }  // namespace
 }  // namespace gurney::study

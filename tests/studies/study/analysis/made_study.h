@@ -17,7 +17,7 @@ struct MadeRun {
   double angle = 0;         ///< [rad]
   int draw = -1;
   bool fell = false, failed = false;
-  double pfv = 0.1;                          ///< [m/s]
+  double pfv = 0.1;  ///< [m/s]
   int replica = 0;
   double half_step = -1;  ///< peak displacement at half the step [m]; < 0: not repeated
   std::map<std::string, double> drawn = {};  ///< by variable, of this draw
