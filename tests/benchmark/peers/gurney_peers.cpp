@@ -31,8 +31,9 @@ void smooth(const std::filesystem::path& folder, bool quick) {
 
 /// Writes peers_rocking.csv.
 void rocking(const std::filesystem::path& folder, bool quick) {
-  print_rocking(rocking_job(quick ? 2 : 6), engines({0.004}, {0.003}), quick ? 0.002 : 0.001,
-                folder / "peers_rocking.csv");
+  print_rocking(rocking_job(quick ? 2 : 12),
+                quick ? engines({0.004}, {0.003}) : engines({0.004, 0.001}, {0.003}),
+                quick ? 0.002 : 0.0005, folder / "peers_rocking.csv");
 }
 
 }  // namespace
