@@ -7,6 +7,7 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 
 import support
@@ -51,6 +52,8 @@ with tempfile.TemporaryDirectory() as folder:
                     assert any(abs(each - float(number)) <= unit / 2 for each in numbers), number
     with open(os.path.join(support.SOURCE, "docs/python.md"), encoding="utf-8") as page:
         text = page.read()
+    for name in [each for each in sys.modules if each.split(".")[0] == "gurney"]:
+        del sys.modules[name]  # that of the sources, which the tutorial has imported
     support.use_package()
     support.need("matplotlib")
     import matplotlib
