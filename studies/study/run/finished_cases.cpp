@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.h"
+#include "studies/study/run/identity_file.h"
 #include "studies/study/run/part_folder.h"
 #include "studies/study/run/shard_folders.h"
 #include "studies/study/run/study_file.h"
@@ -24,7 +25,7 @@ std::vector<fs::path> folders_in(const fs::path& folder) {
 
 FinishedCases::FinishedCases(const fs::path& folder) {
   for (const fs::path& each : folders_in(folder)) {
-    const std::string identity = identity_in(each);
+    const std::string identity = IdentityFile(each).identity();
     if (identity_.empty()) {
       identity_ = identity;
       places_.resize(tasks_in(identity));
