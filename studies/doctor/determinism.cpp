@@ -12,6 +12,7 @@
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
 #include "studies/study/run/run_batch.h"
+#include "studies/study/run/task_result.h"
 
 namespace gurney::doctor {
 namespace {
@@ -45,7 +46,11 @@ std::string digest(const study::Batch& batch, const fs::path& folder, int thread
   study::run_batch(
       batch, parts, crashes, {}, threads, [] { return true; }, [](const study::BatchProgress&) {});
   std::string all;
-  for (std::size_t task = 0; task < batch.plan.tasks(); ++task) all += parts.read(task);
+  for (std::size_t task = 0; task < batch.plan.tasks(); ++task) {
+    study::TaskResult result = study::task_from_bytes(parts.read(task));
+    result.cost = {};
+    all += study::to_bytes(result);
+  }
   return sha256(all);
 }
 
