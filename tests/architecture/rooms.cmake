@@ -48,7 +48,7 @@ set(GURNEY_ROOMS
   "studies/study/run: engine/base engine/config engine/response engine/baselines studies/build_info
     studies/statistics studies/study/results studies/study/prepare studies/study/limit_states
     studies/study/plan"
-  "studies/study/analysis: engine/base engine/config engine/response groundmotions/record
+  "studies/study/analysis: engine/base engine/config engine/response
     groundmotions/measures studies/statistics studies/study/job studies/study/results studies/study/limit_states studies/study/plan"
   "studies/study/convergence: engine/base engine/baselines studies/statistics studies/study/results
     studies/study/prepare studies/study/limit_states studies/study/run"

@@ -55,7 +55,7 @@ class OldResults(unittest.TestCase):
         self.today = in_words_of_today(self.study, self.folder.name)
 
     def csv_of(self, path):
-        folder = f"{path}.csv"
+        folder = f"{path}_csv"
         support.gurney("export", path, "--to", "csv", "-o", folder)
         tables = {}
         for name in os.listdir(folder):

@@ -10,6 +10,8 @@ FILES_OF_SHARD = 5      # its folder, `study`, `lock`, `crashes`, its log
 # and, of a shard, its place in the order of cases (missing_tasks), of a merge, which shard has it.
 RUN_MEMORY_OF_CASE = 2 * 32 + 8 + 32
 MERGE_MEMORY_OF_CASE = 2 * 32 + 8
+# What waits for the next part is held as results, and as bytes of the part in a buffer that doubles.
+WAITING_COPIES = 3
 
 
 @dataclass
@@ -57,7 +59,9 @@ def predict(inputs, cases, cores, case_seconds=None):
         "inodes": parts + cores * FILES_OF_SHARD + 2,
         "parts [bytes]": cases * inputs.part_case,
         "results [bytes]": cases * inputs.result_case,
-        "run memory [bytes]": inputs.run_memory + of_shard * RUN_MEMORY_OF_CASE,
+        # at most: less waits where parts are written before they are full
+        "run memory [bytes]": inputs.run_memory + of_shard * RUN_MEMORY_OF_CASE
+                              + WAITING_COPIES * min(PART_BYTES, of_shard * inputs.part_case),
         "merge memory [bytes]": inputs.merge_memory + cases * MERGE_MEMORY_OF_CASE,
     }
 
