@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #if defined(__AVX__)
 #include <immintrin.h>
@@ -23,6 +24,10 @@ namespace gurney {
 using Lanes = double __attribute__((vector_size(32)));
 using LaneMask = decltype(Lanes{} < Lanes{});
 inline constexpr std::size_t kLanes = 4;
+
+/// How many numbers a T has.
+template <class T>
+inline constexpr std::size_t kLanesOf = std::is_same_v<T, double> ? 1 : kLanes;
 
 template <class T>
 using Mask = decltype(T{} < T{});

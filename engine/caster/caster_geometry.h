@@ -63,7 +63,7 @@ Triple<T> lowest_of_tread(const CasterConstants<T>& c, const Triple<T>& axle) {
   Triple<T> down = -c.radius * up;
   const Mask<T> leans = magnitude(axle.z) > same<T>(kSineOfCrown);
   if (any(leans))
-    for (std::size_t k = 0; k < sizeof(T) / sizeof(double); ++k)
+    for (std::size_t k = 0; k < kLanesOf<T>; ++k)
       if (std::abs(of_lane(axle.z, k)) > kSineOfCrown)
         put_lane(down, k,
                  crown_contact(of_lane(axle.z, k), of_lane(c.radius, k), of_lane(c.width, k),

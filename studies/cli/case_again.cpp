@@ -43,16 +43,16 @@ StoredDemands demands_of(const study::Hdf5Reader& file) {
 std::string difference_to(const std::string& path, const StoredDemands& stored,
                           const Response& response) {
   for (const auto& [name, theirs] : stored) {
-    const auto column = std::ranges::find_if(study::demand_columns(),
-                                             [&](const auto& each) { return each.name == name; });
+    const auto column =
+        std::ranges::find_if(study::demand_columns(),
+                             [&wanted = name](const auto& each) { return each.name == wanted; });
     for (std::size_t i = 0; i < response.items.size(); ++i) {
       const double ours = column->value(response.items[i].demands);
       if (i < theirs.size() && (ours == theirs[i] || (std::isnan(ours) && std::isnan(theirs[i]))))
         continue;
       return fmt::format(
           "{}: its job gives other results now: {} is {:.17g}, there {:.17g}; a record, an item, "
-          "the "
-          "program or the machine has changed",
+          "the program or the machine has changed",
           path, name, ours, i < theirs.size() ? theirs[i] : 0);
     }
   }
