@@ -6,15 +6,26 @@
 
 namespace gurney::cli {
 
-std::string job_of_log(const std::string& results) {
-  const std::filesystem::path log = std::filesystem::path(results).replace_extension(".log");
-  if (!std::filesystem::exists(log)) return {};
-  static const std::string kWord = "\njob ";
-  const std::string text = '\n' + read_input_file(log.string());
-  const auto place = text.rfind(kWord);
+namespace {
+
+/// What follows the last `word` at the start of a line; empty where there is none.
+std::string value_of(const std::string& text, const std::string& word) {
+  const auto place = text.rfind('\n' + word + ' ');
   if (place == std::string::npos) return {};
-  const auto start = text.find_first_not_of(' ', place + kWord.size());
+  const auto start = text.find_first_not_of(' ', place + 1 + word.size());
   return text.substr(start, text.find('\n', start) - start);
+}
+
+}  // namespace
+
+std::string job_of_log(const std::string& results) {
+  namespace fs = std::filesystem;
+  const fs::path log = fs::path(results).replace_extension(".log");
+  if (!fs::exists(log)) return {};
+  const std::string text = '\n' + read_input_file(log.string());
+  const std::string job = value_of(text, "job");
+  const fs::path from_its_folder = fs::path(value_of(text, "folder")) / job;
+  return fs::exists(job) || !fs::exists(from_its_folder) ? job : from_its_folder.string();
 }
 
 }  // namespace gurney::cli

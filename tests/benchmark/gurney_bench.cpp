@@ -25,7 +25,7 @@ int main(int argc, char** argv) try {
     return 0;
   }
   if (argc > 1 && std::string_view(argv[1]) == "--step-control") {
-    print_step_control(100);
+    print_step_control(argc > 2 ? std::atoi(argv[2]) : 100);
     return 0;
   }
   print_pulling_accuracy();

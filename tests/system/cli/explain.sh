@@ -64,6 +64,9 @@ explain 0 '"finding": "moved"' run.h5 --json
 python3 -m json.tool stdout > run.json || complain "no JSON"
 grep -q "b>'quoted'" run.json || complain "the title is missing"
 
+# From another folder: the log states where the run was.
+expect 0 "icu_ventilator moved up to" env -C / "$gurney" explain "$PWD/run.h5"
+
 # A run of a study is that of the job.
 explain 1 "choose one of its runs with --run N" study.h5
 explain 1 "has no run 9; it has runs 0 to 1" study.h5 --run 9
