@@ -56,15 +56,20 @@ for t in 0 1.2 2.5 1000; do
   /usr/bin/python3 "$source/tests/system/browser/read_playback.py" run.h5 stdout "$t" ||
     complain "the page does not show the poses or events of the file at $t s"
 done
-# A busy machine draws few frames in this time; the playback must only have moved.
-budget=20000
-browse "$page#t=1&view=follow&frame=ground&theme=dark&play"
-budget=3000
-/usr/bin/python3 - << 'PYTHON' || complain "the playback does not move"
-import re
+# Virtual time passes at once where a busy machine draws no frames: then again, for longer.
+moved() {
+  /usr/bin/python3 - << 'PYTHON'
+import re, sys
 time = float(re.search(r'<output id="time"[^>]*>([0-9.]+) s', open("stdout").read()).group(1))
-assert time > 1, time
+sys.exit(not time > 1)
 PYTHON
+}
+for budget in 20000 40000 80000 160000 320000; do
+  browse "$page#t=1&view=follow&frame=ground&theme=dark&play"
+  moved && break
+done
+moved || complain "the playback does not move"
+budget=3000
 grep -q 'id="trouble" role="alert" hidden' stdout || complain "WebGL2 does not work in this browser"
 browse --disable-3d-apis "$page#t=2.5"
 grep -q "draws no three-dimensional view" stdout || complain "a browser without WebGL is not told so"
