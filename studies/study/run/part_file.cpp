@@ -46,13 +46,18 @@ std::string PartFormat::hash_of(std::size_t task, std::string_view bytes) const 
 }
 
 std::string PartFormat::encode(const TaskBytes& tasks, std::vector<PartEntry>& entries) const {
-  std::string bytes(kMagic);
+  std::size_t size = kMagic.size() + kHashLength;
+  for (const auto& [task, content] : tasks) size += kHeadLength + content.size();
+  std::string bytes;
+  bytes.reserve(size);  // up to 8 MB, which a buffer that doubles would hold twice
+  bytes += kMagic;
   for (const auto& [task, content] : tasks) {
     bytes += bytes_of(task) + bytes_of(content.size()) + hash_of(task, content);
     entries.push_back({task, bytes.size(), content.size()});
     bytes += content;
   }
-  return bytes + sha256(bytes);
+  bytes += sha256(bytes);
+  return bytes;
 }
 
 PartContent PartFormat::decode(std::string_view bytes) const {

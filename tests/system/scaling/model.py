@@ -10,8 +10,8 @@ FILES_OF_SHARD = 5      # its folder, `study`, `lock`, `crashes`, its log
 # and, of a shard, its place in the order of cases (missing_tasks), of a merge, which shard has it.
 RUN_MEMORY_OF_CASE = 2 * 32 + 8 + 32
 MERGE_MEMORY_OF_CASE = 2 * 32 + 8
-# What waits for the next part is held as results, and as bytes of the part in a buffer that doubles.
-WAITING_COPIES = 3
+# What waits for the next part is held as results, and as the bytes of the part.
+WAITING_COPIES = 2
 
 
 @dataclass

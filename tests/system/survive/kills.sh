@@ -44,6 +44,11 @@ chance() { [ $((RANDOM % 100)) -lt "$1" ]; }               # PERCENT
 nap() { sleep "$(printf '0.%03d' $((RANDOM % $1)))"; }     # below so many ms
 tally() { echo "$*" >> "$tallies"; }
 
+# Whether the memory of the last attempt is too little for the set-up before main() as well.
+not_even_version() {
+  ! (ulimit -v "$(cat ../memory_kb)" && exec "$gurney" --version) > /dev/null 2>&1
+}
+
 # What was begun is disturbed, and is gone.
 disturb() {  # FOLDER of parts, LIMIT of the attempt
   local limit=$2
@@ -64,7 +69,8 @@ disturb() {  # FOLDER of parts, LIMIT of the attempt
   tally "exit $code"
   case $code.$limit in
     0.* | 1.* | 130.* | 137.* | 143.*) ;;
-    127.memory | 134.memory) ;;  # too little to load the program, or to set it up before main()
+    127.memory) ;;  # too little to load the program
+    134.memory) not_even_version || complain "it aborted for want of memory after its start" ;;
     *) complain "exit code $code after $signal" ;;
   esac
 }
@@ -79,7 +85,10 @@ attempt() {
   (
     case $limit in
       file_size) ulimit -f $((RANDOM % 300 + 1)) ;;
-      memory) ulimit -v $((RANDOM % 60000 + 30000)) ;;
+      memory)
+        echo $((RANDOM % 60000 + 30000)) > ../memory_kb
+        ulimit -v "$(cat ../memory_kb)"
+        ;;
     esac
     exec "$gurney" run "../$job.toml" -o a.h5 --resume -j $((RANDOM % 2 + 1)) "$@"
   ) > stdout 2> stderr &
