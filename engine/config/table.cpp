@@ -17,6 +17,13 @@ void note_control_character(Document& document, const Node& node, const std::str
                   name + " = " + describe(node) + ": must be text without control characters");
 }
 
+void mark_read(const Node& node) {
+  for (const Node& element : node.elements) {
+    element.read = true;
+    mark_read(element);
+  }
+}
+
 }  // namespace
 
 Table::Table(Document& document, const Node& node, std::string path)
@@ -141,6 +148,10 @@ std::vector<Table> Table::tables(const std::string& key) {
   if (right) return list;
   note_value(*node, key, "an array of tables [[" + name_of(key) + "]]");
   return {};
+}
+
+void Table::set_aside(const std::string& key) {
+  if (const Node* node = find(key)) mark_read(*node);
 }
 
 bool Table::is_table(const std::string& key) {

@@ -42,6 +42,10 @@ class Table {
   std::vector<Table> tables(const std::string& key);
 
   bool has(const std::string& key) { return find(key) != nullptr; }
+
+  /// What `key` means depends on something that is in error: none of its keys is called unknown.
+  void set_aside(const std::string& key);
+
   bool is_table(const std::string& key);
   bool is_array(const std::string& key);
   bool is_text(const std::string& key);

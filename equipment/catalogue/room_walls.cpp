@@ -100,8 +100,7 @@ void read_wall(Table& table, const std::string& name, const std::vector<Material
   wall.set(&Wall::thickness, in.number("thickness_m", Range::positive()));
   wall.set(&Wall::height, in.number("height_m", Range::positive()));
   const std::string material = read_material(table, known, "plasterboard");
-  table.has("door");
-  if (table.document().errors() > errors) return;
+  if (table.document().errors() > errors) return table.set_aside("door");
   for (Table& door : table.tables("door")) read_door(door, wall);
   for (const RoomShape& box : boxes_of(wall.stated(), name, material))
     if (box.name != name) names.shapes.take(table, box.name);

@@ -51,7 +51,7 @@ std::optional<SyntheticRequest> read_synthetic_request(config::Table& table) {
   const std::size_t errors = table.document().errors();
   const std::size_t index = table.choice("kind", kind_names());
   if (table.document().errors() != errors) {
-    for (const std::string& key : table.keys()) table.has(key);  // of which kind is not known
+    for (const std::string& key : table.keys()) table.set_aside(key);  // of which kind is not known
     return {};
   }
   return read_values(synthetic_kinds()[index], table);

@@ -53,7 +53,10 @@ void read_casters(Table& item, equipment::Uncertain<JobItem>& result) {
 
 void note_keys_of_casters(Table& item, const equipment::ItemDescription& description) {
   for (const char* key : {"casters", "headings_deg", "brakes", "swivel_locks"})
-    if (item.has(key)) item.note(key, ": " + description.name + " has no casters");
+    if (item.has(key)) {
+      item.note(key, ": " + description.name + " has no casters");
+      item.set_aside(key);
+    }
 }
 
 std::map<std::string, int> read_payloads(Table& item,
@@ -81,13 +84,15 @@ equipment::Uncertain<JobItem> read_job_item(Table& item, Remarks& remarks) {
              in.plane("position_m", Range::any()));
   result.set([](JobItem& of_draw) -> double& { return of_draw.initial.yaw; },
              in.angle_deg("yaw_deg", Range::any(), 0.0));
-  for (const char* key : {"headings_deg", "brakes", "swivel_locks", "payloads"}) item.has(key);
-
   std::optional<equipment::Uncertain<equipment::ItemDescription>> found = read_description(item);
   const bool described = found.has_value();
   if (described) result.set(&JobItem::description, *std::move(found));
   read_casters(item, result);
-  if (!described) return result;
+  if (!described) {
+    for (const char* key : {"headings_deg", "brakes", "swivel_locks", "payloads"})
+      item.set_aside(key);
+    return result;
+  }
   const equipment::ItemDescription& description = result.stated().description;
   if (description.casters.empty())
     note_keys_of_casters(item, description);

@@ -75,6 +75,21 @@ TEST(BadJob, AnItemWithoutCastersHasNoneToTurnOrBrake) {
       "a.toml:6:11: item.casters: Bookcase has no casters");
 }
 
+TEST(BadJob, WhatBelongsToSomethingInErrorIsNotCalledUnknown) {
+  EXPECT_EQ(errors_of_text("schema = \"gurney-job/1\"\n[item]\n"
+                           "headings_deg = { value = 0, range = [0, 90] }\nheading = 2\n"),
+            "a.toml:2:1: item.equipment: must name an item, or [item.inline] must describe it, not "
+            "both\n"
+            "a.toml:4:1: item.heading: unknown key; did you mean 'headings_deg'?");
+  EXPECT_EQ(errors_of_text("schema = \"gurney-job/1\"\n[item]\nequipment = \"bookcase\"\n"
+                           "headings_deg = { value = 0, range = [0, 90] }\n"),
+            "a.toml:4:16: item.headings_deg: Bookcase has no casters");
+  EXPECT_EQ(errors_of_text(std::string(kHead) +
+                           "[[room.wall]]\nname = \"w\"\nfrom_m = [0, 0]\nto_m = [1, 0]\n"
+                           "thickness_m = -1\nheight_m = 2\ndoor = [{ name = \"d\" }]\n"),
+            "a.toml:8:15: room.wall[0].thickness_m = -1: must be a finite number > 0");
+}
+
 TEST(BadJob, HistoriesAreSampledAtWholeTimeSteps) {
   EXPECT_EQ(errors_of_text(std::string(kHead) + "[settings]\ntime_step_s = 0.004\n"
                                                 "[output]\nhistory_step_s = 0.01\n"),
