@@ -23,11 +23,4 @@ std::string caster_words(const EquipmentModel& item, std::size_t caster) {
   return name.find(place) != std::string::npos ? name : name + " (" + place + ")";
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return text;
-}
-
 }  // namespace gurney::explanation

@@ -13,7 +13,4 @@ std::string place_of(const EquipmentModel& item, std::size_t caster);
 /// The caster's name; with its place where the name does not state it.
 std::string caster_words(const EquipmentModel& item, std::size_t caster);
 
-/// "a, b and c"
-std::string listed(const std::vector<std::string>& names);
-
 }  // namespace gurney::explanation

@@ -7,6 +7,7 @@
 
 #include "engine/base/units.h"
 #include "studies/explanation/caster_words.h"
+#include "studies/report/words.h"
 #include "studies/study/results/names.h"
 
 namespace gurney::explanation {
@@ -21,7 +22,7 @@ bool lifted(const Sample& sample, std::size_t caster) {
 std::string casters_text(const EquipmentModel& item, const std::vector<std::size_t>& casters) {
   std::vector<std::string> names;
   for (const std::size_t caster : casters) names.push_back(caster_words(item, caster));
-  return listed(names);
+  return report::listed(names);
 }
 
 /// The first lift, the longest, and the last before it overturned.

@@ -7,9 +7,9 @@
 #include "engine/base/units.h"
 #include "studies/explanation/caster_words.h"
 #include "studies/explanation/events.h"
-#include "studies/explanation/half_cycle.h"
 #include "studies/explanation/margins.h"
 #include "studies/explanation/stages.h"
+#include "studies/report/fall.h"
 #include "studies/study/results/names.h"
 
 namespace gurney::explanation {
@@ -133,24 +133,19 @@ void find_worst(const Response& response, Explanation& result) {
   }
 }
 
-/// Of the half cycles that end during the motion, else of those up to 1 s before.
+/// Of an overturned item the one that every report of the run names.
 void find_pulse(const study::RunFacts& facts, const Response& response, Explanation& result) {
   if (result.direction.isZero()) return;
-  if (result.item().finding == Finding::kOverturned)
-    for (const report::Fall& fall : report::falls(facts, response))
-      if (fall.item == result.subject)
-        result.swing_start = fall.liftoffs.empty() ? fall.time : fall.liftoffs.front().time;
-  for (const double look_back : {0.0, report::Fall::kLookBack})
-    if (!result.pulse)
-      result.pulse = driving_half_cycle(facts.floor, -result.direction,
-                                        result.swing_start - look_back, result.worst_time);
-  if (!result.pulse) return;
-  const double step = facts.floor.time_step();
-  for (double time = result.pulse->start; time < result.pulse->end + step; time += step)
-    result.pulse_velocity =
-        std::max(result.pulse_velocity,
-                 std::abs(result.direction.dot(
-                     facts.floor.velocity_at(std::min(time, result.pulse->end)).head<2>())));
+  if (result.item().finding != Finding::kOverturned) {
+    result.pulse = report::driving_half_cycle(facts.floor, -result.direction, result.swing_start,
+                                              result.worst_time);
+    return;
+  }
+  for (const report::Fall& fall : report::falls(facts, response)) {
+    if (fall.item != result.subject) continue;
+    result.swing_start = fall.start;
+    result.pulse = fall.half_cycle;
+  }
 }
 
 Tracks tracks_of(const study::RunFacts& facts, const ItemResponse& item, const Explanation& of) {
@@ -211,7 +206,13 @@ SimulationSettings finely_stored(SimulationSettings settings, const FloorMotion&
   constexpr double kMaxSamples = 40'000, kAfter = 10;  // [-], [s]
   const double length = settings.duration > 0 ? settings.duration : floor.duration() + kAfter;
   const double samples = static_cast<double>(items) * length / settings.time_step;
-  settings.history_step = settings.time_step * std::max(1.0, std::ceil(samples / kMaxSamples));
+  const long asked = std::max(1L, std::lround(settings.history_step / settings.time_step));
+  auto every = static_cast<long>(std::max(1.0, std::ceil(samples / kMaxSamples)));
+  if (settings.history_step > 0) {
+    every = std::min(every, asked);
+    while (asked % every != 0) ++every;
+  }
+  settings.history_step = settings.time_step * static_cast<double>(every);
   return settings;
 }
 

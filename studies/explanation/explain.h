@@ -27,7 +27,8 @@ const Impact* hardest_impact(const Response& response, std::size_t item,
                              double until = std::numeric_limits<double>::infinity());
 
 /// Settings whose histories resolve single steps, as far as memory allows: no more than 40,000
-/// samples of all items together. The spacing has no influence on the results.
+/// samples of all items together, unless more are asked for. The samples asked for are among them.
+/// The spacing has no influence on the results.
 SimulationSettings finely_stored(SimulationSettings settings, const FloorMotion& floor,
                                  std::size_t items);
 

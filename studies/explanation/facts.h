@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/response/response.h"
-#include "studies/report/fall.h"
+#include "studies/report/half_cycle.h"
 
 /// Why a run ended as it did: facts in time order, margins, energies (docs/explain.md).
 namespace gurney::explanation {
@@ -112,11 +112,10 @@ struct Explanation {
   std::size_t subject = 0;    ///< the item that is explained
   std::optional<Impact> hit;  ///< the hardest of the subject, before it overturned; none: no hit
   double worst_time = 0;      ///< of the finding [s]
-  Vector2 direction = Vector2::Zero();  ///< of the motion that led to it, floor axes; zero: none
-  double swing_start = 0;               ///< of that motion [s]
-  std::vector<Event> events;            ///< by time
-  std::optional<report::FloorPulse> pulse;  ///< the floor's, against `direction`
-  double pulse_velocity = 0;                ///< largest of the floor along it, absolute [m/s]
+  Vector2 direction = Vector2::Zero();     ///< of the motion that led to it, floor axes; zero: none
+  double swing_start = 0;                  ///< of that motion [s]
+  std::vector<Event> events;               ///< by time
+  std::optional<report::HalfCycle> pulse;  ///< the floor's, against `direction`
   std::vector<Stage> stages;
   Tracks tracks;
   std::optional<Predictability> predictability;  ///< of the subject

@@ -8,6 +8,7 @@
 #include "engine/base/units.h"
 #include "studies/explanation/text.h"
 #include "studies/figures/panel.h"
+#include "studies/report/words.h"
 
 namespace gurney::explanation {
 namespace {
@@ -54,9 +55,9 @@ Panel time_panel(const std::string& title, const std::string& y_label, const Ran
 }
 
 std::string floor_title(const Explanation& of) {
-  return "Floor acceleration " + (of.direction.isZero()
-                                      ? "towards +x"
-                                      : towards(std::atan2(of.direction.y(), of.direction.x())));
+  return "Floor acceleration " +
+         (of.direction.isZero() ? "towards +x"
+                                : report::towards(std::atan2(of.direction.y(), of.direction.x())));
 }
 
 /// Its title stands above the numbers of the events.

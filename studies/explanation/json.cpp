@@ -4,6 +4,7 @@
 
 #include "engine/base/printable.h"
 #include "studies/explanation/text.h"
+#include "studies/report/half_cycle_json.h"
 #include "studies/report/json_values.h"
 
 namespace gurney::explanation {
@@ -66,18 +67,6 @@ Json events(const Explanation& of) {
   return list;
 }
 
-Json pulse(const Explanation& of) {
-  if (!of.pulse) return nullptr;
-  return {{"direction_rad", std::atan2(-of.direction.y(), -of.direction.x())},
-          {"start_s", of.pulse->start},
-          {"end_s", of.pulse->end},
-          {"duration_s", of.pulse->end - of.pulse->start},
-          {"peak_acceleration_m_per_s2", of.pulse->peak_acceleration},
-          {"time_of_peak_s", of.pulse->time_of_peak},
-          {"peak_velocity_m_per_s", of.pulse_velocity},
-          {"velocity_change_m_per_s", of.pulse->velocity_change}};
-}
-
 Json energy(const std::vector<Stage>& stages) {
   Json list = Json::array();
   for (const Stage& s : stages)
@@ -131,7 +120,7 @@ std::string json(const Explanation& of, const WhatIf* what) {
               {"time_s", nullptr},
               {"predictability", nullptr},
               {"events", events(of)},
-              {"pulse", pulse(of)},
+              {"pulse", report::half_cycle_json(of.pulse)},
               {"items", Json::array()},
               {"energy", energy(of.stages)},
               {"what_if", nullptr}};

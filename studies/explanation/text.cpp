@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/base/units.h"
+#include "studies/report/words.h"
 #include "studies/report/wrapped.h"
 
 namespace gurney::explanation {
@@ -56,14 +57,7 @@ std::string pulse_text(const Explanation& of) {
   if (!of.pulse)
     return "The floor's velocity against the motion did not rise before it: no single pulse of the "
            "floor drove it.";
-  const report::FloorPulse& pulse = *of.pulse;
-  return fmt::format(
-      "A half cycle of the floor's motion {}, opposite to the motion of the item, from {:.2f} s to "
-      "{:.2f} s: {:.2f} s long, up to {:.3g} m/s2 ({:.2f} g, at {:.2f} s) and {:.3g} m/s; it "
-      "changed the floor's velocity by {:.3g} m/s.",
-      towards(angle_of(-of.direction)), pulse.start, pulse.end, pulse.end - pulse.start,
-      pulse.peak_acceleration, pulse.peak_acceleration / kStandardGravity, pulse.time_of_peak,
-      of.pulse_velocity, pulse.velocity_change);
+  return report::sentence(*of.pulse);
 }
 
 std::string tilt_text(const ItemFacts& item) {
@@ -193,15 +187,6 @@ std::string length_words(double metres) {
                       : fmt::format("{:.2f} m", metres);
 }
 
-std::string towards(double direction) {
-  constexpr const char* kNames[] = {"towards +x",        "between +x and +y", "towards +y",
-                                    "between -x and +y", "towards -x",        "between -x and -y",
-                                    "towards -y",        "between +x and -y"};
-  const long octant = std::lround(direction / (45 * kRadiansPerDegree));
-  return fmt::format("{} ({:.0f} deg from the x axis)", kNames[((octant % 8) + 8) % 8],
-                     std::round(direction / kRadiansPerDegree) + 0.0);
-}
-
 std::string words_of(const Event& event, bool name_item) {
   const std::string who = name_item && !event.item.empty() ? event.item + ": " : "";
   switch (event.kind) {
@@ -234,7 +219,8 @@ std::string words_of(const Event& event, bool name_item) {
     case EventKind::kPeakTilt:
       return who + fmt::format("largest tilt, {}", degrees(event.value));
     case EventKind::kOverturned:
-      return who + "OVERTURNS" + (std::isfinite(event.value) ? " " + towards(event.value) : "");
+      return who + "OVERTURNS" +
+             (std::isfinite(event.value) ? " " + report::towards(event.value) : "");
     case EventKind::kEnd:
       break;
   }
@@ -252,7 +238,7 @@ std::string headline(const Explanation& of) {
   switch (item.finding) {
     case Finding::kOverturned:
       return fmt::format("{} overturned at {:.2f} s, {}.", item.name, of.worst_time,
-                         towards(angle_of(of.direction)));
+                         report::towards(angle_of(of.direction)));
     case Finding::kHit: {
       const std::string other =
           of.hit->item == of.subject ? of.hit->other : of.items.at(of.hit->item).name;

@@ -16,9 +16,6 @@ std::string words_of(const Event& event, bool name_item);
 /// "12 mm", "1.23 m"
 std::string length_words(double metres);
 
-/// "towards +x" or "between +x and +y", with the angle from the floor's x axis.
-std::string towards(double direction);
-
 /// A part of the text: a heading and what stands below it.
 struct TextPart {
   struct Line {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "studies/explanation/caster_words.h"
 #include "studies/explanation/text.h"
 #include "studies/explanation/what_if.h"
+#include "studies/report/words.h"
 #include "studies/report/wrapped.h"
 #include "studies/statistics/bands.h"
 
@@ -50,7 +50,7 @@ std::string clauses(const std::vector<const VariantOutcome*>& outcomes) {
     if (!names.empty()) clause[0] = static_cast<char>(std::tolower(clause[0]));
     names.push_back(clause);
   }
-  return listed(names);
+  return report::listed(names);
 }
 
 /// What the best of those that prevent it leave.
@@ -108,7 +108,7 @@ std::string of_replicas(const WhatIf& what, const std::string& event) {
       event, frequency(what.as_it_was));
   if (best == nullptr || lowest >= share(what.as_it_was))
     return text + " No variant made it rarer.";
-  text += fmt::format(" It was rarest, {}, in: {}.", frequency(*best), listed(names));
+  text += fmt::format(" It was rarest, {}, in: {}.", frequency(*best), report::listed(names));
   if (interval_of(*best).high >= interval_of(what.as_it_was).low)
     text += " The intervals overlap: more --replicas would tell whether that is chance.";
   return text;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/units.h"
 #include "studies/report/fall.h"
 #include "studies/report/footprint.h"
 #include "studies/report/narrative.h"
+#include "studies/report/words.h"
 #include "studies/study/results/names.h"
 
 namespace gurney::report {
@@ -65,24 +65,6 @@ std::string sentence(const Hits& hits) {
                      worst.impulse, force);
 }
 
-/// "towards -y" or "between +x and +y", by the nearest of eight directions.
-std::string towards(double direction) {
-  const char* const names[] = {"towards +x",        "between +x and +y", "towards +y",
-                               "between -x and +y", "towards -x",        "between -x and -y",
-                               "towards -y",        "between +x and -y"};
-  const long octant = std::lround(direction / (45 * kRadiansPerDegree));
-  return fmt::format("{} ({:.0f} deg from the x axis)", names[((octant % 8) + 8) % 8],
-                     direction / kRadiansPerDegree);
-}
-
-/// "a, b and c"
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return text;
-}
-
 std::string liftoff_text(const std::vector<Fall::Liftoff>& liftoffs) {
   if (liftoffs.empty()) return {};
   std::vector<std::string> wheels;
@@ -90,15 +72,6 @@ std::string liftoff_text(const std::vector<Fall::Liftoff>& liftoffs) {
     wheels.push_back(fmt::format("{} ({:.2f} s)", l.wheel.empty() ? "a wheel" : l.wheel, l.time));
   return fmt::format(" Wheels that had left the floor by then and not come back: {}.",
                      listed(wheels));
-}
-
-std::string pulse_text(const FloorPulse& pulse) {
-  return fmt::format(
-      " The floor's pulse before: its velocity against the fall rose by {:.3g} m/s from {:.2f} s "
-      "to {:.2f} s, with up to {:.3g} m/s2 ({:.3g} g) at {:.2f} s (the largest rise from {:g} s "
-      "before it lifted or tipped to the overturning).",
-      pulse.velocity_change, pulse.start, pulse.end, pulse.peak_acceleration,
-      pulse.peak_acceleration / kStandardGravity, pulse.time_of_peak, Fall::kLookBack);
 }
 
 /// Names of the items that are in a zone in the last sample of the histories.
@@ -138,7 +111,7 @@ std::string narrative_of_falls(const study::RunFacts& facts, const Response& res
     text += fmt::format("{} OVERTURNED at {:.2f} s", names.at(fall.item), fall.time);
     if (std::isfinite(fall.direction)) text += ", falling " + towards(fall.direction);
     text += "." + liftoff_text(fall.liftoffs);
-    if (fall.pulse) text += pulse_text(*fall.pulse);
+    if (fall.half_cycle) text += " " + sentence(*fall.half_cycle);
     text += "\n";
   }
   return text;

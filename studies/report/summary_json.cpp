@@ -2,6 +2,7 @@
 
 #include "studies/build_info/build_info.h"
 #include "studies/report/fall.h"
+#include "studies/report/half_cycle_json.h"
 #include "studies/report/narrative.h"
 #include "studies/report/summary.h"
 #include "studies/study/results/columns.h"
@@ -89,18 +90,11 @@ Json overturnings_of(const study::RunFacts& facts, const Response& response) {
     Json liftoffs = Json::array();
     for (const Fall::Liftoff& each : fall.liftoffs)
       liftoffs.push_back({{"wheel", each.wheel}, {"time_s", each.time}});
-    Json pulse = nullptr;
-    if (fall.pulse)
-      pulse = {{"start_s", fall.pulse->start},
-               {"end_s", fall.pulse->end},
-               {"velocity_change_m_per_s", fall.pulse->velocity_change},
-               {"peak_acceleration_m_per_s2", fall.pulse->peak_acceleration},
-               {"time_of_peak_s", fall.pulse->time_of_peak}};
     result.push_back({{"item", names.at(fall.item)},
                       {"time_s", fall.time},
                       {"direction_rad", fall.direction},
                       {"liftoffs", liftoffs},
-                      {"floor_pulse", pulse}});
+                      {"floor_pulse", half_cycle_json(fall.half_cycle)}});
   }
   return result;
 }

@@ -11,10 +11,11 @@
 #include "studies/explanation/caster_words.h"
 #include "studies/explanation/events.h"
 #include "studies/explanation/figure.h"
-#include "studies/explanation/half_cycle.h"
 #include "studies/explanation/json.h"
 #include "studies/explanation/margins.h"
 #include "studies/explanation/text.h"
+#include "studies/report/fall.h"
+#include "studies/report/narrative.h"
 #include "studies/verification/scenes/blocks.h"
 
 namespace gurney::explanation {
@@ -104,33 +105,33 @@ TEST(Explain, FindsThePulseThatPushedABlock) {
   EXPECT_NEAR(found.pulse->peak_acceleration, kPeak, 1e-9);
   // 2 A T / pi; trapezoids miss (pi dt / T)^2 / 12 = 1.3e-5 of it.
   EXPECT_NEAR(found.pulse->velocity_change, 2 * kPeak * kLasts / kPi, 1e-4);
-  EXPECT_NEAR(found.pulse_velocity, 2 * kPeak * kLasts / kPi, 1e-4) << "it starts from rest";
+  EXPECT_NEAR(found.pulse->peak_velocity, 2 * kPeak * kLasts / kPi, 1e-4) << "it starts from rest";
 }
 
-TEST(HalfCycle, IsOneHalfOfAWaveThatGoesOn) {
-  // Waves of 1 s and 3 m/s2, the third of 4 m/s2, with a ripple of 20 Hz and 6 m/s2 on top, whose
-  // velocity goes up and down by r = 6 / (40 pi) = 0.048 m/s: no reversal of 20 % of 4 / pi.
-  constexpr double kRipple = 6 / (40 * kPi);
-  Eigen::Matrix3Xd motion = Eigen::Matrix3Xd::Zero(3, 2001);
-  for (int i = 0; i <= 1000; ++i) {
-    const double t = i * 0.005;
-    motion(0, i) = (t >= 2 && t < 3 ? 4 : 3) * std::sin(2 * kPi * t) + 6 * std::sin(40 * kPi * t);
-  }
-  const FloorMotion floor(0.005, motion);
-  const auto found = driving_half_cycle(floor, {1, 0}, 1.9, 2.9);
-  ASSERT_TRUE(found);
-  // The ripple moves a turning point while A / (2 pi) (1 - cos(2 pi d)) < 2 r, here of A = 3.
-  const double moved = std::acos(1 - 2 * kRipple * 2 * kPi / 3) / (2 * kPi);
-  EXPECT_NEAR(found->start, 2, moved);
-  EXPECT_NEAR(found->end, 2.5, moved);
-  EXPECT_NEAR(found->velocity_change, 4 / kPi, 2 * kRipple) << "A T / pi";
-  EXPECT_NEAR(found->time_of_peak, 2.25, 0.05) << "within a period of the ripple";
-  const auto other = driving_half_cycle(floor, {-1, 0}, 2.1, 2.9);
-  ASSERT_TRUE(other);
-  EXPECT_NEAR(other->start, 2.5, moved);
-  EXPECT_FALSE(driving_half_cycle(floor, {0, 1}, 1, 3)) << "nothing moves across";
-  EXPECT_FALSE(driving_half_cycle(floor, {1, 0}, 8, 9)) << "the floor is at rest again";
-  EXPECT_FALSE(driving_half_cycle({}, {1, 0}, 0, 1));
+TEST(Explain, NamesTheHalfCycleThatTheReportOfTheRunNames) {
+  // A slender block falls in waves whose half cycles are 0.5 s long.
+  Eigen::Matrix3Xd motion = Eigen::Matrix3Xd::Zero(3, 2501);
+  for (int i = 500; i <= 2000; ++i)
+    motion(0, i) = 3 * (i * 0.002 - kBegins) * std::sin(2 * kPi * (i * 0.002 - kBegins));
+  study::RunFacts facts =
+      facts_of(blocks::block(kMass, {0.4, 0.4, 2}, floor_of(0.8)), {0.002, motion});
+  facts.settings.duration = 6;
+  facts.settings.history_step = 0.02;
+  const Response of_run = simulate(facts.scene, facts.floor, facts.settings);
+  const Response again =
+      simulate(facts.scene, facts.floor, finely_stored(facts.settings, facts.floor, 1));
+  const auto fall = report::falls(facts, of_run), fall_again = report::falls(facts, again);
+  ASSERT_EQ(fall.size(), 1u);
+  ASSERT_GT(again.items[0].history.size(), 4 * of_run.items[0].history.size());
+  ASSERT_LT(fall[0].start, fall[0].time);
+  EXPECT_EQ(fall[0].start, fall_again[0].start) << "whatever the spacing of the histories";
+  const Explanation found = explain(facts, again);
+  ASSERT_TRUE(fall[0].half_cycle && found.pulse);
+  EXPECT_EQ(found.pulse->start, fall[0].half_cycle->start);
+  EXPECT_EQ(found.pulse->end, fall[0].half_cycle->end);
+  const std::string words = report::sentence(*fall[0].half_cycle);
+  EXPECT_NE(one_line(found).find(words), std::string::npos) << one_line(found);
+  EXPECT_NE(report::narrative_of_falls(facts, of_run).find(words), std::string::npos);
 }
 
 TEST(Explain, BalancesTheEnergyOfEachStage) {

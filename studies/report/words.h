@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gurney::report {
+
+/// "a, b and c"
+std::string listed(const std::vector<std::string>& names);
+
+/// "towards +x" or "between +x and +y", by the nearest of eight directions, with the angle.
+/// @param direction  from the floor's x axis [rad]
+std::string towards(double direction);
+
+}  // namespace gurney::report
