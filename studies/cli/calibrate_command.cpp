@@ -25,14 +25,14 @@ struct CalibrateOptions {
 
 /// All of them or none.
 void write_all(const CalibrateOptions& options, const calibration::Calibration& calibration,
-               const std::vector<calibration::CasterFile>& casters) {
+               const std::vector<calibration::CasterFile>& casters, const std::string& json) {
   std::error_code failed;
   std::filesystem::create_directories(options.folder, failed);
   require(!failed, options.folder + ": " + failed.message());
   const std::filesystem::path folder = options.folder;
   std::vector<std::pair<std::string, std::string>> all = {
       {(folder / "calibration.txt").string(), report::calibration_text(calibration)},
-      {(folder / "calibration.json").string(), report::calibration_json(calibration)},
+      {(folder / "calibration.json").string(), json},
       {(folder / ("calibration" + options.figures.suffix())).string(),
        options.figures.bytes(figures::calibration_figure(calibration))}};
   for (const calibration::CasterFile& caster : casters)
@@ -68,12 +68,12 @@ int run_calibrate(const CalibrateOptions& options) {
   std::vector<std::string> without;
   const std::vector<calibration::CasterFile> casters =
       calibration::caster_files(calibration, options.base, without);
-  fmt::print("{}", options.json ? report::calibration_json(calibration)
-                                : report::calibration_text(calibration));
+  const std::string json = report::calibration_json(calibration, casters, without);
+  fmt::print("{}", options.json ? json : report::calibration_text(calibration));
   if (!options.json && !without.empty()) fmt::print("\nNo caster file for\n");
   for (const std::string& each : without)
     fmt::print(options.json ? stderr : stdout, "  {}\n", each);
-  if (!options.folder.empty()) write_all(options, calibration, casters);
+  if (!options.folder.empty()) write_all(options, calibration, casters, json);
   return 0;
 }
 

@@ -34,7 +34,7 @@ constexpr std::array kCommands = {
                 "gurney plot ventilator.h5 fragility overturned --width 85mm -o overturned.pdf\n"
                 "gurney plot run.h5 history displacement tilt -o run.png"},
     CommandHelp{
-        "report", "Write a results file as one HTML page",
+        "report", "Write a run, a study, a calibration or a verification as one HTML page",
         "gurney report ventilator.h5 -o ventilator.html\n"
         "gurney report ventilator.h5 --limit-state \"peak_displacement > 0.2 m\" -o far.html"},
     CommandHelp{"play", "Write a page that plays a run back in three dimensions",

@@ -44,8 +44,11 @@ int report(const ReportOptions& options) {
 
 void add_report(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<ReportOptions>();
-  CLI::App* const command = app.add_subcommand("report", "Write a results file as one HTML page");
-  command->add_option("FILE", options->request.file, "The results file of a study or of one run")
+  CLI::App* const command = app.add_subcommand("report", "Write results as one HTML page");
+  command
+      ->add_option(
+          "FILE", options->request.file,
+          "The results file of a study or of one run; JSON of gurney calibrate or gurney verify")
       ->required();
   command->add_option("-o,--output", options->output, "The page (.html)")->required();
   add_limit_state_options(*command, options->request.assessed_by);

@@ -4,6 +4,7 @@
 
 #include "engine/base/error.h"
 #include "studies/build_info/build_info.h"
+#include "studies/page/json_pages.h"
 #include "studies/page/run_page.h"
 #include "studies/page/study_page.h"
 #include "studies/study/analysis/demands.h"
@@ -86,6 +87,13 @@ StudyPage::StudyPage(const PageRequest& request)
 }
 
 std::string results_page(const PageRequest& request) {
+  if (is_json(request.file)) {
+    require(request.assessed_by.empty(),
+            request.file + ": is JSON; limit states and hazard are for the file of a study");
+    Document document = json_document(request.file);
+    document.program = program();
+    return html(document);
+  }
   if (study::is_study_file(request.file)) return html(document_of(StudyPage(request)));
   require(
       request.assessed_by.empty(),

@@ -10,15 +10,15 @@ namespace gurney::page {
 
 /// What a page is asked of.
 struct PageRequest {
-  std::string file;                        ///< of a study, or of one run
+  std::string file;  ///< of a study, of one run, or JSON of a calibration or a verification
   study::AssessmentRequest assessed_by{};  ///< of studies
   std::string job{};  ///< where the job's file is, for names relative to it; empty: beside the file
   std::optional<explanation::Explanation> explanation{};  ///< of one run
   std::string no_explanation{};                           ///< why there is none
 };
 
-/// The report of a results file as one HTML page.
-/// @throws Error unless it is a results file, and as StudyData does
+/// The report of a results file, or of the JSON of a calibration or a verification, as one HTML page.
+/// @throws Error unless it is one of these, and as StudyData does
 std::string results_page(const PageRequest& request);
 
 }  // namespace gurney::page

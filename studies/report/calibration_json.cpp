@@ -1,6 +1,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "studies/build_info/build_info.h"
+#include "studies/calibration/trials/setup_reader.h"
 #include "studies/report/calibration_report.h"
 #include "studies/report/json_values.h"
 
@@ -11,6 +13,7 @@ using Json = nlohmann::ordered_json;
 
 Json constant_json(const calibration::Constant& c) {
   return {{"name", name_of(c.kind)},
+          {"constant", c.about()},
           {"symbol", calibration::symbol_of(c.kind)},
           {"unit", calibration::unit_of(c.kind)},
           {"caster", c.caster},
@@ -23,6 +26,35 @@ Json constant_json(const calibration::Constant& c) {
           {"degrees", c.degrees},
           {"prediction_95", json_interval(c.prediction)},
           {"trials", c.trials}};
+}
+
+template <typename Choice>
+const std::string& name_in(const std::vector<std::string>& names, Choice choice) {
+  return names.at(static_cast<std::size_t>(choice));
+}
+
+Json trial_json(const calibration::ReadTrial& t) {
+  return {{"trial", t.name},
+          {"file", t.file},
+          {"line", t.line == 0 ? Json() : Json(t.line)},
+          {"sha256", t.sha256},
+          {"kind", name_in(calibration::names_of_kinds(), t.kind)},
+          {"use", name_in(calibration::names_of_uses(), t.setup.use)},
+          {"origin", name_in(calibration::names_of_origins(), t.setup.origin)},
+          {"caster", t.setup.caster},
+          {"floor", t.setup.floor},
+          {"against", t.setup.against},
+          {"mass_kg", t.setup.mass > 0 ? Json(t.setup.mass) : Json()},
+          {"excluded", t.excluded.empty() ? Json() : Json(t.excluded)}};
+}
+
+Json value_json(const calibration::TrialValue& v) {
+  return {{"trial", v.trial},
+          {"constant", v.constant()},
+          {"use", name_in(calibration::names_of_uses(), v.setup.use)},
+          {"value", json_number(v.value)},
+          {"standard_error", json_number(v.error)},
+          {"lower_bound", v.at_least}};
 }
 
 Json test_json(const calibration::RollingTest& t) {
@@ -71,35 +103,51 @@ Json list(const Rows& rows, Make make) {
 
 }  // namespace
 
-std::string calibration_json(const calibration::Calibration& c) {
-  const Json json{{"source", c.source},
-                  {"trials", c.read},
-                  {"simulated", c.simulated},
-                  {"constants", list(c.constants, constant_json)},
-                  {"tests", list(c.tests, test_json)},
-                  {"pulls", list(c.rolling, rolling_json)},
-                  {"crosswise", list(c.crosswise, crosswise_json)},
-                  {"outliers", list(c.outliers,
-                                    [](const calibration::Outlier& o) {
-                                      return Json{{"trial", o.trial},
-                                                  {"constant", o.constant},
-                                                  {"value", o.value},
-                                                  {"p_adjusted", o.p}};
-                                    })},
-                  {"validation", list(c.predictions,
-                                      [](const calibration::Prediction& p) {
-                                        return Json{{"trial", p.trial},
-                                                    {"constant", p.constant},
-                                                    {"measured", p.measured},
-                                                    {"predicted", p.predicted},
-                                                    {"prediction_95", json_interval(p.interval)},
-                                                    {"misfit", p.misfit()},
-                                                    {"inside", p.inside()}};
-                                      })},
-                  {"validation_without_constant", c.unpredicted},
-                  {"left_out", list(c.left_out, [](const calibration::TrialFault& f) {
-                     return Json{{"file", f.file}, {"line", f.line}, {"reason", f.reason}};
-                   })}};
+std::string calibration_json(const calibration::Calibration& c,
+                             const std::vector<calibration::CasterFile>& casters,
+                             const std::vector<std::string>& without) {
+  const build_info::BuildInfo build = build_info::build_info();
+  const Json json{
+      {"schema", "gurney-calibration/1"},
+      {"program_version", build.program_version},
+      {"git_commit", build.git_commit},
+      {"source", c.source},
+      {"trials", c.read},
+      {"simulated", c.simulated},
+      {"trial_files", list(c.trials, trial_json)},
+      {"constants", list(c.constants, constant_json)},
+      {"values", list(c.values, value_json)},
+      {"tests", list(c.tests, test_json)},
+      {"pulls", list(c.rolling, rolling_json)},
+      {"crosswise", list(c.crosswise, crosswise_json)},
+      {"outliers", list(c.outliers,
+                        [](const calibration::Outlier& o) {
+                          return Json{{"trial", o.trial},
+                                      {"constant", o.constant},
+                                      {"value", o.value},
+                                      {"p_adjusted", o.p}};
+                        })},
+      {"validation", list(c.predictions,
+                          [](const calibration::Prediction& p) {
+                            return Json{{"trial", p.trial},
+                                        {"constant", p.constant},
+                                        {"measured", p.measured},
+                                        {"predicted", p.predicted},
+                                        {"prediction_95", json_interval(p.interval)},
+                                        {"misfit", p.misfit()},
+                                        {"inside", p.inside()}};
+                          })},
+      {"validation_without_constant", c.unpredicted},
+      {"left_out", list(c.left_out,
+                        [](const calibration::TrialFault& f) {
+                          return Json{{"file", f.file}, {"line", f.line}, {"reason", f.reason}};
+                        })},
+      {"caster_files",
+       list(casters,
+            [](const calibration::CasterFile& f) {
+              return Json{{"file", f.name}, {"calibrated", f.calibrated}, {"text", f.text}};
+            })},
+      {"without_caster_file", without}};
   return json.dump(2) + "\n";
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "studies/build_info/build_info.h"
+
 namespace gurney::report {
 namespace {
 
@@ -51,7 +53,8 @@ Json check_json(const Check& c) {
   return {{"quantity", c.quantity}, {"unit", c.unit},
           {"computed", c.computed}, {"reference", c.reference},
           {"error", c.error()},     {"tolerance", c.tolerance},
-          {"passed", c.passed()},   {"derivation", c.derivation}};
+          {"passed", c.passed()},   {"derivation", c.derivation},
+          {"where", c.where}};
 }
 
 Json checks_json(const Findings& findings) {
@@ -121,7 +124,16 @@ std::string verification_json(const std::vector<CaseRun>& runs) {
                      {"stock_bullet", stock},
                      {"seconds", run.seconds}});
   }
-  return Json{{"passed", passed}, {"cases", cases}}.dump(2) + '\n';
+  const build_info::BuildInfo build = build_info::build_info();
+  return Json{{"schema", "gurney-verification/1"},
+              {"program_version", build.program_version},
+              {"git_commit", build.git_commit},
+              {"compiler", build.compiler},
+              {"cpu_class", build.cpu_class},
+              {"passed", passed},
+              {"cases", cases}}
+             .dump(2) +
+         '\n';
 }
 
 }  // namespace gurney::report

@@ -14,7 +14,7 @@ std::string verification_text(const verification::CaseRun& run, bool in_full);
 /// How many passed, and which did not.
 std::string verification_summary(const std::vector<verification::CaseRun>& runs);
 
-/// One object with `cases`.
+/// One object with `cases`, of which `gurney report` makes a page.
 std::string verification_json(const std::vector<verification::CaseRun>& runs);
 
 /// The tables of docs/verification.md: closed forms, and every check of every case.

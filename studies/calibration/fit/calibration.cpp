@@ -1,6 +1,10 @@
 #include "studies/calibration/fit/calibration.h"
 
+#include <filesystem>
+
 #include "engine/base/error.h"
+#include "engine/base/hash/sha256.h"
+#include "engine/base/input_file.h"
 #include "studies/calibration/fit/breakaway.h"
 #include "studies/calibration/fit/rebound.h"
 #include "studies/calibration/trials/trial_check.h"
@@ -15,7 +19,7 @@ class Collector {
   void add(const TrialAverages& averages) {
     if (const auto fault = check_averages(averages, false)) return leave_out(*fault);
     const RollingTrial trial{averages, average_method(averages)};
-    values.push_back(value_of(trial));
+    result_.values.push_back(value_of(trial));
     if (averages.setup.use == TrialUse::kCalibration) result_.rolling.push_back(trial);
   }
 
@@ -35,10 +39,11 @@ class Collector {
     }
   }
 
-  std::vector<TrialValue> values;
-
  private:
-  void leave_out(const TrialFault& fault) { result_.left_out.push_back(fault); }
+  void leave_out(const TrialFault& fault) {
+    result_.left_out.push_back(fault);
+    result_.trials.back().excluded = fault.reason;
+  }
 
   void add_pull(Trial trial) {
     TrialFault fault;
@@ -57,17 +62,18 @@ class Collector {
     TrialFault fault;
     const auto found = breakaway_of(trial, fault);
     if (!found) return leave_out(fault);
-    values.push_back(
+    result_.values.push_back(
         {peak, trial.name, trial.setup, found->peak, found->peak_error, found->peak_bounds});
     if (moving == ConstantKind::kKineticFriction)
-      values.push_back({moving, trial.name, trial.setup, found->moving, found->moving_error});
+      result_.values.push_back(
+          {moving, trial.name, trial.setup, found->moving, found->moving_error});
   }
 
   void add_impact(const Trial& trial) {
     TrialFault fault;
     const auto found = rebound_of(trial, fault);
     if (!found) return leave_out(fault);
-    values.push_back(
+    result_.values.push_back(
         {ConstantKind::kRestitution, trial.name, trial.setup, found->restitution, found->error});
   }
 
@@ -75,13 +81,23 @@ class Collector {
     TrialFault fault;
     const auto found = fit_crosswise(trial, fault);
     if (!found) return leave_out(fault);
-    values.push_back({ConstantKind::kSwivelTorque, trial.name, trial.setup, found->torque_length,
-                      found->torque_length_error});
+    result_.values.push_back({ConstantKind::kSwivelTorque, trial.name, trial.setup,
+                              found->torque_length, found->torque_length_error});
     result_.crosswise.push_back(*found);
   }
 
   Calibration& result_;
 };
+
+std::string hash_of(const std::string& file) {
+  return file.empty() || !std::filesystem::exists(file) ? "" : sha256(read_input_file(file));
+}
+
+void note(Calibration& result, const ReadTrial& trial) {
+  ++result.read;
+  result.simulated += trial.setup.origin == TrialOrigin::kSimulated;
+  result.trials.push_back(trial);
+}
 
 }  // namespace
 
@@ -89,27 +105,24 @@ Calibration calibrate(TrialSet trials, const std::string& source) {
   Calibration result;
   result.source = source;
   Collector collector(result);
-  const auto count = [&](const TrialSetup& setup) {
-    ++result.read;
-    result.simulated += setup.origin == TrialOrigin::kSimulated;
-  };
-  for (const TrialAverages& averages : trials.averages) {
-    count(averages.setup);
-    collector.add(averages);
+  for (const TrialAverages& each : trials.averages) {
+    note(result,
+         {each.name, each.file, each.line, hash_of(each.file), TrialKind::kPull, each.setup});
+    collector.add(each);
   }
-  for (Trial& trial : trials.trials) {
-    count(trial.setup);
-    collector.add(std::move(trial));
+  for (Trial& each : trials.trials) {
+    note(result, {each.name, each.file, 0, hash_of(each.file), each.kind, each.setup});
+    collector.add(std::move(each));
   }
-  result.constants = constants_of(collector.values);
+  result.constants = constants_of(result.values);
   if (result.constants.empty()) {
     std::string text = source + ": no trial with use = calibration can be used";
     for (const TrialFault& fault : result.left_out) text += "\n" + fault.text();
     throw Error(text);
   }
   result.tests = rolling_tests(result.rolling);
-  result.outliers = outliers_of(collector.values);
-  result.predictions = predictions_of(collector.values, result.constants, result.unpredicted);
+  result.outliers = outliers_of(result.values);
+  result.predictions = predictions_of(result.values, result.constants, result.unpredicted);
   return result;
 }
 

@@ -18,9 +18,21 @@ struct PhasedPull {
   TrialAverages averages;
 };
 
+/// A trial as it was read, whether or not it could be used.
+struct ReadTrial {
+  std::string name, file;
+  int line = 0;        ///< of a table of averages; 0: the file is of this trial
+  std::string sha256;  ///< of the file; empty: there is none
+  TrialKind kind = TrialKind::kPull;
+  TrialSetup setup;
+  std::string excluded = {};  ///< why; empty: it is used
+};
+
 /// What trials show of casters.
 struct Calibration {
   std::string source;  ///< the file or folder
+  std::vector<ReadTrial> trials;
+  std::vector<TrialValue> values;  ///< of each trial, for calibration and for validation
   std::vector<Constant> constants;
   std::vector<RollingTrial> rolling;    ///< pulls for calibration
   std::vector<RollingTest> tests;       ///< of them

@@ -89,6 +89,12 @@ const char* symbol_of(ConstantKind kind) { return kSymbols[static_cast<std::size
 const char* name_of(ConstantKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
 const char* unit_of(ConstantKind kind) { return kind == ConstantKind::kSwivelTorque ? "m" : "1"; }
 
+std::string TrialValue::constant() const {
+  Constant of;
+  std::tie(of.kind, of.caster, of.floor, of.against) = key_of(*this);
+  return of.about();
+}
+
 std::string Constant::about() const {
   if (kind == ConstantKind::kRestitution) return fmt::format("e against {}", against);
   return fmt::format("{} of {} on {}", symbol_of(kind), caster, floor);

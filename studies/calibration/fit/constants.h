@@ -29,6 +29,8 @@ struct TrialValue {
   double value = 0;       ///< > 0
   double error = 0;       ///< standard error of its measurement
   bool at_least = false;  ///< the constant is `value` or more: mu_s with all wheels locked
+
+  std::string constant() const;  ///< Constant::about() of its constant
 };
 
 /// One constant of one caster and floor, or of what was hit, from all trials with `use`

@@ -57,6 +57,13 @@ expect 0 "far.html" "$gurney" report study.h5 --limit-state 'peak_displacement >
 has far.html "peak_displacement &gt; 0.2 m"
 has_not far.html "Limit state overturned"
 
+echo '{"schema": "geojson/1"}' > foreign.json
+expect 1 '"gurney-calibration/1"' "$gurney" report foreign.json -o x.html
+"$gurney" verify alignment/crosswise --json > verified.json 2> stderr
+expect 0 "verified.html" "$gurney" report verified.json -o verified.html
+has verified.html "alignment/crosswise"
+expect 1 "limit states and hazard are for the file of a study" \
+  "$gurney" report verified.json --limit-state overturned -o x.html
 expect 1 "run.html: exists already" "$gurney" report run.h5 -o run.html
 expect 0 "run.html" "$gurney" report run.h5 -o run.html --overwrite
 expect 1 "must end in .html" "$gurney" report run.h5 -o run.pdf
