@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 #include <new>
 #include <optional>
 #include <tuple>
@@ -21,6 +20,7 @@
 #include "engine/solver/chassis_points.h"
 #include "engine/solver/floor_points.h"
 #include "engine/solver/placed_shape.h"
+#include "engine/solver/wheel_clearance.h"
 
 namespace gurney {
 namespace {
@@ -34,8 +34,12 @@ void* allocate(std::size_t size) {
 /// Bullet does not look at what its allocator returns: without memory it would write through null.
 const bool kAllocatorIsSet = (btAlignedAllocSetCustom(allocate, std::free), true);
 
-/// Bullet reports contacts from this far; nearer than this a pass is always made [m].
+/// Bullet reports contacts from this far, its gContactBreakingThreshold [m].
 constexpr double kContactMargin = 0.02;
+
+/// A pass is made for wheels nearer than this: the distance that Bullet finds of smooth bodies is off
+/// by far less than 1 mm.
+constexpr double kWheelRange = kContactMargin + 1e-3;
 
 constexpr double kMaxParts = 100;  // of a step, each with a pass of its own
 
@@ -79,7 +83,9 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
   World(const Scene& scene, const Assembly& assembly, bool skip_clear_passes)
       : btMultiBodyDynamicsWorld(&dispatcher, &broadphase, &solver, &configuration),
         assembly_(assembly),
+        travels_(assembly, skip_clear_passes),
         chassis_points_(scene, assembly),
+        wheel_clearance_(scene, assembly),
         room_(scene.room, *this),
         skip_clear_passes_(skip_clear_passes) {
     for (std::size_t i = 0; i < scene.items.size(); ++i) {
@@ -106,9 +112,7 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
     for (double time = from; solved_ && time < until; time = stop_) {
       stop_ = next_pass(time, until);
       speed_ = approach_speed();
-      const double duration = stop_ - time;
-      stepSimulation(duration, 0);
-      travelled_ += duration * std::max(speed_, approach_speed());
+      stepSimulation(stop_ - time, 0);
     }
     return solved_;
   }
@@ -117,17 +121,16 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
 
   void performDiscreteCollisionDetection() override {
     contacts_.clear();
+    travels_.observe(*state_);
     const double needed = kContactMargin + 2 * step_ * speed_;
-    if (skip_clear_passes_ && clearance_ - travelled_ > needed) return;
+    for (std::size_t i = 0; i < items_.size(); ++i)
+      floor_points_[i].collect(state_->items[i], travels_.of(i), needed, contacts_);
+    chassis_points_.collect(*state_, travels_, step_, needed, contacts_);
+    if (skip_clear_passes_ && !wheel_clearance_.any_near(*state_, travels_, kWheelRange)) return;
     for (std::size_t i = 0; i < items_.size(); ++i) items_[i]->set(state_->items[i]);
     clear_cached_manifolds();
     btMultiBodyDynamicsWorld::performDiscreteCollisionDetection();
     ++passes_;
-    travelled_ = 0;
-    clearance_ = measure_clearance();
-    for (std::size_t i = 0; i < items_.size(); ++i)
-      floor_points_[i].collect(state_->items[i], needed, contacts_);
-    chassis_points_.collect(*state_, step_, needed, contacts_);
     collect_contacts();
   }
 
@@ -143,18 +146,6 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
   void synchronizeMotionStates() override {}
 
  private:
-  /// Around one object, along the floor axes.
-  struct AlignedBox {
-    const btMultiBody* item = nullptr;  // null: of the room
-    btVector3 low, high;
-  };
-  static double distance(const AlignedBox& a, const AlignedBox& b) {
-    double result = 0;
-    for (int k = 0; k < 3; ++k)
-      result = std::max({result, a.low[k] - b.high[k], b.low[k] - a.high[k]});
-    return result;
-  }
-
   /// Nothing may travel past the margin between two passes: it would be found inside another body.
   double next_pass(double time, double until) const {
     if (obstacles_.empty() && items_.size() == 1) return until;
@@ -185,30 +176,6 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
       fastest = std::max(fastest, speed);
     }
     return fastest + second;
-  }
-
-  /// Least distance between boxes around what may touch, and from the floor.
-  double measure_clearance() {
-    double clearance = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < items_.size(); ++i)
-      clearance = std::min(clearance, floor_points_[i].clearance(state_->items[i]));
-    const auto& objects = getCollisionObjectArray();
-    boxes_.resize(static_cast<std::size_t>(objects.size()));
-    for (std::size_t i = 0; i < boxes_.size(); ++i) {
-      const btCollisionObject& object = *objects[static_cast<int>(i)];
-      const auto* collider = btMultiBodyLinkCollider::upcast(&object);
-      boxes_[i].item = collider == nullptr ? nullptr : collider->m_multiBody;
-      object.getCollisionShape()->getAabb(object.getWorldTransform(), boxes_[i].low,
-                                          boxes_[i].high);
-    }
-    for (std::size_t a = 0; a < boxes_.size(); ++a) {
-      if (boxes_[a].item == nullptr) continue;
-      for (std::size_t b = 0; b < boxes_.size(); ++b) {
-        if (boxes_[b].item != nullptr && (b < a || boxes_[b].item == boxes_[a].item)) continue;
-        clearance = std::min(clearance, distance(boxes_[a], boxes_[b]));
-      }
-    }
-    return clearance;
   }
 
   /// @param towards  unit, outwards of the body
@@ -308,8 +275,10 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
   }
 
   const Assembly& assembly_;
+  Travels travels_;
   ChassisPoints chassis_points_;
   std::vector<FloorPoints> floor_points_;
+  WheelClearance wheel_clearance_;
   std::vector<std::optional<WheelObstacle>> obstacles_;  // as Scene::room; none of columns
   std::vector<std::unique_ptr<MultibodyItem>> items_;
   RoomObjects room_;
@@ -319,8 +288,7 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
   double stop_ = 0;  // of the step that is made
   const Solve* solve_ = nullptr;
   std::vector<BodyContact> contacts_;
-  std::vector<AlignedBox> boxes_;
-  double step_ = 0, speed_ = 0, travelled_ = 0, clearance_ = 0;
+  double step_ = 0, speed_ = 0;
   long passes_ = 0;
 };
 

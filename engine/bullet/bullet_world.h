@@ -16,9 +16,9 @@ namespace gurney {
 /// them (those with the flat floor and of the chassis with the room are analytic: FloorPoints,
 /// ChassisPoints), and where it would solve constraints and integrate, it calls us.
 ///
-/// The collision pass is skipped while bounds on the distance to everything else and on the motion
-/// since the last pass say that nothing is near, with a margin of 20 mm; results are
-/// then the same bits either way.
+/// Bullet's pass is skipped while no wheel is near anything but the floor (WheelClearance), and the
+/// analytic search for pairs that bounds on their motion keep apart (Clearance); results are the
+/// same bits either way.
 class BulletWorld {
  public:
   BulletWorld(const Scene& scene, const Assembly& assembly, bool skip_clear_passes);

@@ -156,12 +156,17 @@ SurfacePiece ConvexShape::facing(const Vector3& direction) const {
 }
 
 ConvexShape ConvexShape::placed(const Quaternion& rotation, const Vector3& position) const {
-  const Matrix3 r = rotation.toRotationMatrix();
   ConvexShape result = *this;
-  for (Vector3& corner : result.corners) corner = position + r * corner;
-  for (Face& face : result.faces) face.normal = r * face.normal;
-  for (Vector3& edge : result.edges) edge = r * edge;
+  place(rotation, position, result);
   return result;
+}
+
+void ConvexShape::place(const Quaternion& rotation, const Vector3& position,
+                        ConvexShape& result) const {
+  const Matrix3 r = rotation.toRotationMatrix();
+  for (std::size_t i = 0; i < corners.size(); ++i) result.corners[i] = position + r * corners[i];
+  for (std::size_t i = 0; i < faces.size(); ++i) result.faces[i].normal = r * faces[i].normal;
+  for (std::size_t i = 0; i < edges.size(); ++i) result.edges[i] = r * edges[i];
 }
 
 ConvexShape convex_box(const Vector3& center, const Vector3& size) {

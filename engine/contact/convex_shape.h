@@ -27,6 +27,8 @@ struct ConvexShape {
   SurfacePiece facing(const Vector3& direction) const;
   /// The same, fixed to a body there.
   ConvexShape placed(const Quaternion& rotation, const Vector3& position) const;
+  /// The same into a shape that was placed before.
+  void place(const Quaternion& rotation, const Vector3& position, ConvexShape& result) const;
 };
 
 /// @param size  full edge lengths, > 0 [m]

@@ -5,7 +5,7 @@
 
 #include "engine/contact/column_points.h"
 #include "engine/contact/convex_shape.h"
-#include "engine/solver/assembly.h"
+#include "engine/solver/travel.h"
 
 namespace gurney {
 
@@ -14,14 +14,18 @@ namespace gurney {
 ///
 /// Bullet reports one edge point of two boxes until they overlap by 0.1 mm, so a face that lands
 /// flat would touch with one point and turn.
+///
+/// Pairs of shapes are left out while a gap along one of the axes of the search, less what they
+/// have moved since it was measured, is larger than the margin: nothing would be found.
 class ChassisPoints {
  public:
   ChassisPoints(const Scene& scene, const Assembly& assembly);
 
   /// Appends the contacts with a gap of at most `margin` [m].
-  /// @param step  until this is asked again [s]
-  void collect(const SceneState& state, double step, double margin,
-               std::vector<BodyContact>& contacts) const;
+  /// @param travels  up to `state`
+  /// @param step     until this is asked again [s]
+  void collect(const SceneState& state, const Travels& travels, double step, double margin,
+               std::vector<BodyContact>& contacts);
 
  private:
   struct Obstacle {
@@ -32,19 +36,33 @@ class ChassisPoints {
   };
   struct PlacedBox {
     ConvexShape shape;  // floor axes
-    Vector3 center, velocity;
-    double reach;
+    Vector3 center = Vector3::Zero(), velocity = Vector3::Zero();
+    double reach = 0;
+    bool is_now = false;  // of the state that is searched
   };
-  std::vector<PlacedBox> placed(std::size_t item, const State& state) const;
-  void against_room(std::size_t item, const State& state, const std::vector<PlacedBox>& boxes,
-                    double step, double margin, std::vector<BodyContact>& contacts) const;
-  void between(std::size_t a, const std::vector<PlacedBox>& boxes_a, std::size_t b,
-               const std::vector<PlacedBox>& boxes_b, const SceneState& state, double step,
-               double margin, std::vector<BodyContact>& contacts) const;
+  struct PairClearance {
+    Clearance clearance;
+    double arm = 0;  // of the turns of both [m]
+  };
+  /// What is searched, and for what.
+  struct Search {
+    const SceneState& state;
+    const Travels& travels;
+    double step, margin;
+    std::vector<BodyContact>& contacts;
+  };
+  static double gap_of(const PlacedBox& box, const Obstacle& obstacle);
+  static double gap_of(const PlacedBox& a, const PlacedBox& b);
+  const PlacedBox& placed(std::size_t item, std::size_t box, const State& state);
+  void against_room(std::size_t item, const Search& search);
+  void between(std::size_t a, std::size_t b, const Search& search);
 
   std::vector<std::vector<ConvexShape>> boxes_;  // chassis axes, of each item
   std::vector<double> reach_;                    // of each chassis
   std::vector<Obstacle> obstacles_;
+  std::vector<std::vector<PlacedBox>> placed_;     // as boxes_
+  std::vector<std::vector<Clearance>> from_room_;  // of each item: boxes x obstacles
+  std::vector<std::vector<PairClearance>> pairs_;  // of each pair of items: boxes x boxes
 };
 
 }  // namespace gurney

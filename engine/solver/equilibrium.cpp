@@ -94,7 +94,7 @@ void settle(const Assembly& assembly, const Scene& scene, std::size_t index, Sce
   SceneState settled{{state}, {}};
   settled.items[0].loads = standing.items[0].loads.initial_state();
   std::vector<BodyContact> contacts;
-  FloorPoints(scene.items[index].model, mechanism, 0).collect(state, kNearFloor, contacts);
+  FloorPoints(scene.items[index].model, mechanism, 0).collect(state, {}, kNearFloor, contacts);
   for (const BodyContact& contact : contacts) settled.contacts.emplace_back().contact = contact;
   const bool stands = relax(standing, kPseudoStep, settled);
   const State& there = settled.items[0];

@@ -7,13 +7,16 @@
 namespace gurney {
 namespace {
 
-/// A wheel with a steeper axle may soon lie on its side.
-constexpr double kSteepAxle = 0.5;
-
 Vector3 axle_of(const CasterDynamics& caster, const State& state, std::size_t i) {
   const double angle = state.casters[i].swivel_angle;
   return caster.point(state.pose(), angle, Vector3::UnitY()) -
          caster.point(state.pose(), angle, Vector3::Zero());
+}
+
+/// Axles are across the chassis' z axis, so that none is steeper than its tilt.
+bool some_wheel_may_lie(const State& state) {
+  const Vector3 up = state.rotation.conjugate() * Vector3::UnitZ();
+  return CasterDynamics::lies(Vector3(0, 0, up.head<2>().norm() + Clearance::kRounding));
 }
 
 }  // namespace
@@ -28,29 +31,27 @@ FloorPoints::FloorPoints(const EquipmentModel& model, const Mechanism& mechanism
     }
 }
 
-void FloorPoints::collect(const State& state, double margin,
-                          std::vector<BodyContact>& contacts) const {
+void FloorPoints::collect(const State& state, const Travel& travel, double margin,
+                          std::vector<BodyContact>& contacts) {
   const auto add_if_low = [&](const BodyContact::Side& side) {
-    if (state.position.z() + mechanism_.point(side, state).z() < margin)
-      contacts.emplace_back().side = side;
+    const double height = state.position.z() + mechanism_.point(side, state).z();
+    if (height < margin) contacts.emplace_back().side = side;
+    return height;
   };
-  for (const Vector3& corner : corners_) add_if_low({item_, -1, corner});
+  const double travelled = travel.chassis(mechanism_.reach);
+  if (!clearance_.exceeds(margin, travelled)) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vector3& corner : corners_)
+      lowest = std::min(lowest, add_if_low({item_, -1, corner}));
+    clearance_.measure(lowest, travelled);
+  }
+  if (!some_wheel_may_lie(state)) return;
   for (std::size_t i = 0; i < mechanism_.casters.size(); ++i) {
     const CasterDynamics& caster = mechanism_.casters[i];
     if (!CasterDynamics::lies(axle_of(caster, state, i))) continue;
     for (const bool left : {false, true})
       for (const Vector3& point : caster.rim(left)) add_if_low({item_, static_cast<int>(i), point});
   }
-}
-
-double FloorPoints::clearance(const State& state) const {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Vector3& corner : corners_)
-    lowest = std::min(lowest, state.position.z() + (state.rotation * corner).z());
-  for (std::size_t i = 0; i < mechanism_.casters.size(); ++i)
-    if (std::abs(axle_of(mechanism_.casters[i], state, i).z()) > kSteepAxle)
-      lowest = std::min(lowest, 0.0);
-  return lowest;
 }
 
 }  // namespace gurney

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/contact/body_contact.h"
-#include "engine/solver/mechanism.h"
+#include "engine/solver/travel.h"
 
 namespace gurney {
 
@@ -19,15 +19,15 @@ class FloorPoints {
   FloorPoints(const EquipmentModel& model, const Mechanism& mechanism, std::size_t item);
 
   /// Appends the contacts of points lower than `margin` above the floor [m].
-  void collect(const State& state, double margin, std::vector<BodyContact>& contacts) const;
-
-  /// How far the lowest point is above the floor; not more than that once a wheel leans [m].
-  double clearance(const State& state) const;
+  /// @param travel  of the item up to `state`
+  void collect(const State& state, const Travel& travel, double margin,
+               std::vector<BodyContact>& contacts);
 
  private:
   const Mechanism& mechanism_;
   std::size_t item_;
   std::vector<Vector3> corners_;  // chassis axes, relative to its centre
+  Clearance clearance_;           // of the lowest corner
 };
 
 }  // namespace gurney
