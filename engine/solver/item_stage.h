@@ -68,6 +68,11 @@ class ItemStage {
   const Mechanism& mechanism() const { return mechanism_; }
   const Pose& pose() const { return pose_; }
   bool kept(int caster) const { return lanes_of(caster).kept(lane_of(caster)); }
+  bool keeps_joints() const {
+    for (int caster = 0; caster < static_cast<int>(mechanism_.casters.size()); ++caster)
+      if (kept(caster)) return true;
+    return false;
+  }
   /// The lanes of a caster, and which of them is its.
   const CasterLanes& lanes_of(int caster) const {
     return casters_[static_cast<std::size_t>(caster) / kLanes];

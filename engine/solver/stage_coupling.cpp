@@ -1,8 +1,9 @@
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "engine/solver/stage_solver.h"
 
-// Newton's step of an island of several items.
+// Newton's step of an island of several items: of those that push each other together.
 namespace gurney {
 namespace {
 
@@ -14,10 +15,34 @@ struct Place {
 
 }  // namespace
 
-void StageSolver::coupled_step(const Island& island, double tau, std::vector<Velocity>& v) {
+void StageSolver::coupled_steps(const Island& island, double tau, std::vector<Velocity>& v) {
+  // Those that may touch in this step and do not have equations of their own. A pair costs as much
+  // either way.
+  for (std::size_t i : island.items) group_of_[i] = island.items.size() > 2 ? i : island.items[0];
+  for (const ContactWork& work : contacts_) {
+    if (!work.pushes() || !work.contact->between_items()) continue;
+    const std::size_t a = group_of_[work.contact->side.item],
+                      b = group_of_[work.contact->other_side.item];
+    for (std::size_t i : island.items)
+      if (group_of_[i] == std::max(a, b)) group_of_[i] = std::min(a, b);
+  }
+  for (std::size_t first : island.items) {
+    if (group_of_[first] != first) continue;
+    group_.clear();
+    for (std::size_t i : island.items)
+      if (group_of_[i] == first) group_.push_back(i);
+    if (group_.size() == 1 && !items_[first].keeps_joints())
+      single_step(first, v);
+    else
+      coupled_step(group_, tau, v);
+  }
+}
+
+void StageSolver::coupled_step(const std::vector<std::size_t>& group, double tau,
+                               std::vector<Velocity>& v) {
   std::vector<Place> places(items_.size());
   Eigen::Index size = 0;
-  for (std::size_t i : island.items) {
+  for (std::size_t i : group) {
     places[i].chassis = size;
     size += 6;
     for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j) {
@@ -28,7 +53,7 @@ void StageSolver::coupled_step(const Island& island, double tau, std::vector<Vel
   }
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size, size);
   Eigen::VectorXd right_side = Eigen::VectorXd::Zero(size);
-  for (std::size_t i : island.items) {
+  for (std::size_t i : group) {
     const ItemStage& item = items_[i];
     const Eigen::Index at = places[i].chassis;
     K.block<6, 6>(at, at) = item.matrix();
@@ -45,8 +70,9 @@ void StageSolver::coupled_step(const Island& island, double tau, std::vector<Vel
     }
   }
   for (const ContactWork& work : contacts_) {
-    if (!work.contact->between_items()) continue;
+    if (!work.contact->between_items() || !work.pushes()) continue;
     const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
+    if (group_of_[a.item] != group.front()) continue;
     const Matrix3 slope = tau * work.slope;
     const auto couple = [&](Eigen::Index row, const auto& left, Eigen::Index column,
                             const auto& right) {
@@ -65,7 +91,7 @@ void StageSolver::coupled_step(const Island& island, double tau, std::vector<Vel
       couple(pa.joints[static_cast<std::size_t>(a.caster)], work.side.joints,
              pb.joints[static_cast<std::size_t>(b.caster)], work.other_side.joints);
   }
-  for (std::size_t i : island.items)
+  for (std::size_t i : group)
     for (int dof = 0; dof < 6; ++dof) {
       if (!items_[i].constrained(dof)) continue;
       const Eigen::Index row = places[i].chassis + dof;
@@ -73,7 +99,7 @@ void StageSolver::coupled_step(const Island& island, double tau, std::vector<Vel
       K(row, row) = assembly_.items[i].total_mass;
     }
   const Eigen::VectorXd step = K.partialPivLu().solve(right_side);
-  for (std::size_t i : island.items) {
+  for (std::size_t i : group) {
     items_[i].apply(step.segment<6>(places[i].chassis), v[i]);
     for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j)
       if (items_[i].kept(static_cast<int>(j)))

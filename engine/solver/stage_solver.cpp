@@ -24,7 +24,8 @@ StageSolver::StageSolver(const Assembly& assembly, const Settings& settings)
     : assembly_(assembly),
       settings_(settings),
       inputs_(assembly.items.size()),
-      v_(assembly.items.size()) {
+      v_(assembly.items.size()),
+      group_of_(assembly.items.size()) {
   for (const Mechanism& mechanism : assembly.items) items_.emplace_back(mechanism);
   before_ = full_ = v_;
 }
@@ -45,6 +46,7 @@ double StageSolver::evaluate_forces(const Input& input, const std::vector<Veloci
   for (ContactWork& work : contacts_) {
     const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
     work.force = work.law->force(work.stage, contact_rates(work, v), work.slope);
+    if (!work.pushes()) continue;
     items_[a.item].add_contact_force(a.caster, work.side.chassis, work.side.joints, work.force);
     if (work.contact->between_items())
       items_[b.item].add_contact_force(b.caster, work.other_side.chassis, work.other_side.joints,
@@ -61,6 +63,7 @@ double StageSolver::evaluate_forces(const Input& input, const std::vector<Veloci
 void StageSolver::newton_step(const Input& input, std::vector<Velocity>& v) {
   for (std::size_t i : input.island->items) items_[i].begin_matrix();
   for (const ContactWork& work : contacts_) {
+    if (!work.pushes()) continue;
     const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
     const Matrix3 slope = input.tau * work.slope;
     items_[a.item].add_contact_slope(a.caster, work.side.chassis, work.side.joints, slope);
@@ -69,10 +72,12 @@ void StageSolver::newton_step(const Input& input, std::vector<Velocity>& v) {
                                        slope);
   }
   for (std::size_t i : input.island->items) items_[i].eliminate();
-  if (input.island->items.size() > 1) return coupled_step(*input.island, input.tau, v);
-  const std::size_t only = input.island->items.front();
-  const ItemStage& item = items_[only];
-  item.apply(solve6(item.matrix(), item.right_side()), v[only]);
+  if (input.island->items.size() == 1) return single_step(input.island->items.front(), v);
+  coupled_steps(*input.island, input.tau, v);
+}
+
+void StageSolver::single_step(std::size_t item, std::vector<Velocity>& v) {
+  items_[item].apply(solve6(items_[item].matrix(), items_[item].right_side()), v[item]);
 }
 
 double StageSolver::geometry_error(const Island& island, const std::vector<Velocity>& v) const {

@@ -70,13 +70,18 @@ class StageSolver {
     Side side, other_side;
     Vector3 force;
     Matrix3 slope;
+
+    /// Else force and slope are zero.
+    bool pushes() const { return force.z() != 0; }
   };
 
   ItemStage::Input item_input(const Input& input, std::size_t item) const;
   void update_geometry(const Input& input, const std::vector<Velocity>& v, bool first);
   double evaluate_forces(const Input& input, const std::vector<Velocity>& v);
   void newton_step(const Input& input, std::vector<Velocity>& v);
-  void coupled_step(const Island& island, double tau, std::vector<Velocity>& v);
+  void coupled_steps(const Island& island, double tau, std::vector<Velocity>& v);
+  void coupled_step(const std::vector<std::size_t>& group, double tau, std::vector<Velocity>& v);
+  void single_step(std::size_t item, std::vector<Velocity>& v);
   double geometry_error(const Island& island, const std::vector<Velocity>& v) const;
   void finish(const Input& input, const std::vector<Velocity>& v, Output& out);
 
@@ -94,6 +99,7 @@ class StageSolver {
   std::vector<ItemStage::Input> inputs_;  // of the island's items, in the stage that is solved
   std::vector<ContactWork> contacts_;     // of the island
   std::vector<Velocity> v_, before_, full_;
+  std::vector<std::size_t> group_of_, group_;  // items that push each other, by the first of them
 };
 
 }  // namespace gurney
