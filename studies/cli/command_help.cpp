@@ -91,6 +91,9 @@ constexpr std::array kCommands = {
     CommandHelp{"records make", "Generate a synthetic motion",
                 "gurney records make --list\n"
                 "gurney records make near_fault_pulse period_s=2 -o pulse.csv"},
+    CommandHelp{"records model", "Spectrum of a published ground-motion model, with its scatter",
+                "gurney records model --magnitude 7 --distance 20 --vs30 400\n"
+                "gurney records model --magnitude 7 --distance 20 --vs30 400 --json"},
     CommandHelp{
         "records scale", "Factors that bring a suite of records to a target spectrum",
         "gurney records scale groundmotions/records --target \"asce7 sds_g=1 sd1_g=0.6\" \\\n"

@@ -40,6 +40,7 @@ AddCommand add_records_convert;  ///< to Gurney's CSV or to AT2, processed on th
 AddCommand add_records_floor;    ///< floor motions of a building
 AddCommand add_records_info;     ///< peaks, durations and measures
 AddCommand add_records_make;     ///< synthetic motions
+AddCommand add_records_model;    ///< a published ground-motion model
 AddCommand add_records_plot;     ///< histories and spectra
 AddCommand add_records_scale;    ///< factors to a measure or a target spectrum
 

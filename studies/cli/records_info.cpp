@@ -15,16 +15,26 @@ namespace {
 
 struct InfoOptions {
   RecordSource source;
+  std::vector<std::string> measures;
   bool json = false;
 };
 
-int print_json(const RecordSource& source) {
+std::vector<groundmotions::Measure> measures_of(const InfoOptions& options) {
+  if (options.measures.empty()) return groundmotions::common_measures();
+  std::vector<groundmotions::Measure> measures;
+  for (const std::string& name : options.measures)
+    measures.push_back(groundmotions::parse_measure(name));
+  return measures;
+}
+
+int print_json(const InfoOptions& options) {
+  const auto measures = measures_of(options);
   std::vector<std::string> records;
   std::vector<groundmotions::Refusal> refused;
   const int code = for_each_record(
-      source, &refused,
+      options.source, &refused,
       [&](const groundmotions::SuiteRecord& entry, const groundmotions::Record& record) {
-        records.push_back(report::record_json(record, entry.facts));
+        records.push_back(report::record_json(record, entry.facts, measures));
       });
   std::vector<std::pair<std::string, std::string>> left_out;
   for (const groundmotions::Refusal& refusal : refused)
@@ -34,19 +44,20 @@ int print_json(const RecordSource& source) {
 }
 
 int info(const InfoOptions& options) {
-  if (options.json) return print_json(options.source);
+  if (options.json) return print_json(options);
+  const auto measures = measures_of(options);
   bool first = true;
   return for_each_record(
       options.source, nullptr,
       [&](const groundmotions::SuiteRecord& entry, const groundmotions::Record& record) {
         fmt::print("{}{}", first ? "" : "\n",
-                   printable(report::record_report(record, entry.facts)));
+                   printable(report::record_report(record, entry.facts, measures)));
         first = false;
       });
 }
 
 int list(const InfoOptions& options) {
-  if (options.json) return print_json(options.source);
+  if (options.json) return print_json(options);
   std::size_t count = 0;
   std::vector<groundmotions::Refusal> refused;
   const int code =
@@ -62,22 +73,28 @@ int list(const InfoOptions& options) {
   return code;
 }
 
-void add(CLI::App& records, const char* name, const char* description,
-         int (*command)(const InfoOptions&), std::function<int()>& action) {
-  auto options = std::make_shared<InfoOptions>();
+CLI::App* add(CLI::App& records, const char* name, const char* description,
+              int (*command)(const InfoOptions&), std::function<int()>& action,
+              const std::shared_ptr<InfoOptions>& options) {
   options->source.tells_findings = false;
   CLI::App* const app = records.add_subcommand(name, description);
   add_source_options(*app, options->source);
   app->add_flag("--json", options->json, "Print JSON, in SI units");
   app->callback([options, command, &action] { action = [=] { return command(*options); }; });
+  return app;
 }
 
 }  // namespace
 
 void add_records_info(CLI::App& records, std::function<int()>& action) {
+  auto info_options = std::make_shared<InfoOptions>();
   add(records, "info", "Everything about records: headers, intensity measures, warnings", info,
-      action);
-  add(records, "ls", "A table with one line for each record", list, action);
+      action, info_options)
+      ->add_option("--measure", info_options->measures,
+                   "Intensity measures instead of the common ones, such as PGV or \"Sa(0.3)\"; "
+                   "repeatable");
+  add(records, "ls", "A table with one line for each record", list, action,
+      std::make_shared<InfoOptions>());
 }
 
 }  // namespace gurney::cli

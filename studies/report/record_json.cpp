@@ -39,11 +39,12 @@ Json component_json(const groundmotions::Component& component) {
 
 }  // namespace
 
-std::string record_json(const groundmotions::Record& record, const std::vector<RecordFact>& facts) {
+std::string record_json(const groundmotions::Record& record, const std::vector<RecordFact>& facts,
+                        const std::vector<groundmotions::Measure>& wanted) {
   Json components = Json::object();
   for (const groundmotions::Direction direction : groundmotions::kDirections)
     if (record[direction]) components[name_of(direction)] = component_json(*record[direction]);
-  const groundmotions::Summary measures = summary(record);
+  const groundmotions::Summary measures = summary(record, wanted);
   Json result = {{"name", record.name},
                  {"samples", record.samples()},
                  {"time_step_s", record.time_step()},

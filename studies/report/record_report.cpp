@@ -118,8 +118,8 @@ std::vector<std::string> record_findings(const groundmotions::Record& record) {
   return findings;
 }
 
-std::string record_report(const groundmotions::Record& record,
-                          const std::vector<RecordFact>& facts) {
+std::string record_report(const groundmotions::Record& record, const std::vector<RecordFact>& facts,
+                          const std::vector<groundmotions::Measure>& wanted) {
   std::string text = record.name + "\n" + files_text(record);
   text += fmt::format("  {:<9} {} samples, {:g} s apart, {:.2f} s\n", "samples", record.samples(),
                       record.time_step(),
@@ -129,7 +129,7 @@ std::string record_report(const groundmotions::Record& record,
   if (!facts.empty()) text += "\nfrom the suite\n";
   for (const auto& [name, value] : facts) text += fmt::format("  {:<28} {}\n", name, value);
   text += list_text("processing", record.processing);
-  const groundmotions::Summary measures = summary(record);
+  const groundmotions::Summary measures = summary(record, wanted);
   text += "\n" + measures_text(record, measures) + end_text(record);
   std::vector<std::string> findings = record_findings(record);
   findings.insert(findings.end(), measures.warnings.begin(), measures.warnings.end());

@@ -17,6 +17,7 @@ set(GURNEY_ROOMS
   "groundmotions/record: engine/base"
   "groundmotions/formats: engine/base engine/config groundmotions/record"
   "groundmotions/measures: engine/base engine/config groundmotions/record"
+  "groundmotions/models: engine/base"
   "groundmotions/processing: engine/base engine/config groundmotions/record groundmotions/measures"
   "groundmotions/assembly: engine/base groundmotions/record groundmotions/formats
     groundmotions/processing"
@@ -82,9 +83,9 @@ set(GURNEY_ROOMS
     equipment/catalogue studies/build_info studies/study/job studies/study/results
     studies/study/prepare"
   "studies/cli: engine/base engine/config engine/response engine/baselines groundmotions/record
-    groundmotions/formats groundmotions/measures groundmotions/processing groundmotions/synthetic
-    groundmotions/scaling groundmotions/suites groundmotions/buildings equipment/catalogue
-    studies/build_info studies/verification studies/study/job studies/study/results
+    groundmotions/formats groundmotions/measures groundmotions/models groundmotions/processing
+    groundmotions/synthetic groundmotions/scaling groundmotions/suites groundmotions/buildings
+    equipment/catalogue studies/build_info studies/verification studies/study/job studies/study/results
     studies/study/prepare studies/study/limit_states studies/study/plan studies/study/run
     studies/study/analysis studies/study/exports studies/calibration/fit
     studies/calibration/pulling studies/report studies/figures studies/explanation studies/picture

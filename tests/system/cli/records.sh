@@ -22,6 +22,11 @@ printf 'time_s,z_g\n0,1\n1,2\n' > up.csv
 records 0 "h1 and h2 are missing: the record has no horizontal" info up.csv
 records 0 "residual velocity, from rest" info "$record"
 records 0 '"refused": []' info "$record" --json
+records 0 'Sa(0.3)' info "$record" --measure "Sa(0.3)" --measure PGV
+records 1 "did you mean" info "$record" --measure PGW
+records 0 "PGV" model --magnitude 7 --distance 20 --vs30 400
+records 1 "magnitude 9: must be from 3 to 8.5" model --magnitude 9 --distance 20
+records 1 "period 20 s: must be 0 or from 0.01 to 10 s" model --magnitude 7 --distance 20 --period 20
 records 1 "did you mean 'high_pass'?" info "$record" --step "high_pas corner_hz=0.1"
 records 1 "unknown key" info "$record" --step "high_pass corner_hz=0.1 ordr=4"
 records 1 "must be key=value" info "$record" --step "high_pass 0.1"

@@ -1,0 +1,47 @@
+#include "groundmotions/models/epsilon_correlation.h"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "groundmotions/measures/response_spectrum.h"
+#include "tests/support/expect_error.h"
+
+namespace gurney::groundmotions {
+namespace {
+
+TEST(EpsilonCorrelation, IsOneAtOnePeriodAndSymmetric) {
+  for (const double period : {0.01, 0.1, 0.15, 1., 10.})
+    EXPECT_NEAR(epsilon_correlation(period, period), 1, 1e-12);
+  EXPECT_EQ(epsilon_correlation(0.05, 2), epsilon_correlation(2, 0.05));
+  // Both beyond 0.109 s, equation (2) alone: 1 - cos(pi/2 - 0.366 ln 2) = 1 - sin(0.2537).
+  EXPECT_NEAR(epsilon_correlation(1, 2), 1 - std::sin(0.366 * std::log(2.)), 1e-12);
+}
+
+// A correlation matrix has no negative eigenvalue. The formula is a fit with four decimals, so that one of
+// size n may have one of about -1e-4 n.
+TEST(EpsilonCorrelation, IsACorrelation) {
+  const Eigen::VectorXd periods = logarithmic_periods(0.05, 5, 24);
+  Eigen::MatrixXd matrix(24, 24);
+  for (Eigen::Index i = 0; i < 24; ++i)
+    for (Eigen::Index j = 0; j < 24; ++j)
+      matrix(i, j) = epsilon_correlation(periods[i], periods[j]);
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues()[0], -24e-4);
+}
+
+// The constants of the ranges have two digits: they meet to 0.005.
+TEST(PgvCorrelation, ItsRangesMeet) {
+  for (const double end : {0.1, 0.75, 2.5})
+    EXPECT_NEAR(pgv_correlation(end), pgv_correlation(end * (1 + 1e-9)), 0.005);
+  // The velocity goes with the period of about 1 s; the shortest period is PGA, 0.733 in the same paper.
+  EXPECT_NEAR(pgv_correlation(0.01), 0.733, 0.005);
+  EXPECT_GT(pgv_correlation(1), pgv_correlation(0.1));
+}
+
+TEST(Correlations, RefusePeriodsOutOfRange) {
+  EXPECT_ERROR(epsilon_correlation(0.001, 1), "correlations are for 0.01 to 10 s");
+  EXPECT_ERROR(pgv_correlation(11), "correlations are for 0.01 to 10 s");
+}
+
+}  // namespace
+}  // namespace gurney::groundmotions
