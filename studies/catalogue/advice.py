@@ -7,6 +7,9 @@ advised upon.
 import csv
 import os
 
+from catalogue import motion_rows
+
+MOTION_COUNT = len(motion_rows())
 SPEED = "0.8"  # [m/s] peak floor velocity of the advice
 FEW = 0.05  # a probability that counts as small
 MOST = 0.25  # that a small probability must not reach with its upper end; 0 of 16 motions exclude 0.21
@@ -80,8 +83,8 @@ class Advice:
             falls = self.words(item, "on", "overturned")
             return f"it moves 1 m less often, and overturning is not shown, {falls}{unless}"
         if action == "alike":
-            return "16 motions do not show that its brakes shorten its way"
-        return (f"its brakes shorten its way; whether it then overturns 16 motions neither show nor exclude, "
+            return f"{MOTION_COUNT} motions do not show that its brakes shorten its way"
+        return (f"its brakes shorten its way; whether it then overturns {MOTION_COUNT} motions neither show nor exclude, "
                 f"{self.words(item, 'on', 'overturned')}")
 
     def line(self, item):

@@ -1,11 +1,11 @@
 """Makes the fragility catalogue of wheeled hospital equipment (docs/catalogue/methods.md).
 
 usage: catalogue.py GURNEY OUTPUT [--items a,b] [--only FLOOR,PLACE,BRAKES]... [--variance]
-           [--suite FOLDER] [--threads N]
+           [--motions FILE | --suite FOLDER] [--threads N]
 
 GURNEY is the program, OUTPUT a folder for motions, jobs and results. A study that is finished is not
-run again, one that was interrupted goes on. --suite takes recorded motions instead of the synthetic
-ones of motions.csv, --only runs single configurations, with the same numbers; tables.py then writes the
+run again, one that was interrupted goes on. --motions takes another file of synthetic motions than MOTIONS,
+--suite recorded ones, --only runs single configurations, with the same numbers; tables.py then writes the
 tables. --variance runs the studies of variance.py: several draws and replicas of each motion.
 """
 
@@ -19,6 +19,7 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 
+MOTIONS = os.path.join(HERE, "motions.csv")  # of the catalogue; the matched suite: motions_matched.csv
 GAP_BACK, GAP_SIDE = 0.1, 0.3  # [m] from the item to the walls of its bay
 LEVELS_OF_CURVES = [0.15, 0.4, 0.8, 1.5]  # [m/s] PGV of the ground
 VARIANCE = {"floor": "flexible building", "place": "open", "draws": 4, "replicas": 2, "levels": [0.8]}
@@ -35,10 +36,20 @@ def rows(name):
         return list(csv.DictReader(file))
 
 
-def make_motions(gurney, folder):
+def motion_rows(path=MOTIONS):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def record_name(motion):
+    """Of the record that is made of it."""
+    return motion["name"].replace(" ", "_")
+
+
+def make_motions(gurney, folder, path):
     os.makedirs(folder, exist_ok=True)
-    for motion in rows("motions.csv"):
-        path = os.path.join(folder, motion["name"].replace(" ", "_") + ".csv")
+    for motion in motion_rows(path):
+        path = os.path.join(folder, record_name(motion) + ".csv")
         if not os.path.exists(path):
             subprocess.run([gurney, "records", "make", motion["kind"], *motion["parameters"].split(),
                             "-o", path], check=True, stdout=subprocess.DEVNULL)
@@ -107,6 +118,7 @@ def main():
     parser.add_argument("--items", help="of items.csv (default: all)")
     parser.add_argument("--only", action="append", default=[], help="floor, place, brakes of one configuration; repeatable")
     parser.add_argument("--variance", action="store_true", help="draws and replicas instead of the curves")
+    parser.add_argument("--motions", default=MOTIONS, help="file of synthetic motions (default: that of the catalogue)")
     parser.add_argument("--suite", help="folder or list of records instead of the synthetic motions")
     parser.add_argument("--threads", type=int, default=os.cpu_count())
     options = parser.parse_args()
@@ -119,9 +131,9 @@ def main():
         items = [item for item in items if item["item"] in names]
     jobs = os.path.join(options.output, "jobs")
     os.makedirs(jobs, exist_ok=True)
-    suite = options.suite or os.path.join(options.output, "motions")
+    suite = options.suite or os.path.join(options.output, os.path.splitext(os.path.basename(options.motions))[0])
     if not options.suite:
-        make_motions(options.gurney, suite)
+        make_motions(options.gurney, suite, options.motions)
     for number, item in enumerate(items, 1):
         print(f"{number} of {len(items)}: {item['item']}", flush=True)
         job = os.path.join(jobs, item["item"] + ".toml")

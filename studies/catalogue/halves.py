@@ -6,27 +6,26 @@ TABLES gets halves.csv: for each limit state and division the number of medians 
 95 % which the other half gives, and how many do not.
 """
 
-import csv
 import glob
 import json
 import os
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
+from catalogue import motion_rows, record_name
 from tables import output_of, write_csv
 
 COUNTS = ["medians", "within", "bounded", "within_bounded", "no_curve"]
-HERE = os.path.dirname(os.path.abspath(__file__))
 PLACE = "open"  # where a hit is that of an item that overturns
 STATES = ["moved 0.1 m", "moved 0.3 m", "moved 1 m", "overturned"]
 
 
 def divisions():
-    """By turns, each half with motions of all kinds, and the first eight against the last eight, which are of
-    other kinds."""
-    with open(os.path.join(HERE, "motions.csv"), newline="") as file:
-        names = [row["name"].replace(" ", "_") for row in csv.DictReader(file)]
-    return {"by turns": (names[0::2], names[1::2]), "by kind": (names[:8], names[8:])}
+    """By turns, each half with motions of all kinds, and the first half against the last, which are of other
+    kinds."""
+    names = [record_name(motion) for motion in motion_rows()]
+    middle = len(names) // 2
+    return {"by turns": (names[0::2], names[1::2]), "by kind": (names[:middle], names[middle:])}
 
 
 def configurations(gurney, file):

@@ -10,7 +10,7 @@ import os
 import subprocess
 import sys
 
-from advice import ACTIONS, SPEED, Advice, read
+from advice import ACTIONS, MOTION_COUNT, SPEED, Advice, read
 from tables import FURTHER, MUCH_BETTER, much_better
 
 WHERE = ("flexible building", "open")  # of the overview
@@ -61,8 +61,8 @@ def overview(advice, names):
 
 def overview_page(advice, names):
     return ["# What to brake, what to tether, what to leave", "",
-            f"At a peak floor velocity of {SPEED} m/s on an upper floor of a flexible building, on an open floor, by 16 "
-            "motions ([rule](methods.md#what-to-do)):", "",
+            f"At a peak floor velocity of {SPEED} m/s on an upper floor of a flexible building, on an open floor, by "
+            f"{MOTION_COUNT} motions ([rule](methods.md#what-to-do)):", "",
             *decisions(advice, names), "",
             "Where nothing is shown or decided, a tether is the choice that does not depend on it. "
             "[Methods](methods.md), with what these numbers must not be used for.", "",
