@@ -1,19 +1,15 @@
 #pragma once
 
-#include <Eigen/Core>
-
+#include "engine/base/lanes.h"
 #include "groundmotions/measures/oscillator.h"
 
 namespace gurney::groundmotions {
 
-/// Oscillators of several periods under one load, side by side in SIMD registers.
+/// Oscillators of four periods under one load, side by side in SIMD registers.
 struct OscillatorPack {
-  static constexpr int kLanes = 8;
-  using Lanes = Eigen::Array<double, kLanes, 1>;
+  Lanes uu{}, uv{}, u_p0{}, u_p1{}, vu{}, vv{}, v_p0{}, v_p1{};
 
-  Lanes uu, uv, u_p0, u_p1, vu, vv, v_p0, v_p1;
-
-  void set(int lane, const OscillatorStep& s) {
+  void set(std::size_t lane, const OscillatorStep& s) {
     uu[lane] = s.uu, uv[lane] = s.uv, u_p0[lane] = s.u_p0, u_p1[lane] = s.u_p1;
     vu[lane] = s.vu, vv[lane] = s.vv, v_p0[lane] = s.v_p0, v_p1[lane] = s.v_p1;
   }

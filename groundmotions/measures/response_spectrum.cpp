@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -15,37 +16,47 @@
 namespace gurney::groundmotions {
 namespace {
 
-using Lanes = OscillatorPack::Lanes;
-constexpr int kLanes = OscillatorPack::kLanes;
+constexpr std::size_t kTogether = 2 * kLanes;  ///< one pack alone would wait for its own last step
 constexpr double kTwoPi = 2 * std::numbers::pi;
 constexpr int kStepsPerPeriod = 200;     ///< of PeakAt::kBetweenSamples
 constexpr int kMaxSubsteps = 2000;       ///< reached at T = 0.1 dt: what rings is 3 % of Sa there
 constexpr int kPeriodsOfFreeTail = 2;    ///< of PeakAt::kBetweenSamples
 constexpr double kResolvedSamples = 10;  ///< in a period that needs no warning
 
-struct PackPeaks {
-  Lanes displacement, acceleration;
+/// The state and the peaks of four oscillators.
+struct Swing {
+  Lanes stiffness, viscosity;
+  Lanes u{}, v{}, largest_u{}, largest_a{};
+
+  void step(const OscillatorPack& pack, double p0, double p1) {
+    pack.step(p0, p1, u, v);
+    const Lanes now = magnitude(u), acceleration = magnitude(viscosity * v + stiffness * u);
+    largest_u = select(now > largest_u, now, largest_u);
+    largest_a = select(acceleration > largest_a, acceleration, largest_a);
+  }
 };
 
-/// The peaks of `kLanes` oscillators at the samples or, with `substeps` > 0, on as many parts of
-/// each time step and in the free vibration after the last sample.
-PackPeaks peaks_of(const Lanes& omega, double damping, double time_step,
-                   const Eigen::VectorXd& load, int substeps) {
-  const Lanes stiffness = omega * omega, viscosity = 2 * damping * omega;
-  Lanes u = Lanes::Zero(), v = u, largest_u = u, largest_a = u;
-  const auto step = [&](const OscillatorPack& pack, double p0, double p1) {
-    pack.step(p0, p1, u, v);
-    largest_u = largest_u.max(u.abs());
-    largest_a = largest_a.max((viscosity * v + stiffness * u).abs());
-  };
-
+/// Swings oscillators of the frequencies `omega` and keeps their peaks at the samples or, with
+/// `substeps` > 0, on as many parts of each time step and in the free vibration after the last
+/// sample.
+std::array<Swing, 2> swung(const std::array<double, kTogether>& omega, double damping,
+                           double time_step, const Eigen::VectorXd& load, int substeps) {
   const int parts = std::max(substeps, 1);
   const double part = 1.0 / parts;
-  OscillatorPack forced, free;
-  for (int i = 0; i < kLanes; ++i) {
-    forced.set(i, oscillator_step(omega[i], damping, time_step / parts));
-    free.set(i, oscillator_step(omega[i], damping, kTwoPi / omega[i] / kStepsPerPeriod));
+  std::array<OscillatorPack, 2> forced, free;
+  std::array<Swing, 2> swings;
+  for (std::size_t i = 0; i < kTogether; ++i) {
+    const std::size_t pack = i / kLanes, lane = i % kLanes;
+    forced[pack].set(lane, oscillator_step(omega[i], damping, time_step / parts));
+    free[pack].set(lane, oscillator_step(omega[i], damping, kTwoPi / omega[i] / kStepsPerPeriod));
+    swings[pack].stiffness[lane] = omega[i] * omega[i];
+    swings[pack].viscosity[lane] = 2 * damping * omega[i];
   }
+  Swing a = swings[0], b = swings[1];
+  const auto step = [&](const std::array<OscillatorPack, 2>& packs, double p0, double p1) {
+    a.step(packs[0], p0, p1);
+    b.step(packs[1], p0, p1);
+  };
   for (Eigen::Index i = 1; i < load.size(); ++i) {
     const double slope = (load[i] - load[i - 1]) * part;
     for (int k = 0; k + 1 < parts; ++k)
@@ -54,7 +65,7 @@ PackPeaks peaks_of(const Lanes& omega, double damping, double time_step,
   }
   if (substeps > 0)
     for (int i = 0; i < kPeriodsOfFreeTail * kStepsPerPeriod; ++i) step(free, 0, 0);
-  return {largest_u, largest_a};
+  return {a, b};
 }
 
 }  // namespace
@@ -80,23 +91,24 @@ ResponseSpectrum response_spectrum(double time_step, const Eigen::VectorXd& acce
     const double pga = acceleration.size() ? acceleration.cwiseAbs().maxCoeff() : 0;
     result.pseudo_acceleration[order[first]] = result.absolute_acceleration[order[first]] = pga;
   }
-  for (; first < order.size(); first += kLanes) {
-    const std::size_t count = std::min<std::size_t>(kLanes, order.size() - first);
-    Lanes omega;
-    for (std::size_t i = 0; i < kLanes; ++i)
-      omega[static_cast<int>(i)] = kTwoPi / periods[order[first + std::min(i, count - 1)]];
+  for (; first < order.size(); first += kTogether) {
+    const std::size_t count = std::min(kTogether, order.size() - first);
+    std::array<double, kTogether> omega;
+    for (std::size_t i = 0; i < kTogether; ++i)
+      omega[i] = kTwoPi / periods[order[first + std::min(i, count - 1)]];
     int substeps = 0;
     if (peak_at == PeakAt::kBetweenSamples)
       substeps = static_cast<int>(std::min<double>(
           kMaxSubsteps, std::ceil(time_step * kStepsPerPeriod / periods[order[first]])));
-    const PackPeaks peaks = peaks_of(omega, damping, time_step, acceleration, substeps);
+    const std::array<Swing, 2> swings = swung(omega, damping, time_step, acceleration, substeps);
     for (std::size_t i = 0; i < count; ++i) {
-      const int lane = static_cast<int>(i);
+      const Swing& swing = swings[i / kLanes];
+      const double displacement = swing.largest_u[i % kLanes];
       const Eigen::Index at = order[first + i];
-      result.displacement[at] = peaks.displacement[lane];
-      result.pseudo_velocity[at] = omega[lane] * peaks.displacement[lane];
-      result.pseudo_acceleration[at] = omega[lane] * omega[lane] * peaks.displacement[lane];
-      result.absolute_acceleration[at] = peaks.acceleration[lane];
+      result.displacement[at] = displacement;
+      result.pseudo_velocity[at] = omega[i] * displacement;
+      result.pseudo_acceleration[at] = omega[i] * omega[i] * displacement;
+      result.absolute_acceleration[at] = swing.largest_a[i % kLanes];
     }
   }
   return result;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <vector>
 
@@ -27,15 +28,15 @@ const Directions& directions() {
 }
 
 /// A column for each sample, a row for each oscillator.
-using Histories = Eigen::Matrix<double, OscillatorPack::kLanes, Eigen::Dynamic>;
+using Histories = Eigen::Matrix<double, kLanes, Eigen::Dynamic>;
 
 void find_displacements(const OscillatorPack& pack, const Eigen::VectorXd& load,
                         Histories& result) {
-  result.resize(OscillatorPack::kLanes, load.size());
-  OscillatorPack::Lanes u = OscillatorPack::Lanes::Zero(), v = u;
+  result.resize(kLanes, load.size());
+  Lanes u{}, v{};
   for (Eigen::Index i = 0; i < load.size(); ++i) {
     if (i > 0) pack.step(load[i - 1], load[i], u, v);
-    result.col(i) = u;
+    std::memcpy(result.col(i).data(), &u, sizeof u);
   }
 }
 
@@ -91,7 +92,6 @@ RotatedSpectrum rotated_spectrum(double time_step, const Eigen::VectorXd& h1,
                                  double damping) {
   // Checks the arguments, and serves T = 0.
   response_spectrum(time_step, Eigen::VectorXd(), periods, damping);
-  constexpr Eigen::Index kLanes = OscillatorPack::kLanes;
   RotatedSpectrum result{periods, periods, periods, periods};
   const auto keep = [&](Eigen::Index at, const RotatedValues& peaks, double factor) {
     result.rotd00[at] = factor * percentile(peaks, 0);
@@ -110,9 +110,8 @@ RotatedSpectrum rotated_spectrum(double time_step, const Eigen::VectorXd& h1,
     const std::size_t count = std::min<std::size_t>(kLanes, swinging.size() - first);
     OscillatorPack pack;
     for (std::size_t i = 0; i < kLanes; ++i)
-      pack.set(static_cast<int>(i),
-               oscillator_step(2 * std::numbers::pi / periods[swinging[first + i % count]], damping,
-                               time_step));
+      pack.set(i, oscillator_step(2 * std::numbers::pi / periods[swinging[first + i % count]],
+                                  damping, time_step));
     find_displacements(pack, h1, u1);
     find_displacements(pack, h2, u2);
     for (std::size_t i = 0; i < count; ++i) {
