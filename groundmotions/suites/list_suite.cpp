@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/base/csv_row.h"
+#include "engine/base/files.h"
 #include "engine/base/number_text.h"
 #include "engine/config/nearest_name.h"
 #include "groundmotions/formats/file_errors.h"
@@ -148,7 +149,7 @@ class ListReader {
       RecordFile file{.path = std::filesystem::path(file_.name()).parent_path() / plain};
       for (const Direction direction : kDirections)
         if (title == name_of(direction)) file.direction = direction;
-      if (!std::filesystem::is_regular_file(file.path))
+      if (!is_file(file.path))
         errors_.add(line_ + 1, cell.column, fmt::format("'{}': no such file", plain));
       record.files.push_back(std::move(file));
     }

@@ -7,6 +7,7 @@
 
 #include "engine/base/csv_row.h"
 #include "engine/base/error.h"
+#include "engine/base/files.h"
 
 namespace gurney::groundmotions {
 
@@ -95,7 +96,7 @@ Lack add_files(const std::vector<CsvCell>& row, const Columns& columns,
       continue;
     }
     const auto path = folder / name;
-    if (!std::filesystem::is_regular_file(path)) {
+    if (!is_file(path)) {
       reason += fmt::format("{}{} is not in the folder", reason.empty() ? "" : "; ", name);
       ++absent;
     }

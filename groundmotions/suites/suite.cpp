@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "engine/base/error.h"
+#include "engine/base/files.h"
 #include "engine/config/file_snapshot.h"
 #include "groundmotions/suites/folder_suite.h"
 #include "groundmotions/suites/glob.h"
@@ -25,11 +26,11 @@ void append(Suite& suite, Suite more) {
 /// A folder, list or report; false for anything else.
 bool append_collection(const std::filesystem::path& path, const ReadOptions& options,
                        const Progress& progress, Suite& suite) {
-  if (std::filesystem::is_directory(path)) {
+  if (is_folder(path)) {
     append(suite, read_folder_suite(path, options, progress));
     return true;
   }
-  require(std::filesystem::exists(path), path.string() + ": no such file or folder");
+  require(is_there(path), path.string() + ": no such file or folder");
   std::optional<SourceFile> file;
   try {
     file.emplace(path);

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "engine/base/error.h"
+#include "engine/base/files.h"
 #include "engine/base/hash/sha256.h"
 #include "studies/cli/job_of_log.h"
 #include "studies/cli/study_case.h"
@@ -63,7 +64,7 @@ CaseAgain single_run(const std::string& path, const std::string& named) {
   const study::Hdf5Reader file(path);
   require(type_of(file) == "gurney-results", path + ": is not a results file");
   const std::string job = named.empty() ? job_of_log(path) : named;
-  require(!job.empty() && fs::exists(job),
+  require(!job.empty() && is_there(job),
           fmt::format("{}: the job's file {}; name it with --job", path,
                       job.empty() ? "is not known" : job + " no longer exists"));
   CaseAgain result{study::prepare_run(job), {}};

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "engine/base/files.h"
 #include "engine/base/input_file.h"
 
 namespace gurney::cli {
@@ -21,11 +22,11 @@ std::string value_of(const std::string& text, const std::string& word) {
 std::string job_of_log(const std::string& results) {
   namespace fs = std::filesystem;
   const fs::path log = fs::path(results).replace_extension(".log");
-  if (!fs::exists(log)) return {};
+  if (!is_there(log)) return {};
   const std::string text = '\n' + read_input_file(log.string());
   const std::string job = value_of(text, "job");
   const fs::path from_its_folder = fs::path(value_of(text, "folder")) / job;
-  return fs::exists(job) || !fs::exists(from_its_folder) ? job : from_its_folder.string();
+  return is_there(job) || !is_there(from_its_folder) ? job : from_its_folder.string();
 }
 
 }  // namespace gurney::cli

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "engine/base/error.h"
+#include "engine/base/files.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/standard_error.h"
 #include "studies/cli/study_output.h"
@@ -42,13 +43,13 @@ fs::path results_of(const MergeOptions& options, const fs::path& folder) {
 
 std::string job_of(const MergeOptions& options, const fs::path& folder) {
   if (!options.job.empty()) return options.job;
-  require(fs::exists(folder / "job"),
+  require(is_there(folder / "job"),
           folder.string() + ": holds no path of the job; give it with --job");
   std::string path = study::file_bytes(folder / "job");
   while (path.ends_with('\n')) path.pop_back();
-  require(fs::exists(path), fmt::format("{}: the job {} does not exist any more; give its new path "
-                                        "with --job",
-                                        folder.string(), path));
+  require(is_there(path), fmt::format("{}: the job {} does not exist any more; give its new path "
+                                      "with --job",
+                                      folder.string(), path));
   return path;
 }
 

@@ -5,7 +5,9 @@
 #include <memory>
 
 #include "engine/base/error.h"
+#include "engine/base/files.h"
 #include "engine/base/shell_word.h"
+#include "equipment/catalogue/catalogue.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/new_suite.h"
 #include "studies/study/results/output_files.h"
@@ -22,10 +24,17 @@ struct NewOptions {
 };
 
 /// A path as the new file has to name it; a name of the catalogue stays.
-std::string seen_from(const fs::path& file, const std::string& name) {
+/// @throws Error with `option` if there is no such file or name
+std::string seen_from(const fs::path& file, const std::string& option, equipment::DataKind kind,
+                      const std::string& name) {
+  std::string found;
+  try {
+    found = equipment::find_data(kind, name, "");
+  } catch (const Error& error) {
+    throw Error(fmt::format("{} {}: {}", option, name, error.what()));
+  }
   if (name.find('/') == std::string::npos && fs::path(name).extension() != ".toml") return name;
-  require(fs::exists(name), name + ": no such file");
-  return fs::absolute(name).lexically_proximate(fs::absolute(file).parent_path()).string();
+  return fs::absolute(found).lexically_proximate(fs::absolute(file).parent_path()).string();
 }
 
 std::string next_command(const NewOptions& options, const fs::path& file) {
@@ -37,7 +46,7 @@ std::string next_command(const NewOptions& options, const fs::path& file) {
 }
 
 void write_trials(const fs::path& folder) {
-  require(!fs::exists(folder), folder.string() + ": exists already");
+  require(!is_there(folder), folder.string() + ": exists already");
   std::error_code problem;
   fs::create_directory(folder, problem);
   require(!problem, folder.string() + ": cannot be created: " + problem.message());
@@ -54,13 +63,18 @@ void write_trials(const fs::path& folder) {
 std::string write_file(const NewOptions& options, const fs::path& file) {
   templates::Wishes wishes = options.wishes;
   wishes.name = file.stem().string();
-  for (std::string* each : {&wishes.item, &wishes.caster, &wishes.room})
-    if (!each->empty()) *each = seen_from(file, *each);
+  using equipment::DataKind;
+  const auto look_up = [&](const std::string& option, DataKind kind, std::string& name) {
+    if (!name.empty()) name = seen_from(file, option, kind, name);
+  };
+  look_up("--item", DataKind::kItem, wishes.item);
+  look_up("--caster", DataKind::kCaster, wishes.caster);
+  look_up("--room", DataKind::kRoom, wishes.room);
   require(options.records.empty() || options.kind == "study",
           "--from is for a study: gurney new study NAME --from FOLDER");
   std::string records;
   if (!options.records.empty()) records = use_records(options.records, options.unit, file, wishes);
-  require(!fs::exists(file), file.string() + ": exists already");
+  require(!is_there(file), file.string() + ": exists already");
   study::OutputFiles files(false);
   files.check(file.string());
   files.stage(file.string(), templates::file_text(options.kind, wishes));

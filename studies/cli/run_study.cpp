@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "engine/base/error.h"
+#include "engine/base/files.h"
 #include "engine/base/shell_word.h"
 #include "studies/cli/signals.h"
 #include "studies/cli/standard_error.h"
@@ -59,7 +60,7 @@ std::string attempt(const study::BatchProgress& progress, int threads) {
 
 /// The results are there already and nothing is left to do.
 bool is_complete(const RunOptions& options, const Paths& paths, const study::Batch& batch) {
-  if (!options.resume || !fs::exists(paths.results)) return false;
+  if (!options.resume || !is_there(paths.results)) return false;
   const bool has_parts = study::IdentityFile(paths.parts).exists();
   if (has_parts && options.overwrite) return false;
   const std::string difference = study::difference_to_results(paths.results.string(), batch);
@@ -99,7 +100,7 @@ void make_shards_folder(const RunOptions& options, const Paths& paths) {
   std::error_code problem;
   fs::create_directory(folder, problem);
   require(!problem, folder.string() + ": cannot be created: " + problem.message());
-  if (fs::exists(job)) return;
+  if (is_there(job)) return;
   study::OutputFiles files(true);  // another shard may write the same at the same time
   files.stage(job.string(), fs::absolute(options.job).lexically_normal().string() + "\n");
   files.commit();

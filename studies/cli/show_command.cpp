@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/base/error.h"
+#include "engine/base/files.h"
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/job_of_log.h"
@@ -63,7 +64,7 @@ std::string results_of(const fs::path& folder) {
 /// The path of the job in a folder of shards, or in the log beside the parts, which is written when a
 /// process ends.
 std::string job_of_folder(const fs::path& folder) {
-  if (!fs::exists(folder / "job"))
+  if (!is_there(folder / "job"))
     return study::place_of_job(job_of_log(results_of(folder)), results_of(folder));
   std::string path = study::file_bytes(folder / "job");
   while (path.ends_with('\n')) path.pop_back();
@@ -97,7 +98,7 @@ int show_unfinished(const ShowOptions& options) {
 }
 
 int show_command(const ShowOptions& options) {
-  if (fs::is_directory(options.file)) return show_unfinished(options);
+  if (is_folder(options.file)) return show_unfinished(options);
   if (study::is_study_file(options.file))
     return show(study::study_overview(options.file, options.assessed_by), options.json);
   require(options.assessed_by.empty(),

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "engine/base/error.h"
+#include "engine/base/files.h"
 #include "engine/base/hash/sha256.h"
 #include "engine/base/input_file.h"
 #include "studies/build_info/build_info.h"
@@ -22,12 +23,12 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string text_of(const fs::path& path) {
-  return fs::exists(path) ? read_input_file(path.string()) : std::string();
+  return is_there(path) ? read_input_file(path.string()) : std::string();
 }
 
 std::string job_of(const study::StudyReader& file, const std::string& named) {
   const std::string job = named.empty() ? job_of_log(file.path()) : named;
-  require(!job.empty() && fs::exists(job),
+  require(!job.empty() && is_there(job),
           fmt::format("{}: the job's file {}; name it with --job", file.path(),
                       job.empty() ? "is not known" : job + " no longer exists"));
   const std::string theirs = file.text_attribute("job_sha256"), text = text_of(job);

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "engine/base/error.h"
+#include "engine/base/files.h"
 #include "engine/base/hash/sha256.h"
 #include "engine/base/input_file.h"
 #include "studies/calibration/fit/breakaway.h"
@@ -90,7 +91,7 @@ class Collector {
 };
 
 std::string hash_of(const std::string& file) {
-  return file.empty() || !std::filesystem::exists(file) ? "" : sha256(read_input_file(file));
+  return file.empty() || !is_there(file) ? "" : sha256(read_input_file(file));
 }
 
 void note(Calibration& result, const ReadTrial& trial) {

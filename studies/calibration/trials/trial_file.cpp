@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "engine/base/error.h"
+#include "engine/base/files.h"
 #include "engine/base/units.h"
 #include "engine/config/nearest_name.h"
 #include "engine/config/unit_limit.h"
@@ -185,7 +186,7 @@ TrialSet read_trial_file(const std::string& file) {
 }
 
 TrialSet read_trials(const std::string& path) {
-  if (!std::filesystem::is_directory(path)) return read_trial_file(path);
+  if (!is_folder(path)) return read_trial_file(path);
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(path))
     if (entry.is_regular_file() && entry.path().extension() == ".csv")

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "engine/base/error.h"
+#include "engine/base/files.h"
 
 namespace gurney::study {
 namespace {
@@ -42,11 +43,11 @@ bool is_job_file(const std::string& name) { return name == "job" || name.starts_
 fs::path shards_path(const fs::path& results) { return results.string() + ".shards"; }
 
 std::vector<std::pair<Shard, fs::path>> shards_in(const fs::path& folder) {
-  require(fs::is_directory(folder), folder.string() + ": is not a folder of shards");
+  require(is_folder(folder), folder.string() + ": is not a folder of shards");
   std::vector<std::pair<Shard, fs::path>> found;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const auto shard = shard_of_folder(entry.path().filename().string());
-    if (shard && fs::is_directory(entry.symlink_status()) && fs::exists(entry.path() / "study"))
+    if (shard && fs::is_directory(entry.symlink_status()) && is_there(entry.path() / "study"))
       found.emplace_back(*shard, entry.path());
   }
   require(!found.empty(), folder.string() + ": holds no shards, which are folders such as 3-of-8");
@@ -86,7 +87,7 @@ std::string ShardFolders::missing() const {
 std::string ShardFolders::logs() const {
   std::string text;
   for (const Shard& shard : shards_)
-    if (const fs::path log = log_of(folder_, shard); fs::exists(log)) text += file_bytes(log);
+    if (const fs::path log = log_of(folder_, shard); is_there(log)) text += file_bytes(log);
   return text;
 }
 

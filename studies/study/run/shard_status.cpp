@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/base/error.h"
+#include "engine/base/files.h"
 #include "studies/study/run/folder_lock.h"
 #include "studies/study/run/identity_file.h"
 #include "studies/study/run/part_file.h"
@@ -67,7 +68,7 @@ ShardStatus status_of(const fs::path& folder, const Shard& shard) {
 }  // namespace
 
 std::vector<ShardStatus> shard_status(const fs::path& folder) {
-  if (fs::exists(folder / "study")) return {status_of(folder, {})};
+  if (is_there(folder / "study")) return {status_of(folder, {})};
   const auto found = shards_in(folder);
   std::vector<ShardStatus> all;
   for (const auto& [shard, path] : found) all.push_back(status_of(path, shard));

@@ -25,6 +25,17 @@ expect 2 "JOB is required" "$gurney" run
 expect 1 "missing.toml" "$gurney" run missing.toml
 files ""
 
+# A name that no file can have is that of no file.
+long=$(printf 'n%.0s' {1..300}).AT2
+printf 'name, h1\na, %s\n' "$long" > list.csv
+for arguments in "run $long" "check $long" "show $long" "status $long" "merge $long" "calibrate $long" "replay $long 1" \
+  "fragility $long" "records info $long" "records ls $long" "records ls list.csv"; do
+  # shellcheck disable=SC2086
+  expect 1 "$long" "$gurney" $arguments
+  ! grep -q "filesystem error" stderr || complain "an error of the library: $arguments"
+done
+rm list.csv
+
 # An item file is no job, and errors are JSON where JSON is asked for.
 item=$2/equipment/items/icu_ventilator.toml
 expect 1 "the file is an item, not a job" "$gurney" run "$item"

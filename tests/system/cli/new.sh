@@ -48,6 +48,8 @@ expect 1 "no record can be read" "$gurney" new study none --from records --item 
 
 expect 1 "has no use for --item" "$gurney" new caster another --item icu_ventilator
 expect 1 "no such file" "$gurney" new job another --item none.toml
+expect 1 "--item icu_ventilatr: unknown item of equipment; did you mean 'icu_ventilator'?" "$gurney" new job another --item icu_ventilatr
+expect 1 "no such file" "$gurney" new job another --room "$(printf 'r%.0s' {1..300}).toml"
 expect 1 "--from is for a study" "$gurney" new job another --from records
 expect 2 "SHELF" "$gurney" new SHELF another
 
