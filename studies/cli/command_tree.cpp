@@ -33,6 +33,7 @@ const std::map<std::string, std::string> kValues = {{"--output", "FILE"},
                                                     {"--width", "WIDTH"},
                                                     {"--step", "STEP"},
                                                     {"--unit", "UNIT"},
+                                                    {"--units", "UNITS"},
                                                     {"--limit-state", "CONDITION"},
                                                     {"--measure", "MEASURE"}};
 

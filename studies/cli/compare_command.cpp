@@ -9,6 +9,7 @@
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
+#include "studies/cli/units_option.h"
 #include "studies/figures/comparison_figure.h"
 #include "studies/report/comparison_report.h"
 
@@ -21,6 +22,7 @@ struct CompareOptions {
   std::string measure;
   FigureFile figure;
   study::AssessmentRequest assessed_by;
+  study::UnitSystem units;
   bool overwrite = false, json = false;
 };
 
@@ -91,14 +93,14 @@ void choose(const study::StudyData& a, const study::StudyData& b, const std::str
 
 int compare(const CompareOptions& options) {
   options.figure.check(options.overwrite);
-  const study::StudyData a(options.a, options.assessed_by);
+  const study::StudyData a(options.a, options.assessed_by, {}, options.units);
   std::optional<study::StudyData> b;
   report::ComparisonReport report;
   const std::string named = fmt::format("{}", fmt::join(options.configurations, ","));
   if (options.b.empty()) {
     choose(a, named, report);
   } else {
-    b.emplace(options.b, options.assessed_by);
+    b.emplace(options.b, options.assessed_by, std::vector<std::string>(), options.units);
     choose(a, *b, named, report);
   }
   report.inputs = study::input_differences(report.a, report.b);
@@ -131,7 +133,8 @@ void add_compare(CLI::App& app, std::function<int()>& action) {
   add_limit_state_options(*command, options.assessed_by);
   add_figure_option(*command, options.figure, "Draw the fragility curves");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
-  command->add_flag("--json", options.json, "Print JSON, in SI units");
+  add_units_option(*command, options.units);
+  command->add_flag("--json", options.json, "Print JSON, in SI units or those of --units");
   command->callback([shared, &action] { action = [shared] { return compare(*shared); }; });
 }
 

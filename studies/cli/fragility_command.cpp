@@ -9,6 +9,7 @@
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
+#include "studies/cli/units_option.h"
 #include "studies/figures/fragility_figure.h"
 #include "studies/figures/vector_figure.h"
 #include "studies/report/fragility_report.h"
@@ -23,6 +24,7 @@ struct FragilityOptions {
   FigureFile figure;
   study::AssessmentRequest assessed_by;
   std::vector<std::string> states, configurations, records;
+  study::UnitSystem units;
   bool json = false, overwrite = false;
 };
 
@@ -55,7 +57,8 @@ std::string curves(const FragilityOptions& options, const study::StudyData& data
           data, {.state = state, .configuration = configuration, .measure = options.measure}));
   if (!options.figure.empty())
     options.figure.write(figures::fragility_figure(data, results), options.overwrite, true);
-  return options.json ? report::fragility_json(results) : report::fragility_report(data, results);
+  return options.json ? report::fragility_json(results, options.units)
+                      : report::fragility_report(data, results);
 }
 
 /// Surfaces over two.
@@ -69,12 +72,13 @@ std::string surfaces(const FragilityOptions& options, const study::StudyData& da
           study::vector_of(data, state, configuration, {options.measure, options.second}));
   if (!options.figure.empty())
     options.figure.write(figures::vector_figure(data, results), options.overwrite, true);
-  return options.json ? report::vector_json(results) : report::vector_report(data, results);
+  return options.json ? report::vector_json(results, options.units)
+                      : report::vector_report(data, results);
 }
 
 int fragility(const FragilityOptions& options) {
   options.figure.check(options.overwrite);
-  const study::StudyData data(options.file, options.assessed_by, options.records);
+  const study::StudyData data(options.file, options.assessed_by, options.records, options.units);
   const auto states =
       chosen(options.states, data.limit_states().size(),
              [&](const std::string& name) { return study::index_of(data.limit_states(), name); });
@@ -105,7 +109,8 @@ void add_fragility(CLI::App& app, std::function<int()>& action) {
   add_hazard_option(*command, options.assessed_by)->excludes(second);
   add_figure_option(*command, options.figure, "Draw the curves");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
-  command->add_flag("--json", options.json, "Print JSON, in SI units");
+  add_units_option(*command, options.units);
+  command->add_flag("--json", options.json, "Print JSON, in SI units or those of --units");
   command->callback([shared, &action] { action = [shared] { return fragility(*shared); }; });
 }
 

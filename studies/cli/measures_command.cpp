@@ -6,6 +6,7 @@
 #include "engine/base/error.h"
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/units_option.h"
 #include "studies/report/measure_report.h"
 #include "studies/study/limit_states/limit_state_reader.h"
 
@@ -15,12 +16,13 @@ namespace {
 struct MeasuresOptions {
   std::string file;
   study::AssessmentRequest assessed_by;
+  study::UnitSystem units;
   std::vector<std::string> states, configurations;
   bool json = false;
 };
 
 int measures(const MeasuresOptions& options) {
-  const study::StudyData data(options.file, options.assessed_by);
+  const study::StudyData data(options.file, options.assessed_by, {}, options.units);
   std::vector<std::size_t> states;
   for (const std::string& name : options.states)
     states.push_back(study::index_of(data.limit_states(), name));
@@ -34,7 +36,7 @@ int measures(const MeasuresOptions& options) {
     for (const std::size_t state : states) {
       const study::LimitState& limit = data.limit_states()[state];
       reports.push_back({data.configurations()[configuration], limit.name, limit.words,
-                         study::choose_measure({&data, configuration}, state)});
+                         study::choose_measure({&data, configuration}, state), options.units});
     }
   fmt::print("{}", options.json ? report::measure_json(reports) : report::measure_text(reports));
   return 0;
@@ -56,7 +58,8 @@ void add_measures(CLI::App& app, std::function<int()>& action) {
       ->allow_extra_args(false);
   command->add_option("--configuration", options.configurations, "Configurations (default: all)")
       ->allow_extra_args(false);
-  command->add_flag("--json", options.json, "Print JSON, in SI units");
+  add_units_option(*command, options.units);
+  command->add_flag("--json", options.json, "Print JSON, in SI units or those of --units");
   command->callback([shared, &action] { action = [shared] { return measures(*shared); }; });
 }
 

@@ -8,6 +8,7 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
 #include "studies/cli/plot_kinds.h"
+#include "studies/cli/units_option.h"
 
 namespace gurney::cli {
 namespace {
@@ -16,6 +17,7 @@ struct PlotOptions {
   PlotRequest request;
   FigureFile figure;
   std::string font_size;
+  study::UnitSystem units;
   bool list = false, overwrite = false;
 };
 
@@ -37,7 +39,7 @@ double points_of(const std::string& text) {
 /// A smaller text leaves a wider page.
 figures::PlotPage page_of(PlotOptions& options) {
   constexpr double kNarrowest = 220;
-  figures::PlotPage page;
+  figures::PlotPage page{.units = options.units};
   if (options.figure.width.empty()) options.figure.width = fmt::format("{}px", page.width);
   page.width = picture::length_in_mm(options.figure.width) * kPxPerMm * kPagePoints /
                points_of(options.font_size);
@@ -91,6 +93,7 @@ void add_plot(CLI::App& app, std::function<int()>& action) {
       ->check(CLI::Range(1, 1000000));
   command->add_option("--job", options.request.job,
                       "The job file, of collisions and spectra (default: the path in the log)");
+  add_units_option(*command, options.units);
   add_figure_style(*command, options.figure);
   command->add_option("--font-size", options.font_size, "Size of the labels [pt] (default: 8.25)");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");

@@ -40,7 +40,7 @@ std::string trajectories(const PlotRequest& request, const figures::PlotPage& pa
 }
 
 std::string fragility(const PlotRequest& request, const figures::PlotPage& page) {
-  const study::StudyData data(request.file);
+  const study::StudyData data(request.file, {}, {}, page.units);
   std::vector<std::size_t> states;
   for (const std::string& name : request.what)
     states.push_back(study::index_of(data.limit_states(), name));
@@ -58,7 +58,7 @@ std::string fragility(const PlotRequest& request, const figures::PlotPage& page)
 /// A figure of demands.
 template <auto Draw>
 std::string of_demands(const PlotRequest& request, const figures::PlotPage& page) {
-  const study::StudyData data(request.file);
+  const study::StudyData data(request.file, {}, {}, page.units);
   std::vector<std::string> names = request.what;
   if (names.empty()) names = {"peak_displacement"};
   std::vector<study::DemandRuns> all;
@@ -79,7 +79,7 @@ study::SensitivityRequest sensitivity_request(const study::StudyData& data,
 }
 
 std::string tornado(const PlotRequest& request, const figures::PlotPage& page) {
-  const study::StudyData data(request.file);
+  const study::StudyData data(request.file, {}, {}, page.units);
   std::vector<std::string> names = request.what;
   if (names.empty()) names = {"peak_displacement"};
   std::vector<report::SensitivityReport> reports;
@@ -89,7 +89,7 @@ std::string tornado(const PlotRequest& request, const figures::PlotPage& page) {
       study::SensitivityRequest output = sensitivity_request(data, name);
       output.level = request.level;
       reports.push_back({data.configurations()[configuration],
-                         study::study_sensitivity({&data, configuration}, output), ""});
+                         study::study_sensitivity({&data, configuration}, output), "", page.units});
     }
   return figures::tornado_figure(page, data.file().text_attribute("title"), reports);
 }
@@ -128,7 +128,7 @@ std::string collisions(const PlotRequest& request, const figures::PlotPage& page
         page, file.text_attribute("title"), note,
         {{"", page::scene_of_run(file, job_of(request)).scene, impacts, 1}});
   }
-  const study::StudyData data(request.file);
+  const study::StudyData data(request.file, {}, {}, page.units);
   std::vector<figures::CollisionMap> maps;
   for (const std::size_t i : study::wanted_configurations(data, request.configurations))
     maps.push_back({data.configurations()[i],
@@ -138,7 +138,7 @@ std::string collisions(const PlotRequest& request, const figures::PlotPage& page
 }
 
 std::string spectra(const PlotRequest& request, const figures::PlotPage& page) {
-  const study::StudyData data(request.file);
+  const study::StudyData data(request.file, {}, {}, page.units);
   return figures::spectra_figure(
       page, data.file().text_attribute("title"),
       study::suite_spectra(

@@ -7,6 +7,7 @@
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
+#include "studies/cli/units_option.h"
 #include "studies/figures/sensitivity_figure.h"
 #include "studies/report/sensitivity_report.h"
 
@@ -16,6 +17,7 @@ namespace {
 struct SensitivityCommand {
   std::string file, demand, limit;
   study::AssessmentRequest assessed_by;
+  study::UnitSystem units;
   std::vector<std::string> configurations;
   int level = 0;  ///< counted from 1; 0: all
   FigureFile figure;
@@ -36,7 +38,7 @@ void choose_output(const SensitivityCommand& options, const study::StudyData& da
 
 int sensitivity(const SensitivityCommand& options) {
   options.figure.check(options.overwrite);
-  const study::StudyData data(options.file, options.assessed_by);
+  const study::StudyData data(options.file, options.assessed_by, {}, options.units);
   study::SensitivityRequest request{.demand = options.demand, .limit = options.limit, .level = {}};
   if (options.demand.empty() && options.limit.empty()) choose_output(options, data, request);
   if (options.level > 0) {
@@ -51,7 +53,7 @@ int sensitivity(const SensitivityCommand& options) {
   std::vector<report::SensitivityReport> reports;
   std::size_t found = 0;
   for (const std::size_t configuration : wanted) {
-    report::SensitivityReport report{data.configurations()[configuration], {}, ""};
+    report::SensitivityReport report{data.configurations()[configuration], {}, "", options.units};
     try {
       report.found = study::study_sensitivity({&data, configuration}, request);
       ++found;
@@ -91,7 +93,8 @@ void add_sensitivity(CLI::App& app, std::function<int()>& action) {
       ->check(CLI::Range(1, 1000000));
   add_figure_option(*command, options.figure, "Draw indices and tornado of one configuration");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
-  command->add_flag("--json", options.json, "Print JSON, in SI units");
+  add_units_option(*command, options.units);
+  command->add_flag("--json", options.json, "Print JSON, in SI units or those of --units");
   command->callback([shared, &action] { action = [shared] { return sensitivity(*shared); }; });
 }
 

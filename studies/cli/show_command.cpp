@@ -12,6 +12,7 @@
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/job_of_log.h"
+#include "studies/cli/units_option.h"
 #include "studies/report/overview_report.h"
 #include "studies/study/analysis/kept_job.h"
 #include "studies/study/analysis/overview.h"
@@ -46,14 +47,9 @@ class ScratchFolder {
 struct ShowOptions {
   std::string file, job;
   study::AssessmentRequest assessed_by;
+  study::UnitSystem units;
   bool json = false;
 };
-
-template <class Overview>
-int show(const Overview& overview, bool json) {
-  fmt::print("{}", json ? report::overview_json(overview) : report::overview_text(overview));
-  return 0;
-}
 
 /// The results that FILE.h5.parts, or .shards, will become.
 std::string results_of(const fs::path& folder) {
@@ -80,7 +76,7 @@ int show_unfinished(const ShowOptions& options) {
   cases.write(scratch.file("unfinished.h5"),
               options.job.empty() ? job_of_folder(options.file) : options.job);
   study::StudyOverview overview =
-      study::study_overview(scratch.file("unfinished.h5"), options.assessed_by);
+      study::study_overview(scratch.file("unfinished.h5"), options.assessed_by, options.units);
   overview.file.path = options.file;
   for (study::FailedRun& each : overview.failures)
     each.command = "(can be repeated once the study is complete)";
@@ -99,11 +95,18 @@ int show_unfinished(const ShowOptions& options) {
 
 int show_command(const ShowOptions& options) {
   if (is_folder(options.file)) return show_unfinished(options);
-  if (study::is_study_file(options.file))
-    return show(study::study_overview(options.file, options.assessed_by), options.json);
+  if (study::is_study_file(options.file)) {
+    const auto overview = study::study_overview(options.file, options.assessed_by, options.units);
+    fmt::print("{}",
+               options.json ? report::overview_json(overview) : report::overview_text(overview));
+    return 0;
+  }
   require(options.assessed_by.empty(),
           options.file + ": is the file of one run; limit states are for that of a study");
-  return show(study::run_overview(options.file), options.json);
+  const study::RunOverview overview = study::run_overview(options.file);
+  fmt::print("{}", options.json ? report::overview_json(overview, options.units)
+                                : report::overview_text(overview, options.units));
+  return 0;
 }
 
 }  // namespace
@@ -118,6 +121,7 @@ void add_show(CLI::App& app, std::function<int()>& action) {
   show->add_option("--job", options->job,
                    "The job file, of such a folder (default: the path in its log)");
   add_limit_state_options(*show, options->assessed_by);
+  add_units_option(*show, options->units);
   show->add_flag("--json", options->json, "Print it as JSON");
   show->callback([options, &action] { action = [options] { return show_command(*options); }; });
 }

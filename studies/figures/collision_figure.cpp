@@ -30,10 +30,10 @@ struct SpeedClasses {
     while (found + 1 < bounds.size() && speed <= bounds[found + 1]) ++found;
     return found;
   }
-  std::string name(std::size_t index) const {
+  std::string name(std::size_t index, const std::string& unit) const {
     return index + 1 < bounds.size()
-               ? fmt::format("{:.3g} to {:.3g} m/s", bounds[index + 1], bounds[index])
-               : fmt::format("to {:.3g} m/s", bounds[index]);
+               ? fmt::format("{:.4g} to {:.4g} {}", bounds[index + 1], bounds[index], unit)
+               : fmt::format("to {:.4g} {}", bounds[index], unit);
   }
   /// The area is in proportion to the speed.
   double radius(std::size_t index) const {
@@ -43,13 +43,15 @@ struct SpeedClasses {
   std::array<double, 4> bounds;
 };
 
-PlotPanel panel_of(const CollisionMap& map, const SpeedClasses& classes) {
+PlotPanel panel_of(const CollisionMap& map, const SpeedClasses& classes,
+                   const study::UnitSystem& units) {
+  const study::ReportUnit speed_unit = units.of("m/s");
   Panel panel = scene_panel(map.scene);
   panel.title = fmt::format("{}{}{} impacts in {} run{}", map.name, map.name.empty() ? "" : ": ",
                             map.impacts.size(), map.runs, map.runs == 1 ? "" : "s");
   const std::vector<std::string> names = study::item_names(map.scene);
   for (std::size_t speed = 0; speed < classes.bounds.size(); ++speed) {
-    panel.marks.push_back({classes.name(speed),
+    panel.marks.push_back({classes.name(speed, speed_unit.name),
                            {},
                            {},
                            {.stroke = "#555555", .fill = "#bbbbbb", .opacity = 0.6},
@@ -64,13 +66,14 @@ PlotPanel panel_of(const CollisionMap& map, const SpeedClasses& classes) {
                   Marker::kCircle,
                   classes.radius(speed)};
       for (const study::StoredImpact& impact : map.impacts)
-        if (impact.item == names[item] && classes.of(impact.speed) == speed) {
+        if (impact.item == names[item] && classes.of(impact.speed / speed_unit.in_si) == speed) {
           marks.x.push_back(impact.x);
           marks.y.push_back(impact.y);
         }
       if (!marks.x.empty()) panel.marks.push_back(std::move(marks));
     }
   }
+  set_unit(panel, units);
   return {.panel = panel, .aspect = aspect_of_plan(panel)};
 }
 
@@ -81,9 +84,9 @@ std::string collision_figure(const PlotPage& page, const std::string& title,
   double fastest = 0;
   for (const CollisionMap& map : maps)
     for (const study::StoredImpact& impact : map.impacts) fastest = std::max(fastest, impact.speed);
-  const SpeedClasses classes(fastest);
+  const SpeedClasses classes(fastest / page.units.of("m/s").in_si);
   std::vector<PlotPanel> panels;
-  for (const CollisionMap& map : maps) panels.push_back(panel_of(map, classes));
+  for (const CollisionMap& map : maps) panels.push_back(panel_of(map, classes, page.units));
   return plot_figure(page, title, note, panels);
 }
 

@@ -5,9 +5,9 @@
 namespace gurney::figures {
 namespace {
 
-PlotPanel panel_of(const study::StoredHistory& history) {
+PlotPanel panel_of(const study::StoredHistory& history, const study::UnitSystem& units) {
   constexpr std::size_t kTogether = 3;
-  const study::ReportUnit unit = study::report_unit(history.units);
+  const study::ReportUnit unit = units.of(history.units);
   PlotPanel result{.panel = {.title = label_of(history.name),
                              .x_label = "Time (s)",
                              .y_label = with_unit(label_of(history.name), unit),
@@ -31,7 +31,7 @@ PlotPanel panel_of(const study::StoredHistory& history) {
 std::string history_figure(const PlotPage& page, const std::string& title, const std::string& note,
                            const std::vector<study::StoredHistory>& histories) {
   std::vector<PlotPanel> panels;
-  for (const study::StoredHistory& each : histories) panels.push_back(panel_of(each));
+  for (const study::StoredHistory& each : histories) panels.push_back(panel_of(each, page.units));
   return plot_figure(page, title, note, panels);
 }
 

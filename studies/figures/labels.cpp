@@ -50,11 +50,14 @@ std::string label_of(const std::string& column) {
   return label;
 }
 
+std::string unit_label(const study::ReportUnit& unit) {
+  const std::string& name = unit.name;
+  return name.ends_with("s2") ? name.substr(0, name.size() - 1) + "\u00b2" : name;
+}
+
 std::string with_unit(const std::string& label, const study::ReportUnit& unit) {
   if (unit.name.empty() || unit.name == "1") return label;
-  std::string name = unit.name;
-  if (name.ends_with("s2")) name = name.substr(0, name.size() - 1) + "\u00b2";
-  return label + " (" + name + ")";
+  return label + " (" + unit_label(unit) + ")";
 }
 
 }  // namespace gurney::figures

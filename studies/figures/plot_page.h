@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "studies/figures/panel.h"
+#include "studies/study/units/unit_system.h"
 
 namespace gurney::figures {
 
@@ -14,6 +15,7 @@ struct PlotPage {
   /// Of a panel at most so many marks, and so many curves without a name, are drawn, evenly
   /// chosen; 0: all. The note says so.
   std::size_t most_marks = 0;
+  study::UnitSystem units = {};  ///< of what does not bring its own
 };
 
 /// A panel as high as `aspect` times its width says, within bounds; with lanes as they need.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studies/figures/labels.h"
 #include "studies/report/footprint.h"
 #include "studies/study/results/names.h"
 
@@ -74,10 +75,21 @@ double aspect_of_plan(const Panel& panel) {
   return size.x() > 0 ? std::clamp(size.y() / size.x(), 0.35, 0.8) : 0.8;
 }
 
+void set_unit(Panel& plan, const study::UnitSystem& units) {
+  const study::ReportUnit unit = units.of("m");
+  plan.x_label = with_unit(plan.x_label, unit);
+  plan.y_label = with_unit(plan.y_label, unit);
+  const auto scale = [&](std::vector<double>& values) {
+    for (double& value : values) value /= unit.in_si;
+  };
+  for (Curve& curve : plan.curves) scale(curve.x), scale(curve.y);
+  for (Marks& marks : plan.marks) scale(marks.x), scale(marks.y);
+}
+
 Panel scene_panel(const Scene& scene) {
   Panel panel{.title = "",
-              .x_label = "x (m)",
-              .y_label = "y (m)",
+              .x_label = "x",
+              .y_label = "y",
               .zero_line = false,
               .equal_scales = true,
               .legend_columns = 4};
@@ -106,7 +118,8 @@ Panel scene_panel(const Scene& scene) {
 }
 
 std::string scene_figure(const PlotPage& page, const std::string& title, const Scene& scene) {
-  const Panel panel = scene_panel(scene);
+  Panel panel = scene_panel(scene);
+  set_unit(panel, page.units);
   return plot_figure(page, title,
                      "seen from above, before the motion; grey: room; dots: fronts of the items; "
                      "thick lines: wheels",

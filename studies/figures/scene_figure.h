@@ -7,8 +7,11 @@
 
 namespace gurney::figures {
 
-/// Room, zones, tethers and items of a scene before anything moves, on the axes of a plan.
+/// Room, zones, tethers and items of a scene before anything moves, on the axes of a plan [m].
 Panel scene_panel(const Scene& scene);
+
+/// A plan in metres in another unit, which its labels state.
+void set_unit(Panel& plan, const study::UnitSystem& units);
 
 /// Height over width of the curves and marks of a plan, within what a page has room for.
 double aspect_of_plan(const Panel& panel);

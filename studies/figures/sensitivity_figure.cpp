@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "studies/figures/panel.h"
-#include "studies/study/analysis/report_unit.h"
 
 namespace gurney::figures {
 namespace {
@@ -89,7 +88,7 @@ study::StudySensitivity in_unit(study::StudySensitivity found, double unit) {
 }  // namespace
 
 std::string sensitivity_figure(const report::SensitivityReport& report) {
-  const study::ReportUnit unit = study::report_unit(report.found.units);
+  const study::ReportUnit unit = report.units.of(report.found.units);
   const study::StudySensitivity found = in_unit(report.found, unit.in_si);
   std::vector<study::SensitiveInput> inputs = found.inputs;
   if (inputs.size() > kMaxRows) inputs.resize(kMaxRows);

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "engine/base/error.h"
-#include "engine/base/units.h"
+#include "studies/figures/labels.h"
 #include "studies/statistics/quantiles.h"
 
 namespace gurney::figures {
@@ -66,7 +66,8 @@ std::vector<View> views_of(const std::vector<Suite>& suites, const std::vector<s
 
 /// Fractiles at each period, as one curve with a gap: it is drawn whole or not at all.
 Curve fractiles(const std::vector<Eigen::VectorXd>& spectra, const Eigen::VectorXd& periods,
-                const std::vector<double>& fractions, const std::string& label, const Pen& pen) {
+                const std::vector<double>& fractions, const std::string& label, const Pen& pen,
+                double unit) {
   constexpr double kNoPoint = std::numeric_limits<double>::quiet_NaN();
   Curve curve{label, {}, {}, pen};
   for (const double fraction : fractions) {
@@ -76,7 +77,7 @@ Curve fractiles(const std::vector<Eigen::VectorXd>& spectra, const Eigen::Vector
     }
     for (Eigen::Index i = 0; i < periods.size(); ++i) {
       std::vector<double> values;
-      for (const Eigen::VectorXd& each : spectra) values.push_back(each[i] / kStandardGravity);
+      for (const Eigen::VectorXd& each : spectra) values.push_back(each[i] / unit);
       curve.x.push_back(periods[i]);
       curve.y.push_back(statistics::quantile_of(values, fraction));
     }
@@ -84,13 +85,14 @@ Curve fractiles(const std::vector<Eigen::VectorXd>& spectra, const Eigen::Vector
   return curve;
 }
 
-PlotPanel panel_of(const Suite& suite, const View& view, bool named) {
+PlotPanel panel_of(const Suite& suite, const View& view, bool named,
+                   const study::ReportUnit& unit) {
   std::string which = suite.configurations.front();
   if (suite.configurations.size() > 1)
     which += fmt::format(" and {} more", suite.configurations.size() - 1);
   Panel panel{.title = view.title(suite) + (named && !which.empty() ? ", " + which : ""),
               .x_label = "Period (s)",
-              .y_label = fmt::format("Sa {} (g)", name_of(suite.combination)),
+              .y_label = with_unit(std::string("Sa ") + name_of(suite.combination), unit),
               .zero_line = false,
               .log_x = true,
               .legend_columns = 3,
@@ -106,14 +108,15 @@ PlotPanel panel_of(const Suite& suite, const View& view, bool named) {
       curve.label = record.name;
       curve.pen = {.stroke = palette(0), .width = 1.8};
     }
-    for (const double value : spectra.back()) curve.y.push_back(value / kStandardGravity);
+    for (const double value : spectra.back()) curve.y.push_back(value / unit.in_si);
     panel.curves.push_back(std::move(curve));
   }
   if (suite.records.size() < 2) return {.panel = panel, .aspect = 0.6};
-  panel.curves.push_back(
-      fractiles(spectra, suite.periods, {0.5}, "median", {.stroke = palette(0), .width = 2}));
+  panel.curves.push_back(fractiles(spectra, suite.periods, {0.5}, "median",
+                                   {.stroke = palette(0), .width = 2}, unit.in_si));
   panel.curves.push_back(fractiles(spectra, suite.periods, {0.16, 0.84}, "16 and 84 % fractiles",
-                                   {.stroke = palette(1), .width = 1.5, .dash = "6 3"}));
+                                   {.stroke = palette(1), .width = 1.5, .dash = "6 3"},
+                                   unit.in_si));
   return {.panel = panel, .aspect = 0.6};
 }
 
@@ -127,7 +130,8 @@ std::string spectra_figure(const PlotPage& page, const std::string& title,
   for (const Suite& suite : suites) {
     records += suite.records.size();
     for (const View& view : views)
-      if (has(suite, view)) panels.push_back(panel_of(suite, view, suites.size() > 1));
+      if (has(suite, view))
+        panels.push_back(panel_of(suite, view, suites.size() > 1, page.units.of("m/s2")));
   }
   return plot_figure(page, title,
                      fmt::format("pseudo-acceleration, 5 % damping; {} record{}", records,
@@ -137,9 +141,10 @@ std::string spectra_figure(const PlotPage& page, const std::string& title,
 
 std::string floor_spectra_figure(const PlotPage& page, const std::string& title,
                                  const study::FloorSpectra& spectra) {
+  const study::ReportUnit unit = page.units.of("m/s2");
   Panel panel{.title = "Floor",
               .x_label = "Period (s)",
-              .y_label = "Sa (g)",
+              .y_label = with_unit("Sa", unit),
               .zero_line = false,
               .log_x = true,
               .legend_columns = 3,
@@ -151,7 +156,7 @@ std::string floor_spectra_figure(const PlotPage& page, const std::string& title,
                 {spectra.periods.begin(), spectra.periods.end()},
                 {},
                 {.stroke = palette(index), .width = 1.6, .dash = dashes[index % 3]}};
-    for (const double value : values) curve.y.push_back(value / kStandardGravity);
+    for (const double value : values) curve.y.push_back(value / unit.in_si);
     panel.curves.push_back(std::move(curve));
   }
   return plot_figure(page, title, "pseudo-acceleration, 5 % damping; floor axes",

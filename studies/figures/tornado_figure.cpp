@@ -67,7 +67,7 @@ Range range_of(const Inputs& inputs, double mean, double unit) {
 
 PlotPanel panel_of(const report::SensitivityReport& report) {
   const study::StudySensitivity& found = report.found;
-  const study::ReportUnit unit = study::report_unit(found.units);
+  const study::ReportUnit unit = report.units.of(found.units);
   const Inputs inputs = longest(found);
   const double mean = found.mean / unit.in_si;
   Panel panel{.title = words_of(found.output) +

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/base/error.h"
+#include "studies/figures/scene_figure.h"
 #include "studies/report/footprint.h"
 #include "studies/study/results/hdf5_reader.h"
 
@@ -120,7 +121,7 @@ Panel empty_plan(const std::string& title, const std::string& x, const std::stri
 
 Panel plan_of_run(const study::Hdf5Reader& file) {
   const RunPlan plan(file);
-  Panel panel = empty_plan("Seen from above", "x (m)", "y (m)");
+  Panel panel = empty_plan("Seen from above", "x", "y");
   add_room(panel, plan);
   for (std::size_t item = 0; item < plan.items.size(); ++item) {
     const std::size_t last = plan.last(item);
@@ -144,7 +145,7 @@ Panel plan_of_run(const study::Hdf5Reader& file) {
 }
 
 Panel paths_of_study(const study::StoredHistories& histories) {
-  Panel panel = empty_plan("", "x from the start (m)", "y from the start (m)");
+  Panel panel = empty_plan("", "x from the start", "y from the start");
   std::vector<std::string> items;
   for (const std::size_t run : histories.runs()) {
     const study::StoredHistory history = histories.history("displacement", run);
@@ -192,7 +193,8 @@ std::string trajectory_figure(const PlotPage& page, const std::string& path) {
   require(!runs.empty(), path + ": holds no histories, so it knows no paths");
   const study::Hdf5Reader file(path);
   const bool study = file.text_attribute("filetype") == "gurney-study";
-  const Panel panel = study ? paths_of_study(histories) : plan_of_run(file);
+  Panel panel = study ? paths_of_study(histories) : plan_of_run(file);
+  set_unit(panel, page.units);
   const std::string note =
       study ? fmt::format(
                   "paths of the items' origins in {} runs, each from its start; marked: the "

@@ -60,7 +60,7 @@ CaseColumn demand(const study::StudyData& data, const std::string& name) {
   for (std::size_t i = 0; i < data.configurations().size(); ++i) {
     if (data.runs_of(i).empty()) continue;
     for (const study::NamedDemand& each : study::demands_named(data, i, {name})) {
-      unit = study::report_unit(each.units);
+      unit = data.units().of(each.units);
       const std::vector<double> of = study::values_of_runs(data, each, data.runs_of(i));
       for (std::size_t k = 0; k < of.size(); ++k) {
         double& value = values[data.runs_of(i)[k]];
@@ -102,7 +102,7 @@ std::vector<CaseColumn> case_columns(const study::StudyData& data) {
 
   std::vector<CaseColumn> columns{
       of_texts("Configuration", configurations), of_texts("Record", records_of_runs(data)),
-      of_numbers("Angle", study::report_unit("rad"), file.numbers("runs/angle"))};
+      of_numbers("Angle", data.units().of("rad"), file.numbers("runs/angle"))};
   if (file.has_column("runs/draw")) columns.push_back(of_counts("Draw", file.numbers("runs/draw")));
   if (file.has_column("runs/replica"))
     columns.push_back(of_counts("Replica", file.numbers("runs/replica")));

@@ -14,17 +14,18 @@ struct GroupColumn {
 };
 
 /// Values that mean "none": of times -1, of numbers NaN.
-Cell cell_of(const study::Hdf5Dataset& dataset, double value) {
+Cell cell_of(const study::Hdf5Dataset& dataset, double value, const study::UnitSystem& units) {
   if (dataset.units == "s" && value == -1) return {"\u2013"};
   if (dataset.type == "int64") {
     Cell cell(std::to_string(static_cast<long>(value)));
     cell.number = value;
     return cell;
   }
-  return Cell(value, study::report_unit(dataset.units), 4);
+  return Cell(value, units.of(dataset.units), 4);
 }
 
-std::vector<GroupColumn> columns_of(const study::Hdf5Reader& file, const std::string& group) {
+std::vector<GroupColumn> columns_of(const study::Hdf5Reader& file, const std::string& group,
+                                    const study::UnitSystem& units) {
   std::vector<GroupColumn> columns;
   const std::string before = "/" + group + "/";
   for (const study::Hdf5Dataset& dataset : file.datasets()) {
@@ -32,17 +33,16 @@ std::vector<GroupColumn> columns_of(const study::Hdf5Reader& file, const std::st
     const std::string name = dataset.path.substr(before.size());
     if (name == "row" || name == "run") continue;
     const bool text = dataset.type == "string";
-    GroupColumn column{
-        name,
-        {text ? figures::label_of(name)
-              : figures::with_unit(figures::label_of(name), study::report_unit(dataset.units)),
-         !text, dataset.long_name},
-        {}};
+    GroupColumn column{name,
+                       {text ? figures::label_of(name)
+                             : figures::with_unit(figures::label_of(name), units.of(dataset.units)),
+                        !text, dataset.long_name},
+                       {}};
     if (text)
       for (const std::string& each : file.strings(dataset.path)) column.cells.emplace_back(each);
     else
       for (const double each : file.numbers(dataset.path))
-        column.cells.push_back(cell_of(dataset, each));
+        column.cells.push_back(cell_of(dataset, each, units));
     columns.push_back(std::move(column));
   }
   return columns;
@@ -51,8 +51,9 @@ std::vector<GroupColumn> columns_of(const study::Hdf5Reader& file, const std::st
 }  // namespace
 
 Table table_of_group(const study::Hdf5Reader& file, const std::string& group,
-                     const std::string& caption, const std::vector<std::string>& first) {
-  std::vector<GroupColumn> columns = columns_of(file, group);
+                     const std::string& caption, const std::vector<std::string>& first,
+                     const study::UnitSystem& units) {
+  std::vector<GroupColumn> columns = columns_of(file, group, units);
   std::ranges::stable_sort(columns, {}, [&](const GroupColumn& column) {
     return std::ranges::find(first, column.name) - first.begin();
   });
@@ -68,8 +69,9 @@ Table table_of_group(const study::Hdf5Reader& file, const std::string& group,
 }
 
 Table turned_table_of_group(const study::Hdf5Reader& file, const std::string& group,
-                            const std::string& caption, const std::string& name) {
-  const std::vector<GroupColumn> columns = columns_of(file, group);
+                            const std::string& caption, const std::string& name,
+                            const study::UnitSystem& units) {
+  const std::vector<GroupColumn> columns = columns_of(file, group, units);
   Table table{caption, {{"Quantity"}}};
   for (const GroupColumn& column : columns)
     if (column.name == name)

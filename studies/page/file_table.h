@@ -12,11 +12,13 @@ namespace gurney::page {
 /// with units, meanings where one points. No rows where the file does not have the group.
 /// @param first  columns that come first, in this order; the others by name
 Table table_of_group(const study::Hdf5Reader& file, const std::string& group,
-                     const std::string& caption, const std::vector<std::string>& first);
+                     const std::string& caption, const std::vector<std::string>& first,
+                     const study::UnitSystem& units);
 
 /// The same with a row for each column of numbers, and a column for each row, which the column
 /// `name` names; empty: the group has one row.
 Table turned_table_of_group(const study::Hdf5Reader& file, const std::string& group,
-                            const std::string& caption, const std::string& name);
+                            const std::string& caption, const std::string& name,
+                            const study::UnitSystem& units);
 
 }  // namespace gurney::page

@@ -49,7 +49,7 @@ std::vector<report::SensitivityReport> sensitivities_of(const study::StudyData& 
   for (std::size_t i = 0; i < data.configurations().size() && reports.size() < kMaxConfigurations;
        ++i)
     for (const study::NamedDemand& demand : study::demands_named(data, i, {"peak_displacement"})) {
-      report::SensitivityReport report{data.configurations()[i], {}, ""};
+      report::SensitivityReport report{data.configurations()[i], {}, "", data.units()};
       try {
         report.found =
             study::study_sensitivity({&data, i}, {.demand = demand.name, .limit = "", .level = {}});
@@ -71,8 +71,8 @@ std::string counted(std::size_t count, const std::string& what) {
 StudyPage::StudyPage(const PageRequest& request)
     : path(request.file),
       job(request.job),
-      overview(study::study_overview(path, request.assessed_by)),
-      data(path, request.assessed_by) {
+      overview(study::study_overview(path, request.assessed_by, request.units)),
+      data(path, request.assessed_by, {}, request.units) {
   for (std::size_t i = 0; i < data.configurations().size(); ++i)
     for (std::size_t state = 0; state < data.limit_states().size(); ++state)
       if (!data.runs_of(i).empty())

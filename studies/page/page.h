@@ -5,6 +5,7 @@
 
 #include "studies/explanation/facts.h"
 #include "studies/study/analysis/assessment.h"
+#include "studies/study/units/unit_system.h"
 
 namespace gurney::page {
 
@@ -12,6 +13,7 @@ namespace gurney::page {
 struct PageRequest {
   std::string file;  ///< of a study, of one run, or JSON of a calibration or a verification
   study::AssessmentRequest assessed_by{};  ///< of studies
+  study::UnitSystem units{};
   std::string job{};  ///< where the job's file is, for names relative to it; empty: beside the file
   std::optional<explanation::Explanation> explanation{};  ///< of one run
   std::string no_explanation{};                           ///< why there is none

@@ -66,7 +66,7 @@ std::string short_hashes(const std::vector<std::string>& files) {
 /// The suite at the highest level, of the first configuration that was run.
 Html spectra_of(const StudyPage& page) {
   constexpr int kPeriods = 26;
-  constexpr figures::PlotPage kSmall{.most_marks = 8};
+  const figures::PlotPage small{.most_marks = 8, .units = page.overview.units};
   std::size_t first = 0;
   while (first + 1 < page.data.configurations().size() && page.data.runs_of(first).empty()) ++first;
   try {
@@ -74,10 +74,10 @@ Html spectra_of(const StudyPage& page) {
         page.data, {.job = page.job, .level = {}, .configurations = {first}, .periods = kPeriods});
     const bool scaled = std::ranges::any_of(suites.front().records,
                                             [](const auto& record) { return record.factor != 1; });
-    return html(Drawing{
-        "spectra", figures::spectra_figure(kSmall, "", suites, {scaled ? "scaled" : "records"}),
-        "Response spectra of the records with their median, 16 and 84 % fractiles.",
-        "Pseudo-acceleration over the period, 5 % damping, on logarithmic axes."});
+    return html(Drawing{"spectra",
+                        figures::spectra_figure(small, "", suites, {scaled ? "scaled" : "records"}),
+                        "Response spectra of the records with their median, 16 and 84 % fractiles.",
+                        "Pseudo-acceleration over the period, 5 % damping, on logarithmic axes."});
   } catch (const Error& error) {
     return paragraph(std::string("No spectra: ") + error.what());
   }

@@ -23,7 +23,10 @@ namespace {
 /// What the page of one run is made of.
 struct RunFile {
   explicit RunFile(const PageRequest& request)
-      : overview(study::run_overview(request.file)), file(request.file), histories(request.file) {
+      : overview(study::run_overview(request.file)),
+        units(request.units),
+        file(request.file),
+        histories(request.file) {
     try {
       scene = scene_of_run(file, request.job);
     } catch (const Error& error) {
@@ -32,6 +35,7 @@ struct RunFile {
   }
 
   study::RunOverview overview;
+  study::UnitSystem units;
   study::Hdf5Reader file;
   study::StoredHistories histories;
   std::optional<JobScene> scene;
@@ -52,17 +56,18 @@ Section summary(const RunFile& run) {
                        {{"class", "cautions"}});
   return {"summary", "At a glance",
           facts(named) + cautions +
-              html(turned_table_of_group(run.file, "items", "Demands of the items", "item"))};
+              html(turned_table_of_group(run.file, "items", "Demands of the items", "item",
+                                         run.units))};
 }
 
 Section design(const RunFile& run) {
   Html content;
   if (run.scene)
-    content += scene_drawings(*run.scene, "");
+    content += scene_drawings(*run.scene, "", run.units);
   else
     content += paragraph(run.no_scene);
   content += html(table_of_group(run.file, "drawn", "Parameters that were drawn",
-                                 {"variable", "value", "unit"}));
+                                 {"variable", "value", "unit"}, run.units));
   return {"design", "What was run", content};
 }
 
@@ -70,7 +75,7 @@ Section design(const RunFile& run) {
 Html spectra_of_floor(const RunFile& run) {
   const auto spectra = study::floor_spectra(run.histories);
   if (!spectra) return {};
-  return html(Drawing{"spectra", figures::floor_spectra_figure({}, "", *spectra),
+  return html(Drawing{"spectra", figures::floor_spectra_figure({.units = run.units}, "", *spectra),
                       "Response spectra of the floor\u2019s motion.",
                       "Pseudo-acceleration over the period, 5 % damping, on logarithmic axes."});
 }
@@ -92,10 +97,11 @@ Section record(const RunFile& run) {
 Section paths(const RunFile& run) {
   if (run.histories.names().empty())
     return {"paths", "Paths", paragraph("The run kept no histories (settings.history_step_s).")};
-  return {"paths", "Paths",
-          html(Drawing{"paths", figures::trajectory_figure({}, run.histories.path()),
-                       "Paths of the items seen from above, outlines at the start and at the end.",
-                       "The room with the items before and after the motion."})};
+  return {
+      "paths", "Paths",
+      html(Drawing{"paths", figures::trajectory_figure({.units = run.units}, run.histories.path()),
+                   "Paths of the items seen from above, outlines at the start and at the end.",
+                   "The room with the items before and after the motion."})};
 }
 
 Section explanation_section(const PageRequest& request) {
@@ -132,10 +138,11 @@ Section histories(const RunFile& run) {
     if (history.series.empty() || history.time.empty()) continue;
     std::string id = std::string("history-") + name;
     std::ranges::replace(id, '_', '-');
-    figures += html(Drawing{
-        id, figures::history_figure({}, "", "", {history}), figures::label_of(name) + " over time.",
-        fmt::format("{} over {:.4g} seconds.", counted(history.series.size(), "curve"),
-                    history.time.back())});
+    figures +=
+        html(Drawing{id, figures::history_figure({.units = run.units}, "", "", {history}),
+                     figures::label_of(name) + " over time.",
+                     fmt::format("{} over {:.4g} seconds.", counted(history.series.size(), "curve"),
+                                 history.time.back())});
   }
   return {"histories", "Histories", figures};
 }
@@ -154,9 +161,11 @@ Section tables(const RunFile& run) {
       {"predictability", "What became of a change of all masses by 1e-9", {"item", "verdict"}}};
   Html content;
   for (const Group& group : groups)
-    content += html(table_of_group(run.file, group.name, group.caption, group.first));
-  content += html(turned_table_of_group(run.file, "energy", "Energy balance at the end", "item"));
-  content += html(turned_table_of_group(run.file, "verification", "Numerical quality", ""));
+    content += html(table_of_group(run.file, group.name, group.caption, group.first, run.units));
+  content += html(
+      turned_table_of_group(run.file, "energy", "Energy balance at the end", "item", run.units));
+  content +=
+      html(turned_table_of_group(run.file, "verification", "Numerical quality", "", run.units));
   return {"tables", "Tables", content};
 }
 

@@ -49,13 +49,14 @@ JobScene scene_of_run(const study::Hdf5Reader& file, const std::string& job) {
   return {read.scene, read.settings};
 }
 
-Html scene_drawings(const JobScene& of, const std::string& title) {
+Html scene_drawings(const JobScene& of, const std::string& title, const study::UnitSystem& units) {
   const Scene& scene = of.scene;
+  const study::ReportUnit mass = units.of("kg"), angle = units.of("rad");
   const bool alone =
       scene.items.size() == 1 && scene.room.empty() && scene.zones.empty() && scene.tethers.empty();
   Html all;
   if (!alone)
-    all += html(Drawing{"scene", figures::scene_figure({}, title, scene),
+    all += html(Drawing{"scene", figures::scene_figure({.units = units}, title, scene),
                         "The scene before the motion, seen from above.",
                         fmt::format("{} on the floor{}{}.", counted(scene.items.size(), "item"),
                                     scene.room.empty() ? "" : ", in a room",
@@ -65,12 +66,13 @@ Html scene_drawings(const JobScene& of, const std::string& title) {
   for (const PlacedItem& item : scene.items) {
     if (drawn.size() == kMaxDrawn || !drawn.insert(item.model.name).second) continue;
     const auto facts = facts_of(item.model, scene);
-    items += html(Drawing{
-        fmt::format("item-{}", drawn.size()), figures::equipment_figure(facts),
-        item.model.name + ": plan and two sides.",
-        fmt::format("Mass {:.4g} kg, {} casters, static tilt before overturning {:.3g} degrees.",
-                    facts.sheet.whole.mass, item.model.casters.size(),
-                    facts.sheet.stability.tilt / kRadiansPerDegree)});
+    items += html(
+        Drawing{fmt::format("item-{}", drawn.size()), figures::equipment_figure(facts),
+                item.model.name + ": plan and two sides.",
+                fmt::format("Mass {:.4g} {}, {} casters, static tilt before overturning {:.3g} {}.",
+                            facts.sheet.whole.mass / mass.in_si, mass.name,
+                            item.model.casters.size(), facts.sheet.stability.tilt / angle.in_si,
+                            angle.name == "deg" ? "degrees" : angle.name)});
   }
   if (!of.changed.empty())
     items +=

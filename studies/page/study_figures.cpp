@@ -16,7 +16,10 @@ namespace gurney::page {
 namespace {
 
 constexpr std::size_t kMaxDemands = 3, kMaxHistories = 2000;
-constexpr figures::PlotPage kPaper{.most_marks = kMaxMarks};
+
+figures::PlotPage paper_of(const StudyPage& page) {
+  return {.most_marks = kMaxMarks, .units = page.overview.units};
+}
 
 /// The peak displacement, and the demands of items that limit states ask for.
 std::vector<std::string> demands_of_interest(const study::StudyData& data) {
@@ -106,7 +109,7 @@ Section study_demands(const StudyPage& page) {
       std::string name = fmt::format("{}-{}", kind.name, demand);
       std::ranges::replace(name, '_', '-');
       figures +=
-          html(Drawing{name, kind.draw(kPaper, "", all),
+          html(Drawing{name, kind.draw(paper_of(page), "", all),
                        figures::label_of(demand) + ": " + kind.caption + ".", kind.description});
     }
   }
@@ -114,7 +117,7 @@ Section study_demands(const StudyPage& page) {
   const std::size_t kept = histories.names().empty() ? 0 : histories.runs().size();
   if (kept > 0 && kept <= kMaxHistories)
     figures += element("h3", "Paths") +
-               html(Drawing{"paths", figures::trajectory_figure(kPaper, page.path),
+               html(Drawing{"paths", figures::trajectory_figure(paper_of(page), page.path),
                             "Paths of the items seen from above, each from its start.",
                             fmt::format("Paths of {}.", counted(kept, "run"))});
   return {"demands", "Demands", left_out(page, items) + figures};

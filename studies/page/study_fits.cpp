@@ -120,7 +120,7 @@ Html performance_of(const StudyPage& page) {
 
 Html sensitivity_table(const report::SensitivityReport& report) {
   const study::StudySensitivity& found = report.found;
-  const study::ReportUnit unit = study::report_unit(found.units), one{"1", 1};
+  const study::ReportUnit unit = report.units.of(found.units), one{"1", 1};
   const std::string of_unit = unit.name == "1" ? "" : " (" + unit.name + ")";
   Table table{fmt::format("Inputs of {}{}", found.output,
                           report.configuration.empty() ? "" : ", " + report.configuration),
@@ -170,7 +170,7 @@ Section study_sensitivity(const StudyPage& page) {
       content += paragraph("No sensitivity: " + each.why_not);
       continue;
     }
-    const study::ReportUnit unit = study::report_unit(found.units);
+    const study::ReportUnit unit = each.units.of(found.units);
     content +=
         paragraph(fmt::format("{}: mean {:.3g} {}, standard deviation {:.3g} {}, {}.", found.output,
                               found.mean / unit.in_si, unit.name, found.deviation / unit.in_si,

@@ -61,6 +61,7 @@ Methods methods_of(const StudyPage& page);
 std::string counted(std::size_t count, const std::string& what);
 
 /// The scene from above, unless it is one item on a bare floor, and a drawing of each kind of item.
-Html scene_drawings(const JobScene& scene, const std::string& title);
+Html scene_drawings(const JobScene& scene, const std::string& title,
+                    const study::UnitSystem& units);
 
 }  // namespace gurney::page

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/units.h"
+#include "studies/figures/labels.h"
 #include "studies/page/study_page.h"
 #include "studies/page/table.h"
 #include "studies/report/failed_runs.h"
@@ -94,13 +94,14 @@ Section study_summary(const StudyPage& page) {
 Section study_design(const StudyPage& page) {
   const study::StudyOverview& overview = page.overview;
   std::vector<std::string> angles;
+  const study::ReportUnit turn = overview.units.of("rad");
   for (const double angle : overview.angles)
-    angles.push_back(fmt::format("{:g}", angle / kRadiansPerDegree));
+    angles.push_back(fmt::format("{:g}", angle / turn.in_si));
   std::vector<std::pair<std::string, std::string>> named;
   for (const auto& factor : overview.factors)
     named.emplace_back("Factor " + factor.name, fmt::format("{}", fmt::join(factor.levels, "; ")));
   named.emplace_back("Configurations", std::to_string(overview.configurations.size()));
-  named.emplace_back("Angles", fmt::format("{} deg", fmt::join(angles, ", ")));
+  named.emplace_back("Angles", fmt::format("{} {}", fmt::join(angles, ", "), turn.name));
   named.emplace_back(overview.measure.empty() ? "Records" : "Intensity, " + overview.measure,
                      fmt::format("{}", fmt::join(overview.levels, ", ")));
   if (overview.factors_on_records.any())
@@ -115,9 +116,9 @@ Section study_design(const StudyPage& page) {
                                                         : state.words + " (" + state.origin + ")");
   const std::string what =
       overview.configurations.size() > 1 ? "configuration " + overview.configurations.front() : "";
-  return {
-      "design", "What was run",
-      facts(named) + (page.scene ? scene_drawings(*page.scene, what) : paragraph(page.no_scene))};
+  return {"design", "What was run",
+          facts(named) + (page.scene ? scene_drawings(*page.scene, what, overview.units)
+                                     : paragraph(page.no_scene))};
 }
 
 Section study_outcomes(const StudyPage& page) {
@@ -146,7 +147,7 @@ Section study_outcomes(const StudyPage& page) {
 }
 
 Section study_zones(const StudyPage& page) {
-  const study::ReportUnit metres{"m", 1}, seconds{"s", 1};
+  const study::ReportUnit length = page.overview.units.of("m"), seconds{"s", 1};
   Table table{"Zones of the room, over the runs that did not fail",
               {{"Zone"},
                {"Configuration"},
@@ -154,8 +155,9 @@ Section study_zones(const StudyPage& page) {
                {"Entered", true, "share of the runs in which an item entered the zone"},
                {"Occupied at the end", true, "share of the runs"},
                {"Mean time occupied (s)", true},
-               {"Median least free width (m)", true, "of the widest free path along the zone"},
-               {"Smallest free width (m)", true, "over all runs"}}};
+               {figures::with_unit("Median least free width", length), true,
+                "of the widest free path along the zone"},
+               {figures::with_unit("Smallest free width", length), true, "over all runs"}}};
   for (const study::ZoneOccupancy& each : study::zone_occupancy(page.data)) {
     Cell entered(percent(each.entered, each.runs)),
         at_end(percent(each.occupied_at_end, each.runs));
@@ -163,8 +165,8 @@ Section study_zones(const StudyPage& page) {
     at_end.number = double(each.occupied_at_end) / double(each.runs);
     table.rows.push_back({each.zone, each.configuration.empty() ? "all runs" : each.configuration,
                           each.runs, entered, at_end, Cell(each.occupied_time, seconds),
-                          Cell(each.least_free_width, metres),
-                          Cell(each.smallest_free_width, metres)});
+                          Cell(each.least_free_width, length),
+                          Cell(each.smallest_free_width, length)});
   }
   return {"zones", "Zones", html(table)};
 }

@@ -28,30 +28,32 @@ Json side(const std::string& name, const study::ConfigurationView& of, std::size
           {"runs_failed", of.data->failed(of.configuration)}};
 }
 
-Json quantities(const study::StudyComparison& found, study::ComparedQuantity::Kind kind) {
+Json quantities(const ComparisonReport& report, study::ComparedQuantity::Kind kind) {
   Json list = Json::array();
-  for (const study::ComparedQuantity& row : found.quantities)
-    if (row.kind == kind)
+  for (const study::ComparedQuantity& row : report.found.quantities)
+    if (row.kind == kind) {
+      const study::ReportUnit unit = report.units().or_else("si").of(row.units);
       list.push_back({{"name", row.name},
                       {"words", row.words},
-                      {"units", row.units},
+                      {"units", unit.name},
                       {"groups", row.groups},
-                      {"a", json_number(row.a)},
-                      {"b", json_number(row.b)},
-                      {"difference", json_number(row.difference)},
-                      {"interval", json_interval(row.interval)},
+                      {"a", json_number(row.a / unit.in_si)},
+                      {"b", json_number(row.b / unit.in_si)},
+                      {"difference", json_number(row.difference / unit.in_si)},
+                      {"interval", json_interval(row.interval, unit.in_si)},
                       {"p", json_number(row.p)},
                       {"p_holm", json_number(row.p_holm)}});
+    }
   return list;
 }
 
 Json curve(const statistics::FragilityFit& fit, const study::CurveAudit& audit,
-           const std::string& units) {
+           const study::ReportUnit& unit) {
   Json json{{"status", text(fit.status)}, {"runs", fit.runs}, {"exceeded", fit.exceeded}};
-  if (!fit.curve) json["median_between"] = json_interval(fit.median);
-  json["theta"] = fit.curve ? json_number(fit.curve->theta) : Json();
+  if (!fit.curve) json["median_between"] = json_interval(fit.median, unit.in_si);
+  json["theta"] = fit.curve ? json_number(fit.curve->theta / unit.in_si) : Json();
   json["beta"] = fit.curve ? json_number(fit.curve->beta) : Json();
-  json["cautions"] = study::cautions(audit, {units, 1});
+  json["cautions"] = study::cautions(audit, unit);
   return json;
 }
 
@@ -93,16 +95,17 @@ std::string comparison_json(const ComparisonReport& report) {
                    {"means", found.tests.means},
                    {"medians", found.tests.medians}};
   json["smallest_p_possible"] = json_number(found.smallest_p);
-  json["shares"] = quantities(found, Kind::kShare);
-  json["means"] = quantities(found, Kind::kMean);
-  json["medians"] = quantities(found, Kind::kMedian);
+  json["shares"] = quantities(report, Kind::kShare);
+  json["means"] = quantities(report, Kind::kMean);
+  json["medians"] = quantities(report, Kind::kMedian);
   json["measure"] = found.measure;
-  json["measure_units"] = found.units;
+  const study::ReportUnit unit = report.units().or_else("si").of(found.units);
+  json["measure_units"] = unit.name;
   json["curves"] = Json::array();
   for (const study::ComparedCurves& row : found.curves)
     json["curves"].push_back({{"name", row.name},
-                              {"a", curve(row.a, row.audit_a, found.units)},
-                              {"b", curve(row.b, row.audit_b, found.units)},
+                              {"a", curve(row.a, row.audit_a, unit)},
+                              {"b", curve(row.b, row.audit_b, unit)},
                               {"likelihood_ratio", json_number(row.likelihood_ratio)},
                               {"p", json_number(row.p)},
                               {"p_holm", json_number(row.p_holm)}});

@@ -99,24 +99,25 @@ std::string pairing_text(const study::StudyComparison& found) {
   return text;
 }
 
-std::string label(const study::ComparedQuantity& row) {
+std::string label(const study::ComparedQuantity& row, const study::UnitSystem& units) {
   if (!row.words.empty() && row.words != row.name) return row.name + ": " + row.words;
-  return row.units == "1" ? row.name : row.name + " [" + study::report_unit(row.units).name + "]";
+  return row.units == "1" ? row.name : row.name + " [" + units.of(row.units).name + "]";
 }
 
-std::string with_unit(const study::ComparedQuantity& row) {
-  const study::ReportUnit unit = study::report_unit(row.units);
+std::string with_unit(const study::ComparedQuantity& row, const study::UnitSystem& units) {
+  const study::ReportUnit unit = units.of(row.units);
   return number(row.a / unit.in_si) + (unit.name == "1" ? "" : " " + unit.name);
 }
 
 std::string quantities_text(const ComparisonReport& report, study::ComparedQuantity::Kind kind,
                             const std::string& title) {
   const study::StudyComparison& found = report.found;
+  const study::UnitSystem& units = report.units();
   const std::size_t wide_a = std::max<std::size_t>(10, report.label_a.size()),
                     wide_b = std::max<std::size_t>(10, report.label_b.size());
   std::size_t width = title.size();
   for (const study::ComparedQuantity& row : found.quantities)
-    width = std::max(width, label(row).size());
+    width = std::max(width, label(row, units).size());
   const auto line = [&](const std::string& name, const auto& groups, const std::string& a,
                         const std::string& b, const std::string& difference,
                         const std::string& between, const std::string& p, const std::string& holm) {
@@ -124,9 +125,9 @@ std::string quantities_text(const ComparisonReport& report, study::ComparedQuant
                        a, wide_a, b, wide_b, difference, between, p, holm);
   };
   const auto row_text = [&](const study::ComparedQuantity& row) {
-    const double unit = study::report_unit(row.units).in_si;
+    const double unit = units.of(row.units).in_si;
     const double size = std::max(std::abs(row.a), std::abs(row.b));
-    return line(label(row), row.groups, number(row.a / unit), number(row.b / unit),
+    return line(label(row, units), row.groups, number(row.a / unit), number(row.b / unit),
                 number(rounded(row.difference, size) / unit), interval(row.interval, unit, size),
                 probability(row.p), probability(row.p_holm));
   };
@@ -136,7 +137,7 @@ std::string quantities_text(const ComparisonReport& report, study::ComparedQuant
     const double size = std::max(std::abs(row.a), std::abs(row.b));
     if (std::isnan(row.p) && rounded(row.difference, size) == 0 &&
         rounded(row.a - row.b, size) == 0)
-      same += fmt::format("{}{} ({})", same.empty() ? "" : ", ", row.name, with_unit(row));
+      same += fmt::format("{}{} ({})", same.empty() ? "" : ", ", row.name, with_unit(row, units));
     else
       text += row_text(row) + (row.p_holm < kSignificant ? " *\n" : "\n");
   }

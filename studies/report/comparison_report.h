@@ -15,6 +15,8 @@ struct ComparisonReport {
   study::StudyComparison found;
   double confidence = 0.95;
   std::string label_a = name_a, label_b = name_b;  ///< short, for columns
+
+  const study::UnitSystem& units() const { return a.data->units(); }
 };
 
 std::string comparison_text(const ComparisonReport& report);

@@ -97,17 +97,17 @@ std::size_t widest(const std::vector<study::FragilityResult>& results, std::size
   return least;
 }
 
-Json curve_json(const std::optional<statistics::LognormalCurve>& curve) {
+Json curve_json(const std::optional<statistics::LognormalCurve>& curve, double unit) {
   if (!curve) return nullptr;
-  return {{"theta", curve->theta}, {"beta", curve->beta}};
+  return {{"theta", curve->theta / unit}, {"beta", curve->beta}};
 }
 
-Json audit_json(const study::CurveAudit& audit) {
+Json audit_json(const study::CurveAudit& audit, double unit) {
   Json json{{"counted", audit.counted},
             {"outcomes", audit.outcomes},
             {"exceeded", audit.exceeded},
-            {"lowest_im", audit.lowest},
-            {"highest_im", audit.highest},
+            {"lowest_im", audit.lowest / unit},
+            {"highest_im", audit.highest / unit},
             {"extrapolated", !audit.theta                   ? Json()
                              : *audit.theta > audit.highest ? Json("above")
                              : *audit.theta < audit.lowest  ? Json("below")
@@ -116,12 +116,12 @@ Json audit_json(const study::CurveAudit& audit) {
   return json;
 }
 
-Json capacities_json(const study::FragilityResult& result) {
+Json capacities_json(const study::FragilityResult& result, double unit) {
   Json of_records = Json::array();
   for (const statistics::Capacity& each : result.brackets)
     of_records.push_back({{"record", each.group},
-                          {"above", each.low},
-                          {"at_most", json_number(each.high)},
+                          {"above", each.low / unit},
+                          {"at_most", json_number(each.high / unit)},
                           {"resurrections", each.resurrections}});
   return {{"records", result.records},
           {"analysis_cases", result.brackets.size()},
@@ -130,53 +130,61 @@ Json capacities_json(const study::FragilityResult& result) {
           {"brackets", of_records}};
 }
 
-Json json_of(const study::FragilityResult& result) {
+/// ln demand = a + b ln im, where both change their unit.
+Json cloud_json(const study::FragilityResult& result, double unit,
+                const study::ReportUnit& demand) {
+  const statistics::CloudFit& fit = *result.cloud;
+  return {{"status", text(fit.status)},
+          {"demand_units", demand.name},
+          {"a", json_number(fit.a + fit.b * std::log(unit) - std::log(demand.in_si))},
+          {"b", json_number(fit.b)},
+          {"sigma", json_number(fit.sigma)},
+          {"curve", curve_json(result.cloud_curve, unit)}};
+}
+
+Json json_of(const study::FragilityResult& result, const study::UnitSystem& units) {
+  const study::ReportUnit unit = units.of(result.measure.units);
+  const double in_si = unit.in_si;
   Json json{{"configuration", result.configuration},
             {"limit_state", result.state},
             {"says", result.words},
             {"measure", result.measure.name},
-            {"units", result.measure.units},
+            {"units", unit.name},
             {"runs", result.runs},
             {"exceeded", result.exceeded},
             {"records", result.records},
             {"failed", result.failed},
             {"method", result.capacities ? "capacities" : "stripes"},
             {"status", text(result.status())},
-            {"curve", curve_json(result.curve())}};
-  const study::ReportUnit si{result.measure.units, 1};
+            {"curve", curve_json(result.curve(), in_si)}};
   if (result.curve()) {
-    json["theta_interval"] = json_interval(result.band.theta);
+    json["theta_interval"] = json_interval(result.band.theta, in_si);
     json["beta_interval"] = json_interval(result.band.beta);
     const Eigen::Matrix2d& c =
         result.capacities ? result.capacities->covariance : result.fit.cluster_covariance;
     json["covariance_of_ln_theta_ln_beta"] = {{c(0, 0), c(0, 1)}, {c(1, 0), c(1, 1)}};
   } else {
-    json["reason"] = study::no_curve_text(result.status(), result.median(), si);
-    json["median_between"] = json_interval(result.median());
+    json["reason"] = study::no_curve_text(result.status(), result.median(), unit);
+    json["median_between"] = json_interval(result.median(), in_si);
   }
-  json["cautions"] = study::cautions(result.audit, si);
-  json["audit"] = audit_json(result.audit);
+  json["cautions"] = study::cautions(result.audit, unit);
+  json["audit"] = audit_json(result.audit, in_si);
   if (result.profile)
-    json["profile"] = {{"theta", json_interval(result.profile->theta)},
+    json["profile"] = {{"theta", json_interval(result.profile->theta, in_si)},
                        {"beta", json_interval(result.profile->beta)}};
   if (result.p_of_fit) json["p_of_fit"] = json_number(*result.p_of_fit);
   if (!result.fit_is_judged)
     json["fit_not_judged"] = "several runs of a record at one intensity are not independent";
   for (std::size_t i = 0; i < result.stripes.size(); ++i)
-    json["stripes"].push_back({{"im", result.stripes[i].im},
+    json["stripes"].push_back({{"im", result.stripes[i].im / in_si},
                                {"runs", result.stripes[i].runs},
                                {"exceeded", result.stripes[i].exceeded},
                                {"isotonic", result.isotonic[i]}});
   for (std::size_t i = 0; i < result.im.size(); ++i)
     json["band"].push_back(
-        {result.im[i], result.band.of_curve[i].low, result.band.of_curve[i].high});
-  if (result.capacities) json["capacities"] = capacities_json(result);
-  if (result.cloud)
-    json["cloud"] = {{"status", text(result.cloud->status)},
-                     {"a", json_number(result.cloud->a)},
-                     {"b", json_number(result.cloud->b)},
-                     {"sigma", json_number(result.cloud->sigma)},
-                     {"curve", curve_json(result.cloud_curve)}};
+        {result.im[i] / in_si, result.band.of_curve[i].low, result.band.of_curve[i].high});
+  if (result.capacities) json["capacities"] = capacities_json(result, in_si);
+  if (result.cloud) json["cloud"] = cloud_json(result, in_si, units.of(result.demand_units));
   if (result.rate)
     json["rate"] = {{"per_year", result.rate->rate},
                     {"in_50_years", statistics::probability_in(50, result.rate->rate)},
@@ -243,9 +251,11 @@ std::string fragility_report(const study::StudyData& data,
   return text + definitions_text(results);
 }
 
-std::string fragility_json(const std::vector<study::FragilityResult>& results) {
+std::string fragility_json(const std::vector<study::FragilityResult>& results,
+                           const study::UnitSystem& units) {
   Json all = Json::array();
-  for (const study::FragilityResult& each : results) all.push_back(json_of(each));
+  for (const study::FragilityResult& each : results)
+    all.push_back(json_of(each, units.or_else("si")));
   return Json{{"fragilities", all}}.dump(2) + "\n";
 }
 

@@ -11,8 +11,9 @@ namespace gurney::report {
 std::string fragility_report(const study::StudyData& data,
                              const std::vector<study::FragilityResult>& results);
 
-/// The same for machines, in SI; no curve: null.
-std::string fragility_json(const std::vector<study::FragilityResult>& results);
+/// The same for machines, in SI unless units are chosen; no curve: null.
+std::string fragility_json(const std::vector<study::FragilityResult>& results,
+                           const study::UnitSystem& units = {});
 
 /// What a reader should know before using a row, with its cautions.
 std::vector<std::string> fragility_notes(const study::FragilityResult& result,

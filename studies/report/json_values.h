@@ -14,10 +14,11 @@ inline nlohmann::ordered_json json_interval(double low, double high) {
   return nlohmann::ordered_json::array({json_number(low), json_number(high)});
 }
 
-/// @param of  with ends `low` and `high`
+/// @param of    with ends `low` and `high`
+/// @param unit  to write them in
 template <class Ends>
-nlohmann::ordered_json json_interval(const Ends& of) {
-  return json_interval(of.low, of.high);
+nlohmann::ordered_json json_interval(const Ends& of, double unit = 1) {
+  return json_interval(of.low / unit, of.high / unit);
 }
 
 }  // namespace gurney::report

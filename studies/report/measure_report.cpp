@@ -69,9 +69,9 @@ std::string sufficiency_text(const study::MeasureChoice& choice) {
 }
 
 Json row_json(const statistics::IntensityRow& row, const study::MeasureChoice& choice,
-              std::size_t i) {
+              std::size_t i, const study::UnitSystem& units) {
   Json json{{"name", row.name},
-            {"units", choice.units[i]},
+            {"units", units.of(choice.units[i]).name},
             {"status", text(row.status)},
             {"runs", row.runs},
             {"left_out", row.left_out}};
@@ -119,11 +119,12 @@ std::string measure_text(const std::vector<MeasureReport>& reports) {
         fmt::format("{}limit state {} ({}){}\n", text.empty() ? "" : "\n", report.state,
                     report.words, report.configuration.empty() ? "" : ", " + report.configuration);
     text += fmt::format(
-        "{} runs of {} record{}; {} overturned: demand at least the limit; {} below {:.3g} (SI): "
-        "at "
-        "most that\n",
+        "{} runs of {} record{}; {} overturned: demand at least the limit; {} below {}: "
+        "at most that\n",
         choice.runs, choice.records, choice.records == 1 ? "" : "s", choice.overturned,
-        choice.at_floor, choice.floor);
+        choice.at_floor,
+        report.units.chosen() ? report.units.text(choice.floor, choice.demand_units)
+                              : fmt::format("{:.3g} (SI)", choice.floor));
     if (!choice.rows.empty() && choice.rows.front().status == statistics::CloudStatus::kFitted)
       text += table_text(choice) + verdict(choice) + sufficiency_text(choice);
     else
@@ -136,9 +137,11 @@ std::string measure_json(const std::vector<MeasureReport>& reports) {
   Json json = Json::array();
   for (const MeasureReport& report : reports) {
     const study::MeasureChoice& choice = report.choice;
+    const study::UnitSystem units = report.units.or_else("si");
+    const study::ReportUnit demand = units.of(choice.demand_units);
     Json rows = Json::array();
     for (std::size_t i = 0; i < choice.rows.size(); ++i)
-      rows.push_back(row_json(choice.rows[i], choice, i));
+      rows.push_back(row_json(choice.rows[i], choice, i, units));
     json.push_back({{"configuration", report.configuration},
                     {"limit_state", report.state},
                     {"words", report.words},
@@ -146,7 +149,8 @@ std::string measure_json(const std::vector<MeasureReport>& reports) {
                     {"records", choice.records},
                     {"overturned", choice.overturned},
                     {"at_floor", choice.at_floor},
-                    {"floor", choice.floor},
+                    {"floor", choice.floor / demand.in_si},
+                    {"floor_units", demand.name},
                     {"measures", rows},
                     {"unknown", choice.unknown},
                     {"lead_of_log_likelihood", json_number(choice.lead)},

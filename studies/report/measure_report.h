@@ -12,6 +12,7 @@ struct MeasureReport {
   std::string configuration;
   std::string state, words;  ///< name and meaning of the limit state
   study::MeasureChoice choice;
+  study::UnitSystem units = {};
 };
 
 /// Which is best and whether the difference matters, in a sentence or two. It matters where it

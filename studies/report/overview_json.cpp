@@ -130,23 +130,32 @@ std::string overview_json(const study::StudyOverview& overview) {
   return result.dump(2) + "\n";
 }
 
-std::string overview_json(const study::RunOverview& overview) {
+std::string overview_json(const study::RunOverview& overview, const study::UnitSystem& chosen) {
+  const study::UnitSystem units = chosen.or_else("si");
+  const auto in = [&](double value, const char* si) {
+    return json_number(value / units.of(si).in_si);
+  };
   Json result = head(overview.file, "gurney-results");
   Json items = Json::array();
   for (const auto& each : overview.items)
     items.push_back(
         {{"name", each.name},
          {"model", each.model},
-         {"peak_displacement", json_number(each.peak_displacement)},
-         {"residual_displacement", json_number(each.residual_displacement)},
-         {"peak_velocity", json_number(each.peak_velocity)},
-         {"peak_tilt", json_number(each.peak_tilt)},
+         {"peak_displacement", in(each.peak_displacement, "m")},
+         {"residual_displacement", in(each.residual_displacement, "m")},
+         {"peak_velocity", in(each.peak_velocity, "m/s")},
+         {"peak_tilt", in(each.peak_tilt, "rad")},
          {"time_of_overturning",
           each.time_of_overturning < 0 ? Json(nullptr) : Json(each.time_of_overturning)}});
   result["outcome"] = overview.outcome;
   result["cause"] = overview.cause;
   result["end_time"] = overview.end_time;
   result["items"] = items;
+  if (chosen.chosen())
+    result["units"] = {{"peak_displacement", units.of("m").name},
+                       {"residual_displacement", units.of("m").name},
+                       {"peak_velocity", units.of("m/s").name},
+                       {"peak_tilt", units.of("rad").name}};
   return result.dump(2) + "\n";
 }
 

@@ -8,10 +8,10 @@ namespace gurney::report {
 
 /// What a results file holds, to be read in a terminal.
 std::string overview_text(const study::StudyOverview& overview);
-std::string overview_text(const study::RunOverview& overview);
+std::string overview_text(const study::RunOverview& overview, const study::UnitSystem& units = {});
 
-/// The same as JSON: SI units; a number that does not exist is null.
+/// The same as JSON: SI unless units are chosen; a number that does not exist is null.
 std::string overview_json(const study::StudyOverview& overview);
-std::string overview_json(const study::RunOverview& overview);
+std::string overview_json(const study::RunOverview& overview, const study::UnitSystem& units = {});
 
 }  // namespace gurney::report

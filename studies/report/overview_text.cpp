@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/units.h"
 #include "studies/report/failed_runs.h"
 #include "studies/report/overview_report.h"
 #include "studies/report/wrapped.h"
@@ -197,9 +196,10 @@ std::string overview_text(const study::StudyOverview& overview) {
   all += entry("variants", fmt::format("{} configuration{}", overview.configurations.size(),
                                        overview.configurations.size() == 1 ? "" : "s"));
   std::vector<std::string> angles;
+  const study::ReportUnit turn = overview.units.of("rad");
   for (const double angle : overview.angles)
-    angles.push_back(fmt::format("{:g}", angle / kRadiansPerDegree));
-  all += entry("angles", fmt::format("{} deg", fmt::join(angles, ", ")));
+    angles.push_back(fmt::format("{:g}", angle / turn.in_si));
+  all += entry("angles", fmt::format("{} {}", fmt::join(angles, ", "), turn.name));
   all += entry("intensity",
                fmt::format("{}: {}", overview.measure.empty() ? "records" : overview.measure,
                            fmt::join(overview.levels, ", ")));
@@ -221,20 +221,20 @@ std::string overview_text(const study::StudyOverview& overview) {
          step_check(overview);
 }
 
-std::string overview_text(const study::RunOverview& overview) {
+std::string overview_text(const study::RunOverview& overview, const study::UnitSystem& units) {
   std::string all = head(overview.file, "one run");
   all += entry("outcome", fmt::format("{} at {:.4g} s{}{}", overview.outcome, overview.end_time,
                                       overview.cause.empty() ? "" : ": ", overview.cause));
   all += tail(overview.file, "") + motions(overview.file);
   TextTable table(2);
   table.add({"item", "equipment", "peak", "residual", "speed", "tilt", "overturned"});
-  table.add({"", "", "m", "m", "m/s", "deg", "s"});
+  const std::string length = units.of("m").name;
+  table.add({"", "", length, length, units.of("m/s").name, units.of("rad").name, "s"});
   for (const auto& item : overview.items)
     table.add(
-        {item.name, item.model, fmt::format("{:.4f}", item.peak_displacement),
-         fmt::format("{:.4f}", item.residual_displacement),
-         fmt::format("{:.3f}", item.peak_velocity),
-         fmt::format("{:.2f}", item.peak_tilt / kRadiansPerDegree),
+        {item.name, item.model, units.number(item.peak_displacement, "m", 4),
+         units.number(item.residual_displacement, "m", 4),
+         units.number(item.peak_velocity, "m/s", 3), units.number(item.peak_tilt, "rad", 2),
          item.time_of_overturning < 0 ? "-" : fmt::format("{:.2f}", item.time_of_overturning)});
   return all + "\nlargest and last displacement and largest speed against the floor\n" +
          table.text();

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "studies/report/json_values.h"
-#include "studies/study/analysis/report_unit.h"
 
 namespace gurney::report {
 namespace {
@@ -42,7 +41,7 @@ std::string row_text(const study::SensitiveInput& input, std::size_t width,
                             input.bar.swing() / unit.in_si);
 }
 
-std::string table_text(const study::StudySensitivity& found) {
+std::string table_text(const study::StudySensitivity& found, const study::ReportUnit& unit) {
   std::size_t width = 8;
   for (const study::SensitiveInput& input : found.inputs)
     width = std::max(width, name_of(input).size());
@@ -52,8 +51,7 @@ std::string table_text(const study::StudySensitivity& found) {
   if (found.designed) text += fmt::format(" {:>6}  {:<14}", "total", "95 % interval");
   text += fmt::format(" {:>10} {:>10}  {:<20} {:<20} {:>10}\n", percent(found.share),
                       percent(1 - found.share), "mean below", "mean above", "swing");
-  for (const study::SensitiveInput& input : found.inputs)
-    text += row_text(input, width, study::report_unit(found.units));
+  for (const study::SensitiveInput& input : found.inputs) text += row_text(input, width, unit);
   return text;
 }
 
@@ -63,17 +61,17 @@ void add_index(Json& json, const std::string& before,
   json[before + "interval"] = index ? json_interval(index->interval) : Json();
 }
 
-Json input_json(const study::SensitiveInput& input) {
+Json input_json(const study::SensitiveInput& input, double unit) {
   Json json{{"names", input.names}, {"drawn", input.drawn}};
   add_index(json, "", input.index);
   if (input.total) add_index(json, "total_", input.total);
   if (input.drawn) {
     json["low"] = json_number(input.low);
     json["high"] = json_number(input.high);
-    json["mean_below"] = json_number(input.bar.low);
-    json["mean_below_error"] = json_number(input.bar.low_error);
-    json["mean_above"] = json_number(input.bar.high);
-    json["mean_above_error"] = json_number(input.bar.high_error);
+    json["mean_below"] = json_number(input.bar.low / unit);
+    json["mean_below_error"] = json_number(input.bar.low_error / unit);
+    json["mean_above"] = json_number(input.bar.high / unit);
+    json["mean_above_error"] = json_number(input.bar.high_error / unit);
   }
   return json;
 }
@@ -156,13 +154,13 @@ std::string sensitivity_text(const std::vector<SensitivityReport>& reports) {
           fmt::format("{}{}: {}\n", text.empty() ? "" : "\n", report.configuration, report.why_not);
       continue;
     }
+    const study::ReportUnit unit = report.units.of(found.units);
     text +=
         fmt::format("{}{}{}{}: mean {}, standard deviation {}, {} runs\n", text.empty() ? "" : "\n",
                     found.output, report.configuration.empty() ? "" : ", " + report.configuration,
-                    found.level.empty() ? "" : ", " + found.level,
-                    with_unit(found.mean, study::report_unit(found.units)),
-                    with_unit(found.deviation, study::report_unit(found.units)), found.runs);
-    text += table_text(found) + sensitivity_remarks(found);
+                    found.level.empty() ? "" : ", " + found.level, with_unit(found.mean, unit),
+                    with_unit(found.deviation, unit), found.runs);
+    text += table_text(found, unit) + sensitivity_remarks(found);
   }
   return text;
 }
@@ -175,19 +173,21 @@ std::string sensitivity_json(const std::vector<SensitivityReport>& reports) {
       json.push_back({{"configuration", report.configuration}, {"why_not", report.why_not}});
       continue;
     }
+    const study::ReportUnit unit = report.units.or_else("si").of(found.units);
     Json inputs = Json::array();
-    for (const study::SensitiveInput& input : found.inputs) inputs.push_back(input_json(input));
+    for (const study::SensitiveInput& input : found.inputs)
+      inputs.push_back(input_json(input, unit.in_si));
     json.push_back({{"configuration", report.configuration},
                     {"output", found.output},
-                    {"units", found.units},
+                    {"units", unit.name},
                     {"level", found.level},
                     {"designed", found.designed},
                     {"runs", found.runs},
                     {"left_out", found.left_out},
                     {"draws", found.draws},
                     {"overturned", found.overturned},
-                    {"mean", json_number(found.mean)},
-                    {"standard_deviation", json_number(found.deviation)},
+                    {"mean", json_number(found.mean / unit.in_si)},
+                    {"standard_deviation", json_number(found.deviation / unit.in_si)},
                     {"sum_of_indices", json_number(found.sum)},
                     {"tornado_share", found.share},
                     {"inputs", inputs},

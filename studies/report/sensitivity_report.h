@@ -12,6 +12,7 @@ struct SensitivityReport {
   std::string configuration;
   study::StudySensitivity found;
   std::string why_not;  ///< nothing was found; empty: it was
+  study::UnitSystem units = {};
 };
 
 /// "mass_kg", or "static_friction and 7 equal to it".

@@ -29,14 +29,20 @@ std::string beta_of(const statistics::FragilityFit& fit) {
   return fit.curve ? fmt::format("{:.2f}", fit.curve->beta) : "-";
 }
 
-std::string row(const study::VectorResult& result, const std::array<study::ReportUnit, 2>& units,
-                std::size_t wide, std::size_t state_wide) {
+using Units = std::array<study::ReportUnit, 2>;
+
+/// ln of both units and 1: what a plane over SI is multiplied by for that over other units.
+Eigen::Vector3d ln_of(const Units& units) {
+  return {std::log(units[0].in_si), std::log(units[1].in_si), 1};
+}
+
+std::string row(const study::VectorResult& result, const Units& units, std::size_t wide,
+                std::size_t state_wide) {
   const statistics::VectorFit& fit = result.fit;
   std::string line = fmt::format("{:<{}}  {:<{}}  {:>5} of {:<5}  ", result.configuration, wide,
                                  result.state, state_wide, fit.exceeded, fit.runs);
   if (fit.status != statistics::VectorStatus::kFitted) return line + text(fit.status) + "\n";
-  const double intercept = fit.plane[2] + fit.plane[0] * std::log(units[0].in_si) +
-                           fit.plane[1] * std::log(units[1].in_si);
+  const double intercept = fit.plane.dot(ln_of(units));
   return line + fmt::format("{:<14}  {:<14}  {:>6.2f}  {:>8.2g} {:>8.2g}  {:>5.2f}  {:>7}  {:>7}\n",
                             slope_text(fit, 0), slope_text(fit, 1), intercept, fit.p_of(0),
                             fit.p_of(1), fit.beta(), beta_of(result.alone[0]),
@@ -87,8 +93,7 @@ std::string vector_report(const study::StudyData& data,
     state_wide = std::max(state_wide, each.state.size());
   }
   const auto& measures = results.front().measures;
-  const std::array<study::ReportUnit, 2> units{study::report_unit(data, measures[0]),
-                                               study::report_unit(data, measures[1])};
+  const Units units{study::report_unit(data, measures[0]), study::report_unit(data, measures[1])};
   std::string text = fmt::format(
       "P(limit state | a, b) = Phi(slope_a ln a + slope_b ln b + c), a = {} [{}], b = {} [{}]\n\n",
       measures[0].name, units[0].name, measures[1].name, units[1].name);
@@ -106,14 +111,17 @@ std::string vector_report(const study::StudyData& data,
   return text;
 }
 
-std::string vector_json(const std::vector<study::VectorResult>& results) {
+std::string vector_json(const std::vector<study::VectorResult>& results,
+                        const study::UnitSystem& chosen) {
   Json json = Json::array();
   for (const study::VectorResult& each : results) {
     const statistics::VectorFit& fit = each.fit;
+    const study::UnitSystem system = chosen.or_else("si");
+    const Units units{system.of(each.measures[0].units), system.of(each.measures[1].units)};
     Json of{{"configuration", each.configuration},
             {"limit_state", each.state},
             {"measures", {each.measures[0].name, each.measures[1].name}},
-            {"units", {each.measures[0].units, each.measures[1].units}},
+            {"units", {units[0].name, units[1].name}},
             {"runs", fit.runs},
             {"exceeded", fit.exceeded},
             {"records", fit.groups},
@@ -123,23 +131,27 @@ std::string vector_json(const std::vector<study::VectorResult>& results) {
             {"cautions", study::cautions(each.audit, {})}};
     const bool fitted = fit.status == statistics::VectorStatus::kFitted;
     if (fitted) {
-      const Eigen::Matrix3d covariance = covariance_of(fit);
+      Eigen::Matrix3d other = Eigen::Matrix3d::Identity();
+      other.row(2) = ln_of(units).transpose();
+      const Eigen::Matrix3d covariance = other * covariance_of(fit) * other.transpose();
+      const double unit =
+          std::pow(units[0].in_si, fit.share()) * std::pow(units[1].in_si, 1 - fit.share());
       Json rows = Json::array();
       for (Eigen::Index i = 0; i < 3; ++i)
         rows.push_back({covariance(i, 0), covariance(i, 1), covariance(i, 2)});
-      of["plane"] = {fit.plane[0], fit.plane[1], fit.plane[2]};
+      of["plane"] = {fit.plane[0], fit.plane[1], fit.plane.dot(ln_of(units))};
       of["covariance"] = rows;
       of["p"] = {json_number(fit.p_of(0)), json_number(fit.p_of(1))};
       of["log_likelihood"] = fit.log_likelihood;
       of["share"] = fit.share();
-      of["theta"] = fit.theta();
+      of["theta"] = fit.theta() / unit;
       of["beta"] = fit.beta();
     } else {
       of["plane"] = nullptr;
     }
     for (const std::size_t i : {0, 1}) {
       const auto& curve = each.alone[i].curve;
-      of["alone"].push_back({{"theta", curve ? Json(curve->theta) : Json()},
+      of["alone"].push_back({{"theta", curve ? Json(curve->theta / units[i].in_si) : Json()},
                              {"beta", curve ? Json(curve->beta) : Json()},
                              {"log_likelihood", json_number(each.alone[i].log_likelihood)}});
     }

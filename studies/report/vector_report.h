@@ -12,7 +12,8 @@ namespace gurney::report {
 std::string vector_report(const study::StudyData& data,
                           const std::vector<study::VectorResult>& results);
 
-/// The same for machines, in SI; no fit: null.
-std::string vector_json(const std::vector<study::VectorResult>& results);
+/// The same for machines, in SI unless units are chosen; no fit: null.
+std::string vector_json(const std::vector<study::VectorResult>& results,
+                        const study::UnitSystem& units = {});
 
 }  // namespace gurney::report

@@ -37,6 +37,7 @@ set(GURNEY_ROOMS
   "studies/study/job: engine/base engine/config engine/scene engine/run groundmotions/record
     groundmotions/measures groundmotions/processing groundmotions/assembly groundmotions/synthetic
     groundmotions/scaling groundmotions/suites groundmotions/buildings equipment/catalogue"
+  "studies/study/units: engine/base engine/config"
   "studies/study/results: engine/base engine/scene engine/response studies/build_info"
   "studies/study/prepare: engine/base engine/scene groundmotions/record groundmotions/measures
     groundmotions/processing groundmotions/assembly groundmotions/buildings equipment/catalogue
@@ -50,12 +51,13 @@ set(GURNEY_ROOMS
     studies/statistics studies/study/results studies/study/prepare studies/study/limit_states
     studies/study/plan"
   "studies/study/analysis: engine/base engine/config engine/response
-    groundmotions/measures studies/statistics studies/study/job studies/study/results studies/study/limit_states studies/study/plan"
+    groundmotions/measures studies/statistics studies/study/job studies/study/units
+    studies/study/results studies/study/limit_states studies/study/plan"
   "studies/study/convergence: engine/base engine/baselines studies/statistics studies/study/results
     studies/study/prepare studies/study/limit_states studies/study/run"
   "studies/study/exports: engine/base engine/config engine/scene groundmotions/measures
-    equipment/catalogue studies/statistics studies/study/results studies/study/limit_states
-    studies/study/analysis"
+    equipment/catalogue studies/statistics studies/study/units studies/study/results
+    studies/study/limit_states studies/study/analysis"
   "studies/calibration/trials: engine/base engine/config engine/scene"
   "studies/calibration/fit: engine/base engine/config engine/scene engine/run equipment/catalogue
     studies/statistics studies/calibration/trials"
@@ -63,18 +65,19 @@ set(GURNEY_ROOMS
     studies/study/exports studies/calibration/trials"
   "studies/report: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/assembly equipment/catalogue studies/build_info
-    studies/verification studies/study/results studies/study/analysis studies/study/convergence
-    studies/calibration/trials studies/calibration/fit studies/calibration/pulling"
+    studies/verification studies/study/units studies/study/results studies/study/analysis
+    studies/study/convergence studies/calibration/trials studies/calibration/fit studies/calibration/pulling"
   "studies/figures: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/scaling equipment/catalogue studies/statistics
-    studies/verification studies/study/results studies/study/analysis studies/study/convergence
-    studies/calibration/fit studies/report"
+    studies/verification studies/study/units studies/study/results studies/study/analysis
+    studies/study/convergence studies/calibration/fit studies/report"
   "studies/explanation: engine/base engine/scene engine/response engine/run engine/baselines
-    equipment/catalogue studies/statistics studies/study/results studies/report studies/figures"
+    equipment/catalogue studies/statistics studies/study/units studies/study/results studies/report
+    studies/figures"
   "studies/picture: engine/base"
   "studies/page: engine/base engine/config engine/scene equipment/catalogue studies/build_info
-    studies/study/job studies/study/results studies/study/plan studies/study/analysis
-    studies/report studies/figures studies/explanation"
+    studies/study/job studies/study/units studies/study/results studies/study/plan
+    studies/study/analysis studies/report studies/figures studies/explanation"
   "studies/playback: engine/base engine/response studies/study/results"
   "studies/doctor: engine/base equipment/catalogue studies/build_info studies/study/results
     studies/study/run studies/picture"
@@ -85,7 +88,8 @@ set(GURNEY_ROOMS
   "studies/cli: engine/base engine/config engine/response engine/baselines groundmotions/record
     groundmotions/formats groundmotions/measures groundmotions/models groundmotions/processing
     groundmotions/synthetic groundmotions/scaling groundmotions/suites groundmotions/buildings
-    equipment/catalogue studies/build_info studies/verification studies/study/job studies/study/results
+    equipment/catalogue studies/build_info studies/verification studies/study/job studies/study/units
+    studies/study/results
     studies/study/prepare studies/study/limit_states studies/study/plan studies/study/run
     studies/study/analysis studies/study/exports studies/calibration/fit
     studies/calibration/pulling studies/report studies/figures studies/explanation studies/picture

@@ -45,7 +45,7 @@ std::vector<DemandRuns> demand_runs(const StudyData& data,
                               levels.texts[levels.of_run[run]]});
       }
       if (found.runs.empty()) continue;
-      const DemandRuns place{item_of(named), named.quantity.column, report_unit(named.units),
+      const DemandRuns place{item_of(named), named.quantity.column, data.units().of(named.units),
                              measure.name, report_unit(data, measure)};
       place_for(all, place).configurations.push_back(std::move(found));
     }

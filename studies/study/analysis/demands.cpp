@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "engine/base/error.h"
 #include "engine/config/nearest_name.h"
@@ -26,6 +27,13 @@ std::vector<std::pair<std::string, std::string>> places_in(const StudyData& data
   std::vector<std::pair<std::string, std::string>> places;
   for (std::size_t row = first; row < last; ++row) places.emplace_back(items[row], points[row]);
   return places;
+}
+
+template <class Row>
+std::string units_in(std::span<const TableColumn<Row>> columns, const std::string& name) {
+  for (const TableColumn<Row>& column : columns)
+    if (column.name == name) return column.units;
+  return "1";
 }
 
 std::vector<NamedDemand> all_demands(const StudyData& data, std::size_t configuration) {
@@ -94,6 +102,20 @@ std::vector<NamedDemand> demands_named(const StudyData& data, std::size_t config
                             config::suggestion(name, known)));
   }
   return result;
+}
+
+std::string units_of(const Quantity& quantity) {
+  switch (quantity.of) {
+    case Quantity::Of::kItem:
+      return units_in(demand_columns(), quantity.column);
+    case Quantity::Of::kPoint:
+      return units_in(point_demand_columns(), quantity.column);
+    case Quantity::Of::kZone:
+      return units_in(zone_columns(), quantity.column);
+    case Quantity::Of::kTether:
+      break;
+  }
+  return units_in(tether_columns(), quantity.column);
 }
 
 std::vector<double> values_of_runs(const StudyData& data, const NamedDemand& demand,

@@ -7,6 +7,9 @@
 
 namespace gurney::study {
 
+/// SI; of events and counts "1".
+std::string units_of(const Quantity& quantity);
+
 /// A demand that study files keep for each run.
 struct NamedDemand {
   std::string name;  ///< "icu_ventilator: peak_displacement"

@@ -4,6 +4,7 @@
 
 #include "studies/statistics/capacity_intervals.h"
 #include "studies/statistics/fit_check.h"
+#include "studies/study/analysis/demands.h"
 #include "studies/study/analysis/measure_choice.h"
 
 namespace gurney::study {
@@ -25,6 +26,7 @@ void add_cloud(const StudyData& data, const FragilityRequest& request, const Run
                FragilityResult& result) {
   const LimitState& state = data.limit_states().at(request.state);
   if (state.kind != LimitState::Kind::kAbove || state.at_least > 1 || !(state.limit > 0)) return;
+  result.demand_units = units_of(state.quantity);
   result.cloud = statistics::fit_cloud(
       data.cloud(request.state, request.configuration, measure, kFloorOfLimit * state.limit));
   if (const auto fragility = statistics::cloud_fragility(*result.cloud, state.limit))

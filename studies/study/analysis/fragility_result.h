@@ -42,6 +42,7 @@ struct FragilityResult : FittedCurve {
 
   std::optional<statistics::CloudFit> cloud;  ///< where the state is a demand above a limit
   std::optional<statistics::LognormalCurve> cloud_curve;
+  std::string demand_units = "1";  ///< of the cloud, SI
 
   std::optional<statistics::MeanRate> rate;  ///< with the study's hazard
 };

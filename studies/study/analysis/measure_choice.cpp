@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "engine/base/random/normal_draw.h"
+#include "studies/study/analysis/demands.h"
 
 namespace gurney::study {
 namespace {
@@ -122,6 +123,7 @@ MeasureChoice choose_measure(const ConfigurationView& side, std::size_t state, i
   const std::vector<std::size_t>& runs = side.runs();
   MeasureChoice choice;
   choice.floor = kFloorOfLimit * data.limit_states().at(state).limit;
+  choice.demand_units = units_of(data.limit_states()[state].quantity);
   const RunMeasure any{"", "", std::vector<double>(data.file().runs(), 1)};
   const Points demands = data.cloud(state, side.configuration, any, choice.floor);
   std::map<std::size_t, int> records;

@@ -16,6 +16,7 @@ struct MeasureChoice {
   std::vector<std::string> unknown;            ///< measures that no run has
   std::vector<std::string> properties;         ///< of IntensityRow::sufficiency
   double floor = 0;                            ///< demands below are "at most" this [SI]
+  std::string demand_units = "1";              ///< of it, SI
   std::size_t runs = 0, records = 0, overturned = 0, at_floor = 0;
 
   std::size_t ties = 0;  ///< rows after the first whose likelihood is the same: in one proportion

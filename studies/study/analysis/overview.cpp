@@ -147,8 +147,9 @@ bool is_study_file(const std::string& path) {
   return type_of(Hdf5Reader(path), path) == "gurney-study";
 }
 
-StudyOverview study_overview(const std::string& path, const AssessmentRequest& request) {
-  const StudyData data(path, request);
+StudyOverview study_overview(const std::string& path, const AssessmentRequest& request,
+                             const UnitSystem& units) {
+  const StudyData data(path, request, {}, units);
   const Study& study = data.study();
   StudyOverview overview;
   overview.file = header_of(Hdf5Reader(path), path);
@@ -159,6 +160,7 @@ StudyOverview study_overview(const std::string& path, const AssessmentRequest& r
       overview.factors.back().levels.push_back(level.name);
   }
   overview.configurations = data.configurations();
+  overview.units = units;
   overview.angles = study.angles;
   overview.measure = data.file().text_attribute("intensity_measure");
   overview.draws = study.draws;

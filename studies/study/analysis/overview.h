@@ -6,6 +6,7 @@
 
 #include "studies/study/analysis/scale_factors.h"
 #include "studies/study/analysis/step_check.h"
+#include "studies/study/units/unit_system.h"
 
 namespace gurney::study {
 
@@ -53,6 +54,7 @@ struct StudyOverview {
   std::vector<double> angles;  ///< [rad]
   std::string measure;         ///< that the levels are of; empty: factors on the records
   std::vector<std::string> levels;
+  UnitSystem units;
   int draws = 0, replicas = 1;
   std::vector<LimitState> states;
   std::size_t runs = 0, overturned = 0, failed = 0;
@@ -66,8 +68,10 @@ struct StudyOverview {
   std::optional<StepCheck> step_check;
 };
 
+/// @param units  of the levels
 /// @throws Error unless it is the results file of a study
-StudyOverview study_overview(const std::string& path, const AssessmentRequest& request = {});
+StudyOverview study_overview(const std::string& path, const AssessmentRequest& request = {},
+                             const UnitSystem& units = {});
 
 struct RunOverview {
   FileOverview file;

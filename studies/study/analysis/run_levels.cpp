@@ -32,9 +32,12 @@ RunLevels run_levels(const StudyData& data) {
   std::set<double> stated(plan.levels.begin(), plan.levels.end());
   if (plan.more_stages > 0) stated.insert(of_runs.begin(), of_runs.end());
   const std::vector<double> values(stated.begin(), stated.end());
+  const ReportUnit unit = data.units().chosen()
+                              ? data.units().of(data.file().text_attribute("intensity_units"))
+                              : ReportUnit{plan.unit, plan.unit_in_si};
   for (const double level : values)
     levels.texts.push_back(factors ? fmt::format("x {:g}", level)
-                                   : fmt::format("{:g} {}", level / plan.unit_in_si, plan.unit));
+                                   : fmt::format("{:g} {}", level / unit.in_si, unit.name));
   for (const double value : of_runs) levels.of_run.push_back(nearest(values, value));
   return levels;
 }

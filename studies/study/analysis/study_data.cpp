@@ -47,10 +47,11 @@ bool is_number(const std::vector<double>& values) {
 }  // namespace
 
 StudyData::StudyData(const std::string& path, const AssessmentRequest& request,
-                     const std::vector<std::string>& records)
+                     const std::vector<std::string>& records, const UnitSystem& units)
     : file_(std::make_unique<StudyReader>(path)),
       values_(*file_),
       study_(study_of(*file_)),
+      units_(units),
       assessment_(assessment_of(*file_, study_, request)) {
   configurations_ = file_->strings("configurations/name");
   runs_.resize(configurations_.size());

@@ -10,6 +10,7 @@
 #include "studies/study/analysis/file_values.h"
 #include "studies/study/plan/study.h"
 #include "studies/study/results/study_reader.h"
+#include "studies/study/units/unit_system.h"
 
 namespace gurney::study {
 
@@ -26,10 +27,11 @@ class StudyData {
   /// @param records  names of those whose runs count; empty: all
   /// @throws Error unless it is the results file of a study that can be assessed so
   explicit StudyData(const std::string& path, const AssessmentRequest& request = {},
-                     const std::vector<std::string>& records = {});
+                     const std::vector<std::string>& records = {}, const UnitSystem& units = {});
 
   const StudyReader& file() const { return *file_; }
   const Study& study() const { return study_; }
+  const UnitSystem& units() const { return units_; }  ///< to print and draw in
 
   const std::vector<LimitState>& limit_states() const { return assessment_.limit_states; }
   const std::vector<std::size_t>& performance() const { return assessment_.performance; }
@@ -76,6 +78,7 @@ class StudyData {
   std::unique_ptr<StudyReader> file_;
   mutable FileValues values_;
   Study study_;
+  UnitSystem units_;
   Assessment assessment_;
   std::vector<std::string> configurations_;
   std::vector<std::vector<std::size_t>> runs_;

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "studies/study/units/unit_system.h"
+
+namespace gurney::cli {
+
+/// The option --units: those in which results are printed and drawn instead of those of the job.
+CLI::Option* add_units_option(CLI::App& command, study::UnitSystem& units);
+
+}  // namespace gurney::cli
