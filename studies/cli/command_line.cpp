@@ -26,6 +26,7 @@
 #include "studies/cli/run_command.h"
 #include "studies/cli/signals.h"
 #include "studies/cli/standard_error.h"
+#include "studies/cli/units_option.h"
 
 namespace gurney::cli {
 namespace {
@@ -52,7 +53,10 @@ void add_run(CLI::App& app, std::function<int()>& action) {
                   "The results file; the figure and the log are written beside it "
                   "(default: out/<name of the job>.h5)");
   run->add_flag("--overwrite", options.overwrite, "Replace files that exist");
-  CLI::Option* const json = run->add_flag("--json", options.json, "Print the summary as JSON");
+  CLI::Option* const units = add_units_option(*run, options.units);
+  CLI::Option* const json =
+      run->add_flag("--json", options.json, "Print the summary as JSON, in SI units");
+  json->excludes(units);
   run->add_flag("-q,--quiet", options.quiet, "Print warnings and errors only")->excludes(json);
   run->add_flag("--no-figure", options.no_figure, "Draw no figure");
   add_figure_format(*run, options.figures);
@@ -77,7 +81,9 @@ void add_replay(CLI::App& app, std::function<int()>& action) {
   replay->add_option("-o,--output", options.output,
                      "The results file (default: FILE_run_RUN.h5 beside FILE)");
   replay->add_flag("--overwrite", options.overwrite, "Replace files that exist");
-  replay->add_flag("--json", options.json, "Print the summary as JSON");
+  CLI::Option* const units = add_units_option(*replay, options.units);
+  replay->add_flag("--json", options.json, "Print the summary as JSON, in SI units")
+      ->excludes(units);
   replay->add_flag("--no-figure", options.no_figure, "Draw no figure");
   add_figure_format(*replay, options.figures);
   replay->callback([shared, &action] { action = [shared] { return replay_command(*shared); }; });

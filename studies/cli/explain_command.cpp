@@ -9,6 +9,7 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/explained_case.h"
 #include "studies/cli/figure_output.h"
+#include "studies/cli/units_option.h"
 #include "studies/explanation/figure.h"
 #include "studies/explanation/json.h"
 #include "studies/explanation/text.h"
@@ -20,6 +21,7 @@ struct ExplainOptions {
   std::string file, job;
   std::optional<std::size_t> run;
   FigureFile figure;
+  study::UnitSystem units;
   bool json = false, what_if = false, overwrite = false;
   int replicas = 0;  ///< 0: one, or kReplicas where the run is chaotic
   int threads = 0;
@@ -39,7 +41,8 @@ int explain(const ExplainOptions& options) {
           "--replicas: are of the variants of --what-if, which is missing");
   options.figure.check(options.overwrite);
   const CaseAgain again = case_again(options.file, options.run, options.job);
-  const explanation::Explanation found = explained(again);
+  explanation::Explanation found = explained(again);
+  found.units = options.units;
   std::optional<explanation::WhatIf> what;
   if (options.what_if && !found.failed)
     what = explanation::what_if(
@@ -78,7 +81,8 @@ void add_explain(CLI::App& app, std::function<int()>& action) {
       ->check(CLI::Range(1, 1000));
   command->add_option("-j,--threads", options.threads, "Threads (default: all hardware threads)")
       ->check(CLI::Range(1, 1024));
-  command->add_flag("--json", options.json, "Print JSON in SI units");
+  CLI::Option* const units = add_units_option(*command, options.units);
+  command->add_flag("--json", options.json, "Print JSON in SI units")->excludes(units);
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
   command->callback([shared, &action] { action = [shared] { return explain(*shared); }; });
 }

@@ -13,6 +13,7 @@
 #include "studies/cli/item_file.h"
 #include "studies/cli/new_folder.h"
 #include "studies/cli/standard_error.h"
+#include "studies/cli/units_option.h"
 #include "studies/playback/gltf.h"
 #include "studies/study/analysis/overview.h"
 #include "studies/study/exports/csv_tables.h"
@@ -33,6 +34,7 @@ struct ExportOptions {
   std::vector<std::string> variants;
   study::ExportChoice choice;
   study::AssessmentRequest assessed_by;
+  study::UnitSystem units;
   bool overwrite = false;
 };
 
@@ -56,6 +58,9 @@ void check_choice(const ExportOptions& options) {
              options.format != "gltf" && !is_of_item(options.format));
   require(!options.choice.sequences || fits, "--sequences is for --to pelicun and --to nrml");
   require(!options.choice.discrete || options.format == "nrml", "--discrete is for --to nrml");
+  require(
+      !options.units.chosen() || options.format == "csv",
+      fmt::format("--units is for --to csv; --to {} has the units of its format", options.format));
   require(options.variants.empty() || is_of_item(options.format),
           "--variant is for items: --to mjcf and --to urdf");
 }
@@ -76,7 +81,7 @@ std::vector<std::string> write(const ExportOptions& options, const study::TakeFi
     return {};
   }
   if (options.format == "csv") {
-    study::export_tables(options.file, take);
+    study::export_tables(options.file, take, options.units);
     return {};
   }
   if (options.format == "xdmf") {
@@ -156,6 +161,8 @@ void add_export(CLI::App& app, std::function<int()>& action) {
                       "Intensity measure of the curves (default: the study's own)");
   add_limit_state_options(*command, options.assessed_by);
   command->add_option("--limit", options.choice.limit, "This limit state only (default: all)");
+  add_units_option(*command, options.units)
+      ->description("csv: units of its numbers (default: SI); other formats have their own");
   command->add_flag("--sequences", options.choice.sequences,
                     "Combine limit states of one quantity: damage states of one component");
   command->add_flag("--discrete", options.choice.discrete,

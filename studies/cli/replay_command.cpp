@@ -16,13 +16,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string spread_text(const std::optional<study::ReplicaSpread>& spread) {
+std::string spread_text(const std::optional<study::ReplicaSpread>& spread,
+                        const study::UnitSystem& units) {
   if (!spread) return {};
+  const study::ReportUnit unit = units.of("m");
+  const std::string range = fmt::format("{:.3g} to {:.3g} {}", spread->lowest / unit.in_si,
+                                        spread->highest / unit.in_si, unit.name);
   return fmt::format(
-      "replicas {} of this case: peak displacement {:.3g} to {:.3g} m, median {:.3g} m; {} "
+      "replicas {} of this case: peak displacement {}, median {}; {} "
       "overturned, {} failed\n",
-      spread->runs, spread->lowest, spread->highest, spread->median, spread->overturned,
-      spread->failed);
+      spread->runs, range, units.text(spread->median, "m"), spread->overturned, spread->failed);
 }
 
 fs::path results_of(const ReplayOptions& options) {
@@ -40,8 +43,14 @@ fs::path results_of(const ReplayOptions& options) {
 int replay_command(const ReplayOptions& options) {
   options.figures.check();
   const StudyCase study_case(options.file, options.run, options.job);
-  const RunOutput output{results_of(options), study_case.job(),  options.overwrite,
-                         options.json,        options.no_figure, options.figures};
+  const RunOutput output{results_of(options),
+                         study_case.job(),
+                         options.overwrite,
+                         options.json,
+                         options.no_figure,
+                         options.figures,
+                         false,
+                         options.units};
   check_output(output);
   const Response response = run_and_write(study_case.prepared(), output);
   const std::string differs = study_case.difference(response);
@@ -52,7 +61,7 @@ int replay_command(const ReplayOptions& options) {
   const study::StudyReader file(options.file);
   if (!options.json)
     fmt::print("replay   the same results as in {}\n{}", options.file,
-               spread_text(study::replica_spread(file, options.run)));
+               spread_text(study::replica_spread(file, options.run), options.units));
   return is_failure(response.outcome) ? 3 : 0;
 }
 

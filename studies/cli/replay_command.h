@@ -4,6 +4,7 @@
 #include <string>
 
 #include "studies/cli/figure_output.h"
+#include "studies/study/units/unit_system.h"
 
 namespace gurney::cli {
 
@@ -16,6 +17,7 @@ struct ReplayOptions {
   bool json = false;
   bool no_figure = false;
   NamedFigures figures;
+  study::UnitSystem units;
 };
 
 /// `gurney replay`: makes one run of a study again, with full histories, and compares its numbers

@@ -7,6 +7,7 @@
 #include "studies/cli/explained_case.h"
 #include "studies/cli/job_of_log.h"
 #include "studies/cli/records_output.h"
+#include "studies/cli/units_option.h"
 #include "studies/page/page.h"
 #include "studies/study/results/output_files.h"
 
@@ -24,6 +25,7 @@ void add_explanation(page::PageRequest& request) {
   try {
     if (is_study(request.file)) return;
     request.explanation = explained(case_again(request.file, {}, request.job));
+    request.explanation->units = request.units;
   } catch (const Error& error) {
     request.no_explanation = error.what();
   }
@@ -55,6 +57,7 @@ void add_report(CLI::App& app, std::function<int()>& action) {
   add_hazard_option(*command, options->request.assessed_by);
   command->add_option("--job", options->request.job,
                       "The job file, for drawings of its items (default: the path in the log)");
+  add_units_option(*command, options->request.units);
   command->add_flag("--overwrite", options->overwrite, "Replace a page that exists");
   command->callback([options, &action] { action = [options] { return report(*options); }; });
 }

@@ -29,7 +29,7 @@ RunOutput output_of(const RunOptions& options) {
   require(results.extension() == ".h5",
           options.output + ": the results file must end in .h5 (-o FILE.h5)");
   return {results,           options.job,     options.overwrite, options.json,
-          options.no_figure, options.figures, options.quiet};
+          options.no_figure, options.figures, options.quiet,     options.units};
 }
 
 }  // namespace

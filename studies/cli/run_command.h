@@ -3,6 +3,7 @@
 #include <string>
 
 #include "studies/cli/figure_output.h"
+#include "studies/study/units/unit_system.h"
 
 namespace gurney::cli {
 
@@ -14,6 +15,7 @@ struct RunOptions {
   bool quiet = false;  ///< print no summary and no progress
   bool no_figure = false;
   NamedFigures figures;
+  study::UnitSystem units;
   bool resume = false;  ///< go on with a study that was interrupted
   std::string shard;    ///< of a study: "3/8" or "auto"; empty: all of it
   int threads = 0;      ///< of a study; 0: as many as the machine has

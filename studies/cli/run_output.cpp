@@ -39,7 +39,7 @@ void print(const RunOutput& output, const study::PreparedRun& run, const Respons
     fmt::print("{}", report::summary_json(run.facts, response));
     return;
   }
-  fmt::print("{}\n", report::summary(run.facts, response));
+  fmt::print("{}\n", report::summary(run.facts, response, output.units));
   if (seconds > 0) fmt::print("speed    {:.0f} x real time\n", response.end_time / seconds);
   fmt::print("results  {}\n", output.results.string());
   if (!output.no_figure) fmt::print("figure   {}\n", output.figure().string());
@@ -70,7 +70,7 @@ Response run_and_write(const study::PreparedRun& run, const RunOutput& output) {
     files.stage(output.results.string(), study::results_image(run.facts, response));
     if (!output.no_figure)
       files.stage(output.figure().string(),
-                  output.style.bytes(figures::run_figure(run.facts, response)));
+                  output.style.bytes(figures::run_figure(run.facts, response, output.units)));
     files.stage(output.log().string(), log_text(output.job, response, seconds));
     files.commit();
   }

@@ -6,6 +6,7 @@
 #include "engine/response/response.h"
 #include "studies/cli/figure_output.h"
 #include "studies/study/prepare/run_job.h"
+#include "studies/study/units/unit_system.h"
 
 namespace gurney::cli {
 
@@ -16,6 +17,7 @@ struct RunOutput {
   bool overwrite = false, json = false, no_figure = false;
   NamedFigures style = {};
   bool quiet = false;
+  study::UnitSystem units = {};
 
   std::filesystem::path figure() const;
   std::filesystem::path log() const;

@@ -6,6 +6,7 @@
 
 #include "engine/response/response.h"
 #include "studies/report/half_cycle.h"
+#include "studies/study/units/unit_system.h"
 
 /// Why a run ended as it did: facts in time order, margins, energies (docs/explain.md).
 namespace gurney::explanation {
@@ -119,6 +120,7 @@ struct Explanation {
   std::vector<Stage> stages;
   Tracks tracks;
   std::optional<Predictability> predictability;  ///< of the subject
+  study::UnitSystem units = {};                  ///< of text and figure
 
   const ItemFacts& item() const { return items.at(subject); }
 };

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/units.h"
 #include "studies/explanation/text.h"
+#include "studies/figures/labels.h"
 #include "studies/figures/panel.h"
 #include "studies/report/words.h"
 
@@ -45,6 +45,10 @@ Curve curve(const Explanation& of, const Range& window, const std::string& label
   return result;
 }
 
+study::ReportUnit unit_of(const Explanation& of, const char* si) {
+  return of.units.or_else("m").of(si);
+}
+
 Panel time_panel(const std::string& title, const std::string& y_label, const Range& window) {
   return {.title = title,
           .x_label = "",
@@ -56,16 +60,18 @@ Panel time_panel(const std::string& title, const std::string& y_label, const Ran
 
 std::string floor_title(const Explanation& of) {
   return "Floor acceleration " +
-         (of.direction.isZero() ? "towards +x"
-                                : report::towards(std::atan2(of.direction.y(), of.direction.x())));
+         (of.direction.isZero()
+              ? "towards +x"
+              : report::towards(std::atan2(of.direction.y(), of.direction.x()), of.units));
 }
 
 /// Its title stands above the numbers of the events.
 Panel floor_panel(const Explanation& of, const Range& window) {
-  Panel panel = time_panel("", "m/s\u00b2", window);
+  const study::ReportUnit unit = unit_of(of, "m/s2");
+  Panel panel = time_panel("", figures::unit_label(unit), window);
   panel.legend_columns = 0;
   panel.curves.push_back(
-      curve(of, window, "", 0, [&](std::size_t i) { return of.tracks.floor[i]; }));
+      curve(of, window, "", 0, [&](std::size_t i) { return of.tracks.floor[i] / unit.in_si; }));
   if (!of.pulse) return panel;
   figures::Area pulse{{}, {}, {}, figures::palette(1), 0.35};
   const Curve& all = panel.curves[0];
@@ -80,20 +86,21 @@ Panel floor_panel(const Explanation& of, const Range& window) {
 }
 
 Panel displacement_panel(const Explanation& of, const Range& window) {
-  Panel panel = time_panel("Distance of " + of.item().name + " from its start", "m", window);
+  const study::ReportUnit unit = unit_of(of, "m");
+  Panel panel = time_panel("Distance of " + of.item().name + " from its start", unit.name, window);
   panel.legend_columns = 0;
-  panel.curves.push_back(
-      curve(of, window, "", 0, [&](std::size_t i) { return of.tracks.displacement[i]; }));
+  panel.curves.push_back(curve(
+      of, window, "", 0, [&](std::size_t i) { return of.tracks.displacement[i] / unit.in_si; }));
   return panel;
 }
 
 Panel tilt_panel(const Explanation& of, const Range& window) {
-  Panel panel = time_panel("Tilt against critical tilt", "deg", window);
-  panel.curves.push_back(curve(
-      of, window, "tilt", 0, [&](std::size_t i) { return of.tracks.tilt[i] / kRadiansPerDegree; }));
-  panel.curves.push_back(curve(of, window, "critical, where it leans to", 1, [&](std::size_t i) {
-    return of.tracks.critical[i] / kRadiansPerDegree;
-  }));
+  const study::ReportUnit unit = unit_of(of, "rad");
+  Panel panel = time_panel("Tilt against critical tilt", unit.name, window);
+  panel.curves.push_back(
+      curve(of, window, "tilt", 0, [&](std::size_t i) { return of.tracks.tilt[i] / unit.in_si; }));
+  panel.curves.push_back(curve(of, window, "critical, where it leans to", 1,
+                               [&](std::size_t i) { return of.tracks.critical[i] / unit.in_si; }));
   panel.curves.back().pen.dash = "4 2";
   // What lies on the floor has a tilt that hides all others.
   double tilt = 0, critical = 0;
@@ -107,13 +114,14 @@ Panel tilt_panel(const Explanation& of, const Range& window) {
 
 /// Impacts of wheels on the floor give grip for moments; the demand sets the scale.
 Panel grip_panel(const Explanation& of, const Range& window) {
-  Panel panel = time_panel("Force that holds it against grip", "N", window);
+  const study::ReportUnit unit = unit_of(of, "N");
+  Panel panel = time_panel("Force that holds it against grip", unit.name, window);
+  panel.curves.push_back(curve(of, window, "force needed", 0,
+                               [&](std::size_t i) { return of.tracks.demand[i] / unit.in_si; }));
   panel.curves.push_back(
-      curve(of, window, "force needed", 0, [&](std::size_t i) { return of.tracks.demand[i]; }));
-  panel.curves.push_back(
-      curve(of, window, "grip", 1, [&](std::size_t i) { return of.tracks.grip[i]; }));
+      curve(of, window, "grip", 1, [&](std::size_t i) { return of.tracks.grip[i] / unit.in_si; }));
   panel.curves.back().pen.dash = "4 2";
-  double needed = 1, grip = 1;
+  double needed = 1 / unit.in_si, grip = needed;
   for (const double value : panel.curves[0].y) needed = std::fmax(needed, value);
   for (const double value : panel.curves[1].y) grip = std::fmax(grip, value);
   panel.y_range = {0, 1.05 * std::min(std::max(needed, grip), 3 * needed)};
@@ -121,10 +129,12 @@ Panel grip_panel(const Explanation& of, const Range& window) {
 }
 
 Panel energy_panel(const Explanation& of, const Range& window) {
-  Panel panel = time_panel("Energy since the start", "J", window);
+  const study::ReportUnit unit = unit_of(of, "J");
+  Panel panel = time_panel("Energy since the start", unit.name, window);
   const auto add = [&](const char* label, auto get) {
-    panel.curves.push_back(curve(of, window, label, panel.curves.size(),
-                                 [&](std::size_t i) { return get(of.tracks.energy[i]); }));
+    panel.curves.push_back(curve(of, window, label, panel.curves.size(), [&](std::size_t i) {
+      return get(of.tracks.energy[i]) / unit.in_si;
+    }));
   };
   add("kinetic", [](const EnergyAccount& e) { return e.kinetic; });
   add("height", [](const EnergyAccount& e) { return e.gravitational; });
@@ -162,14 +172,15 @@ void draw_events(Svg& svg, const Frame& frame, const figures::Scaling& scaling,
   }
 }
 
-void draw_list(Svg& svg, double top, const std::vector<Event>& events) {
+void draw_list(Svg& svg, double top, const std::vector<Event>& events,
+               const study::UnitSystem& units) {
   for (std::size_t i = 0; i < events.size(); ++i) {
     const double y = top + kLine * static_cast<double>(i);
     svg.text(kLeft, y, fmt::format("{}", i + 1), {.anchor = figures::Anchor::kEnd, .bold = true});
     svg.text(kLeft + 54, y, fmt::format("{:.2f} s", events[i].time),
              {.anchor = figures::Anchor::kEnd});
     svg.text(kLeft + 66, y,
-             figures::fitted(words_of(events[i], false), 11, kWidth - kLeft - 66 - kRight));
+             figures::fitted(words_of(events[i], false, units), 11, kWidth - kLeft - 66 - kRight));
   }
 }
 
@@ -205,7 +216,7 @@ std::string figure(const Explanation& of) {
                       kPanel};
     draw_events(svg, frame, draw(svg, frame, panels[i]), events, i == 0);
   }
-  draw_list(svg, list, events);
+  draw_list(svg, list, events, of.units);
   return svg.str();
 }
 

@@ -63,7 +63,7 @@ Json events(const Explanation& of) {
                     {"part", text_or_null(event.part)},
                     {"value", json_number(event.value)},
                     {"resolution_s", event.sampled ? Json(of.resolution) : Json(nullptr)},
-                    {"text", printable(words_of(event, false))}});
+                    {"text", printable(words_of(event, false, of.units))}});
   return list;
 }
 

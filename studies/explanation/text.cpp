@@ -11,7 +11,10 @@
 namespace gurney::explanation {
 namespace {
 
-std::string degrees(double angle) {
+using study::UnitSystem;
+
+std::string degrees(double angle, const UnitSystem& units) {
+  if (units.chosen()) return units.text(angle, "rad");
   const double value = angle / kRadiansPerDegree;
   return fmt::format("{:.{}f} deg", value, value < 10 ? 1 : 0);
 }
@@ -41,7 +44,7 @@ TextPart events_part(const Explanation& of) {
       ++more;
     else
       part.lines.push_back(
-          {fmt::format("{:8.3f} s  ", event.time), words_of(event, of.items.size() > 1)});
+          {fmt::format("{:8.3f} s  ", event.time), words_of(event, of.items.size() > 1, of.units)});
   }
   if (more > 0) part.lines.push_back({"", fmt::format("{} more events: --json lists them", more)});
   if (of.resolution > 0)
@@ -57,20 +60,21 @@ std::string pulse_text(const Explanation& of) {
   if (!of.pulse)
     return "The floor's velocity against the motion did not rise before it: no single pulse of the "
            "floor drove it.";
-  return report::sentence(*of.pulse);
+  return report::sentence(*of.pulse, of.units);
 }
 
-std::string tilt_text(const ItemFacts& item) {
+std::string tilt_text(const ItemFacts& item, const UnitSystem& units) {
   const TiltMargin& tilt = item.tilt;
   if (tilt.tilt <= 0) return "It hardly tilted (less than 0.1 deg).";
   if (item.finding == Finding::kOverturned && tilt.time_passed >= 0)
     return fmt::format(
         "Its tilt passed the critical angle at {:.2f} s, leaning to its {}: there its centre of "
-        "mass, {:.2f} m up, is above the edge of its support.",
-        tilt.time_passed, side_of(tilt.direction), item.height_of_center_of_mass);
+        "mass, {} up, is above the edge of its support.",
+        tilt.time_passed, side_of(tilt.direction),
+        units.fixed(item.height_of_center_of_mass, "m", 2));
   std::string text = fmt::format(
       "Tilt: nearest to the edge at {:.2f} s, {} to its {} of a critical {}: {:.0f} % of it.",
-      tilt.time, degrees(tilt.tilt), side_of(tilt.direction), degrees(tilt.critical),
+      tilt.time, degrees(tilt.tilt, units), side_of(tilt.direction), degrees(tilt.critical, units),
       100 * tilt.ratio());
   if (tilt.time_passed >= 0) text += " It was past the edge and the floor brought it back.";
   return text;
@@ -84,21 +88,22 @@ const char* grip_words(const ItemFacts& item) {
                          : "its brakes, which are on at every caster,";
 }
 
-std::string grip_text(const ItemFacts& item, bool floor) {
+std::string grip_text(const ItemFacts& item, bool floor, const UnitSystem& units) {
+  const auto force = [&](double newtons) { return units.fixed(newtons, "N", 0); };
   const GripMargin& grip = item.grip;
   if (!floor) return {};
   const char* const what = grip_words(item);
   if (grip.time_exceeded < 0)
     return fmt::format(
-        "Grip: holding it on the moving floor took {:.0f} N at most, and {} could always give "
-        "more; the margin was smallest at {:.2f} s ({:.0f} N of {:.0f} N).",
-        grip.peak_demand, what, grip.time, grip.demand, grip.grip);
+        "Grip: holding it on the moving floor took {} at most, and {} could always give "
+        "more; the margin was smallest at {:.2f} s ({} of {}).",
+        force(grip.peak_demand), what, grip.time, force(grip.demand), force(grip.grip));
   return fmt::format(
-      "Grip: holding it on the moving floor takes its mass ({:.0f} kg) times the floor's "
-      "acceleration. {} first could not give that at {:.2f} s; worst at {:.2f} s, {:.0f} N against "
-      "{:.0f} N.",
-      item.mass, std::string(1, static_cast<char>(std::toupper(what[0]))) + (what + 1),
-      grip.time_exceeded, grip.time, grip.demand, grip.grip);
+      "Grip: holding it on the moving floor takes its mass ({}) times the floor's "
+      "acceleration. {} first could not give that at {:.2f} s; worst at {:.2f} s, {} against {}.",
+      units.fixed(item.mass, "kg", 0),
+      std::string(1, static_cast<char>(std::toupper(what[0]))) + (what + 1), grip.time_exceeded,
+      grip.time, force(grip.demand), force(grip.grip));
 }
 
 std::string first_caster_text(const ItemFacts& item) {
@@ -116,26 +121,30 @@ TextPart margins_part(const Explanation& of) {
   const ItemFacts& item = of.item();
   TextPart part{"Margins", {}};
   for (const std::string& words :
-       {tilt_text(item), grip_text(item, !of.record.empty()), first_caster_text(item)})
+       {tilt_text(item, of.units), grip_text(item, !of.record.empty(), of.units),
+        first_caster_text(item)})
     if (!words.empty()) part.lines.push_back({"", words});
   return part;
 }
 
 /// Two decimals; what is rounded to nothing has no sign.
-std::string joules(double energy) {
+std::string cell(double energy) {
   return fmt::format("{:>9.2f}", std::abs(energy) < 0.005 ? 0.0 : energy);
 }
 
 TextPart energy_part(const Explanation& of) {
-  TextPart part{fmt::format("Energy of {} since the start [J]", of.item().name), {}, true};
+  const study::ReportUnit unit = of.units.of("J");
+  const auto in = [&](double energy) { return cell(energy / unit.in_si); };
+  TextPart part{
+      fmt::format("Energy of {} since the start [{}]", of.item().name, unit.name), {}, true};
   part.lines.push_back(
       {"", fmt::format("{:<16}{:>8}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}", "", "time", "kinetic",
                        "height", "floor", "friction", "rolling", "impacts", "other")});
   for (const Stage& s : of.stages)
-    part.lines.push_back({"", fmt::format("{:<16}{:>8.2f}", s.name, s.time) + joules(s.kinetic) +
-                                  joules(s.potential) + joules(s.floor_work) + joules(s.friction) +
-                                  joules(s.rolling) + joules(s.impacts) +
-                                  joules(s.elastic - s.other_work + s.other_loss)});
+    part.lines.push_back({"", fmt::format("{:<16}{:>8.2f}", s.name, s.time) + in(s.kinetic) +
+                                  in(s.potential) + in(s.floor_work) + in(s.friction) +
+                                  in(s.rolling) + in(s.impacts) +
+                                  in(s.elastic - s.other_work + s.other_loss)});
   return part;
 }
 
@@ -159,7 +168,7 @@ TextPart others_part(const Explanation& of) {
     else
       part.lines.push_back(
           {"", fmt::format("{}: {}; moved up to {}, tilt up to {:.0f} % of critical.", item.name,
-                           name_of(item.finding), length_words(item.peak_displacement),
+                           name_of(item.finding), length_words(item.peak_displacement, of.units),
                            100 * item.tilt.ratio())});
   }
   return part;
@@ -182,12 +191,13 @@ std::string trust_text(const Explanation& of) {
 
 }  // namespace
 
-std::string length_words(double metres) {
+std::string length_words(double metres, const UnitSystem& units) {
+  if (units.chosen()) return units.text(metres, "m");
   return metres < 0.1 ? fmt::format("{:.{}f} mm", 1000 * metres, metres < 0.01 ? 1 : 0)
                       : fmt::format("{:.2f} m", metres);
 }
 
-std::string words_of(const Event& event, bool name_item) {
+std::string words_of(const Event& event, bool name_item, const UnitSystem& units) {
   const std::string who = name_item && !event.item.empty() ? event.item + ": " : "";
   switch (event.kind) {
     case EventKind::kMoved:
@@ -205,22 +215,23 @@ std::string words_of(const Event& event, bool name_item) {
     case EventKind::kLanded:
       return who + fmt::format("back on the floor: {}", event.part);
     case EventKind::kTipped:
-      return who + fmt::format("tips ({})", degrees(event.value));
+      return who + fmt::format("tips ({})", degrees(event.value, units));
     case EventKind::kImpact:
-      return who + fmt::format("hits {} with {:.2f} m/s", event.part, event.value);
+      return who + fmt::format("hits {} with {}", event.part, units.fixed(event.value, "m/s", 2));
     case EventKind::kTaut:
-      return who + fmt::format("{} gets taut (up to {:.0f} N)", event.part, event.value);
+      return who +
+             fmt::format("{} gets taut (up to {})", event.part, units.fixed(event.value, "N", 0));
     case EventKind::kUnplugged:
       return who + fmt::format("{} breaks or unplugs", event.part);
     case EventKind::kZone:
       return fmt::format("an item enters the zone {}", event.part);
     case EventKind::kPeakDisplacement:
-      return who + fmt::format("farthest from its start, {}", length_words(event.value));
+      return who + fmt::format("farthest from its start, {}", length_words(event.value, units));
     case EventKind::kPeakTilt:
-      return who + fmt::format("largest tilt, {}", degrees(event.value));
+      return who + fmt::format("largest tilt, {}", degrees(event.value, units));
     case EventKind::kOverturned:
       return who + "OVERTURNS" +
-             (std::isfinite(event.value) ? " " + report::towards(event.value) : "");
+             (std::isfinite(event.value) ? " " + report::towards(event.value, units) : "");
     case EventKind::kEnd:
       break;
   }
@@ -238,20 +249,21 @@ std::string headline(const Explanation& of) {
   switch (item.finding) {
     case Finding::kOverturned:
       return fmt::format("{} overturned at {:.2f} s, {}.", item.name, of.worst_time,
-                         report::towards(angle_of(of.direction)));
+                         report::towards(angle_of(of.direction), of.units));
     case Finding::kHit: {
       const std::string other =
           of.hit->item == of.subject ? of.hit->other : of.items.at(of.hit->item).name;
-      return fmt::format("{} moved up to {} and hit {} with {:.2f} m/s at {:.2f} s.", item.name,
-                         length_words(item.peak_displacement), other, of.hit->approach_speed,
-                         of.hit->time);
+      return fmt::format("{} moved up to {} and hit {} with {} at {:.2f} s.", item.name,
+                         length_words(item.peak_displacement, of.units), other,
+                         of.units.fixed(of.hit->approach_speed, "m/s", 2), of.hit->time);
     }
     case Finding::kRocked:
       return fmt::format("{} rocked and did not overturn: its tilt reached {:.0f} % of critical.",
                          item.name, 100 * item.tilt.ratio());
     case Finding::kMoved:
       return fmt::format("{} moved up to {} (at {:.2f} s) and hit nothing.", item.name,
-                         length_words(item.peak_displacement), item.time_of_peak_displacement);
+                         length_words(item.peak_displacement, of.units),
+                         item.time_of_peak_displacement);
     case Finding::kStill:
       break;
   }

@@ -11,10 +11,10 @@ namespace gurney::explanation {
 std::string headline(const Explanation& of);
 
 /// One event as a line of words, without its time.
-std::string words_of(const Event& event, bool name_item);
+std::string words_of(const Event& event, bool name_item, const study::UnitSystem& units);
 
 /// "12 mm", "1.23 m"
-std::string length_words(double metres);
+std::string length_words(double metres, const study::UnitSystem& units);
 
 /// A part of the text: a heading and what stands below it.
 struct TextPart {

@@ -80,9 +80,9 @@ class Variants {
   void walls() {
     const bool hit = of_.hit.has_value();
     const std::string other = hit ? other_name() : "";
-    Variant& farther =
-        add(hit ? fmt::format("{:g} m farther from {}", kFarther, other) : "farther from walls",
-            fmt::format("Standing {:g} m farther from {}", kFarther, other));
+    const std::string farther_words = of_.units.text(kFarther, "m");
+    Variant& farther = add(hit ? farther_words + " farther from " + other : "farther from walls",
+                           "Standing " + farther_words + " farther from " + other);
     Variant& without = add(hit ? fmt::format("without {}", other) : "without walls",
                            fmt::format("Taking {} away", other));
     if (!hit) {

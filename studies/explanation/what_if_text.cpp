@@ -16,18 +16,20 @@ std::string overturned_cell(const VariantOutcome& outcome, bool replicas) {
   return fmt::format("{} of {}", outcome.overturned, outcome.runs);
 }
 
-std::string row(const VariantOutcome& outcome, bool replicas, std::size_t width) {
+std::string row(const VariantOutcome& outcome, bool replicas, std::size_t width,
+                const study::UnitSystem& units) {
   const std::string impact =
-      outcome.hardest_impact > 0 ? fmt::format("{:.2f}", outcome.hardest_impact) : "-";
+      outcome.hardest_impact > 0 ? units.number(outcome.hardest_impact, "m/s", 2) : "-";
   const std::string tilt = outcome.tilt_ratio > 1 && 2 * outcome.overturned > outcome.runs
                                ? ">100"
                                : fmt::format("{:.0f}", 100 * outcome.tilt_ratio);
-  return fmt::format("  {:<{}}{:>11.3f}{:>11}{:>11}{:>13}\n", outcome.name, width,
-                     outcome.peak_displacement, tilt, impact, overturned_cell(outcome, replicas));
+  return fmt::format("  {:<{}}{:>11}{:>11}{:>11}{:>13}\n", outcome.name, width,
+                     units.number(outcome.peak_displacement, "m", 3), tilt, impact,
+                     overturned_cell(outcome, replicas));
 }
 
 /// "overturning", as what was prevented or not.
-std::string event_of(Finding finding) {
+std::string event_of(Finding finding, const study::UnitSystem& units) {
   switch (finding) {
     case Finding::kOverturned:
       return "overturning";
@@ -39,7 +41,7 @@ std::string event_of(Finding finding) {
     case Finding::kStill:
       break;
   }
-  return fmt::format("moving by more than {:g} m", kHarmless);
+  return fmt::format("moving by more than {}", units.text(kHarmless, "m"));
 }
 
 /// "Locking every wheel, turning it by 90 degrees and ..."
@@ -54,12 +56,13 @@ std::string clauses(const std::vector<const VariantOutcome*>& outcomes) {
 }
 
 /// What the best of those that prevent it leave.
-std::string left_over(const VariantOutcome& best) {
+std::string left_over(const VariantOutcome& best, const study::UnitSystem& units) {
   return fmt::format(" {} keeps it nearest to its place: it then moves by up to {}.", best.clause,
-                     length_words(best.peak_displacement));
+                     length_words(best.peak_displacement, units));
 }
 
-std::string of_single_runs(const WhatIf& what, const std::string& event) {
+std::string of_single_runs(const WhatIf& what, const std::string& event,
+                           const study::UnitSystem& units) {
   std::vector<const VariantOutcome*> good, bad;
   for (const VariantOutcome& each : what.variants)
     if (each.reason.empty()) (each.prevented() ? good : bad).push_back(&each);
@@ -67,8 +70,10 @@ std::string of_single_runs(const WhatIf& what, const std::string& event) {
   if (good.empty()) text = "Nothing that was tried would have prevented " + event + ".";
   if (!good.empty()) text = clauses(good) + " would have prevented " + event + ".";
   if (good.size() > 1)
-    text += left_over(**std::ranges::min_element(
-        good, {}, [](const VariantOutcome* each) { return each->peak_displacement; }));
+    text +=
+        left_over(**std::ranges::min_element(
+                      good, {}, [](const VariantOutcome* each) { return each->peak_displacement; }),
+                  units);
   if (!good.empty() && !bad.empty()) text += " " + clauses(bad) + " would not.";
   return text;
 }
@@ -120,10 +125,10 @@ std::string conclusion(const WhatIf& what, const Explanation& of) {
   const ItemFacts& item = of.item();
   if (item.finding == Finding::kStill ||
       (item.finding == Finding::kMoved && item.peak_displacement <= kHarmless))
-    return fmt::format("{} moved by less than {:g} m and hit nothing: there is nothing to prevent.",
-                       item.name, kHarmless);
-  const std::string event = event_of(item.finding);
-  return what.replicas > 1 ? of_replicas(what, event) : of_single_runs(what, event);
+    return fmt::format("{} moved by less than {} and hit nothing: there is nothing to prevent.",
+                       item.name, of.units.text(kHarmless, "m"));
+  const std::string event = event_of(item.finding, of.units);
+  return what.replicas > 1 ? of_replicas(what, event) : of_single_runs(what, event, of.units);
 }
 
 std::string text(const WhatIf& what, const Explanation& of) {
@@ -135,14 +140,14 @@ std::string text(const WhatIf& what, const Explanation& of) {
     text +=
         fmt::format("  {} replicas of each, whose masses differ by parts in a billion; medians\n",
                     what.replicas);
-  text +=
-      fmt::format("  {:<{}}{:>11}{:>11}{:>11}{:>13}\n  {:<{}}{:>11}{:>11}{:>11}\n", "", width,
-                  "farthest", "tilt", "impact", "overturned", "", width, "m", "% of crit.", "m/s");
-  text += row(what.as_it_was, replicas, width);
+  text += fmt::format("  {:<{}}{:>11}{:>11}{:>11}{:>13}\n  {:<{}}{:>11}{:>11}{:>11}\n", "", width,
+                      "farthest", "tilt", "impact", "overturned", "", width, of.units.of("m").name,
+                      "% of crit.", of.units.of("m/s").name);
+  text += row(what.as_it_was, replicas, width, of.units);
   std::string without;
   for (const VariantOutcome& each : what.variants) {
     if (each.reason.empty())
-      text += row(each, replicas, width);
+      text += row(each, replicas, width, of.units);
     else
       without += fmt::format("  {:<{}}  {}\n", each.name, width,
                              report::wrapped(each.reason, width + 4, width + 4));

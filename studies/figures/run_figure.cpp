@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/units.h"
+#include "studies/figures/labels.h"
 #include "studies/figures/panel.h"
 #include "studies/figures/plan_view.h"
 #include "studies/study/results/names.h"
@@ -42,14 +42,15 @@ Panel time_panel(const std::string& title, const std::string& y_label, int legen
 
 /// A curve for each axis; the vertical only where something moves vertically.
 Panel vector_panel(const std::string& title, const std::string& y_label,
-                   const std::vector<Sample>& history, Vector3 Sample::*member) {
-  Panel panel = time_panel(title, y_label, 3);
+                   const study::ReportUnit& unit, const std::vector<Sample>& history,
+                   Vector3 Sample::*member) {
+  Panel panel = time_panel(title, with_unit(y_label, unit), 3);
   const char* const names[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
-    const auto value = [&](const Sample& s) { return (s.*member)[axis]; };
+    const auto value = [&](const Sample& s) { return (s.*member)[axis] / unit.in_si; };
     double largest = 0;
     for (const Sample& sample : history)
-      largest = std::max(largest, (sample.*member).cwiseAbs().maxCoeff());
+      largest = std::max(largest, (sample.*member).cwiseAbs().maxCoeff() / unit.in_si);
     const bool moves = std::any_of(history.begin(), history.end(), [&](const Sample& s) {
       return std::abs(value(s)) > 0.05 * largest;
     });
@@ -61,33 +62,37 @@ Panel vector_panel(const std::string& title, const std::string& y_label,
 
 Panel wheel_panel(const std::string& title, const std::string& y_label,
                   const study::RunFacts& facts, const std::vector<Sample>& history,
-                  double WheelSample::*member, double unit, bool rigid_too = true) {
-  Panel panel = time_panel(title, y_label, 2);
+                  double WheelSample::*member, const study::ReportUnit& unit,
+                  bool rigid_too = true) {
+  Panel panel = time_panel(title, with_unit(y_label, unit), 2);
   const auto& casters = facts.scene.items[0].model.casters;
   for (std::size_t i = 0; i < casters.size(); ++i)
     if (rigid_too || casters[i].swivels)
-      panel.curves.push_back(curve(casters[i].name, history, i,
-                                   [&](const Sample& s) { return s.wheels[i].*member / unit; }));
+      panel.curves.push_back(curve(casters[i].name, history, i, [&](const Sample& s) {
+        return s.wheels[i].*member / unit.in_si;
+      }));
   return panel;
 }
 
 /// The input, at the samples of the history.
-Panel floor_panel(const FloorMotion& floor, const std::vector<Sample>& history) {
-  Panel panel = time_panel("Floor acceleration", "Acceleration (m/s\u00b2)", 3);
+Panel floor_panel(const FloorMotion& floor, const std::vector<Sample>& history,
+                  const study::ReportUnit& unit) {
+  Panel panel = time_panel("Floor acceleration", with_unit("Acceleration", unit), 3);
   const char* const names[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis)
     if (!floor.at_rest() && floor.acceleration().row(axis).cwiseAbs().maxCoeff() > 0)
       panel.curves.push_back(
           curve(names[axis], history, static_cast<std::size_t>(axis),
-                [&](const Sample& s) { return floor.acceleration_at(s.time)[axis]; }));
+                [&](const Sample& s) { return floor.acceleration_at(s.time)[axis] / unit.in_si; }));
   return panel;
 }
 
-Panel energy_panel(const std::vector<Sample>& history, double stored_at_start) {
-  Panel panel = time_panel("Energy balance", "Energy (J)", 4);
+Panel energy_panel(const std::vector<Sample>& history, double stored_at_start,
+                   const study::ReportUnit& unit) {
+  Panel panel = time_panel("Energy balance", with_unit("Energy", unit), 4);
   const auto add = [&](const char* label, auto get) {
-    panel.curves.push_back(
-        curve(label, history, panel.curves.size(), [&](const Sample& s) { return get(s.energy); }));
+    panel.curves.push_back(curve(label, history, panel.curves.size(),
+                                 [&](const Sample& s) { return get(s.energy) / unit.in_si; }));
   };
   add("work", [](const EnergyAccount& e) { return e.work(); });
   add("kinetic", [](const EnergyAccount& e) { return e.kinetic; });
@@ -101,19 +106,19 @@ Panel energy_panel(const std::vector<Sample>& history, double stored_at_start) {
   return panel;
 }
 
-Panel pull_panel(const std::vector<Sample>& history) {
-  Panel panel = time_panel("Pull", "Force (N)", 2);
-  panel.curves = {
-      curve("cable tension", history, 0, [](const Sample& s) { return s.cable_tension; }),
-      curve("point forces", history, 1, [](const Sample& s) { return s.pull_force; })};
+Panel pull_panel(const std::vector<Sample>& history, const study::ReportUnit& unit) {
+  Panel panel = time_panel("Pull", with_unit("Force", unit), 2);
+  panel.curves = {curve("cable tension", history, 0,
+                        [&](const Sample& s) { return s.cable_tension / unit.in_si; }),
+                  curve("point forces", history, 1,
+                        [&](const Sample& s) { return s.pull_force / unit.in_si; })};
   return panel;
 }
 
-Panel turn_panel(const std::vector<Sample>& history) {
-  Panel panel = time_panel("Yaw and tilt", "Angle (deg)", 2);
-  panel.curves = {
-      curve("yaw", history, 0, [](const Sample& s) { return s.yaw / kRadiansPerDegree; }),
-      curve("tilt", history, 1, [](const Sample& s) { return s.tilt / kRadiansPerDegree; })};
+Panel turn_panel(const std::vector<Sample>& history, const study::ReportUnit& unit) {
+  Panel panel = time_panel("Yaw and tilt", with_unit("Angle", unit), 2);
+  panel.curves = {curve("yaw", history, 0, [&](const Sample& s) { return s.yaw / unit.in_si; }),
+                  curve("tilt", history, 1, [&](const Sample& s) { return s.tilt / unit.in_si; })};
   return panel;
 }
 
@@ -148,25 +153,26 @@ bool pulled(const std::vector<Sample>& history) {
                      [](const Sample& s) { return s.cable_tension != 0 || s.pull_force != 0; });
 }
 
-std::vector<Panel> panels_of_item(const study::RunFacts& facts, const ItemResponse& item) {
+std::vector<Panel> panels_of_item(const study::RunFacts& facts, const ItemResponse& item,
+                                  const study::UnitSystem& units) {
   const std::vector<Sample>& history = item.history;
-  Panel forces = wheel_panel("Normal forces", "Normal force (N)", facts, history,
-                             &WheelSample::normal_force, 1);
+  Panel forces = wheel_panel("Normal forces", "Normal force", facts, history,
+                             &WheelSample::normal_force, units.of("N"));
   forces.lanes = true;
-  std::vector<Panel> panels{
-      floor_panel(facts.floor, history),
-      vector_panel("Displacement relative to the floor", "Displacement (m)", history,
-                   &Sample::displacement),
-      vector_panel("Velocity relative to the floor", "Velocity (m/s)", history, &Sample::velocity),
-      vector_panel("Acceleration relative to the floor", "Acceleration (m/s\u00b2)", history,
-                   &Sample::acceleration),
-      turn_panel(history),
-      wheel_panel("Swivel angles", "Swivel angle (deg)", facts, history, &WheelSample::swivel_angle,
-                  kRadiansPerDegree, false),
-      forces,
-      energy_panel(history, item.stored_energy_at_start)};
+  std::vector<Panel> panels{floor_panel(facts.floor, history, units.of("m/s2")),
+                            vector_panel("Displacement relative to the floor", "Displacement",
+                                         units.of("m"), history, &Sample::displacement),
+                            vector_panel("Velocity relative to the floor", "Velocity",
+                                         units.of("m/s"), history, &Sample::velocity),
+                            vector_panel("Acceleration relative to the floor", "Acceleration",
+                                         units.of("m/s2"), history, &Sample::acceleration),
+                            turn_panel(history, units.of("rad")),
+                            wheel_panel("Swivel angles", "Swivel angle", facts, history,
+                                        &WheelSample::swivel_angle, units.of("rad"), false),
+                            forces,
+                            energy_panel(history, item.stored_energy_at_start, units.of("J"))};
   std::erase_if(panels, [](const Panel& panel) { return panel.curves.empty(); });
-  if (pulled(history)) panels.push_back(pull_panel(history));
+  if (pulled(history)) panels.push_back(pull_panel(history, units.of("N")));
   return panels;
 }
 
@@ -177,16 +183,21 @@ void draw_panel(Svg& svg, const Frame& frame, const Panel& panel) {
     draw(svg, frame, panel);
 }
 
-std::vector<Panel> panels_of_items(const study::RunFacts& facts, const Response& response) {
-  return {item_panel("Horizontal distance from the start", "Distance (m)", facts, response,
-                     [](const Sample& s) { return s.displacement.head<2>().norm(); }),
-          item_panel("Tilt", "Angle (deg)", facts, response,
-                     [](const Sample& s) { return s.tilt / kRadiansPerDegree; })};
+std::vector<Panel> panels_of_items(const study::RunFacts& facts, const Response& response,
+                                   const study::UnitSystem& units) {
+  const study::ReportUnit length = units.of("m"), angle = units.of("rad");
+  return {item_panel(
+              "Horizontal distance from the start", with_unit("Distance", length), facts, response,
+              [&](const Sample& s) { return s.displacement.head<2>().norm() / length.in_si; }),
+          item_panel("Tilt", with_unit("Angle", angle), facts, response,
+                     [&](const Sample& s) { return s.tilt / angle.in_si; })};
 }
 
 }  // namespace
 
-std::string run_figure(const study::RunFacts& facts, const Response& response) {
+std::string run_figure(const study::RunFacts& facts, const Response& response,
+                       const study::UnitSystem& chosen) {
+  const study::UnitSystem units = chosen.or_else("m");
   const std::vector<Sample>& history = response.items[0].history;
   if (history.empty()) {
     Svg svg(kWidth, 120);
@@ -195,8 +206,8 @@ std::string run_figure(const study::RunFacts& facts, const Response& response) {
     return svg.str();
   }
   const std::vector<Panel> panels = response.items.size() == 1
-                                        ? panels_of_item(facts, response.items[0])
-                                        : panels_of_items(facts, response);
+                                        ? panels_of_item(facts, response.items[0], units)
+                                        : panels_of_items(facts, response, units);
   const int count = static_cast<int>(panels.size());
   if (response.items.size() == 1 && facts.scene.room.empty()) {
     // The plan takes the left half of two rows.

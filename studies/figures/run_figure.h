@@ -4,6 +4,7 @@
 
 #include "engine/response/response.h"
 #include "studies/study/results/run_facts.h"
+#include "studies/study/units/unit_system.h"
 
 namespace gurney::figures {
 
@@ -11,6 +12,7 @@ namespace gurney::figures {
 /// the floor acceleration, displacement, velocity, acceleration, yaw and tilt, swivel angles,
 /// normal forces and energy, and when it is pulled its pull as well; for several items the distance
 /// from the start and the tilt of each, in the colours of the plan. Without a history it says so.
-std::string run_figure(const study::RunFacts& facts, const Response& response);
+std::string run_figure(const study::RunFacts& facts, const Response& response,
+                       const study::UnitSystem& units = {});
 
 }  // namespace gurney::figures

@@ -110,14 +110,18 @@ std::optional<HalfCycle> driving_half_cycle(const FloorMotion& floor, const Vect
   return largest(floor, direction, from - kLookBack, to);
 }
 
-std::string sentence(const HalfCycle& of) {
+std::string sentence(const HalfCycle& of, const study::UnitSystem& units) {
+  const double peak = of.peak_acceleration;
+  const std::string up_to =
+      units.chosen() ? units.text(peak, "m/s2") + " ("
+                     : fmt::format("{:.3g} m/s2 ({:.2f} g, ", peak, peak / kStandardGravity);
   return fmt::format(
       "A half cycle of the floor's motion {} drove it, opposite to the motion of the item, from "
-      "{:.2f} s to {:.2f} s: {:.2f} s long, up to {:.3g} m/s2 ({:.2f} g, at {:.2f} s) and {:.3g} "
-      "m/s; it changed the floor's velocity by {:.3g} m/s.",
-      towards(std::atan2(of.direction.y(), of.direction.x())), of.start, of.end, of.end - of.start,
-      of.peak_acceleration, of.peak_acceleration / kStandardGravity, of.time_of_peak,
-      of.peak_velocity, of.velocity_change);
+      "{:.2f} s to {:.2f} s: {:.2f} s long, up to {}at {:.2f} s) and {}; it changed the floor's "
+      "velocity by {}.",
+      towards(std::atan2(of.direction.y(), of.direction.x()), units), of.start, of.end,
+      of.end - of.start, up_to, of.time_of_peak, units.text(of.peak_velocity, "m/s"),
+      units.text(of.velocity_change, "m/s"));
 }
 
 nlohmann::ordered_json half_cycle_json(const std::optional<HalfCycle>& of) {

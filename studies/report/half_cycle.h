@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/base/floor_motion.h"
+#include "studies/study/units/unit_system.h"
 
 namespace gurney::report {
 
@@ -30,6 +31,6 @@ std::optional<HalfCycle> driving_half_cycle(const FloorMotion& floor, const Vect
                                             double from, double to);
 
 /// The sentence on it, of an item that moved against its direction.
-std::string sentence(const HalfCycle& of);
+std::string sentence(const HalfCycle& of, const study::UnitSystem& units);
 
 }  // namespace gurney::report

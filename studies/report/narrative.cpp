@@ -10,38 +10,43 @@
 namespace gurney::report {
 namespace {
 
-std::string millimetres(double metres) {
+using study::UnitSystem;
+
+/// In millimetres where no units are stated.
+std::string length(double metres, const UnitSystem& units) {
+  if (units.chosen()) return units.text(metres, "m");
   const double value = 1000 * metres;
   return std::abs(value) < 10 ? fmt::format("{:.2f} mm", value) : fmt::format("{:.0f} mm", value);
 }
 
 constexpr double kNothing = 5e-6;  // half of the last digit shown [m]
 
-std::string motion(const Demands& d) {
+std::string motion(const Demands& d, const UnitSystem& units) {
   if (!(d.peak_displacement >= kNothing)) return "The item did not move. ";
   std::string text = fmt::format(
-      "The item moved at most {} from its start (at {:.2f} s), at up to {:.3g} m/s, on a path of "
-      "{:.3g} m. ",
-      millimetres(d.peak_displacement), d.time_of_peak_displacement, d.peak_velocity,
-      d.path_length);
-  const double yaw = d.peak_yaw / kRadiansPerDegree;
-  if (yaw >= 0.05) text += fmt::format("It turned by up to {:.1f} deg. ", yaw);
+      "The item moved at most {} from its start (at {:.2f} s), at up to {}, on a path of {}. ",
+      length(d.peak_displacement, units), d.time_of_peak_displacement,
+      units.text(d.peak_velocity, "m/s"), units.text(d.path_length, "m"));
+  if (d.peak_yaw / kRadiansPerDegree >= 0.05)
+    text += fmt::format("It turned by up to {}. ", units.fixed(d.peak_yaw, "rad", 1));
   return text;
 }
 
-std::string lifting(const Demands& d) {
+std::string lifting(const Demands& d, const UnitSystem& units) {
   if (d.wheels.empty())
-    return fmt::format("It tilted by up to {:.2g} deg. ", d.peak_tilt / kRadiansPerDegree);
+    return fmt::format("It tilted by up to {}. ",
+                       units.chosen() ? units.text(d.peak_tilt, "rad")
+                                      : fmt::format("{:.2g} deg", d.peak_tilt / kRadiansPerDegree));
   if (d.most_wheels_lifted == 0) return "Every wheel stayed on the floor. ";
   return fmt::format("Wheels left the floor for {:.3g} s in all, {} at once at most. ",
                      d.lifted_time, d.most_wheels_lifted);
 }
 
-std::string ending(const Response& response) {
+std::string ending(const Response& response, const UnitSystem& units) {
   const Demands& d = response.items[0].demands;
   const std::string place =
-      fmt::format("{} from its start, turned by {:.1f} deg", millimetres(d.residual_displacement),
-                  d.residual_yaw / kRadiansPerDegree);
+      fmt::format("{} from its start, turned by {}", length(d.residual_displacement, units),
+                  units.fixed(d.residual_yaw, "rad", 1));
   switch (response.outcome) {
     case Outcome::kRested:
       return fmt::format("It was at rest at {:.2f} s, {}.", response.end_time, place);
@@ -88,7 +93,8 @@ std::string common_ending(const Response& response) {
 }
 
 /// One line for each item that moved; the others in one.
-std::string motions(const Response& response, const std::vector<std::string>& names) {
+std::string motions(const Response& response, const std::vector<std::string>& names,
+                    const UnitSystem& units) {
   std::string text, still;
   for (std::size_t i = 0; i < response.items.size(); ++i) {
     const Demands& d = response.items[i].demands;
@@ -96,11 +102,10 @@ std::string motions(const Response& response, const std::vector<std::string>& na
       still += (still.empty() ? "" : ", ") + names.at(i);
       continue;
     }
-    text += fmt::format(
-        "  {} moved at most {} (at {:.2f} s), ended {} from its start, turned by "
-        "{:.1f} deg",
-        names.at(i), millimetres(d.peak_displacement), d.time_of_peak_displacement,
-        millimetres(d.residual_displacement), d.residual_yaw / kRadiansPerDegree);
+    text +=
+        fmt::format("  {} moved at most {} (at {:.2f} s), ended {} from its start, turned by {}",
+                    names.at(i), length(d.peak_displacement, units), d.time_of_peak_displacement,
+                    length(d.residual_displacement, units), units.fixed(d.residual_yaw, "rad", 1));
     if (d.most_wheels_lifted > 0)
       text += fmt::format("; {} of {} wheels off the floor at once, {:.3g} s in all",
                           d.most_wheels_lifted, d.wheels.size(), d.lifted_time);
@@ -112,7 +117,8 @@ std::string motions(const Response& response, const std::vector<std::string>& na
 
 }  // namespace
 
-std::string narrative(const study::RunFacts& facts, const Response& response) {
+std::string narrative(const study::RunFacts& facts, const Response& response,
+                      const UnitSystem& units) {
   if (is_failure(response.outcome))
     return fmt::format(
         "The run {} at {:.4g} s: {}. Its results must not be used.",
@@ -120,12 +126,14 @@ std::string narrative(const study::RunFacts& facts, const Response& response) {
         response.end_time, response.cause);
   const std::vector<std::string> names = study::item_names(facts.scene);
   const Demands& first = response.items[0].demands;
-  std::string text = response.items.size() == 1
-                         ? motion(first) + lifting(first) + ending(response) + "\n"
-                         : common_ending(response) + "\n" + motions(response, names);
-  text += narrative_of_falls(facts, response) + narrative_of_impacts(response, names) +
-          narrative_of_zones(facts, response) + narrative_of_tethers(facts, response) +
-          narrative_of_trust(response, names);
+  std::string text =
+      response.items.size() == 1
+          ? motion(first, units) + lifting(first, units) + ending(response, units) + "\n"
+          : common_ending(response) + "\n" + motions(response, names, units);
+  text += narrative_of_falls(facts, response, units) +
+          narrative_of_impacts(response, names, units) +
+          narrative_of_zones(facts, response, units) +
+          narrative_of_tethers(facts, response, units) + narrative_of_trust(response, names);
   text.pop_back();
   return text;
 }

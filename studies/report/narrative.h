@@ -4,6 +4,7 @@
 
 #include "engine/response/response.h"
 #include "studies/study/results/run_facts.h"
+#include "studies/study/units/unit_system.h"
 
 namespace gurney::report {
 
@@ -11,13 +12,18 @@ namespace gurney::report {
 /// first), what fell and why, which zones are blocked, which tethers got taut or broke, and how far
 /// the numbers can be trusted: predictability, and the change with half the time step. A line that
 /// starts with blanks belongs to the heading before it.
-std::string narrative(const study::RunFacts& facts, const Response& response);
+std::string narrative(const study::RunFacts& facts, const Response& response,
+                      const study::UnitSystem& units = {});
 
 /// Parts of it; empty where there is nothing to report. Each line ends in a line break.
 std::string narrative_of_trust(const Response& response, const std::vector<std::string>& items);
-std::string narrative_of_impacts(const Response& response, const std::vector<std::string>& items);
-std::string narrative_of_falls(const study::RunFacts& facts, const Response& response);
-std::string narrative_of_zones(const study::RunFacts& facts, const Response& response);
-std::string narrative_of_tethers(const study::RunFacts& facts, const Response& response);
+std::string narrative_of_impacts(const Response& response, const std::vector<std::string>& items,
+                                 const study::UnitSystem& units);
+std::string narrative_of_falls(const study::RunFacts& facts, const Response& response,
+                               const study::UnitSystem& units);
+std::string narrative_of_zones(const study::RunFacts& facts, const Response& response,
+                               const study::UnitSystem& units);
+std::string narrative_of_tethers(const study::RunFacts& facts, const Response& response,
+                                 const study::UnitSystem& units);
 
 }  // namespace gurney::report

@@ -12,6 +12,8 @@
 namespace gurney::report {
 namespace {
 
+using study::UnitSystem;
+
 /// All impacts of an item with one other thing.
 struct Hits {
   std::string item, other;
@@ -51,7 +53,7 @@ std::string bodies(const Impact& impact) {
                                    : fmt::format("{} on {}, ", impact.body, impact.other_body);
 }
 
-std::string sentence(const Hits& hits) {
+std::string sentence(const Hits& hits, const UnitSystem& units) {
   const Impact& worst = *hits.fastest;
   const std::string other = hits.other == "floor" ? "the floor" : hits.other;
   const std::string when = hits.count == 1
@@ -59,10 +61,10 @@ std::string sentence(const Hits& hits) {
                                : fmt::format(" {} times from {:.2f} s to {:.2f} s, fastest",
                                              hits.count, hits.first->time, hits.last);
   const std::string force =
-      std::isnan(worst.peak_force) ? "" : fmt::format(", peak force {:.3g} N", worst.peak_force);
-  return fmt::format("  {} hit {}{} at {:.2f} s with {:.3g} m/s ({}impulse {:.3g} N s{})\n",
-                     hits.item, other, when, worst.time, worst.approach_speed, bodies(worst),
-                     worst.impulse, force);
+      std::isnan(worst.peak_force) ? "" : ", peak force " + units.text(worst.peak_force, "N");
+  return fmt::format("  {} hit {}{} at {:.2f} s with {} ({}impulse {}{})\n", hits.item, other, when,
+                     worst.time, units.text(worst.approach_speed, "m/s"), bodies(worst),
+                     units.text(worst.impulse, "N s"), force);
 }
 
 std::string liftoff_text(const std::vector<Fall::Liftoff>& liftoffs) {
@@ -92,32 +94,36 @@ std::vector<std::string> items_in(const Zone& zone, const study::RunFacts& facts
 
 }  // namespace
 
-std::string narrative_of_impacts(const Response& response, const std::vector<std::string>& items) {
+std::string narrative_of_impacts(const Response& response, const std::vector<std::string>& items,
+                                 const UnitSystem& units) {
   constexpr std::size_t kMax = 12;
   if (response.impacts.empty()) return {};
   const std::vector<Hits> hits = hits_of(response.impacts, items);
   std::string text = fmt::format("Impacts: {}, fastest first:\n", response.impacts.size());
-  for (std::size_t i = 0; i < std::min(kMax, hits.size()); ++i) text += sentence(hits[i]);
+  for (std::size_t i = 0; i < std::min(kMax, hits.size()); ++i) text += sentence(hits[i], units);
   if (hits.size() > kMax)
-    text += fmt::format("  and {} more pairs, with {:.3g} m/s at most\n", hits.size() - kMax,
-                        hits[kMax].fastest->approach_speed);
+    text += fmt::format("  and {} more pairs, with {} at most\n", hits.size() - kMax,
+                        units.text(hits[kMax].fastest->approach_speed, "m/s"));
   return text;
 }
 
-std::string narrative_of_falls(const study::RunFacts& facts, const Response& response) {
+std::string narrative_of_falls(const study::RunFacts& facts, const Response& response,
+                               const UnitSystem& units) {
   const std::vector<std::string> names = study::item_names(facts.scene);
   std::string text;
   for (const Fall& fall : falls(facts, response)) {
     text += fmt::format("{} OVERTURNED at {:.2f} s", names.at(fall.item), fall.time);
-    if (std::isfinite(fall.direction)) text += ", falling " + towards(fall.direction);
+    if (std::isfinite(fall.direction)) text += ", falling " + towards(fall.direction, units);
     text += "." + liftoff_text(fall.liftoffs);
-    if (fall.half_cycle) text += " " + sentence(*fall.half_cycle);
+    if (fall.half_cycle) text += " " + sentence(*fall.half_cycle, units);
     text += "\n";
   }
   return text;
 }
 
-std::string narrative_of_zones(const study::RunFacts& facts, const Response& response) {
+std::string narrative_of_zones(const study::RunFacts& facts, const Response& response,
+                               const UnitSystem& units) {
+  const auto width = [&](double metres) { return units.fixed(metres, "m", 2); };
   std::string text;
   for (std::size_t i = 0; i < response.zones.size(); ++i) {
     const ZoneOutcome& outcome = response.zones[i];
@@ -129,14 +135,15 @@ std::string narrative_of_zones(const study::RunFacts& facts, const Response& res
           " is {} at the end{}: ", outcome.free_width_at_end > 0 ? "NARROWED" : "BLOCKED",
           by.empty() ? "" : " by " + by);
       text += outcome.free_width_at_end > 0
-                  ? fmt::format("a free width of {:.2f} m is left of {:.2f} m",
-                                outcome.free_width_at_end, zone.width)
-                  : fmt::format("no free width is left of {:.2f} m", zone.width);
+                  ? fmt::format("a free width of {} is left of {}",
+                                width(outcome.free_width_at_end), width(zone.width))
+                  : fmt::format("no free width is left of {}", width(zone.width));
     } else if (outcome.time_of_entry >= 0) {
       text += fmt::format(
           " is free at the end; it was not for {:.3g} s from {:.2f} s, when a free width "
-          "of {:.2f} m was left of {:.2f} m",
-          outcome.occupied_time, outcome.time_of_entry, outcome.least_free_width, zone.width);
+          "of {} was left of {}",
+          outcome.occupied_time, outcome.time_of_entry, width(outcome.least_free_width),
+          width(zone.width));
     } else {
       text += " stayed free";
     }
@@ -145,7 +152,8 @@ std::string narrative_of_zones(const study::RunFacts& facts, const Response& res
   return text;
 }
 
-std::string narrative_of_tethers(const study::RunFacts& facts, const Response& response) {
+std::string narrative_of_tethers(const study::RunFacts& facts, const Response& response,
+                                 const UnitSystem& units) {
   const std::vector<std::string> names = study::item_names(facts.scene);
   std::string text;
   for (std::size_t i = 0; i < response.tethers.size(); ++i) {
@@ -158,7 +166,7 @@ std::string narrative_of_tethers(const study::RunFacts& facts, const Response& r
       text += fmt::format("got taut at {:.2f} s and ", outcome.time_taut);
       text +=
           outcome.time_broken < 0 ? "held" : fmt::format("BROKE at {:.2f} s", outcome.time_broken);
-      text += fmt::format(" (largest tension {:.3g} N)", outcome.peak_tension);
+      text += fmt::format(" (largest tension {})", units.text(outcome.peak_tension, "N"));
     }
     text += ".\n";
   }

@@ -7,7 +7,6 @@
 #include <set>
 #include <sstream>
 
-#include "engine/base/units.h"
 #include "studies/report/narrative.h"
 #include "studies/report/wrapped.h"
 #include "studies/study/results/columns.h"
@@ -20,13 +19,11 @@ namespace {
 const std::set<std::string> kDemandsOfWheels = {"peak_normal_force", "lifted_time",
                                                 "most_wheels_lifted"};
 
-/// For reading: four digits, angles in degrees.
-std::string shown(double value, std::string& units, bool whole) {
-  if (units == "rad") {
-    units = "deg";
-    value /= kRadiansPerDegree;
-  }
-  if (units == "1") units.clear();
+using study::UnitSystem;
+
+/// For reading: four digits.
+std::string shown(double value, const study::ReportUnit& unit, bool whole) {
+  value /= unit.in_si;
   if (whole) return fmt::format("{:.0f}", value);
   if (value == 0) return "0";
   const double size = std::abs(value);
@@ -41,6 +38,8 @@ std::string words_of(std::string name) {
   return name;
 }
 
+std::string name_of(const study::ReportUnit& unit) { return unit.name == "1" ? "" : unit.name; }
+
 std::string number_line(const std::string& name, const std::string& value,
                         const std::string& units) {
   return fmt::format("  {:<32}{:>12}{}\n", words_of(name), value, units.empty() ? "" : " " + units);
@@ -48,14 +47,13 @@ std::string number_line(const std::string& name, const std::string& value,
 
 template <class Row>
 std::string list(std::span<const study::TableColumn<Row>> columns, const Row& row,
-                 const std::set<std::string>& without = {}) {
+                 const UnitSystem& units, const std::set<std::string>& without = {}) {
   std::string result;
   for (const study::TableColumn<Row>& column : columns) {
     const double value = column.value(row);
     if (without.count(column.name) > 0 || column.is_missing(value)) continue;
-    std::string units = column.units;
-    const std::string text = shown(value, units, column.whole());
-    result += number_line(column.name, text, units);
+    const study::ReportUnit unit = units.of(column.units);
+    result += number_line(column.name, shown(value, unit, column.whole()), name_of(unit));
   }
   return result;
 }
@@ -63,26 +61,24 @@ std::string list(std::span<const study::TableColumn<Row>> columns, const Row& ro
 /// A column for each quantity, a row for each wheel or point.
 template <class Row>
 std::string table(const std::string& heading, std::span<const study::TableColumn<Row>> columns,
-                  const std::vector<std::string>& names, const std::vector<Row>& rows) {
+                  const std::vector<std::string>& names, const std::vector<Row>& rows,
+                  const UnitSystem& units) {
   std::size_t width = 18;
   for (const std::string& name : names) width = std::max(width, name.size());
   std::string titles = fmt::format("\n  {:<{}}", heading, width);
   std::string units_line = fmt::format("  {:<{}}", "", width);
   for (const study::TableColumn<Row>& column : columns) {
-    std::string units = column.units;
-    shown(0, units, false);
     const std::string words = words_of(column.name);
     titles += "  " + words;
-    units_line += fmt::format("  {:>{}}", units, words.size());
+    units_line += fmt::format("  {:>{}}", name_of(units.of(column.units)), words.size());
   }
   std::string result = titles + "\n" + units_line + "\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     result += fmt::format("  {:<{}}", names.at(i), width);
     for (const study::TableColumn<Row>& column : columns) {
-      std::string units = column.units;
       const double value = column.value(rows[i]);
       const std::string text =
-          column.is_missing(value) ? "none" : shown(value, units, column.whole());
+          column.is_missing(value) ? "none" : shown(value, units.of(column.units), column.whole());
       result += fmt::format("  {:>{}}", text, words_of(column.name).size());
     }
     result += "\n";
@@ -97,16 +93,18 @@ double mass_of(const EquipmentModel& item) {
   return mass;
 }
 
-std::string item_line(const std::string& name, const EquipmentModel& model) {
+std::string item_line(const std::string& name, const EquipmentModel& model,
+                      const UnitSystem& units) {
   const std::string kind = name == model.name ? "" : model.name + ", ";
-  return fmt::format("  item     {}: {}{:.1f} kg {}\n", name, kind, mass_of(model),
+  return fmt::format("  item     {}: {}{} {}\n", name, kind, units.fixed(mass_of(model), "kg", 1),
                      model.casters.empty() ? "without casters"
                                            : fmt::format("on {} casters", model.casters.size()));
 }
 
 /// The narrative, its lines broken; what belongs to a heading stays indented.
-std::string narrative_text(const study::RunFacts& facts, const Response& response) {
-  std::istringstream lines(narrative(facts, response));
+std::string narrative_text(const study::RunFacts& facts, const Response& response,
+                           const UnitSystem& units) {
+  std::istringstream lines(narrative(facts, response, units));
   std::string text = "\n";
   for (std::string line; std::getline(lines, line);) {
     const std::size_t indent = line.find_first_not_of(' ');
@@ -116,45 +114,48 @@ std::string narrative_text(const study::RunFacts& facts, const Response& respons
 }
 
 /// Every number of a single item.
-std::string demands_text(const EquipmentModel& model, const Demands& demands) {
+std::string demands_text(const EquipmentModel& model, const Demands& demands,
+                         const UnitSystem& units) {
   std::string text = fmt::format("  {:<32}{:>12}\n", "demand", "value");
   const bool rolls = !model.casters.empty();
-  text +=
-      list(study::demand_columns(), demands, rolls ? std::set<std::string>{} : kDemandsOfWheels);
+  text += list(study::demand_columns(), demands, units,
+               rolls ? std::set<std::string>{} : kDemandsOfWheels);
   // When wheels lifted before a fall, and numerical accelerations, are reported in words.
   if (rolls)
     text += table("wheel", study::wheel_demand_columns().first(5), study::caster_names(model),
-                  demands.wheels);
+                  demands.wheels, units);
   if (!demands.points.empty())
     text += table("point", study::point_demand_columns().first(3), study::point_names(model),
-                  demands.points);
+                  demands.points, units);
   return text;
 }
 
 /// One row for each of several items.
 std::string items_text(const std::vector<std::string>& names,
-                       const std::vector<ItemResponse>& items) {
+                       const std::vector<ItemResponse>& items, const UnitSystem& units) {
+  const UnitSystem lengths = units.or_else("g-mm");
+  const std::string length = lengths.of("m").name, angle = units.of("rad").name;
   constexpr const char* kRow = "  {:<{}}{:>9}{:>9}{:>8}{:>8}{:>9}{:>8}{:>10}{:>12}\n";
   std::size_t width = 24;
   for (const std::string& name : names) width = std::max(width, name.size());
   std::string text = fmt::format(kRow, "item", width, "moved", "at end", "turned", "tilt", "lifted",
                                  "impacts", "fastest", "overturned");
-  text += fmt::format(kRow, "", width, "mm", "mm", "deg", "deg", "s", "", "m/s", "s");
+  text += fmt::format(kRow, "", width, length, length, angle, angle, "s", "", units.of("m/s").name,
+                      "s");
   for (std::size_t i = 0; i < items.size(); ++i) {
     const Demands& d = items[i].demands;
-    const auto number = [](double value) { return fmt::format("{:.1f}", value); };
-    text +=
-        fmt::format(kRow, names.at(i), width, number(1000 * d.peak_displacement),
-                    number(1000 * d.residual_displacement), number(d.peak_yaw / kRadiansPerDegree),
-                    number(d.peak_tilt / kRadiansPerDegree), fmt::format("{:.2f}", d.lifted_time),
-                    d.impacts, d.impacts > 0 ? fmt::format("{:.2f}", d.largest_approach_speed) : "",
-                    d.time_of_overturning >= 0 ? fmt::format("{:.2f}", d.time_of_overturning) : "");
+    text += fmt::format(
+        kRow, names.at(i), width, lengths.number(d.peak_displacement, "m", 4),
+        lengths.number(d.residual_displacement, "m", 4), units.number(d.peak_yaw, "rad", 1),
+        units.number(d.peak_tilt, "rad", 1), fmt::format("{:.2f}", d.lifted_time), d.impacts,
+        d.impacts > 0 ? units.number(d.largest_approach_speed, "m/s", 2) : "",
+        d.time_of_overturning >= 0 ? fmt::format("{:.2f}", d.time_of_overturning) : "");
   }
   return text + "\n  Wheels, points and impacts one by one: --json, or the results file.\n";
 }
 
 /// Accelerations that are none.
-std::string numerical_text(const std::vector<ItemResponse>& items) {
+std::string numerical_text(const std::vector<ItemResponse>& items, const UnitSystem& units) {
   double largest = 0;
   for (const ItemResponse& item : items)
     for (const PointDemands& point : item.demands.points)
@@ -162,12 +163,12 @@ std::string numerical_text(const std::vector<ItemResponse>& items) {
   if (!(largest > 0)) return "";
   const std::string text = fmt::format(
       "note: accelerations of points leave out impacts that state a restitution and no stiffness; "
-      "the numerical ones there reach {:.3g} m/s2.",
-      largest);
+      "the numerical ones there reach {}.",
+      units.chosen() ? units.text(largest, "m/s2") : fmt::format("{:.3g} m/s2", largest));
   return fmt::format("\n{}\n", wrapped(text, 6, 0));
 }
 
-std::string record_text(const study::RunFacts& facts) {
+std::string record_text(const study::RunFacts& facts, const UnitSystem& units) {
   if (!facts.record) return "  floor    at rest\n";
   const study::RecordFacts& r = *facts.record;
   std::string text = fmt::format("  floor    {}: {:.2f} s, sampled every {:g} s\n", r.name,
@@ -178,15 +179,17 @@ std::string record_text(const study::RunFacts& facts) {
     text += fmt::format("           {}\n", wrapped(step, 13, 11));
   text += "\n";
   text += fmt::format("  {:<32}{:>12}{:>12}{:>12}\n", "floor motion", "x", "y", "z");
-  // Rounded first: what is shown as zero has no sign.
-  const auto number = [](double value) {
-    return fmt::format("{:.4f}", std::round(1e4 * value) == 0 ? 0.0 : value);
-  };
-  const auto row = [&](const char* name, const char* units, const Vector3& value) {
+  const auto row = [&](const char* name, const char* si, const Vector3& value) {
+    const auto number = [&](double component) {
+      std::string shown = units.number(component, si, 4);
+      // What is shown as zero has no sign.
+      const bool nothing = shown.find_first_not_of("-0.") == std::string::npos;
+      return nothing && shown.front() == '-' ? shown.substr(1) : shown;
+    };
     text += fmt::format("  {:<32}{:>12}{:>12}{:>12} {}\n", name, number(value.x()),
-                        number(value.y()), number(value.z()), units);
+                        number(value.y()), number(value.z()), units.of(si).name);
   };
-  row("PGA", "g", r.pga / kStandardGravity);
+  row("PGA", "m/s2", r.pga);
   row("PGV", "m/s", r.pgv);
   row("PGD", "m", r.pgd);
   row("residual velocity", "m/s", r.residual_velocity);
@@ -238,17 +241,20 @@ std::string notes(const study::RunFacts& facts) {
 
 }  // namespace
 
-std::string summary(const study::RunFacts& facts, const Response& response) {
+std::string summary(const study::RunFacts& facts, const Response& response,
+                    const UnitSystem& units) {
+  const UnitSystem of_tables = units.or_else("m");
   const std::vector<std::string> names = study::item_names(facts.scene);
   std::string text = (facts.title.empty() ? facts.job_name : facts.title) + "\n\n";
   for (std::size_t i = 0; i < names.size(); ++i)
-    text += item_line(names[i], facts.scene.items[i].model);
-  text += record_text(facts) + narrative_text(facts, response);
-  text += names.size() == 1 ? demands_text(facts.scene.items[0].model, response.items[0].demands)
-                            : items_text(names, response.items);
-  text += numerical_text(response.items);
+    text += item_line(names[i], facts.scene.items[i].model, units);
+  text += record_text(facts, units) + narrative_text(facts, response, units);
+  text += names.size() == 1
+              ? demands_text(facts.scene.items[0].model, response.items[0].demands, of_tables)
+              : items_text(names, response.items, units);
+  text += numerical_text(response.items, units);
   text += fmt::format("\n  {:<32}{:>12}\n", "quality", "value");
-  text += list(study::quality_columns(), response.quality);
+  text += list(study::quality_columns(), response.quality, of_tables);
   return text + notes(facts);
 }
 

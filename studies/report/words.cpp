@@ -15,13 +15,16 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-std::string towards(double direction) {
+std::string towards(double direction, const study::UnitSystem& units) {
   constexpr const char* kNames[] = {"towards +x",        "between +x and +y", "towards +y",
                                     "between -x and +y", "towards -x",        "between -x and -y",
                                     "towards -y",        "between +x and -y"};
   const long octant = std::lround(direction / (45 * kRadiansPerDegree));
-  return fmt::format("{} ({:.0f} deg from the x axis)", kNames[((octant % 8) + 8) % 8],
-                     std::round(direction / kRadiansPerDegree) + 0.0);
+  const std::string angle =
+      units.of("rad").name == "deg"
+          ? fmt::format("{:.0f} deg", std::round(direction / kRadiansPerDegree) + 0.0)
+          : units.fixed(direction, "rad", 0);
+  return fmt::format("{} ({} from the x axis)", kNames[((octant % 8) + 8) % 8], angle);
 }
 
 }  // namespace gurney::report

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "studies/study/units/unit_system.h"
+
 namespace gurney::report {
 
 /// "a, b and c"
@@ -10,6 +12,6 @@ std::string listed(const std::vector<std::string>& names);
 
 /// "towards +x" or "between +x and +y", by the nearest of eight directions, with the angle.
 /// @param direction  from the floor's x axis [rad]
-std::string towards(double direction);
+std::string towards(double direction, const study::UnitSystem& units);
 
 }  // namespace gurney::report

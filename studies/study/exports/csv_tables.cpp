@@ -59,12 +59,12 @@ int order_of(const Table& table, const Hdf5Dataset& each) {
   return each.type == "string" ? 2 : 3;
 }
 
-std::vector<std::string> cells_of(const Hdf5Reader& file, const Hdf5Dataset& dataset) {
+std::vector<std::string> cells_of(const Hdf5Reader& file, const Hdf5Dataset& dataset, double unit) {
   std::vector<std::string> cells;
   if (dataset.type == "string")
     for (const std::string& text : file.strings(dataset.path)) cells.push_back(csv_cell(text));
   else
-    for (const double value : file.numbers(dataset.path)) cells.push_back(csv_cell(value));
+    for (const double value : file.numbers(dataset.path)) cells.push_back(csv_cell(value / unit));
   return cells;
 }
 
@@ -85,7 +85,8 @@ struct CsvColumn {
 };
 
 void add_columns(const Hdf5Reader& file, const Table& table, const Hdf5Dataset& dataset,
-                 std::vector<CsvColumn>& columns) {
+                 const UnitSystem& units, std::vector<CsvColumn>& columns) {
+  const ReportUnit unit = units.of(dataset.units);
   std::vector<std::string> names{name_of(dataset.path)};
   for (std::size_t i = 1; i < dataset.scales.size(); ++i) {
     std::vector<std::string> longer;
@@ -94,13 +95,13 @@ void add_columns(const Hdf5Reader& file, const Table& table, const Hdf5Dataset& 
         longer.push_back(name + "." + place);
     names = longer;
   }
-  std::vector<std::string> cells = cells_of(file, dataset);
+  std::vector<std::string> cells = cells_of(file, dataset, unit.in_si);
   if (names.size() == 1) {
-    columns.push_back({names[0], dataset.units, std::move(cells)});
+    columns.push_back({names[0], unit.name, std::move(cells)});
     return;
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
-    columns.push_back({names[i], dataset.units, {}});
+    columns.push_back({names[i], unit.name, {}});
     for (std::size_t at = i; at < cells.size(); at += names.size())
       columns.back().cells.push_back(cells[at]);
   }
@@ -135,14 +136,16 @@ std::string csv_of(const std::vector<CsvColumn>& columns) {
 
 }  // namespace
 
-void export_tables(const std::string& path, const TakeFile& take) {
+void export_tables(const std::string& path, const TakeFile& take, const UnitSystem& chosen) {
+  const UnitSystem units = chosen.or_else("si");
   const Hdf5Reader file(path);
   const std::vector<Table> tables = tables_of(file, path);
   for (Table table : tables) {
     std::ranges::stable_sort(table.datasets, {},
                              [&](const auto& each) { return order_of(table, each); });
     std::vector<CsvColumn> columns;
-    for (const Hdf5Dataset& dataset : table.datasets) add_columns(file, table, dataset, columns);
+    for (const Hdf5Dataset& dataset : table.datasets)
+      add_columns(file, table, dataset, units, columns);
     if (table.group == "drawn") add_units_of_drawn(file, columns);
     const bool alone =
         std::ranges::count(tables, table.group, [](const Table& t) { return t.group; }) == 1;
