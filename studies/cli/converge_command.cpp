@@ -7,6 +7,7 @@
 
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
+#include "studies/cli/units_option.h"
 #include "studies/figures/convergence_figure.h"
 #include "studies/report/convergence_report.h"
 
@@ -16,6 +17,7 @@ namespace {
 struct ConvergeOptions {
   std::string job;
   FigureFile figure;
+  study::UnitSystem units;
   std::size_t runs = 20;
   double tolerance_percent = 2;
   int threads = 0;
@@ -30,8 +32,8 @@ int converge_command(const ConvergeOptions& options) {
   const study::Convergence found =
       study::converge(study::convergence_cases(options.job, options.runs, threads),
                       0.01 * options.tolerance_percent, threads);
-  fmt::print("{}",
-             options.json ? report::convergence_json(found) : report::convergence_text(found));
+  fmt::print("{}", options.json ? report::convergence_json(found, options.units)
+                                : report::convergence_text(found, options.units));
   if (!options.figure.empty())
     options.figure.write(figures::convergence_figure(found), options.overwrite, options.json);
   return found.failed.empty() ? 0 : 3;
@@ -55,7 +57,8 @@ void add_converge(CLI::App& app, std::function<int()>& action) {
       ->check(CLI::Range(1, 4096));
   add_figure_option(*command, options.figure, "Draw the changes with the time step");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
-  command->add_flag("--json", options.json, "Print JSON, in SI units");
+  add_units_option(*command, options.units)->description("Units of the numbers (default: SI)");
+  command->add_flag("--json", options.json, "Print JSON, in SI units or those of --units");
   command->callback([shared, &action] { action = [shared] { return converge_command(*shared); }; });
 }
 

@@ -28,22 +28,24 @@ const char* key_of(study::Varied varied) {
   return "tread_stiffness";
 }
 
-std::string row(const study::ConvergedNumber& number, double tolerance) {
+std::string row(const study::ConvergedNumber& number, double tolerance,
+                const study::UnitSystem& units) {
   std::string verdict = name_of(number.step);
   if (number.step == study::StepVerdict::kConverging)
     verdict = fmt::format("{} ({:.2g} s)", verdict, number.step_needed);
   if (number.solver_change > tolerance) verdict += "; solver tolerance too loose";
-  const std::string units = number.units == "1" ? "" : " " + number.units;
+  const study::ReportUnit unit = units.of(number.units);
+  const std::string name = unit.name == "1" ? "" : " " + unit.name;
   return fmt::format(
       "{:<28} {:>4} {:>16} {:>9} {:>6} {:>9} {:>9}  {}\n", number.name, number.runs,
-      fmt::format("{:.5g}{}", number.values.front(), units), percent(number.change),
+      fmt::format("{:.5g}{}", number.values.front() / unit.in_si, name), percent(number.change),
       number.change > 0 && std::isfinite(number.order) ? fmt::format("{:.1f}", number.order) : "-",
       percent(number.solver_change), percent(number.stiffness_change), verdict);
 }
 
 }  // namespace
 
-std::string convergence_text(const study::Convergence& found) {
+std::string convergence_text(const study::Convergence& found, const study::UnitSystem& units) {
   std::string text = fmt::format(
       "runs        {} of {}\ntime step   {:g} s, compared with {:g} s\nsolver      residual {:g}\n"
       "tolerance   {:g} %\n",
@@ -58,12 +60,12 @@ std::string convergence_text(const study::Convergence& found) {
                           found.runs == 1 || number.item.empty() ? "value" : "median", "step",
                           "order", "solver", "tread", "verdict on the time step");
     item = &number.item;
-    text += row(number, found.tolerance);
+    text += row(number, found.tolerance, units.or_else("si"));
   }
   return text;
 }
 
-std::string convergence_json(const study::Convergence& found) {
+std::string convergence_json(const study::Convergence& found, const study::UnitSystem& units) {
   Json json{{"runs", found.runs},
             {"of_runs", found.of_runs},
             {"time_step_s", found.settings.time_step},
@@ -74,19 +76,23 @@ std::string convergence_json(const study::Convergence& found) {
   for (const study::Variant& each : found.variants)
     json["variants"].push_back({{"varied", key_of(each.varied)}, {"factor", each.factor}});
   json["numbers"] = Json::array();
-  for (const study::ConvergedNumber& each : found.numbers)
+  for (const study::ConvergedNumber& each : found.numbers) {
+    const study::ReportUnit unit = units.or_else("si").of(each.units);
+    std::vector<double> values = each.values;
+    for (double& value : values) value /= unit.in_si;
     json["numbers"].push_back({{"item", each.item},
                                {"name", each.name},
-                               {"units", each.units},
+                               {"units", unit.name},
                                {"runs", each.runs},
-                               {"values", each.values},
-                               {"scatter", each.scatter},
+                               {"values", values},
+                               {"scatter", each.scatter / unit.in_si},
                                {"change", each.change},
                                {"order", json_number(each.order)},
                                {"verdict", name_of(each.step)},
                                {"time_step_needed_s", each.step_needed},
                                {"solver_change", each.solver_change},
                                {"tread_stiffness_change", each.stiffness_change}});
+  }
   return json.dump(2) + '\n';
 }
 

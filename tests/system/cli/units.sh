@@ -47,7 +47,8 @@ expect 0 "study.h5" "$gurney" run study.toml -o study.h5
 # Refused: an unknown name, and units where a format or the keys state them.
 for command in "fragility study.h5" "show study.h5" "plot study.h5 stripes -o x.svg" \
   "compare study.h5" "sensitivity study.h5" "measures study.h5" "report study.h5 -o x.html" \
-  "explain study.h5 --run 0" "replay study.h5 0" "run run.toml" "export study.h5 --to csv"; do
+  "explain study.h5 --run 0" "replay study.h5 0" "run run.toml" "export study.h5 --to csv" \
+  "converge run.toml"; do
   # shellcheck disable=SC2086
   expect 2 "no units 'g-cn'; there are si, m, cm, g-m, g-cm, g-mm, g-in; did you mean 'g-cm'?" \
     "$gurney" $command --units g-cn
@@ -87,7 +88,7 @@ IN_SI = {"m": 1, "m/s": 1, "m/s2": 1, "rad": 1, "N": 1, "N s": 1, "cm": .01, "cm
 OF_IM = {"theta", "theta_interval", "median_between", "lowest_im", "highest_im", "im", "above",
          "at_most"}
 OF_DEMAND = {"a", "b", "difference", "interval", "mean", "standard_deviation", "mean_below",
-             "mean_above", "mean_below_error", "mean_above_error", "floor"}
+             "mean_above", "mean_below_error", "mean_above_error", "floor", "values", "scatter"}
 seen = set()
 
 
@@ -134,7 +135,7 @@ def check_cloud(si, other, factor):
 
 
 def near(wanted, got, path):
-    # one division here and one there, each rounded
+    # two divisions here and one there, each rounded
     assert abs(wanted - got) <= 4 * sys.float_info.epsilon * max(1, abs(wanted)), (path, wanted, got)
 
 
@@ -174,6 +175,13 @@ if si["plane"]:
          for f, a, v in ((si, 2, .3), (cm, 200, 30))]
     assert abs(z[0] - z[1]) < 1e-12 * (1 + abs(z[0])), z
 PY
+
+for units in "" si g-in; do
+  "$gurney" converge run.toml --json ${units:+--units $units} > "converge$units.json" 2> stderr ||
+    complain "converge $units"
+done
+same converge.json convergesi.json
+check scaled.py converge.json convergeg-in.json values
 
 expect 0 "98.0665 cm/s2" "$gurney" show study.h5 --units cm
 expect 0 "0, 0.523599 rad" "$gurney" show study.h5 --units si
