@@ -39,7 +39,8 @@ constexpr std::array kCommands = {
         "gurney report ventilator.h5 --limit-state \"peak_displacement > 0.2 m\" -o far.html"},
     CommandHelp{"play", "Write a page that plays a run back in three dimensions",
                 "gurney play shake.h5 -o shake.html\n"
-                "gurney play ventilator.h5 --run 3 --run 7 -o both.html"},
+                "gurney play ventilator.h5 --run 3 --run 7 -o both.html\n"
+                "gurney play ventilator.h5 --run 3 --ghosts -o suite.html"},
     CommandHelp{"explain", "Explain what happened in a run, why, and what would have prevented it",
                 "gurney explain shake.h5 -o why.svg\n"
                 "gurney explain ventilator.h5 --run 3 --what-if"},

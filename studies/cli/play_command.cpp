@@ -11,7 +11,9 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/records_output.h"
 #include "studies/cli/study_case.h"
+#include "studies/playback/ghosts.h"
 #include "studies/playback/page.h"
+#include "studies/study/analysis/run_levels.h"
 #include "studies/study/results/output_files.h"
 #include "studies/study/results/results_file.h"
 
@@ -22,8 +24,8 @@ namespace fs = std::filesystem;
 
 struct PlayOptions {
   std::string file, job, output;
-  std::vector<std::size_t> runs;
-  bool overwrite = false;
+  std::vector<std::size_t> runs, ghosts;
+  bool all_ghosts = false, overwrite = false;
 };
 
 /// A file that is there as long as the object.
@@ -74,6 +76,41 @@ std::vector<playback::PageRun> runs_of(const PlayOptions& options) {
   return runs;
 }
 
+/// The other runs of the configuration and level of the one that is shown, or those that are named;
+/// none of them failed.
+std::vector<std::size_t> ghosts_of(const PlayOptions& options) {
+  if (!options.all_ghosts && options.ghosts.empty()) return {};
+  require(options.runs.size() == 1 && is_study(options.file),
+          options.file + ": ghosts are of a study, around one of its runs: --run N --ghosts");
+  const std::size_t shown = options.runs.front();
+  const study::StudyData data(options.file);
+  const auto configuration = data.file().numbers("runs/configuration");
+  const study::RunLevels levels = study::run_levels(data);
+  const auto require_run = [&](std::size_t run) {
+    require(run < configuration.size(), fmt::format("{}: has no run {}; it has runs 0 to {}",
+                                                    options.file, run, configuration.size() - 1));
+  };
+  require_run(shown);
+  std::vector<std::size_t> ghosts = options.ghosts;
+  for (const std::size_t run : ghosts) {
+    require_run(run);
+    require(
+        configuration[run] == configuration[shown] && run != shown,
+        fmt::format("--ghost {}: must be another run of the configuration of run {}", run, shown));
+  }
+  if (options.all_ghosts)
+    for (const std::size_t run : data.runs_of(static_cast<std::size_t>(configuration[shown])))
+      if (run != shown && levels.of_run[run] == levels.of_run[shown]) ghosts.push_back(run);
+  require(!ghosts.empty(),
+          fmt::format("{}: has no other run of the configuration and level of run {}", options.file,
+                      shown));
+  constexpr std::size_t kMaxGhosts = 100;
+  require(ghosts.size() <= kMaxGhosts,
+          fmt::format("--ghosts: {} runs are too many, {} fit; choose some with --ghost N",
+                      ghosts.size(), kMaxGhosts));
+  return ghosts;
+}
+
 int play(const PlayOptions& options) {
   constexpr std::size_t kMaxRuns = 4;
   require(fs::path(options.output).extension() == ".html",
@@ -81,7 +118,12 @@ int play(const PlayOptions& options) {
   require(options.runs.size() <= kMaxRuns,
           fmt::format("--run: at most {} runs fit beside each other", kMaxRuns));
   study::OutputFiles(options.overwrite).check(options.output);
-  write_output(options.output, playback::playback_page(runs_of(options)), options.overwrite, false);
+  std::vector<playback::PageRun> runs, ghosts;
+  const std::vector<std::size_t> others = ghosts_of(options);
+  runs = runs_of(options);
+  for (const std::size_t run : others)
+    ghosts.push_back({fmt::format("run {}", run), playback::ghost_of(run_again(options, run))});
+  write_output(options.output, playback::playback_page(runs, ghosts), options.overwrite, false);
   return 0;
 }
 
@@ -98,6 +140,14 @@ void add_play(CLI::App& app, std::function<int()>& action) {
       ->add_option("--run", options.runs,
                    "The run of a study, which is run again; several play side by side")
       ->allow_extra_args(false);
+  CLI::Option* const all =
+      command->add_flag("--ghosts", options.all_ghosts,
+                        "Show all other runs of its configuration and level as ghosts");
+  command
+      ->add_option("--ghost", options.ghosts,
+                   "Another run of its configuration to show as a ghost; repeatable")
+      ->allow_extra_args(false)
+      ->excludes(all);
   command->add_option("--job", options.job,
                       "The study's job file (default: the path in the study's log)");
   command->add_option("-o,--output", options.output, "The page (.html)")->required();

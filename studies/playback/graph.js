@@ -5,14 +5,15 @@ const kGraphRight = 14;
 const kAxisColors = [['x', '#0072B2', '#5cb3e8'], ['y', '#D55E00', '#ff8b3d'], ['z', '#7a7a7a', '#9a9a9a']];
 
 class Graph {
-  constructor(canvas, run) {
+  constructor(canvas, run, end) {
     this.canvas = canvas;
     this.run = run;
+    this.end = end;
     this.still = document.createElement('canvas');
   }
 
   x(time) {
-    return kGraphLeft + (this.width - kGraphLeft - kGraphRight) * (time / this.run.end);
+    return kGraphLeft + (this.width - kGraphLeft - kGraphRight) * (time / this.end);
   }
 
   /// Draws everything but the line of the time; to be called again for another size or theme.
@@ -84,11 +85,11 @@ class Graph {
   }
 
   timeAxis(pen) {
-    const step = roundBelow(this.run.end / 6);
+    const step = roundBelow(this.end / 6);
     pen.fillStyle = this.ink;
     pen.textAlign = 'center';
     pen.textBaseline = 'alphabetic';
-    for (let t = 0; t <= this.run.end * 0.97; t += step) pen.fillText(`${+t.toFixed(3)}${t === 0 ? ' s' : ''}`, this.x(t), this.height - 3);
+    for (let t = 0; t <= this.end * 0.97; t += step) pen.fillText(`${+t.toFixed(3)}${t === 0 ? ' s' : ''}`, this.x(t), this.height - 3);
   }
 
   draw(time) {

@@ -25,7 +25,7 @@ void replace(std::string& text, std::string_view mark, std::string_view by) {
 
 }  // namespace
 
-std::string playback_page(const std::vector<PageRun>& runs) {
+std::string playback_page(const std::vector<PageRun>& runs, const std::vector<PageRun>& ghosts) {
   std::string script;
   for (const std::string_view part :
        {embedded::vectors_js, embedded::recording_js, embedded::meshes_js, embedded::shaders_js,
@@ -35,7 +35,7 @@ std::string playback_page(const std::vector<PageRun>& runs) {
   std::string page(embedded::page_html);
   replace(page, "/*STYLE*/", embedded::playback_css);
   replace(page, "/*SCRIPT*/", script);
-  replace(page, "/*DATA*/", page_data(runs));
+  replace(page, "/*DATA*/", page_data(runs, ghosts));
   return page;
 }
 

@@ -18,12 +18,15 @@ struct PageRun {
 };
 
 /// Every how many samples one is kept.
-std::size_t stride(const std::vector<PageRun>& runs);
+std::size_t stride(const std::vector<PageRun>& runs, std::size_t most_bytes = kMaxBytes);
 
 /// The runs as JSON, without any '<'.
-std::string page_data(const std::vector<PageRun>& runs);
+/// @param ghosts  drawn in the scene of the first run, without wheels; runs and ghosts have
+///                kMaxBytes together, runs at most half of it
+std::string page_data(const std::vector<PageRun>& runs, const std::vector<PageRun>& ghosts = {});
 
 /// A page that needs no other file and nothing from a network.
-std::string playback_page(const std::vector<PageRun>& runs);
+std::string playback_page(const std::vector<PageRun>& runs,
+                          const std::vector<PageRun>& ghosts = {});
 
 }  // namespace gurney::playback

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/playback/channel.h"
+#include "studies/playback/ghosts.h"
 #include "studies/playback/page.h"
 
 namespace gurney::playback {
@@ -12,7 +13,7 @@ using Json = nlohmann::json;
 /// Bytes of all samples of a run before base64, which makes 4 of 3: time 4, poses 7 x 2, wheels
 /// 2 x 2 + 3 + 1, floor 6 x 2.
 std::size_t raw_bytes(const RecordedRun& run) {
-  std::size_t sample = 4 + 12;
+  std::size_t sample = 4 + (run.floor_acceleration.empty() ? 0 : 12);
   for (const RecordedItem& item : run.items) sample += 14 + 8 * item.wheels.size();
   return sample * run.time.size();
 }
@@ -74,6 +75,12 @@ class RunWriter {
  private:
   std::size_t stride_;
 };
+
+std::size_t base64_bytes(const std::vector<PageRun>& runs) {
+  std::size_t bytes = 0;
+  for (const PageRun& each : runs) bytes += raw_bytes(each.run) * 4 / 3;
+  return bytes;
+}
 
 Json json_of(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -170,20 +177,34 @@ Json json_of(const PageRun& page_run, std::size_t stride) {
   return json;
 }
 
-}  // namespace
-
-std::size_t stride(const std::vector<PageRun>& runs) {
-  std::size_t bytes = 0;
-  for (const PageRun& each : runs) bytes += raw_bytes(each.run) * 4 / 3;
-  return bytes / kMaxBytes + 1;
+/// Runs without wheels, all but their poses and falls.
+Json ghosts_json(const std::vector<PageRun>& ghosts, std::size_t most_bytes) {
+  if (ghosts.empty()) return nullptr;
+  std::vector<PageRun> bare;
+  for (const PageRun& each : ghosts) bare.push_back({each.name, ghost_of(each.run)});
+  const std::size_t every = stride(bare, most_bytes);
+  const ThinningError error = thinning_error(bare, every);
+  Json json{{"stride", every},
+            {"position_error", error.position},
+            {"angle_error", error.angle},
+            {"runs", Json::array()}};
+  for (const PageRun& each : bare) json["runs"].push_back(json_of(each, every));
+  return json;
 }
 
-std::string page_data(const std::vector<PageRun>& runs) {
-  const std::size_t every = stride(runs);
+}  // namespace
+
+std::size_t stride(const std::vector<PageRun>& runs, std::size_t most_bytes) {
+  return base64_bytes(runs) / most_bytes + 1;
+}
+
+std::string page_data(const std::vector<PageRun>& runs, const std::vector<PageRun>& ghosts) {
+  const std::size_t every = stride(runs, ghosts.empty() ? kMaxBytes : kMaxBytes / 2);
   Json json{{"title", runs.empty() ? "" : runs.front().run.title},
             {"stride", every},
             {"runs", Json::array()}};
   for (const PageRun& each : runs) json["runs"].push_back(json_of(each, every));
+  json["ghosts"] = ghosts_json(ghosts, kMaxBytes - base64_bytes(runs) / every);
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string escaped;
   for (const char c : text)

@@ -6,7 +6,8 @@ const kSun = unit([0.35, -0.62, 1.05]);
 class Player {
   constructor(data) {
     this.runs = data.runs.map((raw) => new Recording(raw));
-    this.end = Math.max(...this.runs.map((run) => run.end));
+    this.ghosts = data.ghosts ? data.ghosts.runs.map((raw) => new Recording(raw)) : [];
+    this.end = Math.max(...this.runs.concat(this.ghosts).map((run) => run.end));
     this.time = 0;
     this.speed = 1;
     this.playing = false;
@@ -14,15 +15,16 @@ class Player {
     this.frame = 'room';
     this.mode = 'orbit';
     this.shown = { room: true, zones: true, forces: true, tracks: true, paths: true, tethers: true, labels: true };
+    if (this.ghosts.length) this.shown.ghosts = true;
     this.describe(data);
     this.startGraphics();
     this.dark = window.matchMedia('(prefers-color-scheme: dark)').matches;
     const colors = this.runs[0].items.map((_, i) => kPalette[i % kPalette.length]);
-    this.events = new EventList(this.runs, (time) => this.go(time));
+    this.events = new EventList(this.runs, this.end, (time) => this.go(time));
     this.table = new ItemTable(this.runs, colors);
-    this.graph = new Graph(element('graph'), this.runs.reduce((a, b) => (b.end > a.end ? b : a)));
+    this.graph = new Graph(element('graph'), this.runs.reduce((a, b) => (b.end > a.end ? b : a)), this.end);
     this.labels = new Labels();
-    makeLegend();
+    makeLegend(this.ghosts.length > 0);
     makeSwitches(this.shown, () => this.redraw());
     this.connect();
     this.readLink();
@@ -38,7 +40,21 @@ class Player {
     const parts = [this.runs.length === 1 ? run.outcome.replace('_', ' ') : this.runs.map((each) => `${each.name}: ${each.outcome.replace('_', ' ')}`).join(' | ')];
     if (run.record) parts.unshift(`floor motion ${run.record}`);
     parts.push(`${this.end.toFixed(2)} s, ${run.time.length} samples${data.stride > 1 ? `, one of ${data.stride} of the file` : ''}`);
+    if (data.ghosts) parts.push(this.ghostText(data.ghosts));
     element('subtitle').textContent = parts.join(' · ');
+  }
+
+  ghostText({ stride, position_error, angle_error }) {
+    const which = stride > 1 ? `one sample of ${stride}, ` : '';
+    const angle = (angle_error * 180) / Math.PI;
+    return `${this.ghosts.length} other runs as ghosts (${which}off by at most ${(1000 * position_error).toPrecision(2)} mm, ${angle.toPrecision(2)} deg)`;
+  }
+
+  /// Of all runs, ghosts or not.
+  overturnedText() {
+    const all = this.runs.concat(this.ghosts);
+    const until = (time) => all.filter((run) => run.overturned <= time + 1e-9 && Number.isFinite(run.overturned)).length;
+    return `Overturned: ${until(this.time)} of ${all.length} runs by now, ${until(Infinity)} in the end`;
   }
 
   startGraphics() {
@@ -51,7 +67,7 @@ class Player {
     }
     this.camera = new Camera(element('view'), () => this.redraw());
     if (!this.renderer) return;
-    this.scenes = this.runs.map((run) => new RoomScene(this.renderer, run));
+    this.scenes = this.runs.map((run) => new RoomScene(this.renderer, run, this.ghosts));
     this.camera.home = this.home(this.scenes[0].extent);
     this.camera.reset();
   }
@@ -228,6 +244,8 @@ class Player {
     this.events.draw(this.time);
     this.graph.draw(this.time);
     element('floor').textContent = this.floorText();
+    element('overturned').hidden = !this.ghosts.length;
+    element('overturned').textContent = this.overturnedText();
     if (this.renderer) this.drawRooms();
   }
 
@@ -252,7 +270,7 @@ class Player {
       const { camera, eye } = this.camera.view(share / height, this.lookedAt(scene, at, offset));
       scene.eye = eye;
       const view = { x: i * share, y: 0, width: share, height, camera, eye, sun: kSun, theme, now: this.time, light: this.lightOf(scene, offset) };
-      this.renderer.drawView(view, scene.parts(at, offset, theme, this.shown, this.followed()), scene.ribbons(offset, this.shown));
+      this.renderer.drawView(view, scene.parts(at, offset, theme, this.shown, this.followed(), this.time), scene.ribbons(offset, this.shown));
       if (this.shown.labels) labels.push(...this.placed(scene.labels(at, offset), camera, i));
       if (scene.run.name) labels.push({ kind: 'run', text: scene.run.name, left: ((i + 0.5) * element('view').clientWidth) / this.scenes.length, top: 52 });
     });

@@ -26,6 +26,7 @@ class Recording {
     this.zones = raw.zones;
     this.tethers = raw.tethers;
     this.events = raw.events;
+    this.overturned = Math.min(...raw.events.filter((event) => event.kind === 'overturned').map((event) => event.time));
     this.time = new Float32Array(bytesOf(raw.time).buffer);
     this.end = this.time[this.time.length - 1];
     const decode = (channel) => valuesOf(channel, this.time.length);

@@ -11,6 +11,9 @@ const kLifted = 4;
 const kSlab = 0.12;
 const kPalette = [[0, 0.45, 0.7], [0.84, 0.37, 0], [0, 0.62, 0.45], [0.8, 0.47, 0.65], [0.9, 0.62, 0], [0.34, 0.71, 0.91], [0.45, 0.45, 0.5]];
 
+const kGhost = [0.45, 0.45, 0.5];
+const kFallen = [0.95, 0.25, 0.2];
+
 const kDark = { background: [0.075, 0.085, 0.105], floor: [0.2, 0.215, 0.24], ground: [0.1, 0.105, 0.12], grid: [0.33, 0.35, 0.39], ambient: 0.5, body: [0.86, 0.86, 0.86], edge: [0.02, 0.02, 0.03, 0.75], wall: [0.55, 0.62, 0.72], wallEdge: [0.6, 0.66, 0.75, 0.45] };
 const kLight = { background: [0.955, 0.962, 0.972], floor: [0.9, 0.905, 0.91], ground: [0.79, 0.8, 0.79], grid: [0.76, 0.78, 0.8], ambient: 0.7, body: [1, 1, 1], edge: [0.12, 0.14, 0.18, 0.7], wall: [0.5, 0.56, 0.64], wallEdge: [0.3, 0.34, 0.4, 0.4] };
 
@@ -28,13 +31,14 @@ class Extent {
   }
 }
 
-function extentOf(run) {
+function extentOf(run, ghosts) {
   const extent = new Extent();
-  for (const item of run.items)
-    for (let i = 0; i < run.time.length; i += 10) {
-      const pose = itemPose(item, { sample: i, next: i, fraction: 0 });
-      for (const box of item.boxes) for (const p of box) extent.take(add(pose.p, rotated(pose.q, p)));
-    }
+  for (const each of [run, ...ghosts])
+    for (const item of each.items)
+      for (let i = 0; i < each.time.length; i += 10) {
+        const pose = itemPose(item, { sample: i, next: i, fraction: 0 });
+        for (const box of item.boxes) for (const p of box) extent.take(add(pose.p, rotated(pose.q, p)));
+      }
   extent.items = { low: [...extent.low], high: [...extent.high] };
   const near = { low: extent.low.map((v) => v - 4), high: extent.high.map((v) => v + 4) };
   for (const shape of run.room)
@@ -52,16 +56,19 @@ function flatMatrix(p, along, length, width) {
 }
 
 class RoomScene {
-  constructor(renderer, run) {
+  /// @param ghosts other runs, drawn translucent in the same room
+  constructor(renderer, run, ghosts) {
     this.run = run;
+    this.ghosts = ghosts;
     this.renderer = renderer;
-    this.extent = extentOf(run);
+    this.extent = extentOf(run, ghosts);
     this.eye = [0, 0, 0];
     this.low = this.extent.low.map((v) => Math.floor(v - 0.3));
     this.high = this.extent.high.map((v) => Math.ceil(v + 0.3));
     this.colors = run.items.map((_, i) => kPalette[i % kPalette.length]);
     this.makeMeshes();
     this.makeRibbons();
+    this.makeGhosts();
     const loads = run.items.flatMap((item) => item.wheels.map((wheel) => wheel.normal[0])).filter((n) => n > 0);
     this.usualLoad = loads.length ? loads.reduce((a, b) => a + b) / loads.length : 1;
   }
@@ -114,9 +121,31 @@ class RoomScene {
     });
   }
 
+  makeGhosts() {
+    this.ghostMeshes = this.ghosts.map((run) => run.items.map((item) => this.renderer.mesh(chassisMesh(item, kGhost))));
+    this.ghostPaths = this.ghosts.flatMap((run) =>
+      run.items.map((item) => {
+        const path = new RibbonBuilder(0.008, 0.0035);
+        for (let s = 0; s < run.time.length; ++s) path.take(itemPose(item, { sample: s, next: s, fraction: 0 }).p, kGhost, run.time[s]);
+        return this.renderer.ribbon(path.numbers);
+      }),
+    );
+  }
+
+  putGhosts(put, time, offset, theme) {
+    this.ghosts.forEach((run, g) => {
+      const at = run.at(time);
+      const fallen = run.overturned <= time;
+      run.items.forEach((item, i) => {
+        const { p, q } = itemPose(item, at);
+        put(this.ghostMeshes[g][i], poseMatrix(add(p, offset), q), { tint: fallen ? kFallen : theme.body, alpha: fallen ? 0.22 : 0.13, edge: [...theme.edge.slice(0, 3), 0.14] });
+      });
+    });
+  }
+
   /// Parts at a time; `offset` is where the room stands in the frame of the view.
   /// Of the other items than the followed one (-1: none) one sees through.
-  parts(at, offset, theme, shown, followed) {
+  parts(at, offset, theme, shown, followed, time) {
     const parts = [];
     const still = stillAt(offset);
     const put = (mesh, model, more) => parts.push({ mesh, model, kind: 0, tint: [1, 1, 1], alpha: 1, casts: false, edge: null, ...more });
@@ -128,6 +157,7 @@ class RoomScene {
     if (shown.zones) this.run.zones.forEach((zone) => this.putZone(put, zone, offset));
     this.run.items.forEach((item, i) => this.putItem(followed < 0 || i === followed ? put : pale, item, i, at, offset, theme, shown));
     if (shown.tethers) this.run.tethers.forEach((tether) => this.putTether(put, tether, at, offset));
+    if (shown.ghosts) this.putGhosts(put, time, offset, theme);
     return parts;
   }
 
@@ -208,6 +238,7 @@ class RoomScene {
     const model = stillAt(offset);
     const all = [];
     if (shown.tracks) for (const buffer of this.tracks) all.push({ buffer, model, alpha: 0.75 });
+    if (shown.paths && shown.ghosts) for (const buffer of this.ghostPaths) all.push({ buffer, model, alpha: 0.45 });
     if (shown.paths) for (const buffer of this.paths) all.push({ buffer, model, alpha: 0.9 });
     return all;
   }

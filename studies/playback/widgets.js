@@ -14,12 +14,12 @@ const cssColor = (c) => `rgb(${c.map((v) => Math.round(255 * v)).join(' ')})`;
 const kEventColors = { 'lift-off': '#E69F00', impact: '#D55E00', taut: '#56B4E9', unplugged: '#c0392b', zone: '#b8860b', overturned: '#b00020', displacement: '#009E73', tilt: '#CC79A7' };
 
 class EventList {
-  constructor(runs, go) {
+  constructor(runs, end, go) {
     this.events = runs
       .flatMap((run) => run.events.map((event) => ({ ...event, run: run.name })))
       .sort((a, b) => a.time - b.time);
     this.hidden = new Set();
-    this.end = Math.max(...runs.map((run) => run.end));
+    this.end = end;
     for (const event of this.events) this.add(event, go);
     for (const kind of new Set(this.events.map((event) => event.kind))) this.addKind(kind);
     if (this.events.length === 0) element('events').append(made('li', 'Nothing lifted, hit, unplugged or overturned.'));
@@ -106,19 +106,21 @@ class ItemTable {
   }
 }
 
-function makeLegend() {
+function makeLegend(ghosts) {
   for (const mode of kModes.slice(0, kLifted)) {
     const entry = made('li', mode.name);
     entry.style.setProperty('--swatch', cssColor(mode.color));
     element('legend').append(entry);
   }
   element('legend').append(made('li', 'disc: normal force; arrow: horizontal force', { class: 'plain' }));
+  if (ghosts) element('legend').append(made('li', 'translucent: other runs; red: overturned', { class: 'plain' }));
 }
 
 /// Check boxes for what is drawn; `shown` is changed by them.
 function makeSwitches(shown, changed) {
-  const texts = { room: 'room', zones: 'zones', forces: 'forces', tracks: 'wheel tracks', paths: 'paths', tethers: 'cords and hoses', labels: 'names and metres' };
+  const texts = { room: 'room', zones: 'zones', forces: 'forces', tracks: 'wheel tracks', paths: 'paths', tethers: 'cords and hoses', labels: 'names and metres', ghosts: 'ghosts' };
   for (const [key, text] of Object.entries(texts)) {
+    if (!(key in shown)) continue;
     const box = made('input', undefined, { type: 'checkbox', id: `show-${key}` });
     box.checked = shown[key];
     box.addEventListener('change', () => {

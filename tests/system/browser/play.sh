@@ -75,4 +75,49 @@ browse --disable-3d-apis "$page#t=2.5"
 grep -q "draws no three-dimensional view" stdout || complain "a browser without WebGL is not told so"
 /usr/bin/python3 "$source/tests/system/browser/read_playback.py" run.h5 stdout 2.5 ||
   complain "without WebGL the table is not that of the file"
+# Ghosts: the poses of the other runs are those of their own files, and as many have overturned.
+cat > study.toml << 'TOML'
+schema = "gurney-job/1"
+[[item]]
+equipment = "infusion_pole"
+name = "<i>pole</i>"
+brakes = true
+[[item]]
+equipment = "icu_ventilator"
+name = "ventilator"
+position_m = [0, 0.8]
+[excitation.record]
+synthetic = { kind = "ricker", pga_g = 0.9, period_s = 1.2 }
+use = "x"
+[study]
+angles_deg = [0, 20, 90]
+[study.intensity]
+measure = "PGA"
+component = "h1"
+unit = "g"
+levels = [0.1, 0.9]
+TOML
+expect 0 "study.h5" "$gurney" run study.toml -o study.h5
+for run in 1 3 5; do expect 0 "run_$run.h5" "$gurney" replay study.h5 $run -o run_$run.h5; done
+expect 0 "ghosts.html" "$gurney" play study.h5 --run 1 --ghosts -o ghosts.html
+cat > ghosts.js << 'JS'
+const of = window.player;
+const poses = (run, time) => run.items.map((item) => itemPose(item, run.at(time)));
+return of.runs.concat(of.ghosts).map((run) => ({
+  name: run.name, samples: run.time.length, time: [...run.time],
+  poses: [...run.time].filter((_, i) => i % 7 === 0).map((time) => poses(run, time)) })).concat([
+  [0, 1.5, 2.5, 1000].map((time) => { of.go(time); of.draw(); return element("overturned").textContent; })]);
+JS
+awk -v script=ghosts.js '
+  /<\/body>/ {
+    print "<script>const out = document.createElement(\"output\"); out.id = \"found\"; out.textContent = JSON.stringify((() => {"
+    while ((getline line < script) > 0) print line
+    print "})()); document.body.append(out);</script>"
+  } {print}' ghosts.html > asked.html
+browse "file://$PWD/asked.html"
+grep -q 'id="trouble" role="alert" hidden' stdout || complain "WebGL2 does not draw ghosts"
+/usr/bin/python3 "$source/tests/system/browser/read_ghosts.py" stdout asked.html run_1.h5 run_3.h5 run_5.h5 ||
+  complain "the ghosts are not where their files say"
+[ "$(stat -c %s ghosts.html)" -lt 5000000 ] || complain "a page with ghosts has more than 5 MB"
+
 exit $((failures > 0))

@@ -43,6 +43,16 @@ play 0 "page.html" run.h5 -o page.html --overwrite
 cmp page.html first.html || complain "two pages of one run differ"
 play 0 "both.html" study.h5 --run 0 --run 1 -o both.html
 grep -q '"name":"run 1"' both.html || complain "run 1 is not named"
+grep -q '"ghosts":null' both.html || complain "a page without ghosts has some"
+play 1 "ghosts are of a study, around one of its runs" study.h5 --ghosts -o ghosts.html
+play 1 "ghosts are of a study, around one of its runs" study.h5 --run 0 --run 1 --ghosts -o ghosts.html
+play 1 "ghosts are of a study, around one of its runs" run.h5 --run 0 --ghosts -o ghosts.html
+play 1 "has no run 9; it has runs 0 to 1" study.h5 --run 0 --ghost 9 -o ghosts.html
+play 1 "must be another run of the configuration of run 0" study.h5 --run 0 --ghost 0 -o ghosts.html
+play 2 "excludes" study.h5 --run 0 --ghost 1 --ghosts -o ghosts.html
+play 1 "no other run of the configuration and level of run 0" study.h5 --run 0 --ghosts -o ghosts.html
+[ -e ghosts.html ] && complain "a page of ghosts was written for bad input"
+play 0 "ghosts.html" study.h5 --run 0 --ghost 1 -o ghosts.html
 grep -q '<b>' page.html && complain "the title is not text"
 grep -Eq '(src|href)="?(https?:|//)|@import|fetch\(|XMLHttpRequest' page.html && complain "the page asks for more"
 [ "$(find . -name '*.html' -size +200k)" = "" ] || complain "a page of some seconds has more than 200 kB"
