@@ -21,10 +21,15 @@ def skip(reason):
     sys.exit(77)
 
 
+def has(*names):
+    """Whether these modules are installed."""
+    return all(importlib.util.find_spec(name) is not None for name in names)
+
+
 def need(*names):
     """Skips the test where a module is missing."""
     for name in names:
-        if importlib.util.find_spec(name) is None:
+        if not has(name):
             skip(f"no Python module {name} (Debian: python3-{name})")
 
 
