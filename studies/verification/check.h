@@ -4,21 +4,8 @@
 #include <string>
 #include <vector>
 
-/// What the engine computes, held against what is known otherwise (docs/verification.md).
-///
-/// How to add a case:
-/// 1. Write `cases/<family>.cpp` (it includes family.h, not cases.h: a new family compiles alone)
-/// with a struct of parameters (all double), a function that makes
-///    Findings of them, and `Family <family>()`, which names the equation, its source, the range of
-///    every parameter and the cases (family.h). Declare it in cases.h and list it in cases.cpp.
-/// 2. Run scenes with the Runner that the function gets: it notes what failed or did not
-///    converge, and runs the same case on the stock solver.
-/// 3. Give every Check a tolerance that is a formula of the parameters, with no number fitted to
-///    the result, and say the formula in `derivation`: the user reads it. Use a Track for what is
-///    compared all through a run; it is also what the figure shows.
-/// 4. A threshold is a number too: locate() finds it by bisection.
-/// 5. `gurney verify <family> --draw 1 --count 100` must pass: parameters that nobody has tried.
-/// The tests run the same list (tests/verification/cases_test.cpp).
+/// What the engine computes, held against what is known otherwise (docs/verification.md). How to add a
+/// closed form: docs/contributing.md. The tests run the same list (tests/verification/cases_test.cpp).
 namespace gurney::verification {
 
 /// A computed number against its reference.
