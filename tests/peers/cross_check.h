@@ -35,8 +35,9 @@ struct CrossCheck {
   std::vector<Wall> walls = {};  ///< the same as boxes in scene.room, of its default constants
 };
 
-/// Defaults of the engine with the solver that its manual names first; the most accurate set-up that
-/// was found (docs/performance.md); of MuJoCo also stiff contacts with all else by default.
+/// Defaults of the engine with the solver that its manual names first; stiff contacts with all else by
+/// default (ODE: with Dantzig's solver); the most accurate set-up that was found
+/// (docs/performance.md).
 enum class Setup { kDefaults, kStiff, kBest };
 
 /// Most that holds an axle or a swivel axis in both engines [N m]: Cr N, or a lock.
@@ -50,7 +51,9 @@ inline double swivel_friction(const Caster& caster) { return caster.swivels ? 0 
 /// friction cones, Newton's method. Defaults: contacts of 20 ms, friction pyramids.
 Path mujoco_path(const CrossCheck& check, double time_step, Setup setup);
 
-/// ODE: bodies and hinges, Dantzig's solver, friction pyramids along and across each caster. Defaults:
+/// ODE: bodies and hinges, Dantzig's solver. Friction of kStiff: pyramids along and across each caster,
+/// limited by the loads that the wheels would have without friction (ODE's manual, section 7.3.7,
+/// dContactApprox1); of kBest: against the slip, limited by the loads of the step before. Defaults:
 /// QuickStep, rigid contacts.
 Path ode_path(const CrossCheck& check, double time_step, Setup setup);
 

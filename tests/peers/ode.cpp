@@ -24,14 +24,16 @@ struct Wheel {
 class OdeTrolley {
  public:
   OdeTrolley(const CrossCheck& check, double time_step, Setup setup)
-      : best_(setup == Setup::kBest), wall_(wall_contact(check, time_step)) {
+      : best_(setup == Setup::kBest),
+        direct_(setup != Setup::kDefaults),
+        wall_(wall_contact(check, time_step)) {
     const EquipmentModel& item = check.scene.items[0].model;
     dInitODE2(0);
     world_ = dWorldCreate();
     space_ = dSimpleSpaceCreate(nullptr);
     contacts_ = dJointGroupCreate(0);
     floor_ = dCreatePlane(space_, 0, 0, 1, 0);
-    if (best_) {
+    if (direct_) {
       dWorldSetCFM(world_, 1e-10);
       dWorldSetERP(world_, 0.2);
     }
@@ -88,11 +90,11 @@ class OdeTrolley {
       const double load = std::max(wheel.contact.f1[2], 0.0);
       dJointSetHingeParam(wheel.axle, dParamFMax, axle_friction(*wheel.caster, load));
       wheel.contact.f1[2] = 0;
-      touch(wheel);
+      touch(wheel, load, time_step);
     }
     for (const dGeomID box : boxes_)
       for (const dGeomID wall : walls_) touch_wall(box, wall);
-    if (best_)
+    if (direct_)
       dWorldStep(world_, time_step);
     else
       dWorldQuickStep(world_, time_step);
@@ -126,21 +128,45 @@ class OdeTrolley {
     return joint;
   }
 
-  void touch(Wheel& wheel) {
+  void touch(Wheel& wheel, double load, double time_step) {
     dContact contact{};
     if (dCollide(wheel.geom, floor_, 1, &contact.geom, sizeof contact) == 0) return;
     dVector3 axle;
     dJointGetHingeAxis(wheel.axle, axle);
-    const Vector3 rolls = Vector3(axle[0], axle[1], axle[2]).cross(Vector3::UnitZ()).normalized();
-    contact.surface.mode = dContactApprox1 | dContactFDir1;
-    if (best_) contact.surface.mode |= dContactSoftCFM | dContactSoftERP;
+    set_direction(contact, Vector3(axle[0], axle[1], axle[2]).cross(Vector3::UnitZ()).normalized());
+    contact.surface.mode = dContactFDir1;
     contact.surface.mu = wheel.caster->tread.kinetic_friction;
-    contact.surface.soft_cfm = 1e-9;
-    contact.surface.soft_erp = 0.2;
-    for (int i = 0; i < 3; ++i) contact.fdir1[i] = rolls[i];
+    if (direct_) {
+      contact.surface.mode |= dContactSoftCFM | dContactSoftERP;
+      contact.surface.soft_cfm = 1e-9;
+      contact.surface.soft_erp = 0.2;
+    }
+    if (best_)
+      limit_by_load(wheel, load, time_step, contact);
+    else
+      contact.surface.mode |= dContactApprox1;
     const dJointID joint = dJointCreateContact(world_, contacts_, &contact);
     dJointAttach(joint, dGeomGetBody(contact.geom.g1), dGeomGetBody(contact.geom.g2));
     dJointSetFeedback(joint, &wheel.contact);
+  }
+
+  static void set_direction(dContact& contact, const Vector3& direction) {
+    for (int i = 0; i < 3; ++i) contact.fdir1[i] = direction[i];
+  }
+
+  /// A wheel that slides faster than it gains speed in a step of 1 g: mu N against its slip and
+  /// nothing across it; any other: the pyramid of mu N. N is that of the step before.
+  static void limit_by_load(const Wheel& wheel, double load, double time_step, dContact& contact) {
+    contact.surface.mode |= dContactMu2;
+    contact.surface.mu *= load;
+    contact.surface.mu2 = contact.surface.mu;
+    dVector3 velocity;
+    const dReal* const at = contact.geom.pos;
+    dBodyGetPointVel(wheel.body, at[0], at[1], at[2], velocity);
+    const Vector3 slip(velocity[0], velocity[1], 0);
+    if (slip.norm() <= kStandardGravity * time_step) return;
+    contact.surface.mu2 = 0;
+    set_direction(contact, slip.normalized());
   }
 
   /// Defaults: rebound by restitution. Best: a linear spring with our numerical stiffness and the
@@ -151,7 +177,7 @@ class OdeTrolley {
     dSurfaceParameters surface{};
     surface.mu = pair.friction;
     surface.mode = dContactApprox1;
-    if (!best_) {
+    if (!direct_) {
       surface.mode |= dContactBounce;
       surface.bounce = pair.restitution;
       surface.bounce_vel = 0.01;
@@ -178,7 +204,7 @@ class OdeTrolley {
     }
   }
 
-  bool best_;
+  bool best_, direct_;
   dSurfaceParameters wall_;
   std::vector<dGeomID> walls_, boxes_;
   dWorldID world_;

@@ -39,6 +39,9 @@ void write_points(const std::vector<Point>& points, const std::string& file);
 void print_rocking(const Job& job, const std::vector<Engine>& engines, double finest_step,
                    const std::string& file);
 
+/// The half-locked cart by methods and set-ups that differ in their friction, and moved along x alone.
+void print_sliding(bool quick, const std::string& file);
+
 /// Error of the peak displacement over CPU time, a panel for each job.
 std::string curves_figure(const std::vector<Point>& points);
 

@@ -52,7 +52,6 @@ Engine bullet(const char* setup, Solver solver, const std::vector<double>& steps
           .setup = setup,
           .steps = steps,
           .euler = true,
-          .shared_model = solver == Solver::kBulletDantzig,
           .run = run,
           .fixed_step = run};
 }
@@ -84,7 +83,8 @@ std::vector<Engine> engines(const std::vector<double>& steps,
           peer("MuJoCo", "stiff", peers::mujoco_path, Setup::kStiff, steps),
           peer("MuJoCo", "stiff, elliptic, 1e-14", peers::mujoco_path, Setup::kBest, steps),
           peer("ODE", "QuickStep", peers::ode_path, Setup::kDefaults, steps),
-          peer("ODE", "Dantzig", peers::ode_path, Setup::kBest, steps)};
+          peer("ODE", "Dantzig", peers::ode_path, Setup::kStiff, steps),
+          peer("ODE", "Dantzig, friction by loads", peers::ode_path, Setup::kBest, steps)};
 }
 
 }  // namespace gurney::benchmark

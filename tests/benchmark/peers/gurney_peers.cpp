@@ -39,13 +39,17 @@ void rocking(const std::filesystem::path& folder, bool quick) {
 }  // namespace
 }  // namespace gurney::benchmark
 
-/// Gurney, Bullet, MuJoCo and ODE on four jobs: gurney_peers FOLDER [--quick | --smooth | --rocking].
+/// Gurney, Bullet, MuJoCo and ODE on four jobs: gurney_peers FOLDER [--quick | --smooth | --sliding |
+/// --rocking].
 int main(int argc, char** argv) try {
   const std::filesystem::path folder = argc > 1 ? argv[1] : "out/peers";
   const std::string part = argc > 2 ? argv[2] : "";
   std::filesystem::create_directories(folder);
-  if (part != "--rocking") gurney::benchmark::smooth(folder, part == "--quick");
-  if (part != "--smooth") gurney::benchmark::rocking(folder, part == "--quick");
+  const bool quick = part == "--quick", all = quick || part.empty();
+  if (all || part == "--smooth") gurney::benchmark::smooth(folder, quick);
+  if (all || part == "--sliding")
+    gurney::benchmark::print_sliding(quick, (folder / "peers_sliding.csv").string());
+  if (all || part == "--rocking") gurney::benchmark::rocking(folder, quick);
   return 0;
 } catch (const std::exception& error) {
   fmt::print(stderr, "{}\n", error.what());

@@ -53,6 +53,14 @@ bool predictable(const CrossCheck& check) {
   return !found.empty() && found[0].verdict == Predictability::Verdict::kPredictable;
 }
 
+CrossCheck free_trolley() {
+  CrossCheck check;
+  check.scene = trolley({10, 100, 200, 300});
+  check.duration = kDuration;
+  check.sampling = kSampling;
+  return check;
+}
+
 Job predictable_job(const std::string& name, CrossCheck check, double peak, int motions) {
   Job job{name, {}, {}};
   simplify(check.scene);
@@ -73,16 +81,16 @@ Scene with_rigid_treads(const Scene& scene) {
   return rigid;
 }
 
+Job half_locked_job(int motions) {
+  CrossCheck check = free_trolley();
+  for (const std::size_t i : {0, 1}) lock(check.scene.items[0].model.casters[i]);
+  return predictable_job("half-locked cart", check, kLockedPeak, motions);
+}
+
 std::vector<Job> smooth_jobs(int motions) {
-  CrossCheck check;
-  check.scene = trolley({10, 100, 200, 300});
-  check.duration = kDuration;
-  check.sampling = kSampling;
-  CrossCheck half_locked = check, walls = check;
-  for (const std::size_t i : {0, 1}) lock(half_locked.scene.items[0].model.casters[i]);
+  CrossCheck walls = free_trolley();
   add_walls(walls);
-  return {predictable_job("free trolley", check, kPeak, motions),
-          predictable_job("half-locked cart", half_locked, kLockedPeak, motions),
+  return {predictable_job("free trolley", free_trolley(), kPeak, motions), half_locked_job(motions),
           predictable_job("trolley between walls", walls, kPeak, motions)};
 }
 
