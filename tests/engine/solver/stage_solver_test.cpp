@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -120,37 +121,61 @@ TEST(StageSolver, AContactThatIsApartAtTheEndCarriesNothing) {
   EXPECT_EQ(out.end.items[0].velocity.chassis[0], 0.1);
 }
 
-// Two blocks pressed together by d: the reduced mass on the spring, and as much for the one as for
-// the other.
-TEST(StageSolver, CouplesItemsThatTouch) {
-  const Scene scene = blocks_at_wall(2);
-  const Assembly assembly(scene);
-  StageSolver solver(assembly, {});
-  constexpr double kDepth = 1e-3;
-  SceneState state;
-  state.items.resize(2);
-  state.items[1].position = {0.5, 0, 0};
+/// Blocks in a row along x, the first two pressed together by kDepth, the third kDepth away from
+/// them.
+constexpr double kDepth = 1e-3;
+
+BodyContactState between(std::size_t item, double depth) {
   BodyContactState touch;
-  touch.contact.side = {0, -1, {0.25 + kDepth, 0, 0}, Vector3::Zero()};
+  touch.contact.side = {item, -1, {0.25 + std::max(depth, 0.0), 0, 0}, Vector3::Zero()};
   touch.contact.other = BodyContact::kItem;
-  touch.contact.other_side = {1, -1, {-0.25, 0, 0}, Vector3::Zero()};
+  touch.contact.other_side = {item + 1, -1, {-0.25, 0, 0}, Vector3::Zero()};
   touch.contact.normal = -Vector3::UnitX();
-  touch.compression = kDepth;
-  state.contacts = {touch};
-  const Island island{{0, 1}, 0, 1};
+  touch.compression = depth;
+  return touch;
+}
+
+StageSolver::Output solved_row(std::size_t count) {
+  const Scene scene = blocks_at_wall(count);
+  const Assembly assembly(scene);
+  SceneState state;
+  state.items.resize(count);
+  Island island;
+  for (std::size_t i = 0; i < count; ++i) {
+    island.items.push_back(i);
+    state.items[i].position = {0.5 * static_cast<double>(i) + (i == 2 ? kDepth : 0), 0, 0};
+    if (i > 0) state.contacts.push_back(between(i - 1, i == 1 ? kDepth : -kDepth));
+  }
+  island.end_contact = state.contacts.size();
   StageSolver::Input input;
   input.start = &state;
   input.island = &island;
   input.tau = kTau;
-  input.guess.resize(2);
+  input.guess.resize(count);
   StageSolver::Output out;
-  ASSERT_TRUE(solver.solve(input, out));
+  StageSolver solver(assembly, {});
+  EXPECT_TRUE(solver.solve(input, out));
+  return out;
+}
+
+// Two blocks pressed together by d: the reduced mass on the spring, and as much for the one as for
+// the other.
+TEST(StageSolver, CouplesItemsThatTouch) {
+  const StageSolver::Output out = solved_row(2);
   const double force = kStiffness * kDepth / (1 + 2 * kShare);
   EXPECT_NEAR(out.contacts[0].normal_force, force, 1e-8);
   EXPECT_NEAR(out.end.items[0].velocity.chassis[0], -force * kTau / kMass, 1e-13);
   EXPECT_NEAR(out.end.items[1].velocity.chassis[0], force * kTau / kMass, 1e-13);
   EXPECT_LE(out.iterations, 1);  // it knows how they push each other
   EXPECT_NEAR(out.items[1].power.work_of_neighbours, force * force * kTau / kMass, 1e-6);
+}
+
+TEST(StageSolver, ABlockThatMayBeTouchedAndIsNotIsSolvedApart) {
+  const StageSolver::Output two = solved_row(2), three = solved_row(3);
+  EXPECT_EQ(three.end.items[2].velocity.chassis, Vector6(Vector6::Zero()));
+  EXPECT_EQ(three.contacts[1].normal_force, 0);
+  for (std::size_t i : {0, 1})  // the same bits as of a system of two
+    EXPECT_EQ(three.end.items[i].velocity.chassis, two.end.items[i].velocity.chassis);
 }
 
 TEST(StageSolver, SaysThatItDidNotConverge) {
