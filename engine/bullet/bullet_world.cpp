@@ -161,10 +161,9 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
   /// search would start from the axis it found then: results would depend on which passes are
   /// skipped.
   void clear_cached_manifolds() {
-    const auto& objects = getCollisionObjectArray();
-    for (int i = 0; i < objects.size(); ++i)
-      getBroadphase()->getOverlappingPairCache()->cleanProxyFromPairs(
-          objects[i]->getBroadphaseHandle(), &dispatcher);
+    btOverlappingPairCache& cache = *getBroadphase()->getOverlappingPairCache();
+    for (int i = 0; i < cache.getNumOverlappingPairs(); ++i)
+      cache.cleanOverlappingPair(cache.getOverlappingPairArray()[i], &dispatcher);
   }
 
   /// How fast two things get nearer to each other at most.
