@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/solver/quadrature.h"
 
@@ -22,11 +21,6 @@ constexpr double kReversalTolerance = 1e-3;
 
 /// Passes that find the time of a reversal and the floor's mean acceleration until then.
 constexpr int kReversalPasses = 4;
-
-constexpr double kSameContactDistance = 0.02;  // [m]
-
-/// Steps in half a period of a contact's spring: the rebound is then within 0.3 % of its law's.
-constexpr double kStepsInImpact = 32;
 
 /// A step that no subdivision makes converge is still accepted below this residual, and counted.
 constexpr double kAcceptableResidual = 1e-5;
@@ -87,32 +81,6 @@ void add_power(const EnergyAccount& power, double time, EnergyAccount& account) 
   account.contact_loss += time * power.contact_loss;
 }
 
-/// The contacts with what they remember: each that of the nearest of its pair, once.
-std::vector<BodyContactState> remembered(const std::vector<BodyContact>& contacts,
-                                         const std::vector<BodyContactState>& before) {
-  struct Match {
-    double distance;
-    std::size_t now, before;
-  };
-  std::vector<Match> matches;
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    for (std::size_t k = 0; k < before.size(); ++k)
-      if (before[k].contact.same_pair(contacts[i]))
-        matches.push_back({(before[k].contact.side.local - contacts[i].side.local).norm(), i, k});
-  std::ranges::stable_sort(matches, {}, &Match::distance);
-  std::vector<BodyContactState> memories(contacts.size());
-  std::vector<bool> found(contacts.size()), taken(before.size());
-  for (const Match& match : matches) {
-    if (found[match.now] || taken[match.before]) continue;
-    found[match.now] = taken[match.before] = true;
-    BodyContactState& memory = memories[match.now] = before[match.before];
-    memory.kept_place = contacts[match.now].same_place(memory.contact);
-    if (match.distance >= kSameContactDistance) memory.deflection.setZero();
-  }
-  for (std::size_t i = 0; i < contacts.size(); ++i) memories[i].contact = contacts[i];
-  return memories;
-}
-
 }  // namespace
 
 Stepper::Stepper(const Assembly& assembly, const FloorMotion& floor,
@@ -131,30 +99,6 @@ Stepper::Stepper(const Assembly& assembly, const FloorMotion& floor,
   islands_ = islands_of(none, assembly.items.size());
 }
 
-void Stepper::set_contacts(const std::vector<BodyContact>& contacts, SceneState& state) {
-  if (contacts.empty() && state.contacts.empty()) return;
-  const std::size_t count = state.items.size();
-  for (std::size_t i = 0; i < count; ++i)
-    accounts_[i].contact_loss += assembly_.contact_energy(i, state);
-  std::vector<BodyContact> sorted = contacts;
-  islands_ = islands_of(sorted, count);
-  std::vector<BodyContactState> memories = remembered(sorted, state.contacts);
-  for (BodyContactState& memory : memories) {
-    memory.deflection -= memory.contact.normal * memory.contact.normal.dot(memory.deflection);
-    // One that has parted may overlap again as its points move: that is no new blow.
-    if (memory.compression <= 0) memory.approach_speed = approach_speed(memory.contact, state);
-    const double overlap = -assembly_.gap(memory.contact, state);
-    memory.slack = std::clamp(memory.slack, 0.0, std::max(overlap, 0.0));
-    if (!memory.kept_place)
-      memory.slack = std::max(overlap - std::max(memory.compression, 0.0), 0.0);
-    memory.contact.offset -= memory.slack;
-    memory.compression = overlap - memory.slack;
-  }
-  state.contacts = std::move(memories);
-  for (std::size_t i = 0; i < count; ++i)
-    accounts_[i].contact_loss -= assembly_.contact_energy(i, state);
-}
-
 void Stepper::change_loads(SceneState& state) {
   for (std::size_t i = 0; i < state.items.size(); ++i) {
     State& item = state.items[i];
@@ -162,40 +106,6 @@ void Stepper::change_loads(SceneState& state) {
     if (!loads.empty()) accounts_[i].damper_loss += loads.release(item.time, item.loads);
     predictions_[i].known = false;
   }
-}
-
-double Stepper::approach_speed(const BodyContact& contact, const SceneState& state) const {
-  return std::max(0.0, -contact.normal.dot(assembly_.velocity(contact, state)));
-}
-
-double Stepper::longest_step(const Island& island, const SceneState& state,
-                             double remaining) const {
-  double longest = remaining;
-  const auto count = static_cast<double>(island.end_contact - island.first_contact);
-  for (std::size_t c = island.first_contact; c < island.end_contact; ++c) {
-    const BodyContactState& memory = state.contacts[c];
-    const BodyContact& contact = memory.contact;
-    const double rate = contact.normal.dot(assembly_.velocity(contact, state));
-    const double gap = -memory.compression;
-    const double change = gap < 0 ? remaining * predicted_acceleration(contact, state) : 0;
-    if (std::max(std::abs(rate), std::abs(change)) < ImpactLaw::kLeastApproach) continue;
-    if (gap > 0 && gap > -2 * rate * remaining) continue;  // does not touch in this time
-    const double stiffness = assembly_.laws.of(contact).impact_stiffness() * count;
-    const double duration =
-        std::numbers::pi * std::sqrt(assembly_.effective_mass(contact, state) / stiffness);
-    const double until_touch = gap > 0 ? gap / -rate : 0;
-    longest = std::min(longest, std::max(duration / kStepsInImpact, 0.8 * until_touch));
-  }
-  return longest;
-}
-
-double Stepper::predicted_acceleration(const BodyContact& contact, const SceneState& state) const {
-  const auto of = [&](const BodyContact::Side& side) {
-    const Vector6& a = predictions_[side.item].acceleration.chassis;
-    const Vector3 arm = assembly_.items[side.item].point(side, state.items[side.item]);
-    return contact.normal.dot(a.head<3>() + a.tail<3>().cross(arm));
-  };
-  return of(contact.side) - (contact.between_items() ? of(contact.other_side) : 0);
 }
 
 void Stepper::extrapolate(const Island& island, const SceneState& from, double duration) {

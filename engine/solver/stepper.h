@@ -72,6 +72,8 @@ class Stepper {
                                        double duration);
   double approach_speed(const BodyContact& contact, const SceneState& state) const;
   double predicted_acceleration(const BodyContact& contact, const SceneState& state) const;
+  /// Whether a contact will not touch in this time.
+  bool stays_apart(const BodyContactState& memory, const SceneState& state, double time) const;
   double longest_step(const Island& island, const SceneState& state, double remaining) const;
 
   double end_of_step(const Island& island, const SceneState& state, double latest);

@@ -39,6 +39,23 @@ TEST(Neighbours, AnImpactNamesBothItemsAndCountsForBoth) {
   for (const ItemResponse& item : response.items) EXPECT_EQ(item.demands.impacts, 1);
 }
 
+TEST(Neighbours, OneThatIsNotTouchedMakesNoStepShorter) {
+  const auto event_steps = [](bool neighbour) {
+    const Vector3 size(0.5, 0.4, 0.6);
+    Scene scene = blocks::block(80, size, slippery());
+    blocks::add_wall(scene, 0.26, {.restitution = 0.1, .friction = 0});
+    const PlacedItem block = scene.items[0];
+    scene.items = {at(block, "moving", Vector3::Zero(), {0.5, 0, 0})};
+    if (neighbour) scene.items.push_back(at(block, "beside", {0, 0.41, 0}, Vector3::Zero()));
+    scene.pairs.push_back({"steel", "steel", slippery()});
+    const Response response = simulate(scene, {}, blocks::run_for(0.1, 0.004, 0.004));
+    EXPECT_EQ(response.impacts.size(), 1u);
+    return response.quality.event_steps;
+  };
+  EXPECT_EQ(event_steps(true), event_steps(false));
+  EXPECT_GT(event_steps(true), 20);
+}
+
 Scene two_trolleys(double gap, double speed, double height) {
   Scene scene = scene_of({});
   EquipmentModel model = small::trolley({10, 100, 200, 300}, Tread());
