@@ -1,8 +1,8 @@
 """Chooses a suite of synthetic motions whose spectra have the median and the scatter of a ground-motion model
 (docs/catalogue/motions.md).
 
-usage: suite.py GURNEY OUTPUT [--motions 32] [--candidates 600] [--threads N]
-       suite.py GURNEY OUTPUT --compare MOTIONS.csv
+usage: suite.py GURNEY OUTPUT [--pgv 0.6] [--motions 32] [--candidates 600] [--threads N]
+       suite.py GURNEY OUTPUT [--pgv 0.6] --compare MOTIONS.csv
 
 OUTPUT gets the candidates, their spectra and motions.csv, the suite. --compare prints how well another file
 of motions has the target. Needs numpy.
@@ -164,12 +164,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("gurney")
     parser.add_argument("output")
+    parser.add_argument("--pgv", type=float, default=suite_target.PGV, help="given peak ground velocity [m/s]")
     parser.add_argument("--motions", type=int, default=32)
     parser.add_argument("--candidates", type=int, default=600)
     parser.add_argument("--compare", help="a file of motions whose spectra are compared with the target")
     parser.add_argument("--threads", type=int, default=os.cpu_count())
     options = parser.parse_args()
-    target = suite_target.target(options.gurney)
+    target = suite_target.target(options.gurney, options.pgv)
     if options.compare:
         motions = read_motions(options.compare)
         chosen = spectra(options.gurney, os.path.join(options.output, "compared"), motions, options.threads)

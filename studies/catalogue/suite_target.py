@@ -18,7 +18,7 @@ import numpy as np
 MAGNITUDES = (6.0, 6.5, 7.0, 7.5)
 DISTANCES = (5.0, 10.0, 20.0, 40.0, 60.0)  # [km]
 SITES = (760.0, 400.0, 250.0)  # V_S30 [m/s]
-PGV = 0.4  # [m/s] RotD50, in the middle of the levels of the catalogue
+PGV = 0.6  # [m/s] RotD50, in the middle of the levels of the catalogue
 PERIODS = np.round(np.geomspace(0.05, 5, 24), 4)  # [s]
 
 
