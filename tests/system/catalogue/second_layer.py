@@ -44,7 +44,7 @@ def check_halves():
     assert halves.count(one, none)["moved 1 m"]["no_curve"] == 2
     for division in halves.divisions().values():
         first, second = map(set, division)
-        assert len(first) == len(second) == 8 and not first & second, division
+        assert len(first) == len(second) == len(halves.motion_rows()) // 2 and not first & second, division
     for row in read("halves.csv"):
         states(f"{row['within_bounded']} of {row['bounded']}")
     for division in ("by turns", "by kind"):
@@ -64,6 +64,25 @@ def check_suites():
     ratio = math.exp(sum(math.log(float(row["ratio"])) for row in rows) / len(rows))
     states(f"{inside} of {len(rows)} medians with records lie within the interval")
     states(f"{ratio:.2f} times the synthetic one")
+    rows = read("suites_matched.csv")
+    inside = sum(row["within"] == "yes" for row in rows)
+    states(f"{inside} of {len(rows)} medians of the matched suite lie within the interval")
+    for each in suites.summary(rows):
+        if not each["limit_state"].startswith("hit"):
+            states(f"| {each['brakes']}, {each['limit_state']} | {each['ratio']} ({each['lowest']} to {each['highest']}) |")
+
+
+def check_widths():
+    import widths
+    assert [(size, sets) for size, sets in widths.parts(list("abcdefgh"))] == [
+        (2, [["a", "e"], ["b", "f"], ["c", "g"], ["d", "h"]]), (4, [list("aceg"), list("bdfh")]), (8, [list("abcdefgh")])]
+    assert widths.width([1, 4]) == 4 and math.isinf(widths.width([None, 4])) and math.isinf(widths.width([1, None]))
+    found = {}
+    for row in read("widths.csv"):
+        found.setdefault(row["limit_state"], []).append(f"{float(row['median_width']):.1f}")
+    for state, numbers in found.items():
+        shown = [number if float(number) < 10 else "above 10" for number in numbers]
+        states(f"| {state} | {' | '.join(shown)} |")
 
 
 def check_variance():
@@ -110,5 +129,6 @@ def check_variance():
 
 check_halves()
 check_suites()
+check_widths()
 if importlib.util.find_spec("h5py") and importlib.util.find_spec("numpy"):
     check_variance()
