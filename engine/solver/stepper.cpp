@@ -89,6 +89,7 @@ Stepper::Stepper(const Assembly& assembly, const FloorMotion& floor,
       floor_(floor),
       settings_(settings),
       solver_(assembly, {settings.residual, settings.max_newton_iterations}),
+      contacts_of_(assembly.items.size()),
       predictions_(assembly.items.size()),
       reversals_(assembly, settings.time_step),
       control_(assembly, settings),
@@ -279,10 +280,7 @@ std::optional<std::string> Stepper::advance_island(const Island& island, SceneSt
                                                    double time, const Observer& observer) {
   const State& front = state.items[island.items.front()];
   while (front.time < time) {
-    for (std::size_t c = island.first_contact; c < island.end_contact; ++c) {
-      BodyContactState& memory = state.contacts[c];
-      if (memory.compression <= 0) memory.approach_speed = approach_speed(memory.contact, state);
-    }
+    observe_approach(island, state);
     const double remaining = time - front.time;
     double parts = std::ceil(remaining / longest_step(island, state, remaining));
     if (parts >= 2) ++quality_.event_steps;

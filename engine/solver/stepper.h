@@ -72,9 +72,9 @@ class Stepper {
                                        double duration);
   double approach_speed(const BodyContact& contact, const SceneState& state) const;
   double predicted_acceleration(const BodyContact& contact, const SceneState& state) const;
-  /// Whether a contact will not touch in this time.
-  bool stays_apart(const BodyContactState& memory, const SceneState& state, double time) const;
-  double longest_step(const Island& island, const SceneState& state, double remaining) const;
+  /// How fast each contact of the island closes, and how fast those apart come near.
+  void observe_approach(const Island& island, SceneState& state);
+  double longest_step(const Island& island, const SceneState& state, double remaining);
 
   double end_of_step(const Island& island, const SceneState& state, double latest);
 
@@ -86,6 +86,8 @@ class Stepper {
   StageSolver::Output first_, second_;
   SceneState between_;  // start of the second stage
   std::vector<Island> islands_;
+  std::vector<double> rates_;        // of the gaps of the island's contacts [m/s]
+  std::vector<double> contacts_of_;  // number of each item's
   FloorStage floor_second_;
   std::vector<SlipReversals::Course> predictions_;
   SlipReversals reversals_;

@@ -69,34 +69,39 @@ double Stepper::approach_speed(const BodyContact& contact, const SceneState& sta
   return std::max(0.0, -contact.normal.dot(assembly_.velocity(contact, state)));
 }
 
-bool Stepper::stays_apart(const BodyContactState& memory, const SceneState& state,
-                          double time) const {
-  const double gap = -memory.compression;
-  if (gap <= 0) return false;
-  return gap > -2 * memory.contact.normal.dot(assembly_.velocity(memory.contact, state)) * time;
+void Stepper::observe_approach(const Island& island, SceneState& state) {
+  rates_.clear();
+  for (std::size_t c = island.first_contact; c < island.end_contact; ++c) {
+    BodyContactState& memory = state.contacts[c];
+    const BodyContact& contact = memory.contact;
+    rates_.push_back(contact.normal.dot(assembly_.velocity(contact, state)));
+    if (memory.compression <= 0) memory.approach_speed = std::max(0.0, -rates_.back());
+  }
 }
 
-double Stepper::longest_step(const Island& island, const SceneState& state,
-                             double remaining) const {
+double Stepper::longest_step(const Island& island, const SceneState& state, double remaining) {
   double longest = remaining;
+  const auto stays_apart = [&](std::size_t c) {
+    const double gap = -state.contacts[c].compression;
+    return gap > 0 && gap > -2 * rates_[c - island.first_contact] * remaining;
+  };
   // Of each item, those that may push it side by side in this time; of an item alone, all.
-  std::vector<double> counts(state.items.size());
+  for (std::size_t i : island.items) contacts_of_[i] = 0;
   for (std::size_t c = island.first_contact; c < island.end_contact; ++c) {
     const BodyContact& contact = state.contacts[c].contact;
-    if (island.items.size() > 1 && stays_apart(state.contacts[c], state, remaining)) continue;
-    ++counts[contact.side.item];
-    if (contact.between_items()) ++counts[contact.other_side.item];
+    if (island.items.size() > 1 && stays_apart(c)) continue;
+    ++contacts_of_[contact.side.item];
+    if (contact.between_items()) ++contacts_of_[contact.other_side.item];
   }
   for (std::size_t c = island.first_contact; c < island.end_contact; ++c) {
     const BodyContactState& memory = state.contacts[c];
     const BodyContact& contact = memory.contact;
-    const double rate = contact.normal.dot(assembly_.velocity(contact, state));
-    const double gap = -memory.compression;
+    const double rate = rates_[c - island.first_contact], gap = -memory.compression;
     const double change = gap < 0 ? remaining * predicted_acceleration(contact, state) : 0;
     if (std::max(std::abs(rate), std::abs(change)) < ImpactLaw::kLeastApproach) continue;
-    if (stays_apart(memory, state, remaining)) continue;
-    double count = counts[contact.side.item];
-    if (contact.between_items()) count = std::max(count, counts[contact.other_side.item]);
+    if (stays_apart(c)) continue;
+    double count = contacts_of_[contact.side.item];
+    if (contact.between_items()) count = std::max(count, contacts_of_[contact.other_side.item]);
     const double stiffness = assembly_.laws.of(contact).impact_stiffness() * count;
     const double duration =
         std::numbers::pi * std::sqrt(assembly_.effective_mass(contact, state) / stiffness);
