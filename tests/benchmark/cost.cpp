@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kPeak = 0.4;     // [g]
 constexpr double kApart = 4;      // items, from each other [m]
+constexpr double kGap = 0.15;     // to walls and to each other [m]
 constexpr double kDuration = 20;  // [s]
 constexpr int kRepeats = 3;
 
@@ -55,6 +56,45 @@ Scene with_items(std::size_t count) {
   return scene;
 }
 
+/// Around a rectangle about the origin, above the wheels.
+void add_walls(Scene& scene, const Vector2& half_size) {
+  constexpr double kThickness = 0.2, kLength = 10, kBottom = 0.2, kHeight = 2;
+  for (int axis = 0; axis < 2; ++axis)
+    for (const double side : {1.0, -1.0}) {
+      Vector3 center(0, 0, kBottom + 0.5 * kHeight), size(kLength, kLength, kHeight);
+      center[axis] = side * (half_size[axis] + 0.5 * kThickness);
+      size[axis] = kThickness;
+      scene.room.push_back({fmt::format("wall {}", scene.room.size() + 1), "", center,
+                            Quaternion::Identity(), RoomBox{size}});
+    }
+}
+
+/// Trolleys in rows, kGap from each other and from walls around them, each with other headings.
+Scene crowd(int columns, int rows) {
+  Scene scene = trolley({10, 100, 200, 300});
+  const Vector2 pitch = scene.items[0].model.shape[0].size.head<2>() + Vector2(kGap, kGap);
+  for (int k = 0; k < columns * rows; ++k) {
+    if (k > 0) {
+      const double turn = 36.0 * k;
+      scene.items.push_back(trolley({10 + turn, 100 + turn, 200 + turn, 300 + turn}).items[0]);
+    }
+    PlacedItem& item = scene.items.back();
+    item.name = fmt::format("trolley {}", k + 1);
+    item.initial.position.x() = pitch.x() * (k % columns - 0.5 * (columns - 1));
+    item.initial.position.y() = pitch.y() * (k / columns - 0.5 * (rows - 1));
+  }
+  add_walls(scene, 0.5 * Vector2((pitch.x() * columns + kGap), (pitch.y() * rows + kGap)));
+  return scene;
+}
+
+void print_crowd(const char* what, int columns, int rows, const FloorMotion& floor) {
+  const Scene scene = crowd(columns, rows);
+  const double cpu = least_cpu(scene, floor, kDuration);
+  const Response run = simulate(scene, floor, {.duration = kDuration, .history_step = 0});
+  fmt::print("{:>12} {:>4}: {:>7.2f} ms of CPU, {:.0f} x real time, {} impacts\n", what,
+             columns * rows, 1e3 * cpu, kDuration / cpu, run.impacts.size());
+}
+
 FloorMotion repeated(const FloorMotion& floor, int times) {
   return FloorMotion(floor.time_step(), floor.acceleration().replicate(1, times));
 }
@@ -84,6 +124,8 @@ void print_cost() {
   for (const int times : {1, 2, 4, 8})
     print_row("length x 20 s", times,
               least_cpu(with_casters(4), repeated(floor, times), times * kDuration), 1, four);
+  print_crowd("in walls", 1, 1, floor);
+  print_crowd("in walls", 5, 2, floor);
   for (const double duration : {1.0, kDuration}) {
     const int runs = duration > 1 ? 40 : 400;
     const Scene scene = with_casters(4);
