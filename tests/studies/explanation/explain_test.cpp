@@ -129,9 +129,9 @@ TEST(Explain, NamesTheHalfCycleThatTheReportOfTheRunNames) {
   ASSERT_TRUE(fall[0].half_cycle && found.pulse);
   EXPECT_EQ(found.pulse->start, fall[0].half_cycle->start);
   EXPECT_EQ(found.pulse->end, fall[0].half_cycle->end);
-  const std::string words = report::sentence(*fall[0].half_cycle);
+  const std::string words = report::sentence(*fall[0].half_cycle, {});
   EXPECT_NE(one_line(found).find(words), std::string::npos) << one_line(found);
-  EXPECT_NE(report::narrative_of_falls(facts, of_run).find(words), std::string::npos);
+  EXPECT_NE(report::narrative_of_falls(facts, of_run, {}).find(words), std::string::npos);
 }
 
 TEST(Explain, BalancesTheEnergyOfEachStage) {
