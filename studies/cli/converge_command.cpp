@@ -57,7 +57,7 @@ void add_converge(CLI::App& app, std::function<int()>& action) {
       ->check(CLI::Range(1, 4096));
   add_figure_option(*command, options.figure, "Draw the changes with the time step");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
-  add_units_option(*command, options.units)->description("Units of the numbers (default: SI)");
+  add_units_option(*command, options.units, "SI");
   command->add_flag("--json", options.json, "Print JSON, in SI units or those of --units");
   command->callback([shared, &action] { action = [shared] { return converge_command(*shared); }; });
 }

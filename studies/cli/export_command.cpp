@@ -161,8 +161,7 @@ void add_export(CLI::App& app, std::function<int()>& action) {
                       "Intensity measure of the curves (default: the study's own)");
   add_limit_state_options(*command, options.assessed_by);
   command->add_option("--limit", options.choice.limit, "This limit state only (default: all)");
-  add_units_option(*command, options.units)
-      ->description("csv: units of its numbers (default: SI); other formats have their own");
+  add_units_option(*command, options.units, "SI; of csv alone");
   command->add_flag("--sequences", options.choice.sequences,
                     "Combine limit states of one quantity: damage states of one component");
   command->add_flag("--discrete", options.choice.discrete,

@@ -6,7 +6,7 @@
 
 namespace gurney::cli {
 
-CLI::Option* add_units_option(CLI::App& command, study::UnitSystem& units) {
+CLI::Option* add_units_option(CLI::App& command, study::UnitSystem& units, const char* usual) {
   const std::vector<std::string> names = study::UnitSystem::names();
   const auto problem = [](const std::string& name) -> std::string {
     try {
@@ -19,7 +19,8 @@ CLI::Option* add_units_option(CLI::App& command, study::UnitSystem& units) {
   return command
       .add_option_function<std::string>(
           "--units", [&units](const std::string& name) { units = study::UnitSystem(name); },
-          "Units of what is printed and drawn (default: those of the job)")
+          fmt::format("Units of what is printed and drawn: {} (default: {})",
+                      fmt::join(names, ", "), usual))
       ->check(CLI::Validator(problem, fmt::format("{{{}}}", fmt::join(names, ","))));
 }
 

@@ -7,6 +7,8 @@
 namespace gurney::cli {
 
 /// The option --units: those in which results are printed and drawn instead of those of the job.
-CLI::Option* add_units_option(CLI::App& command, study::UnitSystem& units);
+/// @param usual  what rules without it
+CLI::Option* add_units_option(CLI::App& command, study::UnitSystem& units,
+                              const char* usual = "those of the job");
 
 }  // namespace gurney::cli

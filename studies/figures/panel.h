@@ -85,6 +85,13 @@ class Scaling {
   double x(double value) const { return frame_.x + (value - x_.low) / x_.span() * frame_.width; }
   double y(double value) const { return frame_.y + (y_.high - value) / y_.span() * frame_.height; }
 
+  /// Of the same axes for values in SI, where those of the axes are in a unit.
+  Scaling of_si(double unit_in_si) const {
+    return {frame_,
+            {x_.low * unit_in_si, x_.high * unit_in_si},
+            {y_.low * unit_in_si, y_.high * unit_in_si}};
+  }
+
  private:
   Frame frame_;
   Range x_, y_;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/base/units.h"
+#include "studies/figures/scene_figure.h"
 #include "studies/report/footprint.h"
 #include "studies/study/results/names.h"
 
@@ -194,8 +195,9 @@ Vector2 middle_of(const PlacedItem& item, const Sample& sample) {
 
 /// Numbers in the plan, names beside it.
 void draw_legend(Svg& svg, Plan& plan, const Frame& frame, const Scene& scene,
-                 const Response& response) {
+                 const Response& response, const study::UnitSystem& units) {
   const std::vector<std::string> names = study::item_names(scene);
+  const study::UnitSystem lengths = units.or_else("g-mm");
   const double x = frame.x + frame.width + 22;
   double y = frame.y + 6;
   for (std::size_t i = 0; i < names.size(); ++i, y += 19) {
@@ -212,30 +214,33 @@ void draw_legend(Svg& svg, Plan& plan, const Frame& frame, const Scene& scene,
     svg.text(x + 14, y + 4,
              names[i] + (d.time_of_overturning >= 0
                              ? ", overturned"
-                             : fmt::format(", {:.0f} mm", 1000 * d.residual_displacement)),
+                             : ", " + lengths.fixed(d.residual_displacement, "m", 3)),
              {.size = 11});
   }
-  const auto note = [&](const char* text, const char* color) {
+  const auto note = [&](const std::string& text, const char* color) {
     svg.text(x - 6, y + 10, text, {.size = 10, .color = color});
     y += 15;
   };
-  note("mm: from the start, at the end", "#555555");
+  note(lengths.of("m").name + ": from the start, at the end", "#555555");
   note("grey outline: at the start", "#555555");
   if (!response.impacts.empty()) note("\u00d7 point of impact", "#c00000");
   if (!scene.zones.empty()) note("dashed: zones; orange: not free", "#a06a00");
   if (!scene.tethers.empty()) note("green: tethers; red dots: broken", "#117733");
 }
 
-void draw_scale_bar(Svg& svg, const Frame& frame, const Scaling& scaling) {
-  double length = 0.1;
-  for (const double longer : {0.2, 0.5, 1.0, 2.0, 5.0})
+/// @param scaling  of values in the unit
+void draw_scale_bar(Svg& svg, const Frame& frame, const Scaling& scaling,
+                    const study::ReportUnit& unit) {
+  const double ten = std::pow(10, std::floor(-std::log10(unit.in_si)));  // 10 in, 100 cm, 1 m
+  double length = 0.1 * ten;
+  for (const double longer : {0.2 * ten, 0.5 * ten, ten, 2 * ten, 5 * ten})
     if (scaling.x(longer) - scaling.x(0) < frame.width / 4) length = longer;
   const double px = scaling.x(length) - scaling.x(0);
   const double right = frame.x + frame.width - 12, y = frame.y + frame.height - 10;
   svg.rectangle(right - px - 6, y - 18, px + 12, 24,
                 {.stroke = "", .fill = "#ffffff", .opacity = 0.8});
   svg.line(right - px, y, right, y, {.width = 3});
-  svg.text(right - px / 2, y - 6, fmt::format("{:g} m", length),
+  svg.text(right - px / 2, y - 6, fmt::format("{:g} {}", length, unit.name),
            {.size = 10, .anchor = Anchor::kMiddle});
 }
 
@@ -248,8 +253,8 @@ void include(Panel& panel, const Vector2& point) {
 Panel fitted_panel(const Scene& scene, const Response& response) {
   const Vector2 first = scene.items.front().initial.position.head<2>();
   Panel panel{.title = "Seen from above",
-              .x_label = "x (m)",
-              .y_label = "y (m)",
+              .x_label = "x",
+              .y_label = "y",
               .curves = {},
               .zero_line = false,
               .equal_scales = true};
@@ -288,7 +293,8 @@ double plan_aspect(const Scene& scene, const Response& response) {
   return panel.y_range.span() / panel.x_range.span();
 }
 
-void draw_plan(Svg& svg, const Frame& frame, const Scene& scene, const Response& response) {
+void draw_plan(Svg& svg, const Frame& frame, const Scene& scene, const Response& response,
+               const study::UnitSystem& units) {
   const std::size_t count = scene.items.size();
   const bool alone = count == 1;
   // A single item ends in the first colour and has its path in the second.
@@ -302,7 +308,9 @@ void draw_plan(Svg& svg, const Frame& frame, const Scene& scene, const Response&
   for (std::size_t i = 0; i < count; ++i)
     panel.curves.push_back(path_of(scene.items[i], response.items[i].history,
                                    {.stroke = path_color(i), .width = alone ? 1.4 : 0.8}));
-  const Scaling scaling = draw(svg, frame, panel);
+  set_unit(panel, units);
+  const study::ReportUnit unit = units.of("m");
+  const Scaling in_unit = draw(svg, frame, panel), scaling = in_unit.of_si(unit.in_si);
   Plan plan(svg, scaling);
   svg.begin_clip(frame.x, frame.y, frame.width, frame.height);
   draw_room(plan, scene, response);
@@ -328,9 +336,9 @@ void draw_plan(Svg& svg, const Frame& frame, const Scene& scene, const Response&
   for (const Zone& zone : scene.zones)
     plan.text(top_of(report::footprint(zone)), 11, zone.name,
               {.size = 9, .anchor = Anchor::kMiddle, .color = "#225577"});
-  draw_scale_bar(svg, frame, scaling);
+  draw_scale_bar(svg, frame, in_unit, unit);
   svg.end_clip();
-  if (!alone) draw_legend(svg, plan, frame, scene, response);
+  if (!alone) draw_legend(svg, plan, frame, scene, response, units);
 }
 
 }  // namespace gurney::figures

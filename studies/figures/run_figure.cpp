@@ -214,7 +214,7 @@ std::string run_figure(const study::RunFacts& facts, const Response& response,
     const int rows = 2 + (count - 1) / 2;
     Svg svg(kWidth, kTop + rows * kRow - 25);
     draw_heading(svg, facts, response);
-    draw_plan(svg, frame_at(0, 0, kTop, 2), facts.scene, response);
+    draw_plan(svg, frame_at(0, 0, kTop, 2), facts.scene, response, chosen);
     for (int i = 0; i < count; ++i)
       draw_panel(svg, i < 2 ? frame_at(1, i) : frame_at(i % 2, 1 + i / 2),
                  panels[static_cast<std::size_t>(i)]);
@@ -226,7 +226,7 @@ std::string run_figure(const study::RunFacts& facts, const Response& response,
   const int rows = (count + 1) / 2;
   Svg svg(kWidth, top + rows * kRow - 25);
   draw_heading(svg, facts, response);
-  draw_plan(svg, {kLeft, kTop, kPlanWidth, height}, facts.scene, response);
+  draw_plan(svg, {kLeft, kTop, kPlanWidth, height}, facts.scene, response, chosen);
   for (int i = 0; i < count; ++i)
     draw_panel(svg, frame_at(i % 2, i / 2, top), panels[static_cast<std::size_t>(i)]);
   return svg.str();

@@ -82,6 +82,8 @@ void set_unit(Panel& plan, const study::UnitSystem& units) {
   const auto scale = [&](std::vector<double>& values) {
     for (double& value : values) value /= unit.in_si;
   };
+  for (Range* range : {&plan.x_range, &plan.y_range})
+    *range = {range->low / unit.in_si, range->high / unit.in_si};
   for (Curve& curve : plan.curves) scale(curve.x), scale(curve.y);
   for (Marks& marks : plan.marks) scale(marks.x), scale(marks.y);
 }

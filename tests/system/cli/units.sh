@@ -228,6 +228,7 @@ expect 0 "PGA" "$gurney" run run.toml -o run_cm.h5 --units g-cm
 cp stdout run_cm.txt
 same run.h5 run_cm.h5
 labelled run_cm "Displacement (cm)"
+labelled run_cm "x (cm)"
 labelled run "Displacement (m)"
 check - << 'PY'
 import re
