@@ -1,7 +1,7 @@
 # gurney_unity(target): with GURNEY_UNITY the sources of a target are compiled in batches, which read
-# the headers and compile what they have in common once. A batch has some 1200 lines, and no two
+# the headers and compile what they have in common once. A batch has up to 2000 lines, and no two
 # sources in it have a helper (in an anonymous namespace) of one name.
-set(GURNEY_BATCH_LINES 1200)
+set(GURNEY_BATCH_LINES 2000)
 
 # The lines of a source and the names that it defines between `namespace {` and its end.
 function(gurney_helpers source lines_outcome names_outcome)
