@@ -57,7 +57,7 @@ def row(results, torque):
 
 def main():
     gurney, folder, table, *torques = sys.argv[1:]
-    catalogue.make_motions(gurney, os.path.join(folder, "motions"))
+    catalogue.make_motions(gurney, os.path.join(folder, "motions"), catalogue.MOTIONS)
     rows = []
     for torque in [int(each) for each in torques] or TORQUES:
         results = os.path.join(folder, f"torque_{torque}.h5")

@@ -150,9 +150,9 @@ void add_plan(Answer& answer, const study::Batch& batch) {
                  : fmt::format("{} points for each record, each with {} rows of a Saltelli design",
                                study.draws, inputs.size() + kSaltelliMatrices));
   if (study.replicas > 1)
-    answer.add("replicas", study.replicas,
-               fmt::format("{} of each draw, masses times 1 + 1e-9 of the replica's number",
-                           study.replicas));
+    answer.add(
+        "replicas", study.replicas,
+        fmt::format("{} of each draw, masses times a factor within 1 +- 1e-6", study.replicas));
   if (!inputs.empty()) answer.add("inputs", inputs, list_of(inputs));
   const std::vector<std::string> undrawn = study::undrawn_ranges(batch).lines();
   answer.json["ranges_not_drawn"] = undrawn;

@@ -103,7 +103,7 @@ WhatIf what_if(const study::RunFacts& facts, const Explanation& of, std::size_t 
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
   for (std::size_t t = 0; t < tasks.size(); ++t) {
     const auto [i, k] = tasks[t];
-    runs[i][k] = outcome_of(facts, perturbed(variants[i].scene, k), of);
+    runs[i][k] = outcome_of(facts, replica_of(variants[i].scene, k), of);
   }
   WhatIf result{.replicas = replicas, .as_it_was = summed_up(variants[0], runs[0]), .variants = {}};
   for (std::size_t i = 1; i < variants.size(); ++i)

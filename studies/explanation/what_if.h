@@ -33,7 +33,7 @@ struct WhatIf {
 };
 
 /// Runs all variants; the result does not depend on `threads`.
-/// @param replicas  of each: runs whose items are heavier by k 1e-9, k = 0, 1, ... (perturbed())
+/// @param replicas  of each: runs under changes that nobody can measure (replica_of())
 WhatIf what_if(const study::RunFacts& facts, const Explanation& of, std::size_t replicas,
                int threads);
 

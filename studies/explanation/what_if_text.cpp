@@ -137,9 +137,8 @@ std::string text(const WhatIf& what, const Explanation& of) {
   for (const VariantOutcome& each : what.variants) width = std::max(width, each.name.size() + 1);
   std::string text = "\nWhat if (each variant was run)\n";
   if (replicas)
-    text +=
-        fmt::format("  {} replicas of each, whose masses differ by parts in a billion; medians\n",
-                    what.replicas);
+    text += fmt::format("  {} replicas of each, whose masses differ by up to 1e-6; medians\n",
+                        what.replicas);
   text += fmt::format("  {:<{}}{:>11}{:>11}{:>11}{:>13}\n  {:<{}}{:>11}{:>11}{:>11}\n", "", width,
                       "farthest", "tilt", "impact", "overturned", "", width, of.units.of("m").name,
                       "% of crit.", of.units.of("m/s").name);

@@ -265,7 +265,7 @@ const Job& JobModel::stated() const { return reading_->stated(); }
 Job sample(const JobModel& model, const std::optional<Draw>& draw, std::size_t replica) {
   Job job = sample(*model.reading_, draw);
   job.draw = draw;
-  job.scene = perturbed(std::move(job.scene), replica);
+  job.scene = replica_of(std::move(job.scene), replica);
   return job;
 }
 

@@ -93,7 +93,7 @@ class JobModel {
 };
 
 /// The job in a draw; without one, every number at its value.
-/// @param replica  number of perturbed(), for its scene
+/// @param replica  number of replica_of(), for its scene
 /// @throws Error where this draw makes a bad job, such as items that overlap
 Job sample(const JobModel& model, const std::optional<Draw>& draw, std::size_t replica = 0);
 

@@ -18,7 +18,7 @@ struct Task {
   std::size_t configuration = 0, record = 0, angle = 0;
   std::size_t draw = 0;     ///< its number among the draws of all records
   std::size_t stage = 0;    ///< of adaptive stripes
-  std::size_t replica = 0;  ///< of the draw: number of perturbed()
+  std::size_t replica = 0;  ///< of the draw: number of replica_of()
 };
 
 /// The tasks of a study in their order: stages, in them configurations, in them records, in them

@@ -83,7 +83,7 @@ struct Study {
   std::uint64_t seed = 1;
   int draws = 0;  ///< of each record; 0: every parameter has its value
   Sampling sampling = Sampling::kMonteCarlo;
-  int replicas = 1;  ///< of each draw, under changes that nobody can measure (perturbed())
+  int replicas = 1;  ///< of each draw, under changes that nobody can measure (replica_of())
   std::vector<KeptMeasure> measures;
   OutputOptions keep;
   double step_check = 0;  ///< fraction of the runs that are repeated with half the time step

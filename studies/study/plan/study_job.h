@@ -43,7 +43,7 @@ class StudyJob {
 
   /// The job of a configuration. May be called from several threads at once.
   /// @param draw  none: every parameter has its value
-  /// @param replica  under a change that nobody can measure: number of perturbed(); 0: without
+  /// @param replica  under a change that nobody can measure: number of replica_of(); 0: without
   /// @throws Error where this draw makes a bad job, such as items that overlap.
   Job job(std::size_t configuration, const std::optional<Draw>& draw,
           std::size_t replica = 0) const;

@@ -117,7 +117,9 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
   runs.add_whole("motion", "row of /motions");
   runs.add_number("angle", "rad", "angle of the record's axes from the floor's");
   runs.add_whole("draw", "which draw of the uncertain parameters; -1: all have their values");
-  runs.add_whole("replica", "which replica of its draw: all masses times 1 + 1e-9 of this number");
+  runs.add_whole(
+      "replica",
+      "which replica of its draw: the masses of all but 0 are times a factor within 1 +- 1e-6");
   runs.add_number("scale", "1", "factor on the ground motion");
   runs.add_number("intensity", "1", "the study's intensity measure, in its SI unit; 0: none");
   runs.add_number("pfa", "m/s2", "largest horizontal acceleration of the floor");
