@@ -93,9 +93,10 @@ std::string verification_markdown(const std::vector<CaseRun>& runs) {
          "its tolerance; every case is in `gurney verify --json`.\n\n" +
          checks.markdown() +
          "\n### The stock solver of Bullet on the same cases\n\n`bullet` is its iterated contact "
-         "solver (50 iterations), `bullet-dantzig` its direct one, with the same steps. It knows "
-         "no\nfixtures and no drop weights, so it runs the cases that need none. Its friction is a "
-         "pyramid: that is the error of `isotropy_free`.\n\n" +
+         "solver (50 iterations), `bullet-dantzig` its direct one, with the same steps. It "
+         "supports\n"
+         "neither fixtures nor drop weights, so it runs only the cases without them. Its friction "
+         "cone is a pyramid, which explains the\nerror of `isotropy_free`.\n\n" +
          stock.markdown();
 }
 
