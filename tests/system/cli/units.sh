@@ -20,7 +20,7 @@ TOML
   cat run.toml
   cat << 'TOML'
 [study]
-draws = 12
+draws = 4
 seed = 1
 angles_deg = [0, 30]
 measures = ["PGV h1"]
