@@ -5,15 +5,7 @@ set -uo pipefail
 gurney=$1
 . "$2/tests/system/cli/expect.sh"
 
-cat > run.toml << 'TOML'
-schema = "gurney-job/1"
-title = "</script><b>'quoted' & \"more\"</b>"
-[item]
-equipment = "icu_ventilator"
-[excitation.record]
-synthetic = { kind = "ricker", pga_g = 0.3, period_s = 0.5 }
-use = "x"
-TOML
+write_ventilator_job '</script><b>'\''quoted'\'' & \"more\"</b>'
 {
   cat run.toml
   cat << 'TOML'

@@ -7,15 +7,7 @@ gurney=$1
 same() { cmp "$1" "$2" > stdout 2> stderr || complain "$1 and $2 differ"; }
 check() { python3 "$@" > stdout 2> stderr || complain "$*"; }
 
-cat > run.toml << 'TOML'
-schema = "gurney-job/1"
-title = "units"
-[item]
-equipment = "icu_ventilator"
-[excitation.record]
-synthetic = { kind = "ricker", pga_g = 0.3, period_s = 0.5 }
-use = "x"
-TOML
+write_ventilator_job units
 {
   cat run.toml
   cat << 'TOML'
@@ -70,7 +62,7 @@ for command in show fragility compare sensitivity; do
 done
 for command in fragility compare sensitivity measures "fragility --and pfv"; do
   name=${command//[^a-z]/_}
-  # shellcheck disable=SC2086
+  # shellcheck disable=SC2046,SC2086
   for units in "" si cm g-in; do
     "$gurney" ${command/ / study.h5 } $([ "$command" = "${command/ /}" ] && echo study.h5) --json \
       ${units:+--units $units} > "$name$units.json" 2> stderr || complain "$command $units"
@@ -214,6 +206,7 @@ labelled trajectories "x from the start (cm)"
 plot spectra spectra --units cm
 labelled spectra "Sa h1 (cm/s²)"
 for command in fragility compare sensitivity; do
+  # shellcheck disable=SC2046
   expect 0 "" "$gurney" "$command" study.h5 --figure "$command.svg" --overwrite --units cm \
     $([ $command = sensitivity ] && echo --configuration false)
 done
