@@ -69,8 +69,9 @@ struct Caster {
   Tread tread;
   BearingFriction axle;
   BearingFriction swivel;
-  double brake_torque = 0;  ///< on the axle; 0: brake off; infinite: the wheel cannot turn [N m]
-  double swivel_lock_torque = 0;  ///< on the swivel; 0: free; infinite: cannot turn [N m]
+  // Both hold by springs of ten times the tread's stiffness (docs/theory/tread.md).
+  double brake_torque = 0;        ///< on the axle; 0: brake off; infinite: never slips [N m]
+  double swivel_lock_torque = 0;  ///< on the swivel; 0: free; infinite: never slips [N m]
 };
 
 /// One item: a rigid chassis with payloads on up to 8 casters; without casters the lowest faces of

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -97,6 +98,7 @@ std::vector<std::size_t> ghosts_of(const PlayOptions& options) {
     require(
         configuration[run] == configuration[shown] && run != shown,
         fmt::format("--ghost {}: must be another run of the configuration of run {}", run, shown));
+    require(std::ranges::count(ghosts, run) == 1, fmt::format("--ghost {}: is named twice", run));
   }
   if (options.all_ghosts)
     for (const std::size_t run : data.runs_of(static_cast<std::size_t>(configuration[shown])))
@@ -118,9 +120,9 @@ int play(const PlayOptions& options) {
   require(options.runs.size() <= kMaxRuns,
           fmt::format("--run: at most {} runs fit beside each other", kMaxRuns));
   study::OutputFiles(options.overwrite).check(options.output);
-  std::vector<playback::PageRun> runs, ghosts;
   const std::vector<std::size_t> others = ghosts_of(options);
-  runs = runs_of(options);
+  const std::vector<playback::PageRun> runs = runs_of(options);
+  std::vector<playback::PageRun> ghosts;
   for (const std::size_t run : others)
     ghosts.push_back({fmt::format("run {}", run), playback::ghost_of(run_again(options, run))});
   write_output(options.output, playback::playback_page(runs, ghosts), options.overwrite, false);

@@ -35,6 +35,10 @@ struct CrossCheck {
   std::vector<Wall> walls = {};  ///< the same as boxes in scene.room, of its default constants
 };
 
+/// Casters ahead and the floor along x and z alone: the item slides along x, and a pyramid of friction is a
+/// cone.
+CrossCheck along_x(CrossCheck check);
+
 /// Defaults of the engine with the solver that its manual names first; stiff contacts with all else by
 /// default (ODE: with Dantzig's solver); the most accurate set-up that was found
 /// (docs/performance.md).

@@ -61,12 +61,4 @@ CrossCheck half_locked_check(unsigned record, double peak_g) {
   return check;
 }
 
-CrossCheck along_x(CrossCheck check) {
-  for (Caster& caster : check.scene.items[0].model.casters) caster.heading = 0;
-  Eigen::Matrix3Xd acceleration = check.floor.acceleration();
-  acceleration.row(1).setZero();
-  check.floor = FloorMotion(check.floor.time_step(), acceleration);
-  return check;
-}
-
 }  // namespace gurney::peers

@@ -19,7 +19,4 @@ CrossCheck trolley_check(unsigned record, double peak_g);
 /// Casters 0 and 1 can neither turn nor roll.
 CrossCheck half_locked_check(unsigned record, double peak_g);
 
-/// Casters ahead and the floor along x and z alone.
-CrossCheck along_x(CrossCheck check);
-
 }  // namespace gurney::peers

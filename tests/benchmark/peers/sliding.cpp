@@ -26,15 +26,6 @@ CrossCheck with_scene(CrossCheck check, const std::function<void(Scene&)>& chang
   return check;
 }
 
-/// Casters ahead, and the floor along x and z: the cart slides along x, and a pyramid is a cone.
-CrossCheck straight(CrossCheck check) {
-  for (Caster& caster : check.scene.items[0].model.casters) caster.heading = 0;
-  Eigen::Matrix3Xd acceleration = check.floor.acceleration();
-  acceleration.row(1).setZero();
-  check.floor = FloorMotion(check.floor.time_step(), acceleration);
-  return check;
-}
-
 std::vector<Method> methods(bool quick) {
   const double step = quick ? 0.001 : 0.00025, slow = quick ? 0.0005 : 0.0001,
                slowest = quick ? 0.00005 : 0.00001;
@@ -99,7 +90,7 @@ void print_case(const std::string& name, const std::vector<CrossCheck>& runs,
 void print_sliding(bool quick, const std::string& file) {
   const Job cart = half_locked_job(quick ? 1 : 3);
   std::vector<CrossCheck> ahead;
-  for (const CrossCheck& run : cart.runs) ahead.push_back(straight(run));
+  for (const CrossCheck& run : cart.runs) ahead.push_back(along_x(run));
   std::ofstream out(file);
   out << "case,motion,engine,setup,time_step_ms,peak_displacement_mm,peak_yaw_deg,peak_tilt_deg\n";
   print_case(cart.name + " along x", ahead, cart.seeds, quick, out);

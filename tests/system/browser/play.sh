@@ -6,7 +6,7 @@ set -uo pipefail
 gurney=$1
 source=$2
 chromium=$(command -v chromium) || { echo "skipped: chromium is not installed"; exit 77; }
-/usr/bin/python3 -c "import h5py, numpy" 2> no || { echo "skipped: python3-h5py is not installed"; exit 77; }
+/usr/bin/python3 -c "import h5py, numpy" 2> /dev/null || { echo "skipped: python3-h5py is not installed"; exit 77; }
 . "$source/tests/system/cli/expect.sh"
 
 cat > run.toml << 'TOML'

@@ -55,7 +55,8 @@ folder=$(mktemp -d "${TMPDIR:-/tmp}/gurney cli XXXXXX") || exit 1
 trap 'chmod -R u+w "$folder"; rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 
-# write_ventilator_job TITLE: run.toml, a ventilator under a pulse; TITLE as TOML has it between quotes
+# write_ventilator_job TITLE [PERIOD]: run.toml, a ventilator under a pulse of PERIOD s (0.5); TITLE as TOML
+# has it between quotes
 write_ventilator_job() {
   cat > run.toml << TOML
 schema = "gurney-job/1"
@@ -63,7 +64,7 @@ title = "$1"
 [item]
 equipment = "icu_ventilator"
 [excitation.record]
-synthetic = { kind = "ricker", pga_g = 0.3, period_s = 0.5 }
+synthetic = { kind = "ricker", pga_g = 0.3, period_s = ${2:-0.5} }
 use = "x"
 TOML
 }

@@ -5,15 +5,7 @@ set -uo pipefail
 gurney=$1
 . "$2/tests/system/cli/expect.sh"
 
-cat > run.toml << 'TOML'
-schema = "gurney-job/1"
-title = "<b>'quoted' & \"more\"</b>"
-[item]
-equipment = "icu_ventilator"
-[excitation.record]
-synthetic = { kind = "ricker", pga_g = 0.3, period_s = 1.0 }
-use = "x"
-TOML
+write_ventilator_job '<b>'\''quoted'\'' & \"more\"</b>' 1.0
 {
   cat run.toml
   cat << 'TOML'

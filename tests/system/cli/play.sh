@@ -26,6 +26,7 @@ play 1 "must end in .html" run.h5 -o page.svg
 play 1 "has no --run but 0" run.h5 --run 1 -o page.html
 play 1 "choose one of its runs with --run N" study.h5 -o page.html
 play 1 "has no run 9; it has runs 0 to 1" study.h5 --run 9 -o page.html
+play 1 "--ghost 1: is named twice" study.h5 --run 0 --ghost 1 --ghost 1 -o page.html
 play 1 "at most 4 runs" study.h5 --run 0 --run 0 --run 0 --run 0 --run 0 -o page.html
 [ -e page.html ] && complain "a page was written for bad input"
 play 0 "page.html" run.h5 -o page.html
