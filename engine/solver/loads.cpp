@@ -13,28 +13,6 @@ Vector6 row_of(const Pose& pose, const Vector3& point, const Vector3& direction)
   return row;
 }
 
-/// Integral from the first time to `time` of a table that is linear between its points, zero
-/// outside.
-double table_integral(const PointForce& table, double time) {
-  double sum = 0;
-  for (std::size_t i = 1; i < table.time.size() && table.time[i - 1] < time; ++i) {
-    const double t0 = table.time[i - 1], t1 = table.time[i], end = std::min(time, t1);
-    const double f0 = table.force[i - 1];
-    const double f_end = f0 + (table.force[i] - f0) * (end - t0) / (t1 - t0);
-    sum += 0.5 * (f0 + f_end) * (end - t0);
-  }
-  return sum;
-}
-
-double table_value(const PointForce& table, double time) {
-  for (std::size_t i = 1; i < table.time.size(); ++i) {
-    const double t0 = table.time[i - 1], t1 = table.time[i];
-    if (time >= t0 && time <= t1)
-      return table.force[i - 1] + (table.force[i] - table.force[i - 1]) * (time - t0) / (t1 - t0);
-  }
-  return 0;
-}
-
 /// A force at its speed limit fades over this share of the limit.
 constexpr double kFading = 0.05;
 
@@ -44,11 +22,11 @@ struct Share {
   double slope = 0;  ///< -d value / d speed >= 0 [s/m]
 };
 
-Share share_at(const PointForce& load, double speed) {
-  const double value = (1 - speed / load.speed_limit) / kFading;
+Share share_at(double speed_limit, double speed) {
+  const double value = (1 - speed / speed_limit) / kFading;
   if (value >= 1) return {};
   if (value <= 0) return {0, 0};
-  return {value, 1 / (kFading * load.speed_limit)};
+  return {value, 1 / (kFading * speed_limit)};
 }
 
 double spring_energy(double stiffness, const Vector2& deflection) {
@@ -77,12 +55,10 @@ LoadsState LoadsState::extrapolated(const LoadsState& first, double ratio) const
 }
 
 Loads::Loads(const PlacedItem& item, const Vector3& chassis_center, double gravity)
-    : forces_(loads_of<PointForce>(item.loads)),
-      strings_(loads_of<StringPotentiometer>(item.loads)) {
-  for (auto& f : forces_) {
-    f.point -= chassis_center;
-    f.direction.normalize();
-  }
+    : strings_(loads_of<StringPotentiometer>(item.loads)) {
+  for (const auto& f : loads_of<PointForce>(item.loads))
+    forces_.push_back({f.point - chassis_center, f.direction.normalized(),
+                       ForceTable(f.time, f.force), f.speed_limit});
   for (auto& s : strings_) {
     s.point -= chassis_center;
     s.direction.normalize();
@@ -115,7 +91,8 @@ LoadsState Loads::initial_state() const {
 
 std::vector<double> Loads::breakpoints() const {
   std::vector<double> times;
-  for (const auto& f : forces_) times.insert(times.end(), f.time.begin(), f.time.end());
+  for (const auto& f : forces_)
+    times.insert(times.end(), f.table.times().begin(), f.table.times().end());
   for (const auto& b : blocks_) times.push_back(b.release_time);
   return times;
 }
@@ -145,10 +122,10 @@ void Loads::evaluate(const Stage& stage, const Pose& pose, const Vector6& veloci
   rows.clear();
   for (const auto& f : forces_) {
     const StageMeans mean =
-        stage_means(stage.from, stage.to, [&](double t) { return table_integral(f, t); });
+        stage_means(stage.from, stage.to, [&](double t) { return f.table.integral(t); });
     const double force = stage.first ? mean.first : mean.second;
     const Vector6 row = row_of(pose, f.point, f.direction);
-    const Share share = share_at(f, row.dot(velocity));
+    const Share share = share_at(f.speed_limit, row.dot(velocity));
     rows.push_back({row, share.value * force, share.slope * force});
   }
   for (const auto& s : strings_) rows.push_back({row_of(pose, s.point, s.direction), s.tension, 0});
@@ -256,8 +233,8 @@ double Loads::weight_energy(const LoadsState& state) const {
 double Loads::pull_force(double time, const Pose& pose, const Vector6& velocity) const {
   double sum = 0;
   for (const auto& f : forces_)
-    sum +=
-        share_at(f, row_of(pose, f.point, f.direction).dot(velocity)).value * table_value(f, time);
+    sum += share_at(f.speed_limit, row_of(pose, f.point, f.direction).dot(velocity)).value *
+           f.table.value(time);
   return sum;
 }
 

@@ -5,6 +5,7 @@
 #include "engine/caster/caster_dynamics.h"
 #include "engine/response/energy_account.h"
 #include "engine/scene/scene.h"
+#include "engine/solver/force_table.h"
 #include "engine/solver/loads_state.h"
 
 namespace gurney {
@@ -72,6 +73,11 @@ class Loads {
   }
 
  private:
+  struct Force {
+    Vector3 point, direction;
+    ForceTable table;
+    double speed_limit;
+  };
   struct Weight {
     Vector3 point, direction;
     double weight_mass, inertia, force, drop_height, gravity, stiffness, damping, tension_on_weight;
@@ -90,7 +96,7 @@ class Loads {
   Cable cable(const Weight& weight, const LoadsState::Weight& start, double u,
               const Stage& stage) const;
 
-  std::vector<PointForce> forces_;
+  std::vector<Force> forces_;
   std::vector<StringPotentiometer> strings_;
   std::vector<Weight> weights_;
   std::vector<Block> blocks_;

@@ -23,6 +23,11 @@ constexpr int kPerOctave = 24, kIterations = 20;
 /// steepest place of an oscillator's resonance. Halfway between points of the last grid it may be
 /// lower by (ln 2 / 768 / 2) / (2 zeta) = 0.0045.
 constexpr int kPerOctaveAtLast = 768;
+/// Of the last grid, points first: between two of them the ratio to the required spectrum, whose
+/// own slope is at most 1 in logarithms, is lower than at the lower one by less than
+/// (1 / (2 zeta) + 1) times half their distance. Twice that is kept.
+constexpr std::size_t kStride = 8;
+constexpr double kDip = (1 / (2 * kDamping) + 1) * kStride * std::numbers::ln2 / kPerOctaveAtLast;
 constexpr double kMargin = 1.005;
 constexpr double kHighestFrequency = 50;  // of the motion's own content [Hz]
 
@@ -39,6 +44,29 @@ Eigen::VectorXd ratios(double time_step, const Eigen::VectorXd& acceleration,
   return response_spectrum(time_step, acceleration, f.inverse(), kDamping)
              .absolute_acceleration.array() /
          f.unaryExpr([&](double each) { return required.at(each); });
+}
+
+/// The smallest of ratios() on a dense grid: first at every kStride-th point, then between those where a
+/// smaller one can be.
+double smallest_ratio(double time_step, const Eigen::VectorXd& acceleration,
+                      const RequiredSpectrum& required, const std::vector<double>& grid) {
+  std::vector<std::size_t> points;
+  for (std::size_t i = 0; i < grid.size(); i += kStride) points.push_back(i);
+  if (points.back() != grid.size() - 1) points.push_back(grid.size() - 1);
+  std::vector<double> first;
+  for (const std::size_t i : points) first.push_back(grid[i]);
+  const Eigen::VectorXd at_first = ratios(time_step, acceleration, required, first);
+  const double smallest = at_first.minCoeff();
+
+  std::vector<double> between;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const auto right = static_cast<Eigen::Index>(i);
+    if (std::min(at_first[right - 1], at_first[right]) <= smallest * (1 + kDip))
+      between.insert(between.end(), grid.begin() + static_cast<std::ptrdiff_t>(points[i - 1]) + 1,
+                     grid.begin() + static_cast<std::ptrdiff_t>(points[i]));
+  }
+  if (between.empty()) return smallest;
+  return std::min(smallest, ratios(time_step, acceleration, required, between).minCoeff());
 }
 
 struct Fit {
@@ -69,9 +97,8 @@ class Matching {
       for (std::size_t k = 0; k < amplitude_.size(); ++k)
         amplitude_[k] /= ratio_[static_cast<Eigen::Index>(k)];
     }
-    const double smallest =
-        ratios(motion_.time_step, best.acceleration, required_, ac156_frequencies(kPerOctaveAtLast))
-            .minCoeff();
+    const double smallest = smallest_ratio(motion_.time_step, best.acceleration, required_,
+                                           ac156_frequencies(kPerOctaveAtLast));
     best.acceleration *= kMargin / smallest;
     best.largest *= kMargin / smallest;
     best.smallest = kMargin;

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <ostream>
+#include <set>
 
+#include "studies/report/verification_report.h"
 #include "studies/verification/verify.h"
+#include "tests/support/verification_page.h"
 
 // The list of `gurney verify`: every case is a test here.
 namespace gurney::verification {
@@ -18,12 +21,13 @@ const std::vector<Family>& families() {
   return all;
 }
 
-void expect_to_pass(CaseRun chosen) {
+CaseRun expect_to_pass(CaseRun chosen) {
   run(chosen, false);
   EXPECT_FALSE(chosen.findings.checks.empty());
   for (const Check& c : chosen.findings.checks)
     EXPECT_TRUE(c.passed()) << c.quantity << ": " << c.computed << " " << c.unit << ", reference "
                             << c.reference << ", tolerance " << c.tolerance << ": " << c.derivation;
+  return chosen;
 }
 
 std::string test_name(std::string name) {
@@ -34,7 +38,12 @@ std::string test_name(std::string name) {
 
 class Cases : public testing::TestWithParam<CaseRun> {};
 
-TEST_P(Cases, Pass) { expect_to_pass(GetParam()); }
+TEST_P(Cases, PassAndAreOnThePage) {
+  const CaseRun run = expect_to_pass(GetParam());
+  static const std::set<std::string> page = words_of_checks(shipped_verification_page());
+  for (const auto& words : words_of_checks(verification_page(report::verification_markdown({run}))))
+    EXPECT_TRUE(page.contains(words)) << "not in docs/verification.md: " << words;
+}
 
 INSTANTIATE_TEST_SUITE_P(TheList, Cases, testing::ValuesIn(choose(families(), {})),
                          [](const auto& test) { return test_name(test.param.name()); });

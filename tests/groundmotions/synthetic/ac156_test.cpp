@@ -93,6 +93,28 @@ TEST_F(Ac156, EnvelopesTheRequiredSpectrum) {
   }
 }
 
+// The generator looks at every eighth point first and leaves out what cannot be the smallest; here
+// all points are looked at.
+TEST_F(Ac156, ItsSmallestRatioIsThatOfTheWholeGrid) {
+  const std::vector<double> grid = ac156_frequencies(768);
+  const auto count = static_cast<Eigen::Index>(grid.size());
+  const Eigen::ArrayXd frequencies = Eigen::ArrayXd::Map(grid.data(), count);
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+    const Record made =
+        ac156_motion({.seed = seed, .short_period_acceleration = kG, .height_ratio = 0.5});
+    for (const Direction direction : kDirections) {
+      const RequiredSpectrum required =
+          direction == Direction::kVertical ? required_vertical(kG) : required_horizontal(kG, 0.5);
+      const Eigen::ArrayXd spectrum =
+          response_spectrum(0.002, made[direction]->acceleration, frequencies.inverse(), 0.05)
+              .absolute_acceleration;
+      const double smallest =
+          (spectrum / frequencies.unaryExpr([&](double f) { return required.at(f); })).minCoeff();
+      EXPECT_NEAR(smallest, 1.005, 1e-12) << seed << " " << name_of(direction);  // rounding
+    }
+  }
+}
+
 TEST_F(Ac156, BuildsHoldsAndDecaysAndEndsAtRest) {
   for (const auto& component : record().components) {
     EXPECT_EQ(component->acceleration.size(), 15001);
