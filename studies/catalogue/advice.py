@@ -12,7 +12,7 @@ from catalogue import motion_rows
 MOTION_COUNT = len(motion_rows())
 SPEED = "0.8"  # [m/s] peak floor velocity of the advice
 FEW = 0.05  # a probability that counts as small
-MOST = 0.25  # that a small probability must not reach with its upper end; 0 of 16 motions exclude 0.21
+MOST = 0.15  # that a small probability must not reach with its upper end; 0 of 32 motions exclude 0.11
 ACTIONS = {
     "high": "Tether it high",
     "tether": "Tether it",

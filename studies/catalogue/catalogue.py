@@ -1,12 +1,12 @@
 """Makes the fragility catalogue of wheeled hospital equipment (docs/catalogue/methods.md).
 
 usage: catalogue.py GURNEY OUTPUT [--items a,b] [--only FLOOR,PLACE,BRAKES]... [--variance]
-           [--motions FILE | --suite FOLDER] [--threads N]
+           [--motions FILE | --suite FOLDER] [--draws N] [--threads N]
 
 GURNEY is the program, OUTPUT a folder for motions, jobs and results. A study that is finished is not
 run again, one that was interrupted goes on. --motions takes another file of synthetic motions than MOTIONS,
---suite recorded ones, --only runs single configurations, with the same numbers; tables.py then writes the
-tables. --variance runs the studies of variance.py: several draws and replicas of each motion.
+--suite recorded ones, --draws several draws of each motion; --only runs single configurations, with the same
+numbers; tables.py then writes the tables. --variance runs the studies of variance.py: several draws and replicas of each motion.
 """
 
 import argparse
@@ -19,7 +19,7 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 
-MOTIONS = os.path.join(HERE, "motions.csv")  # of the catalogue; the matched suite: motions_matched.csv
+MOTIONS = os.path.join(HERE, "motions.csv")  # made by suite.py
 GAP_BACK, GAP_SIDE = 0.1, 0.3  # [m] from the item to the walls of its bay
 LEVELS_OF_CURVES = [0.15, 0.4, 0.8, 1.5]  # [m/s] PGV of the ground
 VARIANCE = {"floor": "flexible building", "place": "open", "draws": 4, "replicas": 2, "levels": [0.8]}
@@ -69,17 +69,17 @@ def combinations(rows_of_levels):
     return f"combinations = {json.dumps(rows_of_levels)}\n" if rows_of_levels else ""
 
 
-def design(item, only, variance):
+def design(item, only, variance, draws):
     """The words of the template that say which runs a study has."""
     if not variance:
-        return {"DRAWS": "1", "LEVELS": json.dumps(LEVELS_OF_CURVES),
+        return {"DRAWS": str(draws), "LEVELS": json.dumps(LEVELS_OF_CURVES),
                 "COMBINATIONS": combinations([each.split(",") for each in only])}
     chosen = [[VARIANCE["floor"], VARIANCE["place"], setting] for setting in item["brakes"].split()]
     return {"DRAWS": str(VARIANCE["draws"]), "LEVELS": json.dumps(VARIANCE["levels"]),
             "COMBINATIONS": combinations(chosen) + f"replicas = {VARIANCE['replicas']}\n"}
 
 
-def job_text(gurney, item, jobs, suite, only=(), variance=False):
+def job_text(gurney, item, jobs, suite, only=(), variance=False, draws=1):
     """The template with the size of the item's bay."""
     sheet = json.loads(subprocess.run([gurney, "equipment", "show", item["item"], "--json"],
                                       check=True, capture_output=True, text=True).stdout)
@@ -94,7 +94,7 @@ def job_text(gurney, item, jobs, suite, only=(), variance=False):
         "SIDE": f"{side:.3f}",
         "FRONT": f"{length / 2:.3f}",
         "BRAKES": brakes(item["brakes"].split()),
-    } | design(item, only, variance)
+    } | design(item, only, variance, draws)
     with open(os.path.join(HERE, "item_study.toml.in")) as file:
         text = file.read()
     for word, value in words.items():
@@ -120,6 +120,7 @@ def main():
     parser.add_argument("--variance", action="store_true", help="draws and replicas instead of the curves")
     parser.add_argument("--motions", default=MOTIONS, help="file of synthetic motions (default: that of the catalogue)")
     parser.add_argument("--suite", help="folder or list of records instead of the synthetic motions")
+    parser.add_argument("--draws", type=int, default=1, help="of item, casters and floor for each motion (default: 1)")
     parser.add_argument("--threads", type=int, default=os.cpu_count())
     options = parser.parse_args()
     items = rows("items.csv")
@@ -138,7 +139,8 @@ def main():
         print(f"{number} of {len(items)}: {item['item']}", flush=True)
         job = os.path.join(jobs, item["item"] + ".toml")
         with open(job, "w") as file:
-            file.write(job_text(options.gurney, item, jobs, suite, options.only, options.variance))
+            file.write(job_text(options.gurney, item, jobs, suite, options.only, options.variance,
+                                options.draws))
         run(options.gurney, job, os.path.join(options.output, item["item"] + ".h5"), options.threads)
 
 

@@ -21,11 +21,11 @@ STATES = ["moved 0.1 m", "moved 0.3 m", "moved 1 m", "overturned"]
 
 
 def divisions():
-    """By turns, each half with motions of all kinds, and the first half against the last, which are of other
-    kinds."""
+    """By turns, each half with spectra of all shapes, and the first half, of slow motions, against the last, of
+    fast ones: the file has the slowest first."""
     names = [record_name(motion) for motion in motion_rows()]
     middle = len(names) // 2
-    return {"by turns": (names[0::2], names[1::2]), "by kind": (names[:middle], names[middle:])}
+    return {"by turns": (names[0::2], names[1::2]), "by shape": (names[:middle], names[middle:])}
 
 
 def configurations(gurney, file):

@@ -17,6 +17,7 @@ import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as xml
+from concurrent.futures import ThreadPoolExecutor
 
 ADVISED = ("flexible building", "open")  # where the advice is given, and at which velocities [m/s]
 SPEEDS = (0.4, 0.8)
@@ -216,6 +217,12 @@ def write_nrml(gurney, files, folder):
         tree.write(os.path.join(folder, name), encoding="UTF-8", xml_declaration=True)
 
 
+def of_all(files, rows_of):
+    """The rows of all items in their order, as many items at once as there are cores."""
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        return [row for rows in pool.map(lambda each: list(rows_of(*each)), files) for row in rows]
+
+
 def main():
     if len(sys.argv) != 4:
         sys.exit(__doc__)
@@ -223,21 +230,21 @@ def main():
     files = [(os.path.basename(path)[:-3], path) for path in sorted(glob.glob(os.path.join(results, "*.h5")))]
     os.makedirs(tables, exist_ok=True)
     write_csv(os.path.join(tables, "fragility.csv"), COLUMNS,
-              [row for item, file in files for row in fragility_rows(gurney, item, file)])
+              of_all(files, lambda item, file: fragility_rows(gurney, item, file)))
     write_csv(os.path.join(tables, "probabilities.csv"),
               ["item", "brakes", "limit_state", "pfv", "probability", "low", "high"],
-              [row for item, file in files for row in probability_rows(gurney, item, file)])
+              of_all(files, lambda item, file: probability_rows(gurney, item, file)))
     write_csv(os.path.join(tables, "brakes.csv"),
               ["item", "brakes", "limit_state", "off", "braked", "difference", "low", "high", "p"],
-              [row for item, file in files for row in brake_rows(gurney, item, file)])
-    measures = [row for item, file in files for row in measure_rows(gurney, item, file)]
+              of_all(files, lambda item, file: brake_rows(gurney, item, file)))
+    measures = of_all(files, lambda item, file: measure_rows(gurney, item, file))
     write_csv(os.path.join(tables, "measures.csv"),
               ["item", "floor", "place", "brakes", "best", "best_scatter", "second", "second_scatter", "pfv_scatter"],
               measures)
     write_csv(os.path.join(tables, "best_measure.csv"), COLUMNS,
-              [row for item, file in files for row in best_measure_rows(gurney, item, file, measures)])
+              of_all(files, lambda item, file: best_measure_rows(gurney, item, file, measures)))
     write_csv(os.path.join(tables, "more_states.csv"), COLUMNS,
-              [row for item, file in files for row in further_rows(gurney, item, file)])
+              of_all(files, lambda item, file: further_rows(gurney, item, file)))
     write_pelicun(gurney, files, os.path.join(tables, "pelicun"))
     write_nrml(gurney, files, os.path.join(tables, "nrml"))
 

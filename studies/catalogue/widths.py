@@ -11,6 +11,7 @@ import math
 import os
 import statistics
 import sys
+from concurrent.futures import ThreadPoolExecutor
 
 from catalogue import motion_rows, record_name
 from halves import STATES, configurations, curves
@@ -33,9 +34,11 @@ def width(interval):
 def rows(gurney, files, names):
     for size, sets in parts(names):
         widths, without = {state: [] for state in STATES}, dict.fromkeys(STATES, 0)
-        for file in files:
-            for part in sets:
-                for (state, _), each in curves(gurney, file, configurations(gurney, file), part).items():
+        def of_item(file):
+            return [curves(gurney, file, configurations(gurney, file), part) for part in sets]
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            for found in (each for parts_of_item in pool.map(of_item, files) for each in parts_of_item):
+                for (state, _), each in found.items():
                     if each["curve"]:
                         widths[state].append(width(each["theta_interval"]))
                     else:

@@ -8,7 +8,8 @@
 
 /// Prints accuracy and speed in one run. `--quick` takes a small ensemble;
 /// `--predictability`, `--replicas` and `--step-control` print the tables of
-/// docs/theory/predictability.md and step_control.md alone, `--cost` those of docs/performance.md.
+/// docs/theory/predictability.md and step_control.md alone, `--cost` and `--rooms` those of
+/// docs/performance.md.
 int main(int argc, char** argv) try {
   using namespace gurney::benchmark;
   const bool quick = argc > 1 && std::string_view(argv[1]) == "--quick";
@@ -22,6 +23,10 @@ int main(int argc, char** argv) try {
   }
   if (argc > 1 && std::string_view(argv[1]) == "--cost") {
     print_cost();
+    return 0;
+  }
+  if (argc > 1 && std::string_view(argv[1]) == "--rooms") {
+    print_rooms(argc > 2 ? std::atoi(argv[2]) : 12);
     return 0;
   }
   if (argc > 1 && std::string_view(argv[1]) == "--step-control") {

@@ -2,21 +2,43 @@
 
 #include <array>
 
+#include "tests/benchmark/crowd.h"
 #include "tests/benchmark/regimes.h"
 #include "tests/benchmark/sections.h"
 
 namespace gurney::benchmark {
 namespace {
 
+struct Room {
+  const char* name;
+  int columns, rows;
+};
+constexpr Room kRooms[] = {{"one between walls", 1, 1}, {"two", 2, 1}, {"ten", 5, 2}};
+
 constexpr double kSettled = 0.01, kNearlySettled = 0.05;
 
 struct Row {
   int runs = 0, settled = 0, nearly = 0;
-  void add(double error) {
-    ++runs;
-    settled += error <= kSettled;
-    nearly += error <= kNearlySettled;
+};
+
+/// A row for each verdict.
+class Table {
+ public:
+  void add(const JudgedRun& run) {
+    Row& row = rows_[static_cast<std::size_t>(run.verdict)];
+    ++row.runs;
+    row.settled += run.error <= kSettled;
+    row.nearly += run.error <= kNearlySettled;
   }
+  void print(const char* name) const {
+    for (std::size_t v = 0; v < rows_.size(); ++v)
+      fmt::print("{:>28} {:>12}: {:>3} runs, {:>3} settled ({:>3} within {:.0f} %)\n",
+                 v == 0 ? name : "", name_of(static_cast<Predictability::Verdict>(v)),
+                 rows_[v].runs, rows_[v].settled, rows_[v].nearly, 100 * kNearlySettled);
+  }
+
+ private:
+  std::array<Row, 3> rows_;
 };
 
 }  // namespace
@@ -28,17 +50,34 @@ void print_predictability(int records) {
       records, 100 * kSettled, 100 * kNearlySettled);
   for (const Regime& regime : kRegimes) {
     const Scene scene = scene_of_regime(regime);
-    std::array<Row, 3> rows;
+    Table table;
 #pragma omp parallel for schedule(dynamic)
     for (int k = 0; k < records; ++k) {
       const auto run = judged_run(scene, motion_of_regime(regime, k, records));
 #pragma omp critical
-      if (run) rows[static_cast<std::size_t>(run->verdict)].add(run->error);
+      if (run) table.add(*run);
     }
-    for (std::size_t v = 0; v < rows.size(); ++v)
-      fmt::print("{:>22} {:>12}: {:>3} runs, {:>3} settled ({:>3} within {:.0f} %)\n",
-                 v == 0 ? regime.name : "", name_of(static_cast<Predictability::Verdict>(v)),
-                 rows[v].runs, rows[v].settled, rows[v].nearly, 100 * kNearlySettled);
+    table.print(regime.name);
+  }
+}
+
+void print_rooms(int motions) {
+  fmt::print(
+      "\nTrolleys 0.15 m from each other and from walls: {} synthetic motions of 0.2 to 0.8 g; "
+      "items "
+      "whose peaks\nof displacement and tilt at 4 ms are within {:.0f} % ({:.0f} %) of those at "
+      "0.25 ms\n",
+      motions, 100 * kSettled, 100 * kNearlySettled);
+  for (const Room& room : kRooms) {
+    const Scene scene = crowd(room.columns, room.rows);
+    Table table;
+#pragma omp parallel for schedule(dynamic)
+    for (int k = 0; k < motions; ++k) {
+      const auto items = judged_items(scene, motion_of_regime(kRegimes[0], k, motions));
+#pragma omp critical
+      for (const JudgedRun& item : items) table.add(item);
+    }
+    table.print(room.name);
   }
 }
 

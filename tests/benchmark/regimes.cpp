@@ -62,13 +62,22 @@ std::optional<Predictability::Verdict> verdict_of_run(const Scene& scene,
   return found[0].verdict;
 }
 
-std::optional<JudgedRun> judged_run(const Scene& scene, const FloorMotion& floor) {
+std::vector<JudgedRun> judged_items(const Scene& scene, const FloorMotion& floor) {
   const SimulationSettings settings{.time_step = kDefaultStep};
   const Response run = simulate(scene, floor, settings);
   const auto found = predictability(scene, floor, settings, run);
   if (found.empty()) return {};
   const Response finest = simulate(scene, floor, {.time_step = kFinestStep});
-  return JudgedRun{found[0].verdict, step_error(run.items[0].demands, finest.items[0].demands)};
+  std::vector<JudgedRun> judged;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    judged.push_back({found[i].verdict, step_error(run.items[i].demands, finest.items[i].demands)});
+  return judged;
+}
+
+std::optional<JudgedRun> judged_run(const Scene& scene, const FloorMotion& floor) {
+  const std::vector<JudgedRun> judged = judged_items(scene, floor);
+  if (judged.empty()) return {};
+  return judged[0];
 }
 
 }  // namespace gurney::benchmark

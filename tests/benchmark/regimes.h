@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "engine/response/predictability.h"
 #include "tests/benchmark/workload.h"
@@ -38,5 +39,7 @@ struct JudgedRun {
 };
 std::optional<Predictability::Verdict> verdict_of_run(const Scene& scene, const FloorMotion& floor);
 std::optional<JudgedRun> judged_run(const Scene& scene, const FloorMotion& floor);
+/// Of each item; none where the twin fails.
+std::vector<JudgedRun> judged_items(const Scene& scene, const FloorMotion& floor);
 
 }  // namespace gurney::benchmark

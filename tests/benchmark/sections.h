@@ -15,6 +15,9 @@ void print_spectra();
 /// Verdicts of runs beside the error of their time step, for free and braked items.
 void print_predictability(int records);
 
+/// The same for items that hit each other and walls.
+void print_rooms(int motions);
+
 /// Accuracy and CPU time of fixed steps and of steps chosen by a tolerance.
 void print_step_control(int records);
 

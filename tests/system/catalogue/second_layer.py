@@ -47,7 +47,7 @@ def check_halves():
         assert len(first) == len(second) == len(halves.motion_rows()) // 2 and not first & second, division
     for row in read("halves.csv"):
         states(f"{row['within_bounded']} of {row['bounded']}")
-    for division in ("by turns", "by kind"):
+    for division in ("by turns", "by shape"):
         rows = [row for row in read("halves.csv") if row["division"] == division]
         inside, medians = (sum(int(row[name]) for row in rows) for name in ("within_bounded", "bounded"))
         states(f"{100 * inside / medians:.0f} % of {medians} medians {division}")
@@ -64,12 +64,37 @@ def check_suites():
     ratio = math.exp(sum(math.log(float(row["ratio"])) for row in rows) / len(rows))
     states(f"{inside} of {len(rows)} medians with records lie within the interval")
     states(f"{ratio:.2f} times the synthetic one")
-    rows = read("suites_matched.csv")
+    recorded = {(each["brakes"], each["limit_state"]): each["ratio"] for each in suites.summary(rows)}
+    rows = read("suites_unmatched.csv")
     inside = sum(row["within"] == "yes" for row in rows)
-    states(f"{inside} of {len(rows)} medians of the matched suite lie within the interval")
+    states(f"{inside} of {len(rows)} medians of the 16 lie within the interval")
     for each in suites.summary(rows):
+        key = each["brakes"], each["limit_state"]
         if not each["limit_state"].startswith("hit"):
-            states(f"| {each['brakes']}, {each['limit_state']} | {each['ratio']} ({each['lowest']} to {each['highest']}) |")
+            line = next(line for line in methods.split("| ") if line.startswith(f"{key[0]}, {key[1]} "))
+            first = methods.index(f"| {line}| {each['ratio']} ({each['lowest']} to {each['highest']}) |")
+            columns = methods[first:].split(" | ")[:5]
+            assert columns[4].split(" ")[0] == recorded[key], (key, columns)
+
+
+def check_draws():
+    shipped = {(row["item"], row["floor"], row["place"], row["brakes"]): row for row in read("fragility.csv")
+               if row["measure"] == "pfv" and row["limit_state"] == "overturned"}
+    single = {(row["item"], row["floor"]): row for row in read("suites.csv")
+              if (row["brakes"], row["limit_state"]) == ("on", "overturned")}
+
+    def median(theta, low, high):
+        return f"{float(theta):.2f} ({float(low):.2f} to {float(high):.2f})"
+    rows = [row for row in read("draws.csv") if row["limit_state"] == "overturned"]
+    assert len(rows) == 2, rows
+    for row in rows:
+        own = shipped[row["item"], row["floor"], row["place"], row["brakes"]]
+        one = single[row["item"], row["floor"]]
+        states(" | ".join([median(own["theta"], own["theta_low"], own["theta_high"]),
+                           median(row["theta"], row["theta_low"], row["theta_high"]),
+                           median(one["other"], one["other_low"], one["other_high"]),
+                           median(row["other"], row["other_low"], row["other_high"]),
+                           f"{float(one['ratio']):.2f}", f"{float(row['ratio']):.2f}"]))
 
 
 def check_widths():
@@ -129,6 +154,7 @@ def check_variance():
 
 check_halves()
 check_suites()
+check_draws()
 check_widths()
 if importlib.util.find_spec("h5py") and importlib.util.find_spec("numpy"):
     check_variance()

@@ -1,5 +1,5 @@
-"""The matched suite of the catalogue: its rows are those that suite_candidates.py draws, its spectra have the
-misfits of docs/catalogue/motions.md, the choice improves what it is given, and today's motions are not matched.
+"""The motions of the catalogue: their rows are those that suite_candidates.py draws, their spectra have the misfits of
+docs/catalogue/motions.md, the choice improves what it is given, and the motions of assumed parameters are not matched.
 
 usage: suite.py GURNEY SOURCE_DIR
 """
@@ -42,7 +42,7 @@ for marginal, density, low, high in (
     assert abs(y[x < marginal(0.5)].sum() / y.sum() - 0.5) < 1e-3
 
 # Each row of the file is the candidate of its seed.
-motions = suite.read_motions(os.path.join(scripts, "motions_matched.csv"))
+motions = suite.read_motions(os.path.join(scripts, "motions.csv"))
 for motion in motions:
     number = int(motion["parameters"].split()[0].removeprefix("seed=")) - 1000
     drawn = suite_candidates.candidate(target, number)
@@ -55,8 +55,8 @@ def row_of(quality):
 
 with tempfile.TemporaryDirectory() as folder:
     matched = suite.spectra(gurney, folder, motions, CORES)
-    today = suite.spectra(gurney, folder, suite.read_motions(os.path.join(scripts, "motions.csv")), CORES)
-for name, chosen in (("the suite, 32 motions", matched), ("`motions.csv`, 16 motions", today)):
+    assumed = suite.spectra(gurney, folder, suite.read_motions(os.path.join(scripts, "motions_unmatched.csv")), CORES)
+for name, chosen in (("the suite, 32 motions", matched), ("`motions_unmatched.csv`, 16 motions", assumed)):
     line = f"| {name} | {row_of(suite.quality(chosen, target))} |"
     assert line in page, f"not on the page: {line}"
 assert list(suite.slowest_first(matched)) == list(range(len(motions)))
