@@ -1,3 +1,4 @@
+#include <execinfo.h>
 #include <unistd.h>
 
 #include <cstring>
@@ -35,4 +36,10 @@ __attribute__((constructor(101))) void check_cpu() {
 
 }  // namespace
 
-int main(int argc, char** argv) { return gurney::cli::run_command_line(argc, argv); }
+int main(int argc, char** argv) {
+  // The C library loads the unwinder of the stack when a thread needs it first, and aborts where it has
+  // no memory for that then. This loads it now.
+  void* frame = nullptr;
+  backtrace(&frame, 1);
+  return gurney::cli::run_command_line(argc, argv);
+}

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/error.h"
+#include "engine/base/parallel.h"
 #include "engine/baselines/any_solver.h"
 #include "engine/scene/perturbed.h"
 #include "studies/explanation/explain.h"
@@ -100,11 +101,10 @@ WhatIf what_if(const study::RunFacts& facts, const Explanation& of, std::size_t 
     runs[i].resize(replicas);
     for (std::size_t k = 0; k < replicas; ++k) tasks.emplace_back(i, k);
   }
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-  for (std::size_t t = 0; t < tasks.size(); ++t) {
+  parallel_for(tasks.size(), threads, [&](std::size_t t) {
     const auto [i, k] = tasks[t];
     runs[i][k] = outcome_of(facts, replica_of(variants[i].scene, k), of);
-  }
+  });
   WhatIf result{.replicas = replicas, .as_it_was = summed_up(variants[0], runs[0]), .variants = {}};
   for (std::size_t i = 1; i < variants.size(); ++i)
     result.variants.push_back(summed_up(variants[i], runs[i]));

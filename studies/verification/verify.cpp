@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <mutex>
 
 #include "engine/base/error.h"
+#include "engine/base/parallel.h"
 #include "engine/config/nearest_name.h"
 
 namespace gurney::verification {
@@ -87,15 +89,13 @@ void run_all(std::vector<CaseRun>& chosen, bool stock, int threads,
              const std::function<void(const CaseRun&)>& done) {
   std::vector<char> ready(chosen.size(), 0);
   std::size_t reported = 0;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
+  std::mutex reporting;
+  parallel_for(chosen.size(), threads, [&](std::size_t i) {
     run(chosen[i], stock);
-#pragma omp critical(gurney_verify)
-    {
-      ready[i] = 1;
-      for (; reported < chosen.size() && ready[reported]; ++reported) done(chosen[reported]);
-    }
-  }
+    const std::lock_guard lock(reporting);
+    ready[i] = 1;
+    for (; reported < chosen.size() && ready[reported]; ++reported) done(chosen[reported]);
+  });
 }
 
 }  // namespace gurney::verification

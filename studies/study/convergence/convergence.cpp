@@ -7,6 +7,7 @@
 #include <map>
 
 #include "engine/base/error.h"
+#include "engine/base/parallel.h"
 #include "engine/baselines/any_solver.h"
 #include "studies/statistics/median_interval.h"
 #include "studies/statistics/quantiles.h"
@@ -57,11 +58,10 @@ AllOutcomes run_all(const ConvergenceCases& cases, const std::vector<Variant>& v
                     int threads) {
   AllOutcomes all(variants.size(), std::vector<Outcomes>(cases.runs.size()));
   const std::size_t count = cases.runs.size();
-  const std::size_t tasks = variants.size() * count;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-  for (std::size_t i = 0; i < tasks; ++i)
+  parallel_for(variants.size() * count, threads, [&](std::size_t i) {
     all[i / count][i % count] =
         outcomes_of(varied(cases.runs[i % count], variants[i / count]), cases.limit_states);
+  });
   return all;
 }
 

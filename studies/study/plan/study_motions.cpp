@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/base/error.h"
+#include "engine/base/parallel.h"
 #include "groundmotions/assembly/plausibility.h"
 #include "groundmotions/suites/suite.h"
 #include "studies/study/job/scale_reader.h"
@@ -36,6 +37,17 @@ std::string excitation_text(const config::Node& job) {
   std::string text;
   if (const config::Node* excitation = job.find("excitation")) write(*excitation, text);
   return text;
+}
+
+std::string text_of(const std::exception_ptr& problem) {
+  if (!problem) return "";
+  try {
+    std::rethrow_exception(problem);
+  } catch (const std::bad_alloc&) {
+    return "not enough memory for the records";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
 }
 
 groundmotions::Suite suite_of(const RecordRequest& request) {
@@ -190,21 +202,20 @@ void StudyMotions::read_all(int threads) const {
   std::vector<std::pair<const MotionSet*, std::size_t>> all;
   for (const auto& set : sets_)
     for (std::size_t i = 0; i < set->size(); ++i) all.emplace_back(set.get(), i);
-  std::vector<std::string> errors(all.size());
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  std::vector<std::exception_ptr> problems(all.size());
+  parallel_for(all.size(), threads, [&](std::size_t i) {
     try {
       all[i].first->ground(all[i].second);
-    } catch (const std::bad_alloc&) {
-      errors[i] = "not enough memory for the records";
-    } catch (const std::exception& error) {
-      errors[i] = error.what();
+    } catch (...) {  // without memory, not even its text can be kept
+      problems[i] = std::current_exception();
     }
-  }
+  });
   std::string text;
-  for (const std::string& each : errors)
+  for (const std::exception_ptr& problem : problems) {
+    const std::string each = text_of(problem);
     if (!each.empty() && text.find(each) == std::string::npos)
       text += (text.empty() ? "" : "\n") + each;
+  }
   require(text.empty(), text);
 }
 

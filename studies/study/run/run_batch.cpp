@@ -1,15 +1,14 @@
 #include "studies/study/run/run_batch.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <ctime>
-#include <exception>
 #include <map>
 #include <mutex>
 #include <tuple>
 #include <utility>
 
+#include "engine/base/parallel.h"
 #include "studies/study/run/stage_levels.h"
 
 namespace gurney::study {
@@ -133,32 +132,22 @@ struct Work {
 void run_tasks(const Work& work, const std::vector<std::size_t>& tasks, const StageLevels& levels,
                int threads) {
   std::mutex collecting, writing;  // a thread that waits for the disk holds up no other
-  std::exception_ptr problem;
-  std::atomic<bool> broken = false;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    if (broken || !work.go_on()) continue;
-    try {
-      const Task task = work.batch.plan.task(tasks[i]);
-      const double before = cpu_seconds();
-      TaskResult result = run_task(work.batch, tasks[i], work.go_on, work.crashes.given_up(),
-                                   &levels.of(task.configuration));
-      result.cost.record = work.batch.motions.set_of(task.configuration).name(task.record);
-      result.cost.cpu_seconds = cpu_seconds() - before;
-      TaskBytes part;
-      {
-        const std::lock_guard lock(collecting);
-        if (!result.runs.empty()) part = work.collector.add(std::move(result));
-      }
-      const std::lock_guard lock(writing);
-      work.folder.add(part);
-    } catch (...) {
+  parallel_for(tasks.size(), threads, [&](std::size_t i) {
+    if (!work.go_on()) return;
+    const Task task = work.batch.plan.task(tasks[i]);
+    const double before = cpu_seconds();
+    TaskResult result = run_task(work.batch, tasks[i], work.go_on, work.crashes.given_up(),
+                                 &levels.of(task.configuration));
+    result.cost.record = work.batch.motions.set_of(task.configuration).name(task.record);
+    result.cost.cpu_seconds = cpu_seconds() - before;
+    TaskBytes part;
+    {
       const std::lock_guard lock(collecting);
-      if (!problem) problem = std::current_exception();
-      broken = true;
+      if (!result.runs.empty()) part = work.collector.add(std::move(result));
     }
-  }
-  if (problem) std::rethrow_exception(problem);
+    const std::lock_guard lock(writing);
+    work.folder.add(part);
+  });
   work.folder.add(work.collector.take());
 }
 
