@@ -66,7 +66,7 @@ disturb() {  # FOLDER of parts, LIMIT of the attempt
     0.* | 1.* | 130.* | 137.* | 143.*) ;;
     127.memory) ;;  # too little to load the program
     134.memory) ;;  # to set it up, or for toml++, whose functions may not throw
-    139.memory) ;;  # for the stack
+    139.memory) ;;  # seen once; the cause is not known
     *) complain "exit code $code after $signal" ;;
   esac
 }
