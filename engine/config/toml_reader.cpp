@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "engine/base/error.h"
+#include "engine/base/memory.h"
 #include "engine/config/toml_depth.h"
 
 namespace gurney::config {
@@ -94,6 +95,9 @@ Node read_toml(const std::string& text, const std::string& name) {
   if (const std::optional<Place> place = find_too_deep(text))
     throw Error(fmt::format("{}:{}:{}: nested more than {} deep", name, place->line, place->column,
                             kDeepestNesting));
+  // toml++ ends the process where an allocation fails: its functions are noexcept. `a=1` takes some 200
+  // bytes of a tree.
+  require_memory((1 << 20) + 64 * text.size());
   try {
     Node root = node_of(toml::parse(text, name));
     root.place = {};

@@ -19,6 +19,7 @@ void check_storage(hid_t dataset, const std::string& name);
 /// Reads in a child process first, as libhdf5 1.10 can crash over damaged files.
 /// @throws Error of `read`, and where the child is killed by a crash or its limits of time and
 /// memory
+/// @throws std::bad_alloc where it needs more memory than this process may have
 void probe(const std::string& path, const std::function<void()>& read);
 
 /// Appended to a file's bytes: the SHA-256 of them all. HDF5 ignores what follows the end that it

@@ -39,10 +39,14 @@ class Handle {
 
 void silence_printing();
 
-/// To be called before a file is opened: HDF5 1.10 follows a null pointer where the memory for the
-/// cache of a file (H5AC_create, about 1 MB) is not there.
+/// To be called before HDF5 is: where an allocation fails, HDF5 1.10 follows null pointers, damages
+/// the heap, ends the process (H5I_register) or stores a chunk without its filters.
+/// @param bytes  of the values that it is given or asked for
 /// @throws std::bad_alloc
-void require_memory();
+void require_memory(std::size_t bytes = 0);
+
+/// Leaves the file open where HDF5 has no memory to close it.
+void close_file(hid_t file) noexcept;
 
 /// UTF-8 text.
 /// @param width  bytes; H5T_VARIABLE: of any length

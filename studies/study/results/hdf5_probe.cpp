@@ -17,6 +17,19 @@ namespace {
 
 enum Exit { kRead = 0, kRefused = 1, kTooLarge = 2 };
 
+double largest_data(double file_size) { return 2e9 + 20 * file_size; }
+
+/// Whether this process may take less than its child did.
+bool is_limited(double file_size) {
+  for (const int what : {RLIMIT_AS, RLIMIT_DATA}) {
+    rlimit limits;
+    if (::getrlimit(static_cast<__rlimit_resource>(what), &limits) == 0 &&
+        static_cast<double>(limits.rlim_cur) < largest_data(file_size))
+      return true;
+  }
+  return false;
+}
+
 void limit(int what, double most) {
   rlimit limits;
   if (::getrlimit(static_cast<__rlimit_resource>(what), &limits) != 0) return;
@@ -31,7 +44,7 @@ void prepare_child(double file_size) {
     for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) ::dup2(null, stream);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, 2 + file_size / 2e6);
-  limit(RLIMIT_DATA, 2e9 + 20 * file_size);
+  limit(RLIMIT_DATA, largest_data(file_size));
 }
 
 /// @param out  takes the error
@@ -78,6 +91,7 @@ void probe(const std::string& path, const std::function<void()>& read) {
     if (errno != EINTR) return;
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   require(code != kRefused, error);
+  if (code == kTooLarge && is_limited(size)) throw std::bad_alloc();
   const bool too_much = code == kTooLarge || (code < 0 && WTERMSIG(status) == SIGXCPU);
   require(!too_much,
           path + ": is damaged: to read it takes more time or memory than its size can ask for");

@@ -45,6 +45,7 @@ template <class Read>
 std::vector<std::string> texts(hid_t stored, hid_t space, const std::string& what, Read read) {
   const auto count = static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), what));
   if (count == 0) return {};
+  hdf5::require_memory(count * H5Tget_size(stored));
   if (checked(H5Tis_variable_str(stored), what) > 0) {
     std::vector<char*> raw(count);
     checked(read(stored, static_cast<void*>(raw.data())), what);
@@ -90,6 +91,7 @@ class Attribute {
 };
 
 std::vector<std::string> texts_of(hid_t object, const std::string& name) {
+  hdf5::require_memory();
   if (checked(H5Aexists(object, name.c_str()), "look for attribute " + name) == 0) return {};
   const Attribute attribute(object, name);
   require(attribute.type() == H5T_STRING, "attribute '" + name + "' must be text");
@@ -174,6 +176,7 @@ std::uint64_t size_of(const Hdf5Dataset& dataset) {
 Hdf5Reader::Hdf5Reader(const std::string& path) : Hdf5Reader(path, Probed::kNo) {}
 
 Hdf5Reader::Hdf5Reader(const std::string& path, Probed probed) : path_(path) {
+  hdf5::require_memory();
   silence_printing();
   if (probed == Probed::kNo) {
     require_regular_file(path);
@@ -182,18 +185,17 @@ Hdf5Reader::Hdf5Reader(const std::string& path, Probed probed) : path_(path) {
     hdf5::check_seal(path);
     hdf5::probe(path, [&] { Hdf5Reader(path, Probed::kYes).read_all(); });
   }
-  hdf5::require_memory();
   file_ = checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open " + path);
   try {
     hdf5::refuse_links(file_, path);
     datasets_ = named([&] { return datasets_of(file_); });
   } catch (...) {
-    H5Fclose(file_);
+    hdf5::close_file(file_);
     throw;
   }
 }
 
-Hdf5Reader::~Hdf5Reader() { H5Fclose(file_); }
+Hdf5Reader::~Hdf5Reader() { hdf5::close_file(file_); }
 
 void Hdf5Reader::read_all() const {
   for (const std::string& name : attributes())
@@ -243,6 +245,7 @@ const Hdf5Dataset& Hdf5Reader::dataset(const std::string& path) const {
 
 std::vector<double> Hdf5Reader::numbers(const std::string& path) const {
   const Hdf5Dataset& found = dataset(path);
+  hdf5::require_memory(size_of(found) * sizeof(double));
   require(found.type.starts_with("float") || found.type.find("int") != std::string::npos,
           fmt::format("{}: dataset {} must hold numbers", path_, path));
   return named([&] {
@@ -258,6 +261,7 @@ std::vector<std::string> Hdf5Reader::strings(const std::string& path) const {
   require(dataset(path).type == "string",
           fmt::format("{}: dataset {} must hold texts", path_, path));
   return named([&] {
+    hdf5::require_memory();
     const Handle dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), "open dataset " + path);
     const Handle space(H5Dget_space(dataset), "read the shape of " + path);
     const Handle stored(H5Dget_type(dataset), "read the type of " + path);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
+#include "studies/study/results/hdf5_handle.h"
+
 namespace gurney::study {
 
 std::string hdf5_version_built() {
@@ -10,6 +12,7 @@ std::string hdf5_version_built() {
 }
 
 std::string hdf5_version_loaded() {
+  hdf5::require_memory();
   unsigned major = 0, minor = 0, release = 0;
   H5get_libversion(&major, &minor, &release);
   return fmt::format("{}.{}.{}", major, minor, release);

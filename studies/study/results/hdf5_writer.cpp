@@ -29,29 +29,23 @@ Handle file_creation() {
   return creation;
 }
 
+std::size_t size_of(std::span<const std::string> values) {
+  std::size_t bytes = values.size() * sizeof(const char*);
+  for (const std::string& value : values) bytes += value.size();
+  return bytes;
+}
+
 std::vector<const char*> pointers(std::span<const std::string> values) {
   std::vector<const char*> result;
   for (const std::string& value : values) result.push_back(value.c_str());
   return result;
 }
 
-void write_attribute(hid_t file, const std::string& object, const std::string& name, hid_t type,
-                     const std::vector<std::uint64_t>& shape, const void* value) {
-  const std::string what = "write attribute '" + name + "' of " + object;
-  const Handle owner(H5Oopen(file, object.c_str(), H5P_DEFAULT), what);
-  const std::vector<hsize_t> extent(shape.begin(), shape.end());
-  const Handle space(
-      extent.empty() ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, extent.data(), nullptr), what);
-  const Handle attribute(H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
-                         what);
-  if (extent.empty() || extent[0] > 0) checked(H5Awrite(attribute, type, value), what);
-}
-
 }  // namespace
 
 Hdf5Writer::Hdf5Writer() {
-  silence_printing();
   hdf5::require_memory();
+  silence_printing();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), "make a file in memory");
   checked(H5Pset_fapl_core(access, 1 << 20, false), "make a file in memory");
   file_ =
@@ -59,18 +53,24 @@ Hdf5Writer::Hdf5Writer() {
 }
 
 Hdf5Writer::Hdf5Writer(const std::string& path) {
-  silence_printing();
   hdf5::require_memory();
+  silence_printing();
   path_ = path;
   file_ =
       checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, file_creation(), H5P_DEFAULT), "make " + path);
 }
 
 Hdf5Writer::~Hdf5Writer() {
-  if (file_ >= 0) H5Fclose(file_);
+  if (file_ >= 0) hdf5::close_file(file_);
+}
+
+void Hdf5Writer::require_memory(std::size_t bytes) {
+  hdf5::require_memory(held_ + bytes);
+  if (path_.empty()) held_ += bytes;
 }
 
 void Hdf5Writer::finish() {
+  require_memory();
   checked(H5Fflush(file_, H5F_SCOPE_GLOBAL), "finish a file");
   checked(H5Fclose(std::exchange(file_, H5I_INVALID_HID)), "finish a file");
   const std::string seal = hdf5::seal_of(path_);
@@ -80,34 +80,51 @@ void Hdf5Writer::finish() {
 }
 
 void Hdf5Writer::add_group(const std::string& path) {
+  require_memory();
   const Handle creation(H5Pcreate(H5P_GROUP_CREATE), "make group " + path);
   checked(H5Pset_obj_track_times(creation, false), "switch object times off");
   Handle(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), "make group " + path);
 }
 
+void Hdf5Writer::write_attribute(const std::string& object, const std::string& name,
+                                 std::int64_t type, const std::vector<std::uint64_t>& shape,
+                                 const void* value) {
+  const std::string what = "write attribute '" + name + "' of " + object;
+  require_memory();
+  const Handle owner(H5Oopen(file_, object.c_str(), H5P_DEFAULT), what);
+  const std::vector<hsize_t> extent(shape.begin(), shape.end());
+  const Handle space(
+      extent.empty() ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, extent.data(), nullptr), what);
+  const Handle attribute(H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                         what);
+  if (extent.empty() || extent[0] > 0) checked(H5Awrite(attribute, type, value), what);
+}
+
 void Hdf5Writer::set_attribute(const std::string& object, const std::string& name,
                                const std::string& value) {
+  require_memory(value.size());
   const char* const text = value.c_str();
-  write_attribute(file_, object, name, text_type(), {}, &text);
+  write_attribute(object, name, text_type(), {}, &text);
 }
 
 void Hdf5Writer::set_attribute(const std::string& object, const std::string& name,
                                std::int64_t value) {
-  write_attribute(file_, object, name, H5T_STD_I64LE, {}, &value);
+  write_attribute(object, name, H5T_STD_I64LE, {}, &value);
 }
 
 void Hdf5Writer::set_attribute(const std::string& object, const std::string& name, double value) {
-  write_attribute(file_, object, name, H5T_IEEE_F64LE, {}, &value);
+  write_attribute(object, name, H5T_IEEE_F64LE, {}, &value);
 }
 
 void Hdf5Writer::set_attribute(const std::string& object, const std::string& name,
                                const std::vector<std::string>& values) {
-  write_attribute(file_, object, name, text_type(), {values.size()}, pointers(values).data());
+  require_memory(size_of(values));
+  write_attribute(object, name, text_type(), {values.size()}, pointers(values).data());
 }
 
 void Hdf5Writer::set_attribute(const std::string& object, const std::string& name,
                                const std::vector<std::uint8_t>& values) {
-  write_attribute(file_, object, name, H5T_STD_U8LE, {values.size()}, values.data());
+  write_attribute(object, name, H5T_STD_U8LE, {values.size()}, values.data());
 }
 
 void Hdf5Writer::add(const Hdf5Spec& spec, std::span<const double> values) {
@@ -123,6 +140,7 @@ void Hdf5Writer::add(const Hdf5Spec& spec, std::span<const std::uint8_t> values)
 }
 
 void Hdf5Writer::add(const Hdf5Spec& spec, std::span<const std::string> values) {
+  require_memory(size_of(values));
   write(spec, shape_of(spec), text_type(), pointers(values).data(), values.size());
 }
 
@@ -138,12 +156,14 @@ void Hdf5Writer::add_column(const Hdf5Spec& spec, std::span<const std::int64_t> 
 
 void Hdf5Writer::add_column(const Hdf5Spec& spec, std::span<const std::string> values,
                             std::size_t length) {
+  require_memory(size_of(values));
   write(spec, {length}, text_type(), pointers(values).data(), values.size());
 }
 
 void Hdf5Writer::write(const Hdf5Spec& spec, const std::vector<std::uint64_t>& shape,
                        std::int64_t type, const void* values, std::size_t count) {
   const std::string what = "write dataset " + spec.path;
+  require_memory(count * sizeof(double));
   const std::vector<hsize_t> extent(shape.begin(), shape.end());
   const auto expected =
       std::accumulate(extent.begin(), extent.end(), hsize_t{1}, std::multiplies<>());
@@ -180,6 +200,7 @@ void Hdf5Writer::describe(std::int64_t dataset, const Hdf5Spec& spec) {
 
 void Hdf5Writer::add_growing(const Hdf5Spec& spec, Hdf5Type type, std::size_t text_width) {
   const std::string what = "make dataset " + spec.path;
+  require_memory();
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE), what);
   checked(H5Pset_obj_track_times(creation, false), "switch object times off");
   checked(H5Pset_chunk(creation, 1, &kRowsPerChunk), what);
@@ -201,6 +222,7 @@ void Hdf5Writer::append(const std::string& path, std::int64_t type, const void* 
                         std::size_t count) {
   const std::string what = "append to dataset " + path;
   if (count == 0) return;
+  require_memory(count * sizeof(double));
   const Handle dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), what);
   hsize_t length = 0;
   {
@@ -228,6 +250,7 @@ void Hdf5Writer::append(const std::string& path, std::span<const std::string> va
   for (const std::string& value : values) width = std::max(width, value.size());
   std::string flat;
   for (const std::string& value : values) flat += value + std::string(width - value.size(), '\0');
+  require_memory(flat.size());
   append(path, text_type(width), flat.data(), values.size());
 }
 
@@ -244,12 +267,14 @@ std::vector<std::uint64_t> Hdf5Writer::shape_of(const Hdf5Spec& spec) const {
 
 void Hdf5Writer::make_scale(const std::string& path, std::uint64_t length) {
   const std::string what = "make a dimension scale of " + path;
+  require_memory();
   const Handle dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), what);
   checked(H5DSset_scale(dataset, path.substr(path.rfind('/') + 1).c_str()), what);
   scales_.push_back({path, length});
 }
 
 std::string Hdf5Writer::image() {
+  require_memory();
   checked(H5Fflush(file_, H5F_SCOPE_GLOBAL), "finish a file");
   const auto size = checked(H5Fget_file_image(file_, nullptr, 0), "size a file");
   std::string bytes(static_cast<std::size_t>(size), '\0');

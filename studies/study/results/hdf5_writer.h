@@ -79,13 +79,20 @@ class Hdf5Writer {
   void add_column(const Hdf5Spec& spec, std::span<const std::string> values, std::size_t length);
   void write(const Hdf5Spec& spec, const std::vector<std::uint64_t>& shape, std::int64_t type,
              const void* values, std::size_t count);
+  void write_attribute(const std::string& object, const std::string& name, std::int64_t type,
+                       const std::vector<std::uint64_t>& shape, const void* value);
   std::vector<std::uint64_t> shape_of(const Hdf5Spec& spec) const;
   void append(const std::string& path, std::int64_t type, const void* values, std::size_t count);
   void describe(std::int64_t dataset, const Hdf5Spec& spec);
   void make_scale(const std::string& path, std::uint64_t length);
 
+  /// To be called before HDF5 is, with the bytes of the values that it is given.
+  /// @throws std::bad_alloc
+  void require_memory(std::size_t bytes = 0);
+
   std::string path_;  ///< on disk; empty: in memory
   std::int64_t file_;
+  std::size_t held_ = 0;  ///< in memory: at most the bytes of the file
   std::vector<Scale> scales_;
 };
 

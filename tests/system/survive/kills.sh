@@ -44,6 +44,11 @@ chance() { [ $((RANDOM % 100)) -lt "$1" ]; }               # PERCENT
 nap() { sleep "$(printf '0.%03d' $((RANDOM % $1)))"; }     # below so many ms
 tally() { echo "$*" >> "$tallies"; }
 
+# Whether the memory of the last attempt is too little to load the program, and to set it up.
+not_even_version() {
+  ! (ulimit -v "$memory_kb" && exec "$gurney" --version) > /dev/null 2>&1
+}
+
 # What was begun is disturbed, and is gone.
 disturb() {  # FOLDER of parts, LIMIT of the attempt
   local limit=$2
@@ -64,9 +69,9 @@ disturb() {  # FOLDER of parts, LIMIT of the attempt
   tally "exit $code"
   case $code.$limit in
     0.* | 1.* | 130.* | 137.* | 143.*) ;;
-    127.memory) ;;  # too little to load the program
-    134.memory) ;;  # to set it up, or for toml++, whose functions may not throw
-    139.memory) ;;  # seen once; the cause is not known
+    127.memory | 134.memory)  # of the loader, and of what precedes the commands
+      not_even_version || complain "exit code $code with $memory_kb kB of memory, after its start"
+      ;;
     *) complain "exit code $code after $signal" ;;
   esac
 }
@@ -78,12 +83,11 @@ whole() { [ ! -e a.h5 ] || cmp -s "../$job.h5" a.h5 || complain "a.h5 is not the
 attempt() {
   local limit=$1
   shift
+  memory_kb=$((RANDOM % 60000 + 30000))
   (
     case $limit in
       file_size) ulimit -f $((RANDOM % 300 + 1)) ;;
-      memory)
-        ulimit -v $((RANDOM % 60000 + 30000))
-        ;;
+      memory) ulimit -v "$memory_kb" ;;
     esac
     exec "$gurney" run "../$job.toml" -o a.h5 --resume -j $((RANDOM % 2 + 1)) "$@"
   ) > stdout 2> stderr &
