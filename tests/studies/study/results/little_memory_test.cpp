@@ -62,7 +62,7 @@ void expect_done_or_no_memory(const std::function<int()>& work) {
 #ifdef GURNEY_HAS_SHADOW_MEMORY
   GTEST_SKIP() << "limits of memory: AddressSanitizer takes terabytes of address space";
 #endif
-  constexpr rlim_t kMost = 32 << 20, kStep = 160 << 10;
+  constexpr rlim_t kMost = 32 << 20, kStep = 320 << 10;
   bool done = false, refused = false;
   for (rlim_t extra = 0; extra < kMost; extra += kStep) {
     const int status = status_with(extra, work);
