@@ -149,9 +149,11 @@ void print_ratios(const std::vector<Point>& points, double bound, Criterion crit
       "Peak displacement within {:g} % of the common truth"};
   fmt::print("\n{}\n", fmt::format(fmt::runtime(kNames[static_cast<int>(criterion)]), 100 * bound));
   for (const Point* point : cheapest)
-    fmt::print("{:>22} {:>7} {:>26} {:>10} {:>8.0f} x real, {:>6.1f} times Gurney's CPU time\n",
-               point->job, point->engine, point->setup, step_text(*point), 1 / point->cpu,
-               ours.contains(point->job) ? point->cpu / ours[point->job] : NAN);
+    fmt::print("{:>22} {:>7} {:>26} {:>10} {:>8.0f} x real{}\n", point->job, point->engine,
+               point->setup, step_text(*point), 1 / point->cpu,
+               ours.contains(point->job) ? fmt::format(", {:>6.1f} times Gurney's CPU time",
+                                                       point->cpu / ours[point->job])
+                                         : "");
 }
 
 void write_points(const std::vector<Point>& points, const std::string& file) {

@@ -19,6 +19,11 @@ struct Engine {
   std::function<peers::Path(const peers::CrossCheck&, double step)> fixed_step = {};
 };
 
+/// Those that the product links: Gurney and Bullet.
+std::vector<Engine> own_engines(const std::vector<double>& steps,
+                                const std::vector<double>& tolerances);
+
+/// These, MuJoCo and ODE.
 std::vector<Engine> engines(const std::vector<double>& steps,
                             const std::vector<double>& tolerances);
 

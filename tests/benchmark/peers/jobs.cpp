@@ -81,6 +81,10 @@ Scene with_rigid_treads(const Scene& scene) {
   return rigid;
 }
 
+Job free_trolley_job(int motions) {
+  return predictable_job("free trolley", free_trolley(), kPeak, motions);
+}
+
 Job half_locked_job(int motions) {
   CrossCheck check = free_trolley();
   for (const std::size_t i : {0, 1}) lock(check.scene.items[0].model.casters[i]);
@@ -90,7 +94,7 @@ Job half_locked_job(int motions) {
 std::vector<Job> smooth_jobs(int motions) {
   CrossCheck walls = free_trolley();
   add_walls(walls);
-  return {predictable_job("free trolley", free_trolley(), kPeak, motions), half_locked_job(motions),
+  return {free_trolley_job(motions), half_locked_job(motions),
           predictable_job("trolley between walls", walls, kPeak, motions)};
 }
 

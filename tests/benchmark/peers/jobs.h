@@ -23,6 +23,7 @@ struct Job {
 /// The four-swivel trolley free, between walls, and with two casters locked; the first motions of
 /// which Gurney calls these predictable.
 std::vector<Job> smooth_jobs(int motions);
+Job free_trolley_job(int motions);
 Job half_locked_job(int motions);
 
 /// The ventilator with all brakes on, under strong motions: chaotic.
