@@ -5,10 +5,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include "engine/base/units.h"
 #include "groundmotions/buildings/shear_building.h"
+#include "tests/groundmotions/buildings/matrix_exponential.h"
 
 namespace gurney::groundmotions {
 namespace {
@@ -81,7 +81,7 @@ double linear_error(double h) {
   system.block<3, 3>(3, 3) = -(mass.cwiseInverse().asDiagonal() * damping);
   system.block<3, 1>(3, 6).setConstant(-1);
   system(6, 7) = 1;
-  const Eigen::MatrixXd advance = (system * h).exp();
+  const Eigen::MatrixXd advance = matrix_exponential(system * h);
   Eigen::VectorXd state = Eigen::VectorXd::Zero(8);
   IsolatedMotion motion(isolation, axes, h);
   double worst = 0;

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include "engine/base/random/normal_draw.h"
 #include "groundmotions/buildings/shear_building.h"
+#include "tests/groundmotions/buildings/matrix_exponential.h"
 
 namespace gurney::groundmotions {
 namespace {
@@ -67,7 +67,7 @@ TEST(ModalBuilding, FloorsFollowTheMatrixExponential) {
   system.block<3, 3>(3, 3) = -mass.inverse() * damping;
   system.block<3, 1>(3, 6).setConstant(-1);
   system(6, 7) = 1;
-  const Eigen::MatrixXd advance = (system * h).exp();
+  const Eigen::MatrixXd advance = matrix_exponential(system * h);
 
   Eigen::VectorXd state = Eigen::VectorXd::Zero(8);
   std::array responses = {ModalResponse(axis, 1, h), ModalResponse(axis, 2, h),
