@@ -4,6 +4,8 @@
 #include <hdf5_hl.h>
 
 #include <algorithm>
+#include <exception>
+#include <new>
 #include <string_view>
 
 #include "engine/base/error.h"
@@ -127,14 +129,31 @@ std::vector<std::uint64_t> shape_of(hid_t dataset, const std::string& path) {
 
 std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
+struct ScaleNames {
+  std::vector<std::string> names;
+  std::exception_ptr no_memory;
+};
+
 /// H5DSget_scale_name() frees twice over damaged files. No exception may pass through HDF5.
-herr_t take_scale_name(hid_t, unsigned, hid_t scale, void* names) {
+herr_t take_scale_name(hid_t, unsigned, hid_t scale, void* taken) {
+  auto& [names, no_memory] = *static_cast<ScaleNames*>(taken);
   try {
-    static_cast<std::vector<std::string>*>(names)->push_back(text_of(scale, "NAME"));
+    names.push_back(text_of(scale, "NAME"));
     return 1;
+  } catch (const std::bad_alloc&) {
+    no_memory = std::current_exception();
   } catch (const std::exception&) {
-    return -1;
   }
+  return -1;
+}
+
+/// One for each dimension that has a scale.
+std::vector<std::string> scale_names(hid_t dataset, std::size_t dimensions) {
+  ScaleNames taken;
+  for (unsigned i = 0; i < dimensions; ++i)
+    H5DSiterate_scales(dataset, i, nullptr, take_scale_name, &taken);
+  if (taken.no_memory) std::rethrow_exception(taken.no_memory);
+  return taken.names;
 }
 
 herr_t take_dataset_path(hid_t, const char* name, const H5O_info_t* info, void* paths) {
@@ -151,8 +170,7 @@ Hdf5Dataset describe(hid_t file, const std::string& path) {
   if (text_of(dataset, "CLASS") == "DIMENSION_SCALE")
     found.scales = {last_part(path)};
   else
-    for (unsigned i = 0; i < found.shape.size(); ++i)
-      H5DSiterate_scales(dataset, i, nullptr, take_scale_name, &found.scales);
+    found.scales = scale_names(dataset, found.shape.size());
   return found;
 }
 
@@ -209,6 +227,7 @@ void Hdf5Reader::read_all() const {
 }
 
 std::vector<std::string> Hdf5Reader::attributes() const {
+  hdf5::require_memory();
   std::vector<std::string> result;
   const auto take_name = [](hid_t, const char* name, const H5A_info_t*, void* names) -> herr_t {
     static_cast<std::vector<std::string>*>(names)->emplace_back(name);
@@ -228,6 +247,7 @@ std::vector<std::string> Hdf5Reader::text_attributes(const std::string& name) co
 }
 
 std::int64_t Hdf5Reader::whole_attribute(const std::string& name) const {
+  hdf5::require_memory();
   if (checked(H5Aexists(file_, name.c_str()), "look for attribute " + name) == 0) return 0;
   return named([&] {
     const Attribute attribute(file_, name);
