@@ -66,7 +66,8 @@ MultibodyItem::MultibodyItem(const EquipmentModel& model, const Mechanism& mecha
   for (const Box& box : model.shape) {
     auto shape = std::make_unique<btBoxShape>(to_bullet(Vector3(0.5 * box.size)));
     shape->setMargin(0.001);
-    shape->initializePolyhedralFeatures();  // whole faces of contact against boxes of the room
+    // Whole faces of contact with boxes of the room. Without spheres Bullet compares wheels alone.
+    if (wheels == Wheels::kSpheres) shape->initializePolyhedralFeatures();
     shapes_.push_back(std::move(shape));
     const Vector3 center = base_axes_.conjugate() * (box.center - chassis.center_of_mass);
     boxes->addChildShape(

@@ -14,7 +14,6 @@ std::unique_ptr<btConvexShape> hull(const std::vector<Vector3>& points) {
   for (const Vector3& point : points) shape->addPoint(to_bullet(point), false);
   shape->recalcLocalAabb();
   shape->setMargin(0);  // it would be added around the points
-  shape->initializePolyhedralFeatures();
   return shape;
 }
 

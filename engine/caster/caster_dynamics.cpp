@@ -116,8 +116,15 @@ Matrix3 CasterDynamics::fork_rotation(const Pose& pose, double swivel_angle) con
   return pose.rotation * fork;
 }
 
-Vector3 CasterDynamics::center_of_mass(const Pose& pose, double swivel_angle) const {
-  return pose.rotation * mount_ + fork_rotation(pose, swivel_angle) * center_;
+CasterGeometry<double> CasterDynamics::contact(const Pose& pose, double swivel_angle) const {
+  CasterMotion<double> motion;
+  motion.rotation = same<double>(pose.rotation);
+  motion.height = pose.position.z();
+  motion.sine = std::sin(swivel_angle);
+  motion.cosine = std::cos(swivel_angle);
+  CasterGeometry<double> g;
+  contact_geometry(constants_, motion, g);
+  return g;
 }
 
 void CasterDynamics::evaluate(const Pose& pose, double swivel_angle,
@@ -159,12 +166,6 @@ void CasterDynamics::evaluate(const Pose& pose, double swivel_angle,
       Vector3::Zero().transpose(), out.axle_level.transpose();
   out.jacobian_joints << vector(g.swivel_speed), vector(g.axle_speed), g.swivel_spin, g.axle_spin,
       g.swivel_roll, g.axle_roll;
-}
-
-double CasterDynamics::kinetic_energy(const Geometry& g, const Vector6& v,
-                                      const Eigen::Vector2d& rates) {
-  return 0.5 * v.dot(g.mass_chassis * v) + v.dot(g.mass_coupling * rates) +
-         0.5 * rates.dot(g.mass_joints * rates);
 }
 
 }  // namespace gurney

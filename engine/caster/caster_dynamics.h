@@ -59,8 +59,8 @@ class CasterDynamics {
   void evaluate(const Pose& pose, double swivel_angle, const Vector6& chassis_velocity,
                 const Eigen::Vector2d& joint_rates, const Vector3& gravity, Geometry& out) const;
 
-  /// Momentum-free part of evaluate(): kinetic energy of the caster [J].
-  static double kinetic_energy(const Geometry& g, const Vector6& v, const Eigen::Vector2d& rates);
+  /// What the floor sees of it: contact_geometry().
+  CasterGeometry<double> contact(const Pose& pose, double swivel_angle) const;
 
   /// A point of the fork (fork axes, relative to the mount), relative to O in floor axes.
   Vector3 point(const Pose& pose, double swivel_angle, const Vector3& on_fork) const {
@@ -92,9 +92,6 @@ class CasterDynamics {
   /// The same in floor axes, relative to O; `found` in fork axes.
   Vector3 tread_point(const Pose& pose, double swivel_angle, const Vector3& outwards,
                       const Vector3& found) const;
-
-  /// Position of the caster's centre of mass relative to O, for the potential energy.
-  Vector3 center_of_mass(const Pose& pose, double swivel_angle) const;
 
   const TreadLaw& tread() const { return tread_; }
   const DryFriction& axle_friction() const { return axle_; }

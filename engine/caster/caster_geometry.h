@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "engine/base/triple.h"
 
 /// The mechanics of CasterDynamics, for one caster or for four.
@@ -80,9 +78,12 @@ Columns<T> squared_arm(const Triple<T>& moment, const Triple<T>& r) {
           {-m.z * -r.x, m.z * r.y, -m.y * r.y + m.x * -r.x}};
 }
 
+/// What of the geometry the floor sees; all of it but the masses.
+/// @returns the rotation from fork to floor axes
 template <class T>
-void caster_geometry(const CasterConstants<T>& c, const CasterMotion<T>& motion,
-                     CasterGeometry<T>& out) {
+[[gnu::always_inline]] inline Columns<T> contact_geometry(const CasterConstants<T>& c,
+                                                          const CasterMotion<T>& motion,
+                                                          CasterGeometry<T>& out) {
   const Columns<T>& R = motion.rotation;
   const T cosine = motion.cosine, sine = motion.sine;
   const auto turned = [&](const T& x, const T& y) -> Triple<T> {
@@ -100,6 +101,21 @@ void caster_geometry(const CasterConstants<T>& c, const CasterMotion<T>& motion,
   out.height =
       select(magnitude(a.z) > same<T>(kSineOfLying), same<T>(1), motion.height + out.contact.z);
   out.axle_level = normalized<T>({a.x, a.y, T{}});
+
+  out.swivel_speed = c.swivels * cross(s, arm + down);
+  out.axle_speed = cross(a, down);
+  out.swivel_spin = c.swivels * c.spin_radius * s.z;
+  out.axle_spin = c.spin_radius * a.z;
+  out.swivel_roll = c.swivels * dot(s, out.axle_level);
+  out.axle_roll = dot(a, out.axle_level);
+  return fork;
+}
+
+template <class T>
+void caster_geometry(const CasterConstants<T>& c, const CasterMotion<T>& motion,
+                     CasterGeometry<T>& out) {
+  const Columns<T> fork = contact_geometry(c, motion, out);
+  const Triple<T>&s = fork.z, &a = fork.y;
 
   // Inertia: momentum of the caster m v_L and J w_f + I_a theta' a about its centre.
   const Triple<T> rho = fork * c.center;
@@ -132,62 +148,6 @@ void caster_geometry(const CasterConstants<T>& c, const CasterMotion<T>& motion,
   out.bias_angular = cross(r, linear) + angular;
   out.bias_swivel = dot(d, linear) + c.swivels * dot(s, angular);
   out.bias_axle = dot(spin_momentum, swivel_rate_change);
-
-  out.swivel_speed = c.swivels * cross(s, arm + down);
-  out.axle_speed = cross(a, down);
-  out.swivel_spin = c.swivels * c.spin_radius * s.z;
-  out.axle_spin = c.spin_radius * a.z;
-  out.swivel_roll = c.swivels * dot(s, out.axle_level);
-  out.axle_roll = dot(a, out.axle_level);
-}
-
-/// Velocities of the contact u = Jc V + Jl q' (CasterDynamics::Geometry).
-template <class T>
-struct ContactRates {
-  Triple<T> velocity;
-  T spin{}, roll{};
-};
-
-template <class T>
-[[gnu::always_inline]] inline ContactRates<T> contact_rates(const CasterGeometry<T>& g,
-                                                            const T& spin_radius,
-                                                            const Triple<T>& v, const Triple<T>& w,
-                                                            const T& swivel, const T& axle) {
-  const Triple<T>&p = g.contact, &level = g.axle_level;
-  const Triple<T>&s = g.swivel_speed, &a = g.axle_speed;
-  const auto joints = [&](const T& by_swivel, const T& by_axle) {
-    return madd(by_axle, axle, by_swivel * swivel);
-  };
-  return {{madd(-p.y, w.z, madd(p.z, w.y, v.x)) + joints(s.x, a.x),
-           madd(p.x, w.z, madd(-p.z, w.x, v.y)) + joints(s.y, a.y),
-           madd(-p.x, w.y, madd(p.y, w.x, v.z)) + joints(s.z, a.z)},
-          spin_radius * w.z + joints(g.swivel_spin, g.axle_spin),
-          level.x * w.x + (level.y * w.y + level.z * w.z) +
-              (g.swivel_roll * swivel + g.axle_roll * axle)};
-}
-
-template <class T>
-struct ContactForces {
-  T x{}, y{}, normal{}, spin{}, roll{};
-};
-
-/// J' times forces at the contact: six of the chassis, then those of swivel and axle.
-template <class T>
-[[gnu::always_inline]] inline std::array<T, 8> generalised(const CasterGeometry<T>& g,
-                                                           const T& spin_radius,
-                                                           const ContactForces<T>& f) {
-  const Triple<T>&p = g.contact, &level = g.axle_level;
-  const auto on_joint = [&](const Triple<T>& speed, const T& spin, const T& roll) {
-    return ((speed.x * f.x + speed.z * f.normal) + (speed.y * f.y + spin * f.spin)) + roll * f.roll;
-  };
-  return {f.x,
-          f.y,
-          f.normal,
-          (p.y * f.normal + -p.z * f.y) + level.x * f.roll,
-          (p.z * f.x + -p.x * f.normal) + level.y * f.roll,
-          (-p.y * f.x + (p.x * f.y + spin_radius * f.spin)) + level.z * f.roll,
-          on_joint(g.swivel_speed, g.swivel_spin, g.swivel_roll),
-          on_joint(g.axle_speed, g.axle_spin, g.axle_roll)};
 }
 
 }  // namespace gurney

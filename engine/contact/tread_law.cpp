@@ -67,11 +67,4 @@ TreadLaw::Result TreadLaw::finish(const Stage& stage, const Vector5& u,
           .spring_rates = o.spring_rates};
 }
 
-double TreadLaw::stored_energy(double compression, const TreadState& state) const {
-  const double d = std::max(compression, 0.0);
-  return 0.5 * tread_.normal_stiffness * d * d +
-         0.5 * tread_.tangential_stiffness * state.deflection.squaredNorm() +
-         0.5 * constants_.roll.stiffness * state.roll_deflection * state.roll_deflection;
-}
-
 }  // namespace gurney

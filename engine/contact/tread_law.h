@@ -79,9 +79,6 @@ class TreadLaw {
   double spin_radius() const { return constants_.spin_radius; }
   double tangential_stiffness() const { return tread_.tangential_stiffness; }
 
-  /// Elastic energy stored at a compression and state [J].
-  double stored_energy(double compression, const TreadState& state) const;
-
   const TreadConstants<double>& constants() const { return constants_; }
   double friction(const TreadState& state) const {
     return state.sliding ? tread_.kinetic_friction : tread_.static_friction;

@@ -124,6 +124,16 @@ void tread_force(const TreadConstants<T>& c, const TreadStage<T>& stage, const T
   }
 }
 
+/// Energy stored in its springs [J].
+template <class T>
+T tread_energy(const TreadConstants<T>& c, const T& compression, const Triple<T>& deflection,
+               const T& roll_deflection) {
+  const T d = select(compression > T{}, compression, T{});
+  return same<T>(0.5) *
+         (c.normal_stiffness * d * d + c.tangential_stiffness * dot(deflection, deflection) +
+          c.roll.stiffness * roll_deflection * roll_deflection);
+}
+
 /// TreadLaw::Result of four treads, and TreadLaw::spring_rates.
 template <class T>
 struct TreadOutcome {

@@ -29,6 +29,7 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
     : assembly_(assembly),
       item_(item),
       mechanism_(assembly.items[item]),
+      energies_(mechanism_),
       origin_(-mechanism_.chassis.center_of_mass) {
   const Mechanism& mechanism = mechanism_;
   const State& start = at_start.items[item];
@@ -45,7 +46,7 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
   demands_.wheels.resize(mechanism.casters.size());
   demands_.points.resize(points_.size());
   current_.points.resize(points_.size());
-  gravitational_start_ = mechanism.gravitational_energy(start);
+  gravitational_start_ = energies_.at(start).gravitational;
   stored_start_ = complete(at_start, {}).stored();
   sampled_ = checked_ = EnergyBalance(stored_start_);
   current_.velocity =
@@ -214,9 +215,10 @@ void Recorder::observe_points(const Stepper::Step& step, const Matrix3& rotation
 EnergyAccount Recorder::complete(const SceneState& scene, const EnergyAccount& account) const {
   const State& state = scene.items[item_];
   EnergyAccount energy = account;
-  energy.kinetic = mechanism_.kinetic_energy(state);
-  energy.gravitational = mechanism_.gravitational_energy(state) - gravitational_start_;
-  energy.elastic = mechanism_.elastic_energy(state) + assembly_.contact_energy(item_, scene);
+  const MechanicalEnergy of_item = energies_.at(state);
+  energy.kinetic = of_item.kinetic;
+  energy.gravitational = of_item.gravitational - gravitational_start_;
+  energy.elastic = of_item.elastic + assembly_.contact_energy(item_, scene);
   energy.weight_energy = mechanism_.loads.weight_energy(state.loads);
   return energy;
 }
@@ -232,7 +234,7 @@ void Recorder::check(const SceneState& state, const EnergyAccount& account) {
 }
 
 void Recorder::finish(const SceneState& state, const EnergyAccount& account, double overturned_at,
-                      Response& response) const {
+                      Response& response) {
   ItemResponse item;
   Demands& d = item.demands = demands_;
   d.time_of_overturning = overturned_at;
@@ -249,7 +251,7 @@ void Recorder::finish(const SceneState& state, const EnergyAccount& account, dou
   }
   item.energy = complete(state, account);
   item.stored_energy_at_start = stored_start_;
-  item.history = history_;
+  item.history = std::move(history_);
   Quality& q = response.quality;
   q.energy_closure = std::max(q.energy_closure, sampled_.closure());
   const double numerical = sampled_.numerical_loss();

@@ -9,6 +9,7 @@
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
 #include "engine/solver/assembly.h"
+#include "engine/solver/mechanical_energy.h"
 #include "engine/solver/stepper.h"
 
 namespace gurney {
@@ -36,9 +37,9 @@ class Recorder {
   /// At the last step.
   RunClock::ItemMotion motion() const { return {speed_, body_speed_, current_.tilt}; }
 
-  /// Adds the item to `response`, whose impacts are there, and its energy errors to the quality.
+  /// Moves the item to `response`, whose impacts are there, and its energy errors to the quality.
   void finish(const SceneState& state, const EnergyAccount& account, double overturned_at,
-              Response& response) const;
+              Response& response);
 
  private:
   EnergyAccount complete(const SceneState& state, const EnergyAccount& account) const;
@@ -50,6 +51,7 @@ class Recorder {
   const Assembly& assembly_;
   std::size_t item_;
   const Mechanism& mechanism_;
+  MechanicalEnergies energies_;
   std::vector<Vector3> points_;  // marked points relative to the chassis' centre, chassis axes
   std::vector<Vector3> point_starts_;
   std::vector<double> trails_;

@@ -135,9 +135,8 @@ CasterLanes::Six CasterLanes::coupled_momentum(const Lanes& swivel, const Lanes&
           madd(spin.z, axle, angular.z * swivel)};
 }
 
-std::array<Lanes, 12> CasterLanes::evaluate_forces(const State& start, double tau,
-                                                   const Velocity& v,
-                                                   const Vector6& chassis_change) {
+void CasterLanes::evaluate_forces(const State& start, double tau, const Velocity& v,
+                                  const Vector6& chassis_change) {
   const ContactRates<Lanes> u = rates_of(v);
   rates_.velocity = {u.velocity.x, u.velocity.y, u.velocity.z};
   rates_.spin = u.spin;
@@ -167,7 +166,7 @@ std::array<Lanes, 12> CasterLanes::evaluate_forces(const State& start, double ta
           madd(g.joint_coupling, axle_change, g.joint_inertia * swivel_change) - tau * on_swivel,
       dot6({no, no, no, g.spin_momentum.x, g.spin_momentum.y, g.spin_momentum.z}, change) +
           madd(body_.axial_inertia, axle_change, g.joint_coupling * swivel_change) - tau * on_axle};
-  return {f[0], f[1], f[2], f[3], f[4], f[5], m[0], m[1], m[2], m[3], m[4], m[5]};
+  on_chassis_ = {f[0], f[1], f[2], f[3], f[4], f[5], m[0], m[1], m[2], m[3], m[4], m[5]};
 }
 
 double CasterLanes::largest_joint_residual() const {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "engine/caster/caster_geometry.h"
+#include "engine/caster/contact_jacobian.h"
 #include "engine/contact/tread_patch.h"
 #include "engine/solver/mechanism.h"
 
@@ -26,9 +26,11 @@ class CasterLanes {
   /// Moment of mass, inertia by columns, bias; two entries are zero.
   std::array<Lanes, 20> inertia_and_bias() const;
 
-  /// Forces at v and the residual of the joints. Force on the chassis, then momentum.
-  std::array<Lanes, 12> evaluate_forces(const State& start, double tau, const Velocity& v,
-                                        const Vector6& chassis_change);
+  /// Forces at v and the residual of the joints.
+  void evaluate_forces(const State& start, double tau, const Velocity& v,
+                       const Vector6& chassis_change);
+  /// Force on the chassis, then momentum.
+  const std::array<Lanes, 12>& on_chassis() const { return on_chassis_; }
   /// The largest residual of a joint over the wheel's radius.
   double largest_joint_residual() const;
   /// M of chassis and joints times the joint rates of v.
@@ -44,7 +46,8 @@ class CasterLanes {
     std::array<Lanes, 36> matrix;
     std::array<Lanes, 8> right_side;
   };
-  Elimination eliminate();
+  void eliminate();
+  const Elimination& elimination() const { return elimination_; }
   /// Newton's step of the joints that goes with one of the chassis.
   void apply(const Vector6& step, Velocity& v) const;
 
@@ -110,6 +113,8 @@ class CasterLanes {
   std::array<Lanes, 2> joint_residual_{};
   std::array<std::array<Lanes, 2>, 2> joints_{}, inverse_{};  // by columns
   SixByTwo chassis_joints_{}, joints_chassis_{};
+  std::array<Lanes, 12> on_chassis_{};
+  Elimination elimination_;
   LaneMask kept_{};
 };
 

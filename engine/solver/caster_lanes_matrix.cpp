@@ -90,7 +90,7 @@ std::array<Lanes, 36> CasterLanes::matrix(double length) {
   return chassis;
 }
 
-CasterLanes::Elimination CasterLanes::eliminate() {
+void CasterLanes::eliminate() {
   const auto& [first, second] = joints_;
   const Lanes inverse = same<Lanes>(1) / (first[0] * second[1] - first[1] * second[0]);
   inverse_ = {std::array<Lanes, 2>{second[1] * inverse, -first[1] * inverse},
@@ -100,7 +100,7 @@ CasterLanes::Elimination CasterLanes::eliminate() {
     for (std::size_t i = 0; i < 6; ++i)
       taken[k][i] =
           madd(chassis_joints_[1][i], inverse_[k][1], chassis_joints_[0][i] * inverse_[k][0]);
-  Elimination result;
+  Elimination& result = elimination_;
   for (std::size_t i = 0; i < 6; ++i) {
     for (std::size_t j = 0; j < 6; ++j)
       result.matrix[6 * j + i] =
@@ -108,11 +108,10 @@ CasterLanes::Elimination CasterLanes::eliminate() {
     result.right_side[i] = madd(taken[1][i], joint_residual_[1], taken[0][i] * joint_residual_[0]);
   }
   result.right_side[6] = result.right_side[7] = Lanes{};
-  if (!any(kept_)) return result;
+  if (!any(kept_)) return;
   // Nothing is taken out for these: -0 leaves every sum as it is.
   for (Lanes& entry : result.matrix) entry = select(kept_, -Lanes{}, entry);
   for (Lanes& entry : result.right_side) entry = select(kept_, -Lanes{}, entry);
-  return result;
 }
 
 void CasterLanes::apply(const Vector6& step, Velocity& v) const {

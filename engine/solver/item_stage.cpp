@@ -6,6 +6,10 @@
 #include "engine/base/units.h"
 
 namespace gurney {
+
+// Sums go from numbers of Eigen's to lanes and back. What was just written number by number is read
+// as lanes after the casters' turn: at once, the processor would wait for it.
+
 ItemStage::ItemStage(const Mechanism& mechanism) : mechanism_(mechanism) {
   for (std::size_t first = 0; first < mechanism.casters.size(); first += kLanes)
     casters_.emplace_back(mechanism, first);
@@ -38,11 +42,10 @@ void ItemStage::update_geometry(const Input& input, const Velocity& v, bool firs
   Eigen::Map<Vector6> bias_sum(&sums[12]);
   inertia_sum = inertia;
   bias_sum << -chassis.mass * gravity, w.cross(inertia * w);
+  for (CasterLanes& lanes : casters_) lanes.update_geometry(start, tau, v, pose_, gravity, first);
   auto packed = loaded<5>(sums.data());
-  for (CasterLanes& lanes : casters_) {
-    lanes.update_geometry(start, tau, v, pose_, gravity, first);
+  for (const CasterLanes& lanes : casters_)
     add_lanes(lanes.inertia_and_bias().data(), lanes.count(), packed);
-  }
   store(packed, sums.data());
   Matrix3 moment;
   moment << 0, -sums[2], sums[1], sums[2], 0, -sums[0], -sums[1], sums[0], 0;
@@ -68,9 +71,10 @@ void ItemStage::begin_forces(const Input& input, const Velocity& v) {
   Eigen::Map<Vector6> force(&sums[0]), momentum(&sums[6]);
   force = -bias_;
   momentum = mass_ * chassis_change;
+  for (CasterLanes& lanes : casters_) lanes.evaluate_forces(start, tau, v, chassis_change);
   auto packed = loaded<3>(sums.data());
-  for (CasterLanes& lanes : casters_)
-    add_lanes(lanes.evaluate_forces(start, tau, v, chassis_change).data(), lanes.count(), packed);
+  for (const CasterLanes& lanes : casters_)
+    add_lanes(lanes.on_chassis().data(), lanes.count(), packed);
   store(packed, sums.data());
   force_ = force;
   momentum_ = momentum;
@@ -127,10 +131,11 @@ void ItemStage::eliminate() {
     if (row.slope != 0) matrix_ += tau_ * row.slope * row.direction * row.direction.transpose();
   std::array<double, 8> side{};
   Eigen::Map<Vector6>(side.data()) = right_side_;
+  for (CasterLanes& lanes : casters_) lanes.eliminate();
   auto matrix = loaded<9>(matrix_.data());
   auto right_side = loaded<2>(side.data());
-  for (CasterLanes& lanes : casters_) {
-    const CasterLanes::Elimination taken = lanes.eliminate();
+  for (const CasterLanes& lanes : casters_) {
+    const CasterLanes::Elimination& taken = lanes.elimination();
     add_lanes(taken.matrix.data(), lanes.count(), matrix);
     add_lanes(taken.right_side.data(), lanes.count(), right_side);
   }

@@ -52,38 +52,6 @@ Mechanism::Mechanism(const Scene& scene, std::size_t item)
   }
 }
 
-double Mechanism::gravitational_energy(const State& state) const {
-  const Pose pose = state.pose();
-  double energy = -total_mass * gravity.dot(state.position);
-  for (std::size_t i = 0; i < casters.size(); ++i)
-    energy -= casters[i].mass() *
-              gravity.dot(casters[i].center_of_mass(pose, state.casters[i].swivel_angle));
-  return energy;
-}
-
-double Mechanism::kinetic_energy(const State& state) const {
-  const Matrix3 R = state.rotation.toRotationMatrix();
-  const Vector6& v = state.velocity.chassis;
-  const Vector3 w = R.transpose() * v.tail<3>();
-  double energy = 0.5 * chassis.mass * v.head<3>().squaredNorm() + 0.5 * w.dot(chassis.inertia * w);
-  for (std::size_t i = 0; i < casters.size(); ++i)
-    energy +=
-        CasterDynamics::kinetic_energy(geometry(casters[i], state, i), v, state.velocity.joints[i]);
-  return energy;
-}
-
-double Mechanism::elastic_energy(const State& state) const {
-  double energy = loads.stored_energy(state.loads) + tethers.stored_energy(state);
-  for (std::size_t i = 0; i < casters.size(); ++i) {
-    const CasterDynamics& caster = casters[i];
-    const CasterState& s = state.casters[i];
-    energy += caster.tread().stored_energy(-geometry(caster, state, i).height, s.tread) +
-              0.5 * caster.swivel_friction().stiffness * s.swivel_wind * s.swivel_wind +
-              0.5 * caster.axle_friction().stiffness * s.axle_wind * s.axle_wind;
-  }
-  return energy;
-}
-
 Vector3 Mechanism::point(const BodyContact::Side& side, const State& state) const {
   if (side.caster < 0) return state.rotation * side.local;
   const auto caster = static_cast<std::size_t>(side.caster);

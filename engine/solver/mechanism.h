@@ -32,12 +32,6 @@ struct Mechanism {
   double length;      ///< characteristic, for residuals of moments [m]
   double reach;       ///< largest distance of any point of the item from the chassis' centre [m]
 
-  /// Potential energy of gravity, any constant origin [J].
-  double gravitational_energy(const State& state) const;
-  double kinetic_energy(const State& state) const;
-  /// Energy in treads, stuck bearings, springs and cables [J].
-  double elastic_energy(const State& state) const;
-
   /// A point of the item (BodyContact::Side), relative to the chassis' centre, floor axes; and its
   /// velocity, without the spin of a wheel, which moves no point of its surface.
   Vector3 point(const BodyContact::Side& side, const State& state) const;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/caster/contact_jacobian.h"
+
 namespace gurney {
 
 SlipReversals::SlipReversals(const Assembly& assembly, double time_step)
@@ -18,28 +20,30 @@ SlipReversals::SlipReversals(const Assembly& assembly, double time_step)
 
 void SlipReversals::collect_treads(std::size_t item, const State& state, const Course& course) {
   const Mechanism& mechanism = assembly_.items[item];
+  const Pose pose = state.pose();
   for (std::size_t i = 0; i < mechanism.casters.size(); ++i) {
     const TreadState& tread = state.casters[i].tread;
     if (!tread.sliding && !tread.rolling) continue;
     const CasterDynamics& caster = mechanism.casters[i];
-    CasterDynamics::Geometry g;
-    caster.evaluate(state.pose(), state.casters[i].swivel_angle, state.velocity.chassis,
-                    state.velocity.joints[i], Vector3::Zero(), g);
-    const auto rates = [&](const Velocity& v) -> Vector5 {
-      return g.jacobian_chassis * v.chassis + g.jacobian_joints * v.joints[i];
+    const CasterGeometry<double> g = caster.contact(pose, state.casters[i].swivel_angle);
+    const auto rates = [&](const Velocity& v) {
+      return contact_rates<double>(
+          g, caster.constants().spin_radius, same<double>(Vector3(v.chassis.head<3>())),
+          same<double>(Vector3(v.chassis.tail<3>())), v.joints[i][0], v.joints[i][1]);
     };
-    const Vector5 u = rates(state.velocity), a = rates(course.acceleration);
+    const ContactRates<double> u = rates(state.velocity), a = rates(course.acceleration);
     if (tread.sliding)
-      slips_.push_back({{u[0], u[1], u[3]},
-                        {a[0], a[1], a[3]},
+      slips_.push_back({{u.velocity.x, u.velocity.y, u.spin},
+                        {a.velocity.x, a.velocity.y, a.spin},
                         Vector3(1, 1, 0).asDiagonal(),
                         course.floor_acceleration});
     if (tread.rolling) {
       const double radius = caster.wheel_radius();
+      const Vector3 heading = of_lane(g.axle_level, 0).cross(Vector3::UnitZ());
       Matrix3 along = Matrix3::Zero();
-      along.row(0) = std::copysign(1.0, u[4]) * g.heading.transpose();
-      slips_.push_back({{radius * std::abs(u[4]), 0, 0},
-                        {std::copysign(radius * a[4], u[4] * a[4]), 0, 0},
+      along.row(0) = std::copysign(1.0, u.roll) * heading.transpose();
+      slips_.push_back({{radius * std::abs(u.roll), 0, 0},
+                        {std::copysign(radius * a.roll, u.roll * a.roll), 0, 0},
                         along,
                         course.floor_acceleration});
     }

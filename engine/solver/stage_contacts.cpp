@@ -40,6 +40,20 @@ Vector3 StageSolver::contact_rates(const ContactWork& work, const std::vector<Ve
   return u;
 }
 
+/// Surely, by the normal alone; most of the contacts that are near do.
+bool StageSolver::stays_apart(const ContactWork& work, const std::vector<Velocity>& v) const {
+  constexpr double kRounding = 1e-9;  // [m]
+  const auto rate = [&](const BodyContact::Side& at, const Side& side) {
+    const double of_chassis = side.chassis.row(2).dot(v[at.item].chassis);
+    if (at.caster < 0) return of_chassis;
+    return of_chassis +
+           side.joints.row(2).dot(v[at.item].joints[static_cast<std::size_t>(at.caster)]);
+  };
+  double u_z = rate(work.contact->side, work.side);
+  if (work.contact->between_items()) u_z -= rate(work.contact->other_side, work.other_side);
+  return work.stage.compression - work.stage.tau * u_z < -kRounding;
+}
+
 void StageSolver::update_contacts(const Input& input, const std::vector<Velocity>& v) {
   const std::size_t first = input.island->first_contact;
   contacts_.resize(input.island->end_contact - first);

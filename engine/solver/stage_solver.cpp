@@ -45,6 +45,10 @@ double StageSolver::evaluate_forces(const Input& input, const std::vector<Veloci
   for (std::size_t i : input.island->items) items_[i].begin_forces(inputs_[i], v[i]);
   for (ContactWork& work : contacts_) {
     const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
+    if (stays_apart(work, v)) {
+      work.force.setZero();
+      continue;
+    }
     work.force = work.law->force(work.stage, contact_rates(work, v), work.slope);
     if (!work.pushes()) continue;
     items_[a.item].add_contact_force(a.caster, work.side.chassis, work.side.joints, work.force);

@@ -88,6 +88,7 @@ class StageSolver {
   Vector3 rates(const BodyContact::Side& at, const Side& side,
                 const std::vector<Velocity>& v) const;
   Vector3 contact_rates(const ContactWork& work, const std::vector<Velocity>& v) const;
+  bool stays_apart(const ContactWork& work, const std::vector<Velocity>& v) const;
   void place(const Input& input, const std::vector<Velocity>& v, const Matrix3& frame,
              const BodyContact::Side& at, Side& side) const;
   void update_contacts(const Input& input, const std::vector<Velocity>& v);

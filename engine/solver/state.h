@@ -56,10 +56,14 @@ inline Quaternion rotated(const Vector3& angle, const Quaternion& rotation) {
   const double half = 0.5 * angle.norm();
   const double sine = std::sin(half), cosine = std::cos(half);  // one call for both
   const double sinc = half > 1e-8 ? sine / half : 1 - half * half / 6;
-  const Vector3 v = 0.5 * sinc * angle;
-  Quaternion result = Quaternion(cosine, v.x(), v.y(), v.z()) * rotation;
-  result.normalize();
-  return result;
+  const double s = 0.5 * sinc;
+  const double x = s * angle.x(), y = s * angle.y(), z = s * angle.z(), w = cosine;
+  // Eigen's product, number by number: written by twos and read by four it would be waited for.
+  const double b = rotation.x(), c = rotation.y(), d = rotation.z(), a = rotation.w();
+  const double qx = (w * b + y * d) - (z * c - x * a), qy = (w * c + y * a) + (z * b - x * d);
+  const double qz = (w * d - y * b) + (z * a + x * c), qw = (w * a - y * c) - (z * d + x * b);
+  const double length = std::sqrt((qx * qx + qz * qz) + (qy * qy + qw * qw));
+  return {qw / length, qx / length, qy / length, qz / length};
 }
 
 }  // namespace gurney

@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+#include "engine/caster/caster_energy.h"
+#include "engine/caster/contact_jacobian.h"
 #include "studies/verification/scenes/small_scenes.h"
 
 // The mass matrix, bias and contact Jacobian of a caster against an independent sum over its parts:
@@ -89,6 +91,22 @@ CasterDynamics::Geometry geometry(const CasterDynamics& dynamics, const Motion& 
   return g;
 }
 
+CasterEnergy<double> energy(const CasterDynamics& dynamics, const Motion& m,
+                            const Vector3& gravity) {
+  CasterMotion<double> motion;
+  motion.rotation = same<double>(m.pose.rotation);
+  motion.sine = std::sin(m.swivel_angle);
+  motion.cosine = std::cos(m.swivel_angle);
+  motion.angular_velocity = same<double>(Vector3(m.velocity.tail<3>()));
+  motion.swivel_rate = m.rates[0];
+  motion.axle_rate = m.rates[1];
+  motion.gravity = same<double>(gravity);
+  CasterGeometry<double> g;
+  const Columns<double> fork = contact_geometry(dynamics.constants(), motion, g);
+  return caster_energy(dynamics.constants(), motion, same<double>(Vector3(m.velocity.head<3>())),
+                       fork);
+}
+
 /// The motion a little later at constant acceleration.
 Motion later(const Motion& m, const Vector6& acceleration, const Eigen::Vector2d& joints,
              double time) {
@@ -113,9 +131,48 @@ TEST(CasterDynamics, KineticEnergyIsTheSumOverItsParts) {
       double expected = 0;
       for (const Part& p : parts(caster, m))
         expected += 0.5 * p.mass * p.velocity.squaredNorm() + 0.5 * p.spin.dot(p.inertia * p.spin);
-      const double found =
-          CasterDynamics::kinetic_energy(geometry(dynamics, m), m.velocity, m.rates);
-      EXPECT_NEAR(found, expected, 1e-12 * expected);
+      const auto g = geometry(dynamics, m);
+      const double by_mass = 0.5 * m.velocity.dot(g.mass_chassis * m.velocity) +
+                             m.velocity.dot(g.mass_coupling * m.rates) +
+                             0.5 * m.rates.dot(g.mass_joints * m.rates);
+      EXPECT_NEAR(by_mass, expected, 1e-12 * expected);
+      EXPECT_NEAR(energy(dynamics, m, Vector3::Zero()).kinetic, expected, 1e-12 * expected);
+    }
+  }
+}
+
+TEST(CasterDynamics, GravitationalEnergyIsTheSumOverItsParts) {
+  Random random;
+  const Caster caster = odd_caster();
+  const CasterDynamics dynamics(caster, kChassisCenter);
+  const Vector3 gravity(0.4, -0.7, -9.8);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Motion m = random.motion(true);
+    double expected = 0;
+    for (const Part& p : parts(caster, m))
+      expected -= p.mass * gravity.dot(p.position - m.pose.position);
+    // Of the order of 1 J: two masses of 1 kg within 1 m.
+    EXPECT_NEAR(energy(dynamics, m, gravity).gravitational, expected, 1e-13);
+  }
+}
+
+TEST(CasterDynamics, ContactIsThatOfTheWholeGeometry) {
+  Random random;
+  for (bool swivels : {true, false}) {
+    const CasterDynamics dynamics(odd_caster(swivels), kChassisCenter);
+    for (int trial = 0; trial < 50; ++trial) {
+      const Motion m = random.motion(swivels);
+      const auto whole = geometry(dynamics, m);
+      const CasterGeometry<double> g = dynamics.contact(m.pose, m.swivel_angle);
+      EXPECT_EQ(of_lane(g.contact, 0), whole.contact);
+      EXPECT_EQ(g.height, whole.height);
+      const ContactRates<double> u = contact_rates<double>(
+          g, dynamics.constants().spin_radius, same<double>(Vector3(m.velocity.head<3>())),
+          same<double>(Vector3(m.velocity.tail<3>())), m.rates[0], m.rates[1]);
+      const Vector5 rates = whole.jacobian_chassis * m.velocity + whole.jacobian_joints * m.rates;
+      const Vector5 found =
+          (Vector5() << u.velocity.x, u.velocity.y, u.velocity.z, u.spin, u.roll).finished();
+      EXPECT_NEAR((found - rates).norm(), 0, 1e-13 * rates.norm());
     }
   }
 }
