@@ -54,18 +54,24 @@ Vector3 crown_contact(double axle_z, double radius, double width, const Vector3&
 inline constexpr double kSineOfCrown = 0.17364817766693033;
 
 template <class T>
-Triple<T> lowest_of_tread(const CasterConstants<T>& c, const Triple<T>& axle) {
+[[gnu::noinline, gnu::cold]] void lean_on_crown(const CasterConstants<T>& c, const Triple<T>& up,
+                                                const Triple<T>& axle, Triple<T>& down) {
+  for (std::size_t k = 0; k < kLanesOf<T>; ++k)
+    if (std::abs(of_lane(axle.z, k)) > kSineOfCrown)
+      put_lane(down, k,
+               crown_contact(of_lane(axle.z, k), of_lane(c.radius, k), of_lane(c.width, k),
+                             of_lane(up, k), of_lane(axle, k)));
+}
+
+template <class T>
+[[gnu::always_inline]] inline Triple<T> lowest_of_tread(const CasterConstants<T>& c,
+                                                        const Triple<T>& axle) {
   // The lowest point of the disc lies against the component of z in the wheel's plane.
   const Triple<T> up =
       normalized<T>({T{} - axle.z * axle.x, T{} - axle.z * axle.y, same<T>(1) - axle.z * axle.z});
   Triple<T> down = -c.radius * up;
   const Mask<T> leans = magnitude(axle.z) > same<T>(kSineOfCrown);
-  if (any(leans))
-    for (std::size_t k = 0; k < kLanesOf<T>; ++k)
-      if (std::abs(of_lane(axle.z, k)) > kSineOfCrown)
-        put_lane(down, k,
-                 crown_contact(of_lane(axle.z, k), of_lane(c.radius, k), of_lane(c.width, k),
-                               of_lane(up, k), of_lane(axle, k)));
+  if (any(leans)) lean_on_crown(c, up, axle, down);
   return down;
 }
 

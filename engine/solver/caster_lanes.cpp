@@ -170,11 +170,10 @@ void CasterLanes::evaluate_forces(const State& start, double tau, const Velocity
 }
 
 double CasterLanes::largest_joint_residual() const {
+  const Lanes swivel = magnitude(joint_residual_[0]), axle = magnitude(joint_residual_[1]);
+  const Lanes larger = select(swivel < axle, axle, swivel) / body_.radius;
   double largest = 0;
-  for (std::size_t k = 0; k < count_; ++k)
-    largest = std::max(largest,
-                       std::max(std::abs(joint_residual_[0][k]), std::abs(joint_residual_[1][k])) /
-                           body_.radius[k]);
+  for (std::size_t k = 0; k < count_; ++k) largest = std::max(largest, larger[k]);
   return largest;
 }
 

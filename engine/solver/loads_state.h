@@ -16,6 +16,8 @@ struct LoadsState {
   std::vector<Vector2> blocks;  ///< deflections [m]
   std::vector<double> springs;  ///< of the fixture, deflections [m]
 
+  bool empty() const { return weights.empty() && blocks.empty() && springs.empty(); }
+
   /// y + ratio (y_first - y) of every entry, y being this.
   LoadsState extrapolated(const LoadsState& first, double ratio) const;
 };

@@ -27,10 +27,17 @@ void swap_in_pivot(Matrix6& a, Vector6& x) {
   std::swap(x[K], x[pivot]);
 }
 
+/// Beside the elimination, whose numbers it does not wait for.
+template <int K>
+void substitute_forward(const Matrix6& a, Vector6& x) {
+  if constexpr (K > 0) x[K] -= sum<0, K>(a, K, x);
+}
+
 template <int K>
 void eliminate_below(Matrix6& a, Vector6& x) {
   constexpr int kBelow = 5 - K;
   swap_in_pivot<K>(a, x);
+  substitute_forward<K>(a, x);
   if (a(K, K) != 0) a.col(K).tail<kBelow>() /= a(K, K);
   for (int column = K + 1; column < 6; ++column)
     a.col(column).tail<kBelow>() -= a(K, column) * a.col(K).tail<kBelow>();
@@ -39,11 +46,11 @@ void eliminate_below(Matrix6& a, Vector6& x) {
 template <int... K>
 void eliminate(Matrix6& a, Vector6& x, std::integer_sequence<int, K...>) {
   (eliminate_below<K>(a, x), ...);
+  substitute_forward<5>(a, x);
 }
 
 template <int... K>
 void substitute(const Matrix6& a, Vector6& x, std::integer_sequence<int, K...>) {
-  ((x[K + 1] -= sum<0, K + 1>(a, K + 1, x)), ...);
   x[5] /= a(5, 5);
   ((x[4 - K] = (x[4 - K] - sum<5 - K, K + 1>(a, 4 - K, x)) / a(4 - K, 4 - K)), ...);
 }

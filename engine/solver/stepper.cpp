@@ -63,7 +63,7 @@ void extrapolate_item(const State& from, const State& end, const Velocity& accel
     s.tread.rolling = b.tread.rolling;
   }
   start.broken_tethers = from.broken_tethers;
-  start.loads = from.loads.extrapolated(end.loads, kExtrapolation);
+  if (!from.loads.empty()) start.loads = from.loads.extrapolated(end.loads, kExtrapolation);
 }
 
 void add_power(const EnergyAccount& power, double time, EnergyAccount& account) {
@@ -178,7 +178,7 @@ void Stepper::accept(const Island& island, SceneState& state, double duration,
   ++quality_.steps;
   if (observer)
     observer({&island, time, duration, &state, &second_.end, &first_, &second_, floor_second_});
-  for (std::size_t i : island.items) std::swap(state.items[i], second_.end.items[i]);
+  for (std::size_t i : island.items) state.items[i] = second_.end.items[i];
   for (std::size_t c = island.first_contact; c < island.end_contact; ++c)
     std::swap(state.contacts[c], second_.end.contacts[c]);
 }

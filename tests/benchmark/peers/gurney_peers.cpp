@@ -14,7 +14,7 @@ namespace {
 void smooth(const std::filesystem::path& folder, bool quick) {
   const std::vector<double> tolerances = {0.1, 0.03, 0.01, 0.003, 0.001};
   const auto all = quick ? engines({0.004}, {0.01})
-                         : engines({0.01, 0.005, 0.004, 0.002, 0.001, 0.0005}, tolerances);
+                         : engines({0.02, 0.01, 0.005, 0.004, 0.002, 0.001, 0.0005}, tolerances);
   std::vector<Point> points;
   for (const Job& job : smooth_jobs(quick ? 1 : 3)) {
     const std::vector<Point> of_job = work_precision(job, all, quick ? 0.002 : 0.00025);
