@@ -30,10 +30,13 @@ StageSolver::StageSolver(const Assembly& assembly, const Settings& settings)
   before_ = full_ = v_;
 }
 
-ItemStage::Input StageSolver::item_input(const Input& input, std::size_t item) const {
-  ItemStage::Input of_item{&input.start->items[item], input.tau, input.floor, input.loads};
+void StageSolver::set_input(const Input& input, std::size_t item) {
+  ItemStage::Input& of_item = inputs_[item];
+  of_item.start = &input.start->items[item];
+  of_item.tau = input.tau;
+  of_item.floor = input.floor;
+  of_item.loads = input.loads;
   of_item.loads.start = &of_item.start->loads;
-  return of_item;
 }
 
 void StageSolver::update_geometry(const Input& input, const std::vector<Velocity>& v, bool first) {
@@ -95,7 +98,7 @@ bool StageSolver::solve(const Input& input, Output& out) {
   // Rounding of M v shows in the residual as M g tau gets small.
   double speed = 0;
   for (std::size_t i : island) {
-    inputs_[i] = item_input(input, i);
+    set_input(input, i);
     v_[i] = input.guess[i];
     speed = std::max(speed, v_[i].chassis.head<3>().norm());
   }
@@ -108,10 +111,12 @@ bool StageSolver::solve(const Input& input, Output& out) {
     double residual = evaluate_forces(input, v_);
     int iteration = 0;
     for (; residual > tolerance && iteration < settings_.max_iterations; ++iteration) {
-      for (std::size_t i : island) before_[i] = v_[i];
+      const bool may_backtrack = iteration >= kIterationsBeforeBacktracking;
+      if (may_backtrack)
+        for (std::size_t i : island) before_[i] = v_[i];
       newton_step(input, v_);
       double next = evaluate_forces(input, v_);
-      if (iteration >= kIterationsBeforeBacktracking) {
+      if (may_backtrack) {
         double fraction = 1;
         for (std::size_t i : island) full_[i] = v_[i];
         for (int k = 0; k < kMaxBacktracks && !(next < residual); ++k) {

@@ -75,7 +75,7 @@ class StageSolver {
     bool pushes() const { return force.z() != 0; }
   };
 
-  ItemStage::Input item_input(const Input& input, std::size_t item) const;
+  void set_input(const Input& input, std::size_t item);
   void update_geometry(const Input& input, const std::vector<Velocity>& v, bool first);
   double evaluate_forces(const Input& input, const std::vector<Velocity>& v);
   void newton_step(const Input& input, std::vector<Velocity>& v);

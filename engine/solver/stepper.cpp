@@ -25,12 +25,11 @@ constexpr int kReversalPasses = 4;
 /// A step that no subdivision makes converge is still accepted below this residual, and counted.
 constexpr double kAcceptableResidual = 1e-5;
 
-Velocity advanced(const Velocity& v, double time, const Velocity& acceleration,
-                  std::size_t casters) {
-  Velocity result = v;
-  result.chassis += time * acceleration.chassis;
-  for (std::size_t i = 0; i < casters; ++i) result.joints[i] += time * acceleration.joints[i];
-  return result;
+void set_advanced(const Velocity& v, double time, const Velocity& acceleration, std::size_t casters,
+                  Velocity& result) {
+  result.chassis = v.chassis + time * acceleration.chassis;
+  for (std::size_t i = 0; i < casters; ++i)
+    result.joints[i] = v.joints[i] + time * acceleration.joints[i];
 }
 
 /// From the start of a step over the end of its first stage to the start of its second.
@@ -48,7 +47,7 @@ void extrapolate_item(const State& from, const State& end, const Velocity& accel
   const Velocity& v1 = end.velocity;
   start.position = from.position + time * v1.chassis.head<3>();
   start.rotation = rotated(time * v1.chassis.tail<3>(), from.rotation);
-  start.velocity = advanced(from.velocity, time, acceleration, casters);
+  set_advanced(from.velocity, time, acceleration, casters, start.velocity);
   for (std::size_t i = 0; i < casters; ++i) {
     const CasterState& a = from.casters[i];
     const CasterState& b = end.casters[i];
@@ -136,9 +135,11 @@ bool Stepper::attempt(const Island& island, const SceneState& from, double durat
   input_.loads.floor_acceleration_up = floor_first.acceleration.z();
   for (std::size_t i : island.items) {
     const Velocity& v = from.items[i].velocity;
-    input_.guess[i] = predictions_[i].known ? advanced(v, tau, predictions_[i].acceleration,
-                                                       assembly_.items[i].casters.size())
-                                            : v;
+    if (predictions_[i].known)
+      set_advanced(v, tau, predictions_[i].acceleration, assembly_.items[i].casters.size(),
+                   input_.guess[i]);
+    else
+      input_.guess[i] = v;
   }
   const bool first_converged = solver_.solve(input_, first_);
   quality_.newton_iterations += first_.iterations;
@@ -149,8 +150,8 @@ bool Stepper::attempt(const Island& island, const SceneState& from, double durat
   input_.floor = floor_second_;
   input_.loads.floor_acceleration_up = floor_second_.acceleration.z();
   for (std::size_t i : island.items)
-    input_.guess[i] = advanced(between_.items[i].velocity, tau, first_.items[i].acceleration,
-                               assembly_.items[i].casters.size());
+    set_advanced(between_.items[i].velocity, tau, first_.items[i].acceleration,
+                 assembly_.items[i].casters.size(), input_.guess[i]);
   input_.loads.first = false;
   const bool second_converged = solver_.solve(input_, second_);
   quality_.newton_iterations += second_.iterations;

@@ -4,6 +4,7 @@
 #include <ctime>
 
 #include "tests/benchmark/crowd.h"
+#include "tests/benchmark/free_trolley.h"
 #include "tests/benchmark/sections.h"
 #include "tests/benchmark/workload.h"
 
@@ -73,6 +74,18 @@ void print_row(const char* what, double count, double cpu, double first_count, d
              cpu / first * first_count / count);
 }
 
+void print_free_trolley() {
+  constexpr int kMotions = 24;
+  fmt::print(
+      "\nFree trolley, {} motions of {:g} s: x real time; median and 90 % of the error of the "
+      "peak\n"
+      "displacement against that at 0.25 ms\n",
+      kMotions, kDuration);
+  for (const FreeTrolleyPoint& point : free_trolley({0.004, 0.01, 0.0125, 0.02}, kMotions))
+    fmt::print("| {:g} ms | {:.0f} | {:.2f} % | {:.2f} % |\n", 1e3 * point.step, point.speed,
+               100 * point.median_error, 100 * point.larger_error);
+}
+
 double batch(const Scene& scene, const FloorMotion& floor, double duration, int runs, int threads) {
   const double start = process_time();
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
@@ -93,6 +106,7 @@ void print_cost() {
   for (const int times : {1, 2, 4, 8})
     print_row("length x 20 s", times,
               least_cpu(with_casters(4), repeated(floor, times), times * kDuration), 1, four);
+  print_free_trolley();
   print_crowd("in walls", 1, 1, floor);
   print_crowd("in walls", 5, 2, floor);
   for (const double duration : {1.0, kDuration}) {

@@ -1,12 +1,12 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <ctime>
 #include <vector>
 
 #include "engine/run/predictability.h"
 #include "tests/benchmark/regimes.h"
 #include "tests/benchmark/sections.h"
+#include "tests/benchmark/workload.h"
 
 namespace gurney::benchmark {
 namespace {
@@ -22,13 +22,6 @@ constexpr std::array<SimulationSettings, 8> kVariants = {{{.time_step = 0.004},
                                                           {.tolerance = 0.01},
                                                           {.tolerance = 0.003},
                                                           {.tolerance = 0.001}}};
-
-/// Of this thread [s].
-double cpu_time() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 struct Row {
   int settled = 0;

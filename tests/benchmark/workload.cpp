@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 
 #include "engine/base/units.h"
@@ -65,6 +66,12 @@ PullReference pull_reference(const Scene& scene) {
   const double a2 = resistance / (mass + rolling_inertia);
   const double speed = 3 * a1;
   return {0.5 * a1 * 9, 0.5 * a1 * 9 + 0.5 * speed * speed / a2};
+}
+
+double cpu_time() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 Timed timed(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings,

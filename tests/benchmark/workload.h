@@ -28,6 +28,9 @@ struct PullReference {
 };
 PullReference pull_reference(const Scene& scene);
 
+/// CPU time of this thread [s].
+double cpu_time();
+
 /// Seconds of wall time of one run, the best of `repeats`, and its response.
 struct Timed {
   Response response;

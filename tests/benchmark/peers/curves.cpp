@@ -7,6 +7,9 @@
 #include <fstream>
 #include <map>
 
+#include "tests/benchmark/peers/pace.h"
+#include "tests/benchmark/workload.h"
+
 namespace gurney::benchmark {
 namespace {
 
@@ -111,9 +114,13 @@ std::vector<Point> work_precision(const Job& job, const std::vector<Engine>& eng
   fmt::print("\n{:>7} {:>26} {:>10} {:>9} {:>36} {:>22}\n", "engine", "set-up", "step", "x real",
              "error %: displacement, tilt, accel.", "from truth %, finest");
   std::vector<Point> points;
+  double before = pace();
   for (std::size_t e = 0; e < engines.size(); ++e)
     for (const double step : engines[e].steps) {
-      const Point point = point_of(job, engines[e], step, references[e], truth);
+      Point point = point_of(job, engines[e], step, references[e], truth);
+      const double after = pace();
+      point.pace = 0.5 * (before + after);
+      before = after;
       fmt::print("{:>7} {:>26} {:>10} {:>9.0f} {:>14.3f} {:>10.3f} {:>10.3f} {:>11.2f} {:>10.2f}\n",
                  point.engine, point.setup, step_text(point), 1 / point.cpu, 100 * point.error[0],
                  100 * point.error[1], 100 * point.error[2], 100 * point.from_truth,
@@ -122,6 +129,11 @@ std::vector<Point> work_precision(const Job& job, const std::vector<Engine>& eng
       points.push_back(point);
     }
   return points;
+}
+
+void correct_pace(std::vector<Point>& points) {
+  const double fastest = std::ranges::min(points, {}, &Point::pace).pace;
+  for (Point& point : points) point.cpu *= fastest / point.pace;
 }
 
 void print_ratios(const std::vector<Point>& points, double bound, Criterion criterion) {

@@ -15,15 +15,19 @@ struct Point {
   double step = 0;  ///< [s], or the tolerance
   bool tolerance = false;
   double cpu = 0;                   ///< for each simulated second, mean of the motions [s]
+  double pace = 0;                  ///< of the machine meanwhile (pace.h) [s]
   std::array<double, 3> error{};    ///< of the peaks from the engine's own finest, median
   std::array<double, 3> largest{};  ///< the same, largest of the motions
   double from_truth = 0;            ///< of the peak displacement from the common truth, median
   double finest_from_truth = 0;     ///< the same of the engine's finest
 };
 
-/// Prints a line for each.
+/// Prints a line for each, with CPU times as they are measured.
 std::vector<Point> work_precision(const Job& job, const std::vector<Engine>& engines,
                                   double finest_step);
+
+/// Corrects CPU times to the machine's fastest pace.
+void correct_pace(std::vector<Point>& points);
 
 /// What must be within the bound: the error of the peak displacement, that of all three peaks, or the
 /// distance of the peak displacement from the common truth.

@@ -20,6 +20,7 @@ void smooth(const std::filesystem::path& folder, bool quick) {
     const std::vector<Point> of_job = work_precision(job, all, quick ? 0.002 : 0.00025);
     points.insert(points.end(), of_job.begin(), of_job.end());
   }
+  correct_pace(points);
   for (const double error : {0.005, 0.01, 0.05}) {
     print_ratios(points, error, Criterion::kDisplacement);
     print_ratios(points, error, Criterion::kAllPeaks);

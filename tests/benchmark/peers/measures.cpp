@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include "engine/base/units.h"
 
@@ -78,12 +77,6 @@ double agreement(const Path& a, const Path& b, double sampling) {
          std::abs(a[k].tilt - b[k].tilt) <= kAlike * tilt)
     ++k;
   return static_cast<double>(k) * sampling;
-}
-
-double cpu_time() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 double median(std::vector<double> values) {

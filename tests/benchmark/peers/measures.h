@@ -26,9 +26,6 @@ std::array<double, 3> relative_errors(const Peaks& a, const Peaks& b);
 /// Until when two paths are within 5 % of the second one's peaks of displacement and tilt [s].
 double agreement(const peers::Path& a, const peers::Path& b, double sampling);
 
-/// CPU time of this thread [s].
-double cpu_time();
-
 double median(std::vector<double> values);
 
 }  // namespace gurney::benchmark

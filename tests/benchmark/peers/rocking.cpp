@@ -6,6 +6,7 @@
 
 #include "engine/base/units.h"
 #include "tests/benchmark/peers/curves.h"
+#include "tests/benchmark/workload.h"
 
 namespace gurney::benchmark {
 namespace {
