@@ -4,6 +4,8 @@ namespace gurney {
 
 /// What the numbers of a run are worth.
 struct Quality {
+  static constexpr long kLargestHalvings = 6;
+
   double energy_closure =
       0;  ///< largest |closure| over the largest energy in play (stored, work or loss) [-]
   double numerical_loss = 0;    ///< numerical_loss over the same energy [-]
@@ -15,6 +17,8 @@ struct Quality {
   long rejected_steps = 0;     ///< repeated shorter because of their error
   long newton_iterations = 0;
   long collision_passes = 0;  ///< of Bullet
+  long step_halvings = 0;     ///< of the time step, for settings.peak_error
+  double peak_change = 0;     ///< of the peaks by the last two of them, relative
 };
 
 }  // namespace gurney

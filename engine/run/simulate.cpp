@@ -50,6 +50,7 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
   validate(settings);
   require(settings.solver == Solver::kImplicit,
           "settings.solver names a baseline, which simulate() does not run");
+  require(settings.peak_error == 0, "settings.peak_error is for refine(), not simulate()");
   const Assembly assembly(scene);
   const std::size_t count = assembly.items.size();
   SceneState state = start_of(scene, assembly);

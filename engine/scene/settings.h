@@ -19,7 +19,9 @@ struct SimulationSettings {
   double time_step = 0.004;  ///< (0, 0.02] [s]; with a tolerance the longest step
   double tolerance = 0;      ///< > 0: as many steps as errors below this fraction of the motion
                              ///< need, [0, 0.1]; 0: fixed steps
-  double residual = 1e-9;    ///< momentum residual per step, as a fraction of M g dt, (0, 1e-3]
+  double peak_error = 0;   ///< > 0: the time step is halved until the peaks are this accurate, [0,
+                           ///< 0.1] (refine.h); 0: as it is
+  double residual = 1e-9;  ///< momentum residual per step, as a fraction of M g dt, (0, 1e-3]
   int max_newton_iterations = 40;  ///< per stage before the step is subdivided, 4..1000
   int max_subdivisions = 10;  ///< halvings of one step before the run counts as diverged, 0..20
   double settle_time = 60;    ///< longest time after the excitation until all rests, >= 0 [s]

@@ -175,7 +175,10 @@ Section methods(const RunFile& run) {
       "The response was simulated with Gurney {} (commit {}, CPU class "
       "{})",
       file.program_version, file.git_commit, file.cpu_class);
-  if (run.scene && run.scene->settings.tolerance <= 0)
+  if (run.scene && run.scene->settings.peak_error > 0)
+    text += fmt::format(" with the time step halved from {:g} ms until the peaks settled",
+                        1000 * run.scene->settings.time_step);
+  else if (run.scene && run.scene->settings.tolerance <= 0)
     text += fmt::format(" with a time step of {:g} ms", 1000 * run.scene->settings.time_step);
   text += file.motions.empty()
               ? "; the floor was at rest."

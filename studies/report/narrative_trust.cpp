@@ -55,6 +55,16 @@ struct StepChange {
   }
 };
 
+/// For settings.peak_error.
+std::string halvings(const Quality& quality) {
+  if (quality.step_halvings == 0) return "";
+  return fmt::format(
+      "Time step: halved {} times{}; the last two changed the peaks by at most {:.2g} %.\n",
+      quality.step_halvings,
+      quality.step_halvings == Quality::kLargestHalvings ? ", no shorter is tried" : "",
+      100 * quality.peak_change);
+}
+
 std::string time_step(const Response& response, const std::vector<std::string>& names) {
   StepChange displacement, tilt;
   for (std::size_t i = 0; i < response.items.size(); ++i) {
@@ -68,9 +78,10 @@ std::string time_step(const Response& response, const std::vector<std::string>& 
   const bool several = names.size() > 1;
   const std::string moved = displacement.text("peak displacement", several),
                     tilted = tilt.text("peak tilt", several);
-  if (moved.empty() && tilted.empty()) return "";
-  return fmt::format("Time step: half of it changes {}{}{}.\n", moved,
-                     moved.empty() || tilted.empty() ? "" : ", ", tilted);
+  const std::string halved = halvings(response.quality);
+  if (moved.empty() && tilted.empty()) return halved;
+  return halved + fmt::format("Time step: half of it changes {}{}{}.\n", moved,
+                              moved.empty() || tilted.empty() ? "" : ", ", tilted);
 }
 
 /// Of several items a line for each that is not predictable.

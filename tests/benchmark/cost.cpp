@@ -106,6 +106,8 @@ void print_cost() {
   for (const int times : {1, 2, 4, 8})
     print_row("length x 20 s", times,
               least_cpu(with_casters(4), repeated(floor, times), times * kDuration), 1, four);
+  fmt::print("a run of one step: {:.3f} ms of CPU\n",
+             1e3 * least_cpu(with_casters(4), floor, 0.004));
   print_free_trolley();
   print_crowd("in walls", 1, 1, floor);
   print_crowd("in walls", 5, 2, floor);

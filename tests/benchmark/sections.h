@@ -21,6 +21,9 @@ void print_rooms(int motions);
 /// Accuracy and CPU time of fixed steps and of steps chosen by a tolerance.
 void print_step_control(int records);
 
+/// Accuracy and CPU time of runs that halve their own step.
+void print_refine(int motions);
+
 /// Whether the interval of P(overturned) from a few replicas of chaotic runs contains that of many.
 void print_replicas(int motions);
 

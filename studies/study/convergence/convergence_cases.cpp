@@ -74,7 +74,7 @@ ConvergenceCases convergence_cases(const std::string& job, std::size_t most, int
                           run.facts.settings, run.facts.warnings});
     cases.names.push_back(run.facts.record ? run.facts.record->name : "the floor rests");
   }
-  for (RunCase& run : cases.runs) run.settings.history_step = 0;
+  for (RunCase& run : cases.runs) run.settings.history_step = run.settings.peak_error = 0;
   return cases;
 }
 

@@ -67,6 +67,8 @@ void read_settings(Table& root, JobReading& job) {
       in.number("time_step_s", Range::within(0, 0.02).open_below(), settings.time_step);
   if (in.has("tolerance"))
     settings.tolerance = in.number("tolerance", Range::within(0, 0.1).open_below());
+  if (in.has("peak_error"))
+    settings.peak_error = in.number("peak_error", Range::within(0, 0.1).open_below());
   settings.residual = in.number("residual", Range::within(0, 1e-3).open_below(), settings.residual);
   settings.max_newton_iterations =
       in.integer("max_newton_iterations", 4, 1000, settings.max_newton_iterations);
@@ -92,7 +94,7 @@ void read_settings(Table& root, JobReading& job) {
   if (settings.solver != Solver::kImplicit)
     note_without_effect(
         in,
-        {"tolerance", "residual", "max_newton_iterations", "max_subdivisions",
+        {"tolerance", "peak_error", "residual", "max_newton_iterations", "max_subdivisions",
          "skip_clear_collision_passes"},
         "with the solver \"" + kSolvers[static_cast<std::size_t>(settings.solver)] + "\"", job);
   std::vector<std::string> warnings;

@@ -59,6 +59,13 @@ std::vector<Configuration> combined(const Node& job, const Study& study, Documen
 /// What a study varies by itself must not be stated for one run.
 /// @throws Error with each that is
 void refuse_contradictions(const Document& document, const Job& job, const Study& study) {
+  if (job.settings.peak_error > 0) {
+    const Node* const settings = document.tree().find("settings");
+    const Node* const stated = settings ? settings->find("peak_error") : nullptr;
+    throw Error(document.where(stated ? stated->place : document.tree().place) +
+                ": settings.peak_error: is for single runs; in a study, study.step_check compares "
+                "runs with half the time step");
+  }
   if (!job.record) {
     if (study.intensity.kind != IntensityPlan::Kind::kScales || study.angles.size() > 1)
       throw Error(document.where(document.tree().place) +

@@ -92,6 +92,10 @@ constexpr TableColumn<Quality> kQuality[] = {
      &Quality::rejected_steps},
     {"newton_iterations", "1", "iterations of the contact solve", &Quality::newton_iterations},
     {"collision_passes", "1", "collision passes of Bullet", &Quality::collision_passes},
+    {"step_halvings", "1", "halvings of the time step for settings.peak_error",
+     &Quality::step_halvings},
+    {"peak_change", "1", "largest relative change of a peak by the last two of the halvings",
+     &Quality::peak_change},
 };
 
 constexpr TableColumn<Predictability> kPredictability[] = {

@@ -111,6 +111,12 @@ TEST(StudyJob, ErrorsOfTheStudyDoNotHideThoseOfTheJob) {
       "a.toml:14:11: item.brakes = 2: must be true or false");
 }
 
+TEST(StudyJob, HasNoPeakErrorOfItsRuns) {
+  EXPECT_EQ(errors("[[study.factor]]\nkey = \"settings.peak_error\"\nvalues = [0.01]\n"),
+            "a.toml:1:1: settings.peak_error: is for single runs; in a study, study.step_check "
+            "compares runs with half the time step");
+}
+
 TEST(StudyJob, ALevelNamesOneOfSeveralItems) {
   const std::string head = R"(schema = "gurney-job/1"
 [[item]]

@@ -39,8 +39,8 @@ auto members(Sample& s) {
   return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
 }
 auto members(Quality& s) {
-  auto& [a, b, c, d, e, f, g, h, i, j] = s;
-  return std::tie(a, b, c, d, e, f, g, h, i, j);
+  auto& [a, b, c, d, e, f, g, h, i, j, k, l] = s;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
 }
 auto members(ItemResponse& s) {
   auto& [a, b, c, d, of_single_runs] = s;

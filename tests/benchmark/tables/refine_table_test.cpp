@@ -1,0 +1,32 @@
+#include <gtest/gtest.h>
+
+#include "engine/run/predictability.h"
+#include "engine/run/refine.h"
+#include "tests/benchmark/regimes.h"
+
+// A part of the table of docs/theory/predictability.md, which `./dev bench --refine` makes:
+// two of 100 motions a regime. One of the 51 half locked runs is not within 1 %, that of motion 0.
+namespace gurney::benchmark {
+namespace {
+
+TEST(RefineTable, SettledRunsAreWithinOnePercent) {
+  for (const Regime& regime : {kRegimes[0], kRegimes[2], kRegimes[3]}) {
+    const Scene scene = scene_of_regime(regime);
+    for (const int k : {20, 60}) {
+      const FloorMotion floor = motion_of_regime(regime, k, 100);
+      const SimulationSettings settings{.peak_error = 0.01};
+      const Response run = refine(scene, floor, settings);
+      const SimulationSettings last = refined_settings(settings, run.quality);
+      const auto found = predictability(scene, floor, last, run);
+      ASSERT_EQ(found.size(), 1u);
+      if (found[0].verdict != Predictability::Verdict::kPredictable) continue;
+      if (run.quality.peak_change > 0.5 * settings.peak_error) continue;
+      const Response finest = simulate(scene, floor, {.time_step = 0.004 / 128, .history_step = 0});
+      EXPECT_LE(step_error(run.items[0].demands, finest.items[0].demands), 0.01)
+          << regime.name << " " << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gurney::benchmark

@@ -1,0 +1,99 @@
+#include "engine/run/refine.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/base/error.h"
+#include "engine/run/simulate.h"
+#include "studies/verification/scenes/small_scenes.h"
+
+namespace gurney {
+namespace {
+
+Scene rolling() {
+  Scene scene = scene_of({});
+  scene.items[0].model = small::trolley({10, 100, 200, 300}, Tread{});
+  return scene;
+}
+
+/// At 20 ms a motion of 1.5 Hz is coarse: peaks are off by percents.
+SimulationSettings coarse(double peak_error) {
+  SimulationSettings settings = small::settings_for(0.02, 8);
+  settings.peak_error = peak_error;
+  return settings;
+}
+
+const FloorMotion& floor_motion() {
+  static const FloorMotion motion = small::noise_record(4, 6, {3, 2, 1});
+  return motion;
+}
+
+TEST(Refine, HalvesTheStepUntilThePeaksStay) {
+  const Scene scene = rolling();
+  const Response run = refine(scene, floor_motion(), coarse(0.02));
+  EXPECT_GE(run.quality.step_halvings, 2);
+  EXPECT_LT(run.quality.step_halvings, Quality::kLargestHalvings);
+  EXPECT_LE(run.quality.peak_change, 0.01);
+  EXPECT_GT(run.quality.peak_change, 0);
+
+  const SimulationSettings last = refined_settings(coarse(0.02), run.quality);
+  EXPECT_EQ(last.peak_error, 0);
+  EXPECT_EQ(last.time_step, 0.02 * std::pow(0.5, static_cast<double>(run.quality.step_halvings)));
+  const Response same = simulate(scene, floor_motion(), last);
+  EXPECT_EQ(run.items[0].demands.peak_displacement, same.items[0].demands.peak_displacement);
+  const Response before = simulate(scene, floor_motion(), with_steps_times(2, last));
+  const Response first = simulate(scene, floor_motion(), with_steps_times(4, last));
+  EXPECT_EQ(run.quality.peak_change,
+            std::max(peak_change(first.items[0].demands, before.items[0].demands),
+                     peak_change(before.items[0].demands, same.items[0].demands)));
+  // A change of at most half the error is 3/4 of it, or half of it at first order.
+  const Response finest = simulate(scene, floor_motion(), with_steps_times(1.0 / 16, last));
+  EXPECT_LE(peak_change(run.items[0].demands, finest.items[0].demands), 0.02);
+}
+
+TEST(Refine, TakesFewerStepsForALargerError) {
+  const Scene scene = rolling();
+  EXPECT_LT(refine(scene, floor_motion(), coarse(0.1)).quality.steps,
+            refine(scene, floor_motion(), coarse(0.002)).quality.steps);
+}
+
+TEST(Refine, LeavesChaoticMotionAtItsStep) {
+  Scene scene = rolling();
+  EquipmentModel& model = scene.items[0].model;
+  for (Caster& caster : model.casters) caster.brake_torque = 1e3;
+  model.chassis_center_of_mass.z() = 1.2;
+  const FloorMotion strong = small::noise_record(4, 20, {6, 4, 2});
+  SimulationSettings settings = small::settings_for(0.004, 24, 5);
+  settings.peak_error = 0.01;
+  const Response run = refine(scene, strong, settings);
+  EXPECT_EQ(run.quality.step_halvings, 0);
+  settings.peak_error = 0;
+  EXPECT_EQ(run.items[0].demands.peak_displacement,
+            simulate(scene, strong, settings).items[0].demands.peak_displacement);
+}
+
+TEST(PeakChange, IsTheLargerOfBothPeaksOrOfTheTimeOfOverturning) {
+  Demands a, b;
+  a.peak_displacement = 0.101;
+  b.peak_displacement = 0.1;
+  a.peak_tilt = 0.098;
+  b.peak_tilt = 0.1;
+  EXPECT_NEAR(peak_change(a, b), 0.02, 1e-15);
+  a.peak_tilt = 1e-4;
+  b.peak_tilt = 2e-4;  // both count as rest
+  EXPECT_NEAR(peak_change(a, b), 0.01, 1e-15);
+  b.time_of_overturning = 4;
+  EXPECT_EQ(peak_change(a, b), std::numeric_limits<double>::infinity());
+  a.time_of_overturning = 4.2;
+  EXPECT_NEAR(peak_change(a, b), 0.05, 1e-15);
+}
+
+TEST(Simulate, DoesNotRefine) {
+  EXPECT_THROW(simulate(rolling(), floor_motion(), coarse(0.01)), Error);
+}
+
+}  // namespace
+}  // namespace gurney
