@@ -59,10 +59,11 @@ struct StepChange {
 std::string halvings(const Quality& quality) {
   if (quality.step_halvings == 0) return "";
   return fmt::format(
-      "Time step: halved {} times{}; the last two changed the peaks by at most {:.2g} %.\n",
-      quality.step_halvings,
+      "Time step: halved {} times{}; the last two changed {}.\n", quality.step_halvings,
       quality.step_halvings == Quality::kLargestHalvings ? ", no shorter is tried" : "",
-      100 * quality.peak_change);
+      std::isfinite(quality.peak_change)
+          ? fmt::format("the peaks by at most {:.2g} %", 100 * quality.peak_change)
+          : "the outcome");
 }
 
 std::string time_step(const Response& response, const std::vector<std::string>& names) {

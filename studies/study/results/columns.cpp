@@ -94,7 +94,9 @@ constexpr TableColumn<Quality> kQuality[] = {
     {"collision_passes", "1", "collision passes of Bullet", &Quality::collision_passes},
     {"step_halvings", "1", "halvings of the time step for settings.peak_error",
      &Quality::step_halvings},
-    {"peak_change", "1", "largest relative change of a peak by the last two of the halvings",
+    {"peak_change", "1",
+     "largest relative change of a peak by the last two of the halvings; infinite: an outcome "
+     "changed",
      &Quality::peak_change},
 };
 

@@ -1,0 +1,27 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "studies/report/narrative.h"
+
+namespace gurney::report {
+namespace {
+
+std::string text_of(long halvings, double change) {
+  Response response;
+  response.items.emplace_back();
+  response.quality.step_halvings = halvings;
+  response.quality.peak_change = change;
+  return narrative_of_trust(response, {"cart"});
+}
+
+TEST(Halvings, SayWhetherThePeaksSettled) {
+  EXPECT_EQ(text_of(0, 0), "");
+  EXPECT_EQ(text_of(3, 0.0037),
+            "Time step: halved 3 times; the last two changed the peaks by at most 0.37 %.\n");
+  EXPECT_EQ(text_of(6, std::numeric_limits<double>::infinity()),
+            "Time step: halved 6 times, no shorter is tried; the last two changed the outcome.\n");
+}
+
+}  // namespace
+}  // namespace gurney::report
