@@ -105,12 +105,12 @@ std::vector<bool> Table::booleans(const std::string& key, std::size_t size) {
   return values;
 }
 
-std::vector<std::string> Table::texts(const std::string& key) {
+std::vector<std::string> Table::texts(const std::string& key, bool may_be_empty) {
   const Node* node = find(key);
   if (node == nullptr) return {};
   if (node->kind == Node::Kind::kText) return {text(key)};
   std::vector<std::string> values;
-  bool right = node->kind == Node::Kind::kArray && !node->elements.empty();
+  bool right = node->kind == Node::Kind::kArray && (may_be_empty || !node->elements.empty());
   for (std::size_t i = 0; right && i < node->elements.size(); ++i) {
     right = node->elements[i].kind == Node::Kind::kText;
     note_control_character(*document_, node->elements[i], fmt::format("{}[{}]", name_of(key), i));

@@ -31,8 +31,8 @@ class Table {
                               std::optional<std::vector<double>> fallback = {});
   std::vector<bool> booleans(const std::string& key, std::size_t size);
 
-  /// One text or an array of texts; empty if absent.
-  std::vector<std::string> texts(const std::string& key);
+  /// One text or an array of texts; empty if absent, or where the array may be empty and is.
+  std::vector<std::string> texts(const std::string& key, bool may_be_empty = false);
   Vector3 vector(const std::string& key, const Range& range, std::optional<Vector3> fallback = {});
 
   /// A sub-table, if it is there.

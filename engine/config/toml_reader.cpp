@@ -83,10 +83,30 @@ std::string bare_word(const std::string& text, Place& place) {
   return word;
 }
 
+/// Whether the line of an error begins a table and does not end its name: `[floor`; its end then is
+/// the place.
+bool is_open_header(const std::string& text, Place& place) {
+  std::istringstream lines(text);
+  std::string line;
+  // The parser may stand on the line after the one that lacks its bracket.
+  for (int i = 1; i <= place.line && std::getline(lines, line); ++i) {
+    const std::size_t first = line.find_first_not_of(" \t"), name = line.find_first_not_of("[ \t");
+    if (first == std::string::npos || line[first] != '[' || i + 1 < place.line) continue;
+    const auto is_name = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.'; };
+    const std::string rest = name == std::string::npos ? "" : line.substr(name);
+    if (!rest.empty() && std::ranges::all_of(rest, is_name)) {
+      place = {i, static_cast<int>(line.size()) + 1};
+      return true;
+    }
+  }
+  return false;
+}
+
 std::string explained(const std::string& text, const std::string& description, Place& place) {
+  if (is_open_header(text, place)) return "']' is missing at the end of the name of a table";
   const std::string word = bare_word(text, place);
   if (word.empty() || word == "true" || word == "false") return description;
-  return word + ": no value is written so: must be true or false, a number, or text in quotes";
+  return "invalid value `" + word + "`; expected true, false, a number, or text in quotes";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/bullet/bullet_world.h"
+#include "engine/run/zone_log.h"
 #include "engine/solver/assembly.h"
 
 namespace gurney {
@@ -41,6 +42,26 @@ std::vector<Overlap> find_overlaps(const Scene& scene) {
         return false;
       });
   return overlaps;
+}
+
+std::vector<OccupiedZone> find_occupied_zones(const Scene& scene) {
+  std::vector<OccupiedZone> found;
+  if (scene.zones.empty()) return found;
+  for (std::size_t i = 0; i < scene.items.size(); ++i) {
+    Scene alone = scene;
+    alone.items = {scene.items[i]};
+    alone.tethers.clear();
+    validate(alone);
+    const Assembly assembly(alone);
+    SceneState state;
+    state.items.push_back(assembly.items[0].placed(alone.items[0].initial));
+    ZoneLog log(alone, assembly);
+    log.observe(0, 0, state);
+    for (std::size_t z = 0; z < scene.zones.size(); ++z)
+      if (log.outcomes()[z].occupied_at_end) found.push_back({z, i});
+  }
+  std::ranges::stable_sort(found, {}, &OccupiedZone::zone);
+  return found;
 }
 
 }  // namespace gurney

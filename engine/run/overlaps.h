@@ -19,4 +19,12 @@ struct Overlap {
 /// @throws Error for a scene outside its ranges.
 std::vector<Overlap> find_overlaps(const Scene& scene);
 
+/// An item that stands in a zone at the start.
+struct OccupiedZone {
+  std::size_t zone = 0, item = 0;
+};
+
+/// By zone, then by item. @throws Error for a scene outside its ranges.
+std::vector<OccupiedZone> find_occupied_zones(const Scene& scene);
+
 }  // namespace gurney

@@ -69,13 +69,15 @@ std::string find_data(DataKind kind, const std::string& name, const std::string&
   if (config::FileSnapshot::exists(file)) return file;
   const std::vector<std::string> names = catalogue_names(kind);
   if (std::find(names.begin(), names.end(), name) == names.end()) {
-    std::string list;
-    for (const std::string& each : names) list += (list.empty() ? "" : ", ") + each;
     const fs::path beside = fs::path(named_in).parent_path() / (name + ".toml");
     const std::string file_beside =
         config::FileSnapshot::exists(beside) ? "; for the file write " + name + ".toml" : "";
-    throw Error("unknown " + noun + config::near_name(name, names) + file_beside +
-                " (the catalogue has " + list + ")");
+    std::string known = config::near_name(name, names);
+    if (known.empty()) {
+      for (const std::string& each : names) known += (known.empty() ? "" : ", ") + each;
+      known = " (the catalogue has " + known + ")";
+    }
+    throw Error("unknown " + noun + known + file_beside);
   }
   return file;
 }

@@ -64,7 +64,7 @@ def overview_page(advice, names):
             f"At a peak floor velocity of {SPEED} m/s on an upper floor of a flexible building, on an open floor, by "
             f"{MOTION_COUNT} motions ([rule](methods.md#what-to-do)):", "",
             *decisions(advice, names), "",
-            "Where nothing is shown or decided, a tether is the choice that does not depend on it. "
+            "Where the results are inconclusive, tether the item: that is safe in either case. "
             "[Methods](methods.md), with what these numbers must not be used for.", "",
             "Probabilities, with intervals of 95 %:", "",
             *overview(advice, names), ""]

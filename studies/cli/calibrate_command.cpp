@@ -68,6 +68,9 @@ int run_calibrate(const CalibrateOptions& options) {
   std::vector<std::string> without;
   const std::vector<calibration::CasterFile> casters =
       calibration::caster_files(calibration, options.base, without);
+  require(options.folder.empty() || without.empty(),
+          fmt::format("{}\nno file is written to {}; without -o the constants are printed",
+                      fmt::join(without, "\n"), options.folder));
   const std::string json = report::calibration_json(calibration, casters, without);
   fmt::print("{}", options.json ? json : report::calibration_text(calibration));
   if (!options.json && !without.empty()) fmt::print("\nNo caster file for\n");

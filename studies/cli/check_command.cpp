@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -11,9 +10,11 @@
 #include "equipment/catalogue/file_kind.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/equipment_check.h"
+#include "studies/cli/job_argument.h"
 #include "studies/cli/study_size.h"
+#include "studies/cli/study_warnings.h"
+#include "studies/report/overview_report.h"
 #include "studies/report/scale_factors_json.h"
-#include "studies/report/wrapped.h"
 #include "studies/study/plan/stages.h"
 #include "studies/study/prepare/run_job.h"
 #include "studies/study/run/declared_ranges.h"
@@ -41,14 +42,6 @@ struct Answer {
     text += fmt::format("{:<14} {}\n", key.substr(0, key.find('_')), words);
   }
 };
-
-std::string list_of(const std::vector<std::string>& all) {
-  constexpr std::size_t kShown = 6;
-  const std::vector<std::string> shown(
-      all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(kShown, all.size())));
-  return fmt::format("{}: {}{}", all.size(), fmt::join(shown, "; "),
-                     all.size() > kShown ? "; ..." : "");
-}
 
 void add_warnings(Answer& answer, const std::vector<std::string>& warnings) {
   answer.json["warnings"] = warnings;
@@ -100,22 +93,6 @@ void add_scale_factors(Answer& answer, const study::Batch& batch) {
              "factors " + factors.text() + (ida ? " (first level of the IDA)" : ""));
 }
 
-/// Warnings of the items, each with the configurations that it is of.
-std::vector<std::string> job_warnings(const study::StudyJob& job) {
-  std::vector<std::string> order = job.notes();
-  std::map<std::string, std::vector<std::string>> of;
-  for (std::size_t i = 0; i < job.configurations().size(); ++i)
-    for (const std::string& warning : job.job(i, {}).warnings) {
-      if (!of.contains(warning)) order.push_back(warning);
-      of[warning].push_back(fmt::format("{}", fmt::join(job.configurations()[i].levels, ", ")));
-    }
-  for (std::string& warning : order)
-    if (const auto& found = of[warning];
-        !found.empty() && found.size() < job.configurations().size())
-      warning += " (" + list_of(found) + ")";
-  return order;
-}
-
 void add_plan(Answer& answer, const study::Batch& batch) {
   const study::Study& study = batch.job.study();
   std::vector<std::string> names;
@@ -154,10 +131,9 @@ void add_plan(Answer& answer, const study::Batch& batch) {
         "replicas", study.replicas,
         fmt::format("{} of each draw, masses times a factor within 1 +- 1e-6", study.replicas));
   if (!inputs.empty()) answer.add("inputs", inputs, list_of(inputs));
-  const std::vector<std::string> undrawn = study::undrawn_ranges(batch).lines();
-  answer.json["ranges_not_drawn"] = undrawn;
-  answer.text += "declared ranges not drawn:\n";
-  for (const std::string& line : undrawn) answer.text += "  " + report::wrapped(line, 4, 2) + "\n";
+  const study::UndrawnRanges undrawn = study::undrawn_ranges(batch);
+  answer.json["ranges_not_drawn"] = undrawn.lines();
+  answer.text += report::undrawn_text(undrawn);
   add_warnings(answer, warnings);
 }
 
@@ -203,6 +179,7 @@ Answer check_run(const std::string& job) {
 }
 
 int check_command(const CheckOptions& options) {
+  require_job(options.job, "check");
   if (equipment::holds_equipment(options.job)) return check_equipment({options.job}, options.json);
   const int threads = options.threads > 0
                           ? options.threads

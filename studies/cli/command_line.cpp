@@ -65,7 +65,7 @@ void add_run(CLI::App& app, std::function<int()>& action) {
                   "Run one share of a study: I/N, or auto to take it from Slurm or Open MPI; see "
                   "merge");
   run->add_option("-j,--threads", options.threads,
-                  "Threads for a study (default: all hardware threads)")
+                  "Threads for a study (default: all hardware threads); a single run takes one")
       ->check(CLI::Range(1, 4096));
   run->callback([shared, &action] { action = [shared] { return run_command(*shared); }; });
 }
@@ -118,8 +118,15 @@ std::string unknown_command(CLI::App& app, const std::vector<std::string>& words
   for (const std::string& word : words) {
     const std::vector<std::string> names = command_names(*at);
     if (names.empty() || word.starts_with('-')) return {};
-    if (std::ranges::find(names, word) == names.end())
-      return fmt::format("unknown command '{}'{}", word, config::suggestion(word, names));
+    if (std::ranges::find(names, word) == names.end()) {
+      const char* const takes = word.ends_with(".toml") ? "run"
+                                : word.ends_with(".h5") ? "show"
+                                                        : nullptr;
+      return fmt::format("unknown command '{}'{}", word,
+                         takes == nullptr
+                             ? config::suggestion(word, names)
+                             : fmt::format("; did you mean 'gurney {} {}'?", takes, word));
+    }
     at = at->get_subcommand(word);
   }
   return {};
@@ -141,6 +148,32 @@ bool wants_json(const CLI::App& app) {
   return json != nullptr && json->count() > 0;
 }
 
+/// Arguments that the command does not take, with the option that each may stand for.
+std::string unexpected(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  std::vector<std::string> known;
+  for (const CLI::Option* option : command->get_options({}))
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  const std::vector<std::string> left = app.remaining(true);
+  std::string text;
+  bool option_before = false;  // a word after an unknown option is its value
+  for (const std::string& word : words) {
+    if (std::ranges::find(left, word) == left.end()) {
+      option_before = false;
+      continue;
+    }
+    const bool is_option = word.starts_with('-');
+    if (is_option)
+      text += fmt::format("unknown option {}{}\n", word,
+                          config::near_name(word.substr(0, word.find('=')), known));
+    else if (!option_before)
+      text += fmt::format("unexpected argument '{}'\n", word);
+    option_before = is_option;
+  }
+  return text + "Run with --help for more information.\n";
+}
+
 int parse_and_run(CLI::App& app, const std::function<int()>& action, int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   const bool wants_help = !words.empty() && words[0] == "help";
@@ -159,6 +192,9 @@ int parse_and_run(CLI::App& app, const std::function<int()>& action, int argc, c
   }
   try {
     app.parse(argc, argv);
+  } catch (const CLI::ExtrasError&) {
+    write_error(unexpected(app, words));
+    return kBadUsage;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kBadUsage;
   }

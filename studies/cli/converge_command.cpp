@@ -7,6 +7,7 @@
 
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
+#include "studies/cli/job_argument.h"
 #include "studies/cli/units_option.h"
 #include "studies/figures/convergence_figure.h"
 #include "studies/report/convergence_report.h"
@@ -28,6 +29,7 @@ int converge_command(const ConvergeOptions& options) {
   const int threads = options.threads > 0
                           ? options.threads
                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  require_job(options.job, "converge");
   options.figure.check(options.overwrite);
   const study::Convergence found =
       study::converge(study::convergence_cases(options.job, options.runs, threads),
@@ -57,7 +59,7 @@ void add_converge(CLI::App& app, std::function<int()>& action) {
       ->check(CLI::Range(1, 4096));
   add_figure_option(*command, options.figure, "Draw the changes with the time step");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
-  add_units_option(*command, options.units, "SI");
+  add_units_option(*command, options.units, "m; of JSON si");
   command->add_flag("--json", options.json, "Print JSON, in SI units or those of --units");
   command->callback([shared, &action] { action = [shared] { return converge_command(*shared); }; });
 }

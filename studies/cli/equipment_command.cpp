@@ -85,8 +85,8 @@ void add_equipment_show(CLI::App& equipment, std::function<int()>& action) {
   command->add_option("ITEM", options->item, "A name of the catalogue, or a .toml file")
       ->required();
   command->add_option("--variant", options->variants, "A variant of the item; several in order");
-  command->add_option("--covering,--floor", options->floor,
-                      "A floor covering (default: smooth vinyl)");
+  command->add_option("--covering", options->floor, "A floor covering (default: smooth vinyl)");
+  command->add_option("--floor", options->floor, "The earlier name of --covering")->group("");
   command
       ->add_option("--brakes", options->brakes,
                    "on: all brakes applied, off: none (default: as in the file)")

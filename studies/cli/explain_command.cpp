@@ -1,6 +1,8 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <memory>
 #include <thread>
 
@@ -9,6 +11,7 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/explained_case.h"
 #include "studies/cli/figure_output.h"
+#include "studies/cli/standard_error.h"
 #include "studies/cli/units_option.h"
 #include "studies/explanation/figure.h"
 #include "studies/explanation/json.h"
@@ -36,19 +39,39 @@ std::size_t replicas_of(const ExplainOptions& options, const explanation::Explan
   return chaotic ? kReplicas : 1;
 }
 
+/// Counts the runs of variants on standard error: one line that is written over on a terminal;
+/// elsewhere a line every ten seconds.
+class VariantProgress {
+ public:
+  void operator()(std::size_t finished, std::size_t all) {
+    using std::chrono::steady_clock;
+    const bool last = finished == all;
+    if (terminal_)
+      print_error("\r{} of {} runs of variants{}", finished, all, last ? "\n" : "\x1b[K");
+    else if (steady_clock::now() - shown_ >= std::chrono::seconds(10)) {
+      print_error("{} of {} runs of variants\n", finished, all);
+      shown_ = steady_clock::now();
+    }
+  }
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) == 1;
+  std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
+};
+
 int explain(const ExplainOptions& options) {
   require(options.what_if || options.replicas == 0,
           "--replicas: are of the variants of --what-if, which is missing");
   options.figure.check(options.overwrite);
   const CaseAgain again = case_again(options.file, options.run, options.job);
-  explanation::Explanation found = explained(again);
-  found.units = options.units;
+  const explanation::Explanation found = explained(again, options.units);
   std::optional<explanation::WhatIf> what;
   if (options.what_if && !found.failed)
     what = explanation::what_if(
         again.run.facts, found, replicas_of(options, found),
         options.threads > 0 ? options.threads
-                            : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+                            : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
+        VariantProgress());
   if (!options.figure.empty())
     options.figure.write(explanation::figure(found), options.overwrite, options.json);
   if (options.json) {

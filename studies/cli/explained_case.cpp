@@ -3,10 +3,11 @@
 #include "engine/base/error.h"
 #include "engine/baselines/any_solver.h"
 #include "studies/explanation/explain.h"
+#include "studies/report/narrative.h"
 
 namespace gurney::cli {
 
-explanation::Explanation explained(const CaseAgain& again) {
+explanation::Explanation explained(const CaseAgain& again, const study::UnitSystem& units) {
   const study::RunFacts& facts = again.run.facts;
   const SimulationSettings settings =
       explanation::finely_stored(facts.settings, facts.floor, facts.scene.items.size());
@@ -14,7 +15,10 @@ explanation::Explanation explained(const CaseAgain& again) {
   const std::string differs = again.difference(response);
   require(differs.empty(), differs);
   baselines::add_predictability(facts.scene, facts.floor, settings, response);
-  return explanation::explain(facts, response);
+  explanation::Explanation found = explanation::explain(facts, response);
+  found.narrative = report::narrative(facts, response, units);
+  found.units = units;
+  return found;
 }
 
 }  // namespace gurney::cli

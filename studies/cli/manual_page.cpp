@@ -26,7 +26,8 @@ std::string entry(const CommandOption& option) {
     names += fmt::format("{}\\fB{}\\fR", names.empty() ? "" : ", ", escaped(name));
   if (!option.value.empty()) names += fmt::format(" \\fI{}\\fR", escaped(option.value));
   std::string description = option.description;
-  if (!option.choices.empty()) description += fmt::format(" ({})", fmt::join(option.choices, ", "));
+  const std::string choices = fmt::format("{}", fmt::join(option.choices, ", "));
+  if (description.find(choices) == std::string::npos) description += " (" + choices + ")";
   return fmt::format(".TP\n{}{}\n{}\n", names, option.repeated ? "..." : "", escaped(description));
 }
 

@@ -54,6 +54,7 @@ int plot(PlotOptions options) {
     fmt::print("{}", plot_list(options.request.file));
     return 0;
   }
+  if (!options.request.kind.empty()) check_kind(options.request);
   require(!options.request.kind.empty() && !options.figure.empty(),
           "a figure needs its kind and -o FILE.svg, .pdf or .png; gurney plot FILE --list lists "
           "what can be plotted");

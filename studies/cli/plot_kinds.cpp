@@ -104,8 +104,7 @@ std::vector<study::StoredImpact> wanted_impacts(const PlotRequest& request) {
   const std::vector<std::string> known = study::hit_by_items(all);
   for (const std::string& name : request.what)
     require(std::ranges::find(known, name) != known.end(),
-            fmt::format("no item hit '{}'{}; they hit {}", name, config::suggestion(name, known),
-                        fmt::join(known, ", ")));
+            fmt::format("no item hit '{}'{}", name, config::suggestion(name, known)));
   std::erase_if(all, [&](const study::StoredImpact& impact) {
     return request.what.empty()
                ? impact.other == "floor"
@@ -177,8 +176,8 @@ const PlotKind& kind_of(const PlotRequest& request) {
     if (request.kind == kind.name) return kind;
     names.push_back(kind.name);
   }
-  throw Error(fmt::format("no figure '{}'{}; there are {}", request.kind,
-                          config::suggestion(request.kind, names), fmt::join(names, ", ")));
+  throw Error(
+      fmt::format("no figure '{}'{}", request.kind, config::suggestion(request.kind, names)));
 }
 
 std::string demand_names(const study::StudyData& data) {
@@ -207,6 +206,8 @@ std::string list_of_study(const std::string& file) {
 }
 
 }  // namespace
+
+void check_kind(const PlotRequest& request) { kind_of(request); }
 
 std::string plotted(const PlotRequest& request, const figures::PlotPage& page) {
   const PlotKind& kind = kind_of(request);

@@ -19,6 +19,9 @@ struct PlotRequest {
   std::string job;                   ///< path of the study's job; empty: that in its log
 };
 
+/// @throws Error unless the kind is one of those there are
+void check_kind(const PlotRequest& request);
+
 /// The figure as SVG. @throws Error for what the file does not hold, with what it holds
 std::string plotted(const PlotRequest& request, const figures::PlotPage& page);
 

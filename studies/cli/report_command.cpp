@@ -24,8 +24,7 @@ struct ReportOptions {
 void add_explanation(page::PageRequest& request) {
   try {
     if (is_study(request.file)) return;
-    request.explanation = explained(case_again(request.file, {}, request.job));
-    request.explanation->units = request.units;
+    request.explanation = explained(case_again(request.file, {}, request.job), request.units);
   } catch (const Error& error) {
     request.no_explanation = error.what();
   }

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "engine/base/error.h"
+#include "studies/cli/job_argument.h"
 #include "studies/cli/run_output.h"
 #include "studies/cli/run_study.h"
 #include "studies/study/plan/study_job.h"
@@ -36,6 +37,7 @@ RunOutput output_of(const RunOptions& options) {
 
 int run_command(const RunOptions& options) {
   options.figures.check();
+  require_job(options.job, "run");
   if (study::has_study(options.job)) return run_study(options);
   std::string unused;
   const auto add = [&](bool given, const char* option) {
@@ -43,7 +45,6 @@ int run_command(const RunOptions& options) {
   };
   add(options.resume, "--resume");
   add(!options.shard.empty(), "--shard");
-  add(options.threads > 0, "-j");
   require(unused.empty(), fmt::format("{}: is a single run, which has no use for {}; studies have "
                                       "a table [study]",
                                       options.job, unused));

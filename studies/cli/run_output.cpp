@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "engine/base/shell_word.h"
 #include "engine/baselines/any_solver.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/signals.h"
@@ -43,9 +44,22 @@ void print(const RunOutput& output, const study::PreparedRun& run, const Respons
   if (seconds > 0) fmt::print("speed    {:.0f} x real time\n", response.end_time / seconds);
   fmt::print("results  {}\n", output.results.string());
   if (!output.no_figure) fmt::print("figure   {}\n", output.figure().string());
+  if (is_failure(response.outcome)) return;
+  const fs::path stem = fs::path(output.results).replace_extension();
+  const std::string file = shell_word(output.results.string());
+  fmt::print(
+      "{}",
+      next_steps(
+          {"gurney explain " + file,
+           fmt::format("gurney play {} -o {}", file, shell_word(stem.string() + "_play.html")),
+           fmt::format("gurney report {} -o {}", file, shell_word(stem.string() + ".html"))}));
 }
 
 }  // namespace
+
+std::string next_steps(const std::vector<std::string>& commands) {
+  return fmt::format("next:    {}\n", fmt::join(commands, "\n         "));
+}
 
 fs::path RunOutput::figure() const { return fs::path(results).replace_extension(style.suffix()); }
 fs::path RunOutput::log() const { return fs::path(results).replace_extension(".log"); }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "engine/response/response.h"
 #include "studies/cli/figure_output.h"
@@ -28,5 +29,8 @@ void check_output(const RunOutput& output);
 
 /// Simulates, writes the results file, the figure and the log, and prints the summary.
 Response run_and_write(const study::PreparedRun& run, const RunOutput& output);
+
+/// The last lines of a command: those that look at its results.
+std::string next_steps(const std::vector<std::string>& commands);
 
 }  // namespace gurney::cli

@@ -17,6 +17,7 @@
 #include "studies/cli/study_output.h"
 #include "studies/cli/study_progress.h"
 #include "studies/cli/study_size.h"
+#include "studies/cli/study_warnings.h"
 #include "studies/report/failed_runs.h"
 #include "studies/study/results/output_files.h"
 #include "studies/study/run/complete_study.h"
@@ -154,7 +155,7 @@ int run_study(const RunOptions& options) {
   study::PartFolder folder(paths.parts, study::identity_of(batch), plan.tasks(), start_of(options),
                            shard);
   const study::CrashLog crashes(folder.path() / "crashes");
-  for (const std::string& note : batch.job.notes()) print_error("{}\n", note);
+  for (const std::string& warning : job_warnings(batch.job)) print_error("warning: {}\n", warning);
   for (const std::string& warning : folder.warnings()) print_error("{}\n", warning);
   for (const std::string& warning : crashes.warnings()) print_error("{}\n", warning);
 
@@ -190,7 +191,7 @@ int run_study(const RunOptions& options) {
   folder.remove();
   const double rate =
       progress.runs_now > 0 ? static_cast<double>(progress.runs_now) / progress.seconds : 0;
-  if (!options.quiet) print_study(batch, paths.results, summary, rate, options.json);
+  if (!options.quiet) print_study(batch, paths.results, summary, rate, options.json, options.units);
   return summary.counts.failed > 0 ? 3 : 0;
 }
 

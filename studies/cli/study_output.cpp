@@ -11,11 +11,14 @@
 #include <vector>
 
 #include "engine/base/error.h"
+#include "engine/base/shell_word.h"
 #include "studies/build_info/build_info.h"
+#include "studies/cli/run_output.h"
 #include "studies/cli/standard_error.h"
 #include "studies/report/failed_runs.h"
+#include "studies/report/overview_report.h"
 #include "studies/report/scale_factors_json.h"
-#include "studies/report/wrapped.h"
+#include "studies/study/analysis/overview.h"
 #include "studies/study/results/output_files.h"
 #include "studies/study/run/declared_ranges.h"
 
@@ -52,6 +55,22 @@ class FactorsOfTasks {
   study::ScaleFactors factors_;
 };
 
+constexpr std::size_t kMaxRunsReadBack = 100'000, kMaxRows = 20;
+
+/// What exceeded what, and the commands that answer more.
+void print_shares(const study::StudyOverview& overview) {
+  fmt::print("\n{}\n", report::shares_text(overview, kMaxRows));
+  const std::string file = shell_word(overview.file.path);
+  const std::string page =
+      shell_word(fs::path(overview.file.path).replace_extension(".html").string());
+  std::vector<std::string> next{"gurney show " + file};
+  if (!overview.measure.empty() && !overview.states.empty())
+    next.push_back("gurney fragility " + file);
+  if (overview.configurations.size() > 1) next.push_back("gurney compare " + file);
+  next.push_back(fmt::format("gurney report {} -o {}", file, page));
+  fmt::print("{}", next_steps(next));
+}
+
 }  // namespace
 
 StudySummary write_results(const study::Batch& batch, const fs::path& folder,
@@ -81,13 +100,14 @@ StudySummary write_results(const study::Batch& batch, const fs::path& folder,
 }
 
 void print_study(const study::Batch& batch, const fs::path& results, const StudySummary& summary,
-                 double runs_per_second, bool json) {
-  const std::vector<std::string> undrawn = study::undrawn_ranges(batch).lines();
+                 double runs_per_second, bool json, const study::UnitSystem& units) {
+  const study::UndrawnRanges undrawn = study::undrawn_ranges(batch);
   const auto& [counts, factors] = summary;
   if (json) {
-    nlohmann::ordered_json text{{"results", results.string()},     {"runs", counts.runs},
-                                {"overturned", counts.overturned}, {"failed", counts.failed},
-                                {"untrusted", counts.untrusted},   {"ranges_not_drawn", undrawn}};
+    nlohmann::ordered_json text{
+        {"results", results.string()},     {"runs", counts.runs},
+        {"overturned", counts.overturned}, {"failed", counts.failed},
+        {"untrusted", counts.untrusted},   {"ranges_not_drawn", undrawn.lines()}};
     if (factors.any()) text["scale_factors"] = report::scale_factors_json(factors);
     fmt::print("{}\n", text.dump(2));
     return;
@@ -96,9 +116,12 @@ void print_study(const study::Batch& batch, const fs::path& results, const Study
              report::failed_runs(counts.failed, counts.untrusted));
   if (runs_per_second > 0) fmt::print("speed    {:.1f} runs per second\n", runs_per_second);
   if (factors.any()) fmt::print("scaling  factors {}\n", factors.text());
-  fmt::print("declared ranges not drawn:\n");
-  for (const std::string& line : undrawn) fmt::print("  {}\n", report::wrapped(line, 4, 2));
+  if (undrawn.parameters() > 0)
+    fmt::print("ranges   {} parameters with a range keep their values: gurney show lists them\n",
+               undrawn.parameters());
   fmt::print("results  {}\n", results.string());
+  if (counts.runs <= kMaxRunsReadBack)
+    print_shares(study::study_overview(results.string(), {}, units));
 }
 
 std::string log_entry(const std::string& job, const std::string& how, const std::string& what) {

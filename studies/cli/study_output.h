@@ -25,10 +25,12 @@ StudySummary write_results(const study::Batch& batch, const std::filesystem::pat
                            const std::function<std::string(std::size_t)>& read,
                            const std::filesystem::path& results, bool overwrite);
 
-/// Prints the counts of a study, the scale factors of its motions and which ranges were not drawn.
+/// Prints the counts of a study, the scale factors of its motions, how many ranges were not drawn,
+/// the shares of runs that exceed its limit states and the commands that look at its results.
 /// @param runs_per_second  0: not measured
 void print_study(const study::Batch& batch, const std::filesystem::path& results,
-                 const StudySummary& summary, double runs_per_second, bool json);
+                 const StudySummary& summary, double runs_per_second, bool json,
+                 const study::UnitSystem& units = {});
 
 /// A line of a study's log, and one with the path of the job: time, host, versions.
 /// @param how  such as "finished"; @param what  such as the number of runs

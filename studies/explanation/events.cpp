@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 
 #include "engine/base/units.h"
 #include "studies/explanation/caster_words.h"
@@ -19,29 +20,73 @@ bool lifted(const Sample& sample, std::size_t caster) {
   return sample.wheels[caster].mode == WheelMode::kLifted;
 }
 
+std::size_t casters_off(const EquipmentModel& item, const Sample& sample) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < item.casters.size(); ++i) count += lifted(sample, i);
+  return count;
+}
+
+/// The lift of the samples first <= k < end. A caster is off from its first lifted sample to the
+/// first that is not.
+Lift lift_of(const EquipmentModel& item, std::span<const Sample> history, std::size_t first,
+             std::size_t end) {
+  const auto time_of = [&](std::size_t k) { return history[std::min(k, history.size() - 1)].time; };
+  Lift lift;
+  lift.from = time_of(first);
+  lift.until = time_of(end);
+  lift.landed = end < history.size();
+  std::vector<double> off_since(item.casters.size(), -1);
+  for (std::size_t k = first; k < end; ++k) {
+    lift.most = std::max(lift.most, casters_off(item, history[k]));
+    for (std::size_t i = 0; i < item.casters.size(); ++i) {
+      if (!lifted(history[k], i)) {
+        off_since[i] = -1;
+        continue;
+      }
+      if (off_since[i] < 0) off_since[i] = history[k].time;
+      if (std::ranges::find(lift.casters, i) == lift.casters.end()) lift.casters.push_back(i);
+      const double off = time_of(k + 1) - off_since[i];
+      if (off > lift.longest) std::tie(lift.longest, lift.longest_caster) = std::tuple(off, i);
+    }
+  }
+  for (std::size_t k = first; k < end; ++k)
+    if (casters_off(item, history[k]) == lift.casters.size())
+      lift.together += time_of(k + 1) - history[k].time;
+  return lift;
+}
+
 std::string casters_text(const EquipmentModel& item, const std::vector<std::size_t>& casters) {
   std::vector<std::string> names;
   for (const std::size_t caster : casters) names.push_back(caster_words(item, caster));
   return report::listed(names);
 }
 
+/// Samples until the item has overturned.
+std::span<const Sample> upright(const ItemResponse& item) {
+  const double fall = item.demands.time_of_overturning;
+  if (fall < 0) return item.history;
+  const auto end = std::ranges::upper_bound(item.history, fall, {}, &Sample::time);
+  return {item.history.begin(), end};
+}
+
 /// The first lift, the longest, and the last before it overturned.
 void add_lifts(const std::string& name, const EquipmentModel& model, const ItemResponse& item,
                std::vector<Event>& events) {
   const double fall = item.demands.time_of_overturning;
-  std::vector<Lift> lifts = lifts_of(model, item.history);
-  if (fall >= 0) std::erase_if(lifts, [&](const Lift& lift) { return lift.from > fall; });
+  const std::vector<Lift> lifts = lifts_of(model, upright(item));
   if (lifts.empty()) return;
   const std::size_t longest = static_cast<std::size_t>(
       std::ranges::max_element(lifts, {}, [](const Lift& l) { return l.until - l.from; }) -
       lifts.begin());
   for (std::size_t i = 0; i < lifts.size(); ++i) {
     if (i != 0 && i != longest && (fall < 0 || i + 1 != lifts.size())) continue;
-    const std::string casters = casters_text(model, lifts[i].casters);
-    const bool back = lifts[i].landed && (fall < 0 || lifts[i].until < fall);
-    events.push_back({lifts[i].from, EventKind::kLiftOff, name, casters,
-                      back ? lifts[i].until : std::numeric_limits<double>::quiet_NaN(), true});
-    if (back) events.push_back({lifts[i].until, EventKind::kLanded, name, casters, 0, true});
+    const Lift& lift = lifts[i];
+    const std::string casters = casters_text(model, lift.casters);
+    events.push_back({lift.from, EventKind::kLiftOff, name, casters,
+                      lift.landed ? lift.until : std::numeric_limits<double>::quiet_NaN(), true,
+                      Uplift{lift.casters.size(), lift.most, lift.together, lift.longest,
+                             caster_words(model, lift.longest_caster)}});
+    if (lift.landed) events.push_back({lift.until, EventKind::kLanded, name, casters, 0, true});
   }
 }
 
@@ -133,21 +178,17 @@ void add_places(const study::RunFacts& facts, const Response& response,
 
 }  // namespace
 
-std::vector<Lift> lifts_of(const EquipmentModel& item, const std::vector<Sample>& history) {
+std::vector<Lift> lifts_of(const EquipmentModel& item, std::span<const Sample> history) {
   std::vector<Lift> lifts;
-  bool before = false;
-  for (const Sample& sample : history) {
-    bool now = false;
-    for (std::size_t i = 0; i < item.casters.size(); ++i) {
-      if (!lifted(sample, i)) continue;
-      if (!before && !now) lifts.push_back({sample.time, sample.time, false, {}});
-      now = true;
-      auto& casters = lifts.back().casters;
-      if (std::ranges::find(casters, i) == casters.end()) casters.push_back(i);
+  for (std::size_t k = 0; k < history.size();) {
+    if (casters_off(item, history[k]) == 0) {
+      ++k;
+      continue;
     }
-    if (before || now) lifts.back().until = sample.time;
-    if (before && !now) lifts.back().landed = true;
-    before = now;
+    std::size_t end = k;
+    while (end < history.size() && casters_off(item, history[end]) > 0) ++end;
+    lifts.push_back(lift_of(item, history, k, end));
+    k = end;
   }
   return lifts;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "studies/explanation/facts.h"
@@ -10,13 +11,17 @@ namespace gurney::explanation {
 inline constexpr double kVisible = 1e-3;  ///< displacement that counts as motion [m]
 
 /// A time from the first caster that leaves the floor until all are back, at samples of the
-/// histories.
+/// histories. Casters may land and leave again in it: each has times of its own.
 struct Lift {
-  double from = 0, until = 0;  ///< [s]; until the end of the histories where none is back
+  double from = 0, until = 0;  ///< [s]; until the end of the histories where not all are back
   bool landed = false;
   std::vector<std::size_t> casters;  ///< in the order in which they left
+  std::size_t most = 0;              ///< casters at once
+  double together = 0;               ///< time with all of `casters` off the floor [s]
+  double longest = 0;                ///< time of a single caster without a landing [s]
+  std::size_t longest_caster = 0;
 };
-std::vector<Lift> lifts_of(const EquipmentModel& item, const std::vector<Sample>& history);
+std::vector<Lift> lifts_of(const EquipmentModel& item, std::span<const Sample> history);
 
 /// Onset of the first visible displacement: the last sample before it in which the origin was
 /// slower than 1 mm/s. < 0: none [s].

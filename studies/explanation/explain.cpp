@@ -221,6 +221,7 @@ Explanation explain(const study::RunFacts& facts, const Response& response) {
                      .record = facts.record ? facts.record->name : "",
                      .outcome = name_of(response.outcome),
                      .cause = response.cause,
+                     .narrative = {},
                      .failed = is_failure(response.outcome),
                      .end_time = response.end_time,
                      .items = {},

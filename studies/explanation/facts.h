@@ -19,7 +19,7 @@ enum class EventKind {
   kMoved,             ///< left its place: the onset of the first millimetre
   kGripExceeded,      ///< a braked wheel skids
   kBrakeTurned,       ///< a braked wheel turns against its brake
-  kLiftOff,           ///< casters leave the floor; value: until when, NaN: not back [s]
+  kLiftOff,           ///< the first caster leaves the floor; value: all are back [s], NaN: never
   kLanded,            ///< all casters are back
   kTipped,            ///< an item without casters tilts; value [rad]
   kImpact,            ///< value: approach speed [m/s]
@@ -33,13 +33,23 @@ enum class EventKind {
 };
 const char* name_of(EventKind kind);
 
+/// Casters off the floor between the first lift-off and the time when all are back.
+struct Uplift {
+  std::size_t casters = 0;  ///< that left the floor in that time
+  std::size_t most = 0;     ///< at once
+  double together = 0;      ///< with all of these off the floor [s]
+  double longest = 0;       ///< of a single caster without a landing [s]
+  std::string longest_of;   ///< that caster
+};
+
 struct Event {
   double time = 0;  ///< [s]
   EventKind kind = EventKind::kEnd;
-  std::string item;      ///< empty: of the room or of all
-  std::string part;      ///< casters, what was hit, the zone, the tether
-  double value = 0;      ///< see EventKind
-  bool sampled = false;  ///< found in the histories, whose step is its resolution
+  std::string item;                   ///< empty: of the room or of all
+  std::string part;                   ///< casters, what was hit, the zone, the tether
+  double value = 0;                   ///< see EventKind
+  bool sampled = false;               ///< found in the histories, whose step is its resolution
+  std::optional<Uplift> uplift = {};  ///< of kLiftOff
 };
 
 /// Tilt against the angle at which the item stands on its edge:
@@ -106,7 +116,8 @@ struct Tracks {
 /// Everything that text, JSON and figure state.
 struct Explanation {
   std::string title, record, outcome, cause;  ///< record empty: the floor is at rest
-  bool failed = false;                        ///< the run did: nothing else is there but the cause
+  std::string narrative;  ///< of the run, as gurney run prints it; empty: nobody asked for it
+  bool failed = false;    ///< the run did: nothing else is there but the cause
   double end_time = 0;
   double resolution = 0;  ///< step of the histories [s]
   std::vector<ItemFacts> items;

@@ -19,7 +19,7 @@ using figures::Panel;
 using figures::Range;
 using figures::Svg;
 
-constexpr double kWidth = 760, kLeft = 66, kRight = 18, kTop = 96, kPanel = 118, kRow = 172,
+constexpr double kWidth = 760, kLeft = 66, kRight = 18, kTop = 80, kPanel = 118, kRow = 172,
                  kLine = 16;
 constexpr std::size_t kMaxEvents = 10;
 
@@ -65,10 +65,9 @@ std::string floor_title(const Explanation& of) {
               : report::towards(std::atan2(of.direction.y(), of.direction.x()), of.units));
 }
 
-/// Its title stands above the numbers of the events.
 Panel floor_panel(const Explanation& of, const Range& window) {
   const study::ReportUnit unit = unit_of(of, "m/s2");
-  Panel panel = time_panel("", figures::unit_label(unit), window);
+  Panel panel = time_panel("", figures::with_unit("Acceleration", unit), window);
   panel.legend_columns = 0;
   panel.curves.push_back(
       curve(of, window, "", 0, [&](std::size_t i) { return of.tracks.floor[i] / unit.in_si; }));
@@ -87,7 +86,8 @@ Panel floor_panel(const Explanation& of, const Range& window) {
 
 Panel displacement_panel(const Explanation& of, const Range& window) {
   const study::ReportUnit unit = unit_of(of, "m");
-  Panel panel = time_panel("Distance of " + of.item().name + " from its start", unit.name, window);
+  Panel panel = time_panel("Distance of " + of.item().name + " from its start",
+                           figures::with_unit("Distance", unit), window);
   panel.legend_columns = 0;
   panel.curves.push_back(curve(
       of, window, "", 0, [&](std::size_t i) { return of.tracks.displacement[i] / unit.in_si; }));
@@ -96,7 +96,7 @@ Panel displacement_panel(const Explanation& of, const Range& window) {
 
 Panel tilt_panel(const Explanation& of, const Range& window) {
   const study::ReportUnit unit = unit_of(of, "rad");
-  Panel panel = time_panel("Tilt against critical tilt", unit.name, window);
+  Panel panel = time_panel("Tilt against critical tilt", figures::with_unit("Tilt", unit), window);
   panel.curves.push_back(
       curve(of, window, "tilt", 0, [&](std::size_t i) { return of.tracks.tilt[i] / unit.in_si; }));
   panel.curves.push_back(curve(of, window, "critical, where it leans to", 1,
@@ -115,7 +115,8 @@ Panel tilt_panel(const Explanation& of, const Range& window) {
 /// Impacts of wheels on the floor give grip for moments; the demand sets the scale.
 Panel grip_panel(const Explanation& of, const Range& window) {
   const study::ReportUnit unit = unit_of(of, "N");
-  Panel panel = time_panel("Force that holds it against grip", unit.name, window);
+  Panel panel =
+      time_panel("Force that holds it against grip", figures::with_unit("Force", unit), window);
   panel.curves.push_back(curve(of, window, "force needed", 0,
                                [&](std::size_t i) { return of.tracks.demand[i] / unit.in_si; }));
   panel.curves.push_back(
@@ -130,7 +131,7 @@ Panel grip_panel(const Explanation& of, const Range& window) {
 
 Panel energy_panel(const Explanation& of, const Range& window) {
   const study::ReportUnit unit = unit_of(of, "J");
-  Panel panel = time_panel("Energy since the start", unit.name, window);
+  Panel panel = time_panel("Energy since the start", figures::with_unit("Energy", unit), window);
   const auto add = [&](const char* label, auto get) {
     panel.curves.push_back(curve(of, window, label, panel.curves.size(), [&](std::size_t i) {
       return get(of.tracks.energy[i]) / unit.in_si;
@@ -139,6 +140,8 @@ Panel energy_panel(const Explanation& of, const Range& window) {
   add("kinetic", [](const EnergyAccount& e) { return e.kinetic; });
   add("height", [](const EnergyAccount& e) { return e.gravitational; });
   add("floor put in", [](const EnergyAccount& e) { return e.work_of_floor; });
+  if (of.record.empty())
+    add("loads put in", [](const EnergyAccount& e) { return e.work() - e.work_of_floor; });
   add("friction",
       [](const EnergyAccount& e) { return e.sliding_loss + e.relaxation_loss + e.tread_loss; });
   add("rolling",
@@ -176,11 +179,12 @@ void draw_list(Svg& svg, double top, const std::vector<Event>& events,
                const study::UnitSystem& units) {
   for (std::size_t i = 0; i < events.size(); ++i) {
     const double y = top + kLine * static_cast<double>(i);
+    const std::string words = words_of(events[i], false, units);  // the first clause is drawn
     svg.text(kLeft, y, fmt::format("{}", i + 1), {.anchor = figures::Anchor::kEnd, .bold = true});
     svg.text(kLeft + 54, y, fmt::format("{:.2f} s", events[i].time),
              {.anchor = figures::Anchor::kEnd});
     svg.text(kLeft + 66, y,
-             figures::fitted(words_of(events[i], false, units), 11, kWidth - kLeft - 66 - kRight));
+             figures::fitted(words.substr(0, words.find(';')), 11, kWidth - kLeft - 66 - kRight));
   }
 }
 
@@ -202,6 +206,9 @@ std::string figure(const Explanation& of) {
     panels.erase(panels.begin());
   }
   panels.back().x_label = "Time (s)";
+  // The title of the first panel stands above the numbers of the events.
+  const std::string first_title = of.record.empty() ? panels.front().title : floor_title(of);
+  panels.front().title.clear();
   const double list = kTop + 14 + kRow * static_cast<double>(panels.size()) + 4;
   Svg svg(kWidth, list + kLine * static_cast<double>(events.size()) + 4);
   svg.text(kRight, 26, figures::fitted(headline(of), 15, kWidth - 2 * kRight),
@@ -210,7 +217,7 @@ std::string figure(const Explanation& of) {
            figures::fitted(of.title + (of.record.empty() ? "" : "   \u00b7   " + of.record), 11,
                            kWidth - 2 * kRight),
            {.size = 11, .color = "#555555"});
-  if (!of.record.empty()) svg.text(kLeft, kTop - 6, floor_title(of), {.size = 12, .bold = true});
+  svg.text(kLeft, kTop - 6, first_title, {.size = 12, .bold = true});
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const Frame frame{kLeft, kTop + 14 + kRow * static_cast<double>(i), kWidth - kLeft - kRight,
                       kPanel};

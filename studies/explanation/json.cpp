@@ -54,6 +54,15 @@ Json item(const ItemFacts& facts) {
           {"time_of_skid_s", time_or_null(facts.time_of_skid)}};
 }
 
+Json uplift(const std::optional<Uplift>& of) {
+  if (!of) return nullptr;
+  return {{"casters", of->casters},
+          {"most_at_once", of->most},
+          {"together_s", of->together},
+          {"longest_of_one_s", of->longest},
+          {"longest_of", printable(of->longest_of)}};
+}
+
 Json events(const Explanation& of) {
   Json list = Json::array();
   for (const Event& event : of.events)
@@ -63,6 +72,7 @@ Json events(const Explanation& of) {
                     {"part", text_or_null(event.part)},
                     {"value", json_number(event.value)},
                     {"resolution_s", event.sampled ? Json(of.resolution) : Json(nullptr)},
+                    {"uplift", uplift(event.uplift)},
                     {"text", printable(words_of(event, false, of.units))}});
   return list;
 }

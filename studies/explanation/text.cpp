@@ -138,23 +138,23 @@ TextPart energy_part(const Explanation& of) {
   TextPart part{
       fmt::format("Energy of {} since the start [{}]", of.item().name, unit.name), {}, true};
   part.lines.push_back(
-      {"", fmt::format("{:<16}{:>8}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}", "", "time", "kinetic",
-                       "height", "floor", "friction", "rolling", "impacts", "other")});
+      {"", fmt::format("{:<16}{:>8}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}", "", "time", "floor",
+                       "loads", "kinetic", "height", "friction", "rolling", "impacts", "other")});
   for (const Stage& s : of.stages)
-    part.lines.push_back({"", fmt::format("{:<16}{:>8.2f}", s.name, s.time) + in(s.kinetic) +
-                                  in(s.potential) + in(s.floor_work) + in(s.friction) +
-                                  in(s.rolling) + in(s.impacts) +
-                                  in(s.elastic - s.other_work + s.other_loss)});
+    part.lines.push_back({"", fmt::format("{:<16}{:>8.2f}", s.name, s.time) + in(s.floor_work) +
+                                  in(s.other_work) + in(s.kinetic) + in(s.potential) +
+                                  in(s.friction) + in(s.rolling) + in(s.impacts) +
+                                  in(s.elastic + s.other_loss)});
   return part;
 }
 
 TextPart energy_key() {
   return {"",
           {{"",
-            "height: weight times the rise of the centre of mass; floor: work of the floor's "
-            "motion on the item; friction: sliding and damping of the treads; rolling: rolling "
-            "resistance, bearings and brakes; other: springs, loads, neighbours. The work of "
-            "the floor is the sum of the others."}}};
+            "floor: work of the floor's motion on the item; loads: work of pushes, cords and "
+            "neighbours; height: weight times the rise of the centre of mass; friction: sliding "
+            "and damping of the treads; rolling: rolling resistance, bearings and brakes; other: "
+            "springs and dampers. Floor and loads together are the sum of the other columns."}}};
 }
 
 TextPart others_part(const Explanation& of) {
@@ -189,6 +189,21 @@ std::string trust_text(const Explanation& of) {
          "one run among many.";
 }
 
+/// Casters come and go: what one of them does is not what all do.
+std::string uplift_text(const Event& event) {
+  const bool back = std::isfinite(event.value);
+  const Uplift& of = *event.uplift;
+  if (of.casters == 1)
+    return fmt::format("off the floor {}: {}",
+                       back ? fmt::format("for {:.3g} s", of.longest) : "for good", event.part);
+  std::string text =
+      fmt::format("one or more casters off the floor {}, up to {} at once",
+                  back ? fmt::format("until {:.3f} s", event.value) : "to the end", of.most);
+  if (of.together > 0) text += fmt::format(", all {} for {:.3g} s", of.casters, of.together);
+  return text + fmt::format("; a single caster for {:.3g} s at most ({}): {}", of.longest,
+                            of.longest_of, event.part);
+}
+
 }  // namespace
 
 std::string length_words(double metres, const UnitSystem& units) {
@@ -207,13 +222,9 @@ std::string words_of(const Event& event, bool name_item, const UnitSystem& units
     case EventKind::kBrakeTurned:
       return who + fmt::format("the caster {} turns against its brake", event.part);
     case EventKind::kLiftOff:
-      return who + fmt::format("off the floor {}: {}",
-                               std::isfinite(event.value)
-                                   ? fmt::format("for {:.3g} s", event.value - event.time)
-                                   : "for good",
-                               event.part);
+      return who + uplift_text(event);
     case EventKind::kLanded:
-      return who + fmt::format("back on the floor: {}", event.part);
+      return who + "all casters are back on the floor";
     case EventKind::kTipped:
       return who + fmt::format("tips ({})", degrees(event.value, units));
     case EventKind::kImpact:

@@ -1,6 +1,7 @@
 #include "studies/explanation/what_if.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include "engine/base/error.h"
 #include "engine/base/parallel.h"
@@ -91,7 +92,7 @@ VariantOutcome summed_up(const Variant& variant, const std::vector<RunOutcome>& 
 }  // namespace
 
 WhatIf what_if(const study::RunFacts& facts, const Explanation& of, std::size_t replicas,
-               int threads) {
+               int threads, const std::function<void(std::size_t, std::size_t)>& progress) {
   std::vector<Variant> variants{{"as it was", "", facts.scene, {}}};
   for (Variant& variant : variants_of(facts, of)) variants.push_back(std::move(variant));
   std::vector<std::vector<RunOutcome>> runs(variants.size());
@@ -101,9 +102,14 @@ WhatIf what_if(const study::RunFacts& facts, const Explanation& of, std::size_t 
     runs[i].resize(replicas);
     for (std::size_t k = 0; k < replicas; ++k) tasks.emplace_back(i, k);
   }
+  std::mutex reports;
+  std::size_t finished = 0;
   parallel_for(tasks.size(), threads, [&](std::size_t t) {
     const auto [i, k] = tasks[t];
     runs[i][k] = outcome_of(facts, replica_of(variants[i].scene, k), of);
+    if (!progress) return;
+    const std::scoped_lock lock(reports);
+    progress(++finished, tasks.size());
   });
   WhatIf result{.replicas = replicas, .as_it_was = summed_up(variants[0], runs[0]), .variants = {}};
   for (std::size_t i = 1; i < variants.size(); ++i)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,8 +35,9 @@ struct WhatIf {
 
 /// Runs all variants; the result does not depend on `threads`.
 /// @param replicas  of each: runs under changes that nobody can measure (replica_of())
+/// @param progress  called from one thread at a time with the runs that are finished, and all
 WhatIf what_if(const study::RunFacts& facts, const Explanation& of, std::size_t replicas,
-               int threads);
+               int threads, const std::function<void(std::size_t, std::size_t)>& progress = {});
 
 /// The table and the sentence below it.
 std::string text(const WhatIf& what, const Explanation& of);

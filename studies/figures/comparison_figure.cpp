@@ -75,9 +75,11 @@ std::string comparison_figure(const report::ComparisonReport& report) {
   std::vector<study::ComparedCurves> curves = report.found.curves;
   std::erase_if(curves, [](const auto& each) { return each.a.exceeded + each.b.exceeded == 0; });
   const std::size_t rows = (curves.size() + 1) / 2;
-  Svg svg(2 * kColumn + 20, kTop + static_cast<double>(std::max<std::size_t>(1, rows)) * kRow - 20);
-  svg.text(kLeft, 34, fmt::format("{}   against   {}", report.name_a, report.name_b),
-           {.size = 16, .bold = true});
+  const double columns = curves.size() < 2 ? 1 : 2;
+  const std::string title = fmt::format("{}   against   {}", report.name_a, report.name_b);
+  const double width = std::max(columns * kColumn + 20, kLeft + 20 + 1.08 * text_width(title, 16));
+  Svg svg(width, kTop + static_cast<double>(std::max<std::size_t>(1, rows)) * kRow - 20);
+  svg.text(kLeft, 34, title, {.size = 16, .bold = true});
   svg.text(kLeft, 55,
            curves.empty()
                ? std::string("no limit state is exceeded at several levels of a measure in common")

@@ -37,10 +37,15 @@ Curve curve_of(const study::ConvergedNumber& number, const study::Convergence& f
 std::string convergence_figure(const study::Convergence& found) {
   // Peaks and path first: residuals and times scatter by their nature.
   std::vector<const study::ConvergedNumber*> shown;
-  for (const study::ConvergedNumber& number : found.numbers)
-    if ((number.name.starts_with("peak_") || number.name == "path_length") &&
-        number.values.front() != 0 && shown.size() < kMaxCurves)
+  std::string unchanged;
+  for (const study::ConvergedNumber& number : found.numbers) {
+    if (!number.name.starts_with("peak_") && number.name != "path_length") continue;
+    if (number.values.front() == 0) continue;
+    if (std::ranges::all_of(curve_of(number, found).y, [](double y) { return y <= 100 * kLeast; }))
+      unchanged += (unchanged.empty() ? "no change above 0.001 %: " : ", ") + number.name;
+    else if (shown.size() < kMaxCurves)
       shown.push_back(&number);
+  }
   Panel panel{.title = "",
               .x_label = "Time step (ms)",
               .y_label = "Relative change (%)",
@@ -63,7 +68,9 @@ std::string convergence_figure(const study::Convergence& found) {
                             {.stroke = "#777777", .width = 1, .dash = "5 4"}});
   }
   const double legend = 16 * std::ceil(0.5 * double(panel.curves.size()));
-  Svg svg(kWidth, kHeight + kTitle + legend);
+  Svg svg(kWidth, kHeight + kTitle + legend + (unchanged.empty() ? 0 : 18));
+  svg.text(kLeft, kHeight + kTitle + legend + 4, fitted(unchanged, 11, kWidth - kLeft - 20),
+           {.color = "#555555"});
   svg.text(kLeft, 24, "Relative change from the smallest time step", {.size = 13, .bold = true});
   const Scaling scaling =
       draw(svg, {kLeft, 30 + kTitle + legend, kWidth - kLeft - 40, kHeight - 90}, panel);

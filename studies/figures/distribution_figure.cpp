@@ -24,8 +24,16 @@ Curve steps_of(const std::string& label, std::vector<double> demands, std::size_
   return curve;
 }
 
-Panel panel_of(const study::DemandRuns& runs, const study::DemandRuns::Configuration& of) {
-  const double right = 1.05 * largest_demand(runs);
+/// The same axis for all panels of a demand, so that configurations and items can be compared.
+double right_of(const study::DemandRuns& runs, const std::vector<study::DemandRuns>& all) {
+  double largest = 0;
+  for (const study::DemandRuns& each : all)
+    if (each.column == runs.column) largest = std::max(largest, largest_demand(each));
+  return 1.05 * largest;
+}
+
+Panel panel_of(const study::DemandRuns& runs, const study::DemandRuns::Configuration& of,
+               double right) {
   Panel panel{.title = panel_title(runs, of.name),
               .x_label = demand_label(runs),
               .y_label = "Fraction of runs",
@@ -59,7 +67,8 @@ std::string distribution_figure(const PlotPage& page, const std::string& title,
   std::vector<PlotPanel> panels;
   for (const study::DemandRuns& runs : all)
     for (const auto& configuration : runs.configurations)
-      panels.push_back({.panel = panel_of(runs, configuration), .aspect = 0.5});
+      panels.push_back(
+          {.panel = panel_of(runs, configuration, right_of(runs, all)), .aspect = 0.5});
   return plot_figure(page, title,
                      "empirical distribution of the runs of each level; runs in which the item "
                      "overturned count as above every demand",

@@ -22,7 +22,10 @@ PlotPanel panel_of(const study::StoredHistory& history, const study::UnitSystem&
     for (double& value : curve.y) value /= unit.in_si;
     result.panel.curves.push_back(std::move(curve));
   }
-  result.panel.lanes = history.of != "axis" && result.panel.curves.size() > kTogether;
+  // A vertical component of several g would hide the horizontal ones.
+  const bool of_floor = history.name.starts_with("floor_") && result.panel.curves.size() > 1;
+  result.panel.own_ranges = of_floor;
+  result.panel.lanes = of_floor || (history.of != "axis" && result.panel.curves.size() > kTogether);
   return result;
 }
 

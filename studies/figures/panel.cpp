@@ -128,7 +128,7 @@ void draw_x_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling
   for (const double value : at) {
     labels.push_back(panel.log_x ? log_label(value) : tick_label(value, step_of(at)));
     px.push_back(scaling.x(value));
-    sizes.push_back(text_width(labels.back(), kSize));
+    sizes.push_back(text_width(labels.back(), kSize) + 6);  // numbers side by side need air
   }
   const std::vector<bool> shown = labelled(at, px, sizes);
   for (std::size_t i = 0; i < at.size(); ++i) {
@@ -301,11 +301,13 @@ void draw_lanes(Svg& svg, const Frame& frame, const Panel& panel) {
     lane.x_label = last ? panel.x_label : "";
     lane.x_labels = last;
     lane.curves = {panel.curves[i]};
+    if (panel.own_ranges) lane.y_range = padded(range_of(lane, false));
     draw(svg, {frame.x, top, frame.width, height}, lane);
     const std::string name = fitted(panel.curves[i].label, 10, frame.width - 10);
     const double right = frame.x + frame.width - 5, wide = text_width(name, 10);
     const auto& values = panel.curves[i].y;  // the name is where the curve does not end
-    const bool high = !values.empty() && values.back() > (y.low + y.high) / 2;
+    const Range& range = lane.y_range;
+    const bool high = !values.empty() && values.back() > (range.low + range.high) / 2;
     const double line = high ? top + height - 4 : top + 11;
     svg.rectangle(right - wide - 2, line - 10, wide + 5, 13,
                   {.stroke = "", .fill = "#ffffff", .opacity = 0.8});

@@ -67,6 +67,7 @@ struct Panel {
   bool log_y = false;                ///< as log_x
   std::vector<double> x_ticks = {};  ///< empty: round numbers
   bool lanes = false;                ///< for draw_lanes(): each curve on axes of its own
+  bool own_ranges = false;           ///< of lanes: each its own; else all the same
   bool x_labels = true;              ///< numbers at the ticks
   bool y_axis = true;                ///< ticks and name of the vertical axis
   std::vector<Marks> marks = {};
@@ -104,7 +105,7 @@ double head_height(const Panel& panel, double width);
 /// it takes log10 of x, with log_y of y.
 Scaling draw(Svg& svg, const Frame& frame, const Panel& panel);
 
-/// Draws the curves one below the other, each on axes of its own with the same ranges.
+/// Draws the curves one below the other, each on axes of its own.
 void draw_lanes(Svg& svg, const Frame& frame, const Panel& panel);
 
 /// Colour-blind safe colours (Okabe & Ito 2008), repeated after the seventh.

@@ -10,13 +10,9 @@
 namespace gurney::figures {
 namespace {
 
-constexpr std::size_t kMaxRows = 20, kLongestName = 46;
+constexpr std::size_t kMaxRows = 20;
 constexpr std::size_t kFirst = 5, kTotal = 4;  // of the palette
-constexpr double kNames = 320, kWidth = 330, kGap = 60, kRow = 24, kTop = 110, kBar = 13;
-
-std::string shortened(const std::string& name) {
-  return name.size() <= kLongestName ? name : name.substr(0, kLongestName - 3) + "...";
-}
+constexpr double kNames = 400, kWidth = 330, kGap = 60, kRow = 24, kTop = 110, kBar = 13;
 
 /// An axis of its own: ticks below, a line for each.
 void draw_axis(Svg& svg, const Frame& frame, const Range& range, const std::string& title,
@@ -121,7 +117,8 @@ std::string sensitivity_figure(const report::SensitivityReport& report) {
   const Scaling of_index(left, {0, 1}, {0, 1}), of_mean(right, range, {0, 1});
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const double y = kTop + kRow * (static_cast<double>(i) + 0.5);
-    svg.text(kNames - 8, y + 4, shortened(report::name_of(inputs[i])), {.anchor = Anchor::kEnd});
+    svg.text(kNames - 8, y + 4, fitted(report::name_of(inputs[i]), 11, kNames - 24),
+             {.anchor = Anchor::kEnd});
     draw_indices(svg, of_index, y, inputs[i]);
     if (inputs[i].drawn) draw_bar(svg, of_mean, y, inputs[i].bar, found.mean);
   }

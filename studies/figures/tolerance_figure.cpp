@@ -6,8 +6,9 @@
 namespace gurney::figures {
 namespace {
 
-constexpr double kRow = 30, kNameSize = 10;
-constexpr double kLeast = -6;  // log10 of what is drawn at the edge
+constexpr double kNameSize = 10;
+constexpr std::size_t kLines = 5;  // of marks in a row
+constexpr double kLeast = -6;      // log10 of what is drawn at the edge
 
 double highest_of(const std::vector<ToleranceRow>& rows) {
   double highest = 0.5;
@@ -17,7 +18,12 @@ double highest_of(const std::vector<ToleranceRow>& rows) {
   return highest;
 }
 
-/// Rows from above; marks of a row in three lines, so that fewer lie upon each other.
+/// Few rows are high, so that their marks can be seen.
+double row_height(std::size_t rows) {
+  return std::clamp(240 / static_cast<double>(std::max<std::size_t>(1, rows)), 34.0, 80.0);
+}
+
+/// Rows from above; marks of a row in lines, so that fewer lie upon each other.
 void add_marks(const std::vector<ToleranceRow>& rows, double highest, Panel& panel) {
   panel.marks = {{"passed", {}, {}, {.stroke = palette(0), .width = 0.8}, Marker::kCircle, 2.6},
                  {"failed",
@@ -32,8 +38,8 @@ void add_marks(const std::vector<ToleranceRow>& rows, double highest, Panel& pan
       Marks& marks = panel.marks[used <= 1 ? 0 : 1];
       const double least = std::pow(10, kLeast), most = std::pow(10, highest);
       marks.x.push_back(std::isfinite(used) ? std::clamp(used, least, most) : most);
-      marks.y.push_back(static_cast<double>(rows.size() - row) - 0.6 -
-                        0.14 * static_cast<double>(i % 3));
+      marks.y.push_back(static_cast<double>(rows.size() - row) - 0.5 -
+                        0.42 * static_cast<double>(i % kLines) / kLines);
     }
 }
 
@@ -61,13 +67,13 @@ std::string tolerance_figure(const PlotPage& page, const std::vector<ToleranceRo
       "each mark is a check; dashed: the tolerance; at the left edge: a millionth of the tolerance "
       "or less, such as no error at all",
       {{.panel = panel,
-        .height = kRow * static_cast<double>(rows.size()),
+        .height = row_height(rows.size()) * static_cast<double>(rows.size()),
         .overlay = [rows](Svg& svg, const Frame& frame, const Scaling&) {
           double top = frame.y;
           for (const ToleranceRow& row : rows) {
             svg.text(frame.x + 6, top + 11, fitted(row.label, kNameSize, frame.width - 12),
                      {.size = kNameSize});
-            top += kRow;
+            top += row_height(rows.size());
             svg.line(frame.x, top, frame.x + frame.width, top, {.stroke = "#cccccc", .width = 0.6});
           }
         }}});

@@ -45,6 +45,9 @@ void draw_rows(Svg& svg, const Frame& frame, const Scaling& scaling, const Input
            {.stroke = "#444444", .width = 0.8, .dash = "4 3"});
   double top = frame.y + 3;
   for (const study::SensitiveInput& input : inputs) {
+    if (&input != &inputs.front())  // a line between rows: a name belongs to the bar below it
+      svg.line(frame.x, top - 2.5, frame.x + frame.width, top - 2.5,
+               {.stroke = "#cccccc", .width = 0.6});
     const std::string name = fitted(report::name_of(input), kNameSize, frame.width - 12);
     svg.rectangle(frame.x + 3, top, text_width(name, kNameSize) + 4, kName + 1,
                   {.stroke = "", .fill = "#ffffff", .opacity = 0.85});

@@ -43,10 +43,14 @@ void draw_axes(Svg& svg, const Frame& frame, const Cloud& cloud, const std::stri
                const std::string& x_label, const std::string& y_label) {
   const Scaling scaling(frame, cloud.x, cloud.y);
   const double bottom = frame.y + frame.height;
+  double end = -1e300;  // of the label before
   for (const double tick : decade_ticks(cloud.x)) {
-    svg.line(scaling.x(tick), frame.y, scaling.x(tick), bottom, {.stroke = "#e6e6e6"});
-    svg.text(scaling.x(tick), bottom + 15, fmt::format("{:.3g}", std::pow(10, tick)),
-             {.size = 10, .anchor = Anchor::kMiddle});
+    const std::string label = fmt::format("{:.3g}", std::pow(10, tick));
+    const double at = scaling.x(tick), half = text_width(label, 10) / 2;
+    svg.line(at, frame.y, at, bottom, {.stroke = "#e6e6e6"});
+    if (at - half < end + 6) continue;
+    svg.text(at, bottom + 15, label, {.size = 10, .anchor = Anchor::kMiddle});
+    end = at + half;
   }
   for (const double tick : decade_ticks(cloud.y)) {
     svg.line(frame.x, scaling.y(tick), frame.x + frame.width, scaling.y(tick),
@@ -56,8 +60,9 @@ void draw_axes(Svg& svg, const Frame& frame, const Cloud& cloud, const std::stri
   }
   svg.rectangle(frame.x, frame.y, frame.width, frame.height, {.stroke = "#444444", .width = 0.8});
   svg.text(frame.x, frame.y - 9, title, {.size = 12, .bold = true});
-  svg.text(frame.x, bottom + 32, x_label);
-  svg.text(frame.x, frame.y - 24, "up: " + y_label, {.color = "#555555"});
+  svg.text(frame.x + frame.width / 2, bottom + 32, x_label, {.anchor = Anchor::kMiddle});
+  svg.text(frame.x - 46, frame.y + frame.height / 2, y_label,
+           {.anchor = Anchor::kMiddle, .upwards = true});
 }
 
 /// The part of a line slope_x x + slope_y y = level inside the axes.
@@ -110,6 +115,18 @@ void draw_result(Svg& svg, const Frame& frame, const study::VectorResult& result
   }
 }
 
+void draw_key(Svg& svg) {
+  const std::string hit = palette(kHit), miss = palette(kMiss);
+  svg.circle(30, 46, kDot, {.stroke = hit, .width = 1.2, .fill = hit});
+  svg.text(40, 50, "run that exceeds");
+  svg.circle(150, 46, kRing, {.stroke = miss, .width = 1.2});
+  svg.text(160, 50, "run that does not");
+  svg.line(24, 63, 46, 63, {.stroke = "#222222", .width = 2});
+  svg.text(52, 67, "50 % of the fit");
+  svg.line(144, 63, 166, 63, {.stroke = "#222222", .dash = "5 3"});
+  svg.text(172, 67, "16 % and 84 %");
+}
+
 }  // namespace
 
 std::string vector_figure(const study::StudyData& data,
@@ -119,10 +136,7 @@ std::string vector_figure(const study::StudyData& data,
   Svg svg(kLeft + static_cast<double>(across) * (kSide + kGap),
           kTop + kRow * static_cast<double>(rows));
   svg.text(24, 26, data.file().text_attribute("title"), {.size = 15, .bold = true});
-  svg.text(24, 46, "a dot for each run that exceeds, a ring for each that does not",
-           {.color = "#555555"});
-  svg.text(24, 62, "P of the fit 50 % along the line, 16 and 84 % along the dashes",
-           {.color = "#555555"});
+  draw_key(svg);
   for (std::size_t i = 0; i < results.size(); ++i) {
     const std::size_t row = i / across;
     const Frame frame{kLeft + static_cast<double>(i % across) * (kSide + kGap),

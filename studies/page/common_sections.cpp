@@ -6,7 +6,7 @@
 namespace gurney::page {
 
 Section assumptions_section(const study::FileOverview& file,
-                            const std::vector<std::string>& undrawn) {
+                            const std::optional<study::UndrawnRanges>& undrawn) {
   Table table{fmt::format("{} without a source", counted(file.assumptions.size(), "parameter")),
               {{"Parameter"}, {"Value"}, {"Range"}, {"Reason"}, {"Data file"}}};
   for (const auto& each : file.assumptions)
@@ -17,12 +17,12 @@ Section assumptions_section(const study::FileOverview& file,
           : "These parameters have no source. Each has a value, a range in which it may lie, and "
             "the reason for both.");
   content += html(table);
-  if (!undrawn.empty())
-    content += element("h3", "Declared ranges that were not drawn") +
+  if (undrawn && undrawn->parameters() > 0)
+    content += element("h3", "Uncertainties not propagated") +
                paragraph(
-                   "The results hold for the values of these parameters; their ranges add "
-                   "to no scatter of this report.") +
-               list(undrawn);
+                   "These parameters have a range and were not drawn: the results hold for their "
+                   "values, and no scatter of this report includes their ranges.") +
+               list(undrawn->lines());
   return {"assumptions", "Assumptions", content};
 }
 

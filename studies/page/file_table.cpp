@@ -48,15 +48,19 @@ std::vector<GroupColumn> columns_of(const study::Hdf5Reader& file, const std::st
   return columns;
 }
 
+void put_first(std::vector<GroupColumn>& columns, const std::vector<std::string>& first) {
+  std::ranges::stable_sort(columns, {}, [&](const GroupColumn& column) {
+    return std::ranges::find(first, column.name) - first.begin();
+  });
+}
+
 }  // namespace
 
 Table table_of_group(const study::Hdf5Reader& file, const std::string& group,
                      const std::string& caption, const std::vector<std::string>& first,
                      const study::UnitSystem& units) {
   std::vector<GroupColumn> columns = columns_of(file, group, units);
-  std::ranges::stable_sort(columns, {}, [&](const GroupColumn& column) {
-    return std::ranges::find(first, column.name) - first.begin();
-  });
+  put_first(columns, first);
   Table table{caption, {}};
   for (const GroupColumn& column : columns) table.columns.push_back(column.head);
   std::size_t rows = columns.empty() ? 0 : columns.front().cells.size();
@@ -70,8 +74,9 @@ Table table_of_group(const study::Hdf5Reader& file, const std::string& group,
 
 Table turned_table_of_group(const study::Hdf5Reader& file, const std::string& group,
                             const std::string& caption, const std::string& name,
-                            const study::UnitSystem& units) {
-  const std::vector<GroupColumn> columns = columns_of(file, group, units);
+                            const study::UnitSystem& units, const std::vector<std::string>& first) {
+  std::vector<GroupColumn> columns = columns_of(file, group, units);
+  put_first(columns, first);
   Table table{caption, {{"Quantity"}}};
   for (const GroupColumn& column : columns)
     if (column.name == name)
@@ -80,6 +85,9 @@ Table turned_table_of_group(const study::Hdf5Reader& file, const std::string& gr
   table.columns.push_back({"Meaning"});
   for (const GroupColumn& column : columns) {
     if (!column.head.numbers || column.cells.size() + 2 != table.columns.size()) continue;
+    if (std::ranges::none_of(column.cells,
+                             [](const Cell& cell) { return cell.number.has_value(); }))
+      continue;
     std::vector<Cell> row{column.head.title};
     row.insert(row.end(), column.cells.begin(), column.cells.end());
     row.emplace_back(column.head.meaning);

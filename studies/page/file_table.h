@@ -16,9 +16,11 @@ Table table_of_group(const study::Hdf5Reader& file, const std::string& group,
                      const study::UnitSystem& units);
 
 /// The same with a row for each column of numbers, and a column for each row, which the column
-/// `name` names; empty: the group has one row.
+/// `name` names; empty: the group has one row. Quantities without a value in any column are left out.
+/// @param first  quantities that come first, in this order; the others by name
 Table turned_table_of_group(const study::Hdf5Reader& file, const std::string& group,
                             const std::string& caption, const std::string& name,
-                            const study::UnitSystem& units);
+                            const study::UnitSystem& units,
+                            const std::vector<std::string>& first = {});
 
 }  // namespace gurney::page

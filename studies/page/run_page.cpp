@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <sstream>
 
 #include "engine/base/error.h"
 #include "studies/explanation/figure.h"
@@ -16,6 +17,8 @@
 #include "studies/page/drawing.h"
 #include "studies/page/file_table.h"
 #include "studies/page/study_page.h"
+#include "studies/study/results/columns.h"
+#include "studies/study/results/names.h"
 
 namespace gurney::page {
 namespace {
@@ -42,7 +45,60 @@ struct RunFile {
   std::string no_scene;
 };
 
-Section summary(const RunFile& run) {
+/// The verdict on each item whose numbers are those of one run among many, before all numbers.
+std::vector<std::string> cautions_of(const RunFile& run) {
+  std::vector<std::string> all;
+  const auto items = run.file.strings("/predictability/item"),
+             verdicts = run.file.strings("/predictability/verdict");
+  const auto peaks = run.file.numbers("/predictability/time_of_peaks"),
+             growth = run.file.numbers("/predictability/amplification_at_peaks");
+  for (std::size_t i = 0; i < items.size() && i < verdicts.size(); ++i)
+    if (verdicts[i] == name_of(Predictability::Verdict::kChaotic))
+      all.push_back(fmt::format(
+          "{}: CHAOTIC. A change of mass by one part in a billion leads to another motion before "
+          "its peaks at {:.2f} s: these demands are those of one run among many.",
+          items[i], peaks.at(i)));
+    else if (verdicts[i] == name_of(Predictability::Verdict::kSensitive))
+      all.push_back(fmt::format(
+          "{}: SENSITIVE. A change of mass by one part in a billion grows {:.2g}-fold until its "
+          "peaks at {:.2f} s: an error of 0.1 % of an input may change these demands by their own "
+          "size.",
+          items[i], growth.at(i), peaks.at(i)));
+  if (run.overview.outcome == name_of(Outcome::kStillMoving))
+    all.push_back("Something still moved at the end: residual values are not final.");
+  all.insert(all.end(), run.overview.file.warnings.begin(), run.overview.file.warnings.end());
+  return all;
+}
+
+/// The narrative of gurney run: a line that starts with blanks belongs to the heading before it.
+Html narrative_of(const std::string& narrative) {
+  Html content;
+  std::vector<std::string> below;
+  std::istringstream lines(narrative);
+  const auto end_list = [&] {
+    content += list(below);
+    below.clear();
+  };
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(' ')) {
+      below.push_back(line.substr(line.find_first_not_of(' ')));
+      continue;
+    }
+    end_list();
+    content += paragraph(line);
+  }
+  end_list();
+  return content;
+}
+
+std::vector<std::string> names_of_demands() {
+  std::vector<std::string> names;
+  for (const study::TableColumn<Demands>& column : study::demand_columns())
+    names.emplace_back(column.name);
+  return names;
+}
+
+Section summary(const RunFile& run, const std::optional<explanation::Explanation>& explained) {
   const study::RunOverview& overview = run.overview;
   std::vector<std::pair<std::string, std::string>> named{
       {"Outcome", fmt::format("{} at {:.4g} s{}{}", overview.outcome, overview.end_time,
@@ -51,13 +107,12 @@ Section summary(const RunFile& run) {
     named.emplace_back("Energy balance", fmt::format("closes within {:.2g} of the energy in play",
                                                      overview.file.energy_closure));
   Html cautions;
-  if (!overview.file.warnings.empty())
-    cautions = element("div", element("h3", "Cautions") + list(overview.file.warnings),
-                       {{"class", "cautions"}});
+  if (const std::vector<std::string> all = cautions_of(run); !all.empty())
+    cautions = element("div", element("h3", "Cautions") + list(all), {{"class", "cautions"}});
   return {"summary", "At a glance",
-          facts(named) + cautions +
+          cautions + narrative_of(explained ? explained->narrative : "") + facts(named) +
               html(turned_table_of_group(run.file, "items", "Demands of the items", "item",
-                                         run.units))};
+                                         run.units, names_of_demands()))};
 }
 
 Section design(const RunFile& run) {
@@ -80,11 +135,20 @@ Html spectra_of_floor(const RunFile& run) {
                       "Pseudo-acceleration over the period, 5 % damping, on logarithmic axes."});
 }
 
+/// "NAME (SHA-256 0123456789ab...)" of "SHA-256 NAME".
+std::string file_words(const std::string& hash_and_name) {
+  constexpr std::size_t kDigits = 12;
+  const std::size_t space = hash_and_name.find(' ');
+  if (space == std::string::npos) return hash_and_name;
+  return fmt::format("{} (SHA-256 {}\u2026)", hash_and_name.substr(space + 1),
+                     hash_and_name.substr(0, std::min(space, kDigits)));
+}
+
 Section record(const RunFile& run) {
   std::vector<std::pair<std::string, std::string>> named;
   for (const auto& motion : run.overview.file.motions) {
     named.emplace_back("Record", motion.name);
-    for (const std::string& each : motion.files) named.emplace_back("File", each);
+    for (const std::string& each : motion.files) named.emplace_back("File", file_words(each));
   }
   for (const std::string& each : run.file.text_attributes("record_components"))
     named.emplace_back("Component", each);
@@ -196,8 +260,9 @@ Document run_document(const PageRequest& request) {
   return {file.title.empty() ? file.job_name : file.title,
           fmt::format("One run of {}: {} at {:.4g} s", counted(run.overview.items.size(), "item"),
                       run.overview.outcome, run.overview.end_time),
-          {summary(run), design(run), record(run), paths(run), explanation_section(request),
-           histories(run), tables(run), methods(run), assumptions_section(file, {}),
+          {summary(run, request.explanation), design(run), record(run), paths(run),
+           explanation_section(request), histories(run), tables(run), methods(run),
+           assumptions_section(file, {}),
            provenance_section(file, run.file.text_attribute("job_text"), {})},
           {}};
 }

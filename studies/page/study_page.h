@@ -47,7 +47,7 @@ Section study_methods(const StudyPage& page);
 
 // Of studies and of single runs.
 Section assumptions_section(const study::FileOverview& file,
-                            const std::vector<std::string>& undrawn);
+                            const std::optional<study::UndrawnRanges>& undrawn);
 Section provenance_section(const study::FileOverview& file, const std::string& job_text,
                            const Html& more);
 

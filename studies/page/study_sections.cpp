@@ -39,10 +39,18 @@ std::vector<std::string> cautions_of(const StudyPage& page) {
       all.push_back(fmt::format("with half the time step the outcome at {} differs in {} of {}",
                                 each.state, each.runs.size(),
                                 counted(overview.step_check->runs, "run")));
-  if (!overview.undrawn.empty() && overview.undrawn.front() != "none")
+  if (overview.undrawn && overview.undrawn->parameters() > 0)
     all.push_back(
-        "parameters with a range were not drawn, so their uncertainty is in no number of "
-        "this page: see Assumptions");
+        fmt::format("{} with a range kept {}, so that this uncertainty is in no number of "
+                    "this page: see Assumptions",
+                    counted(overview.undrawn->parameters(), "parameter"),
+                    overview.undrawn->parameters() == 1 ? "its value" : "their values"));
+  for (const study::ZoneOccupancy& each : study::zone_occupancy(page.data))
+    if (each.from_start > 0)
+      all.push_back(fmt::format(
+          "{}zone {}: an item stands in it from the start in {} of {}, which count as entries",
+          each.configuration.empty() ? "" : each.configuration + ", ", each.zone, each.from_start,
+          counted(each.runs, "run")));
   for (const study::FragilityResult& each : page.fragilities) {
     const study::ReportUnit unit = study::report_unit(page.data, each.measure);
     study::CurveAudit audit = each.audit;

@@ -57,10 +57,14 @@ Html html(const Table& table) {
     for (std::size_t i = 0; i < row.size(); ++i) cells += html(row[i], table.columns[i], i == 0);
     body += element("tr", cells);
   }
+  constexpr std::size_t kLong = 40;  // rows; shorter tables are shown whole
   return element(
       "div",
       element("table", element("caption", table.caption) + head_of(table) + element("tbody", body)),
-      {{"class", "scroll"}, {"tabindex", "0"}, {"role", "region"}, {"aria-label", table.caption}});
+      {{"class", table.rows.size() > kLong ? "scroll tall" : "scroll"},
+       {"tabindex", "0"},
+       {"role", "region"},
+       {"aria-label", table.caption}});
 }
 
 }  // namespace gurney::page

@@ -63,6 +63,12 @@ class Graph {
     pen.textBaseline = 'middle';
     for (const v of [tick, 0, -tick]) pen.fillText(`${v === 0 ? '0 ' + units : v}`, kGraphLeft - 5, y(v));
     pen.textAlign = 'left';
+    // The words have a plate of their own, or the curves would run through them.
+    pen.globalAlpha = 0.85;
+    pen.fillStyle = this.dark ? '#1c2027' : '#ffffff';
+    pen.fillRect(kGraphLeft + 2, top + 2, pen.measureText(name).width + 14 * kAxisColors.length + 10, 15);
+    pen.globalAlpha = 1;
+    pen.fillStyle = this.ink;
     pen.fillText(name, kGraphLeft + 6, top + 9);
     let x = kGraphLeft + 14 + pen.measureText(name).width;
     for (const [letter, light, dark] of kAxisColors) {

@@ -17,25 +17,51 @@ bool lifted(const RecordedWheel& wheel, std::size_t sample) {
   return wheel.mode[sample] == static_cast<std::uint8_t>(WheelMode::kLifted);
 }
 
-std::string wheels_text(const RecordedItem& item, std::size_t sample) {
-  std::string names;
-  for (const RecordedWheel& wheel : item.wheels)
-    if (lifted(wheel, sample)) names += (names.empty() ? "" : ", ") + wheel.name;
-  return names;
+/// Time with one or more wheels off the floor; shorter landings in between are part of it.
+struct Uplift {
+  double from = 0, until = 0;
+  std::size_t most = 0;                      ///< wheels at once
+  std::vector<const RecordedWheel*> wheels;  ///< in the order in which they left
+
+  void add(const RecordedItem& item, std::size_t sample) {
+    std::size_t now = 0;
+    for (const RecordedWheel& wheel : item.wheels) {
+      if (!lifted(wheel, sample)) continue;
+      ++now;
+      if (std::ranges::find(wheels, &wheel) == wheels.end()) wheels.push_back(&wheel);
+    }
+    most = std::max(most, now);
+  }
+
+  std::string text() const {
+    std::string names;
+    for (const RecordedWheel* wheel : wheels) names += (names.empty() ? "" : ", ") + wheel->name;
+    return fmt::format("{} off the floor until {:.2f} s{}: {}",
+                       wheels.size() == 1 ? "a wheel" : "one or more wheels", until,
+                       wheels.size() == 1 ? "" : fmt::format(", up to {} at once", most), names);
+  }
+};
+
+std::vector<Uplift> uplifts_of(const RecordedItem& item, const std::vector<double>& time) {
+  constexpr double kOneEvent = 0.2;  // lift-offs closer than this [s]
+  std::vector<Uplift> all;
+  bool before = false;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const bool now =
+        std::ranges::any_of(item.wheels, [&](const auto& wheel) { return lifted(wheel, i); });
+    if (before) all.back().until = time[i];
+    if (now && !before && (all.empty() || time[i] - all.back().until >= kOneEvent))
+      all.push_back({time[i], time[i], 0, {}});
+    if (now) all.back().add(item, i);
+    before = now;
+  }
+  return all;
 }
 
 void add_liftoffs(const RecordedRun& run, std::vector<Moment>& all) {
-  for (const RecordedItem& item : run.items) {
-    bool before = false;
-    for (std::size_t i = 0; i < run.time.size(); ++i) {
-      const bool now =
-          std::ranges::any_of(item.wheels, [&](const auto& wheel) { return lifted(wheel, i); });
-      if (now && !before)
-        all.push_back({run.time[i], "lift-off", item.name,
-                       fmt::format("off the floor: {}", wheels_text(item, i))});
-      before = now;
-    }
-  }
+  for (const RecordedItem& item : run.items)
+    for (const Uplift& each : uplifts_of(item, run.time))
+      all.push_back({each.from, "lift-off", item.name, each.text()});
 }
 
 void add_impacts(const Hdf5Reader& file, std::vector<Moment>& all) {
@@ -70,7 +96,10 @@ void add_zones(const Hdf5Reader& file, std::vector<Moment>& all) {
   const auto entries = file.numbers("/zones/time_of_entry");
   file.require_length({"/zones/time_of_entry"}, names.size());
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (entries[i] >= 0) all.push_back({entries[i], "zone", "", names[i] + ": an item enters"});
+    if (entries[i] >= 0)
+      all.push_back({entries[i], "zone", "",
+                     names[i] + (entries[i] > 0 ? ": an item enters"
+                                                : ": an item is inside from the start")});
 }
 
 void add_items(const Hdf5Reader& file, std::vector<Moment>& all) {

@@ -1,6 +1,6 @@
 // The page: what time it is, how the view looks, and what keys and buttons do.
 
-const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
+const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
 const kSun = unit([0.35, -0.62, 1.05]);
 
 class Player {
@@ -72,12 +72,13 @@ class Player {
     this.camera.reset();
   }
 
-  /// A view of the items that still shows the room.
+  /// A view of the items and their paths, with as much of the room as lies around them.
   home(room) {
     const size = ({ low, high }) => Math.max(high[0] - low[0], high[1] - low[1], 1.2);
     const middle = ({ low, high }) => scaled(add(low, high), 0.5);
-    const target = middle(room.items).map((v, i) => mix(v, middle(room)[i], 0.3));
-    return { target: [target[0], target[1], 0.45], distance: 0.75 * size(room) + 0.65 * size(room.items) + 0.4 };
+    const target = middle(room.items);
+    const whole = 0.75 * size(room) + 0.65 * size(room.items) + 0.4;
+    return { target: [target[0], target[1], 0.45], distance: Math.min(whole, 1.25 * size(room.items) + 1.2) };
   }
 
   connect() {

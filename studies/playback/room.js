@@ -3,8 +3,8 @@
 const kModes = [
   { name: 'sticks', color: [0.34, 0.6, 0.88] },
   { name: 'rolls', color: [0.1, 0.66, 0.45] },
-  { name: 'skids', color: [0.88, 0.27, 0.1] },
-  { name: 'braked', color: [0.72, 0.42, 0.68] },
+  { name: 'skids', color: [0.88, 0.27, 0.1], shape: 'ring' },
+  { name: 'braked', color: [0.72, 0.42, 0.68], shape: 'square' },
   { name: 'lifted', color: [0.95, 0.68, 0.1] },
 ];
 const kLifted = 4;
@@ -14,8 +14,8 @@ const kPalette = [[0, 0.45, 0.7], [0.84, 0.37, 0], [0, 0.62, 0.45], [0.8, 0.47, 
 const kGhost = [0.45, 0.45, 0.5];
 const kFallen = [0.95, 0.25, 0.2];
 
-const kDark = { background: [0.075, 0.085, 0.105], floor: [0.2, 0.215, 0.24], ground: [0.1, 0.105, 0.12], grid: [0.33, 0.35, 0.39], ambient: 0.5, body: [0.86, 0.86, 0.86], edge: [0.02, 0.02, 0.03, 0.75], wall: [0.55, 0.62, 0.72], wallEdge: [0.6, 0.66, 0.75, 0.45] };
-const kLight = { background: [0.955, 0.962, 0.972], floor: [0.9, 0.905, 0.91], ground: [0.79, 0.8, 0.79], grid: [0.76, 0.78, 0.8], ambient: 0.7, body: [1, 1, 1], edge: [0.12, 0.14, 0.18, 0.7], wall: [0.5, 0.56, 0.64], wallEdge: [0.3, 0.34, 0.4, 0.4] };
+const kDark = { background: [0.075, 0.085, 0.105], floor: [0.2, 0.215, 0.24], ground: [0.1, 0.105, 0.12], grid: [0.33, 0.35, 0.39], ambient: 0.5, body: [0.86, 0.86, 0.86], edge: [0.02, 0.02, 0.03, 0.75], wall: [0.55, 0.62, 0.72], wallEdge: [0.6, 0.66, 0.75, 0.45], cord: [0.5, 0.66, 1] };
+const kLight = { background: [0.955, 0.962, 0.972], floor: [0.9, 0.905, 0.91], ground: [0.79, 0.8, 0.79], grid: [0.76, 0.78, 0.8], ambient: 0.7, body: [1, 1, 1], edge: [0.12, 0.14, 0.18, 0.7], wall: [0.5, 0.56, 0.64], wallEdge: [0.3, 0.34, 0.4, 0.4], cord: [0.16, 0.2, 0.45] };
 
 class Extent {
   constructor() {
@@ -156,14 +156,15 @@ class RoomScene {
     if (shown.room) this.putRoom(put, still, theme);
     if (shown.zones) this.run.zones.forEach((zone) => this.putZone(put, zone, offset));
     this.run.items.forEach((item, i) => this.putItem(followed < 0 || i === followed ? put : pale, item, i, at, offset, theme, shown));
-    if (shown.tethers) this.run.tethers.forEach((tether) => this.putTether(put, tether, at, offset));
+    if (shown.tethers) this.run.tethers.forEach((tether) => this.putTether(put, tether, at, offset, theme));
     if (shown.ghosts) this.putGhosts(put, time, offset, theme);
     return parts;
   }
 
   putRoom(put, still, theme) {
+    const clear = [...theme.wallEdge.slice(0, 3), 0.12];  // walls before the items are no cage of lines
     for (const { mesh, tall, middle } of this.room)
-      put(mesh, still, tall ? { tint: theme.wall, alpha: this.isBefore(middle) ? 0.035 : 0.2, edge: theme.wallEdge } : { tint: theme.floor.map((v) => 0.9 * v), edge: theme.wallEdge, casts: true });
+      put(mesh, still, tall ? { tint: theme.wall, alpha: this.isBefore(middle) ? 0.035 : 0.2, edge: this.isBefore(middle) ? clear : theme.wallEdge } : { tint: theme.floor.map((v) => 0.9 * v), edge: theme.wallEdge, casts: true });
   }
 
   /// Whether a wall is on the side of the eye, where it would hide the items.
@@ -191,7 +192,7 @@ class RoomScene {
       const { p, q } = wheelPose(fork, wheel, at);
       put(meshes.forks[w], poseMatrix(fork.p, fork.q), { tint: theme.body, edge: theme.edge, casts: true });
       put(meshes.wheels[w], poseMatrix(p, q), { kind: 1, tint: theme.body, casts: true, radius: wheel.radius, width: wheel.width });
-      if (shown.forces) this.putForces(put, wheel, fork, at, offset);
+      if (shown.forces) this.putForces(put, wheel, fork, at, offset, theme);
     });
   }
 
@@ -203,8 +204,9 @@ class RoomScene {
     put(this.arrow, flatMatrix([tip[0], tip[1], place.p[2] + 0.003], along, 0.16, 0.5), { kind: 3, tint: color, alpha: 0.85 });
   }
 
-  /// A disc whose area is the normal force, and the horizontal force of the floor.
-  putForces(put, wheel, fork, at, offset) {
+  /// A patch whose area is the normal force, and the horizontal force of the floor. Braked wheels have a square and
+  /// skidding ones a ring, so that states are not distinguished by colour alone.
+  putForces(put, wheel, fork, at, offset, theme) {
     const mode = wheel.mode[at.sample];
     const normal = between(wheel.normal, at);
     if (mode === kLifted || !(normal > 0)) return;
@@ -212,7 +214,11 @@ class RoomScene {
     const p = contactPoint(fork, wheel);
     const floor = [p[0], p[1], offset[2] + 0.0025];
     const radius = Math.min(0.3, 0.085 * Math.sqrt(normal / this.usualLoad));
-    put(this.disc, flatMatrix(floor, [1, 0, 0], radius, radius), { kind: 3, tint, alpha: 0.62 });
+    const shape = kModes[mode].shape;
+    const side = Math.sqrt(Math.PI) * radius;  // a square of the area of the disc
+    if (shape === 'square') put(this.square, flatMatrix(floor, [1, 0, 0], side, side), { kind: 3, tint, alpha: 0.62 });
+    else put(this.disc, flatMatrix(floor, [1, 0, 0], radius, radius), { kind: 3, tint, alpha: shape === 'ring' ? 0.9 : 0.62 });
+    if (shape === 'ring') put(this.disc, flatMatrix(add(floor, [0, 0, 0.0005]), [1, 0, 0], 0.6 * radius, 0.6 * radius), { kind: 3, tint: theme.floor, alpha: 1 });
     const heading = rotated(fork.q, [1, 0, 0]);
     const along = unit([heading[0], heading[1], 0]);
     const force = add(scaled(along, between(wheel.longitudinal, at)), scaled([-along[1], along[0], 0], between(wheel.lateral, at)));
@@ -220,7 +226,7 @@ class RoomScene {
     if (length > 0.02) put(this.arrow, flatMatrix(add(floor, [0, 0, 0.001]), unit(force), length, 0.5), { kind: 3, tint, alpha: 0.95 });
   }
 
-  putTether(put, tether, at, offset) {
+  putTether(put, tether, at, offset, theme) {
     const item = this.run.items.find((each) => each.name === tether.item);
     if (!item) return;
     const pose = itemPose(item, at);
@@ -229,7 +235,7 @@ class RoomScene {
     const broken = tether.time_broken >= 0 && now >= tether.time_broken;
     const points = broken ? hangingCord(from, tether) : cord(from, tether);
     const taut = !broken && norm(subtract(from, tether.anchor)) >= tether.slack_length;
-    const tint = broken || taut ? [0.9, 0.2, 0.12] : [0.16, 0.2, 0.45];
+    const tint = broken || taut ? [0.9, 0.2, 0.12] : theme.cord;
     for (let i = 1; i < points.length; ++i) put(this.stick, stickMatrix(add(points[i - 1], offset), add(points[i], offset), 0.012), { tint, casts: true });
   }
 

@@ -13,6 +13,9 @@ const cssColor = (c) => `rgb(${c.map((v) => Math.round(255 * v)).join(' ')})`;
 
 const kEventColors = { 'lift-off': '#E69F00', impact: '#D55E00', taut: '#56B4E9', unplugged: '#c0392b', zone: '#b8860b', overturned: '#b00020', displacement: '#009E73', tilt: '#CC79A7' };
 
+/// More of them hide what else happened; a click on their button shows them.
+const kMaxLiftOffs = 30;
+
 class EventList {
   constructor(runs, end, go) {
     this.events = runs
@@ -44,13 +47,16 @@ class EventList {
 
   addKind(kind) {
     const count = this.events.filter((event) => event.kind === kind).length;
-    const button = made('button', `${kind} ${count}`, { 'aria-pressed': 'true' });
+    const button = made('button', `${kind} ${count}`);
     button.style.borderBottomColor = kEventColors[kind] || '#888888';
-    button.addEventListener('click', () => {
-      const show = this.hidden.delete(kind) || !this.hidden.add(kind);
-      button.setAttribute('aria-pressed', String(show));
-      for (const event of this.events) if (event.kind === kind) event.row.hidden = event.mark.hidden = !show;
-    });
+    const show = (shown) => {
+      if (shown) this.hidden.delete(kind);
+      else this.hidden.add(kind);
+      button.setAttribute('aria-pressed', String(shown));
+      for (const event of this.events) if (event.kind === kind) event.row.hidden = event.mark.hidden = !shown;
+    };
+    button.addEventListener('click', () => show(this.hidden.has(kind)));
+    show(kind !== 'lift-off' || count <= kMaxLiftOffs);
     element('kinds').append(button);
   }
 
@@ -108,11 +114,11 @@ class ItemTable {
 
 function makeLegend(ghosts) {
   for (const mode of kModes.slice(0, kLifted)) {
-    const entry = made('li', mode.name);
+    const entry = made('li', mode.name, mode.shape ? { class: mode.shape } : {});
     entry.style.setProperty('--swatch', cssColor(mode.color));
     element('legend').append(entry);
   }
-  element('legend').append(made('li', 'disc: normal force; arrow: horizontal force', { class: 'plain' }));
+  element('legend').append(made('li', 'area: normal force; arrow: horizontal force', { class: 'plain' }));
   if (ghosts) element('legend').append(made('li', 'translucent: other runs; red: overturned', { class: 'plain' }));
 }
 

@@ -186,18 +186,21 @@ std::string curves_text(const ComparisonReport& report) {
     return "\nno fragility curves: all runs have one " + found.measure + "; see the shares\n";
   const std::string of_a = report.label_a + ": theta, beta",
                     of_b = report.label_b + ": theta, beta";
-  std::size_t wide = 24;
-  for (const study::ComparedCurves& row : found.curves) wide = std::max(wide, row.name.size());
-  const std::size_t wide_a = std::max<std::size_t>(28, of_a.size()),
-                    wide_b = std::max<std::size_t>(28, of_b.size());
+  const study::ReportUnit unit =
+      study::report_unit(*report.a.data, {found.measure, found.units, {}});
+  std::size_t wide = 24, wide_a = std::max<std::size_t>(28, of_a.size()),
+              wide_b = std::max<std::size_t>(28, of_b.size());
+  for (const study::ComparedCurves& row : found.curves) {
+    wide = std::max(wide, row.name.size());
+    wide_a = std::max(wide_a, curve_text(row.a, unit).size());
+    wide_b = std::max(wide_b, curve_text(row.b, unit).size());
+  }
   const auto line = [&](const std::string& name, const std::string& a, const std::string& b,
                         const std::string& ratio, const std::string& p, const std::string& holm) {
     return fmt::format("{:<{}} {:<{}} {:<{}} {:>9} {:>8} {:>8}", name, wide, a, wide_a, b, wide_b,
                        ratio, p, holm);
   };
   std::string text = "\n" + line("fragility curve", of_a, of_b, "LR", "p", "Holm") + "\n";
-  const study::ReportUnit unit =
-      study::report_unit(*report.a.data, {found.measure, found.units, {}});
   for (const study::ComparedCurves& row : found.curves)
     text += line(row.name, curve_text(row.a, unit), curve_text(row.b, unit),
                  number(row.likelihood_ratio), probability(row.p), probability(row.p_holm)) +

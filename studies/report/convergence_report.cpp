@@ -34,6 +34,7 @@ std::string row(const study::ConvergedNumber& number, double tolerance,
   if (number.step == study::StepVerdict::kConverging)
     verdict = fmt::format("{} ({:.2g} s)", verdict, number.step_needed);
   if (number.solver_change > tolerance) verdict += "; solver tolerance too loose";
+  if (number.stiffness_change > tolerance) verdict += "; depends on the tread stiffness";
   const study::ReportUnit unit = units.of(number.units);
   const std::string name = unit.name == "1" ? "" : " " + unit.name;
   return fmt::format(
@@ -60,7 +61,7 @@ std::string convergence_text(const study::Convergence& found, const study::UnitS
                           found.runs == 1 || number.item.empty() ? "value" : "median", "step",
                           "order", "solver", "tread", "verdict on the time step");
     item = &number.item;
-    text += row(number, found.tolerance, units.or_else("si"));
+    text += row(number, found.tolerance, units.or_else("m"));
   }
   return text;
 }

@@ -38,8 +38,9 @@ std::string lifting(const Demands& d, const UnitSystem& units) {
                        units.chosen() ? units.text(d.peak_tilt, "rad")
                                       : fmt::format("{:.2g} deg", d.peak_tilt / kRadiansPerDegree));
   if (d.most_wheels_lifted == 0) return "Every wheel stayed on the floor. ";
-  return fmt::format("Wheels left the floor for {:.3g} s in all, {} at once at most. ",
-                     d.lifted_time, d.most_wheels_lifted);
+  return fmt::format(
+      "One or more wheels were off the floor for {:.3g} s in all, up to {} at once. ",
+      d.lifted_time, d.most_wheels_lifted);
 }
 
 std::string ending(const Response& response, const UnitSystem& units) {

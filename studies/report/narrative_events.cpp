@@ -140,10 +140,12 @@ std::string narrative_of_zones(const study::RunFacts& facts, const Response& res
                   : fmt::format("no free width is left of {}", width(zone.width));
     } else if (outcome.time_of_entry >= 0) {
       text += fmt::format(
-          " is free at the end; it was not for {:.3g} s from {:.2f} s, when a free width "
-          "of {} was left of {}",
-          outcome.occupied_time, outcome.time_of_entry, width(outcome.least_free_width),
-          width(zone.width));
+          " is free at the end; it was occupied for {:.3g} s from {}, with a free width of {} left "
+          "of {} at least",
+          outcome.occupied_time,
+          outcome.time_of_entry > 0 ? fmt::format("{:.2f} s on", outcome.time_of_entry)
+                                    : "the start on",
+          width(outcome.least_free_width), width(zone.width));
     } else {
       text += " stayed free";
     }

@@ -117,7 +117,7 @@ std::string overview_json(const study::StudyOverview& overview) {
     result["scale_factors"] = scale_factors_json(overview.factors_on_records);
   result["draws"] = overview.draws;
   result["replicas"] = overview.replicas;
-  result["ranges_not_drawn"] = overview.undrawn;
+  result["ranges_not_drawn"] = overview.undrawn ? Json(overview.undrawn->lines()) : Json(nullptr);
   result["runs"] = overview.runs;
   result["overturned"] = overview.overturned;
   result["failed"] = overview.failed;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "studies/report/failed_runs.h"
 #include "studies/report/overview_report.h"
@@ -105,26 +106,33 @@ std::string share(std::size_t count, std::size_t of) {
   return of == 0 ? "-" : fmt::format("{:.3f}", double(count) / double(of));
 }
 
-std::string counts(const study::StudyOverview& overview) {
+}  // namespace
+
+std::string shares_text(const study::StudyOverview& overview, std::size_t most_rows) {
   TextTable table(2);
   std::vector<std::string> names{"configuration",
                                  overview.measure.empty() ? "records" : overview.measure, "runs",
                                  "overturned", "failed"};
   for (const study::LimitState& state : overview.states) names.push_back(state.name);
   table.add(names);
-  for (const study::LevelCounts& each : overview.counts) {
+  const std::size_t shown = std::min(most_rows, overview.counts.size());
+  for (const study::LevelCounts& each : std::span(overview.counts).first(shown)) {
     std::vector<std::string> row{each.configuration.empty() ? "-" : each.configuration, each.level,
                                  std::to_string(each.runs), std::to_string(each.overturned),
                                  std::to_string(each.failed)};
     for (const std::size_t exceeded : each.exceeded) row.push_back(share(exceeded, each.counted()));
     table.add(row);
   }
-  std::string all = "\nshare of the runs that exceed a limit state; failed runs are not counted\n";
+  std::string all = "share of the runs that exceed a limit state; failed runs are not counted\n";
   all += table.text();
+  if (shown < overview.counts.size())
+    all += fmt::format("  and {} more rows: gurney show\n", overview.counts.size() - shown);
   for (const study::LimitState& state : overview.states)
     if (state.words != state.name) all += fmt::format("  {}: {}\n", state.name, state.words);
   return all;
 }
+
+namespace {
 
 std::string failures(const study::StudyOverview& overview) {
   if (overview.failures.empty()) return {};
@@ -189,6 +197,15 @@ std::string step_check(const study::StudyOverview& overview) {
 
 }  // namespace
 
+std::string undrawn_text(const std::optional<study::UndrawnRanges>& undrawn) {
+  const std::string name = "uncertainties not propagated";
+  if (!undrawn) return name + ": not stated in this file\n";
+  if (undrawn->parameters() == 0) return name + ": none\n";
+  std::string all = name + ", parameters with a range that keep their values:\n";
+  for (const std::string& line : undrawn->lines()) all += "  " + wrapped(line, 4, 2) + "\n";
+  return all;
+}
+
 std::string overview_text(const study::StudyOverview& overview) {
   std::string all = head(overview.file, fmt::format("a study of {} runs", overview.runs));
   for (const auto& factor : overview.factors)
@@ -209,16 +226,15 @@ std::string overview_text(const study::StudyOverview& overview) {
                                            : "none: every parameter has its value");
   if (overview.replicas > 1)
     all += entry("replicas", fmt::format("{} of each draw", overview.replicas));
-  all += "declared ranges not drawn:\n";
-  for (const std::string& line : overview.undrawn) all += "  " + wrapped(line, 4, 2) + "\n";
+  all += undrawn_text(overview.undrawn);
   all += entry("runs", fmt::format("{}, {} overturned, {}", overview.runs, overview.overturned,
                                    failed_runs(overview.failed, overview.untrusted)));
   if (overview.warned > 0)
     all += entry("warnings", fmt::format("in {} runs the building warned (/warnings), such as: {}",
                                          overview.warned, overview.first_warning));
   all += tail(overview.file, fmt::format(" (worst: run {})", overview.energy_closure_run));
-  return all + motions(overview.file) + counts(overview) + failures(overview) +
-         step_check(overview);
+  return all + motions(overview.file) + "\n" + shares_text(overview, overview.counts.size()) +
+         failures(overview) + step_check(overview);
 }
 
 std::string overview_text(const study::RunOverview& overview, const study::UnitSystem& units) {

@@ -88,6 +88,7 @@ void write_heads(study::Hdf5Writer& file, bool ida) {
                {"key", {"chassis.mass_kg", "chassis.mass_kg"}},
                {"value", {"100", "100"}},
                {"range", {"80 to 120", "80 to 120"}},
+               {"drawn", {"no", "no"}},
                {"reason", {"weighed once, \"by hand\"", "weighed once, \"by hand\""}},
                {"file", {"bed.toml", "bed.toml"}}});
 }

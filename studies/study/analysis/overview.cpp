@@ -14,7 +14,6 @@
 #include "engine/base/shell_word.h"
 #include "engine/response/response.h"
 #include "studies/study/analysis/run_levels.h"
-#include "studies/study/plan/undrawn_ranges.h"
 #include "studies/study/results/hdf5_reader.h"
 
 namespace gurney::study {
@@ -53,15 +52,15 @@ FileOverview header_of(const Hdf5Reader& file, const std::string& path) {
   return header;
 }
 
-/// Files of programs before 2026-11-22 do not say what was drawn.
-std::vector<std::string> undrawn_of(const StudyReader& file) {
-  if (!file.has("assumptions/drawn")) return {"not stated in this file"};
+/// Files of programs before 2026-11-22 do not state what was drawn.
+std::optional<UndrawnRanges> undrawn_of(const StudyReader& file) {
+  if (!file.has_column("assumptions/drawn")) return {};
   const auto keys = file.strings("assumptions/key"), ranges = file.strings("assumptions/range"),
              files = file.strings("assumptions/file"), drawn = file.strings("assumptions/drawn");
   UndrawnRanges undrawn;
   for (std::size_t i = 0; i < keys.size(); ++i)
     if (drawn[i] == "no" && !ranges[i].empty()) undrawn.add(files[i], keys[i]);
-  return undrawn.lines();
+  return undrawn;
 }
 
 void add_motions(const StudyReader& file, FileOverview& header) {

@@ -6,6 +6,7 @@
 
 #include "studies/study/analysis/scale_factors.h"
 #include "studies/study/analysis/step_check.h"
+#include "studies/study/plan/undrawn_ranges.h"
 #include "studies/study/units/unit_system.h"
 
 namespace gurney::study {
@@ -48,7 +49,8 @@ struct StudyOverview {
     std::string name;
     std::vector<std::string> levels;
   };
-  std::vector<std::string> undrawn;  ///< declared ranges that were not drawn, by data file
+  /// Declared ranges that were not drawn; none: the file, of an earlier program, does not state it.
+  std::optional<UndrawnRanges> undrawn;
   std::vector<Varied> factors;
   std::vector<std::string> configurations;
   std::vector<double> angles;  ///< [rad]

@@ -141,8 +141,7 @@ StoredHistory StoredHistories::history(const std::string& name, std::size_t run)
               ": holds no histories; studies keep them with study.keep.histories, and gurney "
               "replay writes those of one run");
   require(std::ranges::find(known, name) != known.end(),
-          fmt::format("{}: no history '{}'{}; it has {}", path(), name,
-                      config::suggestion(name, known), fmt::join(known, ", ")));
+          fmt::format("{}: no history '{}'{}", path(), name, config::suggestion(name, known)));
   const std::vector<std::size_t> with = runs();
   if (std::ranges::find(with, run) == with.end()) {
     const std::size_t shown = std::min<std::size_t>(with.size(), 10);

@@ -87,8 +87,8 @@ RunMeasure StudyData::measure(const std::string& name) const {
   const std::vector<std::string> names = measures();
   if (name.empty()) return measure(names.front());
   require(std::ranges::find(names, name) != names.end(),
-          fmt::format("{}: no intensity measure '{}'{}; it has {}", file_->path(), name,
-                      config::suggestion(name, names), fmt::join(names, ", ")));
+          fmt::format("{}: no intensity measure '{}'{}", file_->path(), name,
+                      config::suggestion(name, names)));
   if (name == "pfa") return {name, "m/s2", file_->numbers("runs/pfa")};
   if (name == "pfv") return {name, "m/s", file_->numbers("runs/pfv")};
   if (name == file_->text_attribute("intensity_measure"))

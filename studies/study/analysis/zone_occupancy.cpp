@@ -45,6 +45,7 @@ std::vector<ZoneOccupancy> zone_occupancy(const StudyData& data) {
         ZoneOccupancy& of = all[first + at->second];
         ++of.runs;
         of.entered += table.entry[row] >= 0;
+        of.from_start += table.entry[row] == 0;
         of.occupied_at_end += table.at_end[row] != 0;
         of.occupied_time += table.time[row];
         if (!std::isnan(table.width[row])) widths[at->second].push_back(table.width[row]);

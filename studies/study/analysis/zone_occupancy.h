@@ -11,6 +11,7 @@ namespace gurney::study {
 struct ZoneOccupancy {
   std::string configuration, zone;
   std::size_t runs = 0, entered = 0, occupied_at_end = 0;
+  std::size_t from_start = 0;      ///< runs in which an item stood in it at the start
   double occupied_time = 0;        ///< mean over the runs [s]
   double least_free_width = 0;     ///< median over the runs that know it [m]; NaN: none does
   double smallest_free_width = 0;  ///< of all runs [m]; NaN: none knows it

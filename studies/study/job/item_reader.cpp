@@ -19,7 +19,7 @@ using config::Table;
 constexpr int kMaxPayloads = 100;
 
 std::optional<equipment::Uncertain<equipment::ItemDescription>> read_description(Table& item) {
-  std::vector<std::string> variants = item.texts("variant");
+  std::vector<std::string> variants = item.texts("variant", true);  // []: as it is
   if (item.has("equipment") == item.has("inline")) {
     item.note("equipment", ": must name an item, or [item.inline] must describe it, not both");
     return {};

@@ -181,8 +181,22 @@ std::optional<Draw> read_draw(Table& root) {
               static_cast<std::uint64_t>(table->integer("draw", 0, kMax)));
 }
 
+/// Keys at the top of a file that belong into one of its tables.
+void note_misplaced(config::Document& document) {
+  constexpr std::pair<const char*, const char*> kPlaces[] = {
+      {"record", "excitation"},      {"building", "excitation"}, {"force", "excitation"},
+      {"drop_weight", "excitation"}, {"covering", "floor"},      {"slope", "floor"},
+      {"equipment", "item"},         {"brakes", "item"},         {"casters", "item"},
+      {"position_m", "item"},        {"duration_s", "settings"}, {"time_step_s", "settings"}};
+  for (const auto& [key, table] : kPlaces)
+    if (const auto found = document.take(key))
+      document.note(found->key_place,
+                    fmt::format("{0}: unknown key; did you mean '{1}.{0}'?", key, table));
+}
+
 JobReading read(config::Document& document) {
   equipment::refuse_other_kind(document, "gurney-job/1");
+  note_misplaced(document);
   std::vector<std::string> notes = rename_old_keys(document);
   Table root = document.root();
   root.choice("schema", {"gurney-job/1"});
@@ -215,6 +229,9 @@ JobReading read(config::Document& document) {
     for (const Table& item : items) positions.push_back(item.spot("position_m"));
     job.add(document, [positions](JobParts& of_draw, equipment::Sampler& of) {
       if (of.clean()) check_overlaps(positions, of_draw.scene, of);
+      if (of.clean())
+        for (std::string& warning : warnings_of_zones(of_draw.scene))
+          of_draw.warnings.push_back(std::move(warning));
     });
   }
   return job;

@@ -22,4 +22,15 @@ void check_overlaps(const std::vector<config::Spot>& positions, const Scene& sce
   }
 }
 
+std::vector<std::string> warnings_of_zones(const Scene& scene) {
+  std::vector<std::string> warnings;
+  for (const OccupiedZone& each : find_occupied_zones(scene)) {
+    const PlacedItem& item = scene.items[each.item];
+    warnings.push_back(fmt::format(
+        "zone '{}': '{}' stands in it at the start, so that every run counts as an entry",
+        scene.zones[each.zone].name, item.name.empty() ? item.model.name : item.name));
+  }
+  return warnings;
+}
+
 }  // namespace gurney::study

@@ -25,11 +25,16 @@ void UndrawnRanges::add(const std::string& file, const std::string& key) {
 }
 
 std::vector<std::string> UndrawnRanges::lines() const {
-  if (files_.empty()) return {"none"};
   std::vector<std::string> lines;
   for (const OfFile& file : files_)
     lines.push_back(fmt::format("{}: {}", file.name, fmt::join(file.parameters, ", ")));
   return lines;
+}
+
+std::size_t UndrawnRanges::parameters() const {
+  std::size_t count = 0;
+  for (const OfFile& file : files_) count += file.parameters.size();
+  return count;
 }
 
 }  // namespace gurney::study

@@ -11,8 +11,10 @@ class UndrawnRanges {
   /// Indices and axes are one parameter: `shape[1].size_mm.x` is `shape[].size_mm`.
   void add(const std::string& file, const std::string& key);
 
-  /// `R100.toml: wheel_mass_kg, fork_mass_kg` for each file; `none` where there is none.
+  /// `R100.toml: wheel_mass_kg, fork_mass_kg` for each file.
   std::vector<std::string> lines() const;
+
+  std::size_t parameters() const;
 
  private:
   struct OfFile {

@@ -60,8 +60,7 @@ UnitSystem::UnitSystem(const std::string& name) {
   row_ = std::ranges::find(kRows, name, [](const Row& row) { return row.name; });
   if (row_ != std::end(kRows)) return;
   const std::vector<std::string> known = names();
-  throw Error(fmt::format("no units '{}'; there are {}{}", name, fmt::join(known, ", "),
-                          config::near_name(name, known)));
+  throw Error(fmt::format("no units '{}'{}", name, config::suggestion(name, known)));
 }
 
 std::vector<std::string> UnitSystem::names() {

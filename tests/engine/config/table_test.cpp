@@ -167,10 +167,14 @@ TEST(Document, ExplainsFilesItCannotRead) {
   // What is no value of TOML is stated with its place and what is allowed.
   const std::string word = folder.write("word.toml", "swivels = no\n");
   EXPECT_EQ(open(word), word +
-                            ":1:11: not valid TOML: no: no value is written so: must be true or "
-                            "false, a number, or text in quotes");
+                            ":1:11: not valid TOML: invalid value `no`; expected true, false, a "
+                            "number, or text in quotes");
   const std::string list = folder.write("list.toml", "brakes = [true, Off]\n");
-  EXPECT_EQ(open(list).rfind(list + ":1:17: not valid TOML: Off: no value", 0), 0u) << open(list);
+  EXPECT_EQ(open(list).rfind(list + ":1:17: not valid TOML: invalid value `Off`;", 0), 0u)
+      << open(list);
+  const std::string open_header = folder.write("header.toml", "a = 1\n[floor\nb = 2\n");
+  EXPECT_EQ(open(open_header),
+            open_header + ":2:7: not valid TOML: ']' is missing at the end of the name of a table");
   const std::string twice = folder.write("twice.toml", "a = 1\na = 2\n");
   EXPECT_EQ(open(twice).rfind(twice + ":2:", 0), 0u) << open(twice);
 }

@@ -262,6 +262,49 @@ TEST(Lifts, GoFromTheFirstCasterUntilAllAreBack) {
   EXPECT_FALSE(lifts[1].landed);
 }
 
+/// Casters that hop one after the other make one lift, in which none of them is off for long.
+TEST(Lifts, DoNotMakeOneFlightOfSeparateHops) {
+  const auto lifts = lifts_of(box_on_casters(), samples_of({
+                                                    ".LL...LL.",
+                                                    "..LLLL...",
+                                                    "....LLL..",
+                                                    "....L....",
+                                                }));
+  ASSERT_EQ(lifts.size(), 1u);
+  EXPECT_NEAR(lifts[0].from, 0.1, 1e-12);
+  EXPECT_NEAR(lifts[0].until, 0.8, 1e-12);
+  EXPECT_EQ(lifts[0].casters, (std::vector<std::size_t>{0, 1, 2, 3}));
+  EXPECT_EQ(lifts[0].most, 3u);
+  EXPECT_EQ(lifts[0].together, 0);
+  EXPECT_NEAR(lifts[0].longest, 0.4, 1e-12);
+  EXPECT_EQ(lifts[0].longest_caster, 1u);
+}
+
+TEST(Lifts, KnowHowLongAllCastersAreOff) {
+  const auto lifts =
+      lifts_of(box_on_casters(), samples_of({".LLLL.", "..LLL.", "..LL..", "..LLL."}));
+  ASSERT_EQ(lifts.size(), 1u);
+  EXPECT_EQ(lifts[0].most, 4u);
+  EXPECT_NEAR(lifts[0].together, 0.2, 1e-12);
+  EXPECT_NEAR(lifts[0].longest, 0.4, 1e-12);
+}
+
+TEST(Words, OfALiftAreThoseOfItsCasters) {
+  const Uplift hops{4, 3, 0, 0.3, "front right"}, flight{4, 4, 0.04, 0.3, "front right"},
+      one{1, 1, 0.25, 0.25, "front left"};
+  const auto words = [](double until, const std::string& part, const Uplift& uplift) {
+    return words_of({1, EventKind::kLiftOff, "cart", part, until, true, uplift}, false, {});
+  };
+  EXPECT_EQ(words(1.8, "a, b, c and d", hops),
+            "one or more casters off the floor until 1.800 s, up to 3 at once; a single caster for "
+            "0.3 s at most (front right): a, b, c and d");
+  EXPECT_EQ(words(1.8, "a, b, c and d", flight),
+            "one or more casters off the floor until 1.800 s, up to 4 at once, all 4 for 0.04 s; a "
+            "single caster for 0.3 s at most (front right): a, b, c and d");
+  EXPECT_EQ(words(1.25, "front left", one), "off the floor for 0.25 s: front left");
+  EXPECT_EQ(words(std::nan(""), "front left", one), "off the floor for good: front left");
+}
+
 TEST(Skids, AreOfBrakedCasters) {
   EquipmentModel item = box_on_casters();
   const auto history = samples_of({".S...", "...S.", ".....", "....."});

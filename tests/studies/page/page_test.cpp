@@ -79,6 +79,23 @@ TEST(Page, HasTheNumbersOfTheFile) {
   EXPECT_THAT(page, HasSubstr(fmt::format("data-value=\"{}\"", fit.curve()->beta)));
 }
 
+TEST(Page, CautionsOfRangesThatWereNotDrawn) {
+  const TempFolder folder;
+  FabricatedStudy::write(folder.file("s.h5"));
+  const std::string page = results_page({.file = folder.file("s.h5")});
+  EXPECT_THAT(page, HasSubstr("1 parameter with a range kept its value, so that this uncertainty"));
+  EXPECT_THAT(between(page, "Uncertainties not propagated", "</section>"),
+              HasSubstr("bed.toml: chassis.mass_kg"));
+  study::MadeStudy all_drawn{
+      .job = study::made_job(), .records = {"a", "b"}, .files = {}, .runs = {}};
+  for (std::size_t record = 0; record < 2; ++record)
+    all_drawn.runs.push_back({.record = record, .level = 1, .displacement = 0.1});
+  all_drawn.write(folder.file("d.h5"));
+  const std::string without = results_page({.file = folder.file("d.h5")});
+  EXPECT_THAT(without, Not(HasSubstr("with a range kept")));
+  EXPECT_THAT(without, Not(HasSubstr("Uncertainties not propagated")));
+}
+
 TEST(Page, TakesOtherLimitStates) {
   const TempFolder folder;
   FabricatedStudy::write(folder.file("s.h5"));
@@ -117,6 +134,35 @@ TEST(Page, OfManyRunsStaysSmall) {
   EXPECT_LT(page.size(), 20'000'000);
   EXPECT_EQ(values_of(cases_of(page), "Run").size(), 100'000);
   EXPECT_THAT(page, HasSubstr("one in 67 is drawn"));  // 100,000 of 1,500 marks
+}
+
+TEST(Page, OfOneRunBeginsWithItsVerdictAndNarrative) {
+  const TempFolder folder;
+  Response response = fabricated_response();
+  response.items[0].demands.time_of_overturning = -1;
+  response.items[0].demands.direction_of_overturning = std::nan("");
+  response.items[0].predictability = Predictability{.verdict = Predictability::Verdict::kChaotic,
+                                                    .amplification = 1e9,
+                                                    .amplification_at_peaks = 1e8,
+                                                    .time_of_peaks = 12.5};
+  folder.write("r.h5", study::results_image(fabricated_facts(), response));
+  explanation::Explanation explained;
+  explained.failed = true;  // nothing but the narrative
+  explained.narrative = "It moved <far>.\nImpacts: 1\n  wall";
+  const std::string page = results_page({.file = folder.file("r.h5"), .explanation = explained});
+  EXPECT_EQ(unbalanced(page), "");
+  const std::string summary = between(page, "<section id=\"summary\"", "</section>");
+  const auto at = [&](const std::string& text) { return summary.find(text); };
+  ASSERT_NE(at("class=\"cautions\""), summary.npos);
+  EXPECT_LT(at("CHAOTIC. A change of mass by one part in a billion"), at("It moved &lt;far&gt;."));
+  EXPECT_LT(at("It moved &lt;far&gt;."), at("<table"));
+  EXPECT_THAT(summary, HasSubstr("<li>wall</li>"));
+  // The order of gurney run, without what the item does not have.
+  EXPECT_LT(at("Peak velocity"), at("Path length"));
+  EXPECT_EQ(at("Direction of overturning"), summary.npos);
+  response.items[0].predictability->verdict = Predictability::Verdict::kPredictable;
+  folder.write("p.h5", study::results_image(fabricated_facts(), response));
+  EXPECT_THAT(results_page({.file = folder.file("p.h5")}), Not(HasSubstr("CHAOTIC")));
 }
 
 TEST(Page, OfOneRunHasItsDemands) {

@@ -135,8 +135,15 @@ TEST_F(Page, HasTheWheelsOfTheFile) {
 TEST_F(Page, HasTheEventsOfTheFile) {
   for (Sample& sample : response.items[0].history)
     for (WheelSample& wheel : sample.wheels) wheel.mode = WheelMode::kRolls;
-  for (int i = 500; i < 520; ++i)
-    response.items[0].history[static_cast<std::size_t>(i)].wheels[1].mode = WheelMode::kLifted;
+  const auto lift = [&](int from, int until, std::size_t wheel) {
+    for (int i = from; i < until; ++i)
+      response.items[0].history[static_cast<std::size_t>(i)].wheels[wheel].mode =
+          WheelMode::kLifted;
+  };
+  lift(300, 310, 1);  // hops less than 0.2 s apart are one event
+  lift(320, 330, 2);
+  lift(325, 335, 3);
+  lift(500, 520, 1);
   Demands& demands = response.items[0].demands;
   demands.peak_displacement = 0;
   demands.time_of_overturning = 7.25;
@@ -148,6 +155,8 @@ TEST_F(Page, HasTheEventsOfTheFile) {
   response.impacts = {impact};
   facts.scene.tethers = {{.name = "cord", .anchor = {1, 2, 3}, .slack_length = 5, .stiffness = 1}};
   response.tethers = {{5.5, 5.75, 10}};
+  facts.scene.zones = {{.name = "doorway"}, {.name = "way"}};
+  response.zones = {{.time_of_entry = 0}, {.time_of_entry = 0.5}};
   const Json run = data().at("runs").at(0);
   std::vector<std::string> kinds;
   std::vector<double> times;
@@ -155,11 +164,16 @@ TEST_F(Page, HasTheEventsOfTheFile) {
     kinds.push_back(event.at("kind"));
     times.push_back(event.at("time"));
   }
-  EXPECT_EQ(kinds,
-            (std::vector<std::string>{"lift-off", "taut", "unplugged", "impact", "overturned"}));
-  EXPECT_EQ(times, (std::vector<double>{0.01 * 500, 5.5, 5.75, 6.5, 7.25}));
-  EXPECT_EQ(run.at("events").at(0).at("text"), "off the floor: front right");
-  EXPECT_EQ(run.at("events").at(3).at("text"), "hits wall with 0.50 m/s");
+  EXPECT_EQ(kinds, (std::vector<std::string>{"zone", "zone", "lift-off", "lift-off", "taut",
+                                             "unplugged", "impact", "overturned"}));
+  EXPECT_EQ(times, (std::vector<double>{0, 0.5, 0.01 * 300, 0.01 * 500, 5.5, 5.75, 6.5, 7.25}));
+  EXPECT_EQ(run.at("events").at(0).at("text"), "doorway: an item is inside from the start");
+  EXPECT_EQ(run.at("events").at(1).at("text"), "way: an item enters");
+  EXPECT_EQ(run.at("events").at(2).at("text"),
+            "one or more wheels off the floor until 3.35 s, up to 2 at once: front right, rear "
+            "left, rear right");
+  EXPECT_EQ(run.at("events").at(3).at("text"), "a wheel off the floor until 5.20 s: front right");
+  EXPECT_EQ(run.at("events").at(6).at("text"), "hits wall with 0.50 m/s");
   EXPECT_EQ(run.at("tethers").at(0).at("anchor"), Json({1.0, 2.0, 3.0}));
   EXPECT_EQ(run.at("tethers").at(0).at("time_broken"), 5.75);
 }

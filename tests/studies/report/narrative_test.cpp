@@ -132,8 +132,11 @@ TEST(Story, SaysWhichZonesAreBlocked) {
       narrative(fabricated_ward(), response),
       HasSubstr("\ndoorway is NARROWED at the end by infusion pump: a free width of 0.35 m is left "
                 "of 1.10 m.\n"
-                "egress lane is free at the end; it was not for 0.75 s from 1.50 s, when a free "
-                "width of 0.50 m was left of 0.90 m.\n"));
+                "egress lane is free at the end; it was occupied for 0.75 s from 1.50 s on, with a "
+                "free width of 0.50 m left of 0.90 m at least.\n"));
+  response.zones[1].time_of_entry = 0;
+  EXPECT_THAT(narrative(fabricated_ward(), response),
+              HasSubstr("it was occupied for 0.75 s from the start on, with"));
   response.zones[0].free_width_at_end = 0;
   response.zones[1] = {};
   EXPECT_THAT(

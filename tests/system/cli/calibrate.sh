@@ -29,6 +29,8 @@ calibrate 1 "force: unknown column; did you mean 'force_n'?" trials
 mkdir one
 sed 's/^# caster = R100/# caster = mine/' trials/pull_1.csv > one/mine.csv
 calibrate 0 "mine: the catalogue has no caster 'mine'" one
+calibrate 1 "mine: the catalogue has no caster 'mine'" one -o mine
+[ -e mine ] && complain "calibrate writes files although no caster file is possible"
 calibrate 0 "mine_on_polyflor_mystique.toml" one --base R100 -o mine
 expect 0 "is valid" "$gurney" equipment check mine/mine_on_polyflor_mystique.toml
 mkdir empty

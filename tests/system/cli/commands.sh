@@ -20,7 +20,12 @@ expect 0 "Exit codes" "$gurney" help
 expect 0 "--overwrite" "$gurney" run --help
 expect 2 "a command is needed" "$gurney"
 expect 2 "nonsense" "$gurney" nonsense
-expect 2 "--jsn" "$gurney" run "$job" --jsn
+expect 2 "unknown option --jsn; did you mean '--json'?" "$gurney" run "$job" --jsn
+expect 2 "unknown option --ouput; did you mean '--output'?" "$gurney" run "$job" --ouput x.h5
+grep -q "x.h5" stderr && complain "the value of an unknown option is called an argument"
+expect 2 "unexpected argument 'more.toml'" "$gurney" run "$job" more.toml
+expect 2 "did you mean 'gurney run my.toml'?" "$gurney" my.toml
+expect 2 "did you mean 'gurney show my.h5'?" "$gurney" my.h5
 expect 2 "JOB is required" "$gurney" run
 expect 1 "missing.toml" "$gurney" run missing.toml
 files ""
@@ -35,6 +40,22 @@ for arguments in "run $long" "check $long" "show $long" "status $long" "merge $l
   ! grep -q "filesystem error" stderr || complain "an error of the library: $arguments"
 done
 rm list.csv
+
+# Files that are often named in the place of a job.
+cat > record.AT2 << 'AT2'
+PEER NGA STRONG MOTION DATABASE RECORD
+Made for this test, 1/1/2000, Station A, 090
+ACCELERATION TIME SERIES IN UNITS OF G
+NPTS=   4, DT=   .0100 SEC,
+  .1000000E-01  .2000000E-01 -.1000000E-01  .0000000E+00
+AT2
+printf '\211HDF\r\n\032\nrest' > fake.h5
+for command in run check converge; do
+  expect 1 "is the file of a record; gurney $command takes a job" "$gurney" "$command" record.AT2
+  expect 1 "is a results file; gurney $command takes a job" "$gurney" "$command" fake.h5
+done
+rm record.AT2 fake.h5
+files ""
 
 # An item file is no job, and errors are JSON where JSON is asked for.
 item=$2/equipment/items/icu_ventilator.toml
@@ -52,7 +73,6 @@ assert error == {"file": "bad.toml", "line": 4, "column": 1, "key": "item.brake"
                  "message": "item.brake: unknown key; did you mean 'brakes'?"}, error
 PYTHON
 done
-expect 1 "has no use for -j;" "$gurney" run "$job" -j 2
 expect 1 "has no use for --resume;" "$gurney" run "$job" --resume
 "$gurney" help > /dev/full 2> stderr && complain "help on a full disk ends with 0"
 for command in run check replay show play report fragility export compare pulling measures sensitivity converge \

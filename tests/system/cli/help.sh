@@ -7,6 +7,7 @@ gurney=$1
 
 # Every command, as the manual page lists them, has examples and names what its options take.
 expect 0 ".TH GURNEY 1" "$gurney" help --man
+grep -q "(si, m, cm" stdout && complain "the manual page lists the units twice"
 mapfile -t commands < <(sed -n 's/^\.SS gurney //p' stdout)
 [ "${#commands[@]}" -gt 25 ] || complain "the manual page has ${#commands[@]} commands"
 for command in "${commands[@]}"; do

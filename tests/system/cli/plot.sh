@@ -33,8 +33,15 @@ expect 1 "width 'wide': must be a number with its unit" "$gurney" run run.toml -
 expect 0 "run.pdf" "$gurney" run run.toml -o run.h5 --figure-format pdf
 [ "$(head -c 5 run.pdf)" = "%PDF-" ] || complain "run.pdf is no PDF"
 expect 0 "study.h5" "$gurney" run study.toml -o study.h5
+for words in "share of the runs that exceed a limit state" "next:    gurney show study.h5" \
+  "gurney compare study.h5" "gurney report study.h5 -o study.html" "parameters with a range keep their values"; do
+  grep -qF "$words" stdout || complain "the end of a study lacks '$words'"
+done
+expect 0 "uncertainties not propagated, parameters with a range" "$gurney" show study.h5
+grep -q "chassis.mass_kg" stdout || complain "show does not list what was not drawn"
 
 plot() { expect "$1" "$2" "$gurney" plot "${@:3}"; }
+plot 1 "no figure 'histroy'; did you mean 'history'?" run.h5 histroy
 plot 0 "normal_force" run.h5 --list
 plot 0 "intensity measures (--measure): PGA h1" study.h5 --list
 plot 0 "h.svg" run.h5 history displacement normal_force -o h.svg

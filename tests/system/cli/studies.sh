@@ -177,7 +177,7 @@ study 1 "cannot be written" small.toml -o /proc/a.h5
 mkdir folder.h5
 study 1 "is a folder" small.toml -o folder.h5
 study 2 "--threads" small.toml -j 0
-study 1 "studies have a table [study]" "$2/studies/jobs/icu_ventilator_shake.toml" -j 2
+study 1 "studies have a table [study]" "$2/studies/jobs/icu_ventilator_shake.toml" --resume
 printf 'hello' > text.h5
 study 1 "text.h5" small.toml -o text.h5 --resume
 

@@ -85,6 +85,7 @@ void MadeStudy::write(const std::string& path) const {
              {"key", keys},
              {"value", values},
              {"range", keys},
+             {"drawn", std::vector<std::string>(keys.size(), "yes")},
              {"reason", keys},
              {"file", keys}});
   GrowingTable failures(file, "failures");

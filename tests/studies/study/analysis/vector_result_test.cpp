@@ -63,7 +63,7 @@ TEST_F(VectorResultTest, TwoMeasuresThatBothTellMakeOne) {
                               "measure (PGA h1)^"));
   EXPECT_THAT(report::vector_json({found}), HasSubstr("\"share\""));
   const std::string figure = figures::vector_figure(study, {found});
-  EXPECT_THAT(figure, HasSubstr("up: pfv (m/s)"));
+  EXPECT_THAT(figure, HasSubstr("pfv (m/s)"));
   EXPECT_EQ(figure.find("nan"), std::string::npos);
 }
 

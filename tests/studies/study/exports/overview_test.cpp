@@ -63,6 +63,17 @@ TEST_F(Overview, NamesFailedRunsAndWhatMakesThemAgain) {
   EXPECT_EQ(overview.failures[0].command, "gurney replay " + path_ + " 17");
 }
 
+TEST_F(Overview, ListsTheRangesThatWereNotDrawn) {
+  const StudyOverview overview = study_overview(path_);
+  ASSERT_TRUE(overview.undrawn.has_value());
+  EXPECT_THAT(overview.undrawn->lines(), ElementsAre("bed.toml: chassis.mass_kg"));
+  EXPECT_THAT(report::overview_text(overview),
+              HasSubstr("uncertainties not propagated, parameters with a range that keep their "
+                        "values:\n  bed.toml: chassis.mass_kg\n"));
+  const auto json = nlohmann::json::parse(report::overview_json(overview));
+  EXPECT_EQ(json["ranges_not_drawn"], nlohmann::json({"bed.toml: chassis.mass_kg"}));
+}
+
 TEST_F(Overview, QuotesNamesOfFilesForTheShell) {
   const std::string path = folder_.file("it's a study.h5");
   FabricatedStudy::write(path);

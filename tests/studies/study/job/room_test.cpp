@@ -50,6 +50,18 @@ TEST(JobRoom, WhatTheJobSaysIsAddedToTheFile) {
   EXPECT_EQ(job.scene.zones.at(0).name, "doorway");
 }
 
+TEST(JobRoom, WarnsOfZonesThatAreOccupiedAtTheStart) {
+  const auto warnings = [](const std::string& center) {
+    return job_of(std::string(kTwo) + "[[room.zone]]\nname = \"way out\"\ncenter_m = " + center +
+                  "\nlength_m = 1\nwidth_m = 0.8\n")
+        .warnings;
+  };
+  EXPECT_EQ(warnings("[1, 1]"),
+            (std::vector<std::string>{"zone 'way out': 'ventilator' stands in it at the start, so "
+                                      "that every run counts as an entry"}));
+  EXPECT_TRUE(warnings("[5, 5]").empty());
+}
+
 TEST(JobRoom, PairsThatMayTouchHaveConstantsAndTheirAssumptions) {
   const Job job = job_of(std::string(kTwo) + kWall);
   EXPECT_EQ(job.scene.floor_material, "floor");
@@ -277,7 +289,7 @@ slack_length_m = 0.4
 )"),
             "a.toml:15:8: tether[0].item = \"pol\": no such item; did you mean 'pole'?\n"
             "a.toml:16:8: tether[0].kind = \"power_chord\": unknown kind of tether; did you mean "
-            "'power_cord'? (the catalogue has gas_hose, iv_line, power_cord)\n"
+            "'power_cord'?\n"
             "a.toml:18:10: tether[0].anchor = \"sockt\": the room has no such point; did you mean "
             "'socket'?\n"
             "a.toml:20:1: tether[1].item: missing; must be text in quotes\n"

@@ -267,6 +267,7 @@ TEST(JobVariant, ChangesTheItem) {
     const Job job = job_of(text);
     for (const Caster& caster : job.scene.items[0].model.casters) EXPECT_GT(caster.brake_torque, 0);
   }
+  EXPECT_EQ(job_of("variant = []\n").scene.items[0].model.casters[0].brake_torque, 0);  // as it is
   // What the job itself says comes after the variant.
   EXPECT_EQ(job_of("variant = \"brakes on\"\nbrakes = false\n")
                 .scene.items[0]

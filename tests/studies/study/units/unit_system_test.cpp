@@ -93,9 +93,7 @@ TEST(UnitSystem, RefusesOthersWithTheNearest) {
     UnitSystem("g-cn");
     FAIL();
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(),
-                HasSubstr("no units 'g-cn'; there are si, m, cm, g-m, g-cm, g-mm, g-in; "
-                          "did you mean 'g-"));
+    EXPECT_STREQ(error.what(), "no units 'g-cn'; did you mean 'g-cm'?");
   }
   EXPECT_THROW(UnitSystem(""), Error);
 }
