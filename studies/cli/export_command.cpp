@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/base/error.h"
@@ -32,6 +33,7 @@ namespace fs = std::filesystem;
 struct ExportOptions {
   std::string file, format, folder;
   std::vector<std::string> variants;
+  std::optional<std::uint64_t> noise;
   study::ExportChoice choice;
   study::AssessmentRequest assessed_by;
   study::UnitSystem units;
@@ -40,6 +42,9 @@ struct ExportOptions {
 
 /// Formats of items, not of results.
 bool is_of_item(const std::string& format) { return format == "mjcf" || format == "urdf"; }
+
+/// Formats whose FILE is not a results file.
+bool is_of_input(const std::string& format) { return is_of_item(format) || format == "job"; }
 
 void check_choice(const ExportOptions& options) {
   const bool fits = options.format == "pelicun" || options.format == "nrml";
@@ -55,7 +60,8 @@ void check_choice(const ExportOptions& options) {
     refuse("--limit-state", options.assessed_by.limit_states.front(), fits);
   refuse("--configuration", options.choice.configuration,
          options.format != "csv" && options.format != "trials" && options.format != "xdmf" &&
-             options.format != "gltf" && !is_of_item(options.format));
+             options.format != "gltf" && !is_of_input(options.format));
+  require(!options.noise || options.format == "trials", "--noise is for --to trials");
   require(!options.choice.sequences || fits, "--sequences is for --to pelicun and --to nrml");
   require(!options.choice.discrete || options.format == "nrml", "--discrete is for --to nrml");
   require(
@@ -80,6 +86,7 @@ std::vector<std::string> write(const ExportOptions& options, const study::TakeFi
     write_item(options, take);
     return {};
   }
+  if (options.format == "job") return calibration::export_trial_job(options.file, take);
   if (options.format == "csv") {
     study::export_tables(options.file, take, options.units);
     return {};
@@ -98,7 +105,7 @@ std::vector<std::string> write(const ExportOptions& options, const study::TakeFi
           fmt::format("{}: is the file of one run; --to {} needs that of a study", options.file,
                       options.format));
   if (options.format == "trials") {
-    calibration::export_trials(options.file, take);
+    calibration::export_trials(options.file, options.noise, take);
     return {};
   }
   const study::StudyData data(options.file, options.assessed_by);
@@ -110,7 +117,7 @@ std::vector<std::string> write(const ExportOptions& options, const study::TakeFi
 
 int export_command(const ExportOptions& options) {
   check_choice(options);
-  if (!is_of_item(options.format)) study::is_study_file(options.file);
+  if (!is_of_input(options.format)) study::is_study_file(options.file);
   const fs::path file = options.file;
   const fs::path folder = options.folder.empty()
                               ? file.parent_path() / (file.stem().string() + "_" + options.format)
@@ -140,7 +147,8 @@ void add_export(CLI::App& app, std::function<int()>& action) {
       app.add_subcommand("export", "Export results and items to the formats of other programs");
   command
       ->add_option("FILE", options.file,
-                   "The results file; for mjcf and urdf an item: its name or .toml file")
+                   "The results file; for mjcf and urdf an item: its name or .toml file; for job a "
+                   "file or folder of trials")
       ->required();
   command
       ->add_option(
@@ -149,10 +157,10 @@ void add_export(CLI::App& app, std::function<int()>& action) {
           "nrml: fragility for OpenQuake; response-csv: demands run by run; trials: pulling "
           "tests as files of trials, marked synthetic; xdmf: one run's moving shapes for ParaView; "
           "gltf: the same, animated, for Blender and others; mjcf, urdf: an item for MuJoCo, for "
-          "ROS and others")
+          "ROS and others; job: measured pulls as a job under their measured force")
       ->required()
-      ->check(CLI::IsMember(
-          {"csv", "pelicun", "nrml", "response-csv", "trials", "xdmf", "gltf", "mjcf", "urdf"}));
+      ->check(CLI::IsMember({"csv", "pelicun", "nrml", "response-csv", "trials", "xdmf", "gltf",
+                             "mjcf", "urdf", "job"}));
   command->add_option("-o,--output", options.folder,
                       "Folder for the files (default: FILE_FORMAT beside FILE)");
   command->add_option("--configuration", options.choice.configuration,
@@ -168,6 +176,8 @@ void add_export(CLI::App& app, std::function<int()>& action) {
                     "nrml: probabilities at 100 intensities, not parameters");
   command->add_option("--variant", options.variants,
                       "mjcf, urdf: a variant of the item; several in order");
+  command->add_option("--noise", options.noise,
+                      "trials: add synthetic noise of the instruments, of this seed");
   command->add_flag("--overwrite", options.overwrite, "Replace files that exist");
   command->callback([shared, &action] { action = [shared] { return export_command(*shared); }; });
 }

@@ -24,6 +24,7 @@ struct PullingOptions {
   std::string file, folder, measured;
   NamedFigures figures;
   std::optional<std::size_t> run;
+  std::optional<std::uint64_t> noise;
   bool json = false, overwrite = false;
 };
 
@@ -45,8 +46,12 @@ int pulling(const PullingOptions& options) {
   require(study::is_study_file(options.file),
           options.file + ": is the file of one run; gurney pulling needs that of a study");
   const study::StudyReader file(options.file);
-  report::PullingReport report{
-      options.file, file.text_attribute("title"), calibration::simulated_trials(file), {}, 0};
+  report::PullingReport report{options.file,
+                               file.text_attribute("title"),
+                               calibration::simulated_trials(file, options.noise),
+                               {},
+                               0,
+                               options.noise};
   require(!report.trials.empty(), options.file + ": every run failed");
   if (!options.measured.empty()) report.measured = calibration::measured_trials(options.measured);
   report.shown = shown(options, report);
@@ -89,6 +94,9 @@ void add_pulling(CLI::App& app, std::function<int()>& action) {
   command->add_option("--run", options.run, "The run of Figures 4 and 11 (default: the first)");
   command->add_option("--measured", options.measured,
                       "File or folder of measured trials, to be drawn beside the simulated ones");
+  command->add_option("--noise", options.noise,
+                      "Add synthetic noise of the instruments to the simulated signals, of this "
+                      "seed");
   add_figure_format(*command, options.figures);
   command->add_flag("--overwrite", options.overwrite, "Replace figures that exist");
   command->add_flag("--json", options.json, "Print JSON, in SI units");

@@ -20,6 +20,7 @@ void heading(Svg& svg, const std::string& title, const report::PullingReport& re
   if (!report.measured.empty()) about += "; squares: trials that were given";
   svg.text(kLeft, 28, title, {.size = 15, .bold = true});
   svg.text(kLeft, 48, about, {.size = 11, .color = "#555555"});
+  svg.text(kLeft, 66, report::noise_words(report), {.size = 11, .color = "#555555"});
 }
 
 /// Aligned trials with averages.

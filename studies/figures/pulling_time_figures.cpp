@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "studies/calibration/trials/instrument_noise.h"
 #include "studies/figures/panel.h"
 #include "studies/figures/pulling_figures.h"
 
@@ -48,10 +49,13 @@ void draw_phases(Svg& svg, const Frame& frame, const Scaling& scaling,
   }
 }
 
-void heading(Svg& svg, const std::string& title, const calibration::SimulatedTrial& trial,
+void heading(Svg& svg, const std::string& title, const report::PullingReport& report,
              const std::string& note) {
+  const calibration::SimulatedTrial& trial = report.trials.at(report.shown);
+  const std::string noise = report.noise ? "; " + report::noise_words(report) : "";
   svg.text(kLeft, 28, title, {.size = 15, .bold = true});
-  svg.text(kLeft, 48, fmt::format("Run {}: {}", trial.run, trial.configuration), {.size = 12});
+  svg.text(kLeft, 48, fmt::format("Run {}: {}{}", trial.run, trial.configuration, noise),
+           {.size = 12});
   svg.text(kLeft, 66, note, {.size = 11, .color = "#555555"});
 }
 
@@ -85,13 +89,26 @@ std::string origin_of(const calibration::MeasuredTrial& given) {
                                                                           : "measured";
 }
 
-/// Of a series, by differences over four samples to either side.
-std::vector<double> rate(const std::vector<double>& time, const std::vector<double>& series) {
-  constexpr std::size_t kSide = 4;
-  std::vector<double> result(series.size(), std::nan(""));
-  for (std::size_t i = kSide; i + kSide < series.size(); ++i)
-    result[i] = (series[i + kSide] - series[i - kSide]) / (time[i + kSide] - time[i - kSide]);
-  return result;
+/// Lowest and highest of several series, without the NaN at the ends of a rate.
+Range extent(const std::vector<Curve>& curves) {
+  Range range{INFINITY, -INFINITY};
+  for (const Curve& each : curves)
+    for (const double y : each.y) {
+      if (!std::isfinite(y)) continue;
+      range = {std::min(range.low, y), std::max(range.high, y)};
+    }
+  return range;
+}
+
+/// That of the trolley's origin is what the displacement gives; an accelerometer on top measures
+/// the pitch on the treads with it.
+std::vector<Curve> accelerations(const calibration::SimulatedTrial& trial) {
+  const calibration::TrialSignals& s = trial.trial.signals;
+  const Pen ours{.stroke = palette(0), .width = 1.2};
+  if (trial.accelerometer_signal.empty()) return {curve("", s.time, s.acceleration, ours)};
+  return {curve("accelerometer: " + trial.accelerometer, s.time, trial.accelerometer_signal,
+                {.stroke = palette(1), .width = 1}),
+          curve("at the floor", s.time, s.acceleration, ours)};
 }
 
 std::vector<double> negative(std::vector<double> values) {
@@ -105,24 +122,26 @@ std::string pulling_figure_4(const report::PullingReport& report) {
   const calibration::SimulatedTrial& trial = report.trials.at(report.shown);
   const calibration::TrialSignals& s = trial.trial.signals;
   Svg svg(kWidth, kTop + 2 * kRow);
-  heading(svg, "Pulling test: time histories (as Figure 4 of Xu, Ma & Kurata 2022)", trial,
+  heading(svg, "Pulling test: time histories (as Figure 4 of Xu, Ma & Kurata 2022)", report,
           "simulated, sampled at 120 Hz; I held, II pulled, III coasting, IV stopped or end of the "
           "flooring: as found from the signals");
   struct Series {
     const char *title, *unit;
-    const std::vector<double>* values;
+    std::vector<Curve> curves;
   };
-  const std::array<Series, 4> all = {{{"Displacement", "Displacement (m)", &s.displacement},
-                                      {"Velocity", "Velocity (m/s)", &trial.velocity},
-                                      {"Acceleration", "Acceleration (m/s\u00b2)", &s.acceleration},
-                                      {"Cable force", "Force (N)", &s.force}}};
+  const Pen ours{.stroke = palette(0), .width = 1.2};
+  const std::array<Series, 4> all = {
+      {{"Displacement", "Displacement (m)", {curve("", s.time, s.displacement, ours)}},
+       {"Velocity", "Velocity (m/s)", {curve("", s.time, trial.velocity, ours)}},
+       {"Acceleration", "Acceleration (m/s\u00b2)", accelerations(trial)},
+       {"Cable force", "Force (N)", {curve("", s.time, s.force, ours)}}}};
   for (int i = 0; i < 4; ++i) {
     const Series& each = all[static_cast<std::size_t>(i)];
     Panel next = panel(each.title, each.unit, whole(trial));
     // Room for the phases' numbers below the curve.
-    const auto [low, high] = std::ranges::minmax(*each.values);
+    const auto [low, high] = extent(each.curves);
     next.y_range = {low - 0.2 * (high - low), high + 0.06 * (high - low)};
-    next.curves = {curve("", s.time, *each.values, {.stroke = palette(0), .width = 1.2})};
+    next.curves = each.curves;
     const Frame frame = frame_at(i % 2, i / 2);
     const Scaling scaling = draw(svg, frame, next);
     if (trial.phases) draw_phases(svg, frame, scaling, *trial.phases, whole(trial));
@@ -137,11 +156,12 @@ std::string pulling_figure_11(const report::PullingReport& report) {
       calibration::find_matching(trial, report.measured);
   const bool overlaid = measured != nullptr && !measured->trial.signals.displacement.empty();
   Svg svg(kWidth, kTop + 2 * kRow);
-  heading(svg, "Pulling test against its reference (as Figure 11 of Xu, Ma & Kurata 2022)", trial,
-          overlaid ? fmt::format("reference: closed-form mechanics of casters in line; {}: {}",
-                                 origin_of(*measured), measured->trial.name)
-                   : "reference: closed-form mechanics of casters in line; no measured trial is "
-                     "given");
+  const std::string reference =
+      overlaid ? fmt::format("reference: closed-form mechanics of casters in line; {}: {}",
+                             origin_of(*measured), measured->trial.name)
+               : "reference: closed-form mechanics of casters in line; no measured trial is given";
+  heading(svg, "Pulling test against its reference (as Figure 11 of Xu, Ma & Kurata 2022)", report,
+          reference);
   const Pen ours{.stroke = palette(0), .width = 1.4};
   const Pen theirs{.stroke = palette(2), .width = 1.2, .dash = "2 2"};
   Panel displacement = panel("Displacement", "Displacement (m)", whole(trial));
@@ -159,7 +179,7 @@ std::string pulling_figure_11(const report::PullingReport& report) {
     const std::vector<double> time = moved(*measured, trial);
     displacement.curves.push_back(curve(origin_of(*measured), time, m.displacement, theirs));
     velocity.curves.push_back(
-        curve(origin_of(*measured), time, rate(time, m.displacement), theirs));
+        curve(origin_of(*measured), time, calibration::rate(time, m.displacement), theirs));
   }
   draw(svg, frame_at(0, 0), displacement);
   draw(svg, frame_at(1, 0), velocity);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/base/units.h"
+#include "studies/calibration/trials/instrument_noise.h"
 #include "studies/calibration/trials/setup_reader.h"
 #include "studies/report/json_values.h"
 
@@ -38,6 +40,34 @@ std::string bias_text(const PullingReport& report) {
     text += fmt::format("{:<11} {:>6}  {}  {}  {}\n", name_of(row.alignment), row.trials,
                         cell(row.pulled), cell(row.coasting), cell(row.mean));
   return text;
+}
+
+std::string pooled_text(const PullingReport& report) {
+  const auto rows = calibration::pooled_biases(report.trials);
+  if (rows.empty()) return "";
+  std::string text =
+      "\nCr/R of pooled trials minus that of the input, % of it: fit through the origin\n"
+      "trials   both phases   phase III   of\n";
+  for (const calibration::PooledBias& row : rows)
+    text += fmt::format("{:>6}   {:>11}   {:>9}   {}\n", row.trials, percent(row.both),
+                        percent(row.coasting), row.trials_of);
+  return text;
+}
+
+std::string driven_text(const PullingReport& report) {
+  std::string text;
+  for (const calibration::SimulatedTrial& trial : report.trials)
+    if (const auto error = calibration::driven_error(trial, report.measured))
+      text += fmt::format("{:<4} {:<15} {:>10.4g} {:>11} {:>8} {:>9} {:>10.1f}   {}\n", trial.run,
+                          trial.solver, 1000 * trial.time_step, percent(error->release),
+                          percent(error->speed), percent(error->rest),
+                          kMillimetersPerMeter * error->largest, trial.driven_by);
+  if (text.empty()) return "";
+  return "\nsimulated under the force of a given trial, for its duration, minus that trial: "
+         "displacement and speed at release, displacement at rest, % (-: left the flooring); "
+         "largest difference of the displacement\n"
+         "run  solver           step (ms)  at release    speed   at rest      (mm)    trial\n" +
+         text;
 }
 
 std::string fits_text(const PullingReport& report) {
@@ -127,10 +157,19 @@ Json scatter(const calibration::MeanAndScatter& of) {
 
 }  // namespace
 
+std::string noise_words(const PullingReport& report) {
+  if (!report.noise) return "";
+  return fmt::format("synthetic noise of {:g} mm and {:g} N (standard deviations), seed {}",
+                     kMillimetersPerMeter * calibration::kDisplacementNoise,
+                     calibration::kForceNoise, *report.noise);
+}
+
 std::string pulling_text(const PullingReport& report) {
   std::string text = fmt::format("{}\n{} trials of {}\n{}\n", report.title, report.trials.size(),
                                  report.file, kNote);
-  text += bias_text(report) + fits_text(report) + theory_text(report) + measured_text(report);
+  if (report.noise) text += noise_words(report) + "\n";
+  text += bias_text(report) + pooled_text(report) + fits_text(report) + theory_text(report) +
+          measured_text(report) + driven_text(report);
   for (const calibration::SimulatedTrial& trial : report.trials)
     if (!trial.averages)
       text +=
@@ -140,20 +179,34 @@ std::string pulling_text(const PullingReport& report) {
 
 std::string pulling_json(const PullingReport& report) {
   Json json{{"file", report.file}, {"note", kNote}};
+  if (report.noise) json["noise"] = noise_words(report);
   for (const calibration::AlignmentBias& row : calibration::bias_by_alignment(report.trials))
     json["bias"].push_back({{"alignment", name_of(row.alignment)},
                             {"trials", row.trials},
                             {"pulled", scatter(row.pulled)},
                             {"coasting", scatter(row.coasting)},
                             {"both", scatter(row.mean)}});
+  for (const calibration::PooledBias& row : calibration::pooled_biases(report.trials))
+    json["pooled"].push_back({{"of", row.trials_of},
+                              {"trials", row.trials},
+                              {"both", json_number(row.both)},
+                              {"coasting", json_number(row.coasting)}});
   for (const calibration::CasterFit& fit : calibration::fits_by_caster(report.trials))
     json["casters"].push_back({{"caster", fit.caster},
                                {"wheel_radius_m", fit.wheel_radius},
                                {"trials", fit.trials},
                                {"cr_over_r_found", fit.found},
                                {"cr_over_r_known", fit.known}});
-  for (const calibration::SimulatedTrial& trial : report.trials)
-    json["trials"].push_back(trial_json(trial));
+  for (const calibration::SimulatedTrial& trial : report.trials) {
+    Json each = trial_json(trial);
+    if (const auto error = calibration::driven_error(trial, report.measured))
+      each["driven_by"] = {{"trial", trial.driven_by},
+                           {"error_at_release", json_number(error->release)},
+                           {"error_of_speed", json_number(error->speed)},
+                           {"error_at_rest", json_number(error->rest)},
+                           {"largest_difference_m", json_number(error->largest)}};
+    json["trials"].push_back(each);
+  }
   for (const calibration::MeasuredTrial& each : report.measured)
     json["measured"].push_back(
         {{"name", each.trial.name},

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +16,11 @@ struct PullingReport {
   std::vector<calibration::SimulatedTrial> trials;   ///< 1 or more
   std::vector<calibration::MeasuredTrial> measured;  ///< none unless the user gives them
   std::size_t shown = 0;                             ///< the trial of Figures 4 and 11
+  std::optional<std::uint64_t> noise;                ///< seed of that in the simulated signals
 };
+
+/// "synthetic noise of 0.1 mm and 0.5 N (standard deviations), seed 1"; empty: none.
+std::string noise_words(const PullingReport& report);
 
 /// Bias of the method, fitted Cr / R, error against the closed form.
 std::string pulling_text(const PullingReport& report);

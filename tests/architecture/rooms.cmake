@@ -61,11 +61,11 @@ set(GURNEY_ROOMS
   "studies/calibration/trials: engine/base engine/config engine/scene"
   "studies/calibration/fit: engine/base engine/config engine/scene engine/run equipment/catalogue
     studies/statistics studies/calibration/trials"
-  "studies/calibration/pulling: engine/base engine/scene studies/study/results studies/study/plan
-    studies/study/exports studies/calibration/trials"
+  "studies/calibration/pulling: engine/base engine/scene equipment/catalogue studies/study/results
+    studies/study/plan studies/study/exports studies/calibration/trials"
   "studies/report: engine/base engine/scene engine/response groundmotions/record
-    groundmotions/measures groundmotions/assembly equipment/catalogue studies/build_info
-    studies/verification studies/study/units studies/study/results studies/study/analysis
+    groundmotions/measures groundmotions/assembly groundmotions/buildings equipment/catalogue
+    studies/build_info studies/verification studies/study/units studies/study/results studies/study/analysis
     studies/study/convergence studies/calibration/trials studies/calibration/fit studies/calibration/pulling"
   "studies/figures: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/scaling equipment/catalogue studies/statistics

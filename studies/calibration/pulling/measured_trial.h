@@ -20,9 +20,20 @@ struct MeasuredTrial {
 /// @throws Error with every error of every file
 std::vector<MeasuredTrial> measured_trials(const std::string& path);
 
-/// The first one like a simulated trial: same caster, floor and alignment, mass and drop weight
-/// within 2 %. None: nullptr.
+/// The one whose force drives a simulated trial; else the first one like it: same caster, floor and
+/// alignment, mass and drop weight within 2 %. None: nullptr.
 const MeasuredTrial* find_matching(const SimulatedTrial& simulated,
                                    const std::vector<MeasuredTrial>& measured);
+
+/// A trial simulated under the force of a measured one, against it, from the start of phase II.
+struct DrivenError {
+  double release = 0;  ///< of the displacement when the force ends, as a fraction
+  double speed = 0;    ///< of the speed then
+  double rest = 0;     ///< of the displacement at the end; NaN where either left the flooring
+  double largest = 0;  ///< difference of the displacements in phases II and III [m]
+};
+/// Nothing unless the simulated trial is driven by the measured one and both have phases.
+std::optional<DrivenError> driven_error(const SimulatedTrial& simulated,
+                                        const std::vector<MeasuredTrial>& measured);
 
 }  // namespace gurney::calibration

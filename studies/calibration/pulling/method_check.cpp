@@ -17,6 +17,26 @@ MeanAndScatter of(const std::vector<double>& values) {
   return {sum / n, n > 1 ? std::sqrt(squares / (n - 1)) : kNaN};
 }
 
+PooledBias pooled(const std::vector<SimulatedTrial>& trials,
+                  const std::vector<Alignment>& alignments) {
+  PooledBias pool;
+  for (const Alignment alignment : alignments)
+    pool.trials_of += (pool.trials_of.empty() ? "" : ", ") + std::string(name_of(alignment));
+  double weights = 0;
+  for (const SimulatedTrial& trial : trials) {
+    if (!trial.averages || std::ranges::find(alignments, trial.alignment) == alignments.end())
+      continue;
+    const double weight = trial.theory.normal_force * trial.theory.normal_force;
+    ++pool.trials;
+    weights += weight;
+    pool.both += weight * trial.bias_mean();
+    pool.coasting += weight * trial.bias_coasting();
+  }
+  pool.both /= weights;
+  pool.coasting /= weights;
+  return pool;
+}
+
 double displacement_at(const TrialSignals& s, double time) {
   const auto after = std::ranges::lower_bound(s.time, time) - s.time.begin();
   const auto i = static_cast<std::size_t>(after);
@@ -41,6 +61,18 @@ std::vector<AlignmentBias> bias_by_alignment(const std::vector<SimulatedTrial>& 
     if (!pulled.empty())
       rows.push_back({alignment, pulled.size(), of(pulled), of(coasting), of(mean)});
   }
+  return rows;
+}
+
+std::vector<PooledBias> pooled_biases(const std::vector<SimulatedTrial>& trials) {
+  std::vector<Alignment> there;
+  for (const AlignmentBias& row : bias_by_alignment(trials)) there.push_back(row.alignment);
+  std::vector<PooledBias> rows;
+  if (there.size() < 2) return rows;
+  rows.push_back(pooled(trials, {there[0]}));
+  for (std::size_t i = 1; i < there.size(); ++i)
+    rows.push_back(pooled(trials, {there[0], there[i]}));
+  if (there.size() > 2) rows.push_back(pooled(trials, there));
   return rows;
 }
 

@@ -32,6 +32,17 @@ struct CasterFit {
 };
 std::vector<CasterFit> fits_by_caster(const std::vector<SimulatedTrial>& trials);
 
+/// What Cr / R becomes where trials of these alignments are pooled: bias of the fit through the
+/// origin, sum f N / sum N^2, over all casters, as a fraction of the input.
+struct PooledBias {
+  std::string trials_of;  ///< "aligned, reversed"
+  std::size_t trials = 0;
+  double both = 0;      ///< by the mean of both phases
+  double coasting = 0;  ///< by phase III alone
+};
+/// Aligned trials alone, with each other alignment that there is, and all.
+std::vector<PooledBias> pooled_biases(const std::vector<SimulatedTrial>& trials);
+
 /// Simulated against closed-form displacement, as fractions of the latter.
 struct TheoryError {
   double release = 0;  ///< at the time at which the pull ends in theory

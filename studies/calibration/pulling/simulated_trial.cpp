@@ -8,6 +8,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
+#include "studies/calibration/trials/instrument_noise.h"
 #include "studies/study/plan/study_job.h"
 
 namespace gurney::calibration {
@@ -57,6 +58,31 @@ struct HistoryColumns {
     forces = column("work_of_forces");
     dampers = column("loss_damper");
   }
+};
+
+/// The first marked point of each run: what an accelerometer there would have measured.
+class Accelerometers {
+ public:
+  explicit Accelerometers(const study::StudyReader& file) {
+    if (!file.has("point_histories")) return;
+    rows_ = file.rows_of_runs("point_histories");
+    points_ = file.strings("point_histories/point");
+    along_ = file.numbers("point_histories/absolute_acceleration_x");
+  }
+
+  void add_to(SimulatedTrial& trial) const {
+    if (rows_.empty() || rows_[trial.run].first == rows_[trial.run].second) return;
+    const auto [first, last] = rows_[trial.run];
+    trial.accelerometer = points_[first];
+    for (std::size_t row = first; row < last; ++row)
+      if (points_[row] == trial.accelerometer) trial.accelerometer_signal.push_back(along_[row]);
+    trial.accelerometer_signal.resize(trial.trial.signals.time.size());
+  }
+
+ private:
+  std::vector<std::pair<std::size_t, std::size_t>> rows_;
+  std::vector<std::string> points_;
+  std::vector<double> along_;
 };
 
 /// Whether the last sample is as far from the one before as the first two are: a history has the
@@ -126,6 +152,17 @@ void apply_method(SimulatedTrial& result) {
   if (!result.averages) result.fault = fault.reason;
 }
 
+void add_noise(std::uint64_t seed, SimulatedTrial& result) {
+  result.trial = with_noise(std::move(result.trial), seed, result.run);
+  result.velocity = rate(result.trial.signals.time, result.trial.signals.displacement);
+}
+
+/// Name of the force, where it is sampled.
+std::string sampled_force(const Scene& scene) {
+  const auto forces = loads_of<PointForce>(scene.items.front().loads);
+  return forces.size() == 1 && forces[0].force.size() > 2 ? forces[0].name : "";
+}
+
 double bias(double found, const PullTheory& theory) { return found / theory.resistance - 1; }
 
 }  // namespace
@@ -156,7 +193,8 @@ double SimulatedTrial::bias_coasting() const {
 }
 double SimulatedTrial::bias_mean() const { return bias(mean_resistance(*averages), theory); }
 
-std::vector<SimulatedTrial> simulated_trials(const study::StudyReader& file) {
+std::vector<SimulatedTrial> simulated_trials(const study::StudyReader& file,
+                                             const std::optional<std::uint64_t>& noise) {
   require(file.has("histories"), file.path() +
                                      ": keeps no histories; the job needs\n"
                                      "[study.keep]\nhistories = \"all\"");
@@ -166,6 +204,7 @@ std::vector<SimulatedTrial> simulated_trials(const study::StudyReader& file) {
   const auto configurations = file.numbers("runs/configuration");
   const auto names = file.strings("configurations/name");
   const HistoryColumns histories(file);
+  const Accelerometers accelerometers(file);
   std::vector<SimulatedTrial> trials;
   for (std::size_t run = 0; run < file.runs(); ++run) {
     const auto [first, last] = rows[run];
@@ -188,7 +227,10 @@ std::vector<SimulatedTrial> simulated_trials(const study::StudyReader& file) {
     result.trial.setup = setup_of(study.configurations()[configuration].tree, job, result.theory);
     result.alignment = alignment_of(result.trial.setup.headings);
     if (result.alignment != Alignment::kAligned) result.trial.kind = TrialKind::kCrosswisePull;
+    result.driven_by = sampled_force(job.scene);
     add_signals(histories, first, last, ends[run], result);
+    accelerometers.add_to(result);
+    if (noise) add_noise(*noise, result);
     result.left_flooring = std::isfinite(ends[run]);
     apply_method(result);
     trials.push_back(std::move(result));

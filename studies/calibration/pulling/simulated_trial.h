@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,10 +22,13 @@ struct SimulatedTrial {
   std::string configuration;     ///< levels of its factors
   Trial trial;                   ///< named `trial_00` and so on by its run; ends with the flooring
   std::vector<double> velocity;  ///< in the direction of the pull [m/s]
+  std::string accelerometer;     ///< the item's first marked point; empty: not kept
+  std::vector<double> accelerometer_signal;  ///< its absolute acceleration along the pull [m/s2]
   std::vector<double> work, rolling_loss, kinetic;  ///< W_F, W_R, E_KT; empty: not kept [J]
   std::string solver;
   double time_step = 0;  ///< [s]
   Alignment alignment = Alignment::kAligned;
+  std::string driven_by;       ///< name of the sampled force that pulls: of a trial; empty: none
   bool left_flooring = false;  ///< it came to the zone "end of the flooring"
   PullTheory theory;
 
@@ -39,8 +43,11 @@ struct SimulatedTrial {
 };
 
 /// The trials of a results file with histories.
+/// @param noise  seed of synthetic noise of the instruments (instrument_noise.h): the velocity is
+///               then that of the noisy displacement; none: signals as simulated
 /// @throws Error where the file keeps none, or its job is no pulling test
-std::vector<SimulatedTrial> simulated_trials(const study::StudyReader& file);
+std::vector<SimulatedTrial> simulated_trials(const study::StudyReader& file,
+                                             const std::optional<std::uint64_t>& noise = {});
 
 /// Plain mean of the two phases [N].
 double mean_resistance(const TrialAverages& averages);

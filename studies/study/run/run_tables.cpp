@@ -179,6 +179,11 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
     add_axes(histories, "acceleration", "m/s2", "acceleration relative to the floor");
     histories.add(sample_columns());
     if (keep.energy) histories.add(energy_columns());
+    GrowingTable& point_histories = item_table("point_histories");
+    point_histories.add_text("point", "name of the marked point", point);
+    point_histories.add_number("time", "s", "time");
+    add_axes(point_histories, "absolute_acceleration", "m/s2",
+             "absolute acceleration of the point, without gravity, as an accelerometer has it");
   }
   if (study.step_check > 0) item_table("half_step").add(demand_columns());
   if (study.draws > 0) {
@@ -312,6 +317,12 @@ void RunTables::add_histories(const StudyRun& run, const ConfigurationNames& nam
       histories.put(sample_columns(), sample);
       if (tables_.contains("energy")) histories.put(energy_columns(), sample.energy);
       histories.end_row();
+      for (std::size_t k = 0; k < sample.points.size(); ++k) {
+        GrowingTable& points = table("point_histories");
+        points.put(double(runs_)).put(names.items.at(i)).put(names.points.at(i).at(k));
+        put(points.put(sample.time), sample.points[k].absolute_acceleration);
+        points.end_row();
+      }
     }
 }
 

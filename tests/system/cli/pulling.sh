@@ -30,6 +30,26 @@ sed -i 's/^time_s/time_q/' tests_trials/trial_07.csv
 expect 1 "trial_07.csv:" "$gurney" pulling tests.h5 --measured tests_trials
 expect 1 "--limit cannot be combined with --to trials" "$gurney" export tests.h5 --to trials --limit moved
 
+# The trials again under their own force, for their duration.
+rm tests_trials/trial_07.csv
+mkdir few
+cp tests_trials/trial_00.csv tests_trials/trial_42.csv few
+sed '/^# item/d' few/trial_00.csv > few/nameless.csv
+expect 0 'omitted nameless: no `item` is stated' "$gurney" export few --to job -o driven
+expect 0 "results  driven.h5" "$gurney" run driven/few.toml -o driven.h5
+expect 0 "trial_42" "$gurney" pulling driven.h5 --measured few
+expect 0 '"driven_by": {' "$gurney" pulling driven.h5 --measured few --json
+expect 1 "no pull that can be repeated under its force" "$gurney" export few/nameless.csv --to job -o no
+
+# Noise is said to be synthetic wherever it is.
+expect 0 "synthetic noise of 0.1 mm and 0.5 N (standard deviations), seed 7" \
+  "$gurney" pulling tests.h5 --noise 7 -o noisy
+grep -q "synthetic noise of 0.1 mm" noisy/figure_4.svg || complain "figure 4 does not state its noise"
+expect 0 "wrote" "$gurney" export tests.h5 --to trials -o noisy_trials --noise 7
+grep -q "synthetic noise of 0.1 mm and 0.5 N, seed 7" noisy_trials/trial_00.csv ||
+  complain "a noisy trial does not state its noise"
+expect 1 "--noise is for --to trials" "$gurney" export tests.h5 --to csv --noise 7
+
 # A study that is no pulling test.
 "$gurney" run "$2/studies/jobs/brakes_study.toml" -o brakes.h5 > stdout 2> stderr ||
   complain "the study of brakes does not run"

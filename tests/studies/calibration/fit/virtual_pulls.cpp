@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/base/random/normal_draw.h"
 #include "engine/run/simulate.h"
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/load_item.h"
@@ -158,15 +157,6 @@ Trial virtual_impact(double speed, double restitution) {
   trial.setup.against = "wall";
   record(simulate(scene, {}, settings), trial);
   trial.signals.force.clear();
-  return trial;
-}
-
-Trial with_noise(Trial trial, std::uint64_t seed, std::uint64_t stream) {
-  TrialSignals& s = trial.signals;
-  for (std::size_t i = 0; i < s.time.size(); ++i) {
-    s.displacement[i] += kDisplacementNoise * normal_draw(seed, 2 * stream, i);
-    if (!s.force.empty()) s.force[i] += kForceNoise * normal_draw(seed, 2 * stream + 1, i);
-  }
   return trial;
 }
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "studies/calibration/trials/trial.h"
+#include "studies/calibration/trials/instrument_noise.h"
 
 /// Trials made with the engine: nothing here knows the formulas that the calibration uses.
 namespace gurney::calibration {
@@ -32,11 +32,5 @@ Trial virtual_winch(const VirtualWinch& winch);
 
 /// Rolls against a wall with `speed` and leaves with `restitution` times it.
 Trial virtual_impact(double speed, double restitution);
-
-/// A trial with the noise of the instruments: +-0.1 mm is taken as the standard deviation.
-Trial with_noise(Trial trial, std::uint64_t seed, std::uint64_t stream);
-
-inline constexpr double kDisplacementNoise = 1e-4;  ///< [m]
-inline constexpr double kForceNoise = 0.5;          ///< [N]
 
 }  // namespace gurney::calibration

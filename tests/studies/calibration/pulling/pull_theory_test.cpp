@@ -67,6 +67,24 @@ TEST(PullTheory, OfAConstantForceKnowsNoWeight) {
   EXPECT_EQ(theory.force_at(1), 40.1);
 }
 
+// F = 40 t N over 1 s, then 40 N for 2 s, on M + J = 100.5 kg against f = 20 N: with i = 1 / 100.5,
+// v(1) = (20 - 20) i = 0, x(1) = (40 / 6 - 20 / 2) i; v(3) = 20 x 2 i, x(3) = x(1) + 20 x 2^2 / 2 i.
+TEST(PullTheory, OfASampledForceIsItsDoubleIntegral) {
+  const PointForce force{
+      "measured", Vector3::Zero(), Vector3::UnitX(), {0.5, 1.5, 3.5}, {0, 40, 40}};
+  const PullTheory theory = theory_of(round_scene({force}));
+  const double i = 1 / 100.5, x1 = (40.0 / 6 - 10) * i, x3 = x1 + 40 * i, v3 = 40 * i;
+  EXPECT_NEAR(theory.displacement_at(1), (40 * 0.125 / 6 - 20 * 0.125) * i, 1e-15);
+  EXPECT_NEAR(theory.velocity_at(1.5), 0, 1e-15);
+  EXPECT_NEAR(theory.displacement_at(1.5), x1, 1e-15);
+  EXPECT_NEAR(theory.release_velocity, v3, 1e-15);
+  EXPECT_NEAR(theory.release_displacement, x3, 1e-15);
+  EXPECT_NEAR(theory.rest_displacement, x3 + v3 * v3 / 2 / (20 * i), 1e-15);
+  EXPECT_NEAR(theory.force, (20.0 + 80) / 3, 1e-12) << "mean of the pull";
+  EXPECT_NEAR(theory.force_at(1), 20, 1e-12);
+  EXPECT_NEAR(theory.acceleration_at(1), 0, 1e-15) << "the force balances the resistance";
+}
+
 TEST(PullTheory, RefusesWhatItDoesNotDescribe) {
   const auto error = [&](const std::vector<Load>& loads) {
     return error_text([&] { theory_of(round_scene(loads)); });
@@ -74,7 +92,7 @@ TEST(PullTheory, RefusesWhatItDoesNotDescribe) {
   EXPECT_EQ(
       error({}),
       "is no pulling test: one item on casters must be pulled along x by one drop weight that "
-      "blocks hold, or by one constant force");
+      "blocks hold, or by one force without a speed limit");
   EXPECT_EQ(error(round_weight(6, Vector3::UnitY())).substr(0, 18), "is no pulling test");
   EXPECT_EQ(error(round_weight(2)),
             "is no pulling test: the pull must move the item, which must come to rest after it");

@@ -21,7 +21,7 @@ report::PullingReport small_report(const TempFolder& folder) {
 ["R125", "polyflor_mystique", 0, "6 kg", "aligned"],
 ["R100", "polyflor_mystique", 0, "8 kg", "crosswise"])"),
                     path);
-  return {"a.h5", "Small", simulated_trials(study::StudyReader(path)), {}, 0};
+  return {"a.h5", "Small", simulated_trials(study::StudyReader(path)), {}, 0, {}};
 }
 
 std::size_t count(const std::string& text, const std::string& word) {

@@ -4,11 +4,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "studies/calibration/pulling/measured_trial.h"
 #include "studies/calibration/pulling/method_check.h"
+#include "studies/calibration/pulling/trial_job.h"
 #include "studies/calibration/pulling/trials.h"
+#include "studies/calibration/trials/instrument_noise.h"
 #include "studies/calibration/trials/trial_file.h"
 #include "tests/studies/calibration/pulling/pulling_study.h"
 #include "tests/support/error_text.h"
@@ -121,7 +124,7 @@ TEST_F(PullingTests, KeepTheirEnergyAccount) {
 TEST_F(PullingTests, WrittenAsTrialsReadBackAsMeasured) {
   const TempFolder folder;
   std::size_t files = 0;
-  export_trials(path(), [&](const std::string& name, std::string_view bytes) {
+  export_trials(path(), {}, [&](const std::string& name, std::string_view bytes) {
     folder.write(name, std::string(bytes));
     ++files;
   });
@@ -142,6 +145,115 @@ TEST_F(PullingTests, WrittenAsTrialsReadBackAsMeasured) {
         << "rounded to 0.1 um";
   }
   EXPECT_EQ(find_matching(trials()[40], measured), &measured[40]);
+}
+
+// Phase II again under the force that was found, for the time that was found. The release is known
+// to half a sample, 1/240 s, in which the force T changes the speed v by T / (M + J) / 240: 0.3 % of
+// it, and twice as much of the way that is left. The start, from two points of a parabola, is as
+// good.
+TEST_F(PullingTests, DrivenByTheirForceTheyMoveAlike) {
+  constexpr std::array<std::size_t, 3> kRuns = {0, 36, 49};
+  std::vector<MeasuredTrial> measured;
+  for (const std::size_t run : kRuns) {
+    const SimulatedTrial& trial = trials()[run];
+    measured.push_back({trial.trial, trial.phases, trial.averages, ""});
+  }
+  const TempFolder folder;
+  const TrialJob job = job_of_trials(measured, "three");
+  EXPECT_TRUE(job.left_out.empty());
+  run_pulling_tests(job.text, folder.file("driven.h5"));
+  const auto driven = simulated_trials(study::StudyReader(folder.file("driven.h5")));
+  ASSERT_EQ(driven.size(), 3u);
+  for (std::size_t i = 0; i < driven.size(); ++i) {
+    const PullTheory& of = trials()[kRuns[i]].theory;
+    const double share = of.force / (of.mass + of.added_mass) / 240 / of.release_velocity;
+    SCOPED_TRACE(driven[i].driven_by);
+    EXPECT_EQ(find_matching(driven[i], measured), &measured[i]);
+    const auto error = driven_error(driven[i], measured);
+    ASSERT_TRUE(error);
+    EXPECT_NEAR(error->speed, 0, 2 * share);
+    EXPECT_NEAR(error->release, 0, 2 * share);
+    if (!std::isnan(error->rest)) {
+      EXPECT_NEAR(error->rest, 0, 4 * share);
+    }
+    EXPECT_LT(error->largest, 4 * share * of.rest_displacement);
+    // The closed form of a sampled force: what the treads' wind-up leaves, as of the weight.
+    if (driven[i].alignment == Alignment::kAligned) {
+      EXPECT_NEAR(theory_error(driven[i]).release, 0, 1e-2);
+    }
+  }
+}
+
+TEST_F(PullingTests, TrialsWithoutItemOrForceAreLeftOutOfTheJob) {
+  MeasuredTrial good{trials()[0].trial, trials()[0].phases, trials()[0].averages, ""};
+  MeasuredTrial nothing = good;
+  nothing.trial.name = "no_item";
+  nothing.trial.setup.item.clear();
+  MeasuredTrial averages = good;
+  averages.trial.name = "averages";
+  averages.phases = {};
+  const TrialJob job = job_of_trials({nothing, good, averages}, "some");
+  ASSERT_EQ(job.left_out.size(), 2u);
+  EXPECT_EQ(job.left_out[0], "no_item: no `item` is stated");
+  EXPECT_EQ(job.left_out[1], "averages: only its averages are known, a force history is needed");
+  EXPECT_EQ(job.text.find("no_item"), std::string::npos);
+  EXPECT_EQ(job_of_trials({nothing}, "none").text, "");
+}
+
+// The top of the trolley moves as its base but for the pitch on the treads, whose rate is zero at
+// rest: over the whole trial both accelerations have the same integral, 0. Their samples at 120 Hz
+// have it to some 1/120 s of the largest difference.
+TEST_F(PullingTests, TheAccelerometerOnTopMeasuresThePitchToo) {
+  const SimulatedTrial& trial = trials()[0];
+  const std::vector<double>& base = trial.trial.signals.acceleration;
+  ASSERT_EQ(trial.accelerometer, "top");
+  ASSERT_EQ(trial.accelerometer_signal.size(), base.size());
+  double integral = 0, largest = 0;
+  for (std::size_t i = 0; i < base.size(); ++i) {
+    const double difference = trial.accelerometer_signal[i] - base[i];
+    integral += difference / 120;
+    largest = std::max(largest, std::abs(difference));
+  }
+  EXPECT_GT(largest, 0.5 * trial.theory.acceleration) << "it rocks when the blocks go";
+  EXPECT_NEAR(integral, 0, largest / 120);
+}
+
+// Of n = 700 samples and more, whose median has 1.2533 of the scatter of a mean, the noise is known
+// to 1.25 / sqrt(2 n) = 3.4 %: four times that.
+TEST_F(PullingTests, NoiseIsThatOfTheInstrumentsAndOfItsSeed) {
+  const study::StudyReader file(path());
+  const auto noisy = simulated_trials(file, 1), again = simulated_trials(file, 1),
+             other = simulated_trials(file, 2);
+  const TrialSignals& s = noisy[0].trial.signals;
+  EXPECT_NEAR(noise_of(s.displacement), kDisplacementNoise, 0.14 * kDisplacementNoise);
+  EXPECT_EQ(s.displacement, again[0].trial.signals.displacement);
+  EXPECT_NE(s.displacement, other[0].trial.signals.displacement);
+  EXPECT_NE(s.displacement[3] - trials()[0].trial.signals.displacement[3],
+            noisy[1].trial.signals.displacement[3] - trials()[1].trial.signals.displacement[3])
+      << "each run has noise of its own";
+  for (const AlignmentBias& row : bias_by_alignment(noisy))
+    EXPECT_NEAR(row.coasting.mean, 0, 1e-3) << "the method averages it out";
+}
+
+// The numbers of docs/pulling_tests.md; of one caster the pool is the fit through the origin.
+TEST_F(PullingTests, ReversedTrialsRaiseAPooledCr) {
+  const auto rows = pooled_biases(trials());
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[2].trials_of, "aligned, reversed");
+  EXPECT_EQ(rows[2].trials, 43u);
+  EXPECT_NEAR(rows[2].both, 0.0090, 0.5e-4);
+  EXPECT_EQ(rows[3].trials, 50u);
+  EXPECT_NEAR(rows[3].both, 0.0094, 0.5e-4);
+  EXPECT_NEAR(rows[3].coasting, 0.0001, 0.5e-4);
+  std::vector<SimulatedTrial> r100;
+  double found = 0, known = 0;
+  for (const SimulatedTrial& trial : trials()) {
+    if (trial.trial.setup.caster != "R100") continue;
+    r100.push_back(trial);
+    found += mean_resistance(*trial.averages) * trial.theory.normal_force;
+    known += trial.theory.resistance * trial.theory.normal_force;
+  }
+  EXPECT_NEAR(pooled_biases(r100).back().both, found / known - 1, 1e-12);
 }
 
 TEST(SimulatedTrials, RefuseStudiesThatAreNoPullingTests) {
