@@ -15,6 +15,12 @@ All values are in SI units, angles in radians, as in the file; ``frame.attrs["un
 of every column. Drawn parameters keep the unit that their name ends with. Files are only read.
 """
 
+try:
+    import h5py  # noqa: F401
+except ModuleNotFoundError:
+    raise ModuleNotFoundError("gurney needs h5py: apt install python3-h5py, or "
+                              "pip install h5py") from None
+
 from .errors import DamagedFile, Error, InputError, NotInFile
 from .fragility import Fragility
 from .hazard import Hazard, read_hazard

@@ -1,4 +1,5 @@
-"""`pip install studies/python` works without a network, and the package opens a file."""
+"""`pip install studies/python` works without a network, as python.md says, and the package opens a
+file. On Debian that is in a virtual environment that sees the packages of the system."""
 
 import os
 import shutil
@@ -31,6 +32,24 @@ with tempfile.TemporaryDirectory() as folder:
         version = next(line for line in file if line.startswith("project(")).split()[2]
     with open(os.path.join(support.PACKAGE, "pyproject.toml"), encoding="utf-8") as file:
         assert f'version = "{version}"' in file.read(), version
+    environment = os.path.join(folder, "venv")
+    made = subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", environment],
+                          capture_output=True, text=True)
+    if made.returncode == 0:
+        python = os.path.join(environment, "bin", "python")
+        # With its dependencies: they must be those that Debian has.
+        subprocess.run([python, "-m", "pip", "install", "--quiet", "--no-index",
+                        "--no-build-isolation", source], check=True)
+        printed = subprocess.run([python, "-c", program], check=True, capture_output=True,
+                                 text=True, cwd=folder).stdout.split()
+        assert printed[0].startswith(environment) and printed[1] == peak, printed
+        without = ("import sys; sys.modules['h5py'] = None\ntry:\n import gurney\n"
+                   "except ModuleNotFoundError as error: print(error)")
+        printed = subprocess.run([python, "-c", without], check=True, capture_output=True,
+                                 text=True, cwd=folder).stdout
+        assert "apt install python3-h5py" in printed, printed
+    else:
+        print("no virtual environment (python3-venv is missing):", made.stdout[:200])
     sys.path.insert(0, target)
     import gurney
     assert gurney.__version__ == version, gurney.__version__

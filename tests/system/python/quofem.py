@@ -17,7 +17,11 @@ with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
     job = "studies/jobs/icu_ventilator_shake.toml"
 
-    def drive(params, *demands):
+    def results():
+        with open("results.out", encoding="utf-8") as file:
+            return [float(each) for each in file.read().split()]
+
+    def drive(params, *demands, job=job):
         with open("params.in", "w", encoding="utf-8") as file:
             file.write(f"{len(params)}\n" + "".join(f"{name} {value}\n" for name, value in params))
         if os.path.exists("results.out"):
@@ -28,8 +32,7 @@ with tempfile.TemporaryDirectory() as folder:
     done = drive([("excitation__record__scale", 0.5), ("item__headings_deg__0", 77)],
                  "peak_displacement", "impacts")
     assert done.returncode == 0, done.stderr
-    with open("results.out", encoding="utf-8") as file:
-        results = [float(each) for each in file.read().split()]
+    half = results()
     with open(job, encoding="utf-8") as file:
         text = file.read()
     changed = text.replace("scale = 1.0", "scale = 0.5").replace("[10, 100", "[77, 100")
@@ -39,15 +42,45 @@ with tempfile.TemporaryDirectory() as folder:
     run = json.loads(support.gurney("run", "studies/jobs/changed.toml", "-o", "changed.h5",
                                     "--no-figure", "--json"))
     demands = run["items"][0]["demands"]
-    assert results == [demands["peak_displacement"], demands["impacts"]], (results, demands)
+    assert half == [demands["peak_displacement"], demands["impacts"]], (half, demands)
     assert os.listdir("studies/jobs").count("changed.toml") == 1
     assert not [name for name in os.listdir("studies/jobs") if name.endswith(".json")]
+
+    # The first question of a reliability run: 0 or 1, in every run.
+    assert demands["time_of_overturning"] is None
+    done = drive([("excitation__record__scale", 0.5)], "overturned", "peak_tilt")
+    assert done.returncode == 0 and results()[0] == 0, (done, results())
+    done = drive([], "overturned", "time_of_overturning", job="studies/jobs/pole_overturns.toml")
+    assert done.returncode == 0 and results()[0] == 1 and results()[1] > 0, (done, results())
+    done = drive([], "time_of_overturning")
+    assert done.returncode != 0 and "'overturned' is 0 or 1" in done.stderr, done
+    assert "Traceback" not in done.stderr and not os.path.exists("results.out")
+    done = drive([], "time_of_overturning", "--missing", "99")
+    assert done.returncode == 0 and results() == [99], done
+
+    # Text, as quoFEM writes it: another floor covering changes the result.
+    other = [("floor__covering", '"rubber"')]
+    with open(job, encoding="utf-8") as file:
+        assert 'covering = "' in file.read()
+    done = drive([("excitation__record__scale", 0.5), *other], "peak_displacement")
+    assert done.returncode == 0 and results()[0] != half[0], done
+
+    # UQ engines copy the job alone to workdir.N: paths of the job still start where it stood.
+    os.makedirs("workdir.1")
+    shutil.copy(job, "workdir.1/job.toml")
+    alone = [("excitation__record__scale", 0.5), ("item__headings_deg__0", 77)]
+    done = drive(alone, "peak_displacement", job="workdir.1/job.toml")
+    assert done.returncode != 0 and "--folder states another folder" in done.stderr, done
+    done = drive(alone, "peak_displacement", "--folder", "studies/jobs", job="workdir.1/job.toml")
+    assert done.returncode == 0 and results() == half[:1], (done, half)
 
     for params, asked, message in (
             ([("excitation__record__scal", 1)], "impacts", "no key excitation.record.scal"),
             ([], "peak_displacment", "no demand peak_displacment"),
+            ([("item__headings_deg__x", 1)], "impacts", "no key item.headings_deg.x"),
+            ([("settings__time_step_s", "1 2")], "impacts", "params.in:2:"),
             ([("settings__time_step_s", -1)], "impacts", "time_step_s")):
         done = drive(params, asked)
         assert done.returncode != 0 and message in done.stdout + done.stderr, (params, done)
         assert not os.path.exists("results.out")
-print("the driver gives", results)
+print("the driver gives", half)
