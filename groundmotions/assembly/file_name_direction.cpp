@@ -3,68 +3,61 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <filesystem>
-#include <numbers>
 
-#include "engine/base/units.h"
 #include "groundmotions/formats/header_text.h"
-#include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {
 
 namespace {
 
-bool says_nothing(const Component& component) {
+std::filesystem::path file_name(const Component& component) {
+  return std::filesystem::path(component.file).filename();
+}
+
+void take(const NameMark& mark, Component& component) {
+  component.name = mark.text;
+  component.azimuth = mark.azimuth;
+  if (!mark.azimuth) component.direction = mark.place;
+  component.warnings.push_back(
+      fmt::format("its direction ({}) was taken from the file's name", mark.text));
+  if (mark.points_down) turn_up(mark.text, component);
+}
+
+/// The user's word counts; the name is a reason to look again.
+void warn_of_stated_vertical(UnplacedComponent& each) {
+  if (!each.stated || *each.stated == Direction::kVertical) return;
+  if (const auto mark = vertical_mark(file_name(each.component)))
+    each.component.warnings.push_back(
+        fmt::format("{}: the file's name says '{}', a vertical; it is used as {}",
+                    each.component.file, mark->text, name_of(*each.stated)));
+}
+
+}  // namespace
+
+bool lacks_direction(const Component& component) {
   return !component.azimuth && !component.direction &&
          (component.name.empty() || component.name.starts_with("column ") ||
           upper(component.name) == "A" || quantity_in(component.name) == "acceleration");
 }
 
-bool needs_direction(const UnplacedComponent& component) {
-  return !component.stated && says_nothing(component.component);
-}
-
-bool at_right_angle(const std::vector<UnplacedComponent>& components) {
-  std::vector<double> azimuths;
-  std::size_t verticals = 0;
-  for (const UnplacedComponent& each : components) {
-    verticals += each.component.direction == Direction::kVertical;
-    if (each.component.azimuth) azimuths.push_back(*each.component.azimuth);
-  }
-  return verticals < 2 && azimuths.size() == 2 &&
-         std::abs(std::abs(std::remainder(azimuths[0] - azimuths[1], std::numbers::pi)) -
-                  std::numbers::pi / 2) < kRadiansPerDegree;
-}
-
-}  // namespace
-
-bool orient_by_file_name(Component& component) {
-  constexpr std::array<std::string_view, 5> kUp = {"UP", "VER", "VERT", "-V", "_V"};
-  if (!says_nothing(component)) return false;
-  const std::string stem = upper(std::filesystem::path(component.file).stem().string());
-  const std::string digits = stem.size() > 3 ? stem.substr(stem.size() - 3) : "";
-  const auto azimuth =
-      digits.find_first_not_of("0123456789") == digits.npos ? number(digits) : std::nullopt;
-  if (azimuth && *azimuth <= 360)
-    component.azimuth = std::fmod(*azimuth, 360) * kRadiansPerDegree;
-  else if (std::ranges::any_of(kUp, [&](auto up) { return stem.ends_with(up); }))
-    component.direction = Direction::kVertical;
-  else
-    return false;
-  component.warnings.push_back(fmt::format("its direction ({}) was taken from the file's name",
-                                           component.azimuth ? digits : "up"));
-  return true;
-}
-
 void orient_by_file_names(std::vector<UnplacedComponent>& components) {
-  std::vector<UnplacedComponent> oriented = components;
-  for (UnplacedComponent& each : oriented)
-    if (needs_direction(each) && !orient_by_file_name(each.component)) return;
-  if (std::ranges::any_of(components, needs_direction) && at_right_angle(oriented))
-    components = std::move(oriented);
+  std::vector<NamedFile> files;
+  std::vector<UnplacedComponent*> unknown;
+  for (UnplacedComponent& each : components) {
+    const auto of_one_file = std::ranges::count_if(
+        components, [&](const auto& other) { return other.component.file == each.component.file; });
+    if (of_one_file > 1 || !lacks_direction(each.component)) continue;
+    warn_of_stated_vertical(each);
+    if (each.stated) continue;
+    files.push_back({.path = file_name(each.component)});
+    unknown.push_back(&each);
+  }
+  const NameMatches matches = match_names(files);
+  for (std::size_t i = 0; i < unknown.size(); ++i)
+    if (matches.marks[i]) take(*matches.marks[i], unknown[i]->component);
 }
 
 }  // namespace gurney::groundmotions

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "engine/base/error.h"
 #include "groundmotions/assembly/align.h"
 #include "groundmotions/assembly/file_name_direction.h"
+#include "groundmotions/assembly/live_channels.h"
 #include "groundmotions/assembly/place.h"
 #include "groundmotions/assembly/record_name.h"
 #include "groundmotions/assembly/site.h"
@@ -30,7 +32,11 @@ std::vector<Component> read_file(const RecordFile& file, const ReadOptions& opti
   require(!file.direction || count == 1,
           fmt::format("{}: given as {}, but the file holds {} components", file.path.string(),
                       file.direction ? name_of(*file.direction) : "", count));
-  return components;
+  LiveChannels live = live_channels(components);
+  std::vector<Component> used;
+  for (const std::size_t i : live.kept) used.push_back(std::move(components[i]));
+  std::ranges::move(live.warnings, std::back_inserter(used[0].warnings));
+  return used;
 }
 
 std::vector<UnplacedComponent> read_files(const std::vector<RecordFile>& files,

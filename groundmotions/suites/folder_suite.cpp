@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <set>
 
 #include "engine/base/error.h"
+#include "groundmotions/assembly/live_channels.h"
 #include "groundmotions/formats/words.h"
 #include "groundmotions/suites/companions.h"
 #include "groundmotions/suites/grouping.h"
@@ -60,12 +62,13 @@ class FileGrouping {
     if (taken_.contains(path)) return;
     try {
       const auto [components, options] = read(path);
+      warn_of_copy(path, components[0].sha256);
       if (components.size() == 1) {
         singles_.push_back(found_component(path, components[0], {}, options));
         return;
       }
       std::vector<FoundComponent> channels;
-      for (std::size_t i = 0; i < components.size(); ++i)
+      for (const std::size_t i : live_channels(components).kept)
         channels.push_back(found_component(path, components[i], static_cast<int>(i) + 1, options));
       std::ranges::move(records_of_file(channels), std::back_inserter(suite_.records));
     } catch (const Error& error) {
@@ -74,13 +77,21 @@ class FileGrouping {
   }
 
   Suite finish() {
-    std::ranges::move(records_of_components(singles_), std::back_inserter(suite_.records));
+    std::ranges::move(records_of_components(std::move(singles_), suite_.warnings),
+                      std::back_inserter(suite_.records));
     std::ranges::stable_sort(suite_.records, {},
                              [](const SuiteRecord& record) { return record.files.front().path; });
     return std::move(suite_);
   }
 
  private:
+  void warn_of_copy(const fs::path& path, const std::string& sha256) {
+    const auto [first, is_new] = read_.try_emplace(sha256, path);
+    if (!is_new)
+      suite_.warnings.push_back(fmt::format("{} and {} are the same file, byte by byte",
+                                            first->second.string(), path.string()));
+  }
+
   struct FileRead {
     std::vector<Component> components;
     ReadOptions options;
@@ -104,6 +115,7 @@ class FileGrouping {
   ReadOptions options_;
   bool only_where_needed_;
   std::set<fs::path> taken_;
+  std::map<std::string, fs::path> read_;  ///< by SHA-256
   std::vector<FoundComponent> singles_;
   Suite suite_;
 };

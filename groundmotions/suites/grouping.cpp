@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 
@@ -66,29 +67,6 @@ bool can_be_record(const Group& group) {
 Group joined(Group a, const Group& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
-}
-
-bool at_right_angle(const Group& group) {
-  std::vector<double> azimuths;
-  for (const FoundComponent& each : group)
-    if (each.azimuth) azimuths.push_back(*each.azimuth);
-  return azimuths.size() == 2 &&
-         std::abs(std::abs(std::remainder(azimuths[0] - azimuths[1], std::numbers::pi)) -
-                  std::numbers::pi / 2) < kParallel;
-}
-
-/// Digits at the end of names are azimuths only if they make a right angle; run001 and run002 are
-/// two records.
-std::vector<Group> without_chance(const std::vector<Group>& groups) {
-  std::vector<Group> result;
-  for (const Group& group : groups) {
-    const bool by_chance = std::ranges::any_of(group, &FoundComponent::by_file_name) &&
-                           !(can_be_record(group) && at_right_angle(group));
-    if (!by_chance) result.push_back(group);
-    if (by_chance)
-      for (const FoundComponent& each : group) result.push_back({each});
-  }
-  return result;
 }
 
 std::string file_name(const FoundComponent& component) {
@@ -157,6 +135,8 @@ std::string name_of(const Group& group) {
   const std::string& pattern = group[0].pattern;
   const bool by_name = std::ranges::all_of(
       group, [&](const auto& each) { return !each.pattern.empty() && each.pattern == pattern; });
+  const std::string folder = group[0].path.parent_path().filename().string();
+  if (group.size() > 1 && by_name && pattern.starts_with("*.") && !folder.empty()) return folder;
   if (group.size() > 1 && by_name) return name_of_pattern(pattern);
   std::vector<std::string> stems;
   for (const FoundComponent& each : group) stems.push_back(each.path.stem().string());
@@ -194,6 +174,27 @@ void name_apart(std::vector<Group>& groups, std::vector<SuiteRecord>& records) {
     if (count[records[i].name] > 1) records[i].name = with_place(records[i].name, groups[i][0]);
 }
 
+void take_directions_from_names(std::vector<FoundComponent>& components,
+                                std::vector<std::string>& doubts) {
+  std::vector<NamedFile> files;
+  std::vector<FoundComponent*> unknown;
+  for (FoundComponent& each : components)
+    if (each.lacks_direction) {
+      files.push_back({each.path, each.site, each.time_step, each.samples});
+      unknown.push_back(&each);
+    }
+  NameMatches matches = match_names(files);
+  for (std::size_t i = 0; i < unknown.size(); ++i) {
+    if (!matches.marks[i]) continue;
+    const NameMark& mark = *matches.marks[i];
+    unknown[i]->name = mark.text;
+    unknown[i]->pattern = mark.pattern;
+    unknown[i]->azimuth = mark.azimuth;
+    unknown[i]->vertical = mark.place == Direction::kVertical;
+  }
+  std::ranges::move(matches.doubts, std::back_inserter(doubts));
+}
+
 std::string channel_name(const FoundComponent& channel) {
   return fmt::format("{} channel {}{}", channel.path.stem().string(), channel.channel.value_or(1),
                      channel.name.empty() ? "" : " (" + channel.name + ")");
@@ -201,10 +202,8 @@ std::string channel_name(const FoundComponent& channel) {
 
 }  // namespace
 
-FoundComponent found_component(const std::filesystem::path& path, const Component& read,
+FoundComponent found_component(const std::filesystem::path& path, const Component& component,
                                std::optional<int> channel, const ReadOptions& options) {
-  Component component = read;
-  const bool by_file_name = !channel && orient_by_file_name(component);
   return {.path = path,
           .channel = channel,
           .name = component.name,
@@ -214,10 +213,12 @@ FoundComponent found_component(const std::filesystem::path& path, const Componen
           .place = place_of(component),
           .vertical = component.direction == Direction::kVertical ||
                       (!component.azimuth && sounds_vertical(component.name)),
-          .by_file_name = by_file_name,
+          .lacks_direction = !channel && lacks_direction(component),
           .azimuth = component.azimuth,
           .start_time = component.start_time,
           .duration = component.duration(),
+          .time_step = component.time_step,
+          .samples = component.acceleration.size(),
           .options = options};
 }
 
@@ -241,9 +242,11 @@ std::vector<SuiteRecord> records_of_file(const std::vector<FoundComponent>& chan
   return records;
 }
 
-std::vector<SuiteRecord> records_of_components(const std::vector<FoundComponent>& components) {
-  const std::vector<Group> by_name = without_chance(by_key(
-      components, [](const FoundComponent& each) { return place_key(each, upper(each.pattern)); }));
+std::vector<SuiteRecord> records_of_components(std::vector<FoundComponent> components,
+                                               std::vector<std::string>& doubts) {
+  take_directions_from_names(components, doubts);
+  const std::vector<Group> by_name = by_key(
+      components, [](const FoundComponent& each) { return place_key(each, upper(each.pattern)); });
   const auto by_content = by_key(by_name, [](const Group& group) {
     const bool is_one = std::ranges::all_of(
         group, [&](const auto& each) { return each.content == group[0].content; });

@@ -19,10 +19,12 @@ struct FoundComponent {
   std::string site;                 ///< site_of()
   std::string place;                ///< location or sensor as the file writes it; may be empty
   bool vertical = false;
-  bool by_file_name = false;              ///< its direction is known by the file's name only
+  bool lacks_direction = false;           ///< only the file's name may say it
   std::optional<double> azimuth = {};     ///< [rad]
   std::optional<double> start_time = {};  ///< [s since 1970]
   double duration = 0;                    ///< [s]
+  double time_step = 0;                   ///< [s]
+  Eigen::Index samples = 0;
   ReadOptions options = {};
 };
 
@@ -38,10 +40,12 @@ std::vector<SuiteRecord> records_of_file(const std::vector<FoundComponent>& chan
 
 /// Files of one component as records, of different names. Components belong together if folder and
 /// site are the same and
-/// - their files are named alike but for the component, or
+/// - their files are named alike but for the component (name_marks.h where only the name says it), or
 /// - event and station are the same and together they can be one record: one vertical and two
 ///   horizontals at most, none parallel, that start together. Where there are more than that, those
 ///   whose names are most alike.
-std::vector<SuiteRecord> records_of_components(const std::vector<FoundComponent>& components);
+/// @param doubts  files that may belong together and are not joined
+std::vector<SuiteRecord> records_of_components(std::vector<FoundComponent> components,
+                                               std::vector<std::string>& doubts);
 
 }  // namespace gurney::groundmotions

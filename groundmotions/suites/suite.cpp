@@ -21,6 +21,7 @@ void append(Suite& suite, Suite more) {
   std::ranges::move(more.records, std::back_inserter(suite.records));
   std::ranges::move(more.refused, std::back_inserter(suite.refused));
   std::ranges::move(more.notes, std::back_inserter(suite.notes));
+  std::ranges::move(more.warnings, std::back_inserter(suite.warnings));
 }
 
 /// A folder, list or report; false for anything else.

@@ -32,7 +32,8 @@ std::string text_of(const Refusal& refusal);
 struct Suite {
   std::vector<SuiteRecord> records;
   std::vector<Refusal> refused;
-  std::vector<std::string> notes;  ///< what is not there or not needed, one sentence each
+  std::vector<std::string> notes;     ///< what is not there or not needed, one sentence each
+  std::vector<std::string> warnings;  ///< what may not be meant so, one sentence each
 };
 
 /// Called before each file with how many are done and how many there are.

@@ -118,6 +118,7 @@ int for_each_record(const RecordSource& source, std::vector<groundmotions::Refus
   for (const groundmotions::Refusal& refusal : left_out)
     print_error("{}\n", groundmotions::text_of(refusal));
   for (const std::string& note : suite.notes) print_error("note: {}\n", note);
+  for (const std::string& warning : suite.warnings) print_error("warning: {}\n", warning);
   for (const groundmotions::Refusal& refusal : suite.refused)
     named = named || is_named(refusal.file);
   if (refused) *refused = std::move(left_out);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <exception>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <new>
 #include <utility>
@@ -87,6 +88,7 @@ MotionSet::MotionSet(const Job& job, const Study& study, FloorRecords& floors, s
     groundmotions::Suite suite = suite_of(*request_);
     suite_ = std::move(suite.records);
     notes_ = std::move(suite.notes);
+    std::ranges::move(suite.warnings, std::back_inserter(notes_));
     for (const groundmotions::SuiteRecord& record : suite_) names_.push_back(record.name);
     if (suite_.empty()) names_ = {ground_record(*request_).name};
   }
