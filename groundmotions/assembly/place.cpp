@@ -111,8 +111,8 @@ void put_horizontals(std::vector<Component> horizontals, Record& record) {
                                    "state it",
                                    horizontals.front().file));
   require(horizontals.size() <= 2,
-          fmt::format("{}: {} horizontal components ({}); a record has two: say which by their "
-                      "channel",
+          fmt::format("{}: {} horizontal components ({}); a record has two: say which by "
+                      "--columns (tables of plain text) or by `channels` in a list of records",
                       horizontals.front().file, horizontals.size(), listed(horizontals)));
   if (horizontals.size() == 2)
     put_horizontal_pair(std::move(horizontals[0]), std::move(horizontals[1]), record);

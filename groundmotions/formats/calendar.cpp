@@ -4,6 +4,7 @@
 #include <cctype>
 #include <chrono>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "groundmotions/formats/numbers.h"
@@ -36,10 +37,7 @@ std::vector<std::string_view> fields_of(std::string_view text) {
   return fields;
 }
 
-}  // namespace
-
-std::optional<double> utc_seconds(std::string_view text) {
-  const auto fields = fields_of(trimmed(text));
+std::optional<double> seconds_of(const std::vector<std::string_view>& fields) {
   if (fields.size() != 6) return {};
   double values[6];
   for (std::size_t i = 0; i < 6; ++i) {
@@ -49,6 +47,18 @@ std::optional<double> utc_seconds(std::string_view text) {
   }
   const auto part = [&](std::size_t i) { return static_cast<int>(std::min(values[i], 1e6)); };
   return utc_seconds(part(0), part(1), part(2), values[3], values[4], values[5]);
+}
+
+}  // namespace
+
+std::optional<double> utc_seconds(std::string_view text) {
+  return seconds_of(fields_of(trimmed(text)));
+}
+
+std::optional<double> day_first_utc_seconds(std::string_view text) {
+  auto fields = fields_of(trimmed(text));
+  if (fields.size() == 6) std::swap(fields[0], fields[2]);
+  return seconds_of(fields);
 }
 
 std::optional<double> utc_seconds(int year, int month, int day, double hour, double minute,

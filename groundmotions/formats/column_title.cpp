@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 
 #include "groundmotions/formats/header_text.h"
 #include "groundmotions/formats/numbers.h"
@@ -16,6 +18,73 @@ namespace {
 
 constexpr auto kNone = std::string_view::npos;
 
+struct Quantity {
+  std::string_view start;  ///< of a word, in lower case
+  std::string_view name;
+};
+
+/// Columns of laboratories and of other programs that are no accelerations.
+constexpr std::array kQuantities = {
+    Quantity{"vel", "velocity"},        Quantity{"vitesse", "velocity"},
+    Quantity{"disp", "displacement"},   Quantity{"desp", "displacement"},
+    Quantity{"deplac", "displacement"}, Quantity{"spost", "displacement"},
+    Quantity{"lvdt", "displacement"},   Quantity{"volt", "voltage"},
+    Quantity{"force", "force"},         Quantity{"load", "force"},
+    Quantity{"strain", "strain"},       Quantity{"stress", "stress"},
+    Quantity{"press", "pressure"},      Quantity{"temperat", "temperature"},
+    Quantity{"humid", "humidity"},      Quantity{"gyro", "rotation"},
+    Quantity{"rotation", "rotation"},   Quantity{"tilt", "rotation"},
+    Quantity{"angle", "rotation"},      Quantity{"moment", "moment"},
+    Quantity{"torque", "moment"},       Quantity{"arias", "intensity"},
+    Quantity{"husid", "intensity"},     Quantity{"intens", "intensity"},
+    Quantity{"energy", "energy"},       Quantity{"jerk", "jerk"}};
+
+constexpr std::array kUnits = {Quantity{"v", "voltage"},
+                               Quantity{"mv", "voltage"},
+                               Quantity{"volt", "voltage"},
+                               Quantity{"volts", "voltage"},
+                               Quantity{"kn", "force"},
+                               Quantity{"lbf", "force"},
+                               Quantity{"lb", "force"},
+                               Quantity{"lbs", "force"},
+                               Quantity{"kip", "force"},
+                               Quantity{"kips", "force"},
+                               Quantity{"kgf", "force"},
+                               Quantity{"pa", "pressure"},
+                               Quantity{"kpa", "pressure"},
+                               Quantity{"mpa", "pressure"},
+                               Quantity{"psi", "pressure"},
+                               Quantity{"ksi", "pressure"},
+                               Quantity{"rad", "rotation"},
+                               Quantity{"rad/s", "rotation"},
+                               Quantity{"deg", "rotation"},
+                               Quantity{"deg/s", "rotation"},
+                               Quantity{"degc", "temperature"},
+                               Quantity{"\xc2\xb0", "rotation"},
+                               Quantity{"\xc2\xb0"
+                                        "c",
+                                        "temperature"},
+                               Quantity{"strain", "strain"},
+                               Quantity{"ustrain", "strain"},
+                               Quantity{"microstrain", "strain"},
+                               Quantity{"hz", "frequency"},
+                               Quantity{"m/s3", "jerk"},
+                               Quantity{"g/s", "jerk"},
+                               Quantity{"\xc2\xb0/s", "rotation"},
+                               Quantity{"m2/s3", "energy"}};
+
+/// Quantity of a column that is no acceleration by its name or unit; empty if neither says it.
+std::string foreign_quantity(std::string_view name, std::string_view unit) {
+  const std::string plain = plain_unit(unit), text = lower(name);
+  for (const auto& [spelling, quantity] : kUnits)
+    if (plain == spelling) return std::string(quantity);
+  if (time_unit(unit)) return "time";
+  for (const auto word : words_of(text, " \t,;:.-_/#*"))
+    for (const auto& [start, quantity] : kQuantities)
+      if (word.starts_with(start)) return std::string(quantity);
+  return {};
+}
+
 bool is_unit(std::string_view text) {
   return acceleration_unit(text) || other_quantity(text) || time_unit(text);
 }
@@ -28,28 +97,71 @@ bool says_direction(std::string_view text) {
          number(text);
 }
 
+/// Two known units contradict each other: their sum is none.
+void add_unit(std::string_view unit, ColumnTitle& title) {
+  if (title.unit.empty() || !is_unit(title.unit))
+    title.unit = unit;
+  else if (is_unit(unit) && plain_unit(unit) != plain_unit(title.unit))
+    title.unit += fmt::format(" and {}", unit);
+}
+
 void take_brackets(ColumnTitle& title) {
   std::string_view rest = title.text;
   for (auto open = rest.find_first_of("(["); open != kNone; open = rest.find_first_of("([")) {
     title.name += rest.substr(0, open);
     rest.remove_prefix(open);
     const auto content = in_brackets(rest);
-    if (!is_unit(content) && says_direction(content))
-      title.direction = content;
-    else if (title.unit.empty() || !is_unit(title.unit))
-      title.unit = content;
     rest.remove_prefix(std::min(rest.find_first_of(")]"), rest.size() - 1) + 1);
+    // "Acc (V)" is a vertical, "CH1 (V)" and "Voltage (V)" are volts.
+    const bool is_volt =
+        content == "V" && !title.name.empty() && quantity_in(title.name) != "acceleration";
+    if (!is_unit(content) && !is_volt && says_direction(content))
+      title.direction = content;
+    else
+      add_unit(content, title);
+    if (title.factor.empty() && is_unit(content)) title.factor = factor_behind(rest);
   }
   title.name += rest;
   title.name = trimmed(title.name);
 }
 
-/// `acc_g`, `x_m_per_s2`, `time_ms`.
+/// `acc_g`, `x_m_per_s2`, `time_ms`, `acc/g`.
 void take_suffix(ColumnTitle& title) {
   for (auto at = title.name.find('_'); at != kNone; at = title.name.find('_', at + 1)) {
     if (at == 0 || !is_unit(title.name.substr(at + 1))) continue;
     title.unit = title.name.substr(at + 1);
     title.name.resize(at);
+  }
+  const std::string name = lower(title.name);
+  if (title.unit.empty() && name.ends_with("/g") && (name[0] == 'a')) {
+    title.unit = "g";
+    title.name.resize(name.size() - 2);
+  }
+}
+
+/// `Acceleration in g`, `Acceleration, m/s2`, `NS cm/s2`, or a unit alone.
+void take_last_words(ColumnTitle& title) {
+  const auto words = words_of(title.name, " \t,;:");
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const auto begin = static_cast<std::size_t>(words[i].data() - title.name.data());
+    const auto unit = trimmed(std::string_view(title.name).substr(begin));
+    const bool is_known = acceleration_unit(unit) || other_quantity(unit) || time_unit(unit);
+    if (!is_known || unit.find(',') != kNone) continue;
+    const bool behind_in = i > 0 && lower(words[i - 1]) == "in";
+    const bool has_comma = i > 0 && title.name.find_first_of(",;:", begin - 1) == begin - 1;
+    // "G" and "M" may be the name of a channel.
+    const bool is_sure = unit.find_first_of("/2") != kNone || unit == "g" || unit.size() > 1;
+    const bool is_quantity =
+        i > 0 && quantity_in(std::string_view(title.name).substr(0, begin)).has_value();
+    if (i == 0 && unit.size() == 1 && lower(unit) != unit) continue;
+    if (i > 0 && !behind_in && !has_comma && !is_sure && !is_quantity) continue;
+    title.unit = unit;
+    auto rest = std::string_view(title.name).substr(0, begin);
+    if (behind_in)
+      rest = rest.substr(0, static_cast<std::size_t>(words[i - 1].data() - rest.data()));
+    const auto end = rest.find_last_not_of(" \t,;:");
+    title.name = std::string(rest.substr(0, end == kNone ? 0 : end + 1));
+    return;
   }
 }
 
@@ -58,12 +170,14 @@ ColumnTitle parsed(const std::string& text) {
   title.text = text;
   take_brackets(title);
   if (title.unit.empty()) take_suffix(title);
+  if (title.unit.empty()) take_last_words(title);
   const auto quantity = quantity_in(title.name);
   if (quantity && quantity != "acceleration") title.quantity = *quantity;
   if (const auto other = other_quantity(title.unit)) title.quantity = *other;
-  const std::string name = lower(title.name);
-  if (title.quantity.empty() && (name.starts_with("vel") || name.starts_with("disp")))
-    title.quantity = name[0] == 'v' ? "velocity" : "displacement";
+  const bool is_acceleration =
+      acceleration_unit(title.unit) || (quantity && quantity == "acceleration");
+  if (title.quantity.empty() && !is_acceleration)
+    title.quantity = foreign_quantity(title.name, title.unit);
   return title;
 }
 
@@ -84,7 +198,71 @@ void orient_by_name(std::string_view text, Component& component) {
   if (!component.azimuth && !component.direction) orient_by_label(rest, component);
 }
 
+/// Letters only, in lower case: "tn" of "T_n".
+std::string letters(std::string_view text) {
+  std::string result;
+  for (const char c : text)
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+      result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+template <std::size_t size>
+bool is_one_of(std::string_view text, const std::array<std::string_view, size>& names) {
+  return std::ranges::find(names, text) != names.end();
+}
+
 }  // namespace
+
+bool ColumnTitle::is_acceleration() const {
+  if (!quantity.empty()) return false;
+  const std::string plain = lower(name);
+  return acceleration_unit(unit) || plain == "a" || plain == "ag" || plain.starts_with("acc") ||
+         quantity_in(name) == "acceleration";
+}
+
+bool is_unit_of_something(std::string_view text) {
+  text = trimmed(text);
+  const bool in_brackets = text.size() > 1 && std::string_view("([").find(text.front()) != kNone;
+  const std::string plain = plain_unit(text);
+  return is_unit(text) || std::ranges::find(kUnits, plain, &Quantity::start) != kUnits.end() ||
+         (in_brackets && (plain == "v" || plain == "n" || plain == "c" || plain == "%"));
+}
+
+bool names_time(const ColumnTitle& title) {
+  constexpr std::array<std::string_view, 7> kStarts = {"time", "tempo", "tiempo", "temps",
+                                                       "zeit", "zaman", "tijd"};
+  const std::string name = letters(title.name);
+  return name == "t" || (name.empty() && time_unit(title.unit)) ||
+         std::ranges::any_of(kStarts, [&](auto start) { return name.starts_with(start); });
+}
+
+bool names_index(const ColumnTitle& title) {
+  constexpr std::array<std::string_view, 15> kNames = {
+      "",       "no",   "n",   "i",     "nr",   "num", "number", "index",
+      "sample", "step", "row", "point", "scan", "id",  "unnamed"};
+  const std::string name = letters(title.name);
+  return title.unit.empty() && (is_one_of(name, kNames) || name == "samples" || name == "points");
+}
+
+bool names_period(const ColumnTitle& title) {
+  constexpr std::array<std::string_view, 5> kNames = {"tn", "f", "fn", "freq", "omega"};
+  const std::string name = letters(title.name), unit = plain_unit(title.unit);
+  return name.find("period") != kNone || name.starts_with("per") || name.starts_with("freq") ||
+         name.starts_with("frec") || name.starts_with("frek") || is_one_of(name, kNames) ||
+         unit == "hz" || unit == "rad/s" || unit == "1/s" || lower(title.name) == "hz";
+}
+
+bool names_ordinate(const ColumnTitle& title, bool beside_time) {
+  constexpr std::array<std::string_view, 9> kNames = {"sa",  "psa", "rsa", "psv", "fas",
+                                                      "ars", "uhs", "sae", "spa"};
+  constexpr std::array<std::string_view, 3> kShort = {"se", "sd", "sv"};
+  const std::string name = lower(title.name);
+  const auto words = words_of(name, " \t_-.,:;/#*|0123456789%");
+  if (words.empty()) return false;
+  return is_one_of(words[0], kNames) || words[0].starts_with("rotd") ||
+         words[0].starts_with("spectr") || (!beside_time && is_one_of(words[0], kShort));
+}
 
 std::vector<ColumnTitle> parsed_titles(const std::vector<std::string>& titles) {
   std::vector<ColumnTitle> result;

@@ -17,15 +17,31 @@ struct ColumnTitle {
   /// In brackets, or behind a `_` if it is one: known or not, but no direction; empty if none.
   std::string unit;
   std::string direction;  ///< in brackets: `Acc (DOWN) [g]`
-  std::string quantity;   ///< "velocity" or "displacement"; empty: may be acceleration
+  std::string quantity;   ///< "velocity", "voltage", "time"...; empty: may be acceleration
+  std::string factor;     ///< "x 10" of `Acc (g) x 10`; empty if there is none
 
   /// A `v` alone, which may be a velocity or the vertical.
   bool is_doubtful = false;
+
+  /// `Acc`, `NS [g]`: surely an acceleration, not only because nothing else is stated.
+  bool is_acceleration() const;
 };
 
 /// `v`, `d` and `u` beside an acceleration are velocity and displacement; `v` beside directions is
 /// the vertical.
 std::vector<ColumnTitle> parsed_titles(const std::vector<std::string>& titles);
+
+/// Whether a text is a unit of something, brackets around it apart: "[g]", "cm/s", "sec", "kN".
+bool is_unit_of_something(std::string_view text);
+
+/// `Time`, `t (s)`, `[sec]`; `#`, `No.`, `Sample`, or no title at all.
+bool names_time(const ColumnTitle& title);
+bool names_index(const ColumnTitle& title);
+
+/// `Period`, `Tn (s)`, `f (Hz)`: the first column of a spectrum; `Sa(g)`, `PSA`, `FAS`: another.
+/// @param beside_time  the first column is surely a time: `SE` may be south-east then
+bool names_period(const ColumnTitle& title);
+bool names_ordinate(const ColumnTitle& title, bool beside_time);
 
 /// Sets azimuth or direction as the title says them, also `NS acc` and `Acc (DOWN)`. Where the user
 /// has `stated` a direction it stays, with a warning if the title says vertical for a horizontal or

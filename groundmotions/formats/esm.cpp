@@ -40,13 +40,17 @@ void refuse_other_quantities(const ColonHeader& header, FileErrors& errors) {
   errors.throw_if_any();
 }
 
-void set_start(const ColonHeader& header, Component& component, FileErrors& errors) {
+void set_start(const ColonHeader& header, Component& component) {
   const auto* sample = header.find("DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS");
   if (sample && !sample->value.empty()) {
     component.start_time = utc_seconds(sample->value);
+    // AFAD writes the day first.
+    if (!component.start_time) component.start_time = day_first_utc_seconds(sample->value);
     if (!component.start_time)
-      errors.add(sample->line, 1,
-                 fmt::format("{} must be a date and a time, got '{}'", sample->key, sample->value));
+      component.warnings.push_back(
+          fmt::format("the start of the record is not known: {} must be a date and a time, got "
+                      "'{}'",
+                      sample->key, sample->value));
     return;
   }
   // The old header has no date of the first sample: that of the event, unless midnight is between.
@@ -178,7 +182,7 @@ std::vector<Component> read_esm(const SourceFile& file, const ReadOptions& optio
   component.name = header.value(header.find("STREAM") ? "STREAM" : "COMPONENT");
   orient(component.name, component);
   set_facts(header, component);
-  set_start(header, component, errors);
+  set_start(header, component);
   check_against_header(header, component, errors);
   warn_of_state(header, component);
   errors.throw_if_any();

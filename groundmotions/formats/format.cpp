@@ -8,6 +8,7 @@
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "groundmotions/formats/foreign_file.h"
+#include "groundmotions/formats/plain_rows.h"
 #include "groundmotions/formats/readable.h"
 #include "groundmotions/formats/readers.h"
 #include "groundmotions/record/acceleration_unit.h"
@@ -36,6 +37,7 @@ const std::vector<Format>& formats() {
       {"BHRC volume", recognises_bhrc, read_bhrc},
       {"USC blocks", recognises_usc_blocks, read_usc_blocks},
       {"K-NET", recognises_knet, read_knet},
+      {"CSMNC", recognises_csmnc, read_csmnc},
       {"ESM", recognises_esm, read_esm},
       {"SIMBAD", recognises_simbad, read_simbad},
       {"PEER AT2", recognises_peer_at2, read_peer_at2},
@@ -143,9 +145,14 @@ std::vector<Component> read_components(const SourceFile& file, const ReadOptions
   require(
       format != formats().end() || file.is_text(),
       fmt::format("{}: a binary file of {} bytes, {}", file.name(), file.bytes().size(), kUnknown));
-  if (format == formats().end())
-    throw Error(fmt::format("{}:1:1: {}: {} of text, {} bytes", file.name(), kUnknown,
-                            lines_text(file.lines().size()), file.bytes().size()));
+  if (format == formats().end()) {
+    const auto fault = plain_fault(file);
+    const PlainFault place = fault.value_or(PlainFault{});
+    throw Error(fmt::format("{}:{}:{}: {}: {} of text, {} bytes{}", file.name(),
+                            place.line + file.blank_lines(), place.column, kUnknown,
+                            lines_text(file.lines().size()), file.bytes().size(),
+                            fault ? "; this is neither a number nor a word" : ""));
+  }
   auto components = read_as(*format, file, options);
   for (Component& component : components) {
     component.file = file.name();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,7 @@ bool speaks_of_peaks(std::string_view line) {
 /// What follows the word `unit`: "OF G. FILTER...", "(g)", ": cm / s2", "= SEC AND G".
 std::optional<std::string_view> behind_unit(std::string_view rest) {
   for (bool again = true; again;) {
-    rest.remove_prefix(std::min(rest.find_first_not_of(" \t(=:["), rest.size()));
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t(=:[-"), rest.size()));
     again = false;
     for (const std::string_view filler : {"OF ", "ARE ", "IS ", "IN ", "ACCELERATION"})
       if (rest.starts_with(filler)) {
@@ -76,10 +77,37 @@ std::optional<std::string_view> behind_unit(std::string_view rest) {
 
 /// Whether a value follows: "Vs30 (m/s): 379".
 bool is_of_a_value(std::string_view behind) {
-  const auto sign = behind.find_first_of(":=");
-  if (sign == kNone) return false;
-  auto rest = trimmed(behind.substr(sign + 1));
+  behind.remove_prefix(std::min(behind.find_first_not_of(" \t)]."), behind.size()));
+  if (behind.empty() || (behind[0] != ':' && behind[0] != '=')) return false;
+  auto rest = trimmed(behind.substr(1));
   return take_number(rest).has_value();
+}
+
+/// A unit of several words: "CM / S2", "M S-2", "CM PER SEC SQUARED", "% OF G"; else empty.
+std::string_view unit_of_words(std::string_view line, const Words& words, std::size_t i) {
+  constexpr std::size_t kMost = 5;
+  const auto begin = static_cast<std::size_t>(words[i].data() - line.data());
+  for (std::size_t k = std::min(words.size(), i + kMost) - 1; k > i; --k) {
+    const auto end = static_cast<std::size_t>(words[k].data() - line.data()) + words[k].size();
+    const auto text = line.substr(begin, end - begin);
+    // Blanks drop out of a unit: "M G" is no "MG".
+    const bool is_compound = text.find_first_of("/%2") != kNone || text.find("PER") != kNone;
+    if (is_compound && text.find(',') == kNone && acceleration_unit(text)) return text;
+  }
+  return {};
+}
+
+/// Whether a lone "g" or "mg" is a unit by the words beside it: "ACCELERATION, G", "UNITS G",
+/// "FRACTION OF G", or nothing at all.
+bool is_lone_unit(const Words& words, std::size_t i) {
+  constexpr std::array<std::string_view, 8> kShares = {
+      "FRACTION", "FRACTIONS", "TERMS", "UNIT", "UNITS", "MULTIPLE", "MULTIPLES", "PARTS"};
+  std::size_t before = i;
+  while (before > 0 && words[before - 1].find_first_not_of("-_/|#%*") == kNone) --before;
+  if (before == 0) return i + 1 == words.size() || is_one_of(words[i + 1], kShares);
+  const auto word = words[before - 1];
+  if (word == "OF") return before > 1 && is_one_of(words[before - 2], kShares);
+  return word.starts_with("ACC") || is_one_of(word, kShares);
 }
 
 /// "in cm/s", "(g)", "[m/s2]" and words such as "cm/sec/sec" and "gal" that are nothing else.
@@ -87,15 +115,17 @@ bool is_of_a_value(std::string_view behind) {
 std::optional<std::string_view> unit_elsewhere(std::string_view line) {
   const auto words = words_of(line, " \t,;:=");
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const auto word = words[i];
+    auto word = words[i];
+    if (const auto compound = unit_of_words(line, words, i); !compound.empty()) word = compound;
     const auto end = static_cast<std::size_t>(word.data() - line.data()) + word.size();
     const bool in_brackets = std::string_view("([").find(word[0]) != kNone &&
                              std::string_view(")]").find(word.back()) != kNone;
     const bool after_in = i > 0 && words[i - 1] == "IN";
-    const bool is_plain = word.find('/') != kNone || word.starts_with("GAL");
     const bool after_number = i > 0 && number(words[i - 1]).has_value();
     if (after_number || is_of_a_value(line.substr(end))) continue;
-    if ((in_brackets || after_in || is_plain) && acceleration_unit(word)) return word;
+    const bool is_short = plain_unit(word) == "g" || plain_unit(word) == "mg";
+    if (acceleration_unit(word) && (in_brackets || after_in || !is_short || is_lone_unit(words, i)))
+      return word;
     if ((in_brackets || after_in) && other_quantity(word) == "velocity") return word;
   }
   return {};
@@ -169,9 +199,10 @@ std::optional<std::string_view> unit_text_in(std::string_view text) {
       const auto rest = std::string_view(line).substr(at + key.size());
       const auto next = rest.substr(std::min(rest.find_first_not_of(" \t"), rest.size()));
       constexpr std::array<std::string_view, 4> kLinks = {"OF", "ARE", "IS", "IN"};
+      const auto word = next.substr(0, next.find_first_of(" \t,;"));
       const bool is_statement =
-          (!next.empty() && std::string_view(":=([").find(next[0]) != kNone) ||
-          is_one_of(next.substr(0, next.find(' ')), kLinks);
+          (!next.empty() && std::string_view(":=([-").find(next[0]) != kNone) ||
+          is_one_of(word, kLinks) || acceleration_unit(word);
       if (is_statement) found = behind_unit(rest);
     }
   if (!found && !speaks_of_peaks(line)) found = unit_elsewhere(line);
@@ -186,7 +217,8 @@ std::optional<double> time_step_in(std::string_view text) {
   const std::string line = upper(text);
   for (const std::string_view key :
        {"DT", "TIME STEP", "TIMESTEP", "TIME INTERVAL", "TIME INCREMENT", "SAMPLING INTERVAL",
-        "SAMPLE INTERVAL", "SAMPLING PERIOD", "SAMPLING TIME", "SPACING OF", "EQUALLY SPACED AT"})
+        "SAMPLE INTERVAL", "SAMPLING PERIOD", "SAMPLING TIME", "SPACING OF", "EQUALLY SPACED AT",
+        "INTERVALS OF", "DELTA T", "DELTAT"})
     if (const auto at = find_word(line, key); at != kNone)
       if (const auto step = keyed(std::string_view(line).substr(at + key.size()), false))
         return step;
@@ -203,6 +235,21 @@ std::optional<double> time_step_in(std::string_view text) {
     const auto rate = words.empty() ? std::nullopt : number(words.back());
     if (rate && *rate > 0) return 1 / *rate;
     if (const auto step = keyed(std::string_view(line).substr(at + key.size()), true)) return step;
+  }
+  return {};
+}
+
+std::optional<double> count_in(std::string_view text) {
+  const std::string line = upper(text);
+  for (const std::string_view key :
+       {"NPTS", "NDATA", "NO. OF POINTS", "NO. OF SAMPLES", "NO. OF DATA", "NO OF POINTS",
+        "NUMBER OF POINTS", "NUMBER OF SAMPLES", "NUMBER OF DATA", "NUMBER OF DATA POINTS"}) {
+    const auto at = find_word(line, key);
+    if (at == kNone) continue;
+    auto rest = std::string_view(line).substr(at + key.size());
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t=:"), rest.size()));
+    const auto count = take_number(rest);
+    if (count && *count >= 2 && *count == std::floor(*count)) return count;
   }
   return {};
 }

@@ -24,12 +24,16 @@ std::optional<OtherQuantity> other_quantity_in(const std::vector<std::string_vie
 
 /// The unit a line gives to the samples, as it is written there: "Units: cm/s2", "IN UNITS OF G",
 /// "acceleration in cm/s", "[gal]". After the word `unit` any text, known or not; elsewhere known
-/// units of acceleration or velocity only. Nothing for units of time and of peaks.
+/// units of acceleration or velocity only, a bare "g" where it can be nothing else ("Acceleration,
+/// g"). Nothing for units of time and of peaks.
 std::optional<std::string_view> unit_text_in(std::string_view line);
 
 /// The time step a line states [s]: "dt = 0.02", "DT=20 MSEC", "Time step (ms): 5", "sampling
 /// rate 200 Hz", "200 samples/sec", "equal spacing of 0.02 sec". Without a unit seconds and Hz.
 std::optional<double> time_step_in(std::string_view line);
+
+/// How many samples a line states: "NPTS= 400", "No. of points: 400".
+std::optional<double> count_in(std::string_view line);
 
 /// Seconds in the unit that a line gives to its times: "Time (ms)", "time in min". Known units
 /// only.

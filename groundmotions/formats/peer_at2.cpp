@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "engine/base/units.h"
 #include "groundmotions/formats/end_mark.h"
 #include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/header_text.h"
@@ -12,6 +13,7 @@
 #include "groundmotions/formats/plain_rows.h"
 #include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
+#include "groundmotions/formats/time_column.h"
 #include "groundmotions/formats/words.h"
 #include "groundmotions/record/acceleration_unit.h"
 
@@ -159,13 +161,30 @@ std::string_view event_line(const SourceFile& file, const Header& header) {
   return end > 0 && end < file.lines().size() ? trimmed(file.lines()[end - 1]) : "";
 }
 
+/// The line of rotated records that names their component, `FN component, azimuth =   310.0`: the
+/// directions in the lines above it are those before the rotation.
+bool name_rotated(const SourceFile& file, const Header& header, Component& component) {
+  constexpr std::string_view kWord = "COMPONENT", kAzimuth = "AZIMUTH";
+  for (std::size_t i = 0; i < std::min(header.first_data_line(), file.lines().size()); ++i) {
+    const std::string line = upper(file.lines()[i].substr(0, 1000));
+    const auto word = find_word(line, kWord), azimuth = find_word(line, kAzimuth);
+    if (word == kNone || azimuth == kNone || azimuth < word) continue;
+    const auto degrees = number_after(std::string_view(line).substr(azimuth), kAzimuth);
+    if (!degrees || !(*degrees >= 0 && *degrees <= 360)) continue;
+    component.name = trimmed(file.lines()[i].substr(0, word));
+    component.azimuth = std::fmod(*degrees, 360) * kRadiansPerDegree;
+    return true;
+  }
+  return false;
+}
+
 /// The last field of that line names the component: "228", "360 (CDMG STATION 24461)", "UP".
 void name_component(const SourceFile& file, const Header& header, Component& component) {
   const std::string_view event = event_line(file, header);
   if (event.empty()) return;
   component.header.emplace_back("event", event);
   const auto field = last_field(event);
-  if (!is_component_name(field)) return;
+  if (name_rotated(file, header, component) || !is_component_name(field)) return;
   component.name = field;
   orient(component.name, component);
 }
@@ -219,26 +238,49 @@ void find_bare_pair(const SourceFile& file, Header& header) {
   header.time_step = {time_step, line};
 }
 
-/// Rows of a time that grows and a value: plain text, whatever the line above them.
-bool is_table(const SourceFile& file, const Header& header) {
-  constexpr std::size_t kRows = 3;
-  double last = 0;
-  for (std::size_t i = 0; i < kRows; ++i) {
-    const std::size_t line = header.first_data_line() + i;
-    if (line >= file.lines().size()) return false;
-    const auto words = words_of(file.lines()[line], " \t,;");
-    const auto time = words.size() == 2 ? number(words[0]) : std::nullopt;
-    if (!time || !number(words[1]) || (i > 0 && !(*time > last))) return false;
-    last = *time;
+/// The first numbers of the first rows below the header, if they grow as times do.
+struct FirstColumn {
+  std::vector<double> times;  ///< none: they do not grow
+  std::size_t width = 0;      ///< numbers in a row
+
+  bool has_step(double step) const {
+    for (std::size_t i = 1; i < times.size(); ++i)
+      if (!(std::abs(times[i] - times[i - 1] - step) <= kTimeTolerance * step)) return false;
+    return times.size() > 2 && width > 1;
   }
-  return true;
+};
+
+FirstColumn first_column(const SourceFile& file, const Header& header) {
+  constexpr std::size_t kRows = 4;
+  FirstColumn found;
+  for (std::size_t line = header.first_data_line();
+       line < file.lines().size() && found.times.size() < kRows; ++line) {
+    if (is_text_line(file.lines()[line]) || trimmed(file.lines()[line]).empty()) continue;
+    const auto words = words_of(file.lines()[line], " \t,;");
+    const auto time = words.size() < 2 ? std::nullopt : number(words[0]);
+    const bool grows = time && (found.times.empty() ||
+                                (words.size() == found.width && *time > found.times.back()));
+    if (!grows) return {};
+    found.times.push_back(*time);
+    found.width = words.size();
+  }
+  return found;
+}
+
+/// Rows of a time that grows and values: plain text, whatever the lines above them.
+bool is_table(const SourceFile& file, const Header& header) {
+  const FirstColumn column = first_column(file, header);
+  if (column.times.size() < 3) return false;
+  if (header.samples.value && header.time_step.value)
+    return column.has_step(*header.time_step.value);
+  return column.width == 2 || column.has_step(column.times[1] - column.times[0]);
 }
 
 }  // namespace
 
 bool recognises_peer_at2(const SourceFile& file) {
   const Header header = header_of(file);
-  if (header.samples.value && header.time_step.value) return true;
+  if (header.samples.value && header.time_step.value) return !is_table(file, header);
   return !header.quantity.empty() && header.has_unit_word && !is_table(file, header);
 }
 
@@ -261,6 +303,8 @@ std::vector<Component> read_peer_at2(const SourceFile& file, const ReadOptions& 
                                              trimmed(file.lines()[first]).substr(0, 60)));
   read_to_end(file, first, reader);
   if (!errors.any()) check_samples(header, reader.values().size(), component, errors);
+  if (const auto error = axis_error(reader.values()); !error.empty())
+    errors.add(first + 1, 1, error);
   errors.throw_if_any();
 
   component.acceleration = scaled(reader.values(), unit.to_si);

@@ -69,16 +69,39 @@ std::size_t odd_row(const PlainRows& rows) {
   return i;
 }
 
-bool first_column_grows(const PlainRows& rows, std::size_t width) {
-  for (std::size_t i = width; i < rows.values.size(); i += width)
+bool column_grows(const PlainRows& rows, std::size_t column, std::size_t width) {
+  for (std::size_t i = width + column; i < rows.values.size(); i += width)
     if (!(rows.values[i] > rows.values[i - width])) return false;
   return rows.lengths.size() > 2;
 }
 
+/// The column of times: the one with that title, or else the first if it grows.
+std::optional<std::size_t> time_column(const PlainRows& rows, const TableTitles& titles,
+                                       std::size_t width) {
+  const auto named = std::ranges::find_if(titles.titles, names_time);
+  const auto at = static_cast<std::size_t>(named - titles.titles.begin());
+  if (named != titles.titles.end() && column_grows(rows, at, width)) return at;
+  return column_grows(rows, 0, width) ? std::optional<std::size_t>(0) : std::nullopt;
+}
+
+bool is_component(const ColumnTitle& title) {
+  Component component;
+  component.acceleration = Eigen::Vector2d::Zero();
+  orient(title, {}, component);
+  return title.quantity.empty() &&
+         (title.is_acceleration() || component.azimuth || component.direction);
+}
+
+/// A table without times, of which each column is a component by its title.
+bool are_components(const TableTitles& titles) {
+  return titles.any() &&
+         (titles.are_components || std::ranges::all_of(titles.titles, is_component));
+}
+
 }  // namespace
 
-PlainColumns plain_columns(const PlainRows& rows, bool stated, const ReadOptions& options,
-                           FileErrors& errors) {
+PlainColumns plain_columns(const PlainRows& rows, const TableTitles& titles, bool stated,
+                           const ReadOptions& options, FileErrors& errors) {
   PlainColumns result;
   if (!options.columns.empty()) result = from_names(options.columns, errors);
   if (rows.lengths.empty() || errors.any()) return result;
@@ -110,10 +133,16 @@ PlainColumns plain_columns(const PlainRows& rows, bool stated, const ReadOptions
   }
   if (width == 1) {
     result.samples = true;
-  } else if (even && first_column_grows(rows, width)) {
+  } else if (const auto time = time_column(rows, titles, width); even && time) {
     result.columns.resize(width);
-    result.columns[0].kind = Kind::kTime;
-  } else if (!even && odd + 1 == rows.lengths.size() && first_column_grows(rows, width)) {
+    result.columns[*time].kind = Kind::kTime;
+    if (*time > 0 && names_index(titles.titles[0])) {
+      result.columns[0].kind = Kind::kSkip;
+      result.skipped_index = titles.titles[0].text;
+    }
+  } else if (even && are_components(titles)) {
+    result.columns.resize(width);
+  } else if (!even && odd + 1 == rows.lengths.size() && column_grows(rows, 0, width)) {
     errors.add(rows.lines[odd], 1,
                fmt::format("{} of {} numbers in the last row: the file seems to be cut",
                            rows.lengths[odd], width));

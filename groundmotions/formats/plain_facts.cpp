@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -14,11 +15,18 @@ namespace gurney::groundmotions {
 namespace {
 
 constexpr double kStepTolerance = 0.01;
+constexpr std::size_t kLongestLine = 2000;  ///< what stands behind that is no statement
 
 void take_unit(std::string_view line, std::size_t index, PlainFacts& facts, FileErrors& errors) {
   const auto text = unit_text_in(line);
   if (!text) return;
   const auto unit = acceleration_unit(*text);
+  const auto end = static_cast<std::size_t>(text->data() - line.data()) + text->size();
+  if (const auto factor = factor_behind(line.substr(end)); unit && !factor.empty())
+    errors.add(index, end + 1,
+               fmt::format("a factor behind the unit ('{} {}'): does it belong to the numbers or "
+                           "to the unit? Scale the numbers and leave the factor out",
+                           *text, factor));
   if (const auto quantity = other_quantity(*text); !unit && quantity)
     errors.add(index, 1,
                fmt::format("a record must be acceleration, but the unit '{}' is that of a {}",
@@ -47,25 +55,38 @@ void take_step(std::string_view line, std::size_t index, PlainFacts& facts, File
   }
 }
 
-void refuse_other_quantities(const PlainRows& rows, std::size_t count, FileErrors& errors) {
-  const std::vector<std::string_view> lines(rows.header.begin(),
-                                            rows.header.begin() + static_cast<long>(count));
-  if (const auto other = other_quantity_in(lines))
-    errors.add(rows.header_lines[other->line], 1,
+void take_count(std::string_view line, std::size_t index, PlainFacts& facts) {
+  const auto count = count_in(line);
+  if (!count || facts.count) return;
+  facts.count = count;
+  facts.count_line = index;
+}
+
+void refuse_other_quantities(const PlainRows& rows, const std::vector<std::size_t>& lines,
+                             FileErrors& errors) {
+  std::vector<std::string_view> texts;
+  for (const std::size_t i : lines) texts.push_back(rows.header[i].substr(0, kLongestLine));
+  if (const auto other = other_quantity_in(texts))
+    errors.add(rows.header_lines[lines[other->line]], 1,
                fmt::format("a record must be acceleration, but the text speaks of {} ('{}')",
-                           other->quantity, lines[other->line].substr(0, 80)));
+                           other->quantity, texts[other->line].substr(0, 80)));
 }
 
 }  // namespace
 
-PlainFacts plain_facts(const PlainRows& rows, bool with_titles, FileErrors& errors) {
+PlainFacts plain_facts(const PlainRows& rows, const std::vector<std::size_t>& titles,
+                       FileErrors& errors) {
   PlainFacts facts;
-  const std::size_t count = rows.header.size() - (with_titles && !rows.header.empty() ? 1 : 0);
-  refuse_other_quantities(rows, count, errors);
-  for (std::size_t i = 0; i < count; ++i) {
-    take_unit(rows.header[i], rows.header_lines[i], facts, errors);
-    take_step(rows.header[i], rows.header_lines[i], facts, errors);
-    if (const auto unit = time_unit_in(rows.header[i])) facts.time_unit = *unit;
+  std::vector<std::size_t> lines;
+  for (std::size_t i = 0; i < rows.header.size(); ++i)
+    if (std::ranges::find(titles, i) == titles.end()) lines.push_back(i);
+  refuse_other_quantities(rows, lines, errors);
+  for (const std::size_t i : lines) {
+    const auto line = rows.header[i].substr(0, kLongestLine);
+    take_unit(line, rows.header_lines[i], facts, errors);
+    take_step(line, rows.header_lines[i], facts, errors);
+    take_count(line, rows.header_lines[i], facts);
+    if (const auto unit = time_unit_in(line)) facts.time_unit = *unit;
   }
   return facts;
 }

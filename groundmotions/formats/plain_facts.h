@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "groundmotions/formats/plain_rows.h"
 #include "groundmotions/formats/stated.h"
@@ -13,13 +14,16 @@ struct PlainFacts {
   std::size_t unit_line = 0;
   std::optional<double> time_step;  ///< [s]
   std::size_t step_line = 0;
+  std::optional<double> count;  ///< of the samples of a component
+  std::size_t count_line = 0;
   double time_unit = 1;  ///< of a column of times without a title of its own [s]
 };
 
 /// Errors: samples that are velocity or displacement as the text says, a unit that is none of
-/// acceleration, and lines that contradict each other.
-/// @param with_titles  the last line of text has the titles of columns and is not looked at
-PlainFacts plain_facts(const PlainRows& rows, bool with_titles, FileErrors& errors);
+/// acceleration or has a factor behind it, and lines that contradict each other.
+/// @param titles  lines of the header (from 0) that name the columns and are not looked at
+PlainFacts plain_facts(const PlainRows& rows, const std::vector<std::size_t>& titles,
+                       FileErrors& errors);
 
 /// An error if `step` [s], which `what` gives, is farther from that of the text than its rounding
 /// explains: 1 %, an assumption.

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <optional>
 
 #include "groundmotions/formats/end_mark.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/plain_cells.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {
@@ -14,7 +14,7 @@ namespace gurney::groundmotions {
 namespace {
 
 constexpr std::string_view kSeparators = ",;";
-constexpr std::string_view kBetweenWords = " \t\v\f\x1a,;";
+constexpr std::string_view kBetweenWords = " \t\v\f\x1a,;\"";
 constexpr std::size_t kHeaderLines = 40;
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
@@ -34,10 +34,45 @@ bool is_text(std::string_view word) {
   return std::ranges::find(kNoNumbers, lower(word)) == kNoNumbers.end();
 }
 
-/// Words, or a rule such as "-----"; stars may be a number that did not fit.
+/// A word such as "065JZC" or "2nd": it begins with a digit and has two letters in a row.
+bool is_label(std::string_view word) {
+  if (!is_digit(word[0]) || word.find('#') != std::string_view::npos || word.starts_with("0x"))
+    return false;
+  const std::string text = lower(word);
+  if (text.find("nan") != std::string::npos || text.find("inf") != std::string::npos) return false;
+  for (std::size_t i = 1; i < word.size(); ++i)
+    if (is_letter(word[i - 1]) && is_letter(word[i])) return true;
+  return false;
+}
+
+/// A date or a clock time: 27/02/2010, 2010-02-27, 27.02.2010, 06:34, 06:34:14.5.
+bool is_date(std::string_view word) {
+  const auto digits = [](std::string_view part) {
+    return part.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  for (const char mark : {':', '/', '-', '.'}) {
+    if (std::ranges::count(word, mark) > 2) continue;
+    auto parts = words_of(word, std::string_view(&mark, 1));
+    if (mark == ':' && parts.size() > 1) {
+      parts.back() = parts.back().substr(0, parts.back().find('.'));
+      if (std::ranges::all_of(parts, digits)) return true;
+    }
+    if (parts.size() != 3 || !std::ranges::all_of(parts, digits)) continue;
+    // "0.12.34" is a damaged number.
+    if (parts[2].size() == 4 || (mark != '.' && mark != ':')) return true;
+  }
+  return false;
+}
+
+/// Words of a language, names that begin with a digit, dates, or a rule.
 bool has_text(std::string_view line) {
-  return std::ranges::any_of(words_of(line, kBetweenWords), is_text) ||
-         line.find_first_not_of(" \t-=_#~+") == std::string_view::npos;
+  const auto words = words_of(line, kBetweenWords);
+  if (std::ranges::any_of(words, is_text) || is_rule(line)) return true;
+  const bool has_point = std::ranges::any_of(words, [](std::string_view word) {
+    return word.find('.') != std::string_view::npos && take_number(word) && word.empty();
+  });
+  return std::ranges::any_of(words, is_date) ||
+         (!has_point && std::ranges::any_of(words, is_label));
 }
 
 bool is_comment(std::string_view line) {
@@ -51,7 +86,8 @@ bool is_row(std::string_view line) {
   const auto words = words_of(line, kBetweenWords);
   return !words.empty() && std::ranges::all_of(words, [](std::string_view word) {
     // Numbers may stick together or lack the letter of their exponent; see NumberReader.
-    return take_number(word).has_value() && (word.empty() || word[0] == '-' || word[0] == '+');
+    return !is_date(word) && take_number(word).has_value() &&
+           (word.empty() || word[0] == '-' || word[0] == '+');
   });
 }
 
@@ -66,26 +102,21 @@ std::size_t empty_cell(std::string_view line) {
   return 0;
 }
 
-/// The first line that is neither blank, comment nor text; nothing if there is none early enough.
-std::optional<std::size_t> first_row(const SourceFile& file) {
-  std::size_t text = 0;
-  for (std::size_t i = 0; i < file.lines().size() && text <= kHeaderLines; ++i) {
-    const auto line = file.lines()[i];
-    if (is_blank(line) || is_comment(line)) continue;
-    if (!is_text_line(line)) return i;
-    ++text;
-  }
+std::string_view next_line(const SourceFile& file, std::size_t i) {
+  while (++i < file.lines().size())
+    if (!is_blank(file.lines()[i])) return file.lines()[i];
   return {};
 }
 
-std::vector<std::string_view> apart_by_two_blanks(std::string_view line) {
-  std::vector<std::string_view> words;
-  for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
-    const auto end = std::min({line.find("  "), line.find('\t'), line.size()});
-    words.push_back(line.substr(0, end));
-    line.remove_prefix(end);
-  }
-  return words;
+/// A line of stars alone parts a header, unless it may be a sample that did not fit its column.
+bool is_rule_of_stars(const SourceFile& file, std::size_t i) {
+  constexpr std::size_t kWidestField = 20;
+  const auto line = trimmed(file.lines()[i]);
+  if (line.empty() || line.find_first_not_of("* \t") != std::string_view::npos) return false;
+  if (line.find(std::string(kWidestField + 1, '*')) != std::string_view::npos) return true;
+  const auto next = next_line(file, i);
+  if (is_text_line(next) || is_comment(next) || trimmed(next).starts_with('*')) return true;
+  return words_of(next, kBetweenWords).size() > 1 && words_of(line, " \t").size() == 1;
 }
 
 }  // namespace
@@ -97,18 +128,46 @@ std::size_t PlainRows::width() const {
   return lengths[0];
 }
 
+bool is_rule(std::string_view line) {
+  return line.find_first_not_of(" \t-=_#~+*|") == std::string_view::npos &&
+         line.find_first_of("-=_#~+") != std::string_view::npos;
+}
+
 bool is_text_line(std::string_view line) {
-  return !is_blank(line) && !is_row(line) && has_text(line);
+  return !is_blank(line) && !is_row(line) && !is_dated_row(line) && has_text(line);
+}
+
+std::optional<std::size_t> first_plain_row(const SourceFile& file) {
+  std::size_t text = 0;
+  for (std::size_t i = 0; i < file.lines().size() && text <= kHeaderLines; ++i) {
+    const auto line = file.lines()[i];
+    if (is_blank(line) || is_comment(line)) continue;
+    if (!is_text_line(line) && !is_rule_of_stars(file, i)) return i;
+    ++text;
+  }
+  return {};
 }
 
 bool has_plain_rows(const SourceFile& file) {
-  const auto row = first_row(file);
-  return row && is_row(file.lines()[*row]);
+  const auto row = first_plain_row(file);
+  return row && (is_row(file.lines()[*row]) || is_dated_row(file.lines()[*row]));
+}
+
+std::optional<PlainFault> plain_fault(const SourceFile& file) {
+  const auto row = first_plain_row(file);
+  if (!row) return {};
+  const auto line = file.lines()[*row];
+  for (auto word : words_of(line, kBetweenWords)) {
+    const auto begin = static_cast<std::size_t>(word.data() - line.data());
+    if (take_number(word) && (word.empty() || word[0] == '-' || word[0] == '+')) continue;
+    return PlainFault{*row + 1, begin + 1};
+  }
+  return PlainFault{*row + 1, 1};
 }
 
 PlainRows plain_rows(const SourceFile& file, FileErrors& errors) {
   PlainRows rows;
-  const std::size_t first = first_row(file).value_or(file.lines().size());
+  const std::size_t first = first_plain_row(file).value_or(file.lines().size());
   for (std::size_t i = 0; i < first; ++i)
     if (!is_blank(file.lines()[i])) {
       rows.header.push_back(trimmed(file.lines()[i]));
@@ -137,28 +196,6 @@ PlainRows plain_rows(const SourceFile& file, FileErrors& errors) {
   rows.values = reader.values();
   rows.doubtful_commas = commas && !points;
   return rows;
-}
-
-std::vector<std::string> column_titles(const PlainRows& rows, std::size_t count) {
-  if (rows.header.empty()) return {};
-  std::string_view line = rows.header.back();
-  line.remove_prefix(std::min(line.find_first_not_of("#% \t"), line.size()));
-  std::vector<std::vector<std::string_view>> partings;
-  for (const std::string_view between : {";", ",", "\t", " \t"})
-    partings.push_back(words_of(line, between));
-  partings.push_back(apart_by_two_blanks(line));
-  for (const auto& words : partings) {
-    std::vector<std::string> titles;
-    for (const auto word : words) {
-      const auto text = trimmed(word);
-      if (!titles.empty() && !text.empty() && (text[0] == '(' || text[0] == '['))
-        titles.back() += std::string(text);
-      else
-        titles.emplace_back(text);
-    }
-    if (titles.size() == count) return titles;
-  }
-  return {};
 }
 
 }  // namespace gurney::groundmotions

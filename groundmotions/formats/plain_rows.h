@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,14 +30,23 @@ struct PlainRows {
 /// Whether a line holds words rather than numbers, right or wrong.
 bool is_text_line(std::string_view line);
 
-/// Whether a row of numbers comes after at most 40 lines of text.
+/// A rule such as "-----" or "---***---", which parts a header.
+bool is_rule(std::string_view line);
+
+/// The first line (from 0) that is neither blank, comment nor text, after at most 40 lines of text.
+std::optional<std::size_t> first_plain_row(const SourceFile& file);
+
+/// Whether that line is a row of numbers.
 bool has_plain_rows(const SourceFile& file);
+
+/// The line and column (from 1) of what is neither a number nor text where such a row should begin;
+/// nothing if there is only text. The content of a file that is no record is never quoted.
+struct PlainFault {
+  std::size_t line = 1, column = 1;
+};
+std::optional<PlainFault> plain_fault(const SourceFile& file);
 
 /// What is no number after the first row, save an end mark, and empty cells become errors.
 PlainRows plain_rows(const SourceFile& file, FileErrors& errors);
-
-/// The cells of the last line of text, if it names `count` columns: `Time[s] Accel[g]`; else none.
-/// A bracket belongs to the word before it; titles of several words are apart by two blanks.
-std::vector<std::string> column_titles(const PlainRows& rows, std::size_t count);
 
 }  // namespace gurney::groundmotions

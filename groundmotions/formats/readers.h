@@ -36,6 +36,11 @@ FormatReader read_cosmos;
 FormatMark recognises_csmip;
 FormatReader read_csmip;
 
+/// Text files of the China Strong Motion Network Centre (docs/formats/record_csmnc.md): lines with
+/// COMP., UNIT, NO. OF POINTS and EQUALLY SPACED INTERVALS OF, then samples row by row.
+FormatMark recognises_csmnc;
+FormatReader read_csmnc;
+
 /// Text files of the Central Weather Bureau (now Administration), Taiwan
 /// (docs/formats/record_cwb.md): lines of `#Key: value`, then rows of time, up, north, east.
 FormatMark recognises_cwb;

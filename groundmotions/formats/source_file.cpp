@@ -20,6 +20,13 @@ bool is_binary(char c) {
   return (byte < 0x20 && (byte < '\t' || byte > '\r') && byte != 0x1a) || byte == 0x7f;
 }
 
+/// Without the NULs that pad the end of a file, also where line ends follow them.
+std::string_view without_padding(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  const auto end = bytes.find_last_not_of("\0\r\n\t \x1a"sv) + 1;
+  return bytes.substr(0, bytes.find('\0', end));
+}
+
 }  // namespace
 
 SourceFile::SourceFile(const std::filesystem::path& path)
@@ -28,7 +35,7 @@ SourceFile::SourceFile(const std::filesystem::path& path)
 SourceFile::SourceFile(std::string name, std::string bytes)
     : name_(std::move(name)), bytes_(std::move(bytes)) {
   require(!bytes_.empty() && bytes_ != kByteOrderMark, name_ + ": the file is empty");
-  text_ = std::string_view(bytes_).substr(0, bytes_.find_last_not_of('\0') + 1);
+  text_ = without_padding(bytes_);
   if (!text_.empty() && std::ranges::none_of(text_, is_binary)) cut();
 }
 

@@ -12,7 +12,7 @@ namespace gurney::groundmotions {
 /// A line ends with LF, CR LF, CR CR LF or a lone CR; line ends are not part of the lines. A UTF-8
 /// byte order mark is dropped, and so are blank lines before the first that is not. Text has no
 /// control characters but tabs, line and page ends and the end-of-text of DOS; NULs that pad its
-/// end are no part of it.
+/// end are no part of it, nor are blanks and line ends behind them.
 class SourceFile {
  public:
   /// @throws Error if the file cannot be read, is no regular file, is empty or larger than 256 MiB.

@@ -46,6 +46,21 @@ double even_step(const std::vector<double>& times, const std::vector<std::size_t
   return step;
 }
 
+std::string axis_error(const std::vector<double>& values) {
+  constexpr std::size_t kFew = 20, kMany = 100;
+  constexpr double kLongStep = 0.5, kTolerance = 0.1;
+  if (values.size() < kFew) return {};
+  const double step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
+  if (!(step > 0) || (step > kLongStep && values.size() < kMany)) return {};
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!(std::abs(values[i] - values[0] - static_cast<double>(i) * step) <= kTolerance * step))
+      return {};
+  return fmt::format(
+      "the numbers rise from {:.9g} to {:.9g} by the same {:.6g}: they are times or indices, no "
+      "accelerations",
+      values.front(), values.back(), step);
+}
+
 std::string late_start(double first_time, double step) {
   if (std::abs(first_time) <= kTimeTolerance * step) return {};
   return fmt::format("the first time is {} s; the motion starts there, at 0 s of the run",

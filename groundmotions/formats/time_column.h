@@ -17,6 +17,10 @@ inline constexpr double kTimeTolerance = 0.01;  ///< of a time from the even gri
 double even_step(const std::vector<double>& times, const std::vector<std::size_t>& lines,
                  FileErrors& errors);
 
+/// Why numbers cannot be samples: at least 20 that rise by one step of at most 0.5, or 100 by any,
+/// are times or indices. Empty if they are not.
+std::string axis_error(const std::vector<double>& values);
+
 /// A warning for a first time that is not 0; empty if it is.
 std::string late_start(double first_time, double step);
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {
@@ -29,6 +30,22 @@ std::optional<double> time_unit(std::string_view spelling) {
   for (const auto& [name, seconds] : kUnits)
     if (text == name) return seconds;
   return {};
+}
+
+std::string_view factor_behind(std::string_view unit_end) {
+  constexpr std::string_view kCross = "\xc3\x97";  // U+00D7
+  unit_end.remove_prefix(std::min(unit_end.find_first_not_of(" \t)]}."), unit_end.size()));
+  if (unit_end.empty()) return {};
+  std::string_view rest = unit_end;
+  if (rest.starts_with(kCross))
+    rest.remove_prefix(kCross.size());
+  else if (std::string_view("xX*/").find(rest[0]) != std::string_view::npos)
+    rest.remove_prefix(1);
+  else
+    return {};
+  rest.remove_prefix(std::min(rest.find_first_not_of(" \t("), rest.size()));
+  if (!take_number(rest)) return {};
+  return unit_end.substr(0, unit_end.size() - rest.size());
 }
 
 std::optional<std::string_view> other_quantity(std::string_view unit) {

@@ -15,6 +15,9 @@ std::optional<AccelerationUnit> unit_in(std::string_view line);
 /// for any other.
 std::optional<double> time_unit(std::string_view spelling);
 
+/// A factor right behind a unit: "x 10" of ") x 10", "/1000", "* 1e3"; empty if there is none.
+std::string_view factor_behind(std::string_view unit_end);
+
 /// "velocity" or "displacement" if that is what the unit measures, else nothing.
 std::optional<std::string_view> other_quantity(std::string_view unit);
 

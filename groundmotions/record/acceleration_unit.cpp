@@ -22,9 +22,13 @@ constexpr std::array kSpellings = {
     Spelling{"squared", "2"},      Spelling{"percent", "%"},      Spelling{"_per_", "/"},
     Spelling{"per", "/"},          Spelling{"seconds", "s"},      Spelling{"second", "s"},
     Spelling{"secs", "s"},         Spelling{"sec", "s"},          Spelling{"cms/", "cm/"},
-    Spelling{"/s/s", "/s2"},       Spelling{"/ss", "/s2"},        Spelling{"s-2", "/s2"},
-    Spelling{"s-1", "/s"},         Spelling{"./", "/"},           Spelling{"//", "/"},
-    Spelling{"gals", "gal"},       Spelling{"g's", "g"}};
+    Spelling{"meters", "m"},       Spelling{"metres", "m"},       Spelling{"meter", "m"},
+    Spelling{"metre", "m"},        Spelling{"centim", "cm"},      Spelling{"millim", "mm"},
+    Spelling{"inches", "in"},      Spelling{"inch", "in"},        Spelling{"feet", "ft"},
+    Spelling{"/sq.s", "/s2"},      Spelling{"%ofg", "%g"},        Spelling{"/s/s", "/s2"},
+    Spelling{"/ss", "/s2"},        Spelling{"s-2", "/s2"},        Spelling{"s-1", "/s"},
+    Spelling{"./", "/"},           Spelling{"//", "/"},           Spelling{"gals", "gal"},
+    Spelling{"g's", "g"}};
 
 std::string listed(const std::vector<std::string>& names) {
   std::string text = names[0];

@@ -98,8 +98,24 @@ TEST(Esm, ChecksTheHeader) {
               HasSubstr("f:11:1: the file states a peak of 325 cm/s2"));
   EXPECT_THAT(error_text([] { read_text(replaced(kFile, "UNITS: cm/s^2", "UNITS: ")); }),
               HasSubstr("f: the file does not state its unit"));
-  EXPECT_THAT(error_text([] { read_text(replaced(kFile, "040510.250", "990510.250")); }),
-              HasSubstr("f:6:1: DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS must be a date and a time"));
+}
+
+// AFAD writes the day first; a date that cannot be read costs the start, not the record.
+TEST(Esm, ReadsTheStartInEverySpelling) {
+  const Component plain = read_one(kFile);
+  for (const char* text : {"03/02/2001 04:05:10.250", "2001/02/03 04:05:10.250"}) {
+    const Component component = read_one(replaced(kFile, "20010203_040510.250", text));
+    EXPECT_EQ(component.start_time, plain.start_time) << text;
+    EXPECT_EQ(component.acceleration, plain.acceleration);
+    EXPECT_THAT(component.warnings, IsEmpty());
+  }
+  const Component wrong = read_one(replaced(kFile, "040510.250", "990510.250"));
+  EXPECT_FALSE(wrong.start_time);
+  EXPECT_EQ(wrong.acceleration, plain.acceleration);
+  EXPECT_THAT(wrong.warnings,
+              ElementsAre("the start of the record is not known: "
+                          "DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS must be a date and a time, got "
+                          "'20010203_990510.250'"));
 }
 
 TEST(Esm, ChecksTheTimeStepAgainstDurationAndPeak) {

@@ -37,6 +37,7 @@ inline const std::vector<FormatSample>& format_samples() {
        pairs_volume1({0, 0.005, 0.01, 0.015, 0.02, 0.025, 0.03, 0.035, 0.04, 0.045},
                      {.first = "FILE 0 OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:"})},
       {"K-NET", page_example("record_knet.md", "## Example")},
+      {"CSMNC", page_example("record_csmnc.md", "## Example")},
       {"ESM", page_example("record_esm.md", "## Example")},
       {"SIMBAD", page_example("record_esm.md", "# SIMBAD files of ITACA records")},
       {"PEER AT2", page_example("record_at2.md", "## Example")},

@@ -23,6 +23,7 @@ TEST(Pages, HaveExamplesThatAreRead) {
   expect_read("record_ucgmsim.md", "## Example", "EMOD3D", 1, 7, {.unit = "g"});
   expect_read("record_cwb.md", "## Example", "CWB", 3, 4);
   expect_read("record_nsmn.md", "## Example", "NSMN", 3, 3);
+  expect_read("record_csmnc.md", "## Example", "CSMNC", 1, 11);
   expect_read("record_bbp.md", "## Example", "BBP", 3, 3);
   expect_read("record_plain.md", "## Example", "plain text", 1, 3);
   expect_read("record_at2.md", "## Example", "PEER AT2", 1, 5);

@@ -164,6 +164,31 @@ TEST(PeerAt2, LeavesTablesWithTimesToPlainText) {
   EXPECT_EQ(read(title + ".1 .2\n.3 .1\n", {.time_step = 0.02})[0].format, "PEER AT2");
 }
 
+TEST(PeerAt2, LeavesTablesBelowCountAndStepToPlainText) {
+  const std::string title = "ACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 4, DT= .02 SEC\n";
+  const Component table = read(title + "0 .1\n.02 .2\n.04 .3\n.06 -.1\n")[0];
+  EXPECT_EQ(table.format, "plain text");
+  EXPECT_EQ(table.unit, "g");
+  EXPECT_EQ(table.acceleration.size(), 4);
+  EXPECT_EQ(read(title + ".1 .2\n.3 .1\n")[0].format, "PEER AT2");
+}
+
+// FN and FP of one motion name the components before the rotation above their own azimuth.
+TEST(PeerAt2, TakesTheAzimuthAfterARotation) {
+  const std::string file =
+      "PEER NGA Rotated Accelerogram (v1.1)\n"
+      "H1 for rotation: NOWHERE 11/24/87 1316, SOMEWHERE, 090 (STATION 5)\n"
+      "H2 for rotation: NOWHERE 11/24/87 1316, SOMEWHERE, 000 (STATION 5)\n"
+      "rotation angle - clockwise  40.0\nFN component, azimuth =   310.0\nAccelerations in g\n"
+      "5 0.005000 NPTS, DT\n.1 .2 -.1\n.3 .1\n";
+  const Component normal = read(file)[0];
+  EXPECT_EQ(normal.name, "FN");
+  EXPECT_DOUBLE_EQ(*normal.azimuth, 310 * kRadiansPerDegree);
+  const Component parallel =
+      read(replaced(file, "FN component, azimuth =   310.0", "FP component, azimuth =   40.0"))[0];
+  EXPECT_DOUBLE_EQ(*parallel.azimuth, 40 * kRadiansPerDegree);
+}
+
 TEST(PeerAt2, ReadsMillisecondsAndExponentsOfFortran) {
   expect_the_motion(read(file_with("NPTS=   5, DT=20 MSEC")));
   expect_the_motion(read(file_with("NPTS=   5, DT= 20.0 ms")));

@@ -40,6 +40,52 @@ TEST(PlainFacts, TextIsCheckedAgainstTheUser) {
             "f:1:1: count_m_per_s2 is for raw counts, but the file states the unit g");
 }
 
+TEST(PlainFacts, ABareUnitIsRead) {
+  const std::pair<const char*, const char*> lines[] = {
+      {"cm/s2; dt=0.005", "cm/s2"},
+      {"Acc m/s2", "m/s2"},
+      {"Acceleration in g", "g"},
+      {"Acceleration, m/s\xc2\xb2", "m/s2"},
+      {"Acceleration, g", "g"},
+      {"Acc. g", "g"},
+      {"g", "g"},
+      {"Units g", "g"},
+      {"UNITS - CM/S/S", "cm/s2"},
+      {"acceleration in fractions of g", "g"},
+      {"acc in % g", "%g"},
+      {"acceleration in % of g", "%g"},
+      {"values in m s-2", "m/s2"},
+      {"data in cm / s^2", "cm/s2"},
+      {"acceleration (metres per second squared)", "m/s2"},
+      {"acceleration in centimeters per second per second", "cm/s2"},
+      {"Acceleration (g) NPTS= 3", "g"}};
+  for (const auto& [line, unit] : lines) {
+    const ReadOptions options{.time_step = std::string(line).find("dt") == std::string::npos
+                                               ? std::optional<double>(0.01)
+                                               : std::nullopt};
+    EXPECT_EQ(read_one(std::string(line) + "\n1\n-2\n3\n", options).unit, unit) << line;
+    EXPECT_THAT(error(std::string(line) + "\n", {.unit = "mg", .time_step = options.time_step}),
+                HasSubstr("f:1:1: the file states the unit"))
+        << line;
+  }
+}
+
+TEST(PlainFacts, AValueIsNoUnitOfTheSamples) {
+  for (const char* line : {"PGA 0.3 g", "Vs30 (m/s): 379", "PGA (g): 0.3", "scale 2 g",
+                           "g = 9.81 m/s2", "Station G", "Peak acceleration, g", "component g"})
+    EXPECT_EQ(read_one(std::string(line) + "\n1\n-2\n3\n", {.unit = "gal", .time_step = 0.01}).unit,
+              "cm/s2")
+        << line;
+}
+
+TEST(PlainFacts, ACountThatDiffersIsAWarning) {
+  const ReadOptions options{.unit = "g", .time_step = 0.01};
+  EXPECT_THAT(read_one("npts: 4\n1\n-2\n3\n", options).warnings,
+              testing::Contains("line 1 states 4 samples, but the file holds 3"));
+  EXPECT_THAT(read_one("No. of points = 3\n1\n-2\n3\n", options).warnings,
+              testing::Not(testing::Contains(HasSubstr("states"))));
+}
+
 TEST(PlainFacts, LinesMustAgree) {
   EXPECT_EQ(error("Units: g\nUnits: gal\ndt = 0.01\nsampling rate 50 Hz\n"),
             "f:2:1: this line states the unit cm/s2, but line 1 states g\n"

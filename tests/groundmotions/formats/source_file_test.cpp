@@ -44,6 +44,17 @@ TEST(SourceFile, KnowsText) {
   EXPECT_EQ(error_text([] { SourceFile("f", ""); }), "f: the file is empty");
 }
 
+// Recorders pad their last block with NULs, and programs put a line end behind them.
+TEST(SourceFile, DropsNulsAtTheEnd) {
+  const std::string nuls(80, '\0');
+  for (const std::string& end : {nuls, nuls + "\r\n", nuls + "\n\x1a", nuls + " \n" + nuls}) {
+    EXPECT_THAT(SourceFile("f", "a\nb\n" + end).lines(), ElementsAre("a", "b"));
+    EXPECT_TRUE(SourceFile("f", "a\nb\n" + end).ends_with_line_end());
+    EXPECT_FALSE(SourceFile("f", "a\nb" + end).ends_with_line_end());
+  }
+  EXPECT_FALSE(SourceFile("f", "a\n" + nuls + "\nb").is_text());
+}
+
 TEST(SourceFile, RefusesWhatCannotBeRead) {
   EXPECT_EQ(error_text([] { SourceFile(std::filesystem::path("no/such.AT2")); }),
             "no/such.AT2: no such file");

@@ -127,8 +127,9 @@ TEST_F(Grouping, PartsChannelsOfSeveralPlaces) {
                   "building Roof, N wall: building.V1#4", "building Roof, S wall: building.V1#5"));
   EXPECT_EQ(read_record(suite().records[0])[Direction::kH2]->name, "360 DEG");
   EXPECT_EQ(read_record(suite().records[2])[Direction::kH1]->name, "90 DEG");
-  EXPECT_THAT(error_text([&] { read_record({RecordFile{.path = path}}); }),
-              HasSubstr("say which by their channel"));
+  EXPECT_THAT(
+      error_text([&] { read_record({RecordFile{.path = path}}); }),
+      HasSubstr("say which by --columns (tables of plain text) or by `channels` in a list"));
 
   folder_.write("list.csv", "name,file,channels\nground,building.V1,1;2;3\nroof,building.V1,4\n");
   const Suite list = read_suite({folder_.file("list.csv")});
