@@ -7,7 +7,7 @@ namespace gurney {
 namespace {
 
 constexpr double kMindlinRatio = 0.8;
-constexpr double kTangentialDampingTime = 1e-3;  // [s]
+constexpr double kCompliantDampingTime = 1e-3;  // [s]
 
 }  // namespace
 
@@ -29,8 +29,18 @@ ImpactLaw::ImpactLaw(const ContactConstants& c)
       damping_(c.damping),
       damping_number_(compliant_ ? 0 : damping_number(c.restitution)),
       friction_(c.friction),
-      tangential_stiffness_(kMindlinRatio * c.stiffness),
-      tangential_damping_(kTangentialDampingTime * tangential_stiffness_) {}
+      tangential_stiffness_(kMindlinRatio * c.stiffness) {}
+
+double ImpactLaw::damping_slope(const Stage& stage) const {
+  return damping_number_ / std::max(stage.approach_speed, kLeastApproach);
+}
+
+ImpactLaw::Tangent ImpactLaw::tangent(const Stage& stage, const Vector3& u) const {
+  const double d = stage.compression - stage.tau * u.z();
+  const double time = compliant_ ? kCompliantDampingTime : damping_slope(stage) * d;
+  return {tangential_stiffness_ * time / stage.tau,
+          compliant_ ? 0 : tangential_stiffness_ * damping_slope(stage)};
+}
 
 ImpactLaw::Normal ImpactLaw::normal(const Stage& stage, double u_z) const {
   const double d = stage.compression - stage.tau * u_z;
@@ -42,7 +52,7 @@ ImpactLaw::Normal ImpactLaw::normal(const Stage& stage, double u_z) const {
     if (damping >= elastic) return {2 * elastic, 2 * elastic_slope, elastic};
     return {elastic + damping, elastic_slope + damping_, damping};
   }
-  const double rate = damping_number_ / std::max(stage.approach_speed, kLeastApproach);
+  const double rate = damping_slope(stage);
   const double g = -rate * u_z;
   if (g <= -1) return {0, 0, -elastic};
   return {elastic * (1 + g), elastic_slope * (1 + g) + elastic * rate, elastic * g};
@@ -53,19 +63,22 @@ Vector3 ImpactLaw::force(const Stage& stage, const Vector3& u, Matrix3& slope) c
   const Normal n = normal(stage, u.z());
   if (n.force <= 0) return Vector3::Zero();
   slope(2, 2) = n.slope;
-  const double damping_rate = tangential_damping_ / stage.tau;
+  const auto [damping_rate, damping_by_depth] = this->tangent(stage, u);
   const double stiffness = tangential_stiffness_ + damping_rate;
   Vector2 tangent =
       damping_rate * stage.deflection - stiffness * (stage.deflection + stage.tau * u.head<2>());
+  Vector2 by_normal = -stage.tau * damping_by_depth * u.head<2>();
   const double size = tangent.norm(), limit = friction_ * n.force;
   Matrix2 tangent_slope = Matrix2::Identity() * (stiffness * stage.tau);
   if (size > limit) {
     const Vector2 direction = tangent / size;
+    const Matrix2 turning =
+        limit / size * (Matrix2::Identity() - direction * direction.transpose());
     tangent = limit * direction;
-    tangent_slope = limit / size * stiffness * stage.tau *
-                    (Matrix2::Identity() - direction * direction.transpose());
-    slope.block<2, 1>(0, 2) = friction_ * n.slope * direction;
+    tangent_slope = stiffness * stage.tau * turning;
+    by_normal = friction_ * n.slope * direction + turning * by_normal;
   }
+  slope.block<2, 1>(0, 2) = by_normal;
   slope.topLeftCorner<2, 2>() = tangent_slope;
   return {tangent.x(), tangent.y(), n.force};
 }
@@ -79,14 +92,14 @@ ImpactLaw::Result ImpactLaw::finish(const Stage& stage, const Vector3& u,
   result.damping_power = -n.damping_force * u.z();
   if (result.compression > 0) result.spring_rates = stiffness_ * u.z() * u.z();
   if (n.force <= 0) return result;
-  const double damping_rate = tangential_damping_ / stage.tau;
+  const double damping_rate = this->tangent(stage, u).damping_rate;
   const Vector2 tangent = result.force.head<2>();
   result.deflection =
       (damping_rate * stage.deflection - tangent) / (tangential_stiffness_ + damping_rate);
   result.sliding = tangent.norm() >= friction_ * n.force * (1 - 1e-12);
   const Vector2 rate = (result.deflection - stage.deflection) / stage.tau;
   result.sliding_power = -tangent.dot(u.head<2>() - rate);
-  result.damping_power += tangential_damping_ * rate.squaredNorm();
+  result.damping_power += damping_rate * stage.tau * rate.squaredNorm();
   result.spring_rates += tangential_stiffness_ * rate.squaredNorm();
   return result;
 }

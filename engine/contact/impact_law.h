@@ -64,10 +64,16 @@ class ImpactLaw {
     double force, slope, damping_force;
   };
   Normal normal(const Stage& stage, double u_z) const;
+  /// c_t over tau, and how c_t grows with the compression.
+  struct Tangent {
+    double damping_rate, damping_by_depth;
+  };
+  Tangent tangent(const Stage& stage, const Vector3& u) const;
+  double damping_slope(const Stage& stage) const;  // x / v0
 
   bool compliant_;
   double stiffness_, damping_, damping_number_, friction_;
-  double tangential_stiffness_, tangential_damping_;
+  double tangential_stiffness_;
 };
 
 }  // namespace gurney
