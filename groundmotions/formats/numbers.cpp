@@ -26,19 +26,26 @@ Eigen::VectorXd scaled(const std::vector<double>& values, double factor) {
 }
 
 NumberReader::NumberReader(const SourceFile& file, FileErrors& errors, std::string_view separators)
-    : file_(file),
-      errors_(errors),
-      separators_(std::string(kNumberBlanks) + std::string(separators)) {}
+    : file_(file), errors_(errors), separates_() {
+  for (const std::string_view texts : {std::string_view(kNumberBlanks), separators})
+    for (const unsigned char c : texts) separates_[c] = true;
+}
 
 std::size_t NumberReader::read_line(std::size_t index) {
   const std::string_view line = file_.lines()[index];
   const std::size_t before = values_.size();
   Layout layout;
-  for (std::size_t begin = line.find_first_not_of(separators_); begin != std::string_view::npos;) {
-    const std::size_t end = std::min(line.find_first_of(separators_, begin), line.size());
+  const auto separates = [&](std::size_t i) {
+    return separates_[static_cast<unsigned char>(line[i])];
+  };
+  for (std::size_t end = 0; end < line.size();) {
+    std::size_t begin = end;
+    while (begin < line.size() && separates(begin)) ++begin;
+    if (begin == line.size()) break;
+    end = begin;
+    while (end < line.size() && !separates(end)) ++end;
     read_word(line.substr(begin, end - begin), index + 1, begin + 1);
     layout.emplace_back(begin, end);
-    begin = line.find_first_not_of(separators_, end);
   }
   if (!layout.empty()) compare(layout);
   return values_.size() - before;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -45,7 +46,7 @@ class NumberReader {
 
   const SourceFile& file_;
   FileErrors& errors_;
-  std::string separators_;
+  std::array<bool, 256> separates_;  ///< by byte
   std::vector<double> values_;
   std::size_t shortest_tail_ = std::string_view::npos;  ///< of all but the last number
   std::size_t last_tail_ = std::string_view::npos;      ///< characters after the decimal point

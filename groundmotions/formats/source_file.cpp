@@ -49,7 +49,8 @@ void SourceFile::cut() {
   std::string_view rest = text_;
   if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
   while (!rest.empty()) {
-    const auto length = std::min(rest.find_first_of("\r\n"), rest.size());
+    const auto length = static_cast<std::size_t>(
+        std::ranges::find_if(rest, [](char c) { return c == '\n' || c == '\r'; }) - rest.begin());
     lines_.push_back(rest.substr(0, length));
     rest.remove_prefix(length);
     const auto end = std::min(rest.find_first_not_of('\r'), rest.size());

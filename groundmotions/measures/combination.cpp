@@ -8,9 +8,10 @@
 #include "engine/base/error.h"
 #include "engine/config/nearest_name.h"
 #include "groundmotions/measures/combined_spectrum.h"
+#include "groundmotions/measures/integrate.h"
 #include "groundmotions/measures/peaks.h"
 #include "groundmotions/measures/plain_name.h"
-#include "groundmotions/measures/rotation.h"
+#include "groundmotions/measures/rotated_values.h"
 #include "groundmotions/measures/spectral_averages.h"
 
 namespace gurney::groundmotions {
@@ -37,16 +38,6 @@ bool is_rotated(Combination combination) {
 double percent_of(Combination combination) {
   if (combination == Combination::kRotD00) return 0;
   return combination == Combination::kRotD50 ? 50 : 100;
-}
-
-double rotated(const Measure& measure, double percent, double time_step, const Eigen::VectorXd& h1,
-               const Eigen::VectorXd& h2) {
-  RotatedValues values;
-  for (int i = 0; i < kRotationAngles; ++i) {
-    const Eigen::Vector2d direction = rotation_direction(i);
-    values[i] = value_of(measure, time_step, direction.x() * h1 + direction.y() * h2);
-  }
-  return percentile(values, percent);
 }
 
 double resultant(const Measure& measure, double time_step, const Eigen::VectorXd& h1,
@@ -101,6 +92,30 @@ Combination parse_combination(std::string_view text) {
               config::suggestion(std::string(text), known_combinations()));
 }
 
+// Integration is linear: the velocity of a turned motion is the turned velocity.
+RotatedValues rotated_values(const Measure& measure, double time_step, const Eigen::VectorXd& h1,
+                             const Eigen::VectorXd& h2) {
+  switch (measure.kind) {
+    case MeasureKind::kPga:
+    case MeasureKind::kPfa:
+      return rotated_peaks(h1, h2);
+    case MeasureKind::kPgv:
+    case MeasureKind::kPfv:
+      return rotated_peaks(integrated(time_step, h1).velocity, integrated(time_step, h2).velocity);
+    case MeasureKind::kPgd:
+      return rotated_peaks(integrated(time_step, h1).displacement,
+                           integrated(time_step, h2).displacement);
+    default:
+      break;
+  }
+  RotatedValues values;
+  for (int i = 0; i < kRotationAngles; ++i) {
+    const Eigen::Vector2d direction = rotation_direction(i);
+    values[i] = value_of(measure, time_step, direction.x() * h1 + direction.y() * h2);
+  }
+  return values;
+}
+
 double value_of(const Measure& measure, Combination combination, const Record& record) {
   const double dt = record.time_step();
   const auto acceleration = [&](Direction direction) -> const Eigen::VectorXd& {
@@ -117,7 +132,8 @@ double value_of(const Measure& measure, Combination combination, const Record& r
           name_of(measure) + ": SRSS of durations and periods has no meaning");
   if (const Eigen::VectorXd periods = spectral_periods(measure); periods.size() > 0)
     return geometric_mean(combined_spectrum(combination, record, periods, measure.damping));
-  if (is_rotated(combination)) return rotated(measure, percent_of(combination), dt, h1, h2);
+  if (is_rotated(combination))
+    return percentile(rotated_values(measure, dt, h1, h2), percent_of(combination));
   const double v1 = value_of(measure, dt, h1), v2 = value_of(measure, dt, h2);
   if (combination == Combination::kLarger) return std::max(v1, v2);
   if (combination == Combination::kSrss) return std::hypot(v1, v2);

@@ -27,6 +27,14 @@ const Directions& directions() {
   return all;
 }
 
+/// The place of a known value; faster than a search for the largest together with its place.
+template <class Values>
+Eigen::Index first_with(const Values& values, double value) {
+  Eigen::Index i = 0;
+  while (i + 1 < values.size() && values.coeff(i) != value) ++i;
+  return i;
+}
+
 /// A column for each sample, a row for each oscillator.
 using Histories = Eigen::Matrix<double, kLanes, Eigen::Dynamic>;
 
@@ -65,17 +73,20 @@ RotatedValues rotated_peaks(const Eigen::Ref<const Eigen::VectorXd>& x,
   assert(x.size() == y.size());
   RotatedValues peaks = RotatedValues::Zero();
   if (x.size() == 0) return peaks;
-  const Eigen::ArrayXd squares = x.array().square() + y.array().square();
-  Eigen::Index far = 0, aside = 0;
-  if (squares.maxCoeff(&far) == 0) return peaks;
-  const double cross = (x[far] * y.array() - y[far] * x.array()).abs().maxCoeff(&aside);
+  const auto squares = x.array().square() + y.array().square();  // never stored
+  const double farthest = squares.maxCoeff();
+  if (farthest == 0) return peaks;
+  const Eigen::Index far = first_with(squares, farthest);
+  const auto distances = (x[far] * y.array() - y[far] * x.array()).abs();
+  const double cross = distances.maxCoeff();
+  const Eigen::Index aside = first_with(distances, cross);
   const Eigen::Vector2d p(x[far], y[far]), q(x[aside], y[aside]);
   // The last factor keeps points that rounding would leave out.
   const double bound = cross / std::max((p - q).norm(), (p + q).norm()) * (1 - 1e-9);
 
   std::vector<Eigen::Index> points;
   for (Eigen::Index i = 0; i < x.size(); ++i)
-    if (squares[i] >= bound * bound) points.push_back(i);
+    if (squares.coeff(i) >= bound * bound) points.push_back(i);
   const auto take = [&](Eigen::Index i) {
     peaks = peaks.max((x[i] * directions().cosine + y[i] * directions().sine).abs());
   };
@@ -83,7 +94,7 @@ RotatedValues rotated_peaks(const Eigen::Ref<const Eigen::VectorXd>& x,
   for (std::size_t k = 0; k < points.size(); k += kStride) take(points[k]);
   const double smallest = peaks.minCoeff();
   for (const Eigen::Index i : points)
-    if (squares[i] >= smallest * smallest) take(i);
+    if (squares.coeff(i) >= smallest * smallest) take(i);
   return peaks;
 }
 

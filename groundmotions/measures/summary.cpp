@@ -1,7 +1,13 @@
 #include "groundmotions/measures/summary.h"
 
+#include <array>
+#include <cmath>
+#include <optional>
+
 #include "engine/base/error.h"
 #include "groundmotions/measures/response_spectrum.h"
+#include "groundmotions/measures/rotated_values.h"
+#include "groundmotions/measures/spectral_averages.h"
 
 namespace gurney::groundmotions {
 namespace {
@@ -44,6 +50,81 @@ std::vector<Combination> combinations(const Record& record, const Measure& measu
   return result;
 }
 
+/// The combinations of one measure; what several of them need is computed once.
+class RecordValues {
+ public:
+  RecordValues(const Record& record, const Measure& measure)
+      : record_(record), measure_(measure), periods_(spectral_periods(measure)) {}
+
+  /// value_of() for the combinations of a row
+  double of(Combination combination) {
+    switch (combination) {
+      case Combination::kH1:
+        return of(Direction::kH1);
+      case Combination::kH2:
+        return of(Direction::kH2);
+      case Combination::kVertical:
+        return of(Direction::kVertical);
+      case Combination::kGeometricMean:
+        return is_spectral()
+                   ? geometric_mean((spectrum(Direction::kH1) * spectrum(Direction::kH2)).sqrt())
+                   : std::sqrt(of(Direction::kH1) * of(Direction::kH2));
+      case Combination::kRotD50:
+        return is_spectral() ? geometric_mean(rotated_spectra().rotd50) : percentile(rotated(), 50);
+      case Combination::kRotD100:
+        return is_spectral() ? geometric_mean(rotated_spectra().rotd100)
+                             : percentile(rotated(), 100);
+      default:
+        return value_of(measure_, combination, record_);
+    }
+  }
+
+ private:
+  bool is_spectral() const { return periods_.size() > 0; }
+  const Eigen::VectorXd& acceleration(Direction direction) const {
+    return record_[direction]->acceleration;
+  }
+
+  double of(Direction direction) {
+    auto& value = values_[static_cast<std::size_t>(direction)];
+    if (!value)
+      value = is_spectral() ? geometric_mean(spectrum(direction))
+                            : value_of(measure_, record_.time_step(), acceleration(direction));
+    return *value;
+  }
+
+  const Eigen::ArrayXd& spectrum(Direction direction) {
+    auto& spectrum = spectra_[static_cast<std::size_t>(direction)];
+    if (!spectrum)
+      spectrum = response_spectrum(record_.time_step(), acceleration(direction), periods_,
+                                   measure_.damping)
+                     .pseudo_acceleration;
+    return *spectrum;
+  }
+
+  const RotatedSpectrum& rotated_spectra() {
+    if (!rotated_spectra_)
+      rotated_spectra_ = rotated_spectrum(record_.time_step(), acceleration(Direction::kH1),
+                                          acceleration(Direction::kH2), periods_, measure_.damping);
+    return *rotated_spectra_;
+  }
+
+  const RotatedValues& rotated() {
+    if (!rotated_)
+      rotated_ = rotated_values(measure_, record_.time_step(), acceleration(Direction::kH1),
+                                acceleration(Direction::kH2));
+    return *rotated_;
+  }
+
+  const Record& record_;
+  Measure measure_;
+  Eigen::VectorXd periods_;
+  std::array<std::optional<double>, 3> values_;
+  std::array<std::optional<Eigen::ArrayXd>, 3> spectra_;
+  std::optional<RotatedSpectrum> rotated_spectra_;
+  std::optional<RotatedValues> rotated_;
+};
+
 }  // namespace
 
 std::vector<Measure> common_measures() {
@@ -70,8 +151,9 @@ Summary summary(const Record& record, const std::vector<Measure>& measures) {
   Summary result;
   for (const Measure& measure : measures) {
     SummaryRow row = empty_row(measure);
+    RecordValues values(record, measure);
     for (const Combination each : combinations(record, measure))
-      add(row, result.warnings, name_of(each), [&] { return value_of(measure, each, record); });
+      add(row, result.warnings, name_of(each), [&] { return values.of(each); });
     warn_of_short_period(result, measure, record.time_step());
     result.rows.push_back(std::move(row));
   }

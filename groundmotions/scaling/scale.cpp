@@ -8,6 +8,14 @@
 
 namespace gurney::groundmotions {
 
+std::string dubious_factor(double factor) {
+  if (factor <= kDubiousFactor) return {};
+  return fmt::format(
+      "scaled by {:.3g}, more than {:g}: the record is too weak for this intensity, its noise is "
+      "amplified with it; take another record",
+      factor, kDubiousFactor);
+}
+
 Record scaled(Record record, double factor, const VerticalScaling& vertical,
               const std::string& reason) {
   using Rule = VerticalScaling::Rule;
@@ -17,6 +25,8 @@ Record scaled(Record record, double factor, const VerticalScaling& vertical,
   require(factor > 0 && std::isfinite(factor) && up > 0 && std::isfinite(up),
           fmt::format("{}: factors {:g} and {:g} (vertical): must be finite numbers > 0",
                       record.name, factor, up));
+  if (const std::string warning = dubious_factor(factor); !warning.empty())
+    record.warnings.push_back(warning);
   for (const Direction direction : kDirections)
     if (auto& component = record.components[static_cast<std::size_t>(direction)])
       component->acceleration *= direction == Direction::kVertical ? up : factor;

@@ -8,6 +8,14 @@
 
 namespace gurney::groundmotions {
 
+/// A factor beyond which a record is reported by name. An assumption: the literature cautions from
+/// factors of 4 to 10 on (docs/theory/statistics.md, Scale factors); at 20 a peak of 0.5 g comes
+/// from a record of 0.025 g, in which the noise of the instrument is amplified too.
+inline constexpr double kDubiousFactor = 20;
+
+/// `scaled by 387000, more than 20: ...`; empty for a smaller factor
+std::string dubious_factor(double factor);
+
 /// What scaling does to the vertical component.
 struct VerticalScaling {
   enum class Rule {

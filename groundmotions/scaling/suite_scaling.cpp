@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/base/error.h"
+#include "groundmotions/scaling/lowest_ratio.h"
 
 namespace gurney::groundmotions {
 
@@ -47,6 +48,11 @@ void check(const Eigen::VectorXd& periods, const Eigen::MatrixXd& spectra,
   require(options.floor_share >= 0, "the share of the target must be >= 0");
 }
 
+Eigen::VectorXd mean_of(const Eigen::MatrixXd& spectra, SuiteScalingOptions::Mean mean) {
+  if (mean == SuiteScalingOptions::Mean::kArithmetic) return spectra.colwise().mean().transpose();
+  return spectra.array().log().matrix().colwise().mean().transpose().array().exp();
+}
+
 }  // namespace
 
 SuiteScaling scale_suite(const Eigen::VectorXd& periods, const Eigen::MatrixXd& spectra,
@@ -70,11 +76,7 @@ SuiteScaling scale_suite(const Eigen::VectorXd& periods, const Eigen::MatrixXd& 
                       names[static_cast<std::size_t>(i)], wanted, result.factors[i]));
   }
 
-  const Eigen::MatrixXd scaled = result.factors.asDiagonal() * spectra;
-  if (options.mean == SuiteScalingOptions::Mean::kArithmetic)
-    result.mean = scaled.colwise().mean().transpose();
-  else
-    result.mean = scaled.array().log().matrix().colwise().mean().transpose().array().exp();
+  result.mean = mean_of(result.factors.asDiagonal() * spectra, options.mean);
   const Eigen::VectorXd mean_ratio = result.mean.array() / target.array();
   result.common_factor = options.floor_share > 0
                              ? options.floor_share / mean_ratio.minCoeff()
@@ -96,6 +98,31 @@ SuiteScaling scale_suite(const Eigen::VectorXd& periods, const Eigen::MatrixXd& 
   result.misfits = (ln_after.array().square().matrix() * w).array().sqrt();
   result.suite_misfit =
       std::sqrt((result.mean.array() / target.array()).log().square().matrix().dot(w));
+  return result;
+}
+
+SuiteScaling scale_suite(const Eigen::VectorXd& periods, const SuiteSpectra& spectra,
+                         const std::vector<std::string>& names,
+                         const SuiteScalingOptions& options) {
+  constexpr double kTolerance = 1e-4;
+  const auto target_at = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {
+    return at.unaryExpr([&](double period) { return spectra.target(period); });
+  };
+  const Eigen::MatrixXd at_periods = spectra.records(periods);
+  const Eigen::VectorXd target = target_at(periods);
+  SuiteScaling coarse = scale_suite(periods, at_periods, target, names, options);
+  if (options.floor_share <= 0) return coarse;
+  const auto ratios_at = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {
+    return mean_of(coarse.factors.asDiagonal() * spectra.records(at), options.mean).array() /
+           target_at(at).array();
+  };
+  const LowestRatio lowest =
+      lowest_ratio(periods, coarse.mean.array() / target.array(), ratios_at, kTolerance);
+  SuiteScalingOptions raised = options;
+  raised.floor_share *= coarse.smallest_ratio / lowest.ratio / (1 - kTolerance);
+  SuiteScaling result = scale_suite(periods, at_periods, target, names, raised);
+  result.smallest_ratio = lowest.ratio * result.common_factor / coarse.common_factor;
+  result.period_of_smallest = lowest.period;
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,20 @@ struct SuiteScaling {
 /// @throws Error for shapes and values that do not fit.
 SuiteScaling scale_suite(const Eigen::VectorXd& periods, const Eigen::MatrixXd& spectra,
                          const Eigen::VectorXd& target, const std::vector<std::string>& names,
+                         const SuiteScalingOptions& options = {});
+
+/// The spectra of a suite and its target at any periods.
+struct SuiteSpectra {
+  /// One row for each record, one column for each period [m/s2].
+  std::function<Eigen::MatrixXd(const Eigen::VectorXd& periods)> records;
+  std::function<double(double period)> target;  ///< [m/s2]
+};
+
+/// The same, with the floor kept between the periods too: the common factor is that of the lowest
+/// ratio anywhere in the range (lowest_ratio.h, to 1e-4, which is added). Least squares and misfits
+/// are those at the periods given.
+SuiteScaling scale_suite(const Eigen::VectorXd& periods, const SuiteSpectra& spectra,
+                         const std::vector<std::string>& names,
                          const SuiteScalingOptions& options = {});
 
 }  // namespace gurney::groundmotions

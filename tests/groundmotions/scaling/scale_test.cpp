@@ -46,6 +46,12 @@ TEST(Scaled, TreatsTheVerticalByItsRule) {
   EXPECT_ERROR(scaled(record(), NAN), "must be finite numbers > 0");
 }
 
+TEST(Scaled, WarnsOfFactorsAboveTwenty) {
+  EXPECT_THAT(scaled(record(), 20).warnings, testing::IsEmpty());
+  EXPECT_THAT(scaled(record(), 21).warnings,
+              ElementsAre(testing::HasSubstr("scaled by 21, more than 20")));
+}
+
 TEST(ScaleTo, ReachesTheValue) {
   const Record result = scale_to(record(), kPga, 5);
   EXPECT_DOUBLE_EQ(pga(result, Direction::kH1), 5);
