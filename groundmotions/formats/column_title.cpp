@@ -254,8 +254,9 @@ bool names_period(const ColumnTitle& title) {
 }
 
 bool names_ordinate(const ColumnTitle& title, bool beside_time) {
-  constexpr std::array<std::string_view, 9> kNames = {"sa",  "psa", "rsa", "psv", "fas",
-                                                      "ars", "uhs", "sae", "spa"};
+  constexpr std::array<std::string_view, 14> kNames = {"sa",  "psa", "rsa",  "psv",   "fas",
+                                                       "ars", "uhs", "sae",  "spa",   "target",
+                                                       "mce", "dbe", "mcer", "design"};
   constexpr std::array<std::string_view, 3> kShort = {"se", "sd", "sv"};
   const std::string name = lower(title.name);
   const auto words = words_of(name, " \t_-.,:;/#*|0123456789%");

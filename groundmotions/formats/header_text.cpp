@@ -116,6 +116,8 @@ std::optional<std::string_view> unit_elsewhere(std::string_view line) {
   const auto words = words_of(line, " \t,;:=");
   for (std::size_t i = 0; i < words.size(); ++i) {
     auto word = words[i];
+    // "ACC(GAL)"
+    if (const auto open = word.find_first_of("(["); open != kNone) word.remove_prefix(open);
     if (const auto compound = unit_of_words(line, words, i); !compound.empty()) word = compound;
     const auto end = static_cast<std::size_t>(word.data() - line.data()) + word.size();
     const bool in_brackets = std::string_view("([").find(word[0]) != kNone &&

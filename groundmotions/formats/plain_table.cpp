@@ -115,8 +115,10 @@ std::vector<ColumnTitle> only_title(const PlainRows& rows) {
   auto line = rows.header.back();
   line.remove_prefix(std::min(line.find_first_not_of("#% \t"), line.size()));
   const bool has_bracket = line.ends_with(')') || line.ends_with(']');
-  if (!has_bracket || unit_text_in(line)) return {};
+  const bool is_word = line.find_first_of(" \t,;") == std::string_view::npos;  // "acc_g"
+  if (!(has_bracket || is_word) || unit_text_in(line)) return {};
   auto titles = parsed_titles({std::string(line)});
+  if (is_word && acceleration_unit(titles[0].unit)) return titles;
   // A depth in m is no displacement.
   const std::string& quantity = titles[0].quantity;
   if (!quantity_in(line) && (quantity.empty() || quantity == "displacement")) titles.clear();

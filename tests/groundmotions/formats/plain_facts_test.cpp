@@ -58,7 +58,11 @@ TEST(PlainFacts, ABareUnitIsRead) {
       {"data in cm / s^2", "cm/s2"},
       {"acceleration (metres per second squared)", "m/s2"},
       {"acceleration in centimeters per second per second", "cm/s2"},
-      {"Acceleration (g) NPTS= 3", "g"}};
+      {"Acceleration (g) NPTS= 3", "g"},
+      {"ACC(GAL) of NS", "cm/s2"},
+      {"acc_g", "g"},
+      {"x_m_per_s2", "m/s2"},
+      {"accel[%g]", "%g"}};
   for (const auto& [line, unit] : lines) {
     const ReadOptions options{.time_step = std::string(line).find("dt") == std::string::npos
                                                ? std::optional<double>(0.01)

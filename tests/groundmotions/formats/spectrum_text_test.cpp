@@ -23,7 +23,7 @@ TEST(SpectrumText, SpectraAreNoMotions) {
        {"T(s),Sa(g)", "T [s],Se [m/s2]", "T(sec),RSA(g)", "Tn (s),A (g)", "f (Hz),FAS (g)",
         "T (s) Sa (g)", "Period;Acc (g)", "T;Sd", "Frequency [Hz];A", "freq,fas", "T,PSA",
         "Natural period (s),A (g)", "Periodo (s);Sa (g)", "T_n,A", "Hz;g", "T (s);SA_RotD50 (g)",
-        "[s];[g]\nT;Sa", "T;Sa\n[s];[g]"})
+        "T (sec),Target (g)", "[s];[g]\nT;Sa", "T;Sa\n[s];[g]"})
     EXPECT_THAT(error(title), AnyOf(HasSubstr("a record must be an acceleration history, but"),
                                     HasSubstr("a record must be a history, but the first column")))
         << title;
