@@ -42,7 +42,8 @@ std::string convergence_figure(const study::Convergence& found) {
     if (!number.name.starts_with("peak_") && number.name != "path_length") continue;
     if (number.values.front() == 0) continue;
     if (std::ranges::all_of(curve_of(number, found).y, [](double y) { return y <= 100 * kLeast; }))
-      unchanged += (unchanged.empty() ? "no change above 0.001 %: " : ", ") + number.name;
+      unchanged += (unchanged.empty() ? "no change above 0.001 %: " : "; ") +
+                   (number.item.empty() ? "" : number.item + ", ") + number.name;
     else if (shown.size() < kMaxCurves)
       shown.push_back(&number);
   }

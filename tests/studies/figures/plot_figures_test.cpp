@@ -97,6 +97,33 @@ TEST(PlotFigures, DistributionsHaveACurveForEachLevel) {
   EXPECT_THAT(svg, HasSubstr("Fraction of runs"));
 }
 
+/// The wide demands of one item set the axis of the other, too.
+TEST(PlotFigures, DistributionsOfADemandShareTheirAxis) {
+  study::DemandRuns wide = demands();
+  for (auto& configuration : wide.configurations)
+    for (study::DemandRun& run : configuration.runs) run.demand *= 10;
+  const std::string svg = distribution_figure({}, "title", {demands(), wide});
+  // 0.4 exp(0.4) of the largest demand is 0.6, in its unit 1.2 deg, of the wide one 11.9 deg.
+  EXPECT_EQ(count(svg, ">10<"), 4u);
+  wide.column = "peak_yaw";
+  EXPECT_EQ(count(distribution_figure({}, "title", {demands(), wide}), ">10<"), 2u);
+}
+
+/// A vertical component of several g does not flatten the horizontal ones.
+TEST(PlotFigures, ComponentsOfTheFloorHaveAxesOfTheirOwn) {
+  const study::StoredHistory floor{
+      "floor_acceleration",
+      "m/s2",
+      "axis",
+      {0, 1, 2},
+      {{"", "x", {0, 0.2, 0}}, {"", "y", {0, 0.3, 0}}, {"", "z", {0, 30, 0}}}};
+  const std::string svg = history_figure({}, "title", "", {floor});
+  expect_drawn(svg);
+  EXPECT_EQ(count(svg, "<clipPath"), 3u);
+  EXPECT_EQ(count(svg, ">0.02<"), 2u);  // g
+  EXPECT_THAT(svg, HasSubstr(">2<"));
+}
+
 TEST(PlotFigures, ManyWheelsHaveAxesOfTheirOwn) {
   study::StoredHistory force{"normal_force", "N", "wheel", {0, 1, 2}, {}};
   for (const char* wheel : {"a", "b", "c", "d"}) force.series.push_back({wheel, "", {1, 2, 3}});

@@ -51,6 +51,17 @@ TEST(ZoneOccupancy, CountsRunsOfEachZone) {
   EXPECT_EQ(way.smallest_free_width, 0);
 }
 
+TEST(ZoneOccupancy, CountsRunsThatBeginInside) {
+  ZoneOutcome inside = entered(9, true, 0.2);
+  inside.time_of_entry = 0;
+  const auto all = occupancy_of(
+      {{0, 1, 0}, {1, 1, 0}, {2, 1, 0}},
+      {{0, "door", never(0.9)}, {1, "door", inside}, {2, "door", entered(1, true, 0)}});
+  ASSERT_EQ(all.size(), 1);
+  EXPECT_EQ(all[0].entered, 2);
+  EXPECT_EQ(all[0].from_start, 1);
+}
+
 TEST(ZoneOccupancy, LeavesFailedRunsOut) {
   const auto all = occupancy_of({{0, 1, 0}, {1, 1, 0, false, true}},
                                 {{0, "door", never(0.9)}, {1, "door", entered(9, true, 0)}});
