@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "engine/base/error.h"
+#include "engine/base/files_read.h"
 
 namespace gurney {
 
@@ -26,6 +27,7 @@ std::string read_input_file(const std::string& path, std::uintmax_t largest) {
   require(!failure, path + ": cannot be read");
   require(size <= largest,
           fmt::format("{}: has {} bytes; must have at most {}", path, size, largest));
+  note_read(path);
   std::ifstream stream(path, std::ios::binary);
   std::string bytes(size, '\0');
   if (size > 0) stream.read(bytes.data(), static_cast<std::streamsize>(size));

@@ -17,6 +17,22 @@ bool is_control(std::string_view text, std::size_t length) {
   return byte < 0x20 || byte == 0x7f;
 }
 
+constexpr std::size_t kLongestLine = 4000, kKeptStart = 3000, kKeptEnd = 800;  // [bytes]
+
+/// The first byte of the character of UTF-8 that has the byte `at`.
+std::size_t start_of_character(std::string_view text, std::size_t at) {
+  while (at > 0 && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) --at;
+  return at;
+}
+
+std::string without_middle(std::string_view line) {
+  if (line.size() <= kLongestLine) return std::string(line);
+  const std::size_t from = start_of_character(line, kKeptStart),
+                    to = start_of_character(line, line.size() - kKeptEnd);
+  return fmt::format("{} [... {} bytes left out ...] {}", line.substr(0, from), to - from,
+                     line.substr(to));
+}
+
 }  // namespace
 
 std::size_t find_control_character(std::string_view text) {
@@ -41,6 +57,17 @@ std::string printable(std::string_view text) {
     text.remove_prefix(bytes);
   }
   return result;
+}
+
+std::string shortened(std::string_view lines) {
+  std::string result;
+  for (;;) {
+    const std::size_t end = lines.find('\n');
+    result += without_middle(lines.substr(0, end));
+    if (end == std::string_view::npos) return result;
+    result += '\n';
+    lines.remove_prefix(end + 1);
+  }
 }
 
 }  // namespace gurney

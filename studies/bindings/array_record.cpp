@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/base/error.h"
+#include "engine/base/units.h"
 #include "groundmotions/record/time_step_range.h"
 
 namespace gurney::bindings {
@@ -25,6 +26,13 @@ void check(std::span<const double> samples, std::size_t columns, double time_ste
   const auto index = static_cast<std::size_t>(bad - samples.begin());
   require(bad == samples.end(), fmt::format("record: sample {}, column {} is not a finite number",
                                             index / columns, index % columns));
+  constexpr double kLargest = 100 * kStandardGravity;  // of a record file too
+  const auto large = std::ranges::find_if(samples, [](double a) { return std::abs(a) > kLargest; });
+  const auto at = static_cast<std::size_t>(large - samples.begin());
+  require(large == samples.end(),
+          fmt::format("record: sample {}, column {} is {:g} m/s2; at most {:g} m/s2 (100 g) are "
+                      "allowed: check the unit",
+                      at / columns, at % columns, large == samples.end() ? 0 : *large, kLargest));
 }
 
 }  // namespace

@@ -9,8 +9,16 @@ foreach(folder equipment groundmotions/records groundmotions/buildings studies/j
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION share/gurney/${folder}
     COMPONENT program FILES_MATCHING PATTERN "*.toml" PATTERN "*.csv" PATTERN catalogue EXCLUDE)
 endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/gurney RENAME copyright
-  COMPONENT program)
+
+# The license, with the notices of code that is compiled in.
+file(READ ${PROJECT_SOURCE_DIR}/LICENSE license)
+file(READ ${CMAKE_CURRENT_LIST_DIR}/notices.txt notices)
+file(WRITE ${PROJECT_BINARY_DIR}/copyright "${license}${notices}")
+foreach(component_of program:gurney development:gurney-dev python:python3-gurney)
+  string(REGEX MATCH "^(.*):(.*)$" component_of "${component_of}")
+  install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION share/doc/${CMAKE_MATCH_2}
+    COMPONENT ${CMAKE_MATCH_1})
+endforeach()
 
 # Written by the program itself.
 install(CODE [[

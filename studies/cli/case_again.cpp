@@ -66,7 +66,7 @@ CaseAgain single_run(const std::string& path, const std::string& named) {
   const std::string job = named.empty() ? job_of_log(path) : named;
   require(!job.empty() && is_there(job),
           fmt::format("{}: the job's file {}; name it with --job", path,
-                      job.empty() ? "is not known" : job + " no longer exists"));
+                      job.empty() ? "is not known" : job + " " + why_not_there(job)));
   CaseAgain result{study::prepare_run(job), {}};
   const std::string& text = result.run.facts.job_text;
   if (result.run.facts.job_sha256 != file.text_attribute("job_sha256"))

@@ -225,11 +225,11 @@ int run_command_line(int argc, char** argv) {
   try {
     return flushed(parse_and_run(app, action, argc, argv));
   } catch (const Error& error) {
-    print_error("{}\n", printable(error.what()));
+    print_error("{}\n", shortened(printable(error.what())));
   } catch (const std::bad_alloc&) {
     write_error("gurney: not enough memory\n");
   } catch (const std::exception& error) {
-    print_error("gurney: {}\n", printable(error.what()));
+    print_error("gurney: {}\n", shortened(printable(error.what())));
   }
   return kBadInput;
 }

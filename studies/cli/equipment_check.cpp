@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/error.h"
+#include "engine/base/printable.h"
 #include "equipment/catalogue/check_file.h"
 #include "studies/cli/json_errors.h"
 #include "studies/cli/standard_error.h"
@@ -46,7 +47,7 @@ int check_equipment(const std::vector<std::string>& files, bool json) {
     } catch (const Error& error) {
       code = 1;
       results.push_back({{"file", file}, {"errors", json_errors(error.what())}});
-      if (!json) print_error("{}\n", error.what());
+      if (!json) print_error("{}\n", shortened(printable(error.what())));
     }
   }
   if (json) fmt::print("{}\n", nlohmann::ordered_json{{"files", results}}.dump(2));

@@ -29,4 +29,12 @@ std::string job_of_log(const std::string& results) {
   return is_there(job) || !is_there(from_its_folder) ? job : from_its_folder.string();
 }
 
+std::string why_not_there(const std::string& path) {
+  std::error_code problem;
+  const bool there = std::filesystem::exists(path, problem);
+  const bool gone = there || !problem || problem == std::errc::no_such_file_or_directory ||
+                    problem == std::errc::not_a_directory;
+  return gone ? "does not exist any more" : "cannot be read: " + problem.message();
+}
+
 }  // namespace gurney::cli

@@ -2,45 +2,112 @@
 
 #include <fmt/format.h>
 
-#include <regex>
+#include <charconv>
+#include <optional>
 #include <sstream>
+#include <string_view>
 
 #include "engine/base/error.h"
+#include "engine/base/printable.h"
 
+// Messages are taken apart by hand: they quote files, and std::regex needs stack for each character.
 namespace gurney::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Text = std::string_view;
 
-/// The key that a message begins with: `item.headings_deg[2] = 90: ...`.
-Json key_of(const std::string& message) {
-  static const std::regex kKey(R"(^([A-Za-z_][^\s:=]*)( = |: |\.$))");
-  std::smatch found;
-  return std::regex_search(message, found, kKey) ? Json(found[1].str()) : Json();
+constexpr Text kSpace = " \t\n\v\f\r";
+
+/// A message with its place in a file: `file:line:column: message`, with less of it or none.
+struct Parts {
+  Text file;
+  std::optional<int> line, column;
+  Text pointer, message;
+};
+
+/// Takes a whole number and the colon behind it off the front of `text`.
+std::optional<int> take_number(Text& text) {
+  int number = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const auto length = static_cast<std::size_t>(end - text.data());
+  const bool digits = !text.empty() && text[0] >= '0' && text[0] <= '9';
+  if (!digits || problem != std::errc() || !text.substr(length).starts_with(':')) return {};
+  text.remove_prefix(length + 1);
+  return number;
 }
 
-Json error_of(const std::string& line) {
-  static const std::regex kPlace(R"(^(.+?):(\d+):(\d+): (.*)$)"), kLine(R"(^(.+?):(\d+): (.*)$)"),
-      kPointer(R"(^(.+?\.json):(/\S*): (.*)$)"), kFile(R"(^(\S*[./]\S*): (.*)$)");
-  Json error = {{"file", nullptr},
-                {"line", nullptr},
-                {"column", nullptr},
-                {"key", nullptr},
-                {"message", line}};
-  std::smatch found;
-  if (std::regex_match(line, found, kPlace)) {
-    error["line"] = std::stoi(found[2]);
-    error["column"] = std::stoi(found[3]);
-  } else if (std::regex_match(line, found, kPointer)) {
-    error["pointer"] = found[2].str();
-  } else if (std::regex_match(line, found, kLine)) {
-    error["line"] = std::stoi(found[2]);
-  } else if (!std::regex_match(line, found, kFile)) {
-    return error;
+/// `file:line: message` or `file:line:column: message`, at the first place that has so much.
+std::optional<Parts> with_line(Text text, bool with_column) {
+  for (auto colon = text.find(':', 1); colon != Text::npos; colon = text.find(':', colon + 1)) {
+    Text rest = text.substr(colon + 1);
+    Parts parts{text.substr(0, colon), take_number(rest), {}, {}, {}};
+    if (parts.line && with_column) parts.column = take_number(rest);
+    if (!parts.line || parts.column.has_value() != with_column || !rest.starts_with(' ')) continue;
+    parts.message = rest.substr(1);
+    return parts;
   }
-  error["file"] = found[1].str();
-  error["message"] = found[found.size() - 1].str();
-  error["key"] = key_of(error["message"]);
+  return {};
+}
+
+/// `file.json:/pointer: message`
+std::optional<Parts> with_pointer(Text text) {
+  constexpr Text kEnding = ".json:/";
+  const auto at = text.find(kEnding, 1);
+  if (at == Text::npos) return {};
+  const auto from = at + kEnding.size() - 1, space = text.find_first_of(kSpace, from);
+  if (space == Text::npos || text[space] != ' ' || text[space - 1] != ':') return {};
+  return Parts{text.substr(0, from - 1),
+               {},
+               {},
+               text.substr(from, space - 1 - from),
+               text.substr(space + 1)};
+}
+
+/// `file: message`, where the first word looks like a path.
+std::optional<Parts> with_file(Text text) {
+  const auto space = text.find_first_of(kSpace);
+  if (space == Text::npos || space < 2 || text[space] != ' ' || text[space - 1] != ':') return {};
+  const Text file = text.substr(0, space - 1);
+  if (file.find_first_of("./") == Text::npos) return {};
+  return Parts{file, {}, {}, {}, text.substr(space + 1)};
+}
+
+/// The key that a message begins with: `item.headings_deg[2] = 90: ...`.
+Json key_of(Text message) {
+  const auto is_letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  if (message.empty() || !is_letter(message[0])) return {};
+  const Text key = message.substr(0, message.find_first_of(" \t\n\v\f\r:="));
+  const Text rest = message.substr(key.size());
+  if (rest.empty() && key.ends_with('.')) return std::string(key.substr(0, key.size() - 1));
+  if (!rest.starts_with(" = ") && !rest.starts_with(": ")) return {};
+  return std::string(key);
+}
+
+template <class Number>
+Json json_of(const std::optional<Number>& number) {
+  return number ? Json(*number) : Json();
+}
+
+Json error_of(Text line) {
+  auto parts = with_line(line, true);
+  if (!parts) parts = with_pointer(line);
+  if (!parts) parts = with_line(line, false);
+  if (!parts) parts = with_file(line);
+  if (!parts)
+    return {{"file", nullptr},
+            {"line", nullptr},
+            {"column", nullptr},
+            {"key", nullptr},
+            {"message", shortened(line)}};
+  Json error = {{"file", std::string(parts->file)},
+                {"line", json_of(parts->line)},
+                {"column", json_of(parts->column)},
+                {"key", key_of(parts->message)},
+                {"message", shortened(parts->message)}};
+  if (!parts->pointer.empty()) error["pointer"] = std::string(parts->pointer);
   return error;
 }
 
@@ -48,7 +115,7 @@ Json error_of(const std::string& line) {
 
 Json json_errors(const std::string& text) {
   Json errors = Json::array();
-  std::istringstream lines(text);
+  std::istringstream lines(printable(text));
   for (std::string line; std::getline(lines, line);) errors.push_back(error_of(line));
   return errors;
 }

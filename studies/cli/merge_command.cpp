@@ -10,6 +10,7 @@
 #include "engine/base/error.h"
 #include "engine/base/files.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/job_of_log.h"
 #include "studies/cli/standard_error.h"
 #include "studies/cli/study_output.h"
 #include "studies/study/results/output_files.h"
@@ -47,9 +48,8 @@ std::string job_of(const MergeOptions& options, const fs::path& folder) {
           folder.string() + ": holds no path of the job; give it with --job");
   std::string path = study::file_bytes(folder / "job");
   while (path.ends_with('\n')) path.pop_back();
-  require(is_there(path), fmt::format("{}: the job {} does not exist any more; give its new path "
-                                      "with --job",
-                                      folder.string(), path));
+  require(is_there(path), fmt::format("{}: the job {} {}; give its new path with --job",
+                                      folder.string(), path, why_not_there(path)));
   return path;
 }
 
@@ -65,6 +65,8 @@ int merge_command(const MergeOptions& options) {
   const study::Plan plan(job, motions);
   const study::Batch batch{job, motions, plan};
   motions.read_all(std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+  for (const char* ending : {".h5", ".log"})
+    study::refuse_input(fs::path(results).replace_extension(ending).string());
 
   study::ShardFolders shards(folder, study::identity_of(batch), plan.tasks());
   for (const std::string& warning : shards.warnings()) print_error("{}\n", warning);

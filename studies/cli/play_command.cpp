@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include "studies/cli/case_again.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/records_output.h"
+#include "studies/cli/scratch_folder.h"
 #include "studies/cli/study_case.h"
 #include "studies/playback/ghosts.h"
 #include "studies/playback/page.h"
@@ -29,28 +29,6 @@ struct PlayOptions {
   bool all_ghosts = false, overwrite = false;
 };
 
-/// A file that is there as long as the object.
-class ScratchFile {
- public:
-  explicit ScratchFile(const std::string& bytes)
-      : path_(fs::temp_directory_path() / fmt::format("gurney_{}.h5", getpid())) {
-    study::OutputFiles files(true);
-    files.stage(path_.string(), bytes);
-    files.commit();
-  }
-  ~ScratchFile() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-
-  std::string path() const { return path_.string(); }
-
- private:
-  fs::path path_;
-};
-
 /// A study keeps no full histories: its run is made again.
 playback::RecordedRun run_again(const PlayOptions& options, std::size_t index) {
   const StudyCase study_case(options.file, index, options.job);
@@ -59,7 +37,11 @@ playback::RecordedRun run_again(const PlayOptions& options, std::size_t index) {
       baselines::simulate_with_any_solver(run.facts.scene, run.facts.floor, run.facts.settings);
   const std::string differs = study_case.difference(response);
   require(differs.empty(), differs);
-  return playback::read_recorded_run(ScratchFile(study::results_image(run.facts, response)).path());
+  const ScratchFolder scratch;
+  study::OutputFiles files(false);
+  files.stage(scratch.file("run.h5"), study::results_image(run.facts, response));
+  files.commit();
+  return playback::read_recorded_run(scratch.file("run.h5"));
 }
 
 std::vector<playback::PageRun> runs_of(const PlayOptions& options) {

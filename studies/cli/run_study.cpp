@@ -76,14 +76,25 @@ bool is_complete(const RunOptions& options, const Paths& paths, const study::Bat
   return true;
 }
 
+/// The finished cases whose bytes are still what was written.
+std::size_t sound_cases(const study::PartFolder& folder, std::size_t tasks) {
+  std::size_t sound = 0;
+  for (std::size_t task = 0; task < tasks; ++task) try {
+      sound += folder.has(task) && !folder.read(task).empty();
+    } catch (const Error&) {  // its part was damaged meanwhile
+    }
+  return sound;
+}
+
+/// @param kept  of the cases; @param tasks  of the shard
 std::string resume_hint(const RunOptions& options, const Paths& paths,
-                        const study::PartFolder& folder, std::size_t tasks) {
+                        const study::PartFolder& folder, std::size_t kept, std::size_t tasks) {
   if (!folder.holds())
     return fmt::format("{}: the finished runs are lost with it; start again", paths.parts.string());
   return fmt::format(
       "{} of {} analysis cases are finished and kept in {}\ncontinue with: gurney run {} -o {} "
       "--resume{}{}{}{}",
-      folder.size(), tasks, paths.parts.string(), shell_word(options.job),
+      kept, tasks, paths.parts.string(), shell_word(options.job),
       shell_word(paths.results.string()), options.overwrite ? " --overwrite" : "",
       options.shard.empty() ? "" : " --shard " + shell_word(options.shard),
       options.threads > 0 ? fmt::format(" -j {}", options.threads) : "",
@@ -151,7 +162,12 @@ int run_study(const RunOptions& options) {
 
   if (options.output.empty()) fs::create_directory("out");
   study::OutputFiles(options.overwrite).check(paths.results.string());
-  if (!options.shard.empty()) make_shards_folder(options, paths);
+  study::refuse_input(paths.log.string());
+  if (!options.shard.empty()) {
+    make_shards_folder(options, paths);
+    if (!options.overwrite)
+      study::refuse_shards_of_another_study(paths.parts, study::identity_of(batch));
+  }
   study::PartFolder folder(paths.parts, study::identity_of(batch), plan.tasks(), start_of(options),
                            shard);
   const study::CrashLog crashes(folder.path() / "crashes");
@@ -164,7 +180,9 @@ int run_study(const RunOptions& options) {
   study::BatchProgress progress;
   StudySummary summary;
   const auto fail = [&](const std::string& reason) {
-    throw Error(reason + '\n' + resume_hint(options, paths, folder, shard.tasks_of(plan.tasks())));
+    throw Error(reason + '\n' +
+                resume_hint(options, paths, folder, sound_cases(folder, plan.tasks()),
+                            shard.tasks_of(plan.tasks())));
   };
   try {
     progress = study::run_batch(
@@ -183,7 +201,7 @@ int run_study(const RunOptions& options) {
   if (progress.done < progress.tasks) {
     append_log(paths.log, log_entry(options.job, "interrupted", what));
     print_error("\ngurney: interrupted; {}\n",
-                resume_hint(options, paths, folder, shard.tasks_of(plan.tasks())));
+                resume_hint(options, paths, folder, folder.size(), shard.tasks_of(plan.tasks())));
     return 128 + interruption();
   }
   append_log(paths.log, log_entry(options.job, "finished", what));

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -12,6 +11,7 @@
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/job_of_log.h"
+#include "studies/cli/scratch_folder.h"
 #include "studies/cli/units_option.h"
 #include "studies/report/overview_report.h"
 #include "studies/study/analysis/kept_job.h"
@@ -22,27 +22,6 @@ namespace gurney::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that is there as long as the object.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "gurney_XXXXXX").string();
-    require(mkdtemp(name.data()) != nullptr, name + ": cannot be made");
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  std::string file(const char* name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
 
 struct ShowOptions {
   std::string file, job;

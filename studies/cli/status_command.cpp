@@ -30,6 +30,7 @@ struct StatusOptions {
 
 std::string state_of(const ShardStatus& shard) {
   if (!shard.started) return "not started";
+  if (shard.other_study) return "of another study: not counted, and refused by merge";
   if (shard.done == shard.tasks) return "finished";
   return shard.process.empty() ? "stopped" : "running: " + shard.process;
 }
@@ -67,7 +68,8 @@ report::ReportTable table_of(const std::vector<ShardStatus>& shards) {
 }
 
 struct Total {
-  std::size_t tasks = 0, done = 0, runs = 0, failed = 0, finished = 0, running = 0, damaged = 0;
+  std::size_t tasks = 0, done = 0, runs = 0, failed = 0, finished = 0, running = 0, damaged = 0,
+              foreign = 0;
   double rate = 0, to_go = 0;  ///< of those that run; the longest
 };
 
@@ -79,6 +81,7 @@ Total total_of(const std::vector<ShardStatus>& shards) {
     all.runs += s.counts.runs;
     all.failed += s.counts.failed;
     all.damaged += s.damaged;
+    all.foreign += s.foreign;
     all.finished += s.done == s.tasks;
     if (s.process.empty()) continue;
     ++all.running;
@@ -127,6 +130,7 @@ int status_command(const StatusOptions& options) {
                                               {"runs", all.runs},
                                               {"failed", all.failed},
                                               {"damaged_parts", all.damaged},
+                                              {"foreign_analysis_cases", all.foreign},
                                               {"runs_per_second", all.rate},
                                               {"seconds_to_go", all.to_go},
                                               {"slowest_records", slowest.json()}}
@@ -140,6 +144,9 @@ int status_command(const StatusOptions& options) {
   if (all.rate > 0) fmt::print(", {:.1f} runs/s", all.rate);
   if (all.to_go > 0) fmt::print(", {} to go", duration_text(all.to_go));
   if (all.damaged > 0) fmt::print("\n{} damaged parts, whose runs will be repeated", all.damaged);
+  if (all.foreign > 0)
+    fmt::print("\n{} analysis cases stand in the folder of another shard and are not counted",
+               all.foreign);
   fmt::print("\n");
   if (records.size() > 1) fmt::print("\n{}", slowest.text());
   return 0;

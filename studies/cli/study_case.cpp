@@ -10,6 +10,7 @@
 #include "engine/base/files.h"
 #include "engine/base/hash/sha256.h"
 #include "engine/base/input_file.h"
+#include "engine/config/unit_limit.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/job_of_log.h"
 #include "studies/study/plan/data_files.h"
@@ -30,7 +31,7 @@ std::string job_of(const study::StudyReader& file, const std::string& named) {
   const std::string job = named.empty() ? job_of_log(file.path()) : named;
   require(!job.empty() && is_there(job),
           fmt::format("{}: the job's file {}; name it with --job", file.path(),
-                      job.empty() ? "is not known" : job + " no longer exists"));
+                      job.empty() ? "is not known" : job + " " + why_not_there(job)));
   const std::string theirs = file.text_attribute("job_sha256"), text = text_of(job);
   if (theirs == sha256(text)) return job;
   const std::string keys = study::job_difference(file.job_text(), text);
@@ -50,6 +51,7 @@ std::string demand_difference(const study::StudyReader& file, std::size_t run,
   if (last - first != (is_failure(response.outcome) ? 0 : response.items.size()))
     return "the outcome";
   for (const study::TableColumn<Demands>& column : study::demand_columns()) {
+    if (!file.has_column(std::string("items/") + column.name)) continue;
     const std::vector<double> theirs = file.numbers(std::string("items/") + column.name);
     for (std::size_t row = first; row < last; ++row) {
       const double ours = column.value(response.items[row - first].demands);
@@ -87,6 +89,10 @@ study::PreparedRun StudyCase::prepared() const {
   const study::Task task = plan.task(whole(file_, "analysis_case", run_));
   const study::Job job = study_.job(task.configuration, plan.draw(task), task.replica);
   const double scale = file_.numbers("runs/scale")[run_];
+  const double largest = config::unit_limit("scale").largest;  // of a job too
+  require(std::abs(scale) <= largest,
+          fmt::format("{}: /runs/scale[{}] = {:g}: must be at most {:g}", file_.path(), run_, scale,
+                      largest));
   return study::prepare_run(job,
                             motions.set_of(task.configuration)
                                 .motion(task.record, scale, study_.study().angles[task.angle]));

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -28,23 +29,36 @@ struct SubmitOptions {
 /// Before a shard: how many seconds of grace Slurm gives with SIGTERM, to write what is finished.
 constexpr int kGrace = 60;
 
+/// An option of sbatch as a comment of the script, which a line end would turn into a command.
+/// @param origin  that states it, for the message
+std::string directive(const std::string& origin, const std::string& option) {
+  const auto control =
+      std::ranges::find_if(option, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+  require(control == option.end(),
+          fmt::format("{}: has the control character 0x{:02x}; a line of #SBATCH has none", origin,
+                      control == option.end() ? 0 : static_cast<unsigned char>(*control)));
+  return fmt::format("#SBATCH {}\n", option);
+}
+
 std::string head(const SubmitOptions& options) {
   const bool array = options.mode == "array";
-  std::string text = fmt::format(
-      "#!/bin/bash\n"
-      "#SBATCH --job-name={}\n"
-      "#SBATCH --{}\n"
-      "#SBATCH --cpus-per-task={}\n"
-      "#SBATCH --time={}\n"
-      "#SBATCH --output={}\n"
-      "#SBATCH --open-mode=append\n"
-      "#SBATCH --requeue\n"
-      "#SBATCH --signal=TERM@{}\n",
-      shell_word(fs::path(options.job).stem().string()),
-      array ? fmt::format("array=1-{}", options.shards) : fmt::format("ntasks={}", options.shards),
-      options.threads, options.time, array ? "%x-%A_%a.out" : "%x-%j.out", kGrace);
-  for (const std::string& line : options.site) text += fmt::format("#SBATCH {}\n", line);
+  std::string text = "#!/bin/bash\n";
+  text += directive("the name of the job file",
+                    "--job-name=" + shell_word(fs::path(options.job).stem().string()));
+  text += fmt::format("#SBATCH --{}={}\n", array ? "array" : "ntasks",
+                      (array ? "1-" : "") + std::to_string(options.shards));
+  text += fmt::format("#SBATCH --cpus-per-task={}\n", options.threads);
+  text += directive("--time", "--time=" + options.time);
+  text += fmt::format("#SBATCH --output={}\n", array ? "%x-%A_%a.out" : "%x-%j.out");
+  text += "#SBATCH --open-mode=append\n#SBATCH --requeue\n";
+  text += fmt::format("#SBATCH --signal=TERM@{}\n", kGrace);
+  for (const std::string& option : options.site) text += directive("--sbatch", option);
   return text;
+}
+
+/// A path that no program takes for an option.
+std::string no_option(const std::string& path) {
+  return path.starts_with('-') ? "./" + path : path;
 }
 
 /// Of an array a task ends with SIGTERM before its time is over: it is put into the queue again.
@@ -72,12 +86,16 @@ std::string script_of(const SubmitOptions& options, const std::string& results) 
          fmt::format("[ \"$code\" -eq 0 ] && exec {}\nexit \"$code\"\n", merge);
 }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 int submit_command(const SubmitOptions& options) {
   for (const std::string& line : options.site)
-    require(line.starts_with("--") && line.find('\n') == std::string::npos,
+    require(line.starts_with("--"),
             "--sbatch " + line + ": must be one option of sbatch, such as --partition=short");
   require(
-      options.time.find_first_not_of("0123456789:-") == std::string::npos,
+      !options.time.empty() &&
+          options.time.find_first_not_of("0123456789:-") == std::string::npos &&
+          is_digit(options.time.front()) && is_digit(options.time.back()),
       "--time " + options.time + ": must be as sbatch takes it, such as 90, 02:00:00 or 1-12:00");
   require(options.slurm, "gurney submit needs --slurm, the only scheduler whose scripts it writes");
   const study::StudyJob job(options.job);
@@ -91,11 +109,12 @@ int submit_command(const SubmitOptions& options) {
   require(static_cast<std::size_t>(options.shards) <= tasks,
           fmt::format("--shards {}: the study has {} analysis cases, and no more shards are of use",
                       options.shards, tasks));
+  motions.read_all(1);  // what is wrong with a record is said here and not by every shard
   const std::string stem = fs::path(options.job).stem().string();
-  const std::string results = options.output.empty() ? stem + ".h5" : options.output;
+  const std::string results = no_option(options.output.empty() ? stem + ".h5" : options.output);
   require(fs::path(results).extension() == ".h5",
           results + ": the results file must end in .h5 (-o FILE.h5)");
-  const std::string script = options.script.empty() ? stem + ".sbatch" : options.script;
+  const std::string script = no_option(options.script.empty() ? stem + ".sbatch" : options.script);
   study::OutputFiles files(options.overwrite);
   files.check(script);
   files.stage(script, script_of(options, results));

@@ -40,6 +40,9 @@ struct RunPlan {
                 displacement.size() / 3 == orientation.size() / 4 && !displacement.empty(),
             file.path() + ": its histories differ in length");
     file.require_length({"/shapes/body", "/shapes/first", "/shapes/count"}, owner.size());
+    for (std::size_t i = 0; i < owner.size(); ++i)
+      require(first[i] >= 0 && count[i] >= 1 && 3 * (first[i] + count[i]) <= double(points.size()),
+              fmt::format("{}: /shapes: shape {} has points that are not there", file.path(), i));
   }
 
   std::size_t samples() const { return displacement.size() / (3 * items.size()); }

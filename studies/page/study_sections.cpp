@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +52,10 @@ std::vector<std::string> cautions_of(const StudyPage& page) {
           "{}zone {}: an item stands in it from the start in {} of {}, which count as entries",
           each.configuration.empty() ? "" : each.configuration + ", ", each.zone, each.from_start,
           counted(each.runs, "run")));
+  if (!overview.missing_demands.empty())
+    all.push_back(fmt::format("this file was written by gurney {} and does not have: {}",
+                              overview.file.program_version,
+                              fmt::join(overview.missing_demands, ", ")));
   for (const study::FragilityResult& each : page.fragilities) {
     const study::ReportUnit unit = study::report_unit(page.data, each.measure);
     study::CurveAudit audit = each.audit;

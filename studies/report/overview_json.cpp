@@ -118,6 +118,7 @@ std::string overview_json(const study::StudyOverview& overview) {
   result["draws"] = overview.draws;
   result["replicas"] = overview.replicas;
   result["ranges_not_drawn"] = overview.undrawn ? Json(overview.undrawn->lines()) : Json(nullptr);
+  result["demands_not_in_file"] = overview.missing_demands;
   result["runs"] = overview.runs;
   result["overturned"] = overview.overturned;
   result["failed"] = overview.failed;

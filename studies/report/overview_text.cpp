@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -227,6 +228,9 @@ std::string overview_text(const study::StudyOverview& overview) {
   if (overview.replicas > 1)
     all += entry("replicas", fmt::format("{} of each draw", overview.replicas));
   all += undrawn_text(overview.undrawn);
+  if (!overview.missing_demands.empty())
+    all += fmt::format("demands not in this file:\n  {}\n",
+                       wrapped(fmt::format("{}", fmt::join(overview.missing_demands, ", ")), 4, 2));
   all += entry("runs", fmt::format("{}, {} overturned, {}", overview.runs, overview.overturned,
                                    failed_runs(overview.failed, overview.untrusted)));
   if (overview.warned > 0)

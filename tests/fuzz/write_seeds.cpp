@@ -76,6 +76,11 @@ void write_lines(Seeds& seeds) {
         "ricker period_s=0.5", "clough_penzien seed=3 duration_s=20", "table file=a.csv"})
     seeds.add("inline_tables", line);
   for (const char* line :
+       {"job.toml:12:3: item.mass_kg = -1: must be above 0\nlist.csv:7: no file",
+        "job.json:/item/mass_kg: item.mass_kg: must be a number", "out/a.h5: no such file",
+        "--time x: must be a time", "a:99999999999:1: b"})
+    seeds.add("messages", line);
+  for (const char* line :
        {"moved = peak_displacement > 0.2 m", "overturned", "doorway: least_free_width < 90 cm",
         "bed/screen: peak_absolute_acceleration > 1 g", "at least 2 items: peak_tilt > 5 deg"})
     seeds.add("assessments", line);

@@ -1,7 +1,13 @@
 #include "tests/support/fabricated_run.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <string_view>
+#include <variant>
+
+#include "studies/study/results/columns.h"
 
 namespace gurney {
 namespace {
@@ -46,16 +52,17 @@ Sample sample_at(double t, bool pulled) {
   return s;
 }
 
-/// 1, 2, 3, ... for each number of the demands in turn.
+/// 0.125, 0.25, 0.375, ... for each number of the demands in turn, also for one that is new. Left as
+/// they are those of impacts and of overturning: there are none.
 Demands counted_demands() {
+  constexpr std::string_view kOfImpacts[] = {"largest_approach_speed", "largest_impulse"};
   Demands d;
   double next = 0;
-  for (double* member :
-       {&d.peak_displacement, &d.peak_displacement_x, &d.peak_displacement_y,
-        &d.time_of_peak_displacement, &d.residual_displacement, &d.residual_displacement_x,
-        &d.residual_displacement_y, &d.peak_velocity, &d.path_length, &d.peak_yaw, &d.residual_yaw,
-        &d.peak_tilt, &d.time_of_peak_tilt, &d.peak_normal_force, &d.lifted_time})
-    *member = 0.125 * ++next;
+  for (const study::TableColumn<Demands>& column : study::demand_columns())
+    if (const auto* const member = std::get_if<double Demands::*>(&column.source);
+        member && column.missing == 0 &&
+        std::ranges::find(kOfImpacts, column.name) == std::end(kOfImpacts))
+      d.*(*member) = 0.125 * ++next;
   d.most_wheels_lifted = 2;
   for (int i = 0; i < 4; ++i)
     d.wheels.push_back({300.0 + i, 90.0 + i, 0.01 * i, i, 0.001 * (i + 1), -1});

@@ -144,6 +144,9 @@ def runs_that_exceed(results, state):
         needed = len(state.parts) if state.every else state.at_least
         return (parts.sum(axis=1) >= needed).rename(state.name)
     rows = results.table(state.table, raw=True)
+    if state.column not in rows:
+        raise not_in_file(results.path, f"demand in /{state.table}", state.column,
+                          [each for each in rows if each not in ("row", "run", "item")])
     for column, name in state.place:
         if name not in set(rows[column]):
             raise not_in_file(results.path, column, name, rows[column].unique())

@@ -13,8 +13,9 @@ from .errors import Error, NotInFile, not_in_file, shortened
 from .fragility import fit_of_study
 from .limit_states import limit_states_of
 
-#: filetype: version of the layout that this package reads
-_VERSIONS = {"gurney-results": 2, "gurney-study": 2}
+#: filetype: versions of the layout that this package reads. Version 1 of a study has no /data_files;
+#: that of a run, of programs before 0.1.0, had one item in /runs.
+_VERSIONS = {"gurney-results": (2,), "gurney-study": (1, 2)}
 
 
 class Results:
@@ -48,9 +49,10 @@ class Results:
             raise Error(f"{self.path}: its filetype is {kind}; must be one of "
                         f"{', '.join(_VERSIONS)}")
         version = int(self._file.attrs["format_version"])
-        if version != _VERSIONS[kind]:
+        if version not in _VERSIONS[kind]:
+            known = " and ".join(str(each) for each in _VERSIONS[kind])
             raise Error(f"{self.path}: version {version} of the layout; this package reads "
-                        f"version {_VERSIONS[kind]}")
+                        f"version {known}: run the job again, or use the package of that program")
         self.kind = "study" if kind == "gurney-study" else "run"
 
     def close(self):

@@ -5,6 +5,7 @@ without it.
 """
 
 import json
+import numbers
 import os
 import pathlib
 from functools import cached_property
@@ -32,18 +33,17 @@ def simulate(item, record=None, time_step=None, *, predictability=True, **tables
     run has the same bits as alone.
     """
     job = {"schema": "gurney-job/1", "item": _item(item), **tables}
-    samples = None
+    samples, step = None, 0.0
     if record is not None and not isinstance(record, (str, os.PathLike, dict)):
-        samples = _samples(record, time_step)
+        samples, step = _samples(record), _step(time_step)
+    elif time_step is not None:
+        raise InputError("time_step goes with an array; of a file it is "
+                         "record={'file': ..., 'time_step_s': ...}")
     elif record is not None:
-        if time_step is not None:
-            raise InputError("time_step goes with an array; of a file it is "
-                             "record={'file': ..., 'time_step_s': ...}")
         stated = record if isinstance(record, dict) else {"file": os.fspath(record)}
-        job["excitation"] = {**job.get("excitation", {}), "record": stated}
-    text = json.dumps(job, default=_plain, indent=1)
-    return Run(_engine().simulate("simulate.json", text, samples, float(time_step or 0),
-                                  bool(predictability)))
+        job["excitation"] = {**_table(job, "excitation"), "record": stated}
+    return Run(_engine().simulate("simulate.json", _text(job), samples, step,
+                                  _choice("predictability", predictability)))
 
 
 def simulate_job(path, *, predictability=True):
@@ -52,7 +52,11 @@ def simulate_job(path, *, predictability=True):
     :returns: :class:`Run`
     :raises InputError: all errors of the job and its files, each as ``file:line:column: what``
     """
-    return Run(_engine().simulate(os.fspath(path), None, None, 0.0, bool(predictability)))
+    name = os.fsdecode(path)
+    if "\0" in name:
+        raise InputError(f"{name!r}: a path has no NUL character")
+    return Run(_engine().simulate(name, None, None, 0.0,
+                                  _choice("predictability", predictability)))
 
 
 class Run:
@@ -109,13 +113,61 @@ def _item(item):
     return item
 
 
-def _samples(record, time_step):
+def _is_real(value):
+    return isinstance(value, numbers.Real) and not isinstance(value, (bool, numpy.bool_))
+
+
+def _samples(record):
+    """An array of real numbers; numpy would make some of booleans, texts, dates and masks too."""
+    masked = int(numpy.ma.count_masked(record)) if numpy.ma.isMaskedArray(record) else 0
+    if masked:
+        raise InputError(f"record: {masked} of {numpy.ma.size(record)} samples are masked; a "
+                         "record has no gaps")
+    try:
+        array = numpy.asarray(record)
+        real = (array.dtype.kind in "fiu" or
+                array.dtype.kind == "O" and all(_is_real(each) for each in array.flat))
+        if not real:
+            raise InputError(f"record: not an array of real numbers, but of {array.dtype}")
+        return array.astype(float)
+    except (TypeError, ValueError, OverflowError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(f"record: not an array of numbers: {error}") from error
+
+
+def _step(time_step):
     if time_step is None:
         raise InputError("record: an array needs time_step [s]")
+    if isinstance(time_step, numpy.ndarray) and time_step.ndim == 0:
+        time_step = time_step[()]
+    if not _is_real(time_step):
+        raise InputError(f"time_step = {time_step!r}: must be a number [s]")
+    return float(time_step)
+
+
+def _choice(name, value):
+    if not isinstance(value, (bool, numpy.bool_)):
+        raise InputError(f"{name} = {value!r}: must be True or False")
+    return bool(value)
+
+
+def _table(job, name):
+    table = job.get(name, {})
+    if not isinstance(table, dict):
+        raise InputError(f"{name} = {table!r}: must be a dict")
+    return table
+
+
+def _text(job):
     try:
-        return numpy.asarray(record, dtype=float)
+        return json.dumps(job, default=_plain, indent=1)
+    except RecursionError as error:
+        raise InputError("the tables of the job are nested too deep") from error
     except (TypeError, ValueError) as error:
-        raise InputError(f"record: not an array of numbers: {error}") from error
+        if isinstance(error, InputError):
+            raise
+        raise InputError(f"the tables of the job cannot be written as JSON: {error}") from error
 
 
 def _plain(value):

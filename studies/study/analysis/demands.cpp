@@ -40,13 +40,16 @@ std::vector<NamedDemand> all_demands(const StudyData& data, std::size_t configur
   std::vector<NamedDemand> all;
   for (const auto& [item, none] : places_in(data, configuration, "items"))
     for (const TableColumn<Demands>& column : demand_columns())
-      all.push_back(
-          {item + ": " + column.name, column.units, {Quantity::Of::kItem, column.name, item, ""}});
+      if (data.file().has_column(std::string("items/") + column.name))
+        all.push_back({item + ": " + column.name,
+                       column.units,
+                       {Quantity::Of::kItem, column.name, item, ""}});
   for (const auto& [item, point] : places_in(data, configuration, "points"))
     for (const TableColumn<PointDemands>& column : point_demand_columns())
-      all.push_back({item + "/" + point + ": " + column.name,
-                     column.units,
-                     {Quantity::Of::kPoint, column.name, item, point}});
+      if (data.file().has_column(std::string("points/") + column.name))
+        all.push_back({item + "/" + point + ": " + column.name,
+                       column.units,
+                       {Quantity::Of::kPoint, column.name, item, point}});
   return all;
 }
 
@@ -96,7 +99,10 @@ std::vector<NamedDemand> demands_named(const StudyData& data, std::size_t config
         result.push_back(each);
     if (result.size() > before) continue;
     std::vector<std::string> known;
-    for (const TableColumn<Demands>& column : demand_columns()) known.push_back(column.name);
+    for (const TableColumn<Demands>& column : demand_columns()) {
+      known.push_back(column.name);
+      if (name == column.name) data.file().numbers("items/" + name);  // or it is not in this file
+    }
     for (const NamedDemand& each : all) known.push_back(each.name);
     throw Error(fmt::format("{}: no demand '{}'{}", data.file().path(), name,
                             config::suggestion(name, known)));

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "engine/base/error.h"
+#include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
 #include "engine/response/response.h"
 #include "studies/study/analysis/run_levels.h"
@@ -28,7 +29,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 FileOverview header_of(const Hdf5Reader& file, const std::string& path) {
   FileOverview header;
-  header.path = path;
+  header.path = printable(path);
   header.title = file.text_attribute("title");
   header.program_version = file.text_attribute("program_version");
   header.git_commit = file.text_attribute("git_commit");
@@ -165,6 +166,7 @@ StudyOverview study_overview(const std::string& path, const AssessmentRequest& r
   overview.draws = study.draws;
   overview.replicas = study.replicas;
   overview.undrawn = undrawn_of(data.file());
+  overview.missing_demands = data.file().missing_demands();
   overview.states = data.limit_states();
   overview.runs = data.file().runs();
   add_counts(data, overview);

@@ -51,6 +51,7 @@ struct StudyOverview {
   };
   /// Declared ranges that were not drawn; none: the file, of an earlier program, does not state it.
   std::optional<UndrawnRanges> undrawn;
+  std::vector<std::string> missing_demands;  ///< that this program computes and the file lacks
   std::vector<Varied> factors;
   std::vector<std::string> configurations;
   std::vector<double> angles;  ///< [rad]

@@ -35,6 +35,11 @@ double relative_change(double full, double half) {
   return size > 0 ? std::abs(half - full) / size : 0;
 }
 
+/// Whether the file has a demand at both steps: it may be of a program that did not know it.
+bool has_both(const StudyReader& file, const std::string& demand) {
+  return file.has_column("items/" + demand) && file.has_column("half_step/" + demand);
+}
+
 StepChange change_of(const StudyReader& file, const TableColumn<Demands>& column,
                      const std::vector<Pair>& pairs) {
   const std::vector<double> full = file.numbers(std::string("items/") + column.name);
@@ -144,6 +149,7 @@ std::optional<StepCheck> step_check(const StudyData& data) {
   const auto chaotic_pairs = taken(pairs, chaotic, [](const Pair& pair) { return pair.run; });
   if (!chaotic_runs.empty()) step_check.chaotic = ChaoticStepCheck{chaotic_runs.size(), {}, {}};
   for (const TableColumn<Demands>& column : demand_columns()) {
+    if (!has_both(data.file(), column.name)) continue;
     step_check.changes.push_back(change_of(data.file(), column, pairs));
     if (step_check.chaotic)
       step_check.chaotic->demands.push_back(

@@ -58,6 +58,7 @@ void add_demands(const StudyReader& file, const std::string& table, const std::s
     rows.push_back(row);
   }
   for (const TableColumn<Row>& each : wanted) {
+    if (!file.has_column(table + "/" + each.name)) continue;
     const std::vector<double> values = file.numbers(table + "/" + each.name);
     std::map<std::string, std::vector<double>> of_place;
     for (const std::string& place : places) of_place[place].assign(file.runs(), kNaN);

@@ -55,9 +55,10 @@ void fail(const std::string& what) {
   throw Error("HDF5 cannot " + what + (reason.empty() ? "" : ": " + printable(reason)));
 }
 
-void silence_printing() {
+void prepare_library() {
   H5dont_atexit();  // at exit HDF5 1.10 crashes over a file that the disk had no room for
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  H5PLset_loading_state(0);
 }
 
 Handle text_type(std::size_t width) {

@@ -37,7 +37,9 @@ class Handle {
   hid_t id_;
 };
 
-void silence_printing();
+/// Before the first file: HDF5 prints nothing, leaves nothing to the end of the process and loads no
+/// code of others (a results file needs no filter that is not in the library).
+void prepare_library();
 
 /// To be called before HDF5 is: where an allocation fails, HDF5 1.10 follows null pointers, damages
 /// the heap, ends the process (H5I_register) or stores a chunk without its filters.

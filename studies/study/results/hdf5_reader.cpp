@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
+#include <map>
 #include <new>
 #include <string_view>
 
 #include "engine/base/error.h"
+#include "engine/base/files_read.h"
 #include "engine/base/input_file.h"
 #include "engine/base/printable.h"
 #include "studies/study/results/hdf5_checks.h"
@@ -18,9 +21,13 @@ namespace gurney::study {
 
 using hdf5::checked;
 using hdf5::Handle;
-using hdf5::silence_printing;
+using hdf5::prepare_library;
 
 namespace {
+
+/// Values of a file may take so much memory: some times what files of this program need, whose
+/// columns of zeros take little of the file.
+double largest_values(double file_size) { return 1e9 + 50 * file_size; }
 
 constexpr std::uint64_t kMaxProbed = std::uint64_t{1} << 22;  // values of one dataset
 
@@ -120,6 +127,11 @@ std::string type_name(hid_t dataset) {
   }
 }
 
+/// Of a value in the file [bytes]
+double width_of(hid_t dataset) {
+  return static_cast<double>(H5Tget_size(Handle(H5Dget_type(dataset), "read a type")));
+}
+
 std::vector<std::uint64_t> shape_of(hid_t dataset, const std::string& path) {
   const Handle space(H5Dget_space(dataset), "read the shape of " + path);
   hsize_t extent[H5S_MAX_RANK];
@@ -162,11 +174,21 @@ herr_t take_dataset_path(hid_t, const char* name, const H5O_info_t* info, void* 
   return 0;
 }
 
+std::uint64_t size_of(const Hdf5Dataset& dataset) {
+  std::uint64_t size = 1;
+  for (const std::uint64_t length : dataset.shape) size *= length;
+  return size;
+}
+
 Hdf5Dataset describe(hid_t file, const std::string& path) {
   const Handle dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), "open dataset " + path);
   hdf5::check_storage(dataset, "dataset " + path);
   Hdf5Dataset found{path, type_name(dataset),        shape_of(dataset, path),
-                    {},   text_of(dataset, "units"), text_of(dataset, "long_name")};
+                    {},   text_of(dataset, "units"), text_of(dataset, "long_name"),
+                    0};
+  constexpr double kText = 32;  // a std::string beside its characters [bytes]
+  found.bytes = static_cast<double>(size_of(found)) *
+                (found.type == "string" ? kText + width_of(dataset) : sizeof(double));
   if (text_of(dataset, "CLASS") == "DIMENSION_SCALE")
     found.scales = {last_part(path)};
   else
@@ -183,10 +205,27 @@ std::vector<Hdf5Dataset> datasets_of(hid_t file) {
   return result;
 }
 
-std::uint64_t size_of(const Hdf5Dataset& dataset) {
-  std::uint64_t size = 1;
-  for (const std::uint64_t length : dataset.shape) size *= length;
-  return size;
+std::string group_of(const std::string& path) { return path.substr(0, path.rfind('/')); }
+
+/// Few bytes can state many values: what is read of them must be what a table can have.
+void check_sizes(const std::vector<Hdf5Dataset>& datasets, const std::string& path) {
+  std::map<std::string, std::uint64_t> rows;
+  for (const Hdf5Dataset& each : datasets)
+    if (last_part(each.path) == "row" && each.shape.size() == 1)
+      rows[group_of(each.path)] = each.shape[0];
+  double bytes = 0;
+  for (const Hdf5Dataset& each : datasets) {
+    bytes += each.bytes;
+    const auto table = rows.find(group_of(each.path));
+    require(table == rows.end() || (!each.shape.empty() && each.shape[0] == table->second),
+            fmt::format("{}: dataset {} must be a column as long as its table", path, each.path));
+  }
+  std::error_code ignored;
+  const auto size = static_cast<double>(std::filesystem::file_size(path, ignored));
+  require(bytes <= largest_values(size),
+          fmt::format("{}: its values would take {:.1f} GB of memory, which is more than a results "
+                      "file of {:.1f} MB has",
+                      path, bytes / 1e9, size / 1e6));
 }
 
 }  // namespace
@@ -195,9 +234,10 @@ Hdf5Reader::Hdf5Reader(const std::string& path) : Hdf5Reader(path, Probed::kNo) 
 
 Hdf5Reader::Hdf5Reader(const std::string& path, Probed probed) : path_(path) {
   hdf5::require_memory();
-  silence_printing();
+  prepare_library();
   if (probed == Probed::kNo) {
     require_regular_file(path);
+    note_read(path);
     require(H5Fis_hdf5(path.c_str()) > 0,
             path + ": is not a results file of gurney (no HDF5 file)");
     hdf5::check_seal(path);
@@ -207,6 +247,7 @@ Hdf5Reader::Hdf5Reader(const std::string& path, Probed probed) : path_(path) {
   try {
     hdf5::refuse_links(file_, path);
     datasets_ = named([&] { return datasets_of(file_); });
+    check_sizes(datasets_, path);
   } catch (...) {
     hdf5::close_file(file_);
     throw;

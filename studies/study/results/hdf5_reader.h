@@ -16,10 +16,11 @@ struct Hdf5Dataset {
   std::vector<std::string> scales;  ///< name of the scale of each dimension; a scale names itself
   std::string units;
   std::string long_name;
+  double bytes = 0;  ///< of memory that its values take once they are read
 };
 
 /// An HDF5 file that may be damaged, or made to harm: it is read in a child process first; values
-/// stand in the file itself and are not more than its bytes; texts come without control characters.
+/// stand in the file itself and are not more than its bytes; columns are as long as their tables; texts come without control characters.
 class Hdf5Reader {
  public:
   /// @throws Error when `path` is not an HDF5 file, is damaged, or leads to other files.

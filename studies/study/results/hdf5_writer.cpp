@@ -16,7 +16,7 @@ namespace gurney::study {
 
 using hdf5::checked;
 using hdf5::Handle;
-using hdf5::silence_printing;
+using hdf5::prepare_library;
 using hdf5::text_type;
 
 namespace {
@@ -45,7 +45,7 @@ std::vector<const char*> pointers(std::span<const std::string> values) {
 
 Hdf5Writer::Hdf5Writer() {
   hdf5::require_memory();
-  silence_printing();
+  prepare_library();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), "make a file in memory");
   checked(H5Pset_fapl_core(access, 1 << 20, false), "make a file in memory");
   file_ =
@@ -54,7 +54,7 @@ Hdf5Writer::Hdf5Writer() {
 
 Hdf5Writer::Hdf5Writer(const std::string& path) {
   hdf5::require_memory();
-  silence_printing();
+  prepare_library();
   path_ = path;
   file_ =
       checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, file_creation(), H5P_DEFAULT), "make " + path);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/base/error.h"
+#include "engine/base/files_read.h"
 
 namespace gurney::study {
 namespace {
@@ -97,6 +98,7 @@ void OutputFiles::check(const std::string& path) const {
           path + ": cannot be written: the folder " + folder + " does not exist");
   require(overwrite_ || !std::filesystem::exists(std::filesystem::symlink_status(path, ignored)),
           path + ": exists already; give another name with -o, or --overwrite to replace it");
+  refuse_input(path);
   require_writable_folder(path);
 }
 
@@ -114,6 +116,7 @@ void OutputFiles::stage(const std::string& path, std::string_view bytes) {
 }
 
 void OutputFiles::commit() {
+  for (const Staged& each : staged_) refuse_input(each.path);
   for (const Staged& each : staged_) {
     std::error_code ignored;
     if (overwrite_ || !std::filesystem::exists(each.path, ignored)) continue;
@@ -123,7 +126,14 @@ void OutputFiles::commit() {
     put_in_place(staged_.back().part, staged_.back().path, overwrite_);
 }
 
+void refuse_input(const std::string& path) {
+  require(!was_read(path), path +
+                               ": is read by this command and cannot be its output too; give "
+                               "another name");
+}
+
 void put_in_place(const std::string& made, const std::string& path, bool overwrite) {
+  refuse_input(path);
   const Descriptor file(::open(made.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0 || ::fsync(file.get()) != 0) fail(path, "cannot be written", errno);
   const int problem = !overwrite ? rename_to_free_name(made, path)

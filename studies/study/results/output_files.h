@@ -20,7 +20,7 @@ class OutputFiles {
 
   /// To be called before the work starts.
   /// @throws Error unless `path` can be written: it exists and may not be overwritten, is a folder,
-  ///         or its folder is missing or refuses new files.
+  ///         is a file that this process has read, or its folder is missing or refuses new files.
   void check(const std::string& path) const;
 
   /// Writes `bytes` beside `path`.
@@ -38,6 +38,9 @@ class OutputFiles {
   bool overwrite_;
   std::vector<Staged> staged_;
 };
+
+/// @throws Error where `path` is a file that this process has read, such as the job
+void refuse_input(const std::string& path);
 
 /// Syncs a finished file and gives it its name, on one file system.
 /// @param overwrite  false: never over a file that is there

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/base/error.h"
+#include "studies/study/results/columns.h"
 
 namespace gurney::study {
 
@@ -23,9 +24,9 @@ StudyReader::StudyReader(const std::string& path) : path_(path), file_(path) {
           path + ": is not a results file of a study" +
               (type.empty() ? "" : " but '" + type + "', the file of a single run"));
   const std::int64_t version = file_.whole_attribute("format_version");
-  require(version == kStudyFormatVersion,
+  require(version >= 1 && version <= kStudyFormatVersion,
           fmt::format("{}: is a study file of format_version {}, made by gurney {} ({}); this "
-                      "program reads version {}: run the study again, or use that program",
+                      "program reads versions 1 to {}: run the study again, or use that program",
                       path, version, text_attribute("program_version"),
                       text_attribute("git_commit"), kStudyFormatVersion));
   check_tables();
@@ -73,6 +74,24 @@ void StudyReader::check_indices() const {
     for (const double value : numbers(column))
       require(std::isfinite(value), fmt::format("{}: /{} must be finite", path_, column));
   }
+  check_record_sets();
+}
+
+void StudyReader::check_record_sets() const {
+  const std::vector<std::string> needed{"records/set", "motions/set", "runs/motion", "runs/record"};
+  for (const std::string& column : needed)
+    if (!columns_.contains(column)) return;
+  std::map<std::string, std::size_t> records;
+  for (const std::string& set : strings("records/set")) ++records[set];
+  const std::vector<double> set = numbers("motions/set"), motion = numbers("runs/motion"),
+                            record = numbers("runs/record");
+  for (std::size_t run = 0; run < runs_; ++run) {
+    const double of = set[static_cast<std::size_t>(motion[run])];
+    const auto found = records.find(fmt::format("{:.0f}", of));
+    require(found != records.end() && record[run] < static_cast<double>(found->second),
+            fmt::format("{}: run {} has record {} of set {}, which is not in /records", path_, run,
+                        record[run], of));
+  }
 }
 
 bool StudyReader::has(const std::string& table) const { return rows_.contains(table); }
@@ -86,13 +105,34 @@ std::vector<std::string> StudyReader::columns_of(const std::string& table) const
 
 std::vector<double> StudyReader::numbers(const std::string& column) const {
   if (column == "runs/analysis_case" && !has_column(column)) return numbers("runs/unit");
-  require(columns_.contains(column), path_ + ": has no column " + column);
+  require_column(column);
   return file_.numbers("/" + column);
 }
 
 std::vector<std::string> StudyReader::strings(const std::string& column) const {
-  require(columns_.contains(column), path_ + ": has no column " + column);
+  if (column.starts_with("data_files/") && !has("data_files")) return {};  // version 1
+  require_column(column);
   return file_.strings("/" + column);
+}
+
+void StudyReader::require_column(const std::string& column) const {
+  if (columns_.contains(column)) return;
+  throw Error(
+      fmt::format("{}: has no column {}: it was written by gurney {} ({}); run the study "
+                  "again for it",
+                  path_, column, text_attribute("program_version"), text_attribute("git_commit")));
+}
+
+std::vector<std::string> StudyReader::missing_demands() const {
+  std::vector<std::string> missing;
+  if (has("items"))
+    for (const TableColumn<Demands>& column : demand_columns())
+      if (!has_column(std::string("items/") + column.name)) missing.emplace_back(column.name);
+  if (has("points"))
+    for (const TableColumn<PointDemands>& column : point_demand_columns())
+      if (!has_column(std::string("points/") + column.name))
+        missing.push_back(std::string("point: ") + column.name);
+  return missing;
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> StudyReader::rows_of_runs(

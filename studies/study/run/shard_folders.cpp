@@ -7,6 +7,8 @@
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
+#include "studies/study/run/identity_file.h"
+#include "studies/study/run/study_identity.h"
 
 namespace gurney::study {
 namespace {
@@ -35,6 +37,20 @@ std::string missing_by_shard(const std::vector<std::size_t>& missing, std::size_
   return text;
 }
 
+/// The shards that have a folder with the file `study`, in no order.
+std::vector<std::pair<Shard, fs::path>> started_shards(const fs::path& folder) {
+  std::vector<std::pair<Shard, fs::path>> found;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const auto shard = shard_of_folder(entry.path().filename().string());
+    if (!shard || !is_there(entry.path() / "study")) continue;
+    require(!entry.is_symlink(), entry.path().string() +
+                                     ": is a link; a shard is a folder, which is removed after the "
+                                     "merge");
+    found.emplace_back(*shard, entry.path());
+  }
+  return found;
+}
+
 /// The path of the job, also as a killed process left it (OutputFiles).
 bool is_job_file(const std::string& name) { return name == "job" || name.starts_with("job.part"); }
 
@@ -42,14 +58,20 @@ bool is_job_file(const std::string& name) { return name == "job" || name.starts_
 
 fs::path shards_path(const fs::path& results) { return results.string() + ".shards"; }
 
+void refuse_shards_of_another_study(const fs::path& own, const std::string& identity) {
+  for (const auto& [shard, path] : started_shards(own.parent_path())) {
+    const IdentityFile study(path);
+    if (path == own || !study.exists() || study.damaged() || study.identity() == identity) continue;
+    throw Error(fmt::format(
+        "{}: contains runs of another study, which `gurney merge` would refuse: {}; remove it, "
+        "give another name with -o, or start each shard again with --overwrite",
+        path.string(), difference(study.identity(), identity)));
+  }
+}
+
 std::vector<std::pair<Shard, fs::path>> shards_in(const fs::path& folder) {
   require(is_folder(folder), folder.string() + ": is not a folder of shards");
-  std::vector<std::pair<Shard, fs::path>> found;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const auto shard = shard_of_folder(entry.path().filename().string());
-    if (shard && fs::is_directory(entry.symlink_status()) && is_there(entry.path() / "study"))
-      found.emplace_back(*shard, entry.path());
-  }
+  std::vector<std::pair<Shard, fs::path>> found = started_shards(folder);
   require(!found.empty(), folder.string() + ": holds no shards, which are folders such as 3-of-8");
   std::ranges::sort(
       found, {}, [](const auto& each) { return std::pair(each.first.count, each.first.number); });

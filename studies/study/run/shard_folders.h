@@ -16,8 +16,13 @@ namespace gurney::study {
 std::filesystem::path shards_path(const std::filesystem::path& results);
 
 /// The folders of shards in a folder, by name.
-/// @throws Error for a folder that does not exist, or has none
+/// @throws Error for a folder that does not exist, or has none, and for a shard that is a link
 std::vector<std::pair<Shard, std::filesystem::path>> shards_in(const std::filesystem::path& folder);
+
+/// Before a shard begins: its runs and those of the others beside it will be merged.
+/// @throws Error where one of them is a shard of another study
+void refuse_shards_of_another_study(const std::filesystem::path& shard,
+                                    const std::string& identity);
 
 /// The shards of one study, locked, with what they have finished. Shards of several counts may be
 /// there, where a study was begun with one and continued with another: a task is the same in all.

@@ -34,12 +34,14 @@ void add_to_record(RecordTime& record, const TaskResult& result) {
   record.seconds += result.cost.cpu_seconds;
 }
 
-ShardStatus status_of(const fs::path& folder, const Shard& shard) {
-  const std::string identity = IdentityFile(folder).identity();
+/// @param identity  of the study whose shards are counted
+ShardStatus status_of(const fs::path& folder, const Shard& shard, const std::string& identity) {
   const std::size_t tasks = tasks_in(identity);
   const PartFormat format(identity, tasks);
   ShardStatus status{.shard = shard, .tasks = shard.tasks_of(tasks), .started = true};
   status.process = working_process(folder);
+  status.other_study = IdentityFile(folder).identity() != identity;
+  if (status.other_study) return status;
   std::set<std::size_t> done;
   std::map<std::uint64_t, Attempt> attempts;
   for (const std::uint32_t part : part_numbers(folder)) {
@@ -48,6 +50,8 @@ ShardStatus status_of(const fs::path& folder, const Shard& shard) {
     const PartContent content = format.decode(bytes);
     status.damaged += !content.damage.empty();
     for (const PartEntry& entry : content.entries) {
+      status.foreign += !shard.has(entry.task);
+      if (!shard.has(entry.task)) continue;
       if (!done.insert(entry.task).second) continue;
       const TaskResult result =
           task_from_bytes(std::string_view(bytes).substr(entry.offset, entry.size));
@@ -65,16 +69,26 @@ ShardStatus status_of(const fs::path& folder, const Shard& shard) {
   return status;
 }
 
+/// The study that most shards are of; of equally many the first.
+std::string identity_of_most(const std::vector<std::pair<Shard, fs::path>>& shards) {
+  std::vector<std::string> identities;
+  for (const auto& [shard, path] : shards) identities.push_back(IdentityFile(path).identity());
+  return *std::ranges::max_element(identities, {}, [&](const std::string& identity) {
+    return std::ranges::count(identities, identity);
+  });
+}
+
 }  // namespace
 
 std::vector<ShardStatus> shard_status(const fs::path& folder) {
-  if (is_there(folder / "study")) return {status_of(folder, {})};
+  if (is_there(folder / "study")) return {status_of(folder, {}, IdentityFile(folder).identity())};
   const auto found = shards_in(folder);
+  const std::string identity = identity_of_most(found);
   std::vector<ShardStatus> all;
-  for (const auto& [shard, path] : found) all.push_back(status_of(path, shard));
+  for (const auto& [shard, path] : found) all.push_back(status_of(path, shard, identity));
   if (found.front().first.count != found.back().first.count) return all;
   const std::size_t count = found.front().first.count;
-  const std::size_t tasks = tasks_in(IdentityFile(found.front().second).identity());
+  const std::size_t tasks = tasks_in(identity);
   for (std::size_t number = 1; number <= count; ++number) {
     const Shard shard{number, count};
     if (std::ranges::find(all, shard, &ShardStatus::shard) == all.end())

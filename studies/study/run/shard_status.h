@@ -24,6 +24,8 @@ struct ShardStatus {
   std::size_t tasks = 0, done = 0;  ///< analysis cases
   RunCounts counts = {};
   std::size_t damaged = 0;      ///< part files whose runs will be repeated
+  std::size_t foreign = 0;      ///< analysis cases in its folder that are not its own
+  bool other_study = false;     ///< most shards beside it are of another study: nothing is counted
   bool started = false;         ///< it has a folder
   std::string process = {};     ///< that works on it: "process 12 on node3"; empty: none
   double runs_per_second = 0;   ///< of the last attempt, up to its last part; 0: unknown

@@ -88,6 +88,19 @@ files icu_ventilator_shake.{h5,log,svg}
 expect 1 "out/icu_ventilator_shake.h5: exists already" "$gurney" run "$job"
 expect 0 "peak displacement" "$gurney" run "$job" --overwrite
 expect 0 '"demands"' "$gurney" run "$job" -o out/second.h5 --json --no-figure
+write_ventilator_job "never replaced by its output"
+for ending in h5 svg log; do
+  cp run.toml "q.$ending"
+  expect 1 "q.$ending: is read by this command and cannot be its output too" "$gurney" run "q.$ending" -o q.h5 --overwrite
+  cmp run.toml "q.$ending" || complain "q.$ending was replaced"
+  rm "q.$ending"
+done
+cp out/second.h5 page.html
+expect 1 "page.html: is read by this command" "$gurney" report page.html -o page.html --overwrite
+cmp out/second.h5 page.html || complain "a page took the place of its results"
+rm page.html
+expect 1 "$(printf 'a%.0s' $(seq 100))" "$gurney" show "$(printf 'a%.0s' $(seq 60000))" --json
+rm run.toml
 files icu_ventilator_shake.{h5,log,svg} second.{h5,log}
 cmp out/icu_ventilator_shake.h5 out/second.h5 || complain "two runs of one job differ"
 

@@ -67,7 +67,7 @@ explain 0 "icu_ventilator moved up to" study.h5 --run 1
 diff of_run stdout || complain "the run of the study is explained in other words"
 sed 's/0.3/0.31/' run.toml > other.toml
 explain 1 "is not the job of run.h5" run.h5 --job other.toml
-explain 1 "no longer exists" run.h5 --job none.toml
+explain 1 "none.toml does not exist any more" run.h5 --job none.toml
 explain 1 "not" run.toml
 
 # The figure; hostile names are text in it.

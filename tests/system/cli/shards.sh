@@ -68,6 +68,25 @@ echo '# edited' >> item.toml
 expect 1 "item.toml: there '" "$gurney" merge a.h5.shards
 study 1 "item.toml: there '" job.toml -o a.h5 --shard 1/2 --resume
 cp "$item" item.toml
+
+# A shard of an edited job beside one of the old is refused before its hours are spent; shards of others
+# are not counted.
+mkdir b.h5.shards
+cp -r others.shards/1-of-2 others.shards/job b.h5.shards
+study 1 "b.h5.shards/1-of-2: contains runs of another study, which \`gurney merge\` would refuse: study.intensity.scales: there '[1, 2]', here '[1, 3]' (in the job)" other.toml -o b.h5 --shard 2/2
+gone b.h5.shards/2-of-2
+expect 0 "12 of 24 analysis cases, 24 runs, 0 failed; 1 of 2 shards finished" "$gurney" status b.h5.shards
+cp -r b.h5.shards/1-of-2 b.h5.shards/2-of-2
+expect 0 "12 of 24 analysis cases, 24 runs, 0 failed; 1 of 2 shards finished" "$gurney" status b.h5.shards
+grep -qx "12 analysis cases stand in the folder of another shard and are not counted" stdout || complain "does not say that shard 2 holds cases of shard 1"
+expect 0 '"foreign_analysis_cases": 12' "$gurney" status b.h5.shards --json
+study 0 "shard    2 of 2" other.toml -o b.h5 --shard 2/2 --overwrite
+expect 0 "12 of 24 analysis cases, 24 runs, 0 failed; 1 of 2 shards finished" "$gurney" status b.h5.shards
+grep -qE "^ +2/2 +0 of 12 .* of another study: not counted, and refused by merge$" stdout || complain "does not say that shard 2 is of another study"
+rm -r b.h5.shards/2-of-2
+ln -s ../others.shards/2-of-2 b.h5.shards/2-of-2
+expect 1 "b.h5.shards/2-of-2: is a link; a shard is a folder" "$gurney" merge b.h5.shards
+rm -r b.h5.shards
 mkdir elsewhere
 cp job.toml item.toml list.csv ?.txt elsewhere
 mv job.toml moved.toml
@@ -164,6 +183,32 @@ expect 0 "scontrol requeue 9_2" env PATH="$PWD/bin:$PATH" SLURM_ARRAY_JOB_ID=9 S
 expect 1 "--shards 49: the study has 48 analysis cases" "$gurney" submit job.toml --slurm --shards 49
 expect 1 "needs --slurm" "$gurney" submit job.toml --shards 2
 expect 1 "--time 1h: must be as sbatch takes it" "$gurney" submit job.toml --slurm --shards 2 --time 1h
+expect 1 "--time : must be as sbatch takes it" "$gurney" submit job.toml --slurm --shards 2 --time ""
+for control in $'\n' $'\r' $'\v' $'\x7f'; do
+  expect 1 "--sbatch: has the control character 0x" "$gurney" submit job.toml --slurm --shards 2 --script never --sbatch "--comment=a${control}touch pwned"
+  cp job.toml "a${control}touch pwned${control}#.toml"
+  expect 1 "the name of the job file: has the control character 0x" "$gurney" submit "a${control}touch pwned${control}#.toml" --slurm --shards 2 --script never
+done
+gone never
+cp job.toml ./-j.toml
+expect 0 "sbatch ./-j.sbatch" "$gurney" submit ./-j.toml --slurm --shards 2
+grep -q -- ' -o ./-j.h5 ' ./-j.sbatch || complain "a results file looks like an option"
+
+# The job and its data are never replaced by an output.
+for script in job.toml item.toml a.txt list.csv; do
+  cp "$script" before
+  expect 1 "$script: is read by this command and cannot be its output too" "$gurney" submit job.toml --slurm --shards 2 --script "$script" --overwrite
+  same before "$script"
+done
+ln job.toml other_name.toml
+expect 1 "other_name.toml: is read by this command" "$gurney" submit job.toml --slurm --shards 2 --script other_name.toml --overwrite
+cp job.toml q.log
+study 1 "q.log: is read by this command" q.log -o q.h5 --overwrite
+same job.toml q.log
+gone q.h5.parts
+cp job.toml q.h5
+study 1 "q.h5: is read by this command" q.h5 -o q.h5 --overwrite
+same job.toml q.h5
 expect 1 "must be one option of sbatch" "$gurney" submit job.toml --slurm --shards 2 --sbatch partition=x
 expect 2 "--shards" "$gurney" submit job.toml --slurm
 

@@ -19,6 +19,13 @@ if compgen -G "$build/python/gurney/_engine.*.so" > /dev/null; then
   grep -q "usr/lib/python3/dist-packages/gurney/_engine\..*so" stdout || complain "no module in python3-gurney"
   grep -q "usr/lib/python3/dist-packages/gurney/simulation.py" stdout || complain "no package in python3-gurney"
 fi
+for each in packages/*.deb; do
+  name=$(dpkg-deb -f "$each" Package)
+  dpkg-deb --fsys-tarfile "$each" | tar -xO "./usr/share/doc/$name/copyright" > stdout 2> stderr
+  for notice in "Gurney" "CLI11" "JSON for Modern C++" "toml++" "Boost Software License" "Mozilla Public" "Victor Zverovich"; do
+    grep -qF "$notice" stdout || complain "$name: no notice of $notice in its file copyright"
+  done
+done
 dpkg-deb -f "$package" Depends > stdout
 for library in libbullet libhdf5 libfmt libtomlplusplus; do
   grep -q "$library" stdout || complain "the package does not depend on $library"

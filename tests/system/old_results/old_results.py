@@ -11,6 +11,7 @@ import gzip
 import hashlib
 import json
 import os
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -92,6 +93,72 @@ class OldResults(unittest.TestCase):
             support.gurney("report", path, "-o", f"{path}.html")
         support.gurney("play", self.run_file, "-o", f"{self.run_file}.play.html")
         self.csv_of(self.run_file)
+
+    def changed(self, name, change):
+        """The study of today with a change that h5py makes."""
+        path = os.path.join(self.folder.name, name)
+        with open(self.today, "rb") as source, open(path, "wb") as target:
+            target.write(source.read())
+        with h5py.File(path, "r+") as file:
+            change(file)
+        return path
+
+    def test_are_read_though_a_demand_is_missing(self):
+        def remove(file):
+            del file["items/peak_yaw"]
+            del file["half_step/peak_yaw"]
+
+        path = self.changed("without.h5", remove)
+        shown = support.gurney("show", path)
+        self.assertRegex(shown, r"demands not in this file:\n  peak_yaw\n")
+        self.assertNotIn("demands not in this file", support.gurney("show", self.today))
+        self.assertEqual(json.loads(support.gurney("show", path, "--json"))["demands_not_in_file"],
+                         ["peak_yaw"])
+        for command in (["fragility", "--json"], ["measures"]):
+            said = [support.gurney(command[0], each, *command[1:]).replace(each, "FILE")
+                    for each in (path, self.today)]
+            self.assertEqual(*said)
+        support.gurney("compare", path, path, "--configuration", "false,true")
+        support.gurney("report", path, "-o", f"{path}.html")
+        with open(f"{path}.html", encoding="utf-8") as page:
+            self.assertIn("does not have: peak_yaw", page.read())
+        responses = os.path.join(self.folder.name, "responses")
+        support.gurney("export", path, "--to", "response-csv", "-o", responses)
+        refused = subprocess.run([support.GURNEY, "fragility", path, "--limit-state",
+                                  "peak_yaw > 1 deg"], capture_output=True, text=True, check=False)
+        self.assertEqual(refused.returncode, 1, refused.stdout)
+        self.assertIn("holds no peak_yaw", refused.stderr)
+        results = gurney.Results(path)
+        self.assertNotIn("peak_yaw", results.demands)
+        self.assertEqual(str(results.fragility("moved", configuration="true")).replace(path, ""),
+                         str(gurney.Results(self.today).fragility(
+                             "moved", configuration="true")).replace(self.today, ""))
+        with self.assertRaisesRegex(gurney.NotInFile, "peak_yaw"):
+            results.exceeded("peak_yaw > 1 rad")
+
+    def test_of_version_1_are_read(self):
+        def to_version_1(file):
+            del file["data_files"]
+            file.attrs.modify("format_version", 1)
+
+        path = self.changed("version_1.h5", to_version_1)
+        self.assertEqual(
+            *(support.gurney("fragility", each, "--json").replace(each, "FILE")
+              for each in (path, self.today)))
+        for command in ("show", "measures"):
+            support.gurney(command, path)
+        support.gurney("report", path, "-o", f"{path}.html")
+        self.assertEqual(list(gurney.Results(path).runs["outcome"]),
+                         list(gurney.Results(self.today).runs["outcome"]))
+
+    def test_of_later_versions_are_refused(self):
+        path = self.changed("version_9.h5", lambda file: file.attrs.modify("format_version", 9))
+        refused = subprocess.run([support.GURNEY, "measures", path], capture_output=True, text=True,
+                                 check=False)
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("format_version 9", refused.stderr)
+        with self.assertRaisesRegex(gurney.Error, "reads version 1 and 2"):
+            gurney.Results(path)
 
     def test_open_in_the_python_package(self):
         old, today = gurney.Results(self.study), gurney.Results(self.today)

@@ -153,17 +153,58 @@ class Errors(unittest.TestCase):
         self.refused("2 columns", "xu_trolley", quiet[:, :2], 0.01)
         self.refused("2 or more", "xu_trolley", quiet[:1], 0.01)
         self.refused("1 or 2 dimensions", "xu_trolley", quiet.reshape(10, 10, 3), 0.01)
-        self.refused("not an array of numbers", "xu_trolley", ["a", "b"], 0.01)
+        self.refused("not an array of real numbers, but of <U1", "xu_trolley", ["a", "b"], 0.01)
         bad = quiet.copy()
         bad[7, 1] = numpy.nan
         self.refused("sample 7, column 1 is not a finite number", "xu_trolley", bad, 0.01)
         self.refused("time_step goes with an array", "xu_trolley", RECORD, 0.01)
+        self.refused("time_step goes with an array", "xu_trolley", None, 0.01)
         self.refused("has a record already", "xu_trolley", quiet, 0.01,
                      excitation={"record": {"file": RECORD}})
+        for path in ("a\0b", "\0"):
+            with self.assertRaisesRegex(gurney.InputError, "no NUL"):
+                gurney.simulate_job(path)
         with self.assertRaisesRegex(gurney.InputError, r"table \[study\]"):
             gurney.simulate_job(os.path.join(JOBS, "trolley_levels.toml"))
         with self.assertRaisesRegex(gurney.InputError, "nowhere.toml"):
             gurney.simulate_job("nowhere.toml")
+
+    def test_arrays_that_are_no_record(self):
+        quiet = numpy.zeros(100)
+        for kind in ("?", "S5", "U5", "M8[s]", "m8[s]", "c16"):
+            self.refused("not an array of real numbers", "xu_trolley", quiet.astype(kind), 0.01)
+        self.refused("not an array of real numbers", "xu_trolley", [True, 0.5, None], 0.01)
+        masked = numpy.ma.masked_array(quiet, numpy.arange(100) < 3)
+        self.refused("3 of 100 samples are masked", "xu_trolley", masked, 0.01)
+        limit = 980.665
+        for sign in (1, -1):
+            above = quiet.copy()
+            above[7] = sign * limit * (1 + 1e-9)
+            self.refused(r"sample 7, column 0 is -?980.665 m/s2; at most 980.665 m/s2 \(100 g\)",
+                         "xu_trolley", above, 0.01)
+        short = {"settings": {"duration_s": 0.02}, "predictability": False}
+        for same in (quiet.astype(object), quiet.astype(">f4"), quiet.astype(int),
+                     numpy.ma.masked_array(quiet), quiet.tolist()):
+            self.assertFalse(gurney.simulate("xu_trolley", same, 0.01, **short).failed)
+
+    def test_values_of_other_types(self):
+        quiet = numpy.zeros(100)
+        for step in (True, numpy.bool_(True), "0.01", [0.01]):
+            self.refused("time_step = .*: must be a number", "xu_trolley", quiet, step)
+        for choice in ("no", 0, None):
+            self.refused("predictability = .*: must be True or False", "xu_trolley", quiet, 0.01,
+                         predictability=choice)
+        deep = {}
+        for _ in range(100000):
+            deep = {"a": deep}
+        self.refused("nested too deep", {"equipment": "xu_trolley", "z": deep})
+        while deep:
+            deep = deep["a"]
+        circle = {"equipment": "xu_trolley"}
+        circle["z"] = circle
+        self.refused("cannot be written as JSON", circle)
+        self.refused("cannot be written as JSON", {"equipment": "xu_trolley", (1, 2): 3})
+        self.refused("excitation = 5: must be a dict", "xu_trolley", RECORD, excitation=5)
 
     def test_without_the_module_the_rest_works(self):
         program = ("import gurney\ntry:\n  gurney.simulate('xu_trolley')\n"

@@ -200,11 +200,16 @@ TEST_F(StudyComparisonTest, InputsAreReportedByTheirKeys) {
   EXPECT_EQ(inputs.records_common, 1);
 }
 
-TEST_F(StudyComparisonTest, FilesOfAnotherVersionAreRefused) {
+TEST_F(StudyComparisonTest, FilesOfLaterVersionsAreRefused) {
   MadeStudy made = brakes(2, 0);
   made.format_version = 1;
-  EXPECT_THAT(error_text([&] { data(made); }),
-              HasSubstr("is a study file of format_version 1, made by gurney "));
+  EXPECT_EQ(error_text([&] { data(made); }), "(no error)");
+  for (const int version : {0, kStudyFormatVersion + 1}) {
+    made.format_version = version;
+    EXPECT_THAT(error_text([&] { data(made); }),
+                HasSubstr("is a study file of format_version " + std::to_string(version) +
+                          ", made by gurney "));
+  }
 }
 
 TEST_F(StudyComparisonTest, TheReportSaysWhatWasLeftOutAndWhatItMeans) {

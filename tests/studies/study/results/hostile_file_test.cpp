@@ -2,7 +2,9 @@
 #include <hdf5.h>
 #include <sys/stat.h>
 
+#include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <random>
 
 #include "studies/study/results/hdf5_checks.h"
@@ -32,9 +34,9 @@ std::string foreign(const TempFolder& folder, Fill fill) {
   return path;
 }
 
-void add_dataset(hid_t file, hsize_t length, hid_t creation) {
+void add_dataset(hid_t file, const char* name, hsize_t length, hid_t creation) {
   const hid_t space = H5Screate_simple(1, &length, nullptr);
-  H5Dclose(H5Dcreate2(file, "x", H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT));
+  H5Dclose(H5Dcreate2(file, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT));
   H5Sclose(space);
 }
 
@@ -89,7 +91,7 @@ TEST(HostileFile, ValuesOfOtherFilesAreRefused) {
   const std::string path = foreign(folder, [&](hid_t file) {
     const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
     H5Pset_external(creation, secret.c_str(), 0, 80);
-    add_dataset(file, 10, creation);
+    add_dataset(file, "x", 10, creation);
     H5Pclose(creation);
   });
   EXPECT_ERROR(Hdf5Reader{path}, "a.h5: dataset /x: its values stand in other files");
@@ -116,7 +118,7 @@ TEST(HostileFile, MoreValuesThanBytesAreRefused) {
     const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
     const hsize_t chunk = 4096;
     H5Pset_chunk(creation, 1, &chunk);
-    add_dataset(file, hsize_t{1} << 50, creation);
+    add_dataset(file, "x", hsize_t{1} << 50, creation);
     H5Pclose(creation);
   });
   EXPECT_ERROR(Hdf5Reader{path}, "dataset /x: states 1125899906842624 values, but only 0 bytes");
@@ -143,9 +145,65 @@ TEST(HostileFile, AChildThatCrashesOrRunsOnIsAnError) {
   const std::string path = folder.write("a.h5", "x");
   EXPECT_ERROR(hdf5::probe(path, [] { std::abort(); }),
                "a.h5: is damaged: the HDF5 library crashes over it");
-  EXPECT_ERROR(hdf5::probe(path, [] { throw std::bad_alloc(); }), "more time or memory");
+  EXPECT_ERROR(hdf5::probe(path, [] { throw std::bad_alloc(); }), "takes more memory than");
+  EXPECT_ERROR(hdf5::probe(path, [] { std::raise(SIGXCPU); }), "a.h5: took too long to read");
+  EXPECT_ERROR(hdf5::probe(path, [] { std::raise(SIGALRM); }), "a.h5: took too long to read");
   EXPECT_ERROR(hdf5::probe(path, [] { throw Error("of the file itself"); }), "of the file itself");
   hdf5::probe(path, [] {});
+}
+
+/// Under an emulator or a debugging allocator a file of some bytes takes seconds.
+TEST(HostileFile, AChildThatIsSlowIsNoError) {
+  const TempFolder folder;
+  hdf5::probe(folder.write("a.h5", "x"), [] {
+    while (std::clock() < 4 * CLOCKS_PER_SEC) {
+    }
+  });
+}
+
+/// A dataset of zeros, written as the one compressed chunk that each of its chunks is.
+void add_zeros(hid_t group, const char* name, hsize_t chunks) {
+  constexpr hsize_t kChunk = 1 << 22;  // values
+  const hsize_t length = chunks * kChunk;
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_chunk(creation, 1, &kChunk);
+  H5Pset_deflate(creation, 9);
+  const hid_t space = H5Screate_simple(1, &length, nullptr);
+  const hid_t set =
+      H5Dcreate2(group, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+  const std::vector<double> zeros(kChunk);
+  const hid_t memory = H5Screate_simple(1, &kChunk, nullptr);
+  for (hsize_t from = 0; from < length; from += kChunk) {
+    H5Sselect_hyperslab(space, H5S_SELECT_SET, &from, nullptr, &kChunk, nullptr);
+    H5Dwrite(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, zeros.data());
+  }
+  H5Sclose(memory);
+  H5Sclose(space);
+  H5Dclose(set);
+  H5Pclose(creation);
+}
+
+TEST(HostileFile, ValuesOfMoreMemoryThanAFileOfItsSizeHasAreNotRead) {
+  const TempFolder folder;
+  EXPECT_ERROR(
+      Hdf5Reader{foreign(folder, [](hid_t file) { add_zeros(file, "x", 32); })},
+      "a.h5: its values would take 1.1 GB of memory, which is more than a results file of");
+  const Hdf5Reader all(foreign(folder, [](hid_t file) { add_zeros(file, "x", 1); }));
+  EXPECT_EQ(all.numbers("/x").size(), 1u << 22);
+}
+
+TEST(HostileFile, AColumnIsAsLongAsItsTable) {
+  const TempFolder folder;
+  const std::string path = foreign(folder, [](hid_t file) {
+    const hid_t group = H5Gcreate2(file, "energy", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY);
+    add_dataset(group, "row", 1, creation);
+    add_dataset(group, "loss", 2, creation);
+    H5Pclose(creation);
+    H5Gclose(group);
+  });
+  EXPECT_ERROR(Hdf5Reader{path}, "dataset /energy/loss must be a column as long as its table");
 }
 
 TEST(HostileFile, EveryFlippedBitOfASealedFileIsNoticed) {

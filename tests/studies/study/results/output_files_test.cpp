@@ -6,6 +6,7 @@
 
 #include <fstream>
 
+#include "engine/base/input_file.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
@@ -34,6 +35,21 @@ TEST(OutputFiles, CommitsEveryFileOrNone) {
   EXPECT_EQ(contents_of(folder.file("a")), "one");
   EXPECT_EQ(contents_of(folder.file("b")), "two");
   EXPECT_EQ(count_files(folder), 2u);
+}
+
+TEST(OutputFiles, NeverReplaceAFileThatWasRead) {
+  const TempFolder folder;
+  const std::string job = folder.write("job.toml", "title");
+  OutputFiles output(true);
+  output.check(job);
+  output.stage(job, "an output");
+  read_input_file(job);
+  EXPECT_ERROR(output.check(job), "job.toml: is read by this command and cannot be its output");
+  EXPECT_ERROR(output.commit(), "job.toml: is read by this command");
+  std::filesystem::create_symlink(job, folder.file("link"));
+  EXPECT_ERROR(output.check(folder.file("link")), "link: is read by this command");
+  EXPECT_ERROR(put_in_place(folder.write("made", "x"), job, true), "job.toml: is read by this");
+  EXPECT_EQ(contents_of(job), "title");
 }
 
 TEST(OutputFiles, RefusesAnExistingFileAndLeavesIt) {
