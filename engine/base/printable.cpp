@@ -29,7 +29,7 @@ std::string without_middle(std::string_view line) {
   if (line.size() <= kLongestLine) return std::string(line);
   const std::size_t from = start_of_character(line, kKeptStart),
                     to = start_of_character(line, line.size() - kKeptEnd);
-  return fmt::format("{} [... {} bytes left out ...] {}", line.substr(0, from), to - from,
+  return fmt::format("{} [... {} bytes omitted ...] {}", line.substr(0, from), to - from,
                      line.substr(to));
 }
 
