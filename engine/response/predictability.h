@@ -1,8 +1,10 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "engine/base/units.h"
+#include "engine/response/demands.h"
 
 namespace gurney {
 
@@ -32,12 +34,9 @@ struct Predictability {
   /// From when on the amplification has reached kSensitive; NaN: never [s].
   double horizon = std::numeric_limits<double>::quiet_NaN();
 
-  /// The peaks of the same run with half the time step and an eighth of the tolerance [m], [rad];
-  /// NaN: it failed. What they differ by is 3/4 of the error of a peak where the method's is of
-  /// second order, half of it where reversals and landings make it of first; in a chaotic run
-  /// it is nothing of the step's.
-  double displacement_at_half_step = std::numeric_limits<double>::quiet_NaN();
-  double tilt_at_half_step = std::numeric_limits<double>::quiet_NaN();
+  /// Demands of the twin, and of the same run with half the time step and an eighth of the tolerance;
+  /// none: that run failed. They judge each demand: engine/response/settled.h.
+  std::optional<Demands> twin, half_step;
 };
 
 const char* name_of(Predictability::Verdict verdict);

@@ -18,7 +18,7 @@ struct Quality {
   long newton_iterations = 0;
   long collision_passes = 0;  ///< of Bullet
   long step_halvings = 0;     ///< of the time step, for settings.peak_error
-  double peak_change = 0;     ///< of the peaks by the last two of them, relative;
+  double peak_change = 0;     ///< of judged demands by the last two of them, relative;
                               ///< infinite: of an outcome
 };
 

@@ -44,6 +44,7 @@ Predictability::Verdict verdict_of(double amplification) {
 
 Predictability of_item(const ItemResponse& run, const ItemResponse& twin) {
   Predictability result;
+  result.twin = twin.demands;
   result.time_of_peaks = time_of_peaks(run.demands);
   const Separation separation(run.demands);
   for (std::size_t k = 0; k < run.history.size(); ++k) {
@@ -88,10 +89,7 @@ void add_half_step(const Scene& scene, const FloorMotion& floor, const Simulatio
   finer.history_step = 0;
   const Response half = simulate(scene, floor, finer);
   if (is_failure(half.outcome)) return;
-  for (std::size_t i = 0; i < of_items.size(); ++i) {
-    of_items[i].displacement_at_half_step = half.items[i].demands.peak_displacement;
-    of_items[i].tilt_at_half_step = half.items[i].demands.peak_tilt;
-  }
+  for (std::size_t i = 0; i < of_items.size(); ++i) of_items[i].half_step = half.items[i].demands;
 }
 
 }  // namespace gurney

@@ -20,7 +20,7 @@ std::vector<Predictability> compare_twin(const Response& run, const Response& tw
 std::vector<Predictability> predictability(const Scene& scene, const FloorMotion& floor,
                                            SimulationSettings settings, const Response& run);
 
-/// Runs the run again with half its time step, for the peaks at half step of each item.
+/// Runs the run again with half its time step, for the demands of each item at half step.
 /// @throws Error as simulate()
 void add_half_step(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings,
                    std::vector<Predictability>& of_items);

@@ -3,46 +3,68 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
+#include "engine/response/settled.h"
 #include "engine/run/predictability.h"
 #include "engine/run/simulate.h"
+#include "engine/scene/perturbed.h"
 
 namespace gurney {
 namespace {
 
-/// By item, whether its motion has a number.
-std::vector<bool> judged_items(const Scene& scene, const FloorMotion& floor,
-                               const SimulationSettings& settings, const Response& run) {
-  std::vector<bool> judged(scene.items.size(), true);
+/// By item and number of numbers_of(), whether it has a value; of a run that failed: empty.
+using Judged = std::vector<std::vector<bool>>;
+
+/// Of an item that overturns only what says so: what follows is asked of none.
+bool is_asked(const DemandNumber& number, bool overturns) {
+  return !overturns || std::string_view(number.name).ends_with("_of_overturning");
+}
+
+Judged judged_demands(const Scene& scene, const FloorMotion& floor,
+                      const SimulationSettings& settings, const Response& run) {
+  Judged judged;
   if (is_failure(run.outcome)) return judged;
   const std::vector<Predictability> found = predictability(scene, floor, settings, run);
-  for (std::size_t i = 0; i < found.size(); ++i)
-    judged[i] = found[i].verdict != Predictability::Verdict::kChaotic;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Demands& demands = run.items[i].demands;
+    const std::vector<DemandNumber> numbers = numbers_of(demands),
+                                    twin = numbers_of(*found[i].twin);
+    std::vector<bool>& of_item = judged.emplace_back();
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+      of_item.push_back(found[i].verdict != Predictability::Verdict::kChaotic &&
+                        is_asked(numbers[k], demands.time_of_overturning >= 0) &&
+                        std::abs(change_between(numbers[k], twin[k])) <
+                            Predictability::kChaotic * kPerturbation);
+  }
   return judged;
 }
 
-double largest_change(const Response& run, const Response& finer, const std::vector<bool>& judged) {
+bool any_of(const Judged& judged) {
+  return judged.empty() || std::ranges::any_of(judged, [](const std::vector<bool>& of_item) {
+           return std::ranges::find(of_item, true) != of_item.end();
+         });
+}
+
+double largest_change(const Response& run, const Response& finer, const Judged& judged) {
   if (is_failure(run.outcome) || is_failure(finer.outcome))
     return std::numeric_limits<double>::infinity();
   double largest = 0;
-  for (std::size_t i = 0; i < judged.size(); ++i)
-    if (judged[i])
-      largest = std::max(largest, peak_change(run.items[i].demands, finer.items[i].demands));
+  for (std::size_t i = 0; i < run.items.size(); ++i)
+    largest = std::max(largest, demand_change(run.items[i].demands, finer.items[i].demands,
+                                              judged.empty() ? std::vector<bool>{} : judged[i]));
   return largest;
 }
 
 }  // namespace
 
-double peak_change(const Demands& run, const Demands& finer) {
-  const bool here = run.time_of_overturning >= 0, there = finer.time_of_overturning >= 0;
-  if (here != there) return std::numeric_limits<double>::infinity();
-  if (here) return std::abs(run.time_of_overturning / finer.time_of_overturning - 1);
-  const auto change = [](double a, double b, double least) {
-    return std::max(a, b) < least ? 0 : std::abs(a / b - 1);
-  };
-  return std::max(
-      change(run.peak_displacement, finer.peak_displacement, Predictability::kLeastDisplacement),
-      change(run.peak_tilt, finer.peak_tilt, Predictability::kLeastTilt));
+double demand_change(const Demands& run, const Demands& finer, const std::vector<bool>& judged) {
+  const std::vector<DemandNumber> from = numbers_of(run), to = numbers_of(finer);
+  double largest = 0;
+  for (std::size_t k = 0; k < from.size(); ++k)
+    if (judged.empty() || judged[k])
+      largest = std::max(largest, std::abs(change_between(from[k], to[k])));
+  return largest;
 }
 
 SimulationSettings refined_settings(const SimulationSettings& settings, const Quality& quality) {
@@ -57,8 +79,8 @@ Response refine(const Scene& scene, const FloorMotion& floor, const SimulationSe
   Quality quality;
   SimulationSettings step = refined_settings(settings, quality);
   Response run = simulate(scene, floor, step);
-  const std::vector<bool> judged = judged_items(scene, floor, step, run);
-  if (std::ranges::find(judged, true) == judged.end()) return run;
+  const Judged judged = judged_demands(scene, floor, step, run);
+  if (!any_of(judged)) return run;
   // One small change may be a crossing of errors that are not.
   double before = std::numeric_limits<double>::infinity(), last = before;
   while (std::max(before, last) > 0.5 * settings.peak_error &&

@@ -165,7 +165,7 @@ std::string step_of(const study::StudyOverview& overview) {
   if (!overview.step_check) return "The time step was not checked within the study.";
   const study::StepCheck& check = *overview.step_check;
   for (const study::StepChange& each : check.changes)
-    if (each.demand == "peak_displacement" && each.compared > 0)
+    if (study::name_of(each) == "peak_displacement" && each.compared > 0)
       return fmt::format(
           "In {} that {} repeated with half the time step the peak displacement "
           "changed by {:.2g} % in the median and {:.2g} % at most.",

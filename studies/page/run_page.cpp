@@ -222,7 +222,10 @@ Section tables(const RunFile& run) {
       {"tethers", "Tethers", {"tether"}},
       {"wheels", "Wheels", {"item", "wheel"}},
       {"points", "Marked points", {"item", "point"}},
-      {"predictability", "What became of a change of all masses by 1e-9", {"item", "verdict"}}};
+      {"predictability", "What became of a change of all masses by 1e-9", {"item", "verdict"}},
+      {"settled",
+       "Which demands half the time step and a change of all masses by 1e-9 leave",
+       {"item", "part", "demand", "settled_to", "step_change", "twin_change"}}};
   Html content;
   for (const Group& group : groups)
     content += html(table_of_group(run.file, group.name, group.caption, group.first, run.units));

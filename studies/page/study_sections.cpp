@@ -200,13 +200,20 @@ Section study_time_step(const StudyPage& page) {
             paragraph("The study asked for none (study.step_check): how far the time step changes "
                       "these results is not known from this file.")};
   const study::StepCheck& of = *page.overview.step_check;
-  Table table{
-      "Relative change of the demands with half the time step",
-      {{"Demand"}, {"Compared", true}, {"Median", true}, {"Largest", true}, {"In run", true}}};
+  Table table{"Relative change of the demands with half the time step",
+              {{"Demand"},
+               {"Compared", true},
+               {"Within 1 %", true},
+               {"Within 5 %", true},
+               {"Median", true},
+               {"Largest", true},
+               {"In run", true}}};
   for (const study::StepChange& each : of.changes)
     if (each.compared > 0)
-      table.rows.push_back({each.demand, each.compared, Cell(each.median, one, 2),
-                            Cell(each.largest, one, 2),
+      table.rows.push_back({study::name_of(each), each.compared,
+                            fmt::format("{:.0f} %", 100 * each.within_1_percent),
+                            fmt::format("{:.0f} %", 100 * each.within_5_percent),
+                            Cell(each.median, one, 2), Cell(each.largest, one, 2),
                             each.largest > 0 ? Cell(each.largest_run) : Cell("\u2013")});
   std::vector<std::string> lines;
   if (of.failed > 0) lines.push_back(counted(of.failed, "further repetition") + " failed.");
@@ -214,7 +221,8 @@ Section study_time_step(const StudyPage& page) {
     lines.push_back(fmt::format("{}: a different outcome in {} of {}.", each.state,
                                 each.runs.size(), counted(of.runs, "run")));
   for (const std::string& each : of.unjudged)
-    lines.push_back(each + ": not compared, the repeated runs keep only demands of items.");
+    lines.push_back(each +
+                    ": not compared, the repeated runs keep only demands of items and points.");
   return {"time-step", "Time-step check",
           paragraph(fmt::format("{} {} repeated with half the time step.", counted(of.runs, "run"),
                                 of.runs == 1 ? "was" : "were")) +

@@ -131,10 +131,10 @@ std::string narrative(const study::RunFacts& facts, const Response& response,
       response.items.size() == 1
           ? motion(first, units) + lifting(first, units) + ending(response, units) + "\n"
           : common_ending(response) + "\n" + motions(response, names, units);
-  text += narrative_of_falls(facts, response, units) +
-          narrative_of_impacts(response, names, units) +
-          narrative_of_zones(facts, response, units) +
-          narrative_of_tethers(facts, response, units) + narrative_of_trust(response, names);
+  text +=
+      narrative_of_falls(facts, response, units) + narrative_of_impacts(response, names, units) +
+      narrative_of_zones(facts, response, units) + narrative_of_tethers(facts, response, units) +
+      narrative_of_trust(response, names) + narrative_of_settled(facts, response);
   text.pop_back();
   return text;
 }

@@ -14,15 +14,18 @@ std::string trust(const Predictability& p) {
   if (p.time_of_peaks == 0) return "Predictable: the item stays where it is";
   switch (p.verdict) {
     case Predictability::Verdict::kPredictable:
-      return fmt::format("Predictable: {} grows {:.2g}-fold until the peaks at {:.2f} s{}", change,
-                         p.amplification_at_peaks, p.time_of_peaks,
-                         p.horizon > p.time_of_peaks
-                             ? fmt::format("; from {:.2f} s on the motion is sensitive", p.horizon)
-                             : "");
+      return fmt::format(
+          "Predictable: {} grows {:.2g}-fold until the peaks of displacement and tilt at "
+          "{:.2f} s{}",
+          change, p.amplification_at_peaks, p.time_of_peaks,
+          p.horizon > p.time_of_peaks
+              ? fmt::format("; from {:.2f} s on the motion is sensitive", p.horizon)
+              : "");
     case Predictability::Verdict::kSensitive:
       return fmt::format(
-          "SENSITIVE: {} grows {:.2g}-fold until the peaks at {:.2f} s; from {:.2f} s on an error "
-          "of 0.1 % may change the motion by its own size",
+          "SENSITIVE: {} grows {:.2g}-fold until the peaks of displacement and tilt at {:.2f} s; "
+          "from "
+          "{:.2f} s on an error of 0.1 % may change the motion by its own size",
           change, p.amplification_at_peaks, p.time_of_peaks, p.horizon);
     case Predictability::Verdict::kChaotic:
       break;
@@ -62,8 +65,8 @@ std::string halvings(const Quality& quality) {
       "Time step: halved {} times{}; the last two changed {}.\n", quality.step_halvings,
       quality.step_halvings == Quality::kLargestHalvings ? ", no shorter is tried" : "",
       std::isfinite(quality.peak_change)
-          ? fmt::format("the peaks by at most {:.2g} %", 100 * quality.peak_change)
-          : "the outcome");
+          ? fmt::format("no judged demand by more than {:.2g} %", 100 * quality.peak_change)
+          : "an outcome");
 }
 
 std::string time_step(const Response& response, const std::vector<std::string>& names) {
@@ -72,9 +75,10 @@ std::string time_step(const Response& response, const std::vector<std::string>& 
     const auto& found = response.items[i].predictability;
     if (!found || found->verdict == Predictability::Verdict::kChaotic) continue;
     const Demands& d = response.items[i].demands;
-    displacement.add(d.peak_displacement, found->displacement_at_half_step,
+    if (!found->half_step) continue;
+    displacement.add(d.peak_displacement, found->half_step->peak_displacement,
                      Predictability::kLeastDisplacement, names[i]);
-    tilt.add(d.peak_tilt, found->tilt_at_half_step, Predictability::kLeastTilt, names[i]);
+    tilt.add(d.peak_tilt, found->half_step->peak_tilt, Predictability::kLeastTilt, names[i]);
   }
   const bool several = names.size() > 1;
   const std::string moved = displacement.text("peak displacement", several),
@@ -97,7 +101,8 @@ std::string of_several(const Response& response, const std::vector<std::string>&
       text += fmt::format("  {}: {}\n", names[i], trust(*found));
   }
   if (!predictable.empty())
-    text += fmt::format("  predictable until their peaks: {}\n", predictable);
+    text +=
+        fmt::format("  predictable until their peaks of displacement and tilt: {}\n", predictable);
   return text.empty() ? "" : "Predictability\n" + text;
 }
 

@@ -75,7 +75,10 @@ Json step_check(const study::StepCheck& of) {
     const bool any = each.compared > 0;
     demands.push_back(
         {{"demand", each.demand},
+         {"point", each.point.empty() ? Json(nullptr) : Json(each.point)},
          {"compared", each.compared},
+         {"share_within_1_percent", any ? Json(each.within_1_percent) : Json(nullptr)},
+         {"share_within_5_percent", any ? Json(each.within_5_percent) : Json(nullptr)},
          {"median_relative_change", any ? Json(each.median) : Json(nullptr)},
          {"largest_relative_change", any ? Json(each.largest) : Json(nullptr)},
          {"largest_in_run", each.largest > 0 ? Json(each.largest_run) : Json(nullptr)}});

@@ -169,6 +169,8 @@ std::string chaotic_steps(const study::ChaoticStepCheck& of) {
   return all;
 }
 
+std::string share_text(double share) { return fmt::format("{:.0f} %", 100 * share); }
+
 std::string step_check(const study::StudyOverview& overview) {
   if (!overview.step_check) return {};
   const study::StepCheck& of = *overview.step_check;
@@ -181,18 +183,20 @@ std::string step_check(const study::StudyOverview& overview) {
   const std::size_t numbers = of.runs - (of.chaotic ? of.chaotic->runs : 0);
   if (numbers == 0) return all;
   TextTable table(1);
-  table.add({"demand", "compared", "median", "largest", "in run"});
+  table.add({"demand", "compared", "within 1 %", "within 5 %", "median", "largest", "in run"});
   for (const study::StepChange& each : of.changes)
     if (each.compared > 0)
-      table.add({each.demand, std::to_string(each.compared), fmt::format("{:.2g}", each.median),
-                 fmt::format("{:.2g}", each.largest),
+      table.add({study::name_of(each), std::to_string(each.compared),
+                 share_text(each.within_1_percent), share_text(each.within_5_percent),
+                 fmt::format("{:.2g}", each.median), fmt::format("{:.2g}", each.largest),
                  each.largest > 0 ? std::to_string(each.largest_run) : "-"});
   all += table.text();
   for (const study::StateChange& each : of.states)
     all += fmt::format("  {}: a different outcome in {} of {} runs\n", each.state, each.runs.size(),
                        numbers);
   for (const std::string& each : of.unjudged)
-    all += fmt::format("  {}: not compared, the repeated runs keep only demands of items\n", each);
+    all += fmt::format(
+        "  {}: not compared, the repeated runs keep only demands of items and points\n", each);
   return all;
 }
 

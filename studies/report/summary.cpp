@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "studies/report/narrative.h"
+#include "studies/report/settled.h"
 #include "studies/report/wrapped.h"
 #include "studies/study/results/columns.h"
 #include "studies/study/results/names.h"
@@ -40,20 +41,30 @@ std::string words_of(std::string name) {
 
 std::string name_of(const study::ReportUnit& unit) { return unit.name == "1" ? "" : unit.name; }
 
-std::string number_line(const std::string& name, const std::string& value,
-                        const std::string& units) {
-  return fmt::format("  {:<32}{:>12}{}\n", words_of(name), value, units.empty() ? "" : " " + units);
+std::string number_line(const std::string& name, const std::string& value, const std::string& units,
+                        const std::string& note) {
+  const std::string line =
+      fmt::format("  {:<32}{:>12}{}", words_of(name), value, units.empty() ? "" : " " + units);
+  return note.empty() ? line + "\n" : fmt::format("{:<52}{:>12}\n", line, note);
+}
+
+/// Where the run was repeated, within which fraction the demand is settled.
+std::string settled_note(const std::vector<SettledDemand>& settled, const char* name) {
+  const SettledDemand* const found = find_settled(settled, DemandNumber::Of::kItem, 0, name);
+  return found ? within_text(*found) : "";
 }
 
 template <class Row>
 std::string list(std::span<const study::TableColumn<Row>> columns, const Row& row,
-                 const UnitSystem& units, const std::set<std::string>& without = {}) {
+                 const UnitSystem& units, const std::set<std::string>& without = {},
+                 const std::vector<SettledDemand>& settled = {}) {
   std::string result;
   for (const study::TableColumn<Row>& column : columns) {
     const double value = column.value(row);
     if (without.count(column.name) > 0 || column.is_missing(value)) continue;
     const study::ReportUnit unit = units.of(column.units);
-    result += number_line(column.name, shown(value, unit, column.whole()), name_of(unit));
+    result += number_line(column.name, shown(value, unit, column.whole()), name_of(unit),
+                          settled_note(settled, column.name));
   }
   return result;
 }
@@ -62,7 +73,8 @@ std::string list(std::span<const study::TableColumn<Row>> columns, const Row& ro
 template <class Row>
 std::string table(const std::string& heading, std::span<const study::TableColumn<Row>> columns,
                   const std::vector<std::string>& names, const std::vector<Row>& rows,
-                  const UnitSystem& units) {
+                  const UnitSystem& units, DemandNumber::Of of,
+                  const std::vector<SettledDemand>& settled) {
   std::size_t width = 18;
   for (const std::string& name : names) width = std::max(width, name.size());
   std::string titles = fmt::format("\n  {:<{}}", heading, width);
@@ -79,7 +91,9 @@ std::string table(const std::string& heading, std::span<const study::TableColumn
       const double value = column.value(rows[i]);
       const std::string text =
           column.is_missing(value) ? "none" : shown(value, units.of(column.units), column.whole());
-      result += fmt::format("  {:>{}}", text, words_of(column.name).size());
+      const SettledDemand* const label = find_settled(settled, of, i, column.name);
+      result += fmt::format("  {:>{}}", (label && !label->settled() ? "~" : "") + text,
+                            words_of(column.name).size());
     }
     result += "\n";
   }
@@ -114,19 +128,26 @@ std::string narrative_text(const study::RunFacts& facts, const Response& respons
 }
 
 /// Every number of a single item.
-std::string demands_text(const EquipmentModel& model, const Demands& demands,
+std::string demands_text(const EquipmentModel& model, const ItemResponse& item,
                          const UnitSystem& units) {
-  std::string text = fmt::format("  {:<32}{:>12}\n", "demand", "value");
+  using Of = DemandNumber::Of;
+  const Demands& demands = item.demands;
+  const std::vector<SettledDemand> settled = settled_demands(item);
+  std::string text = number_line("demand", "value", "", settled.empty() ? "" : "settled to");
   const bool rolls = !model.casters.empty();
   text += list(study::demand_columns(), demands, units,
-               rolls ? std::set<std::string>{} : kDemandsOfWheels);
+               rolls ? std::set<std::string>{} : kDemandsOfWheels, settled);
   // When wheels lifted before a fall, and numerical accelerations, are reported in words.
   if (rolls)
     text += table("wheel", study::wheel_demand_columns().first(5), study::caster_names(model),
-                  demands.wheels, units);
+                  demands.wheels, units, Of::kWheel, settled);
   if (!demands.points.empty())
-    text += table("point", study::point_demand_columns().first(3), study::point_names(model),
-                  demands.points, units);
+    text += table("point", study::judged_point_columns(), study::point_names(model), demands.points,
+                  units, Of::kPoint, settled);
+  if (std::ranges::any_of(settled, [](const SettledDemand& each) {
+        return each.number.of != Of::kItem && !each.settled();
+      }))
+    text += "\n  ~ not settled\n";
   return text;
 }
 
@@ -249,9 +270,8 @@ std::string summary(const study::RunFacts& facts, const Response& response,
   for (std::size_t i = 0; i < names.size(); ++i)
     text += item_line(names[i], facts.scene.items[i].model, units);
   text += record_text(facts, units) + narrative_text(facts, response, units);
-  text += names.size() == 1
-              ? demands_text(facts.scene.items[0].model, response.items[0].demands, of_tables)
-              : items_text(names, response.items, units);
+  text += names.size() == 1 ? demands_text(facts.scene.items[0].model, response.items[0], of_tables)
+                            : items_text(names, response.items, units);
   text += numerical_text(response.items, units);
   text += fmt::format("\n  {:<32}{:>12}\n", "quality", "value");
   text += list(study::quality_columns(), response.quality, of_tables);

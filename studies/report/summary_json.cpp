@@ -1,5 +1,7 @@
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/response/settled.h"
 #include "studies/build_info/build_info.h"
 #include "studies/report/fall.h"
 #include "studies/report/half_cycle_json.h"
@@ -50,6 +52,33 @@ Json predictability(const std::optional<Predictability>& of_item) {
   return result;
 }
 
+Json settled(const SettledDemand& demand) {
+  const auto finite = [](double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+  };
+  return {{"settled_to", finite(demand.within())},
+          {"step_change", finite(demand.step_change)},
+          {"twin_change", finite(demand.twin_change)}};
+}
+
+/// The labels of the demands, shaped as these.
+Json settled(const EquipmentModel& model, const ItemResponse& item) {
+  const std::vector<SettledDemand> all = settled_demands(item);
+  if (all.empty()) return nullptr;
+  Json demands = Json::object(), wheels = Json::array(), points = Json::array();
+  for (const Caster& each : model.casters) wheels.push_back({{"name", each.name}});
+  for (const MarkedPoint& each : model.marked_points) points.push_back({{"name", each.name}});
+  for (const SettledDemand& each : all) {
+    using Of = DemandNumber::Of;
+    const DemandNumber& number = each.number;
+    Json& of = number.of == Of::kItem    ? demands
+               : number.of == Of::kWheel ? wheels.at(number.part)
+                                         : points.at(number.part);
+    of[number.name] = settled(each);
+  }
+  return {{"demands", demands}, {"wheels", wheels}, {"points", points}};
+}
+
 Json items(const study::RunFacts& facts, const Response& response) {
   const std::vector<std::string> names = study::item_names(facts.scene);
   Json result = Json::array();
@@ -64,7 +93,8 @@ Json items(const study::RunFacts& facts, const Response& response) {
                       {"points", named_objects(study::point_demand_columns(), item.demands.points,
                                                model.marked_points)},
                       {"energy", object(study::energy_columns(), item.energy)},
-                      {"predictability", predictability(item.predictability)}});
+                      {"predictability", predictability(item.predictability)},
+                      {"settled", settled(model, item)}});
   }
   return result;
 }

@@ -7,7 +7,7 @@
 #include "tests/benchmark/sections.h"
 
 /// Prints accuracy and speed in one run. `--quick` takes a small ensemble;
-/// `--predictability`, `--refine`, `--replicas` and `--step-control` print the tables of
+/// `--predictability`, `--refine`, `--settled`, `--replicas` and `--step-control` print the tables of
 /// docs/theory/predictability.md and step_control.md alone, `--cost` and `--rooms` those of
 /// docs/performance.md.
 int main(int argc, char** argv) try {
@@ -31,6 +31,10 @@ int main(int argc, char** argv) try {
   }
   if (argc > 1 && std::string_view(argv[1]) == "--refine") {
     print_refine(argc > 2 ? std::atoi(argv[2]) : 100);
+    return 0;
+  }
+  if (argc > 1 && std::string_view(argv[1]) == "--settled") {
+    print_settled(argc > 2 ? std::atoi(argv[2]) : 20);
     return 0;
   }
   if (argc > 1 && std::string_view(argv[1]) == "--step-control") {

@@ -24,6 +24,9 @@ void print_step_control(int records);
 /// Accuracy and CPU time of runs that halve their own step.
 void print_refine(int motions);
 
+/// Demands that are said to be settled, and those that are within what is said.
+void print_settled(int motions);
+
 /// Whether the interval of P(overturned) from a few replicas of chaotic runs contains that of many.
 void print_replicas(int motions);
 

@@ -37,13 +37,13 @@ void make_rigid(Scene& scene, double normal_stiffness, double tangential_stiffne
   }
 }
 
-FloorMotion shaking(unsigned seed, double peak_g) {
+FloorMotion shaking(unsigned seed, double peak_g, double vertical_ratio) {
   groundmotions::SyntheticMotion motion = groundmotions::shipped_synthetic_motion();
   motion.seed = seed;
   motion.samples = static_cast<int>(20 / motion.time_step) + 1;
-  constexpr double kRatio[3] = {1, 0.75, 0.5};
+  const double ratio[3] = {1, 0.75, vertical_ratio};
   for (std::size_t i = 0; i < 3; ++i)
-    motion.components[i].peak_acceleration = kRatio[i] * peak_g * kStandardGravity;
+    motion.components[i].peak_acceleration = ratio[i] * peak_g * kStandardGravity;
   return groundmotions::floor_motion(groundmotions::synthetic_record(motion));
 }
 

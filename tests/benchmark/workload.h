@@ -15,9 +15,8 @@ Scene trolley(const std::vector<double>& headings_deg);
 /// Treads so stiff that they act as rigid, and no scrub: the only scene all solvers share.
 void make_rigid(Scene& scene, double normal_stiffness, double tangential_stiffness);
 
-/// Synthetic motion of one seed, horizontal peak `peak_g` (other components 0.75 and 0.5 of it), 20
-/// s.
-FloorMotion shaking(unsigned seed, double peak_g);
+/// Synthetic motion of one seed, horizontal peak `peak_g` (the other horizontal 0.75 of it), 20 s.
+FloorMotion shaking(unsigned seed, double peak_g, double vertical_ratio = 0.5);
 
 /// A pull of 40 N for 3 s along x at the height of the centre of mass, then coasting.
 PointForce pull();

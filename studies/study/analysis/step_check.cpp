@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "engine/response/settled.h"
 #include "studies/statistics/quantiles.h"
 #include "studies/study/analysis/replica_cases.h"
 #include "studies/study/results/columns.h"
@@ -30,86 +32,155 @@ std::vector<Pair> pairs_of(const Rows& full, const Rows& half) {
   return pairs;
 }
 
-double relative_change(double full, double half) {
-  const double size = std::max(std::abs(full), std::abs(half));
-  return size > 0 ? std::abs(half - full) / size : 0;
-}
+/// A table of demands and that of the same runs at half the step.
+struct Tables {
+  const char *full, *half;
+};
+constexpr Tables kItems{"items", "half_step"}, kPoints{"points", "half_step_points"};
 
 /// Whether the file has a demand at both steps: it may be of a program that did not know it.
-bool has_both(const StudyReader& file, const std::string& demand) {
-  return file.has_column("items/" + demand) && file.has_column("half_step/" + demand);
+bool has_both(const StudyReader& file, const Tables& tables, const std::string& demand) {
+  return file.has_column(std::string(tables.full) + "/" + demand) &&
+         file.has_column(std::string(tables.half) + "/" + demand);
 }
 
-StepChange change_of(const StudyReader& file, const TableColumn<Demands>& column,
-                     const std::vector<Pair>& pairs) {
-  const std::vector<double> full = file.numbers(std::string("items/") + column.name);
-  const std::vector<double> half = file.numbers(std::string("half_step/") + column.name);
-  StepChange change{column.name};
-  std::vector<double> changes;
+/// Marked points only where the study kept them at half the step.
+bool has_points(const StudyReader& file) { return file.has(kPoints.half); }
+
+/// Values of a column at the step and at half of it, of pairs that have both.
+struct ComparedColumn {
+  std::vector<double> full, half;
+  std::vector<std::size_t> runs;
+};
+
+template <class Row>
+ComparedColumn compared(const StudyReader& file, const Tables& tables,
+                        const TableColumn<Row>& column, const std::vector<Pair>& pairs) {
+  const std::vector<double> full = file.numbers(std::string(tables.full) + "/" + column.name);
+  const std::vector<double> half = file.numbers(std::string(tables.half) + "/" + column.name);
+  ComparedColumn both;
   for (const Pair& pair : pairs) {
     if (column.is_missing(full[pair.full]) || column.is_missing(half[pair.half])) continue;
-    const double value = relative_change(full[pair.full], half[pair.half]);
+    both.full.push_back(full[pair.full]);
+    both.half.push_back(half[pair.half]);
+    both.runs.push_back(pair.run);
+  }
+  return both;
+}
+
+template <class Row>
+StepChange change_of(const ComparedColumn& values, const TableColumn<Row>& column,
+                     const std::string& point) {
+  StepChange change{column.name, point};
+  std::vector<double> changes;
+  for (std::size_t i = 0; i < values.runs.size(); ++i) {
+    const double value =
+        std::abs(relative_change(column.name, column.units, values.full[i], values.half[i]));
     if (value > change.largest) {
       change.largest = value;
-      change.largest_run = pair.run;
+      change.largest_run = values.runs[i];
     }
     changes.push_back(value);
   }
   change.compared = changes.size();
-  if (!changes.empty()) change.median = statistics::quantile_of(changes, 0.5);
+  if (changes.empty()) return change;
+  change.median = statistics::quantile_of(changes, 0.5);
+  const auto share = [&](double limit) {
+    const auto within = std::ranges::count_if(changes, [&](double each) { return each <= limit; });
+    return static_cast<double>(within) / static_cast<double>(changes.size());
+  };
+  change.within_1_percent = share(0.01);
+  change.within_5_percent = share(0.05);
   return change;
 }
 
-bool of_items(const std::vector<LimitState>& states, std::size_t index) {
-  const LimitState& state = states[index];
-  if (state.kind == LimitState::Kind::kAbove || state.kind == LimitState::Kind::kBelow)
-    return state.quantity.of == Quantity::Of::kItem;
-  return std::ranges::all_of(state.parts, [&](std::size_t part) { return of_items(states, part); });
+/// The demands of each marked point by its name, of whatever item.
+void add_points(const StudyReader& file, std::vector<Pair> pairs, std::vector<StepChange>& all) {
+  const std::vector<std::string> names = file.strings(std::string(kPoints.full) + "/point");
+  while (!pairs.empty()) {
+    const std::string name = names[pairs.front().full];
+    std::vector<Pair> of_point;
+    std::erase_if(pairs, [&](const Pair& pair) {
+      if (names[pair.full] != name) return false;
+      of_point.push_back(pair);
+      return true;
+    });
+    for (const TableColumn<PointDemands>& column : judged_point_columns())
+      all.push_back(change_of(compared(file, kPoints, column, of_point), column, name));
+  }
 }
 
-/// Demands of the items of runs from a table like /items.
-class ItemTable {
+bool is_kept(const std::vector<LimitState>& states, std::size_t index, bool points) {
+  using Of = Quantity::Of;
+  const LimitState& state = states[index];
+  if (state.kind == LimitState::Kind::kAbove || state.kind == LimitState::Kind::kBelow)
+    return state.quantity.of == Of::kItem || (state.quantity.of == Of::kPoint && points);
+  return std::ranges::all_of(state.parts,
+                             [&](std::size_t part) { return is_kept(states, part, points); });
+}
+
+/// Demands of the items of runs, or of their marked points, from a table like /items or /points.
+class DemandTable {
  public:
-  ItemTable(const StudyReader& file, std::string table)
+  DemandTable(const StudyReader& file, std::string table)
       : file_(file), table_(std::move(table)), rows_(file.rows_of_runs(table_)) {
     items_ = file.strings(table_ + "/item");
+    if (file.has_column(table_ + "/point")) points_ = file.strings(table_ + "/point");
   }
 
   const Rows& rows() const { return rows_; }
 
-  Values of_run(std::size_t run) {
-    return [this, run](const Quantity& quantity) {
-      std::vector<double>& column = columns_[quantity.column];
-      if (column.empty()) column = file_.numbers(table_ + "/" + quantity.column);
-      std::vector<double> values;
-      for (std::size_t row = rows_[run].first; row < rows_[run].second; ++row)
-        if (quantity.item.empty() || items_[row] == quantity.item) values.push_back(column[row]);
-      return values;
-    };
+  std::vector<double> values(const Quantity& quantity, std::size_t run) {
+    std::vector<double>& column = columns_[quantity.column];
+    if (column.empty()) column = file_.numbers(table_ + "/" + quantity.column);
+    std::vector<double> values;
+    for (std::size_t row = rows_[run].first; row < rows_[run].second; ++row)
+      if ((quantity.item.empty() || items_[row] == quantity.item) &&
+          (points_.empty() || points_[row] == quantity.part))
+        values.push_back(column[row]);
+    return values;
   }
 
  private:
   const StudyReader& file_;
   std::string table_;
   Rows rows_;
-  std::vector<std::string> items_;
+  std::vector<std::string> items_, points_;  ///< points: of a table of items empty
   std::map<std::string, std::vector<double>> columns_;
+};
+
+/// What limit states ask of runs at one step.
+class AtStep {
+ public:
+  AtStep(const StudyReader& file, const char* items, const char* points) : items_(file, items) {
+    if (has_points(file)) points_.emplace(file, points);
+  }
+
+  const Rows& rows() const { return items_.rows(); }
+  const Rows& rows_of_points() const { return points_->rows(); }
+
+  Values of_run(std::size_t run) {
+    return [this, run](const Quantity& quantity) {
+      return (quantity.of == Quantity::Of::kPoint ? *points_ : items_).values(quantity, run);
+    };
+  }
+
+ private:
+  DemandTable items_;
+  std::optional<DemandTable> points_;
 };
 
 /// Logarithms of a demand that is above 0 at both steps.
 StepDistribution distribution_of(const StudyReader& file, const TableColumn<Demands>& column,
                                  const std::vector<Pair>& pairs,
                                  const std::vector<double>& records) {
-  const std::vector<double> full = file.numbers(std::string("items/") + column.name);
-  const std::vector<double> half = file.numbers(std::string("half_step/") + column.name);
+  const ComparedColumn values = compared(file, kItems, column, pairs);
   std::vector<statistics::Measured> a, b;
-  for (const Pair& pair : pairs) {
-    const double at_full = full[pair.full], at_half = half[pair.half];
-    if (column.is_missing(at_full) || column.is_missing(at_half)) continue;
-    if (!(at_full > 0) || !(at_half > 0)) continue;
-    const auto record = static_cast<std::size_t>(records[pair.run]);
-    a.push_back({std::log(at_full), record});
-    b.push_back({std::log(at_half), record});
+  for (std::size_t i = 0; i < values.runs.size(); ++i) {
+    if (!(values.full[i] > 0) || !(values.half[i] > 0)) continue;
+    const auto record = static_cast<std::size_t>(records[values.runs[i]]);
+    a.push_back({std::log(values.full[i]), record});
+    b.push_back({std::log(values.half[i]), record});
   }
   return {column.name, statistics::paired_difference(a, b)};
 }
@@ -133,9 +204,13 @@ std::size_t failed_repetitions(const StudyReader& file) {
 
 }  // namespace
 
+std::string name_of(const StepChange& change) {
+  return change.point.empty() ? change.demand : change.point + ": " + change.demand;
+}
+
 std::optional<StepCheck> step_check(const StudyData& data) {
   if (!data.file().has("half_step")) return {};
-  ItemTable full(data.file(), "items"), half(data.file(), "half_step");
+  AtStep full(data.file(), kItems.full, kPoints.full), half(data.file(), kItems.half, kPoints.half);
   StepCheck step_check;
   std::vector<std::size_t> runs;
   for (std::size_t run = 0; run < half.rows().size(); ++run)
@@ -149,15 +224,22 @@ std::optional<StepCheck> step_check(const StudyData& data) {
   const auto chaotic_pairs = taken(pairs, chaotic, [](const Pair& pair) { return pair.run; });
   if (!chaotic_runs.empty()) step_check.chaotic = ChaoticStepCheck{chaotic_runs.size(), {}, {}};
   for (const TableColumn<Demands>& column : demand_columns()) {
-    if (!has_both(data.file(), column.name)) continue;
-    step_check.changes.push_back(change_of(data.file(), column, pairs));
+    if (!has_both(data.file(), kItems, column.name)) continue;
+    step_check.changes.push_back(
+        change_of(compared(data.file(), kItems, column, pairs), column, ""));
     if (step_check.chaotic)
       step_check.chaotic->demands.push_back(
           distribution_of(data.file(), column, chaotic_pairs, records));
   }
+  const bool points = has_points(data.file());
+  if (points) {
+    std::vector<Pair> of_points = pairs_of(full.rows_of_points(), half.rows_of_points());
+    taken(of_points, chaotic, [](const Pair& pair) { return pair.run; });
+    add_points(data.file(), std::move(of_points), step_check.changes);
+  }
   const std::vector<LimitState>& states = data.limit_states();
   for (std::size_t i = 0; i < states.size(); ++i) {
-    if (!of_items(states, i)) {
+    if (!is_kept(states, i, points)) {
       step_check.unjudged.push_back(states[i].name);
       continue;
     }

@@ -12,10 +12,12 @@ namespace gurney::study {
 /// How much a demand changes where the time step is halved.
 struct StepChange {
   std::string demand;
+  std::string point;         ///< the marked point whose demand it is; empty: of the item
   std::size_t compared = 0;  ///< items of runs that have the demand at both steps
 
-  /// |half - full| / max(|half|, |full|), 0 where both are 0.
+  /// Of the sizes of relative_change() (engine/response/settled.h).
   double median = 0, largest = 0;
+  double within_1_percent = 0, within_5_percent = 0;  ///< shares of those compared
   std::size_t largest_run = 0;
 };
 
@@ -47,9 +49,12 @@ struct StepCheck {
   std::size_t failed = 0;                   ///< whose repetition failed
   std::optional<ChaoticStepCheck> chaotic;  ///< where there are such runs; the rest leaves them out
   std::vector<StepChange> changes;
-  std::vector<StateChange> states;    ///< those that ask for demands of items only
-  std::vector<std::string> unjudged;  ///< the others: the repetition keeps items alone
+  std::vector<StateChange> states;    ///< those that ask for demands of items and points only
+  std::vector<std::string> unjudged;  ///< the others: the repetition keeps no more
 };
+
+/// "peak_tilt", or of a point "monitor: peak_displacement".
+std::string name_of(const StepChange& change);
 
 /// None where the study asked for no step_check.
 std::optional<StepCheck> step_check(const StudyData& data);

@@ -1,37 +1,22 @@
 #pragma once
 
-#include <cmath>
-#include <functional>
 #include <span>
 #include <type_traits>
 #include <variant>
 
+#include "engine/response/demand_columns.h"
 #include "engine/response/response.h"
+#include "engine/response/settled.h"
 
 /// The numbers of a Response by name, unit and meaning. Results file, summary and JSON go through
 /// these tables, so that a quantity has one name everywhere.
 namespace gurney::study {
 
-template <class Row>
-struct TableColumn {
-  /// A member of the row, or a number that follows from it.
-  using Source =
-      std::variant<double Row::*, int Row::*, long Row::*, bool Row::*, double (*)(const Row&)>;
-
-  const char* name;
-  const char* units;  ///< "1" for a pure number
-  const char* meaning;
-  Source source;
-  double missing = 0;  ///< not 0: this value (or, if NaN, no number) means "there is none"
-
-  double value(const Row& row) const {
-    return std::visit([&](auto of) { return static_cast<double>(std::invoke(of, row)); }, source);
-  }
-  bool whole() const { return source.index() >= 1 && source.index() <= 3; }  ///< a count
-  bool is_missing(double number) const {
-    return std::isnan(missing) ? std::isnan(number) : missing != 0 && number == missing;
-  }
-};
+using gurney::demand_columns;
+using gurney::judged_point_columns;
+using gurney::point_demand_columns;
+using gurney::TableColumn;
+using gurney::wheel_demand_columns;
 
 /// Hands the members of a row that have a column to an archive (studies/study/run/archive.h), in
 /// the order of the columns.
@@ -45,12 +30,10 @@ void visit_members(Archive& archive, Row& row, std::span<const TableColumn<Row>>
         column.source);
 }
 
-std::span<const TableColumn<Demands>> demand_columns();
-std::span<const TableColumn<WheelDemands>> wheel_demand_columns();
-std::span<const TableColumn<PointDemands>> point_demand_columns();
 std::span<const TableColumn<Quality>> quality_columns();
 std::span<const TableColumn<EnergyAccount>> energy_columns();
 std::span<const TableColumn<Predictability>> predictability_columns();  ///< without the verdict
+std::span<const TableColumn<SettledDemand>> settled_columns();          ///< without the names
 std::span<const TableColumn<Impact>> impact_columns();                  ///< without the names
 std::span<const TableColumn<ZoneOutcome>> zone_columns();
 std::span<const TableColumn<TetherOutcome>> tether_columns();

@@ -27,4 +27,16 @@ std::vector<std::string> point_names(const EquipmentModel& model) {
   return names_of(model.marked_points);
 }
 
+std::string part_of(const DemandNumber& number, const EquipmentModel& model) {
+  switch (number.of) {
+    case DemandNumber::Of::kItem:
+      break;
+    case DemandNumber::Of::kWheel:
+      return model.casters.at(number.part).name;
+    case DemandNumber::Of::kPoint:
+      return model.marked_points.at(number.part).name;
+  }
+  return "";
+}
+
 }  // namespace gurney::study

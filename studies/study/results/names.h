@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/response/settled.h"
 #include "engine/scene/scene.h"
 
 namespace gurney::study {
@@ -15,5 +16,8 @@ std::vector<std::string> item_names(const Scene& scene);
 
 std::vector<std::string> caster_names(const EquipmentModel& model);
 std::vector<std::string> point_names(const EquipmentModel& model);
+
+/// The wheel or marked point that has a number; empty: the item.
+std::string part_of(const DemandNumber& number, const EquipmentModel& model);
 
 }  // namespace gurney::study

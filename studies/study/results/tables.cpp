@@ -89,6 +89,28 @@ void add_predictability(Hdf5Writer& file, const Scene& scene,
   table.add(predictability_columns(), rows);
 }
 
+/// One row for each demand of each item, its wheels and marked points; empty where a repetition is
+/// missing.
+void add_settled(Hdf5Writer& file, const Scene& scene, const std::vector<ItemResponse>& items) {
+  const std::vector<std::string> names = item_names(scene);
+  std::vector<std::string> of, parts, demands, units;
+  std::vector<SettledDemand> rows;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    for (const SettledDemand& each : settled_demands(items[i])) {
+      of.push_back(names[i]);
+      parts.push_back(part_of(each.number, scene.items[i].model));
+      demands.emplace_back(each.number.name);
+      units.emplace_back(each.number.units);
+      rows.push_back(each);
+    }
+  Table table(file, "settled", rows.size());
+  table.add("item", kItem, of);
+  table.add("part", "the wheel or marked point; empty: the item", parts);
+  table.add("demand", "name of the demand", demands);
+  table.add("unit", "its SI unit", units);
+  table.add(settled_columns(), rows);
+}
+
 /// One row for each wheel or marked point of every item.
 template <class Row>
 void add_parts(Hdf5Writer& file, const std::string& name, const std::string& part,
@@ -190,6 +212,7 @@ void add_tethers(Hdf5Writer& file, const Scene& scene, const std::vector<TetherO
 void add_tables(Hdf5Writer& file, const Scene& scene, const Response& response) {
   add_items(file, scene, response.items);
   add_predictability(file, scene, response.items);
+  add_settled(file, scene, response.items);
   add_parts(file, "wheels", "wheel", "name of the caster", scene, response, wheel_demand_columns(),
             &Demands::wheels, caster_names);
   add_parts(file, "points", "point", "name of the marked point", scene, response,

@@ -141,9 +141,12 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
                        groundmotions::definition_of(kept.measure));
 
   item_table("items").add(demand_columns());
-  GrowingTable& points = item_table("points");
-  points.add_text("point", "name of the marked point", point);
-  points.add(point_demand_columns());
+  const auto point_table = [&](const std::string& name) {
+    GrowingTable& points = item_table(name);
+    points.add_text("point", "name of the marked point", point);
+    points.add(point_demand_columns());
+  };
+  point_table("points");
   if (keep.wheels) {
     GrowingTable& wheels = item_table("wheels");
     wheels.add_text("wheel", "name of the caster", wheel);
@@ -185,7 +188,10 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
     add_axes(point_histories, "absolute_acceleration", "m/s2",
              "absolute acceleration of the point, without gravity, as an accelerometer has it");
   }
-  if (study.step_check > 0) item_table("half_step").add(demand_columns());
+  if (study.step_check > 0) {
+    item_table("half_step").add(demand_columns());
+    point_table("half_step_points");
+  }
   if (study.draws > 0) {
     GrowingTable& drawn = make("drawn");
     drawn.add_whole("configuration", "row of /configurations");
@@ -262,11 +268,7 @@ void RunTables::add_items(const StudyRun& run, const ConfigurationNames& names) 
     row("items", names.items[i]).put(demand_columns(), item.demands).end_row();
     if (tables_.contains("energy"))
       row("energy", names.items[i]).put(energy_columns(), item.energy).end_row();
-    for (std::size_t k = 0; k < item.demands.points.size(); ++k)
-      row("points", names.items[i])
-          .put(names.points[i][k])
-          .put(point_demand_columns(), item.demands.points[k])
-          .end_row();
+    add_points("points", i, item.demands, names);
     if (!tables_.contains("wheels")) continue;
     for (std::size_t k = 0; k < item.demands.wheels.size(); ++k)
       row("wheels", names.items[i])
@@ -274,8 +276,21 @@ void RunTables::add_items(const StudyRun& run, const ConfigurationNames& names) 
           .put(wheel_demand_columns(), item.demands.wheels[k])
           .end_row();
   }
-  for (std::size_t i = 0; i < run.at_half_step.size(); ++i)
+  for (std::size_t i = 0; i < run.at_half_step.size(); ++i) {
     row("half_step", names.items[i]).put(demand_columns(), run.at_half_step[i]).end_row();
+    add_points("half_step_points", i, run.at_half_step[i], names);
+  }
+}
+
+void RunTables::add_points(const std::string& to, std::size_t item, const Demands& demands,
+                           const ConfigurationNames& names) {
+  for (std::size_t k = 0; k < demands.points.size(); ++k)
+    table(to)
+        .put(double(runs_))
+        .put(names.items[item])
+        .put(names.points[item][k])
+        .put(point_demand_columns(), demands.points[k])
+        .end_row();
 }
 
 void RunTables::add_events(const StudyRun& run, const ConfigurationNames& names) {

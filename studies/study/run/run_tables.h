@@ -31,6 +31,8 @@ class RunTables {
  private:
   void add_run(const TaskResult& result, const Task& task, const StudyRun& run);
   void add_items(const StudyRun& run, const ConfigurationNames& names);
+  void add_points(const std::string& to, std::size_t item, const Demands& demands,
+                  const ConfigurationNames& names);
   void add_events(const StudyRun& run, const ConfigurationNames& names);
   void add_histories(const StudyRun& run, const ConfigurationNames& names);
   std::int64_t motion_of(const Task& task, double scale);

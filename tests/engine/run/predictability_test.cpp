@@ -131,7 +131,7 @@ TEST(Predictability, NeedsNoHistoryOfTheRun) {
   EXPECT_EQ(without.time_of_peaks, with.time_of_peaks);
 }
 
-TEST(HalfStep, HasThePeaksOfTheFinerRun) {
+TEST(HalfStep, HasTheDemandsOfTheFinerRun) {
   const Scene scene = braked_and_tall();
   const FloorMotion floor = small::noise_record(3, 2, {5, 4, 2});
   const SimulationSettings settings{.time_step = 0.008, .tolerance = 0.1};
@@ -142,8 +142,10 @@ TEST(HalfStep, HasThePeaksOfTheFinerRun) {
   add_half_step(scene, floor, settings, found);
   const Demands expected = simulate(scene, floor, finer).items[0].demands;
   EXPECT_GT(expected.peak_tilt, Predictability::kLeastTilt);
-  EXPECT_EQ(found[0].displacement_at_half_step, expected.peak_displacement);
-  EXPECT_EQ(found[0].tilt_at_half_step, expected.peak_tilt);
+  ASSERT_TRUE(found[0].half_step);
+  EXPECT_EQ(found[0].half_step->peak_displacement, expected.peak_displacement);
+  EXPECT_EQ(found[0].half_step->peak_tilt, expected.peak_tilt);
+  EXPECT_EQ(found[0].half_step->wheels[2].skid_distance, expected.wheels[2].skid_distance);
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include "studies/report/narrative.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "engine/response/settled.h"
 #include "tests/support/fabricated_run.h"
 #include "tests/support/fabricated_ward.h"
 
@@ -48,15 +50,48 @@ TEST(Story, SaysWhatHalfTheTimeStepChanges) {
   ItemResponse& item = response.items[0];
   item.demands.peak_tilt = 0.02;
   Predictability& p = item.predictability.emplace();
-  p.displacement_at_half_step = 0.98 * item.demands.peak_displacement;
-  p.tilt_at_half_step = 1.003 * item.demands.peak_tilt;
+  p.half_step = p.twin = item.demands;
+  p.half_step->peak_displacement = 0.98 * item.demands.peak_displacement;
+  p.half_step->peak_tilt = 1.003 * item.demands.peak_tilt;
   const std::string text = narrative(fabricated_facts(), response);
   EXPECT_THAT(text, HasSubstr("\nTime step: half of it changes the peak displacement by -2 %, "
                               "the peak tilt by +0.3 %."));
-  item.demands.peak_tilt = p.tilt_at_half_step = 1e-3;  // less than 0.1 degrees: at rest
+  item.demands.peak_tilt = p.half_step->peak_tilt = 1e-3;  // less than 0.1 degrees: at rest
   EXPECT_THAT(narrative(fabricated_facts(), response), HasSubstr("peak displacement by -2 %."));
   p.verdict = Predictability::Verdict::kChaotic;  // its difference is not the step's
   EXPECT_THAT(narrative(fabricated_facts(), response), Not(HasSubstr("Time step")));
+}
+
+/// The run of one item, its repetitions equal.
+Response repeated() {
+  Response response = fabricated_response();
+  ItemResponse& item = response.items[0];
+  Predictability& p = item.predictability.emplace();
+  p.half_step = p.twin = item.demands;
+  return response;
+}
+
+TEST(Story, SaysOfEachDemandWhetherItIsSettled) {
+  Response response = repeated();
+  const std::size_t all = numbers_of(response.items[0].demands).size();
+  EXPECT_THAT(narrative(fabricated_facts(), response),
+              HasSubstr(fmt::format("\nSettled, of {0} demands: {0} within 1 %.", all)));
+  Predictability& p = *response.items[0].predictability;
+  p.half_step->peak_yaw *= 0.4;
+  p.half_step->residual_yaw *= -1;
+  p.half_step->points[0].peak_absolute_acceleration *= 0.99;
+  p.half_step->wheels[1].liftoffs += 1;
+  p.half_step->time_of_overturning = 3;
+  p.twin->path_length *= 1 + 1e-5;
+  const std::string text = narrative(fabricated_facts(), response);
+  // 4 times 1 % is within 5 %; five others are not settled.
+  EXPECT_THAT(text, HasSubstr(fmt::format("{} within 1 % and 1 within 5 %; NOT SETTLED: path "
+                                          "length (by the change of mass), peak yaw (-60 %), "
+                                          "residual yaw (-2e+02 %), time of overturning (comes or "
+                                          "goes) and 1 number of wheels.",
+                                          all - 6)));
+  EXPECT_THAT(text, HasSubstr("peaks of displacement and tilt"))
+      << "the verdict names what it covers";
 }
 
 TEST(Story, NamesTheItemThatTheTimeStepChangesMost) {
@@ -64,9 +99,9 @@ TEST(Story, NamesTheItemThatTheTimeStepChangesMost) {
   for (std::size_t i = 0; i < response.items.size(); ++i) {
     const double peak = response.items[i].demands.peak_displacement = 0.1;
     response.items[i].demands.peak_tilt = 0;
-    response.items[i].predictability.emplace().displacement_at_half_step =
-        peak * (i == 2 ? 0.9 : 1.05);
-    response.items[i].predictability->tilt_at_half_step = 0;
+    Demands half = response.items[i].demands;
+    half.peak_displacement = peak * (i == 2 ? 0.9 : 1.05);
+    response.items[i].predictability.emplace().half_step = half;
   }
   EXPECT_THAT(narrative(fabricated_ward(), response),
               HasSubstr("Time step: half of it changes peak displacements by at most 10 % ("));

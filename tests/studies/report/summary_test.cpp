@@ -68,6 +68,30 @@ TEST(Summary, FlagsNumericalAccelerations) {
   EXPECT_EQ(summary(fabricated_facts(), response).find("note:"), std::string::npos);
 }
 
+TEST(Summary, SaysOfEachDemandWhatItIsSettledTo) {
+  Response response = fabricated_response();
+  EXPECT_EQ(summary(fabricated_facts(), response).find("settled to"), std::string::npos)
+      << "this run was not repeated";
+  Predictability& p = response.items[0].predictability.emplace();
+  p.half_step = p.twin = response.items[0].demands;
+  p.half_step->peak_velocity *= 1.004;  // times 4: 2 %
+  p.half_step->peak_yaw *= 2;
+  p.half_step->points[0].peak_displacement *= 2;
+  const std::string text = summary(fabricated_facts(), response);
+  expect_contains(text, "  demand                                 value       settled to\n");
+  expect_contains(text, "71.62 deg               no\n");
+  expect_contains(text, "\n  ~ not settled\n");
+  const auto json = nlohmann::json::parse(summary_json(fabricated_facts(), response));
+  const auto& settled = json["items"][0]["settled"];
+  EXPECT_EQ(settled["demands"].size(), json["items"][0]["demands"].size());
+  EXPECT_EQ(settled["demands"]["peak_displacement"]["settled_to"], 0.01);
+  EXPECT_EQ(settled["demands"]["peak_velocity"]["settled_to"], 0.02);
+  EXPECT_TRUE(settled["demands"]["peak_yaw"]["settled_to"].is_null());
+  EXPECT_EQ(settled["demands"]["peak_yaw"]["step_change"], 0.5);
+  EXPECT_EQ(settled["wheels"].size(), json["items"][0]["wheels"].size());
+  EXPECT_EQ(settled["points"][0]["peak_displacement"]["step_change"], 0.5);
+}
+
 TEST(Summary, HasARowForEachOfSeveralItems) {
   const std::string text = summary(fabricated_ward(), fabricated_ward_response());
   expect_contains(text, "  item     bookcase: 80.0 kg without casters\n");

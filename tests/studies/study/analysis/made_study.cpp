@@ -38,6 +38,24 @@ void add_half_steps(Hdf5Writer& file, const std::vector<MadeRun>& runs) {
   table.finish();
 }
 
+void add_points(Hdf5Writer& file, const std::string& name, const std::vector<MadeRun>& runs,
+                std::optional<double> MadeRun::*acceleration) {
+  const auto has = [&](const MadeRun& run) { return (run.*acceleration).has_value(); };
+  if (std::ranges::none_of(runs, has)) return;
+  GrowingTable table(file, name);
+  table.add_whole("run", "run");
+  table.add_text("item", "item", 4);
+  table.add_text("point", "point", 4);
+  table.add(point_demand_columns());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!has(runs[i])) continue;
+    PointDemands demands;
+    demands.peak_absolute_acceleration = *(runs[i].*acceleration);
+    table.put(double(i)).put("cart").put("top").put(point_demand_columns(), demands).end_row();
+  }
+  table.finish();
+}
+
 void add_drawn(Hdf5Writer& file, const std::vector<MadeRun>& runs) {
   if (runs.empty() || runs.front().draw < 0) return;
   GrowingTable drawn(file, "drawn");
@@ -134,6 +152,8 @@ void MadeStudy::write(const std::string& path) const {
   for (GrowingTable* each : {&motions, &table, &items}) each->finish();
   add_drawn(file, runs);
   add_half_steps(file, runs);
+  add_points(file, "points", runs, &MadeRun::acceleration);
+  add_points(file, "half_step_points", runs, &MadeRun::half_step_acceleration);
   file.finish();
 }
 

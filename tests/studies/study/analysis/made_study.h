@@ -20,6 +20,9 @@ struct MadeRun {
   double pfv = 0.1;  ///< [m/s]
   int replica = 0;
   double half_step = -1;  ///< peak displacement at half the step [m]; < 0: not repeated
+  /// Peak acceleration of its marked point `top`, and that at half the step [m/s2]; none in any run:
+  /// the file has no such tables.
+  std::optional<double> acceleration = {}, half_step_acceleration = {};
   std::map<std::string, double> drawn = {};  ///< by variable, of this draw
   std::optional<double> magnitude = {};      ///< none in any run: the file has no such column
 };

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/base/random/normal_draw.h"
@@ -37,10 +38,14 @@ std::vector<MadeRun> scattered(double factor) {
   return runs;
 }
 
+constexpr const char* kJoltedState =
+    "[[study.limit_state]]\nname = \"jolted\"\npoint = \"top\"\n"
+    "demand = \"peak_absolute_acceleration\"\nabove = 1.5\nunit = \"m/s2\"\n";
+
 class StepCheckTest : public testing::Test {
  protected:
-  StudyData data(const std::vector<MadeRun>& runs) {
-    MadeStudy study{.job = made_job(), .records = {}, .files = {}, .runs = runs};
+  StudyData data(const std::vector<MadeRun>& runs, const std::string& states = "") {
+    MadeStudy study{.job = made_job("", states), .records = {}, .files = {}, .runs = runs};
     for (std::size_t i = 0; i < kRecords; ++i) study.records.push_back(std::to_string(i));
     const std::string path = folder_.file(std::to_string(++files_) + ".h5");
     study.write(path);
@@ -61,6 +66,41 @@ TEST_F(StepCheckTest, ReplicasThatStayTogetherAreComparedByNumbers) {
 // Of one distribution at both steps the interval of 95 % holds a ratio of 1 and a difference of 0;
 // these draws are fixed, and such that it does. ln(1.6) = 0.47 is 8 standard errors
 // 0.5 sqrt(2 / 80) = 0.079 and a bit away from 0.
+/// The smooth runs; of their point 64 stay, 12 change by 2 %, and 4 by half, across 1.5 m/s2.
+std::vector<MadeRun> with_points() {
+  std::vector<MadeRun> runs = smooth();
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    runs[i].acceleration = 2;
+    runs[i].half_step_acceleration = i % 20 == 0 ? 1 : i % 5 == 0 ? 1.96 : 2;
+  }
+  return runs;
+}
+
+TEST_F(StepCheckTest, MarkedPointsAreCompared) {
+  const auto check = step_check(data(with_points(), kJoltedState));
+  ASSERT_TRUE(check);
+  const auto found = std::ranges::find(check->changes, "top: peak_absolute_acceleration",
+                                       [](const StepChange& each) { return name_of(each); });
+  ASSERT_NE(found, check->changes.end());
+  EXPECT_EQ(found->compared, 80u);
+  EXPECT_DOUBLE_EQ(found->largest, 0.5);
+  EXPECT_DOUBLE_EQ(found->within_1_percent, 64.0 / 80);
+  EXPECT_DOUBLE_EQ(found->within_5_percent, 76.0 / 80);
+  EXPECT_EQ(found->median, 0);
+  EXPECT_EQ(check->states.back().state, "jolted");
+  EXPECT_THAT(check->states.back().runs, ElementsAre(0u, 20u, 40u, 60u));
+  EXPECT_TRUE(check->unjudged.empty());
+}
+
+TEST_F(StepCheckTest, FilesWithoutPointsAtHalfTheStepSaySo) {
+  std::vector<MadeRun> runs = with_points();
+  for (MadeRun& run : runs) run.half_step_acceleration = {};
+  const auto check = step_check(data(runs, kJoltedState));
+  ASSERT_TRUE(check);
+  EXPECT_THAT(check->unjudged, ElementsAre("jolted"));
+  for (const StepChange& each : check->changes) EXPECT_EQ(each.point, "");
+}
+
 TEST_F(StepCheckTest, ReplicasThatPartAreComparedByDistributions) {
   const auto same = step_check(data(scattered(1)));
   ASSERT_TRUE(same && same->chaotic);

@@ -1,0 +1,92 @@
+#include "engine/response/settled.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "engine/base/error.h"
+#include "engine/response/demand_columns.h"
+#include "engine/scene/perturbed.h"
+
+namespace gurney {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+template <class Row>
+void append(std::vector<DemandNumber>& numbers, DemandNumber::Of of, std::size_t part,
+            std::span<const TableColumn<Row>> columns, const Row& row) {
+  for (const TableColumn<Row>& column : columns) {
+    const double value = column.value(row);
+    numbers.push_back(
+        {of, part, column.name, column.units,
+         column.is_missing(value) ? std::numeric_limits<double>::quiet_NaN() : value});
+  }
+}
+
+}  // namespace
+
+std::vector<DemandNumber> numbers_of(const Demands& demands) {
+  using Of = DemandNumber::Of;
+  std::vector<DemandNumber> numbers;
+  append(numbers, Of::kItem, 0, demand_columns(), demands);
+  for (std::size_t i = 0; i < demands.wheels.size(); ++i)
+    append(numbers, Of::kWheel, i, wheel_demand_columns(), demands.wheels[i]);
+  for (std::size_t i = 0; i < demands.points.size(); ++i)
+    append(numbers, Of::kPoint, i, judged_point_columns(), demands.points[i]);
+  return numbers;
+}
+
+double size_of_interest(std::string_view units) {
+  // Lengths and angles that count as rest; 1 cm/s, 0.01 g, the weight of 1 kg, the impulse of 100 kg
+  // at 1 cm/s, 100 steps of 4 ms: assumptions.
+  static const std::map<std::string_view, double> kSizes = {
+      {"m", Predictability::kLeastDisplacement},
+      {"rad", Predictability::kLeastTilt},
+      {"m/s", 0.01},
+      {"m/s2", 0.1},
+      {"N", 10},
+      {"N s", 1},
+      {"s", 0.4},
+      {"1", 1}};
+  const auto found = kSizes.find(units);
+  require(found != kSizes.end(), "no size of interest is stated for " + std::string(units));
+  return found->second;
+}
+
+double relative_change(const char* name, const char* units, double from, double to) {
+  if (std::isnan(from) || std::isnan(to)) return std::isnan(from) && std::isnan(to) ? 0 : kInfinite;
+  if (std::string_view(name).starts_with("direction_of_"))
+    return std::remainder(to - from, 2 * std::numbers::pi);
+  return (to - from) / std::max({std::abs(from), std::abs(to), size_of_interest(units)});
+}
+
+double SettledDemand::within() const {
+  if (!predictable()) return kInfinite;
+  for (const double fraction : kFractions)
+    if (kMargin * std::abs(step_change) <= fraction) return fraction;
+  return kInfinite;
+}
+
+bool SettledDemand::predictable() const {
+  return std::abs(twin_change) < Predictability::kSensitive * kPerturbation;
+}
+
+std::vector<SettledDemand> settled_demands(const ItemResponse& item) {
+  const auto& found = item.predictability;
+  if (!found || !found->twin || !found->half_step) return {};
+  const std::vector<DemandNumber> half = numbers_of(*found->half_step),
+                                  twin = numbers_of(*found->twin);
+  std::vector<SettledDemand> all;
+  for (const DemandNumber& number : numbers_of(item.demands)) {
+    const DemandNumber &at_half = half[all.size()], &of_twin = twin[all.size()];
+    all.push_back({number, at_half.value, of_twin.value, change_between(number, at_half),
+                   change_between(number, of_twin)});
+  }
+  return all;
+}
+
+}  // namespace gurney

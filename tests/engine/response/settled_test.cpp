@@ -1,0 +1,100 @@
+#include "engine/response/settled.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/base/error.h"
+
+namespace gurney {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity(), kNone = std::nan("");
+
+TEST(RelativeChange, IsOfTheLargerValueAndOfNothingLessThanIsAskedFor) {
+  EXPECT_DOUBLE_EQ(relative_change("peak_yaw", "rad", 0.1, 0.08), -0.2);
+  EXPECT_DOUBLE_EQ(relative_change("peak_yaw", "rad", 0.08, 0.1), 0.2);
+  EXPECT_DOUBLE_EQ(relative_change("residual_yaw", "rad", 0.1, -0.1), -2);
+  EXPECT_DOUBLE_EQ(relative_change("residual_displacement", "m", 0, 1e-5), 0.01);
+  EXPECT_DOUBLE_EQ(relative_change("impacts", "1", 0, 1), 1);
+  EXPECT_DOUBLE_EQ(relative_change("impacts", "1", 7, 8), 0.125);
+}
+
+TEST(RelativeChange, OfWhatIsInOneRunOnlyIsInfinite) {
+  EXPECT_EQ(relative_change("time_of_overturning", "s", kNone, kNone), 0);
+  EXPECT_EQ(relative_change("time_of_overturning", "s", kNone, 3), kInfinite);
+  EXPECT_EQ(relative_change("time_of_overturning", "s", 3, kNone), kInfinite);
+}
+
+TEST(RelativeChange, OfADirectionGoesTheShortWayRound) {
+  constexpr double kPi = std::numbers::pi;
+  EXPECT_NEAR(relative_change("direction_of_overturning", "rad", kPi - 0.01, 0.01 - kPi), 0.02,
+              1e-15);
+}
+
+TEST(RelativeChange, KnowsEveryUnit) {
+  Demands demands;
+  demands.wheels.resize(1);
+  demands.points.resize(1);
+  for (const DemandNumber& number : numbers_of(demands))
+    EXPECT_GT(size_of_interest(number.units), 0) << number.name;
+  EXPECT_THROW(size_of_interest("K"), Error);
+}
+
+/// A run whose peak yaw changes with half the step and by the twin.
+SettledDemand yaw(double step_change, double twin_change) {
+  ItemResponse item;
+  item.demands.peak_yaw = 1;
+  Predictability& p = item.predictability.emplace();
+  p.half_step = p.twin = item.demands;
+  p.half_step->peak_yaw -= step_change;
+  p.twin->peak_yaw -= twin_change;
+  for (const SettledDemand& each : settled_demands(item))
+    if (std::string_view(each.number.name) == "peak_yaw") return each;
+  ADD_FAILURE();
+  return {};
+}
+
+TEST(SettledDemand, IsOfTheLeastFractionThatFourTimesItsChangeIsWithin) {
+  EXPECT_EQ(yaw(0, 0).within(), 0.01);
+  EXPECT_EQ(yaw(0.0024, 0).within(), 0.01);
+  EXPECT_EQ(yaw(-0.0024, 0).within(), 0.01);
+  EXPECT_EQ(yaw(0.0026, 0).within(), 0.02);
+  EXPECT_EQ(yaw(0.0124, 0).within(), 0.05);
+  EXPECT_EQ(yaw(0.0249, 0).within(), 0.1);
+  EXPECT_EQ(yaw(0.0251, 0).within(), kInfinite);
+  EXPECT_FALSE(yaw(0.0251, 0).settled());
+}
+
+TEST(SettledDemand, IsNoneThatAChangeOfMassMoves) {
+  EXPECT_EQ(yaw(0, 0.9e-6).within(), 0.01);
+  EXPECT_EQ(yaw(0, 1.1e-6).within(), kInfinite) << "grown by more than 1000";
+  EXPECT_FALSE(yaw(0, 1.1e-6).predictable());
+}
+
+TEST(SettledDemands, AreThoseOfWheelsAndPointsTooAndNoneWithoutARepetition) {
+  ItemResponse item;
+  item.demands.wheels.resize(4);
+  item.demands.points.resize(2);
+  EXPECT_TRUE(settled_demands(item).empty());
+  Predictability& p = item.predictability.emplace();
+  p.twin = item.demands;
+  EXPECT_TRUE(settled_demands(item).empty());
+  p.half_step = item.demands;
+  p.half_step->points[1].peak_absolute_acceleration = 3;
+  p.half_step->points[1].numerical_acceleration = 1e4;
+  int unsettled = 0;
+  for (const SettledDemand& each : settled_demands(item)) {
+    if (each.settled()) continue;
+    ++unsettled;
+    EXPECT_EQ(each.number.of, DemandNumber::Of::kPoint);
+    EXPECT_EQ(each.number.part, 1u);
+    EXPECT_STREQ(each.number.name, "peak_absolute_acceleration");
+  }
+  EXPECT_EQ(unsettled, 1) << "numerical accelerations are no demand";
+}
+
+}  // namespace
+}  // namespace gurney
