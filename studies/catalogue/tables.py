@@ -5,7 +5,7 @@ usage: tables.py GURNEY RESULTS TABLES
 TABLES gets fragility.csv (every curve with its interval, or why there is none), probabilities.csv and
 brakes.csv (what the advice rests on), measures.csv (which intensity measure predicts the displacement
 best), best_measure.csv (curves on it where it is much better), more_states.csv (curves of further limit
-states), pelicun/ (a component library) and nrml/ (a file for each limit state).
+states), pelicun/ and nrml/ (libraries.py).
 """
 
 import csv
@@ -15,9 +15,9 @@ import math
 import os
 import subprocess
 import sys
-import tempfile
-import xml.etree.ElementTree as xml
 from concurrent.futures import ThreadPoolExecutor
+
+import libraries
 
 ADVISED = ("flexible building", "open")  # where the advice is given, and at which velocities [m/s]
 SPEEDS = (0.4, 0.8)
@@ -33,7 +33,6 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 MEASURES = {"pfv": ["--measure", "pfv"], "PGV larger": []}
 COLUMNS = ["item", "floor", "place", "brakes", "limit_state", "measure", "unit", "runs", "exceed", "failed", "theta",
            "theta_low", "theta_high", "beta", "beta_low", "beta_high", "reason", "cautions"]
-NRML = "http://openquake.org/xmlns/nrml/0.5"
 
 
 def output_of(gurney, *arguments):
@@ -129,7 +128,7 @@ def probability_rows(gurney, item, file):
     for each in fits["fragilities"]:
         brakes = setting_of(each["configuration"])[2]
         for speed in SPEEDS:
-            middle, low, high = at_intensity(each["curve"], each["band"], speed)
+            middle, low, high = at_intensity(each["curve"], each["band"], speed) if each["band"] else (None, 0, 1)
             yield {"item": item, "brakes": brakes, "limit_state": each["limit_state"], "pfv": speed,
                    "probability": "" if middle is None else f"{middle:.4f}", "low": f"{low:.4f}",
                    "high": f"{high:.4f}"}
@@ -171,52 +170,6 @@ def write_csv(path, columns, rows):
         writer.writerows(rows)
 
 
-def write_pelicun(gurney, files, folder):
-    """One component library of the exports of all items."""
-    os.makedirs(folder, exist_ok=True)
-    facts, header, lines = {}, "", []
-    with tempfile.TemporaryDirectory() as work:
-        for item, file in files:
-            out = os.path.join(work, item)
-            output_of(gurney, "export", file, "--to", "pelicun", "--measure", "pfv", "-o", out)
-            with open(os.path.join(out, "fragility.csv")) as text:
-                header, *own = text.read().splitlines()
-                lines += own
-            with open(os.path.join(out, "fragility.json")) as text:
-                facts |= json.load(text)
-    with open(os.path.join(folder, "fragility.csv"), "w") as file:
-        file.write("\n".join([header, *lines]) + "\n")
-    with open(os.path.join(folder, "fragility.json"), "w") as file:
-        json.dump(facts, file, indent=1)
-        file.write("\n")
-
-
-def write_nrml(gurney, files, folder):
-    """A model for each limit state, its functions those of all items on the ground measure."""
-    os.makedirs(folder, exist_ok=True)
-    xml.register_namespace("", NRML)
-    trees = {}
-    with tempfile.TemporaryDirectory() as work:
-        for item, file in files:
-            out = os.path.join(work, item)
-            output_of(gurney, "export", file, "--to", "nrml", "-o", out)
-            for path in sorted(glob.glob(os.path.join(out, "*.xml"))):
-                tree, name = xml.parse(path), os.path.basename(path)
-                model = tree.getroot().find(f"{{{NRML}}}fragilityModel")
-                for function in model.findall(f"{{{NRML}}}fragilityFunction"):
-                    function.set("id", f"{item}.{function.get('id')}")
-                if name not in trees:
-                    model.set("id", "gurney_catalogue_" + name.removesuffix(".xml"))
-                    description = model.find(f"{{{NRML}}}description")
-                    description.text = "Gurney fragility catalogue, PGV of the ground; cautions in fragility.csv"
-                    trees[name] = tree
-                else:
-                    trees[name].getroot()[0].extend(model.findall(f"{{{NRML}}}fragilityFunction"))
-    for name, tree in trees.items():
-        xml.indent(tree)
-        tree.write(os.path.join(folder, name), encoding="UTF-8", xml_declaration=True)
-
-
 def of_all(files, rows_of):
     """The rows of all items in their order, as many items at once as there are cores."""
     with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -245,8 +198,7 @@ def main():
               of_all(files, lambda item, file: best_measure_rows(gurney, item, file, measures)))
     write_csv(os.path.join(tables, "more_states.csv"), COLUMNS,
               of_all(files, lambda item, file: further_rows(gurney, item, file)))
-    write_pelicun(gurney, files, os.path.join(tables, "pelicun"))
-    write_nrml(gurney, files, os.path.join(tables, "nrml"))
+    libraries.write(tables)
 
 
 if __name__ == "__main__":

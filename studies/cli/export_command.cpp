@@ -12,6 +12,7 @@
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/item_file.h"
+#include "studies/cli/method_option.h"
 #include "studies/cli/new_folder.h"
 #include "studies/cli/standard_error.h"
 #include "studies/cli/units_option.h"
@@ -31,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ExportOptions {
-  std::string file, format, folder;
+  std::string file, format, folder, method;
   std::vector<std::string> variants;
   std::optional<std::uint64_t> noise;
   study::ExportChoice choice;
@@ -62,7 +63,8 @@ void check_choice(const ExportOptions& options) {
          options.format != "csv" && options.format != "trials" && options.format != "xdmf" &&
              options.format != "gltf" && !is_of_input(options.format));
   require(!options.noise || options.format == "trials", "--noise is for --to trials");
-  require(!options.choice.sequences || fits, "--sequences is for --to pelicun and --to nrml");
+  require(!options.choice.separate || fits, "--separate is for --to pelicun and --to nrml");
+  require(options.method.empty() || fits, "--method is for --to pelicun and --to nrml");
   require(!options.choice.discrete || options.format == "nrml", "--discrete is for --to nrml");
   require(
       !options.units.chosen() || options.format == "csv",
@@ -170,8 +172,10 @@ void add_export(CLI::App& app, std::function<int()>& action) {
   add_limit_state_options(*command, options.assessed_by);
   command->add_option("--limit", options.choice.limit, "This limit state only (default: all)");
   add_units_option(*command, options.units, "SI; of csv alone");
-  command->add_flag("--sequences", options.choice.sequences,
-                    "Combine limit states of one quantity: damage states of one component");
+  command->add_flag("--separate", options.choice.separate,
+                    "pelicun, nrml: a component for each limit state; by default those of one "
+                    "quantity are the ordered damage states of one component");
+  add_method_option(*command, options.method);
   command->add_flag("--discrete", options.choice.discrete,
                     "nrml: probabilities at 100 intensities, not parameters");
   command->add_option("--variant", options.variants,
@@ -179,7 +183,10 @@ void add_export(CLI::App& app, std::function<int()>& action) {
   command->add_option("--noise", options.noise,
                       "trials: add synthetic noise of the instruments, of this seed");
   command->add_flag("--overwrite", options.overwrite, "Replace files that exist");
-  command->callback([shared, &action] { action = [shared] { return export_command(*shared); }; });
+  command->callback([shared, &action] {
+    shared->choice.method = curve_method(shared->method);
+    action = [shared] { return export_command(*shared); };
+  });
 }
 
 }  // namespace gurney::cli

@@ -9,6 +9,7 @@
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
+#include "studies/cli/method_option.h"
 #include "studies/cli/units_option.h"
 #include "studies/figures/fragility_figure.h"
 #include "studies/figures/vector_figure.h"
@@ -20,7 +21,7 @@ namespace gurney::cli {
 namespace {
 
 struct FragilityOptions {
-  std::string file, measure, second;
+  std::string file, measure, second, method;
   FigureFile figure;
   study::AssessmentRequest assessed_by;
   std::vector<std::string> states, configurations, records;
@@ -53,8 +54,10 @@ std::string curves(const FragilityOptions& options, const study::StudyData& data
   std::vector<study::FragilityResult> results;
   for (const std::size_t state : states)
     for (const std::size_t configuration : configurations)
-      results.push_back(study::fragility_of(
-          data, {.state = state, .configuration = configuration, .measure = options.measure}));
+      results.push_back(study::fragility_of(data, {.state = state,
+                                                   .configuration = configuration,
+                                                   .measure = options.measure,
+                                                   .method = curve_method(options.method)}));
   if (!options.figure.empty())
     options.figure.write(figures::fragility_figure(data, results), options.overwrite, true);
   return options.json ? report::fragility_json(results, options.units)
@@ -106,6 +109,7 @@ void add_fragility(CLI::App& app, std::function<int()>& action) {
   command->add_option("--measure", options.measure, "Intensity measure (default: the study's own)");
   CLI::Option* const second = command->add_option(
       "--and", options.second, "A second measure: P given both, and whether it adds to the first");
+  add_method_option(*command, options.method)->excludes(second);
   add_hazard_option(*command, options.assessed_by)->excludes(second);
   add_figure_option(*command, options.figure, "Draw the curves");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");

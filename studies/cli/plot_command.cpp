@@ -7,6 +7,7 @@
 #include "engine/base/error.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
+#include "studies/cli/method_option.h"
 #include "studies/cli/plot_kinds.h"
 #include "studies/cli/units_option.h"
 
@@ -87,10 +88,12 @@ void add_plot(CLI::App& app, std::function<int()>& action) {
       ->allow_extra_args(false);
   command->add_option("--measure", options.request.measure,
                       "Intensity measure (default: the study's own)");
+  add_method_option(*command, options.request.method);
   command
       ->add_option_function<std::size_t>(
           "--level", [shared](std::size_t level) { shared->request.level = level - 1; },
-          "Of tornado and spectra: the N-th level, counted from 1 (default: all; the highest)")
+          "Of tornado and spectra: the N-th level, counted from 1 (default: that nearest to the "
+          "median; the highest)")
       ->check(CLI::Range(1, 1000000));
   command->add_option("--job", options.request.job,
                       "The job file, of collisions and spectra (default: the path in the log)");

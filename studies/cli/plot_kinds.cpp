@@ -7,6 +7,7 @@
 #include "engine/base/error.h"
 #include "engine/config/nearest_name.h"
 #include "studies/cli/job_of_log.h"
+#include "studies/cli/method_option.h"
 #include "studies/figures/collision_figure.h"
 #include "studies/figures/demand_figures.h"
 #include "studies/figures/fragility_figure.h"
@@ -50,8 +51,10 @@ std::string fragility(const PlotRequest& request, const figures::PlotPage& page)
   for (const std::size_t state : states)
     for (const std::size_t configuration :
          study::wanted_configurations(data, request.configurations))
-      results.push_back(study::fragility_of(
-          data, {.state = state, .configuration = configuration, .measure = request.measure}));
+      results.push_back(study::fragility_of(data, {.state = state,
+                                                   .configuration = configuration,
+                                                   .measure = request.measure,
+                                                   .method = curve_method(request.method)}));
   return figures::fragility_figure(data, results, page);
 }
 

@@ -13,7 +13,7 @@ struct PlotRequest {
   std::string file, kind;
   std::vector<std::string> what;  ///< histories, demands, limit states; empty: the usual ones
   std::vector<std::string> configurations;
-  std::string measure;
+  std::string measure, method;
   std::optional<std::size_t> run;
   std::optional<std::size_t> level;  ///< its index
   std::string job;                   ///< path of the study's job; empty: that in its log

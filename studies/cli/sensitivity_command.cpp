@@ -19,7 +19,8 @@ struct SensitivityCommand {
   study::AssessmentRequest assessed_by;
   study::UnitSystem units;
   std::vector<std::string> configurations;
-  int level = 0;  ///< counted from 1; 0: all
+  int level = 0;  ///< counted from 1; 0: that nearest to a median
+  bool all_levels = false;
   FigureFile figure;
   bool overwrite = false, json = false;
 };
@@ -41,6 +42,7 @@ int sensitivity(const SensitivityCommand& options) {
   const study::StudyData data(options.file, options.assessed_by, {}, options.units);
   study::SensitivityRequest request{.demand = options.demand, .limit = options.limit, .level = {}};
   if (options.demand.empty() && options.limit.empty()) choose_output(options, data, request);
+  request.all_levels = options.all_levels;
   if (options.level > 0) {
     require(data.study().intensity.kind != study::IntensityPlan::Kind::kIda,
             options.file + ": an IDA has no levels common to all records; omit --level");
@@ -87,10 +89,15 @@ void add_sensitivity(CLI::App& app, std::function<int()>& action) {
   add_limit_state_options(*command, options.assessed_by);
   command->add_option("--configuration", options.configurations, "Configurations (default: all)")
       ->allow_extra_args(false);
-  command
-      ->add_option("--level", options.level,
-                   "Only runs at the N-th level, counted from 1 (default: all)")
-      ->check(CLI::Range(1, 1000000));
+  CLI::Option* const level =
+      command
+          ->add_option(
+              "--level", options.level,
+              "Runs at the N-th level, counted from 1 (default: that nearest to the median "
+              "of the limit state)")
+          ->check(CLI::Range(1, 1000000));
+  command->add_flag("--all-levels", options.all_levels, "Runs at all levels together")
+      ->excludes(level);
   add_figure_option(*command, options.figure, "Draw indices and tornado of one configuration");
   command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
   add_units_option(*command, options.units);

@@ -40,8 +40,8 @@ void add_side(Panel& panel, const SidePen& side, const std::vector<statistics::O
   std::vector<double> im;
   for (int i = 0; i < kPoints; ++i)
     im.push_back(extent.low * std::pow(extent.high / extent.low, i / (kPoints - 1.0)));
-  const statistics::FragilityBand band = statistics::fragility_band(
-      statistics::StripeTable(seen), im, {.confidence = side.confidence, .resamples = 199});
+  const statistics::FragilityBand band =
+      statistics::fragility_band(statistics::StripeTable(seen), im, side.confidence);
   std::vector<double> x = im;
   for (double& each : x) each /= side.unit;
   Curve line{side.label, x, {}, {.stroke = side.color, .width = 2}};
@@ -49,11 +49,12 @@ void add_side(Panel& panel, const SidePen& side, const std::vector<statistics::O
   Area area{.x = x, .low = {}, .high = {}, .color = side.color};
   for (std::size_t i = 0; i < im.size(); ++i) {
     line.y.push_back(fit.curve ? fit.curve->probability(im[i]) : std::nan(""));
+    if (band.too_few) continue;
     area.low.push_back(band.of_curve[i].low);
     area.high.push_back(band.of_curve[i].high);
   }
   panel.curves.push_back(line);
-  if (fit.curve) panel.areas.push_back(std::move(area));
+  if (fit.curve && !band.too_few) panel.areas.push_back(std::move(area));
 }
 
 /// A mark for the fraction that exceeded at each im with several runs.

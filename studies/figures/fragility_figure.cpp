@@ -86,8 +86,10 @@ PlotPanel panel_of(const std::vector<const study::FragilityResult*>& results,
                 {},
                 {},
                 {.stroke = palette(i), .width = 1.8}};
-    if (result.brackets.empty()) curve.key = marker(i);
+    if (!result.by_capacities()) curve.key = marker(i);
     if (!of) curve.label += " (no curve)";
+    if (of && result.band.too_few)
+      curve.label += fmt::format(" (no band: {} records)", result.records);
     for (const double im : result.im) {
       curve.x.push_back(im / unit.in_si);
       curve.y.push_back(of ? of->probability(im) : std::nan(""));
@@ -95,8 +97,9 @@ PlotPanel panel_of(const std::vector<const study::FragilityResult*>& results,
     panel.curves.push_back(curve);
   }
   for (std::size_t i = 0; i < results.size(); ++i) {
-    if (results[i]->curve()) panel.areas.push_back(band_of(*results[i], unit.in_si, i));
-    if (!results[i]->brackets.empty())
+    if (results[i]->curve() && !results[i]->band.too_few)
+      panel.areas.push_back(band_of(*results[i], unit.in_si, i));
+    if (results[i]->by_capacities())
       panel.curves.push_back(capacities_of(*results[i], unit.in_si, i));
     else
       panel.marks.push_back(fractions_of(*results[i], unit.in_si, i));
@@ -113,7 +116,7 @@ std::string fragility_figure(const study::StudyData& data,
   for (const study::FragilityResult& each : results)
     if (std::ranges::find(states, each.state) == states.end()) states.push_back(each.state);
   const bool ida = std::ranges::any_of(
-      results, [](const study::FragilityResult& each) { return each.capacities.has_value(); });
+      results, [](const study::FragilityResult& each) { return each.by_capacities(); });
   std::vector<PlotPanel> panels;
   for (const std::string& state : states) {
     std::vector<const study::FragilityResult*> of_state;

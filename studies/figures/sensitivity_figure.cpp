@@ -34,7 +34,7 @@ Range range_of_bars(const study::StudySensitivity& found,
                     const std::vector<study::SensitiveInput>& inputs) {
   Range range{found.mean, found.mean};
   for (const study::SensitiveInput& input : inputs) {
-    if (!input.drawn) continue;
+    if (!input.drawn || std::isnan(input.bar.swing())) continue;
     range.low = std::min({range.low, input.bar.low, input.bar.high});
     range.high = std::max({range.high, input.bar.low, input.bar.high});
   }
@@ -62,6 +62,7 @@ void draw_indices(Svg& svg, const Scaling& scaling, double y, const study::Sensi
 /// Low above, high below, each from the mean: both are seen where they go the same way.
 void draw_bar(Svg& svg, const Scaling& scaling, double y, const statistics::TornadoBar& bar,
               double mean) {
+  if (std::isnan(bar.swing())) return;
   const auto half = [&](double end, double top, std::size_t color) {
     const double x = std::min(scaling.x(end), scaling.x(mean));
     svg.rectangle(x, top, std::abs(scaling.x(end) - scaling.x(mean)), kBar / 2,

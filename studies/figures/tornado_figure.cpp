@@ -17,12 +17,22 @@ using Inputs = std::vector<study::SensitiveInput>;
 
 Inputs longest(const study::StudySensitivity& found) {
   Inputs inputs;
-  std::ranges::copy_if(found.inputs, std::back_inserter(inputs), &study::SensitiveInput::drawn);
+  std::ranges::copy_if(found.inputs, std::back_inserter(inputs),
+                       [](const study::SensitiveInput& each) {
+                         return each.drawn && !std::isnan(each.bar.swing());
+                       });
   std::ranges::stable_sort(inputs, std::greater(), [](const study::SensitiveInput& each) {
     return std::abs(each.bar.swing());
   });
   if (inputs.size() > kMaxRows) inputs.resize(kMaxRows);
   return inputs;
+}
+
+std::size_t fewest_of(const Inputs& inputs) {
+  std::size_t fewest = inputs.front().bar.low_runs;
+  for (const study::SensitiveInput& each : inputs)
+    fewest = std::min({fewest, each.bar.low_runs, each.bar.high_runs});
+  return fewest;
 }
 
 /// "ICU ventilator: peak_displacement" as "ICU ventilator: peak displacement".
@@ -75,7 +85,11 @@ PlotPanel panel_of(const report::SensitivityReport& report) {
   const double mean = found.mean / unit.in_si;
   Panel panel{.title = words_of(found.output) +
                        (report.configuration.empty() ? "" : ", " + report.configuration),
-              .x_label = with_unit("Mean over runs", unit),
+              .x_label = with_unit(
+                  inputs.empty() ? fmt::format("Means of fewer than {} runs are not drawn",
+                                               study::kFewestOfMean)
+                                 : fmt::format("Mean over {} runs or more", fewest_of(inputs)),
+                  unit),
               .y_label = "",
               .zero_line = false,
               .legend_columns = 2,

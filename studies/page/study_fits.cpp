@@ -32,15 +32,17 @@ std::vector<Cell> row_of(const study::FragilityResult& of, const study::ReportUn
                         exceeded};
   if (const auto curve = of.curve()) {
     row.insert(row.end(), {Cell(curve->theta, unit), Cell(curve->beta, one, 2),
-                           interval(of.band.theta, unit.in_si, 3), interval(of.band.beta, 1, 2)});
+                           study::interval_text(of.band.theta, unit.in_si, 3, of.records),
+                           study::interval_text(of.band.beta, 1, 2, of.records)});
   } else {
-    row.insert(row.end(), {"\u2013", "\u2013", study::no_curve_text(of.status(), of.median(), unit),
-                           "\u2013"});
+    row.insert(row.end(), {"\u2013", "\u2013", study::no_curve_text(of, unit), "\u2013"});
   }
-  if (rates) {
-    row.push_back(of.rate ? Cell(of.rate->rate, one) : Cell("\u2013"));
-    row.push_back(of.rate ? Cell(100 * statistics::probability_in(50, of.rate->rate), one, 2)
-                          : Cell("\u2013"));
+  if (rates && of.rate) {
+    row.insert(row.end(),
+               {Cell(of.rate->rate, one), study::rate_interval_text(*of.rate, of.records),
+                Cell(100 * statistics::probability_in(50, of.rate->rate), one, 2)});
+  } else if (rates) {
+    row.insert(row.end(), 3, Cell("\u2013"));
   }
   return row;
 }
@@ -61,6 +63,7 @@ Html table_of(const StudyPage& page) {
                {"95 % of \u03b2"}}};
   if (rates) {
     table.columns.push_back({"Rate (1/year)", true, "mean annual rate of exceedance"});
+    table.columns.push_back({"95 % of the rate"});
     table.columns.push_back({"In 50 years (%)", true});
   }
   for (const study::FragilityResult& each : all) table.rows.push_back(row_of(each, unit, rates));
@@ -75,10 +78,11 @@ Html figure_of(const StudyPage& page) {
       configurations.push_back(each.configuration);
     if (configurations.size() <= kMaxConfigurations) drawn.push_back(each);
   }
-  Html figure = html(
-      Drawing{"fragility", figures::fragility_figure(page.data, drawn, {.most_marks = kMaxMarks}),
-              "Fragility curves with 95 % confidence bands, a panel for each limit state.",
-              "Probability of exceedance over intensity; the table has medians and dispersions."});
+  Html figure = html(Drawing{
+      "fragility", figures::fragility_figure(page.data, drawn, {.most_marks = kMaxMarks}),
+      "Fragility curves with 95 % confidence bands, where there are enough records; a panel "
+      "for each limit state.",
+      "Probability of exceedance over intensity; the table has medians and dispersions."});
   if (configurations.size() > kMaxConfigurations)
     figure += paragraph(fmt::format(
         "The figure draws the first {} of {} configurations. Others: gurney fragility {} "
@@ -88,12 +92,9 @@ Html figure_of(const StudyPage& page) {
 }
 
 Html notes_of(const StudyPage& page) {
-  std::vector<std::string> all;
-  for (const study::FragilityResult& each : page.fragilities)
-    for (const std::string& note :
-         report::fragility_notes(each, study::report_unit(page.data, each.measure)))
-      all.push_back((each.configuration.empty() ? "" : each.configuration + ", ") + each.state +
-                    ": " + note);
+  if (page.fragilities.empty()) return {};
+  const std::vector<std::string> all = report::notes_on_curves(
+      page.fragilities, study::report_unit(page.data, page.fragilities.front().measure));
   if (all.empty()) return {};
   return element("h3", "Notes on the curves") +
          (all.size() > 12 ? folded(counted(all.size(), "note"), list(all)) : list(all));
@@ -144,7 +145,7 @@ Html sensitivity_table(const report::SensitivityReport& report) {
     add(row, input.index);
     if (found.designed) add(row, input.total);
     for (const double value : {input.bar.low, input.bar.high, input.bar.swing()})
-      row.push_back(input.drawn ? Cell(value, unit) : Cell("\u2013"));
+      row.push_back(input.drawn && std::isfinite(value) ? Cell(value, unit) : Cell("\u2013"));
     table.rows.push_back(std::move(row));
   }
   return html(table);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "studies/report/json_values.h"
@@ -14,13 +15,6 @@ namespace gurney::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string interval_text(const statistics::Interval& interval, double unit, int digits) {
-  const auto end = [&](double value) {
-    return std::isfinite(value) ? fmt::format("{:.{}g}", value / unit, digits) : std::string("inf");
-  };
-  return end(interval.low) + " to " + end(interval.high);
-}
 
 std::string exceed_text(const study::FragilityResult& result) {
   const study::CurveAudit& audit = result.audit;
@@ -33,10 +27,10 @@ std::string row(const study::FragilityResult& result, const study::ReportUnit& u
                                  result.state, state_wide, exceed_text(result));
   if (const auto curve = result.curve())
     line += fmt::format("{:>8.3g}  {:>5.2f}  {:<16}  {}", curve->theta / unit.in_si, curve->beta,
-                        interval_text(result.band.theta, unit.in_si, 3),
-                        interval_text(result.band.beta, 1, 2));
+                        study::interval_text(result.band.theta, unit.in_si, 3, result.records),
+                        study::interval_text(result.band.beta, 1, 2, result.records));
   else
-    line += study::no_curve_text(result.status(), result.median(), unit);
+    line += study::no_curve_text(result, unit);
   return line + "\n";
 }
 
@@ -49,13 +43,8 @@ std::string fit_note(const study::FragilityResult& result) {
                    *result.p_of_fit);
 }
 
-/// The notes on a row, a line each.
-std::string notes(const study::FragilityResult& result, const study::ReportUnit& unit) {
-  std::string text;
-  const std::string name =
-      (result.configuration.empty() ? "" : result.configuration + ", ") + result.state;
-  for (const std::string& note : fragility_notes(result, unit)) text += name + ": " + note + "\n";
-  return text;
+std::string curve_name(const study::FragilityResult& result) {
+  return (result.configuration.empty() ? "" : result.configuration + ", ") + result.state;
 }
 
 std::string performance_text(const study::StudyData& data,
@@ -88,6 +77,40 @@ std::string definitions_text(const std::vector<study::FragilityResult>& results)
     text += fmt::format("{}: {}\n", each.state, each.words);
   }
   return text.empty() ? "" : "\n" + text;
+}
+
+/// An end that the runs do not bound is null.
+Json interval_json(const statistics::Interval& interval, double unit = 1) {
+  return Json::array(
+      {interval.low > 0 ? Json(interval.low / unit) : Json(), json_number(interval.high / unit)});
+}
+
+Json rate_json(const study::SiteRate& rate, const study::ReportUnit& unit) {
+  Json json{{"per_year", json_number(rate.rate)},
+            {"in_50_years", statistics::probability_in(50, rate.rate)},
+            {"interval_per_year", rate.has_interval ? interval_json(rate.interval) : Json()},
+            {"share_below_lowest_im", rate.share_below},
+            {"share_above_highest_im", rate.share_above},
+            {"at_most_more", rate.most_above},
+            {"complete", rate.is_supported()},
+            {"cautions", study::cautions(rate, unit)}};
+  if (rate.of_lowest) json["hazard_rate_at_lowest_im"] = *rate.of_lowest;
+  return json;
+}
+
+std::string status_text(const study::FragilityResult& result) {
+  if (!result.by_cloud()) return text(result.status());
+  return result.cloud ? text(result.cloud->status) : "no demand above a limit";
+}
+
+/// Of ln theta and ln beta.
+Eigen::Matrix2d covariance_of(const study::FragilityResult& result) {
+  if (result.by_cloud()) return result.cloud_covariance;
+  return result.capacities ? result.capacities->covariance : result.fit.cluster_covariance;
+}
+
+const char* method_name(const study::FragilityResult& result) {
+  return result.by_cloud() ? "cloud" : result.capacities ? "capacities" : "stripes";
 }
 
 template <class Take>
@@ -130,6 +153,9 @@ Json capacities_json(const study::FragilityResult& result, double unit) {
           {"brackets", of_records}};
 }
 
+constexpr const char* kSigmaConvention =
+    "the maximum likelihood estimate times sqrt(n / (n - 2)), n all runs";
+
 /// ln demand = a + b ln im, where both change their unit.
 Json cloud_json(const study::FragilityResult& result, double unit,
                 const study::ReportUnit& demand) {
@@ -139,6 +165,8 @@ Json cloud_json(const study::FragilityResult& result, double unit,
           {"a", json_number(fit.a + fit.b * std::log(unit) - std::log(demand.in_si))},
           {"b", json_number(fit.b)},
           {"sigma", json_number(fit.sigma)},
+          {"sigma_is", kSigmaConvention},
+          {"r_squared", json_number(fit.r_squared)},
           {"curve", curve_json(result.cloud_curve, unit)}};
 }
 
@@ -154,18 +182,20 @@ Json json_of(const study::FragilityResult& result, const study::UnitSystem& unit
             {"exceeded", result.exceeded},
             {"records", result.records},
             {"failed", result.failed},
-            {"method", result.capacities ? "capacities" : "stripes"},
-            {"status", text(result.status())},
+            {"method", method_name(result)},
+            {"status", status_text(result)},
             {"curve", curve_json(result.curve(), in_si)}};
   if (result.curve()) {
-    json["theta_interval"] = json_interval(result.band.theta, in_si);
-    json["beta_interval"] = json_interval(result.band.beta);
-    const Eigen::Matrix2d& c =
-        result.capacities ? result.capacities->covariance : result.fit.cluster_covariance;
+    const bool few = result.band.too_few;
+    json["effective_records"] = result.band.effective;
+    json["theta_interval"] = few ? Json() : interval_json(result.band.theta, in_si);
+    json["beta_interval"] = few ? Json() : interval_json(result.band.beta);
+    if (few) json["no_interval"] = study::few_records_text(result.audit);
+    const Eigen::Matrix2d c = covariance_of(result);
     json["covariance_of_ln_theta_ln_beta"] = {{c(0, 0), c(0, 1)}, {c(1, 0), c(1, 1)}};
   } else {
-    json["reason"] = study::no_curve_text(result.status(), result.median(), unit);
-    json["median_between"] = json_interval(result.median(), in_si);
+    json["reason"] = study::no_curve_text(result, unit);
+    if (!result.by_cloud()) json["median_between"] = json_interval(result.median(), in_si);
   }
   json["cautions"] = study::cautions(result.audit, unit);
   json["audit"] = audit_json(result.audit, in_si);
@@ -180,16 +210,13 @@ Json json_of(const study::FragilityResult& result, const study::UnitSystem& unit
                                {"runs", result.stripes[i].runs},
                                {"exceeded", result.stripes[i].exceeded},
                                {"isotonic", result.isotonic[i]}});
-  for (std::size_t i = 0; i < result.im.size(); ++i)
+  if (result.band.of_curve.empty()) json["band"] = nullptr;
+  for (std::size_t i = 0; i < result.band.of_curve.size(); ++i)
     json["band"].push_back(
         {result.im[i] / in_si, result.band.of_curve[i].low, result.band.of_curve[i].high});
-  if (result.capacities) json["capacities"] = capacities_json(result, in_si);
+  if (result.by_capacities()) json["capacities"] = capacities_json(result, in_si);
   if (result.cloud) json["cloud"] = cloud_json(result, in_si, units.of(result.demand_units));
-  if (result.rate)
-    json["rate"] = {{"per_year", result.rate->rate},
-                    {"in_50_years", statistics::probability_in(50, result.rate->rate)},
-                    {"at_most_more", result.rate->most_above},
-                    {"complete", result.rate->complete()}};
+  if (result.rate) json["rate"] = rate_json(*result.rate, unit);
   return json;
 }
 
@@ -201,10 +228,10 @@ std::vector<std::string> fragility_notes(const study::FragilityResult& result,
   const auto note = [&](const std::string& line) { notes.push_back(line); };
   if (result.failed > 0) note(fmt::format("{} failed runs are excluded", result.failed));
   if (result.p_of_fit && *result.p_of_fit < 0.05) note(fit_note(result));
-  if (result.capacities && result.capacities->resurrections > 0)
+  if (result.by_capacities() && result.capacities->resurrections > 0)
     note(fmt::format("{} runs above the capacity of their record do not exceed (resurrections)",
                      result.capacities->resurrections));
-  if (result.capacities && result.capacities->censored > 0)
+  if (result.by_capacities() && result.capacities->censored > 0)
     note(fmt::format("{} of {} never exceed: right-censored at their highest intensity",
                      result.capacities->censored,
                      result.brackets.size() == result.records
@@ -215,19 +242,35 @@ std::vector<std::string> fragility_notes(const study::FragilityResult& result,
   if (result.cloud && result.cloud_curve)
     note(fmt::format(
         "cloud: theta {:.3g}, beta {:.2f}, R2 {:.2f} ({} demands uncensored, {} "
-        "right-censored, {} left-censored)",
+        "right-censored, {} left-censored; sigma {:.2f} is {}){}",
         result.cloud_curve->theta / unit.in_si, result.cloud_curve->beta, result.cloud->r_squared,
-        result.cloud->exact, result.cloud->at_least, result.cloud->at_most));
+        result.cloud->exact, result.cloud->at_least, result.cloud->at_most, result.cloud->sigma,
+        kSigmaConvention, result.by_cloud() ? "" : "; to use it: --method cloud"));
   if (result.rate) {
-    note(fmt::format("{:.3g} times a year, {:.2g} % in 50 years", result.rate->rate,
-                     100 * statistics::probability_in(50, result.rate->rate)));
-    if (!result.rate->complete())
-      note(
-          fmt::format("the hazard curve is too short: stronger motions add at most {:.2g} a year, "
-                      "and P is {:.2g} at its lower end",
-                      result.rate->most_above, result.rate->below));
+    note(study::rate_text(*result.rate, result.records));
+    for (const std::string& caution : study::cautions(*result.rate, unit))
+      note("caution: " + caution);
   }
   return notes;
+}
+
+std::vector<std::string> notes_on_curves(const std::vector<study::FragilityResult>& results,
+                                         const study::ReportUnit& unit) {
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<std::string>> curves;  // of each note
+  for (const study::FragilityResult& each : results)
+    for (const std::string& note : fragility_notes(each, unit)) {
+      if (!curves.contains(note)) order.push_back(note);
+      curves[note].push_back(curve_name(each));
+    }
+  std::vector<std::string> all;
+  for (const std::string& note : order) {
+    const std::vector<std::string>& names = curves[note];
+    const bool of_all = names.size() > 1 && names.size() == results.size();
+    all.push_back((of_all ? "all curves" : fmt::format("{}", fmt::join(names, "; "))) + ": " +
+                  note);
+  }
+  return all;
 }
 
 std::string fragility_report(const study::StudyData& data,
@@ -238,14 +281,15 @@ std::string fragility_report(const study::StudyData& data,
       widest(results, 13, [](const study::FragilityResult& each) { return each.configuration; });
   const std::size_t state_wide =
       widest(results, 11, [](const study::FragilityResult& each) { return each.state; });
-  std::string text = fmt::format("P(limit state | {} [{}]) = Phi(ln(im / theta) / beta)\n\n",
-                                 results.front().measure.name, unit.name);
+  std::string text = fmt::format(
+      "P(limit state | {} [{}]) = Phi(ln(im / theta) / beta){}\n\n", results.front().measure.name,
+      unit.name, results.front().by_cloud() ? ", by regression of demands (cloud)" : "");
   text += fmt::format("{:<{}}  {:<{}}  {:>16}  {:>8}  {:>5}  {:<16}  {}\n", "configuration", wide,
                       "limit state", state_wide, "exceed", "theta", "beta", "95 % of theta",
                       "95 % of beta");
   for (const study::FragilityResult& each : results) text += row(each, unit, wide, state_wide);
   std::string below;
-  for (const study::FragilityResult& each : results) below += notes(each, unit);
+  for (const std::string& note : notes_on_curves(results, unit)) below += note + "\n";
   text += below.empty() ? "" : "\n" + below;
   text += performance_text(data, results, unit);
   return text + definitions_text(results);

@@ -19,4 +19,8 @@ std::string fragility_json(const std::vector<study::FragilityResult>& results,
 std::vector<std::string> fragility_notes(const study::FragilityResult& result,
                                          const study::ReportUnit& unit);
 
+/// The notes on all curves, each once, after the names of the curves that it is of.
+std::vector<std::string> notes_on_curves(const std::vector<study::FragilityResult>& results,
+                                         const study::ReportUnit& unit);
+
 }  // namespace gurney::report

@@ -32,13 +32,15 @@ std::string row_text(const study::SensitiveInput& input, std::size_t width,
   std::string text = fmt::format("{:<{}} ", name_of(input), width) + index_text(input.index);
   if (input.total) text += " " + index_text(input.total);
   if (!input.drawn) return text + "\n";
-  const auto mean_text = [&](double mean, double error) {
-    return fmt::format("{:.3g} (+-{:.2g})", mean / unit.in_si, error / unit.in_si);
+  const auto mean_text = [&](double mean, double error, std::size_t runs) {
+    if (std::isnan(mean)) return fmt::format("- ({} runs)", runs);
+    return fmt::format("{:.3g} (+-{:.2g}, {} runs)", mean / unit.in_si, error / unit.in_si, runs);
   };
-  return text + fmt::format(" {:>10.3g} {:>10.3g}  {:<20} {:<20} {:>10.3g}\n", input.low,
-                            input.high, mean_text(input.bar.low, input.bar.low_error),
-                            mean_text(input.bar.high, input.bar.high_error),
-                            input.bar.swing() / unit.in_si);
+  const double swing = input.bar.swing() / unit.in_si;
+  return text + fmt::format(" {:>10.3g} {:>10.3g}  {:<28} {:<28} {:>10}\n", input.low, input.high,
+                            mean_text(input.bar.low, input.bar.low_error, input.bar.low_runs),
+                            mean_text(input.bar.high, input.bar.high_error, input.bar.high_runs),
+                            std::isnan(swing) ? "-" : fmt::format("{:.3g}", swing));
 }
 
 std::string table_text(const study::StudySensitivity& found, const study::ReportUnit& unit) {
@@ -49,7 +51,7 @@ std::string table_text(const study::StudySensitivity& found, const study::Report
   std::string text = fmt::format("{:<{}} {:>6}  {:<14}", "input", width,
                                  found.designed ? "first" : "index", "95 % interval");
   if (found.designed) text += fmt::format(" {:>6}  {:<14}", "total", "95 % interval");
-  text += fmt::format(" {:>10} {:>10}  {:<20} {:<20} {:>10}\n", percent(found.share),
+  text += fmt::format(" {:>10} {:>10}  {:<28} {:<28} {:>10}\n", percent(found.share),
                       percent(1 - found.share), "mean below", "mean above", "swing");
   for (const study::SensitiveInput& input : found.inputs) text += row_text(input, width, unit);
   return text;
@@ -70,6 +72,8 @@ Json input_json(const study::SensitiveInput& input, double unit) {
     json["high"] = json_number(input.high);
     json["mean_below"] = json_number(input.bar.low / unit);
     json["mean_below_error"] = json_number(input.bar.low_error / unit);
+    json["runs_below"] = input.bar.low_runs;
+    json["runs_above"] = input.bar.high_runs;
     json["mean_above"] = json_number(input.bar.high / unit);
     json["mean_above_error"] = json_number(input.bar.high_error / unit);
   }
@@ -119,6 +123,12 @@ std::string sensitivity_remarks(const study::StudySensitivity& found) {
                         fmt::join(names, ", "));
   if (!found.constant.empty())
     text += fmt::format("Drawn, but the same in every run: {}.\n", fmt::join(found.constant, ", "));
+  if (!found.why_level.empty())
+    text += fmt::format("Level: {}, {}.\n", found.level, found.why_level);
+  if (std::ranges::any_of(found.inputs, [](const study::SensitiveInput& input) {
+        return input.drawn && std::isnan(input.bar.swing());
+      }))
+    text += fmt::format("Means of fewer than {} runs are not stated.\n", study::kFewestOfMean);
   if (found.runs < kFew && !found.designed)
     text += fmt::format(
         "Few runs: {} make wide intervals, and classes of {:.0f} runs smooth what "

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -14,46 +14,60 @@ struct Interval {
   bool contains(double x) const { return low <= x && x <= high; }
 };
 
-struct BandOptions {
-  double confidence = 0.95;  ///< of each point for itself, in (0, 1)
-  int resamples = 999;       ///< of groups; >= 1
-  std::uint64_t seed = 1;
-};
+/// Fewer effective groups determine no interval of an outcome's curve; coverage from 8 on:
+/// docs/theory/statistics.md.
+inline constexpr double kFewestGroups = 8;
 
-/// What a fragility curve may be, pointwise, from resampled groups.
+/// An end of theta farther than this factor beyond the intensities of the runs is unbounded: it
+/// would rest on the form of the curve alone. The same for an end of beta and beta itself.
+inline constexpr double kFarthestEnd = 10;
+
+/// What a fragility curve may be, pointwise.
 struct FragilityBand {
   FragilityStatus status = FragilityStatus::kNoRuns;  ///< of the fit to all runs
 
-  /// For each im: the band of the curve. See fragility_band() for how it is made.
+  /// For each im: the band of the curve. Empty where there is a curve, but too few groups.
   std::vector<Interval> of_curve;
 
   /// theta: the intensities at which the band holds P = 0.5 (Fieller 1954, J. R. Statist. Soc. B
-  /// 16(2), 175-185), so an end is 0 or infinity where the slope could be 0. beta: of ln beta, in
-  /// the manner of the band. [0, infinity] unless kFitted.
+  /// 16(2), 175-185). An end that the runs do not bound is 0 or infinity; both unless kFitted.
   Interval theta, beta;
 
-  /// For comparison, plain percentiles of the resamples: too narrow for few groups.
-  std::vector<Interval> percentile_of_curve;
-  Interval percentile_theta, percentile_beta;
+  double effective = 0;  ///< groups that count as one each; 0 without a curve
+  bool too_few = false;  ///< effective groups for any interval
 
-  /// The curves of the resamples that are kFitted, in order of resampling.
-  std::vector<LognormalCurve> curves;
-  int separated = 0;  ///< resamples that are separated or quasi-separated
-  int one_sided = 0;  ///< resamples where all exceed or none
-  int not_increasing = 0;
+  /// Lines (slope, intercept) around the region that the band covers: any other number of the curve
+  /// lies between its least and its largest on them. 1 - cos(pi / 128) = 3e-4 of a half-width
+  /// is between two of them.
+  std::vector<Eigen::Vector2d> outline;
 };
 
-/// Pointwise band of the curve at the given intensities.
-///
-/// The band is made for z = slope ln im + intercept, with the covariance for groups, and carried
-/// over by Phi: z -+ q s. On each side q is the wider of Student's quantile with groups - 1 degrees
-/// and the quantile of bootstrap-t over groups (Efron & Tibshirani 1993, An introduction to the
-/// bootstrap, section 12.5). Why, and what it covers: docs/theory/statistics.md. With less than 90
-/// % of the resamples fitted, Student's alone. Without a fit, or with one group, the
-/// distribution-free band.
-/// @throws Error unless the options are in range.
+/// Pointwise band of the curve at the given intensities: z -+ q s of z = slope ln im + intercept,
+/// carried over by Phi, with Student's quantile q for effective groups - 1 degrees and s^2 the
+/// larger of the variances for groups and for independent runs. Without a fit, or with one group,
+/// the distribution-free band.
+/// @throws Error unless im > 0 and confidence in (0, 1)
 FragilityBand fragility_band(const StripeTable& table, const std::vector<double>& im,
-                             const BandOptions& options = {});
+                             double confidence = 0.95);
+
+/// An estimated line z = slope ln im + intercept of P = Phi(z).
+struct LineEstimate {
+  Eigen::Vector2d line;                ///< slope > 0
+  Eigen::Matrix2d of_groups, of_runs;  ///< covariance with groups independent, with runs
+  double effective;                    ///< groups
+  double lowest, highest;              ///< im of the runs
+};
+
+/// The band of a curve with its intervals, of the kind above.
+FragilityBand band_of(const LineEstimate& estimate, const std::vector<double>& im,
+                      double confidence);
+
+/// The points of an ellipse around `line`: |L^-1 (point - line)| = quantile, L L' = covariance.
+std::vector<Eigen::Vector2d> outline_of(const Eigen::Vector2d& line,
+                                        const Eigen::Matrix2d& covariance, double quantile);
+
+/// With ends that are beyond kFarthestEnd of [low, high] made 0 or infinity.
+Interval bounded(const Interval& interval, double low, double high);
 
 /// Band that supposes nothing but a probability that does not fall with im: Clopper & Pearson
 /// (1934, Biometrika 26(4), 404-413) above from one run of each group at its lowest intensity >=
@@ -73,8 +87,8 @@ struct ProfileIntervals {
 /// chi-squared with one degree (Venzon & Moolgavkar 1988, Applied Statistics 37(1), 87-94) for
 /// independent runs. With `by_group` the ratio is first divided by the variance for groups over
 /// that for independent runs (Chandler & Bate 2007, Biometrika 94(1), 167-183) and compared with
-/// Student's quantile squared. None unless the fit is kFitted (and, by group, there are two
-/// groups).
+/// Student's quantile squared; the ratio of variances is at least 1, and at least its mean over
+/// both parameters. None unless the fit is kFitted (and, by group, there are two groups).
 std::optional<ProfileIntervals> profile_intervals(const StripeTable& table,
                                                   double confidence = 0.95, bool by_group = false);
 

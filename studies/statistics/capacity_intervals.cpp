@@ -43,6 +43,11 @@ class Likelihood {
 
   /// With the score h ln im - m held.
   double drop_of_score(double log_im, double score) const { return drop({-score, 0}, {log_im, 1}); }
+  /// With both held: slope h and intercept -m.
+  double drop_of_line(const Eigen::Vector2d& line) const {
+    const Eigen::Vector2d point(-line[1], line[0]);
+    return 2 * (highest_ - censored_normal_likelihood(design_, values_, point).value);
+  }
   double drop_of_beta(double beta) const { return drop({best_[0], 1 / beta}, {1, 0}); }
 
  private:
@@ -82,16 +87,37 @@ Limits limits_of_exact(double n, double confidence) {
           of_beta((1 - confidence) / 2)};
 }
 
+/// The lines on which the likelihood ratio is at `limit`, in the directions of an ellipse around
+/// the best one.
+std::vector<Eigen::Vector2d> outline_of(const Likelihood& likelihood, const CapacityFit& fit,
+                                        double limit) {
+  const Eigen::Vector2d line(likelihood.best()[1], -likelihood.best()[0]);
+  Eigen::Matrix2d jacobian;  // of slope and intercept to ln theta and ln beta
+  jacobian << 0, -line[0], -line[0], -line[1];
+  const Eigen::Matrix2d covariance = jacobian * fit.covariance * jacobian.transpose();
+  std::vector<Eigen::Vector2d> outline;
+  for (const Eigen::Vector2d& point : statistics::outline_of(line, covariance, 1)) {
+    const double length = crossing(
+        [&](double d) { return likelihood.drop_of_line(line + d * (point - line)); }, limit, 1);
+    if (std::isfinite(length)) outline.push_back(line + length * (point - line));
+  }
+  return outline;
+}
+
 }  // namespace
+
+double effective_capacities(const std::vector<Capacity>& capacities, const CapacityFit& fit) {
+  double records = 0;
+  for (const Capacity& each : capacities) records += each.weight;
+  return std::clamp(0.5 / fit.covariance(1, 1), 2.0, std::max(2.0, records));
+}
 
 CapacityIntervals capacity_intervals(const std::vector<Capacity>& capacities,
                                      const CapacityFit& fit, const std::vector<double>& im,
                                      double confidence) {
   const Likelihood likelihood(capacities, fit);
   const double theta = fit.curve->theta, beta = fit.curve->beta;
-  double records = 0;
-  for (const Capacity& each : capacities) records += each.weight;
-  const double n = std::clamp(0.5 / fit.covariance(1, 1), 2.0, std::max(2.0, records));
+  const double n = effective_capacities(capacities, fit);
   const Limits limits = limits_of_exact(n, confidence);
   const auto of_theta = [&](double d) { return likelihood.drop_of_score(std::log(theta) + d, 0); };
   const auto of_beta = [&](double d) { return likelihood.drop_of_beta(beta * std::exp(d)); };
@@ -101,6 +127,7 @@ CapacityIntervals capacity_intervals(const std::vector<Capacity>& capacities,
                      theta * std::exp(crossing(of_theta, limits.mean, step))};
   intervals.beta = {beta * std::exp(crossing(of_beta, limits.beta_low, -step_of_beta)),
                     beta * std::exp(crossing(of_beta, limits.beta_high, step_of_beta))};
+  intervals.outline = outline_of(likelihood, fit, limits.mean);
   for (const double x : im) {
     const double score = std::log(x / theta) / beta;
     const auto of_score = [&](double d) {

@@ -13,7 +13,11 @@ namespace gurney::statistics {
 struct CapacityIntervals {
   Interval theta, beta;            ///< an end the data do not bound is 0 or infinity
   std::vector<Interval> of_curve;  ///< for each im, pointwise; it holds P = 0.5 where theta's does
+  std::vector<Eigen::Vector2d> outline;  ///< lines where the ratio is at its limit, as of a band
 };
+
+/// Fewer effective capacities determine no interval; coverage: docs/theory/statistics.md.
+inline constexpr double kFewestCapacities = 4;
 
 /// Profile likelihood intervals of the fit to brackets (Meeker & Escobar 1995, American
 /// Statistician 49(1), 48-53). Their limits of the likelihood ratio are not those of chi-squared,
@@ -24,6 +28,9 @@ struct CapacityIntervals {
 CapacityIntervals capacity_intervals(const std::vector<Capacity>& capacities,
                                      const CapacityFit& fit, const std::vector<double>& im,
                                      double confidence = 0.95);
+
+/// As many exact capacities as these tell of beta: at most the records.
+double effective_capacities(const std::vector<Capacity>& capacities, const CapacityFit& fit);
 
 /// Whether capacities are lognormal: p of the largest distance of their empirical distribution from
 /// the fitted one, from resamples drawn and bracketed alike (Lilliefors 1967, J. Am. Statist.

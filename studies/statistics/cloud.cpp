@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "engine/base/error.h"
 
@@ -91,6 +92,29 @@ std::optional<CloudFragility> cloud_fragility(const CloudFit& fit, double limit)
   jacobian << -1 / fit.b, -log_theta / fit.b, 0, 0, -1 / fit.b, 1;
   return CloudFragility{{std::exp(log_theta), fit.sigma / fit.b},
                         jacobian * fit.cluster_covariance * jacobian.transpose()};
+}
+
+double effective_groups(const std::vector<CloudPoint>& points) {
+  std::map<std::size_t, double> runs;
+  for (const CloudPoint& point : points) runs[point.group] += 1;
+  double squares = 0;
+  for (const auto& [group, count] : runs)
+    squares += std::pow(count / static_cast<double>(points.size()), 2);
+  return 1 / squares;
+}
+
+FragilityBand cloud_band(const CloudFit& fit, const std::vector<CloudPoint>& points, double limit,
+                         const std::vector<double>& im, double confidence) {
+  const Eigen::Vector2d line(fit.b / fit.sigma, (fit.a - std::log(limit)) / fit.sigma);
+  Eigen::Matrix<double, 2, 3> jacobian;  // of (slope, intercept) to (a, b, ln sigma)
+  jacobian << 0, 1 / fit.sigma, -line[0], 1 / fit.sigma, 0, -line[1];
+  const auto [low, high] = std::ranges::minmax(points, {}, &CloudPoint::im);
+  const double effective = effective_groups(points);
+  // The degrees that coefficients and sigma cost, of as many groups
+  const double lost = effective > 3 ? effective / (effective - 3) : 1;
+  return band_of({line, lost * jacobian * fit.cluster_covariance * jacobian.transpose(),
+                  jacobian * fit.covariance * jacobian.transpose(), effective, low.im, high.im},
+                 im, confidence);
 }
 
 }  // namespace gurney::statistics

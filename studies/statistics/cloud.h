@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/statistics/bands.h"
 #include "studies/statistics/censored_normal.h"
 #include "studies/statistics/fragility.h"
 
@@ -63,5 +64,14 @@ struct CloudFragility {
 /// None unless the cloud is kFitted with b > 0.
 /// @throws Error unless limit > 0.
 std::optional<CloudFragility> cloud_fragility(const CloudFit& fit, double limit);
+
+/// As many groups with equal numbers of runs as have the same sum of squares of their shares.
+double effective_groups(const std::vector<CloudPoint>& points);
+
+/// Its band: that of a line (bands.h) whose covariances are those of the cloud.
+/// @param points  those of the fit
+/// @pre cloud_fragility(fit, limit)
+FragilityBand cloud_band(const CloudFit& fit, const std::vector<CloudPoint>& points, double limit,
+                         const std::vector<double>& im, double confidence = 0.95);
 
 }  // namespace gurney::statistics

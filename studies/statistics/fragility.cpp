@@ -55,6 +55,26 @@ MedianBounds bounds_of(const ProbitFit& fit, const std::vector<Stripe>& stripes)
   return median_bounds(fit.low, at->fraction(), below, above);
 }
 
+constexpr double kRidge = 1e-9;
+
+std::vector<Stripe> stripes_of(const StripeTable& table, std::size_t group) {
+  std::vector<Stripe> stripes;
+  for (const StripeTable::Share& share : table.of_group(group))
+    stripes.push_back({table.stripes()[share.stripe].im, share.runs, share.exceeded});
+  return stripes;
+}
+
+/// Fisher's, which depends on the intensities of the runs and not on their outcomes.
+Eigen::Matrix2d expected_information(const ProbitFit& fit, const std::vector<Stripe>& stripes) {
+  Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+  for (const Stripe& stripe : stripes) {
+    const double z = fit.score(stripe.im);
+    const Eigen::Vector2d x(std::log(stripe.im), 1);
+    sum += stripe.runs * normal_hazard_below(z) * normal_hazard_below(-z) * (x * x.transpose());
+  }
+  return sum;
+}
+
 ProbitFit without_line(FragilityStatus status, double low, double high, double log_likelihood = 0) {
   ProbitFit fit;
   fit.status = status;
@@ -167,30 +187,31 @@ ProbitFit fit_line(const std::vector<Stripe>& stripes,
   return fit;
 }
 
-Eigen::Matrix2d cluster_covariance(const ProbitFit& fit, const StripeTable& table,
-                                   const std::vector<int>& times) {
-  std::vector<double> x, up, down;
-  for (const Stripe& stripe : table.stripes()) {
-    const double z = fit.score(stripe.im);
-    x.push_back(std::log(stripe.im));
-    up.push_back(normal_hazard_below(z));
-    down.push_back(normal_hazard_below(-z));
-  }
+Eigen::Matrix2d cluster_covariance(const ProbitFit& fit, const StripeTable& table) {
   Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
   const double groups = static_cast<double>(table.groups());
   for (std::size_t group = 0; group < table.groups(); ++group) {
-    const int count = times.empty() ? 1 : times[group];
-    if (count == 0) continue;
-    Eigen::Vector2d score = Eigen::Vector2d::Zero();
-    for (const StripeTable::Share& share : table.of_group(group)) {
-      const double slope =
-          share.exceeded * up[share.stripe] - (share.runs - share.exceeded) * down[share.stripe];
-      score += slope * Eigen::Vector2d(x[share.stripe], 1);
-    }
-    spread += count * score * score.transpose();
+    const Quadratic<2> of = binomial_likelihood(stripes_of(table, group), fit.line);
+    // A group without which there is no slope: its influence is large, but finite.
+    const Eigen::Matrix2d others = (1 + kRidge) * fit.information - of.curvature;
+    const Eigen::Vector2d influence = others.inverse() * of.gradient;
+    spread += influence * influence.transpose();
   }
-  const Eigen::Matrix2d inverse = fit.information.inverse();
-  return groups / (groups - 1) * inverse * spread * inverse;
+  return (groups - 1) / groups * spread;
+}
+
+double effective_groups(const ProbitFit& fit, const StripeTable& table) {
+  std::vector<Eigen::Matrix2d> informations;
+  Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+  for (std::size_t group = 0; group < table.groups(); ++group) {
+    informations.push_back(expected_information(fit, stripes_of(table, group)));
+    sum += informations.back();
+  }
+  const Eigen::Matrix2d inverse = sum.inverse();
+  double squares = 0;
+  for (const Eigen::Matrix2d& each : informations)
+    squares += std::pow((inverse * each).trace() / 2, 2);
+  return 1 / squares;
 }
 
 Eigen::Matrix2d covariance_of_curve(const Eigen::Vector2d& line,
@@ -223,6 +244,7 @@ FragilityFit fit_fragility(const StripeTable& table) {
   if (probit.status != FragilityStatus::kFitted) return fit;
   fit.curve = probit.curve();
   fit.covariance = covariance_of_curve(probit.line, probit.information.inverse());
+  fit.effective_groups = effective_groups(probit, table);
   if (table.groups() > 1)
     fit.cluster_covariance = covariance_of_curve(probit.line, cluster_covariance(probit, table));
   return fit;

@@ -69,12 +69,19 @@ Quadratic<2> binomial_likelihood(const std::vector<Stripe>& stripes, const Eigen
 ProbitFit fit_line(const std::vector<Stripe>& stripes,
                    const std::function<Quadratic<2>(const Eigen::Vector2d&)>& likelihood);
 
-/// Covariance of the line that allows for dependence within groups: I^-1 (sum s_g s_g') I^-1
-/// G / (G - 1), s_g the score of group g (Liang & Zeger 1986, Biometrika 73(1), 13-22).
-/// @param times  how often each group is counted; the table's fit has each once
+/// Covariance of the line that allows for dependence within groups (Liang & Zeger 1986, Biometrika
+/// 73(1), 13-22): (G - 1) / G sum u_g u_g', u_g = (I - I_g)^-1 s_g with s_g the score and I_g the
+/// information of group g. Without I_g it is too small for few groups, whose scores the fit has
+/// pulled towards 0: this is the jackknife over groups to first order (Bell & McCaffrey 2002,
+/// Survey Methodology 28(2), 169-181).
 /// @pre fit.has_line(); two or more groups
-Eigen::Matrix2d cluster_covariance(const ProbitFit& fit, const StripeTable& table,
-                                   const std::vector<int>& times = {});
+Eigen::Matrix2d cluster_covariance(const ProbitFit& fit, const StripeTable& table);
+
+/// As many groups of equal weight as have the same sum of squares of their shares in the expected
+/// information: their number where all have the same runs (Carter, Schnepel & Steigerwald 2017,
+/// Review of Economics and Statistics 99(4), 698-709, in its simplest form).
+/// @pre fit.has_line()
+double effective_groups(const ProbitFit& fit, const StripeTable& table);
 
 struct FragilityFit {
   FragilityStatus status = FragilityStatus::kNoRuns;
@@ -86,6 +93,7 @@ struct FragilityFit {
 
   Eigen::Matrix2d covariance;  ///< of (ln theta, ln beta), runs independent; zero unless fitted
   Eigen::Matrix2d cluster_covariance;  ///< the same, groups independent; zero if there is one group
+  double effective_groups = 0;         ///< zero unless fitted
   double log_likelihood = 0;           ///< without the binomial coefficients
   std::size_t runs = 0, exceeded = 0, groups = 0;
 };

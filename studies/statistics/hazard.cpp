@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -86,6 +87,17 @@ MeanRate mean_rate(const LognormalCurve& curve, const HazardCurve& hazard) {
   for (const HazardCurve::Piece& piece : hazard.pieces())
     result.rate += rate_of_piece(curve, piece);
   return result;
+}
+
+double rate_between(const LognormalCurve& curve, const HazardCurve& hazard, double low,
+                    double high) {
+  double rate = 0;
+  for (HazardCurve::Piece piece : hazard.pieces()) {
+    piece.low = std::max(piece.low, low);
+    piece.high = std::min(piece.high, high);
+    if (piece.low < piece.high) rate += rate_of_piece(curve, piece);
+  }
+  return rate;
 }
 
 MeanRate mean_rate(const std::function<double(double)>& probability, const HazardCurve& hazard) {

@@ -49,8 +49,12 @@ struct MeanRate {
 /// 526-533).
 MeanRate mean_rate(const LognormalCurve& curve, const HazardCurve& hazard);
 
-/// The same for any curve, by Gauss-Legendre on panels of at most 0.05 in ln im.
-/// @param probability  nondecreasing, within [0, 1]
+/// Its part from intensities between `low` and `high`, as far as the hazard curve reaches.
+double rate_between(const LognormalCurve& curve, const HazardCurve& hazard, double low,
+                    double high);
+
+/// mean_rate() of any curve, by Gauss-Legendre on panels of at most 0.05 in ln im.
+/// @param probability  within [0, 1]
 /// @throws Error for a power law: its range is unbounded.
 MeanRate mean_rate(const std::function<double(double)>& probability, const HazardCurve& hazard);
 

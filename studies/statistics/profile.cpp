@@ -1,4 +1,5 @@
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -53,10 +54,13 @@ std::optional<ProfileIntervals> profile_intervals(const StripeTable& table, doub
   Eigen::Vector2d inflation(1, 1);
   double quantile = chi_squared_quantile(confidence, 1);
   if (by_group) {
-    const auto grouped = covariance_of_curve(fit.line, cluster_covariance(fit, table));
-    inflation = grouped.diagonal().cwiseQuotient(plain.diagonal());
-    quantile = std::pow(
-        student_quantile((1 + confidence) / 2, static_cast<double>(table.groups() - 1)), 2);
+    const Eigen::Matrix2d of_groups = cluster_covariance(fit, table);
+    const auto grouped = covariance_of_curve(fit.line, of_groups);
+    // The mean over both parameters varies less with few groups than that of one.
+    const double mean = (of_groups * fit.information).trace() / 2;
+    inflation = grouped.diagonal().cwiseQuotient(plain.diagonal()).cwiseMax(std::max(1.0, mean));
+    const double degrees = std::max(1.0, effective_groups(fit, table) - 1);
+    quantile = std::pow(student_quantile((1 + confidence) / 2, degrees), 2);
   }
   const double log_theta = std::log(fit.curve().theta);
   // theta fixed: slope (ln im - ln theta) with any slope; beta fixed: slope fixed, any intercept.

@@ -34,17 +34,14 @@ Rows drawn_rows(std::size_t n, std::uint64_t seed, int resample) {
   return rows;
 }
 
-Interval within_0_and_1(const Interval& interval) {
-  return {std::clamp(interval.low, 0.0, 1.0), std::clamp(interval.high, 0.0, 1.0)};
-}
-
 /// Percentiles of resampled estimates, moved so that their mean is the estimate.
 VarianceIndex with_interval(double estimate, const std::vector<double>& resampled,
                             double confidence) {
   if (resampled.empty()) return {estimate, {0, 1}};
   const double bias = moments_of(resampled).mean - estimate;
-  return {estimate, within_0_and_1({quantile_of(resampled, (1 - confidence) / 2) - bias,
-                                    quantile_of(resampled, (1 + confidence) / 2) - bias})};
+  return VarianceIndex::within_0_and_1(estimate,
+                                       {quantile_of(resampled, (1 - confidence) / 2) - bias,
+                                        quantile_of(resampled, (1 + confidence) / 2) - bias});
 }
 
 /// Kelley's epsilon squared of some rows; none if y does not vary there.
@@ -88,6 +85,12 @@ Terms sobol_terms(const std::vector<double>& a, const std::vector<double>& b,
 
 }  // namespace
 
+VarianceIndex VarianceIndex::within_0_and_1(double estimate, const Interval& interval) {
+  const auto share = [](double value) { return std::clamp(value, 0.0, 1.0); };
+  const double index = share(estimate);
+  return {index, {std::min(share(interval.low), index), std::max(share(interval.high), index)}};
+}
+
 void sort_by_swing(std::vector<TornadoBar>& bars) {
   std::sort(bars.begin(), bars.end(), [](const TornadoBar& a, const TornadoBar& b) {
     const double x = std::abs(a.swing()), y = std::abs(b.swing());
@@ -114,7 +117,8 @@ std::vector<TornadoBar> tornado(const std::vector<std::vector<double>>& inputs,
     const Moments below = moments_of(at_low), above = moments_of(at_high);
     bars.push_back({input, below.mean, above.mean,
                     std::sqrt(below.variance / static_cast<double>(at_low.size())),
-                    std::sqrt(above.variance / static_cast<double>(at_high.size()))});
+                    std::sqrt(above.variance / static_cast<double>(at_high.size())), at_low.size(),
+                    at_high.size()});
   }
   sort_by_swing(bars);
   return bars;

@@ -13,6 +13,7 @@ struct TornadoBar {
   std::size_t input = 0;  ///< its place among the inputs
   double low = 0, high = 0;
   double low_error = 0, high_error = 0;  ///< standard errors of both; 0 for single runs
+  std::size_t low_runs = 0, high_runs = 0;
 
   double swing() const { return high - low; }
 };
@@ -36,8 +37,12 @@ struct SensitivityOptions {
 
 /// Share of an output's variance.
 struct VarianceIndex {
-  double estimate = 0;  ///< scatters about the truth, so it may fall below 0 by chance
-  Interval interval;    ///< bootstrap over runs, within [0, 1]
+  /// Scatters about the truth; 0 where it is below by chance, if there are resamples.
+  double estimate = 0;
+  Interval interval;  ///< bootstrap over runs, within [0, 1]; holds the estimate
+
+  /// Both within [0, 1].
+  static VarianceIndex within_0_and_1(double estimate, const Interval& interval);
 };
 
 /// First-order index Var E(y | x) / Var y from any runs with independent inputs, by classes of x

@@ -72,9 +72,9 @@ std::optional<VarianceIndex> share_within_classes(const std::vector<std::size_t>
   }
   if (resampled.empty()) return VarianceIndex{*estimate, {0, 1}};
   const double bias = moments_of(resampled).mean - *estimate;
-  const auto end = [&](double p) { return std::clamp(quantile_of(resampled, p) - bias, 0.0, 1.0); };
-  return VarianceIndex{*estimate,
-                       {end((1 - options.confidence) / 2), end((1 + options.confidence) / 2)}};
+  const auto end = [&](double p) { return quantile_of(resampled, p) - bias; };
+  return VarianceIndex::within_0_and_1(
+      *estimate, {end((1 - options.confidence) / 2), end((1 + options.confidence) / 2)});
 }
 
 }  // namespace gurney::statistics

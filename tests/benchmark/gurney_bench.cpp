@@ -8,7 +8,8 @@
 
 /// Prints accuracy and speed in one run. `--quick` takes a small ensemble;
 /// `--predictability`, `--refine`, `--settled`, `--replicas` and `--step-control` print the tables of
-/// docs/theory/predictability.md and step_control.md alone, `--cost` and `--rooms` those of
+/// docs/theory/predictability.md and step_control.md alone, `--intervals` that of
+/// docs/theory/statistics.md, `--cost` and `--rooms` those of
 /// docs/performance.md.
 int main(int argc, char** argv) try {
   using namespace gurney::benchmark;
@@ -19,6 +20,10 @@ int main(int argc, char** argv) try {
   }
   if (argc > 1 && std::string_view(argv[1]) == "--replicas") {
     print_replicas(argc > 2 ? std::atoi(argv[2]) : 200);
+    return 0;
+  }
+  if (argc > 1 && std::string_view(argv[1]) == "--intervals") {
+    print_intervals(argc > 2 ? std::atoi(argv[2]) : 2000);
     return 0;
   }
   if (argc > 1 && std::string_view(argv[1]) == "--cost") {

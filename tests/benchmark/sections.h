@@ -30,6 +30,9 @@ void print_settled(int motions);
 /// Whether the interval of P(overturned) from a few replicas of chaotic runs contains that of many.
 void print_replicas(int motions);
 
+/// Coverage of the intervals of fragility curves and rates from few and many records.
+void print_intervals(int repeats);
+
 /// CPU time over the number of casters, of items and the length of the record, and of batches on two
 /// threads.
 void print_cost();

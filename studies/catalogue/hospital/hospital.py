@@ -1,21 +1,22 @@
-"""Damage of a small hospital, computed by pelicun with the component library of the catalogue.
+"""Damage of a small hospital, computed by pelicun with the curves of the catalogue.
 
 usage: hospital.py PELICUN OUTPUT [SAMPLES]
 
 PELICUN is a folder that holds the package pelicun, OUTPUT a CSV file. contents.csv lists the items of the
-hospital, demands.csv the peak floor velocities of its floors (docs/catalogue/hospital.md).
+hospital, demands.csv the peak floor velocities of its floors (docs/catalogue/hospital.md). Each limit state is
+counted by itself, so each is a component of its own here; a loss needs the ordered states of data/pelicun.
 """
 
 import csv
 import math
 import os
+import re
 import sys
 import tempfile
 import warnings
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DATA = os.path.join(HERE, "..", "..", "..", "docs", "catalogue", "data")
-LIBRARY = os.path.join(DATA, "pelicun", "fragility.csv")
 STATES = ["moved 1 m", "overturned"]
 SAMPLES, SEED = 10000, 7
 
@@ -25,22 +26,35 @@ def read(name):
         return list(csv.DictReader(file))
 
 
+def catalogue():
+    with open(os.path.join(DATA, "fragility.csv"), newline="") as file:
+        return [row for row in csv.DictReader(file) if row["measure"] == "pfv"]
+
+
 def library():
     """Median and dispersion of each component."""
-    with open(LIBRARY, newline="") as file:
-        return {row["ID"]: (float(row["LS1-Theta_0"]), float(row["LS1-Theta_1"])) for row in csv.DictReader(file)}
+    return {component(row, row["limit_state"]): (float(row["theta"]), float(row["beta"])) for row in catalogue()
+            if row["theta"]}
+
+
+def write_library(path):
+    """In the columns that pelicun reads."""
+    with open(path, "w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["ID", "Incomplete", "Demand-Type", "Demand-Unit", "Demand-Offset", "Demand-Directional",
+                         "LS1-Family", "LS1-Theta_0", "LS1-Theta_1", "LS1-DamageStateWeights"])
+        for name, (theta, beta) in library().items():
+            writer.writerow([name, 0, "Peak Floor Velocity", "mps", 0, 0, "lognormal", theta, beta, ""])
 
 
 def reasons():
     """Why the catalogue has no curve."""
-    with open(os.path.join(DATA, "fragility.csv"), newline="") as file:
-        return {(r["item"], r["floor"], r["place"], r["brakes"], r["limit_state"]): r["reason"]
-                for r in csv.DictReader(file) if r["measure"] == "pfv"}
+    return {(r["item"], r["floor"], r["place"], r["brakes"], r["limit_state"]): r["reason"] for r in catalogue()}
 
 
 def component(row, state):
     words = ["_".join([row["floor"], row["place"], row["brakes"]]), state]
-    return ".".join([row["item"], *(each.replace(" ", "_") for each in words)])
+    return ".".join([row["item"], *(re.sub(r"\W+", "_", each) for each in words)])
 
 
 def expected(curve, demand, quantity):
@@ -76,7 +90,7 @@ def load_demands(assessment, demands, samples):
     assessment.demand.generate_sample({"SampleSize": samples})
 
 
-def damaged(Assessment, state, samples):
+def damaged(Assessment, library_file, state, samples):
     """For each row of the contents a sample of the number of its items that exceed the state; None where the
     library has no curve."""
     import pandas
@@ -94,7 +108,7 @@ def damaged(Assessment, state, samples):
          "Blocks": [int(each) for each in quantity]}, index=[component(row, state) for row in known])
     assessment.asset.load_cmp_model({"marginals": marginals})
     assessment.asset.generate_cmp_sample(samples)
-    assessment.damage.load_model_parameters([LIBRARY], set(marginals.index))
+    assessment.damage.load_model_parameters([library_file], set(marginals.index))
     assessment.damage.calculate()
     sample = assessment.damage.ds_model.sample
     exceeding = sample.loc[:, sample.columns.get_level_values("ds") == "1"]
@@ -104,11 +118,11 @@ def damaged(Assessment, state, samples):
             for name in (component(row, state) for row in contents)]
 
 
-def lines(Assessment, samples):
+def lines(Assessment, library_file, samples):
     why = reasons()
     for state in STATES:
         total = 0
-        for row, count in zip(read("contents.csv"), damaged(Assessment, state, samples)):
+        for row, count in zip(read("contents.csv"), damaged(Assessment, library_file, state, samples)):
             total = total if count is None else total + count
             reason = why[row["item"], row["floor"], row["place"], row["brakes"], state]
             yield summary(row, state, count) | {"no_curve": reason}
@@ -129,7 +143,9 @@ def main():
         sys.exit(__doc__)
     with tempfile.TemporaryDirectory() as work:
         Assessment = import_pelicun(os.path.abspath(sys.argv[1]), work)
-        rows = list(lines(Assessment, int(sys.argv[3]) if len(sys.argv) == 4 else SAMPLES))
+        library_file = os.path.join(work, "fragility.csv")
+        write_library(library_file)
+        rows = list(lines(Assessment, library_file, int(sys.argv[3]) if len(sys.argv) == 4 else SAMPLES))
     with open(sys.argv[2], "w", newline="") as file:
         writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
         writer.writeheader()

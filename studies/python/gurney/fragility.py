@@ -8,11 +8,13 @@ that Newton's method finds its only maximum (Baker 2015, Earthquake Spectra 31(1
 """
 
 import math
+import warnings
 from dataclasses import dataclass, field
 
 import numpy
 import pandas
 
+from . import intervals
 from .errors import Error, NotInFile, not_in_file
 from .limit_states import find, runs_that_exceed
 from .units import factor
@@ -26,7 +28,9 @@ class Fragility:
 
     ``method`` is "outcomes", or "capacities" after an IDA that this limit state ended.
     ``covariance`` is that of (ln theta, ln beta), robust to records that runs share, shape (2, 2).
-    Its intervals are symmetric; `gurney fragility` has intervals that are right for few records.
+    ``effective_records`` count as one each; with fewer than 8 (4 capacities) no interval is stated.
+    The intervals are those of `gurney fragility` but for those of capacities, which the program
+    takes from the likelihood.
     """
 
     limit_state: str
@@ -44,6 +48,9 @@ class Fragility:
     records: int
     failed: int
     stripes: pandas.DataFrame = field(repr=False)  #: im, runs, exceeded; one row for each im
+    effective_records: float = 0.0
+    line: tuple = field(default=(math.nan, math.nan), repr=False)  #: slope, intercept of z
+    line_covariances: tuple = field(default=(), repr=False)  #: records independent, runs
 
     def probability(self, im):
         """P(exceeded | im) for intensities in ``units``; an array has the shape of ``im``."""
@@ -56,14 +63,59 @@ class Fragility:
         """The median in another unit, such as ``"g"``."""
         return self.theta / factor(unit, self.units)
 
+    @property
+    def has_intervals(self):
+        """Whether there are enough effective records for intervals."""
+        fewest = (intervals.FEWEST_CAPACITIES if self.method == "capacities"
+                  else intervals.FEWEST_RECORDS)
+        return self.status == "fitted" and self.effective_records >= fewest * (1 - 1e-9)
+
+    def _lines(self, confidence):
+        return intervals.outline(self.line, self.line_covariances, self.effective_records,
+                                 confidence)
+
+    def theta_interval(self, confidence=0.95):
+        """(low, high) of the median in ``units``; 0 or infinity where the runs do not bound it;
+        None with too few records."""
+        if not self.has_intervals:
+            return None
+        return intervals.of_theta(self._lines(confidence), self.stripes["im"].min(),
+                                  self.stripes["im"].max())
+
+    def beta_interval(self, confidence=0.95):
+        """(low, high) of beta, in the manner of :meth:`theta_interval`."""
+        if not self.has_intervals:
+            return None
+        return intervals.of_beta(self.line, self.line_covariances, self.effective_records,
+                                 confidence)
+
     def annual_rate(self, hazard):
         """Mean annual rate of exceeding the limit state [1/year], over the range of the hazard.
+        Warns where more than a tenth of it is from motions that were not analysed.
 
         :param hazard: :class:`gurney.Hazard` of the same measure
         """
         if hazard.measure not in ("", self.measure):
             raise Error(f"the hazard is of {hazard.measure}, the curve over {self.measure}")
-        return hazard.rate_of(self.probability)
+        rate = hazard.rate_of(self.probability)
+        lowest, highest = self.stripes["im"].min(), self.stripes["im"].max()
+        for where, low, high in (("below the lowest", 0, lowest),
+                                 ("above the highest", highest, math.inf)):
+            share = hazard.rate_of(self.probability, low, high) / rate if rate > 0 else 0
+            if share > 0.1:
+                warnings.warn(f"{100 * share:.0f} % of the rate of '{self.limit_state}' is from "
+                              f"motions {where} analysed intensity", stacklevel=2)
+        return rate
+
+    def annual_rate_interval(self, hazard, confidence=0.95):
+        """(low, high) of :meth:`annual_rate`: the rates of the lines that the runs admit. None
+        with too few records."""
+        if not self.has_intervals:
+            return None
+        rates = [hazard.rate_of(lambda im: 0.5 * _erfc(-(slope * numpy.log(im) + intercept) /
+                                                       math.sqrt(2)))
+                 for slope, intercept in self._lines(confidence)]
+        return intervals.range_of(numpy.array(rates))
 
 
 def fit_of_study(results, limit_state, measure=None, configuration=None):
@@ -81,12 +133,12 @@ def fit_of_study(results, limit_state, measure=None, configuration=None):
     data["exceeded"] = data["exceeded"].astype(bool)
     capacities = own and ended
     low, high, weight, group = _brackets(data) if capacities else _intervals(data)
-    status, theta, beta, covariance = fit(low, high, weight, group)
+    status, theta, beta, covariance, effective, line, of_line = fit(low, high, weight, group)
     stripes = data.groupby("im")["exceeded"].agg(runs="count", exceeded="sum").reset_index()
     return Fragility(name, words, configuration, measure, units,
                      "capacities" if capacities else "outcomes", status, theta, beta, covariance,
                      len(data), int(data["exceeded"].sum()), data["record"].nunique(),
-                     int(runs["failed"][of].sum()), stripes)
+                     int(runs["failed"][of].sum()), stripes, effective, line, of_line)
 
 
 def _outcomes(results, limit_state):
@@ -164,9 +216,10 @@ def fit(low, high, weight, group):
     :param high: shape (n,), ln of the one that it is at most at, or inf
     :param weight: shape (n,)
     :param group: shape (n,), records; observations of one are not independent
-    :returns: status, theta, beta, covariance of (ln theta, ln beta)
+    :returns: status, theta, beta, covariance of (ln theta, ln beta), effective records, the line
+        (slope, intercept) of z over ln im, and its covariances with records and runs independent
     """
-    nothing = (math.nan, math.nan, numpy.full((2, 2), math.nan))
+    nothing = (math.nan, math.nan, numpy.full((2, 2), math.nan), 0.0, (math.nan, math.nan), ())
     finite = numpy.concatenate([low[numpy.isfinite(low)], high[numpy.isfinite(high)]])
     if not numpy.isfinite(high).any():
         return ("no run exceeds" if len(low) else "no runs"), *nothing
@@ -178,7 +231,7 @@ def fit(low, high, weight, group):
     centre, scale = finite.mean(), finite.std()  # so that both unknowns are of order one
     low, high = (low - centre) / scale, (high - centre) / scale
     x = numpy.array([1.0, 0.0])
-    value, scores, hessian = _likelihood(x, low, high, weight)
+    value, scores, hessian, each = _likelihood(x, low, high, weight)
     for _ in range(200):
         step = numpy.linalg.solve(hessian, weight @ scores)
         size = 1.0
@@ -188,14 +241,22 @@ def fit(low, high, weight, group):
                 break
             size /= 2
         x, done = x - size * step, abs(size * step).max() <= 1e-12 * abs(x).max()
-        value, scores, hessian = following
+        value, scores, hessian, each = following
         if done or size <= 1e-12:
             break
     slope, intercept = x
     if slope <= 0:
         return "not increasing", *nothing
     theta, beta = math.exp(centre - scale * intercept / slope), scale / slope
-    return "fitted", theta, beta, _covariance(x, scale, weight, scores, hessian, group)
+    back = numpy.array([[1 / scale, 0], [-centre / scale, 1]])  # of x to slope, intercept of ln im
+    line = back @ x
+    of_line = tuple(back @ c @ back.T for c in
+                    (_cluster_covariance(weight, scores, each, group), numpy.linalg.inv(-hessian)))
+    slope, intercept = line
+    change = numpy.array([[intercept / slope ** 2, -1 / slope], [-1 / slope, 0]])
+    covariance = change @ of_line[0] @ change.T
+    return ("fitted", theta, beta, covariance, _effective(line, low, high, weight, group, centre,
+            scale, covariance), tuple(line), of_line)
 
 
 def _log_phi(z):
@@ -227,7 +288,7 @@ def _likelihood(x, low, high, weight):
     log_p = numpy.where(numpy.isnan(log_p) | (b <= a), -numpy.inf, log_p)
     scores, hessian = numpy.zeros((len(low), 2)), numpy.zeros((2, 2))
     if not numpy.isfinite(log_p).all():
-        return -numpy.inf, scores, hessian
+        return -numpy.inf, scores, hessian, numpy.zeros((len(low), 2, 2))
     second = numpy.zeros((len(low), 2, 2))
     for edge, z, sign in ((high, z_high, 1), (low, z_low, -1)):
         at = numpy.isfinite(edge)
@@ -238,19 +299,37 @@ def _likelihood(x, low, high, weight):
         second -= (ratio * numpy.where(at, z, 0))[:, None, None] * (basis[:, :, None] *
                                                                     basis[:, None, :])
     second -= scores[:, :, None] * scores[:, None, :]
-    return weight @ log_p, scores, numpy.tensordot(weight, second, 1)
+    return weight @ log_p, scores, numpy.tensordot(weight, second, 1), second
 
 
-def _covariance(x, scale, weight, scores, hessian, group):
-    """Of (ln theta, ln beta), robust to runs of one record (Liang & Zeger 1986, Biometrika
-    73(1), 13-22)."""
+def _cluster_covariance(weight, scores, second, group):
+    """Of x, robust to runs of one record, corrected for the record's own information (Bell &
+    McCaffrey 2002, Survey Methodology 28(2), 169-181)."""
     groups, place = numpy.unique(group, return_inverse=True)
-    of_group = numpy.zeros((len(groups), 2))
-    numpy.add.at(of_group, place, weight[:, None] * scores)
-    inverse = numpy.linalg.inv(-hessian)
     count = len(groups)
-    robust = inverse @ of_group.T @ of_group @ inverse * (count / (count - 1) if count > 1 else
-                                                          math.nan)
-    slope, intercept = x
-    change = numpy.array([[scale * intercept / slope ** 2, -scale / slope], [-1 / slope, 0]])
-    return change @ robust @ change.T
+    of_group, information = numpy.zeros((count, 2)), numpy.zeros((count, 2, 2))
+    numpy.add.at(of_group, place, weight[:, None] * scores)
+    numpy.add.at(information, place, -weight[:, None, None] * second)
+    others = (1 + 1e-9) * information.sum(axis=0) - information
+    influence = numpy.linalg.solve(others, of_group[:, :, None])[:, :, 0]
+    return (count - 1) / count * influence.T @ influence if count > 1 else numpy.full((2, 2),
+                                                                                      math.nan)
+
+
+def _effective(line, low, high, weight, group, centre, scale, covariance):
+    """As many records of equal weight as have the same sum of squares of their shares in the
+    expected information; of capacities as many exact ones as tell as much of beta."""
+    outcomes = numpy.isfinite(low) != numpy.isfinite(high)
+    groups, place = numpy.unique(group, return_inverse=True)
+    if not outcomes.all():
+        return float(numpy.clip(0.5 / covariance[1, 1], 2, max(2, len(groups))))
+    ln_im = centre + scale * numpy.where(numpy.isfinite(low), low, high)
+    z = line[0] * ln_im + line[1]
+    density = numpy.exp(-z ** 2 - math.log(2 * math.pi) - _log_phi(z) - _log_phi(-z))
+    basis = numpy.stack([ln_im, numpy.ones(len(z))], axis=1)
+    information = numpy.zeros((len(groups), 2, 2))
+    numpy.add.at(information, place, (weight * density)[:, None, None] * basis[:, :, None] *
+                 basis[:, None, :])
+    inverse = numpy.linalg.inv(information.sum(axis=0))
+    shares = numpy.trace(inverse @ information, axis1=1, axis2=2) / 2
+    return float(1 / (shares ** 2).sum())

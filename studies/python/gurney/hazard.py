@@ -30,18 +30,26 @@ class Hazard:
         object.__setattr__(self, "im", tuple(im))
         object.__setattr__(self, "rate", tuple(rate))
 
-    def rate_of(self, probability):
+    def rate_of(self, probability, lowest=0, highest=numpy.inf):
         """Integral of P(exceeded | im) |d rate|; motions above the table count with P at its end.
 
         By Gauss-Legendre with 8 points on panels of at most 0.1 in ln im, whose error is far below
         rounding for a beta above 0.05.
 
         :param probability: function of an array of intensities
+        :param lowest: only motions of intensities from here
+        :param highest: and up to here
         """
-        total = float(probability(self.im[-1])) * self.rate[-1]
+        beyond = lowest <= self.im[-1] < highest
+        total = float(probability(self.im[-1])) * self.rate[-1] if beyond else 0.0
         places, weights = numpy.polynomial.legendre.leggauss(8)
         for low, high, above, below in zip(self.im, self.im[1:], self.rate, self.rate[1:]):
             slope = numpy.log(above / below) / numpy.log(high / low)
+            start, end = max(low, lowest), min(high, highest)
+            if start >= end:
+                continue
+            above *= (start / low) ** -slope
+            low, high = start, end
             panels = int(numpy.ceil(numpy.log(high / low) / 0.1))
             half = numpy.log(high / low) / panels / 2
             x = half * (2 * numpy.arange(panels)[:, None] + 1 + places)  # ln(im / low)

@@ -34,20 +34,53 @@ CurveAudit outcome_audit(const statistics::FragilityFit& fit,
   }
   audit.outcomes = fit.runs;
   audit.exceeded = fit.exceeded;
+  audit.records = fit.groups;
+  audit.effective = fit.effective_groups;
+  audit.fewest = statistics::kFewestGroups;
   audit.factors = factors;
   return audit;
 }
 
+bool is_extrapolated(const CurveAudit& audit) {
+  return audit.theta && (*audit.theta > audit.highest || *audit.theta < audit.lowest);
+}
+
+bool has_few_outcomes(const CurveAudit& audit) {
+  const std::size_t rarer = std::min(audit.exceeded, audit.outcomes - audit.exceeded);
+  return audit.theta && !audit.of_capacities && !audit.of_demands && rarer < kFewOutcomes;
+}
+
+bool has_few_records(const CurveAudit& audit) {
+  return audit.theta && audit.effective < audit.fewest * (1 - 1e-9);
+}
+
+std::string few_records_text(const CurveAudit& audit) {
+  return fmt::format("fewer than {:g} effective records ({:.3g} of {}): no usable interval",
+                     audit.fewest, audit.effective, audit.records);
+}
+
+std::string interval_text(const statistics::Interval& interval, double in_si, int digits,
+                          std::size_t records) {
+  const bool low = interval.low > 0, high = std::isfinite(interval.high);
+  if (!low && !high) return fmt::format("unbounded ({} records)", records);
+  const auto end = [&](double value, bool known) {
+    return known ? fmt::format("{:.{}g}", value / in_si, digits) : std::string("unbounded");
+  };
+  return end(interval.low, low) + " to " + end(interval.high, high);
+}
+
 std::vector<std::string> cautions(const CurveAudit& audit, const ReportUnit& unit) {
   std::vector<std::string> all;
-  if (audit.theta && (*audit.theta > audit.highest || *audit.theta < audit.lowest))
-    all.push_back(extrapolation(audit, unit));
-  const std::size_t rarer = std::min(audit.exceeded, audit.outcomes - audit.exceeded);
-  if (audit.theta && !audit.of_capacities && rarer < kFewOutcomes)
+  if (is_extrapolated(audit)) all.push_back(extrapolation(audit, unit));
+  if (has_few_records(audit)) all.push_back(few_records_text(audit));
+  if (has_few_outcomes(audit)) {
+    const std::size_t rarer = std::min(audit.exceeded, audit.outcomes - audit.exceeded);
     all.push_back(fmt::format("only {} of {} {} {}; fewer than {} leave theta and beta uncertain",
                               rarer, audit.outcomes, audit.counted,
                               rarer == audit.exceeded ? "exceed" : "do not exceed", kFewOutcomes));
-  if (audit.factors.any() && (audit.factors.above() > 0 || audit.factors.below() > 0))
+  }
+  // Small factors are those of weak stripes: nothing is claimed beyond what was recorded.
+  if (audit.factors.any() && audit.factors.above() > 0)
     all.push_back("scale factors " + audit.factors.text());
   if (audit.of_capacities && audit.overturned > 0)
     all.push_back(fmt::format(

@@ -90,7 +90,7 @@ void add_tornado(const ConfigurationView& side, const Design& design, double sha
     const std::vector<double> column = drawn.column(*variables[i], draws);
     input.low = statistics::quantile_of(column, share);
     input.high = statistics::quantile_of(column, 1 - share);
-    input.bar = statistics::tornado({column}, y, share).front();
+    input.bar = stated_bar(statistics::tornado({column}, y, share).front());
     input.bar.low += result.mean;
     input.bar.high += result.mean;
   }
@@ -123,6 +123,7 @@ StudySensitivity designed_sensitivity(const ConfigurationView& side,
   result.output = output.name;
   result.units = output.units;
   result.level = output.level;
+  result.why_level = output.why_level;
   result.runs = rows * matrices;
   result.left_out = output.left_out + design.left_out;
   result.overturned = output.overturned;

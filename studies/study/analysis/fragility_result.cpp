@@ -1,6 +1,8 @@
 #include "studies/study/analysis/fragility_result.h"
 
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "studies/statistics/capacity_intervals.h"
 #include "studies/statistics/fit_check.h"
@@ -22,17 +24,6 @@ std::vector<double> grid(const std::vector<statistics::Stripe>& stripes) {
   return im;
 }
 
-void add_cloud(const StudyData& data, const FragilityRequest& request, const RunMeasure& measure,
-               FragilityResult& result) {
-  const LimitState& state = data.limit_states().at(request.state);
-  if (state.kind != LimitState::Kind::kAbove || state.at_least > 1 || !(state.limit > 0)) return;
-  result.demand_units = units_of(state.quantity);
-  result.cloud = statistics::fit_cloud(
-      data.cloud(request.state, request.configuration, measure, kFloorOfLimit * state.limit));
-  if (const auto fragility = statistics::cloud_fragility(*result.cloud, state.limit))
-    result.cloud_curve = fragility->curve;
-}
-
 void judge_stripes(const statistics::StripeTable& table, const FragilityRequest& request,
                    std::uint64_t seed, FragilityResult& result) {
   result.profile = statistics::profile_intervals(table, request.confidence, true);
@@ -48,14 +39,29 @@ void judge_capacities(const FragilityRequest& request, std::uint64_t seed,
   if (!result.capacities->curve) return;
   result.band = {};
   result.band.status = result.capacities->status;
-  const statistics::CapacityIntervals intervals = statistics::capacity_intervals(
-      result.brackets, *result.capacities, result.im, request.confidence);
-  result.band.of_curve = intervals.of_curve;
-  result.band.theta = intervals.theta;
-  result.band.beta = intervals.beta;
+  result.band.effective = result.audit.effective;
+  result.band.too_few = has_few_records(result.audit);
+  result.band.theta = result.band.beta = {0, std::numeric_limits<double>::infinity()};
+  if (!result.band.too_few) {
+    const double beta = result.capacities->curve->beta;
+    statistics::CapacityIntervals intervals = statistics::capacity_intervals(
+        result.brackets, *result.capacities, result.im, request.confidence);
+    result.band.of_curve = intervals.of_curve;
+    result.band.theta =
+        statistics::bounded(intervals.theta, result.audit.lowest, result.audit.highest);
+    result.band.beta = statistics::bounded(intervals.beta, beta, beta);
+    result.band.outline = std::move(intervals.outline);
+  }
   result.fit_is_judged = result.brackets.size() == result.records;
   if (result.fit_is_judged)
     result.p_of_fit = statistics::p_of_lognormal(result.brackets, *result.capacities, 499, seed);
+}
+
+/// The fit of a cloud is judged by its R2.
+void judge_cloud(double limit, const FragilityRequest& request, FragilityResult& result) {
+  if (result.cloud_curve)
+    result.band =
+        statistics::cloud_band(*result.cloud, result.demands, limit, result.im, request.confidence);
 }
 
 }  // namespace
@@ -70,26 +76,27 @@ FragilityResult fragility_of(const StudyData& data, const FragilityRequest& requ
   result.measure = {measure.name, measure.units, {}};
   result.failed = data.failed(request.configuration);
   static_cast<FittedCurve&>(result) =
-      fitted_curve(data, request.state, request.configuration, measure);
+      fitted_curve(data, request.state, request.configuration, measure, request.method);
   result.runs = result.fit.runs;
   result.exceeded = result.fit.exceeded;
   result.records = result.fit.groups;
   const statistics::StripeTable table(result.observations);
   result.im = grid(table.stripes());
-  result.band = statistics::fragility_band(
-      table, result.im, {.confidence = request.confidence, .seed = data.study().seed});
+  result.band = statistics::fragility_band(table, result.im, request.confidence);
   if (table.stripes().size() <= kMaxStripes) {
     result.stripes = table.stripes();
     result.isotonic = statistics::isotonic_curve(result.stripes);
   }
-  if (result.capacities)
+  if (result.cloud) result.demand_units = units_of(state.quantity);
+  if (result.by_cloud())
+    judge_cloud(state.limit, request, result);
+  else if (result.capacities)
     judge_capacities(request, data.study().seed, result);
   else
     judge_stripes(table, request, data.study().seed, result);
-  add_cloud(data, request, measure, result);
   const statistics::HazardCurve* const hazard = data.hazard_over(measure);
   if (hazard != nullptr && result.curve())
-    result.rate = statistics::mean_rate(*result.curve(), *hazard);
+    result.rate = site_rate(*result.curve(), result.band, result.audit, *hazard);
   return result;
 }
 

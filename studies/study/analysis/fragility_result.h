@@ -5,23 +5,18 @@
 #include <vector>
 
 #include "studies/statistics/bands.h"
-#include "studies/statistics/cloud.h"
-#include "studies/statistics/hazard.h"
 #include "studies/study/analysis/fitted_curve.h"
+#include "studies/study/analysis/site_rate.h"
 #include "studies/study/analysis/study_data.h"
 
 namespace gurney::study {
-
-/// Demands below this fraction of the limit count as "at most" it: they are noise of an item at
-/// rest (the time step and the settling of the treads), and would dominate a regression of
-/// logarithms. An assumption; 0.01 to 0.0001 is as good.
-inline constexpr double kFloorOfLimit = 1e-3;
 
 /// What a fragility is asked of.
 struct FragilityRequest {
   std::size_t state = 0, configuration = 0;
   std::string measure = {};  ///< of StudyData::measures(); empty: the study's own
   double confidence = 0.95;  ///< of intervals and bands
+  CurveMethod method = CurveMethod::kOwn;
 };
 
 /// How likely a limit state is, given an intensity. Intensities are SI.
@@ -40,11 +35,9 @@ struct FragilityResult : FittedCurve {
   bool fit_is_judged = true;
   std::vector<double> isotonic;  ///< at the stripes
 
-  std::optional<statistics::CloudFit> cloud;  ///< where the state is a demand above a limit
-  std::optional<statistics::LognormalCurve> cloud_curve;
   std::string demand_units = "1";  ///< of the cloud, SI
 
-  std::optional<statistics::MeanRate> rate;  ///< with the study's hazard
+  std::optional<SiteRate> rate;  ///< with the study's hazard
 };
 
 /// @throws Error for a measure that the file lacks

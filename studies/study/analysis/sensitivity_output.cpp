@@ -2,24 +2,73 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "engine/base/error.h"
 #include "engine/response/response.h"
 #include "studies/statistics/quantiles.h"
 #include "studies/study/analysis/demands.h"
+#include "studies/study/analysis/fitted_curve.h"
 #include "studies/study/limit_states/limit_state_reader.h"
 
 namespace gurney::study {
 namespace {
 
+constexpr std::size_t kMostLevels = 40;  // more intensities are a cloud
+
 std::vector<std::size_t> runs_at(const ConfigurationView& side, const Levels& levels,
-                                 const SensitivityRequest& request) {
-  if (!request.level) return side.runs();
+                                 const std::optional<std::size_t>& level) {
+  if (!level) return side.runs();
   std::vector<std::size_t> runs;
   for (const std::size_t run : side.runs())
-    if (levels.of_run(run) == *request.level) runs.push_back(run);
+    if (levels.of_run(run) == *level) runs.push_back(run);
   return runs;
+}
+
+/// The limit state whose median a level is chosen by: that asked for, or of the demand asked for,
+/// else the first with a curve.
+std::optional<std::pair<std::string, double>> median_near(const ConfigurationView& side,
+                                                          const SensitivityRequest& request) {
+  const StudyData& data = *side.data;
+  std::optional<std::pair<std::string, double>> first;
+  for (std::size_t i = 0; i < data.limit_states().size(); ++i) {
+    const LimitState& state = data.limit_states()[i];
+    const bool asked = request.limit.empty() ? state.quantity.column == request.demand
+                                             : state.name == request.limit;
+    if (first && !asked) continue;
+    const auto curve = fitted_curve(data, i, side.configuration, data.measure("")).curve();
+    if (curve && (asked || !first)) first = {state.name, curve->theta};
+    if (curve && asked) return first;
+  }
+  return first;
+}
+
+/// Levels together would mostly show that stronger motions move items farther.
+std::optional<std::size_t> level_of(const ConfigurationView& side, const Levels& levels,
+                                    const SensitivityRequest& request, SensitivityOutput& output) {
+  const StudyData& data = *side.data;
+  const std::size_t count = levels.values().size();
+  if (request.level) return request.level;
+  if (request.all_levels || count < 2 || count > kMostLevels ||
+      data.study().intensity.kind == IntensityPlan::Kind::kIda)
+    return {};
+  const auto median = median_near(side, request);
+  if (!median) {
+    output.why_level =
+        "the middle one, as no limit state has a curve; --level and --all-levels "
+        "choose others";
+    return count / 2;
+  }
+  const auto distance = [&](double im) { return std::abs(std::log(im / median->second)); };
+  const auto nearest = std::ranges::min_element(levels.values(), {}, distance);
+  output.why_level = fmt::format(
+      "nearest to the median of '{}'; --level and --all-levels choose "
+      "others",
+      median->first);
+  return static_cast<std::size_t>(nearest - levels.values().begin());
 }
 
 std::vector<double> values_of(const ConfigurationView& side, const SensitivityRequest& request,
@@ -54,8 +103,9 @@ SensitivityOutput sensitivity_output(const ConfigurationView& side,
           fmt::format("{}: has no level {}; it has 1 to {}", data.file().path(),
                       request.level.value_or(0) + 1, levels.values().size()));
   SensitivityOutput output;
-  if (request.level) output.level = levels.name_of(*request.level);
-  const std::vector<std::size_t> runs = runs_at(side, levels, request);
+  const std::optional<std::size_t> level = level_of(side, levels, request, output);
+  if (level) output.level = levels.name_of(*level);
+  const std::vector<std::size_t> runs = runs_at(side, levels, level);
   const std::vector<double> values = values_of(side, request, runs, output);
   const std::vector<std::string> outcomes = data.file().strings("runs/outcome");
   const std::vector<double> draws = data.file().numbers("runs/draw");

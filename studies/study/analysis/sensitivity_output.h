@@ -12,7 +12,8 @@ namespace gurney::study {
 /// The output whose variance is shared out, run by run.
 struct SensitivityOutput {
   std::string name, units;
-  std::string level;  ///< empty: all levels together
+  std::string level;      ///< empty: all levels together
+  std::string why_level;  ///< of a level that was not asked for
   std::vector<std::size_t> runs;
   std::vector<double> values;     ///< of these runs
   std::size_t left_out = 0;       ///< runs without such a demand

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -100,6 +101,13 @@ std::vector<double> picked(const std::vector<double>& all, const std::vector<std
 
 }  // namespace
 
+statistics::TornadoBar stated_bar(statistics::TornadoBar bar) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  if (bar.low_runs < kFewestOfMean) bar.low = bar.low_error = kUnknown;
+  if (bar.high_runs < kFewestOfMean) bar.high = bar.high_error = kUnknown;
+  return bar;
+}
+
 StudySensitivity study_sensitivity(const ConfigurationView& side,
                                    const SensitivityRequest& request) {
   const StudyData& data = *side.data;
@@ -118,6 +126,7 @@ StudySensitivity study_sensitivity(const ConfigurationView& side,
   result.output = output.name;
   result.units = output.units;
   result.level = output.level;
+  result.why_level = output.why_level;
   result.runs = runs.size();
   result.left_out = output.left_out;
   result.overturned = output.overturned;
@@ -132,7 +141,7 @@ StudySensitivity study_sensitivity(const ConfigurationView& side,
     result.inputs[i].high = statistics::quantile_of(columns[i], 1 - request.share);
   }
   for (const statistics::TornadoBar& bar : statistics::tornado(columns, y, request.share))
-    result.inputs[bar.input].bar = bar;
+    result.inputs[bar.input].bar = stated_bar(bar);
   find_sets(columns, result);
   const Levels levels(data);
   std::vector<double> level;

@@ -31,7 +31,8 @@ inline constexpr const char* kChaos = "chaos";
 struct StudySensitivity {
   bool designed = false;  ///< from a Saltelli design
   std::string output, units;
-  std::string level;  ///< empty: all levels together
+  std::string level;      ///< empty: all levels together
+  std::string why_level;  ///< of a level that was not asked for
   std::size_t runs = 0, left_out = 0, draws = 0, overturned = 0;
   bool repeated_draws = false;  ///< several runs share a draw: intervals are too narrow
   double mean = 0, deviation = 0;
@@ -48,9 +49,16 @@ struct StudySensitivity {
 struct SensitivityRequest {
   std::string demand;                ///< as demands_named(); it must be one
   std::string limit;                 ///< limit state: the output is 1 where it is exceeded, else 0
-  std::optional<std::size_t> level;  ///< index in Levels; none: all
+  std::optional<std::size_t> level;  ///< index in Levels; none: that nearest to a median
   double share = 0.1;
+  bool all_levels = false;
 };
+
+/// Means of fewer runs are not stated in a tornado.
+inline constexpr std::size_t kFewestOfMean = 10;
+
+/// The bar, with NaN for a mean of fewer runs.
+statistics::TornadoBar stated_bar(statistics::TornadoBar bar);
 
 /// Fewest runs that a tornado of the lowest and the highest tenth can be made of.
 inline constexpr std::size_t kFewestRuns = 20;

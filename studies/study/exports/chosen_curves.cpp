@@ -6,7 +6,6 @@
 
 #include "engine/base/error.h"
 #include "engine/config/nearest_name.h"
-#include "studies/study/analysis/fitted_curve.h"
 #include "studies/study/limit_states/limit_state_reader.h"
 
 namespace gurney::study {
@@ -34,6 +33,9 @@ std::vector<std::size_t> chosen_configurations(const StudyData& data, const Expo
 
 std::string basis_text(const ChosenCurve& curve) {
   const CurveAudit& of = curve.audit;
+  if (of.of_demands)
+    return fmt::format("the demands of {} runs with {} records (cloud)", of.outcomes,
+                       curve.records);
   return of.of_capacities ? fmt::format("capacities of {} {}, of which {} exceed", of.outcomes,
                                         of.counted, of.exceeded)
                           : fmt::format("{} runs with {} records, of which {} exceed", of.outcomes,
@@ -51,14 +53,15 @@ ChosenCurves chosen_curves(const StudyData& data, const ExportChoice& choice) {
   const std::vector<std::size_t> states = chosen_states(data, choice);
   for (const std::size_t configuration : chosen_configurations(data, choice))
     for (const std::size_t state : states) {
-      const FittedCurve fitted = fitted_curve(data, state, configuration, chosen.measure);
+      const FittedCurve fitted =
+          fitted_curve(data, state, configuration, chosen.measure, choice.method);
       const std::optional<statistics::LognormalCurve> curve = fitted.curve();
       const LimitState& limit = data.limit_states()[state];
       if (!curve) {
-        chosen.left_out.push_back(fmt::format(
-            "{}{}'{}': {}", data.configurations()[configuration],
-            data.configurations()[configuration].empty() ? "" : ", ", limit.name,
-            no_curve_text(fitted.status(), fitted.median(), report_unit(data, chosen.measure))));
+        chosen.left_out.push_back(
+            fmt::format("{}{}'{}': {}", data.configurations()[configuration],
+                        data.configurations()[configuration].empty() ? "" : ", ", limit.name,
+                        no_curve_text(fitted, report_unit(data, chosen.measure))));
         continue;
       }
       chosen.curves.push_back({data.configurations()[configuration], limit, *curve,

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "studies/statistics/lognormal.h"
-#include "studies/study/analysis/curve_audit.h"
+#include "studies/study/analysis/fitted_curve.h"
 #include "studies/study/analysis/study_data.h"
 
 namespace gurney::study {
@@ -13,8 +13,9 @@ namespace gurney::study {
 /// own measure.
 struct ExportChoice {
   std::string configuration{}, measure{}, limit{};
-  bool sequences = false;  ///< limit states of one quantity as damage states of one component
-  bool discrete = false;   ///< NRML with probabilities at intensities, not parameters
+  bool separate = false;  ///< a component for each limit state, not for those of one quantity
+  bool discrete = false;  ///< NRML with probabilities at intensities, not parameters
+  CurveMethod method = CurveMethod::kOwn;
 };
 
 /// Indices of the configurations that are chosen.
@@ -28,6 +29,11 @@ struct ChosenCurve {
   statistics::LognormalCurve curve;  ///< im in SI
   std::size_t records = 0, failed = 0;
   CurveAudit audit;
+
+  /// Neither extrapolated nor from few outcomes or records.
+  bool is_supported() const {
+    return !is_extrapolated(audit) && !has_few_outcomes(audit) && !has_few_records(audit);
+  }
 };
 
 struct ChosenCurves {

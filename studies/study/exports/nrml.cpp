@@ -132,7 +132,7 @@ std::vector<std::string> export_nrml(const StudyData& data, const ExportChoice& 
   const ChosenCurves chosen = chosen_curves(data, choice);
   const std::string job = plain_identifier(data.file().text_attribute("job_name"), "study");
   std::map<std::string, Model> models;  // by the names of their files
-  for (const CurveSequence& each : sequences(chosen, choice.sequences)) {
+  for (const CurveSequence& each : sequences(chosen, !choice.separate)) {
     const std::string id =
         each.configuration.empty() ? job : plain_identifier(each.configuration, "variant");
     const std::string text =

@@ -61,6 +61,19 @@ std::optional<OutsideMeasure> nrml_measure(const std::string& measure) {
     case groundmotions::MeasureKind::kSa:
       if (!has_usual_damping(of) || !(of.period > 0)) return {};
       return OutsideMeasure{"SA(" + period_text(of.period) + ")", "g", kStandardGravity};
+    case groundmotions::MeasureKind::kPgd:
+      return OutsideMeasure{"PGD", "cm", 1 / kCentimetersPerMeter};
+    case groundmotions::MeasureKind::kArias:
+      return OutsideMeasure{"IA", "m/s", 1};
+    case groundmotions::MeasureKind::kCav:
+      return OutsideMeasure{"CAV", "g s", kStandardGravity};
+    case groundmotions::MeasureKind::kD575:
+      return OutsideMeasure{"RSD575", "s", 1};
+    case groundmotions::MeasureKind::kD595:
+      return OutsideMeasure{"RSD595", "s", 1};
+    case groundmotions::MeasureKind::kFiv3:
+      return OutsideMeasure{"FIV3(" + period_text(of.period) + ")", "cm/s",
+                            1 / kCentimetersPerMeter};
     default:
       return {};
   }

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
-#include "engine/base/error.h"
 #include "studies/study/exports/export.h"
 
 namespace gurney::study {
@@ -62,11 +62,8 @@ void complete(CurveSequence& sequence) {
     names.push_back(plain_identifier(each.state.name, "limit"));
   }
   sequence.name = fmt::format("{}", fmt::join(names, "_"));
+  sequence.fitted = sequence.curves;
   sequence.adjusted = in_order(curves);
-  require(!crosses(curves),
-          fmt::format("{}: the curves of {} cross even with one beta; export them without "
-                      "--sequences, or choose one with --limit",
-                      sequence.configuration, fmt::join(names, ", ")));
   for (std::size_t i = 0; i < curves.size(); ++i) sequence.curves[i].curve = curves[i];
 }
 
@@ -76,8 +73,24 @@ bool in_order(Curves& curves) {
   if (!crosses(curves)) return false;
   double mean = 0;
   for (const auto& curve : curves) mean += curve.beta / static_cast<double>(curves.size());
-  for (auto& curve : curves) curve = {curve.theta * std::exp(1.28 * (mean - curve.beta)), mean};
+  double milder = 0;
+  for (auto& curve : curves) {
+    curve = {std::max(milder, curve.theta * std::exp(1.28 * (mean - curve.beta))), mean};
+    milder = curve.theta;
+  }
   return true;
+}
+
+bool is_incomplete(const CurveSequence& sequence) {
+  return !std::ranges::all_of(sequence.curves, &ChosenCurve::is_supported);
+}
+
+CurveSequence supported_part(const CurveSequence& sequence) {
+  CurveSequence part{sequence.configuration, "", {}, false};
+  std::ranges::copy_if(sequence.fitted, std::back_inserter(part.curves),
+                       &ChosenCurve::is_supported);
+  if (!part.curves.empty()) complete(part);
+  return part;
 }
 
 std::vector<CurveSequence> sequences(const ChosenCurves& chosen, bool combine) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "studies/statistics/quantiles.h"
+#include "studies/statistics/rate_interval.h"
 #include "studies/statistics/special.h"
 #include "tests/studies/statistics/synthetic.h"
 #include "tests/support/expect_error.h"
@@ -17,18 +18,17 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kRepeats = 1000;
 
-/// The counts of `kRepeats` that a true 95 % interval gives with a probability of 99 %: 932 to 967.
-Interval accepted_counts() {
-  Interval accepted{0, 0};
-  while (binomial_cdf(static_cast<int>(accepted.low), kRepeats, 0.95) < 0.005) ++accepted.low;
-  accepted.high = accepted.low;
-  while (binomial_cdf(static_cast<int>(accepted.high), kRepeats, 0.95) < 0.995) ++accepted.high;
-  return accepted;
+/// The least count of `repeats` that a true 95 % interval gives with a probability of 99.5 %.
+int fewest_accepted(int repeats, double coverage = 0.95) {
+  int count = 0;
+  while (binomial_cdf(count, repeats, coverage) < 0.005) ++count;
+  return count;
 }
 
 struct Coverage {
-  std::vector<int> of_curve, percentile_of_curve;
-  int theta = 0, beta = 0, without_fit = 0;
+  std::vector<int> of_curve;
+  int theta = 0, beta = 0, rate = 0, fitted = 0;
+  double width = 0;  ///< mean of ln theta's interval
 };
 
 const std::vector<double> kProbabilities{0.05, 0.16, 0.5, 0.84, 0.95};
@@ -36,68 +36,118 @@ const std::vector<double> kProbabilities{0.05, 0.16, 0.5, 0.84, 0.95};
 Coverage coverage(const SyntheticStudy& study, int repeats = kRepeats) {
   std::vector<double> im;
   for (const double p : kProbabilities) im.push_back(study.curve.quantile(p));
+  // A site whose rate is mostly from motions around a third of theta
+  const HazardCurve hazard = HazardCurve::power_law(1e-4, 2.5);
+  const double rate = mean_rate(study.curve, hazard).rate;
   Coverage covered;
   covered.of_curve.resize(im.size());
-  covered.percentile_of_curve.resize(im.size());
   for (int i = 0; i < repeats; ++i) {
-    const std::uint64_t repeat = static_cast<std::uint64_t>(i);
-    const StripeTable table(study.outcomes(repeat));
-    const FragilityBand band = fragility_band(table, im, {.resamples = 199, .seed = repeat});
-    covered.without_fit += band.status != FragilityStatus::kFitted;
-    for (std::size_t j = 0; j < im.size(); ++j) {
+    const StripeTable table(study.outcomes(static_cast<std::uint64_t>(i)));
+    const FragilityBand band = fragility_band(table, im);
+    if (band.status != FragilityStatus::kFitted) continue;
+    ++covered.fitted;
+    for (std::size_t j = 0; j < im.size(); ++j)
       covered.of_curve[j] += band.of_curve[j].contains(kProbabilities[j]);
-      covered.percentile_of_curve[j] += band.percentile_of_curve[j].contains(kProbabilities[j]);
-    }
     covered.theta += band.theta.contains(study.curve.theta);
     covered.beta += band.beta.contains(study.curve.beta);
+    covered.rate += rate_interval(band.outline, hazard).contains(rate);
+    covered.width += std::log(band.theta.high / band.theta.low) / repeats;
   }
   return covered;
 }
 
-void expect_covers(const SyntheticStudy& study) {
-  const Interval accepted = accepted_counts();
-  const Coverage covered = coverage(study);
-  EXPECT_EQ(covered.without_fit, 0);
-  for (std::size_t i = 0; i < kProbabilities.size(); ++i) {
-    EXPECT_TRUE(accepted.contains(covered.of_curve[i]))
-        << covered.of_curve[i] << " of " << kRepeats << " at " << kProbabilities[i];
+/// At least `least` of the curves that could be fitted, as far as the repeats can tell.
+Coverage expect_covers(const SyntheticStudy& study, int repeats, double least) {
+  const Coverage covered = coverage(study, repeats);
+  const int accepted = fewest_accepted(covered.fitted, least);
+  for (std::size_t i = 0; i < kProbabilities.size(); ++i)
+    EXPECT_GE(covered.of_curve[i], accepted)
+        << "of " << covered.fitted << " at " << kProbabilities[i];
+  EXPECT_GE(covered.theta, accepted) << "theta, of " << covered.fitted;
+  EXPECT_GE(covered.beta, accepted) << "beta, of " << covered.fitted;
+  EXPECT_GE(covered.rate, accepted) << "rate, of " << covered.fitted;
+  return covered;
+}
+
+// 40 records: 95 %, and intervals at most 15 % wider than those of the same number of exact
+// capacities (r = 1), or independent outcomes would need (r = 0), 2 t(39) s.
+TEST(FragilityBand, CoversWithoutBeingWide) {
+  for (const double correlation : {0.0, 0.5, 1.0}) {
+    const SyntheticStudy study{.correlation = correlation};
+    const Coverage covered = expect_covers(study, kRepeats, 0.95);
+    EXPECT_EQ(covered.fitted, kRepeats);
+    double squares = 0;  // of the errors of ln theta: its true variance
+    for (std::uint64_t i = 0; i < kRepeats; ++i)
+      squares += std::pow(std::log(fit_fragility(study.outcomes(i)).curve->theta), 2);
+    const double needed = 2 * student_quantile(0.975, 39) * std::sqrt(squares / kRepeats);
+    EXPECT_LT(covered.width, 1.15 * needed) << correlation;
   }
-  EXPECT_TRUE(accepted.contains(covered.theta)) << "theta: " << covered.theta;
-  EXPECT_TRUE(accepted.contains(covered.beta)) << "beta: " << covered.beta;
 }
 
-TEST(FragilityBand, CoversWhereRunsAreIndependent) { expect_covers({.correlation = 0}); }
-
-TEST(FragilityBand, CoversWhereRunsOfARecordAreAlike) { expect_covers({.correlation = 0.5}); }
-
-TEST(FragilityBand, CoversWhereTheRecordDecides) { expect_covers({.correlation = 1}); }
-
-// The reason for the better band: plain percentiles of the same resamples are too narrow.
-TEST(FragilityBand, PercentilesWouldNotCover) {
-  const Coverage covered = coverage({.records = 20, .correlation = 0.5}, 200);
-  for (const int count : covered.percentile_of_curve) EXPECT_LT(count, 200 * 0.95);
-  EXPECT_LT(covered.percentile_of_curve.front(), 200 * 0.9);
+// Few records: 93 % at least where 95 is stated, docs/theory/statistics.md. Without the correction
+// for leverage and the floor at independent runs, 12 records with r = 1 have 88 to 91 %.
+TEST(FragilityBand, CoversWithFewRecords) {
+  for (const std::size_t records : {8u, 12u, 16u})
+    for (const double correlation : {0.0, 0.5, 1.0})
+      expect_covers({.curve = {0.4, 0.4},
+                     .records = records,
+                     .levels = {0.1, 0.158, 0.251, 0.398, 0.631, 1.0},
+                     .correlation = correlation},
+                    kRepeats, 0.93);
 }
 
-TEST(FragilityBand, IsTheSameForTheSameSeed) {
+// Without an interval rather than with one from 8.98e-49 to 92.
+TEST(FragilityBand, HasNoIntervalBelowEightRecords) {
+  const SyntheticStudy study{.records = 7, .correlation = 0.5};
+  const auto band = fragility_band(StripeTable(study.outcomes(2)), {0.7, 1});
+  ASSERT_EQ(band.status, FragilityStatus::kFitted);
+  EXPECT_TRUE(band.too_few);
+  EXPECT_NEAR(band.effective, 7, 1e-9);
+  EXPECT_TRUE(band.of_curve.empty());
+  EXPECT_TRUE(band.outline.empty());
+  EXPECT_EQ(band.theta.low, 0);
+  EXPECT_EQ(band.beta.high, kInfinity);
+}
+
+// Every end is within ten times the intensities of the runs, and ten times beta.
+TEST(FragilityBand, HasNoEndFarFromTheRuns) {
+  int unbounded = 0;
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    const SyntheticStudy study{.curve = {3, 0.8}, .records = 9, .levels = {0.5, 1.0, 2.0}};
+    const auto band = fragility_band(StripeTable(study.outcomes(i)), {1});
+    if (band.status != FragilityStatus::kFitted) continue;
+    EXPECT_TRUE(band.theta.low == 0 || band.theta.low >= 0.05) << band.theta.low;
+    EXPECT_TRUE(band.theta.high == kInfinity || band.theta.high <= 20) << band.theta.high;
+    unbounded += band.theta.high == kInfinity;
+  }
+  EXPECT_GT(unbounded, 10);
+}
+
+// The number of groups of equal weight: eight of which one has all the runs but seven.
+TEST(EffectiveGroups, CountsGroupsByTheirRuns) {
+  std::vector<Observation> seen;
+  for (std::size_t group = 0; group < 8; ++group)
+    for (std::size_t run = 0; run < (group == 0 ? 100u : 1u); ++run) {
+      seen.push_back({1, (group + run) % 4 == 0, group});
+      seen.push_back({2, (group + run) % 4 != 0, group});
+    }
+  const StripeTable table(seen);
+  // Shares 100/107 and seven of 1/107
+  EXPECT_NEAR(effective_groups(fit_probit(table.stripes()), table), 107 * 107 / 10007.0, 1e-9);
+}
+
+TEST(FragilityBand, IsTheSameForTheSameRuns) {
   const StripeTable table(SyntheticStudy{}.outcomes(1));
-  const auto one = fragility_band(table, {0.7, 1}, {.resamples = 99, .seed = 5});
-  const auto two = fragility_band(table, {1}, {.resamples = 99, .seed = 5});
-  const auto other = fragility_band(table, {1}, {.resamples = 99, .seed = 6});
-  EXPECT_EQ(one.of_curve[1].low, two.of_curve[0].low);
-  EXPECT_NE(one.percentile_of_curve[1].low, other.percentile_of_curve[0].low);
-  EXPECT_EQ(one.curves.size(), 99u);
-  EXPECT_LT(one.percentile_theta.low, one.curves[0].theta);
-  EXPECT_GT(one.percentile_theta.high, one.curves[0].theta);
-  EXPECT_LT(one.theta.low, one.percentile_theta.high);
+  EXPECT_EQ(fragility_band(table, {0.7, 1}).of_curve[1].low,
+            fragility_band(table, {1}).of_curve[0].low);
 }
 
 // One method for both: the interval of theta is where the band holds P = 0.5. Ends are found to
 // 2^-40 of a bracket.
 TEST(FragilityBand, HoldsOneHalfWithinTheIntervalOfTheta) {
   const StripeTable table(SyntheticStudy{.records = 11, .correlation = 0.5}.outcomes(3));
-  const Interval theta = fragility_band(table, {}, {.resamples = 199}).theta;
-  const auto band = fragility_band(table, {theta.low, theta.high}, {.resamples = 199}).of_curve;
+  const Interval theta = fragility_band(table, {}).theta;
+  const auto band = fragility_band(table, {theta.low, theta.high}).of_curve;
   EXPECT_NEAR(band[0].high, 0.5, 1e-9);
   EXPECT_NEAR(band[1].low, 0.5, 1e-9);
 }
@@ -106,36 +156,13 @@ TEST(FragilityBand, HoldsOneHalfWithinTheIntervalOfTheta) {
 // be anywhere.
 TEST(FragilityBand, BoundsThetaOnlyWhereTheSlopeIsNotZero) {
   std::vector<Observation> seen;
-  for (std::size_t record = 0; record < 6; ++record) {
-    seen.push_back({1, record < 2, record});
+  for (std::size_t record = 0; record < 12; ++record) {
+    seen.push_back({1, record < 4, record});
     seen.push_back({1.1, record % 2 == 0, record});
   }
   const auto band = fragility_band(StripeTable(seen), {});
   EXPECT_EQ(band.theta.low, 0);
   EXPECT_EQ(band.theta.high, kInfinity);
-}
-
-// Three records of two runs: 1 of 27 resamples holds only the record that never exceeds, and so on.
-TEST(FragilityBand, CountsResamplesWithoutACurve) {
-  const StripeTable table(
-      {{1, false, 0}, {2, false, 0}, {1, true, 1}, {2, true, 1}, {1, false, 2}, {2, true, 2}});
-  const auto band = fragility_band(table, {0.5, 1, 2, 4}, {.resamples = 2700});
-  ASSERT_EQ(band.status, FragilityStatus::kFitted);
-  // Each kind's number is binomial; 4.5 standard deviations are allowed. All exceed: 1, 1, 1 only.
-  // None exceeds: 0, 0, 0 only. Separated: 2, 2, 2; quasi-separated: 0 and 2 or 1 and 2, 12 of 27.
-  EXPECT_NEAR(band.one_sided, 200, 4.5 * std::sqrt(200 * 25 / 27.0));
-  EXPECT_NEAR(band.separated, 1300, 4.5 * std::sqrt(1300 * 14 / 27.0));
-  // 0 and 1 alone: the same fraction at both levels, 6 of 27
-  EXPECT_NEAR(band.not_increasing, 600, 4.5 * std::sqrt(600 * 21 / 27.0));
-  EXPECT_EQ(
-      band.one_sided + band.separated + band.not_increasing + static_cast<int>(band.curves.size()),
-      2700);
-  for (const Interval& ends : band.of_curve) {
-    EXPECT_TRUE(ends.low >= 0 && ends.high <= 1 && ends.low <= ends.high);
-  }
-  EXPECT_GT(band.beta.low, 0);
-  EXPECT_EQ(band.percentile_theta.low, 0);
-  EXPECT_EQ(band.percentile_theta.high, kInfinity);
 }
 
 TEST(FragilityBand, FallsBackWithoutAFit) {
@@ -155,8 +182,7 @@ TEST(FragilityBand, FallsBackWithoutAFit) {
 
 TEST(FragilityBand, RefusesOptionsOutOfRange) {
   const StripeTable table(SyntheticStudy{}.outcomes(1));
-  EXPECT_ERROR(fragility_band(table, {1}, {.confidence = 1}), "confidence = 1 must be in (0, 1)");
-  EXPECT_ERROR(fragility_band(table, {1}, {.resamples = 0}), "resamples = 0 must be >= 1");
+  EXPECT_ERROR(fragility_band(table, {1}, 1), "confidence = 1 must be in (0, 1)");
   EXPECT_ERROR(fragility_band(table, {-1}), "im = -1 must be > 0");
 }
 
@@ -178,7 +204,7 @@ TEST(DistributionFreeBand, CoversAtLeastAsOftenAsItSays) {
     const auto band = distribution_free_band(StripeTable(study.outcomes(repeat)), im);
     for (std::size_t i = 0; i < im.size(); ++i) covered[i] += band[i].contains(kProbabilities[i]);
   }
-  for (const int count : covered) EXPECT_GE(count, accepted_counts().low);
+  for (const int count : covered) EXPECT_GE(count, fewest_accepted(kRepeats));
 }
 
 TEST(ProfileIntervals, EndWhereTheLikelihoodRatioIsTheQuantile) {
@@ -215,8 +241,8 @@ TEST(ProfileIntervals, CoverWhereRunsAreIndependentAndWithRecords) {
       if (correlation > 0)
         theta_plain += profile_intervals(table)->theta.contains(study.curve.theta);
     }
-    EXPECT_TRUE(accepted_counts().contains(theta)) << theta;
-    EXPECT_TRUE(accepted_counts().contains(beta)) << beta;
+    EXPECT_GE(theta, fewest_accepted(kRepeats));
+    EXPECT_GE(beta, fewest_accepted(kRepeats));
     EXPECT_LT(theta_plain, 900);  // records ignored: too narrow
   }
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "studies/statistics/rate_interval.h"
 #include "tests/support/expect_error.h"
 
 namespace gurney::statistics {
@@ -96,6 +97,33 @@ TEST(Hazard, RefusesWhatIsNone) {
 TEST(Hazard, TenPercentInFiftyYearsIsOnceIn475) {
   EXPECT_NEAR(probability_in(50, 1 / 474.561), 0.1, 1e-6);
   EXPECT_NEAR(probability_in(50, 1e-18), 5e-17, 1e-30);
+}
+
+// Parts add up to the whole, and each is that of a table cut there.
+TEST(RateBetween, IsThePartOfTheIntegral) {
+  const LognormalCurve curve{0.4, 0.6};
+  const HazardCurve law = HazardCurve::power_law(1e-4, 2);
+  const double below = rate_between(curve, law, 0, 0.2), middle = rate_between(curve, law, 0.2, 1),
+               above = rate_between(curve, law, 1, INFINITY), whole = mean_rate(curve, law).rate;
+  EXPECT_NEAR(below + middle + above, whole, 1e-12 * whole);
+  const HazardCurve cut = HazardCurve::table({0.2, 1}, {*law.rate(0.2), *law.rate(1)});
+  EXPECT_NEAR(middle, mean_rate(curve, cut).rate - curve.probability(1) * *law.rate(1),
+              1e-12 * whole);
+}
+
+// Lines on an ellipse whose theta varies alone: the rate is theta^-k times a constant.
+TEST(RateInterval, IsThatOfTheLinesOfTheBand) {
+  const HazardCurve law = HazardCurve::power_law(1e-4, 2);
+  const double slope = 2;
+  const std::vector<Eigen::Vector2d> lines{{slope, -0.5}, {slope, 0.1}, {slope, 0.5}};
+  const Interval interval = rate_interval(lines, law);
+  EXPECT_NEAR(interval.low, mean_rate(LognormalCurve{std::exp(0.25), 0.5}, law).rate, 1e-15);
+  EXPECT_NEAR(interval.high, mean_rate(LognormalCurve{std::exp(-0.25), 0.5}, law).rate, 1e-15);
+  EXPECT_EQ(rate_interval({{-1, 0}}, law).high, INFINITY);
+  // A table bounds it: P = 1/2 everywhere where the slope is 0.
+  const HazardCurve table = HazardCurve::table({0.2, 1}, {1e-2, 1e-4});
+  EXPECT_NEAR(rate_interval({{0, 0}}, table).high, 0.5e-2, 1e-9);
+  EXPECT_EQ(rate_interval({}, table).high, INFINITY);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ with tempfile.TemporaryDirectory() as temporary:
     support.gurney("run", os.path.join(support.SOURCE, "studies/jobs/trolley_levels.toml"), "-o",
                    study)
     exported, demands = (os.path.join(temporary, name) for name in ("fragility", "demands"))
-    support.gurney("export", study, "--to", "pelicun", "-o", exported)
+    support.gurney("export", study, "--to", "pelicun", "--separate", "-o", exported)
     support.gurney("export", study, "--to", "response-csv", "-o", demands)
     library = os.path.join(exported, "fragility.csv")
     rows = pandas.read_csv(library, index_col="ID")
@@ -81,7 +81,7 @@ with tempfile.TemporaryDirectory() as temporary:
 
     # Damage states of one component: who exceeds the second is not counted in the first.
     states = os.path.join(temporary, "states")
-    support.gurney("export", study, "--to", "pelicun", "--sequences", *support.STATES, "-o", states)
+    support.gurney("export", study, "--to", "pelicun", *support.STATES, "-o", states)
     library = os.path.join(states, "fragility.csv")
     (name,) = pandas.read_csv(library, index_col="ID").index
     assert name == "trolley_levels.near_far", name

@@ -61,7 +61,8 @@ const SensitiveInput& named(const StudySensitivity& found, const std::string& na
   throw std::out_of_range(name);
 }
 
-const SensitivityRequest kPeak{.demand = "peak_displacement", .limit = "", .level = {}};
+const SensitivityRequest kPeak{
+    .demand = "peak_displacement", .limit = "", .level = {}, .all_levels = true};
 
 TEST_F(DesignedSensitivity, IndicesAreTheClosedForms) {
   const StudyData study = data(rows(4096));

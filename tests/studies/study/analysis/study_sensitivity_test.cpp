@@ -40,7 +40,8 @@ std::vector<MadeRun> linear(int draws) {
   return runs;
 }
 
-const SensitivityRequest kPeak{.demand = "peak_displacement", .limit = "", .level = {}};
+const SensitivityRequest kPeak{
+    .demand = "peak_displacement", .limit = "", .level = {}, .all_levels = true};
 
 TEST_F(StudySensitivityTest, SharesOfTheVarianceAreFound) {
   const StudyData study = data(linear(900));

@@ -2,6 +2,8 @@
 
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "studies/statistics/capacity.h"
 #include "studies/study/analysis/overview.h"
@@ -49,9 +51,10 @@ TEST_F(Exports, NameTheNearestOfWhatTheStudyDoesNotHave) {
 }
 
 TEST_F(Exports, RefuseMeasuresTheFormatHasNoNameFor) {
-  EXPECT_ERROR(export_nrml(*data_, {.measure = "pfv"}, take()),
-               "NRML, which knows ground motions only, has no name for the intensity measure "
-               "'pfv'; take one of these with --measure: 'PGA larger', 'Sa(1) RotD50'");
+  EXPECT_ERROR(
+      export_nrml(*data_, {.measure = "pfv"}, take()),
+      "NRML, which knows ground motions only, has no name for the intensity measure "
+      "'pfv'; take one of these with --measure: 'PGA larger', 'Sa(1) RotD50', 'FIV3(1) geomean'");
   EXPECT_ERROR(export_pelicun(*data_, {.measure = "FIV3(1) geomean"}, take()),
                "DLML, whose names pelicun knows, has no name for the intensity measure 'FIV3(1) "
                "geomean'; take one of these with --measure: 'PGA larger', 'Sa(1) RotD50', 'pfa', "
@@ -87,14 +90,58 @@ TEST_F(Exports, CarryTheCautionsOfACurve) {
   export_pelicun(*data_, {.limit = "moved"}, take());
   EXPECT_THAT(files_.at("fragility.json"),
               HasSubstr("Caution: scale factors 0.49 to 5.88; 39 of 40 records above 5."));
-  EXPECT_THAT(files_.at("fragility_cautions.csv"),
-              testing::StartsWith("ID,Caution\nfabricated.false.moved,scale factors 0.49 to 5.88; "
-                                  "39 of 40 records above 5\n"));
+  EXPECT_THAT(
+      files_.at("fragility_cautions.csv"),
+      testing::StartsWith("ID,Caution\nfabricated.false.moved,moved: scale factors 0.49 to 5.88; "
+                          "39 of 40 records above 5\n"));
   export_nrml(*data_, {.limit = "moved"}, take());
   EXPECT_THAT(files_.at("moved.xml"),
               HasSubstr("true: fitted to 240 runs with 40 records, of which "));
   EXPECT_THAT(files_.at("moved.xml"),
               HasSubstr("Caution: scale factors 0.49 to 5.88; 40 of 40 records above 5."));
+}
+
+// The rules of DLML 3.1 for a library, in our words: general information, an entry for each row and
+// no other, its states those of the row, and references that are listed.
+TEST_F(Exports, FollowTheRulesOfTheDamageAndLossModelLibrary) {
+  export_pelicun(*data_, {}, take());
+  const auto json = nlohmann::json::parse(files_.at("fragility.json"));
+  const auto& general = json.at("_GeneralInformation");
+  for (const char* key : {"ShortName", "Description", "Version"}) {
+    EXPECT_TRUE(general.at(key).is_string()) << key;
+    EXPECT_NE(general.at(key), "") << key;
+  }
+  EXPECT_TRUE(general.at("ComponentGroups").is_object());
+  EXPECT_EQ(general.size(), 4u);
+  std::istringstream rows(files_.at("fragility.csv"));
+  std::string line;
+  std::getline(rows, line);
+  std::size_t count = 0;
+  for (; std::getline(rows, line); ++count) {
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    EXPECT_TRUE(cells.at(1) == "0" || cells.at(1) == "1") << line;
+    const auto& entry = json.at(cells.at(0));
+    std::size_t states = 0;
+    for (std::size_t i = 6; i < cells.size(); i += 4) {
+      if (cells[i].empty()) continue;
+      ++states;
+      EXPECT_EQ(cells[i], "lognormal");
+      EXPECT_GT(std::stod(cells.at(i + 1)), 0);
+      EXPECT_GT(std::stod(cells.at(i + 2)), 0);
+      const std::string number = std::to_string(states);
+      const auto& state = entry.at("LimitStates").at("LS" + number).at("DS" + number);
+      EXPECT_TRUE(state.at("Description").is_string());
+    }
+    EXPECT_EQ(entry.at("LimitStates").size(), states) << line;
+    for (const char* key : {"Description", "SuggestedComponentBlockSize", "Comments"})
+      EXPECT_TRUE(entry.at(key).is_string()) << key;
+    EXPECT_EQ(entry.at("RoundUpToIntegerQuantity"), "True");
+    for (const auto& key : entry.at("Reference")) EXPECT_TRUE(json.at("References").contains(key));
+  }
+  EXPECT_GT(count, 0u);
+  EXPECT_EQ(json.size(), count + 2);  // and general information and references
 }
 
 TEST_F(Exports, TakeCapacitiesAfterAnIda) {
@@ -136,6 +183,14 @@ TEST(OutsideMeasure, HasTheNamesAndUnitsOfEachFormat) {
   EXPECT_EQ(nrml_measure("Sa(0.25) geomean")->name, "SA(0.25)");
   EXPECT_FALSE(nrml_measure("Sa(0) geomean"));
   EXPECT_FALSE(nrml_measure("PFA larger"));
+  EXPECT_EQ(nrml_measure("FIV3(1) geomean")->name, "FIV3(1.0)");
+  EXPECT_EQ(nrml_measure("FIV3(1) geomean")->unit_in_si, 0.01);
+  EXPECT_EQ(nrml_measure("CAV larger")->name, "CAV");
+  EXPECT_EQ(nrml_measure("CAV larger")->unit_in_si, 9.80665);  // of g s
+  EXPECT_EQ(nrml_measure("Arias larger")->name, "IA");
+  EXPECT_EQ(nrml_measure("D5-95 larger")->name, "RSD595");
+  EXPECT_EQ(nrml_measure("D5-75 larger")->name, "RSD575");
+  EXPECT_EQ(nrml_measure("PGD larger")->unit, "cm");
   EXPECT_EQ(dlml_measure("PFA larger")->name, "Peak Floor Acceleration");
   EXPECT_EQ(dlml_measure("PGV larger")->unit, "mps");
   EXPECT_EQ(dlml_measure("Sa(2) geomean")->name, "Spectral Acceleration|2.0");

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/support/expect_error.h"
+#include <cmath>
 
 namespace gurney::study {
 namespace {
@@ -67,11 +67,39 @@ TEST(Sequences, GiveCrossingCurvesOneBetaAndKeepTheirTenthParts) {
     EXPECT_GE(curves[0].probability(im), curves[1].probability(im));
 }
 
-TEST(Sequences, RefuseWhatCannotBeKeptApart) {
+// Their 10 % points are 0.77 and 0.38: with one beta the stricter state would come first.
+TEST(Sequences, GiveAStricterStateAtLeastTheMedianOfAMilderOne) {
+  std::vector<statistics::LognormalCurve> curves{{1, 0.2}, {1.05, 0.8}};
+  EXPECT_TRUE(in_order(curves));
+  EXPECT_DOUBLE_EQ(curves[0].theta, std::exp(1.28 * 0.3));
+  EXPECT_EQ(curves[1].theta, curves[0].theta);
+  EXPECT_DOUBLE_EQ(curves[1].beta, 0.5);
+}
+
+TEST(Sequences, AreIncompleteWhereTheRunsDoNotSupportACurve) {
   ChosenCurves chosen;
-  chosen.curves = {curve("near", "peak_displacement", 0.1, 1, 0.2),
-                   curve("far", "peak_displacement", 1, 1.05, 0.8)};
-  EXPECT_ERROR(sequences(chosen, true), "c: the curves of near, far cross even with one beta");
+  chosen.curves = {curve("near", "peak_displacement", 0.1, 1, 0.4),
+                   curve("far", "peak_displacement", 1, 3, 0.4)};
+  for (ChosenCurve& each : chosen.curves) {
+    each.audit.theta = each.curve.theta;
+    each.audit.lowest = 0.5;
+    each.audit.highest = 4;
+    each.audit.outcomes = 100;
+    each.audit.exceeded = 40;
+    each.audit.effective = each.audit.fewest = 8;
+  }
+  EXPECT_FALSE(is_incomplete(sequences(chosen, true).front()));
+  chosen.curves[1].audit.exceeded = 9;  // of 10
+  const CurveSequence few = sequences(chosen, true).front();
+  EXPECT_TRUE(is_incomplete(few));
+  EXPECT_EQ(few.curves.size(), 2u);
+  EXPECT_EQ(supported_part(few).name, "near");
+  chosen.curves[1].audit.exceeded = 40;
+  chosen.curves[1].audit.highest = 2.9;  // theta is 3
+  EXPECT_TRUE(is_incomplete(sequences(chosen, true).front()));
+  chosen.curves[1].audit.highest = 4;
+  chosen.curves[1].audit.effective = 7.9;
+  EXPECT_TRUE(is_incomplete(sequences(chosen, true).front()));
 }
 
 }  // namespace
