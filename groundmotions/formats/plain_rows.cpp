@@ -134,6 +134,8 @@ bool is_rule(std::string_view line) {
 }
 
 bool is_text_line(std::string_view line) {
+  constexpr std::size_t kEnough = 10000;  ///< characters of a line that decide
+  line = line.substr(0, kEnough);
   return !is_blank(line) && !is_row(line) && !is_dated_row(line) && has_text(line);
 }
 

@@ -87,6 +87,8 @@ std::vector<std::string> with_lone_units(const std::vector<std::string>& cells) 
 }
 
 std::optional<Cells> cells_of(std::string_view line, std::size_t count) {
+  constexpr std::size_t kLongestLine = 10000;
+  if (line.size() > kLongestLine) return {};
   line = without_mark(line);
   std::vector<Cells> partings;
   for (const char mark : {';', ',', '\t'})
@@ -215,14 +217,12 @@ TableTitles named_components(const PlainRows& rows, std::size_t count) {
 
 TableTitles table_titles(const PlainRows& rows, std::size_t count) {
   constexpr std::size_t kSearched = 6;  ///< lines above the numbers
-  constexpr std::size_t kLongestLine = 10000;
   const bool grows = first_grows(rows, count);
   std::optional<Row> units, names;
   std::size_t seen = 0;
   for (std::size_t i = rows.header.size(); i-- > 0 && seen < kSearched && !names;) {
     if (is_rule(without_mark(rows.header[i])) || without_mark(rows.header[i]).empty()) continue;
     ++seen;
-    if (rows.header[i].size() > kLongestLine) continue;
     const auto cells = cells_of(rows.header[i], count);
     if (!cells) continue;
     if (!units && is_unit_row(*cells)) {
