@@ -178,10 +178,9 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
   }
 
   /// @param towards  unit, outwards of the body
-  BodyContact::Side side_at(const btMultiBodyLinkCollider& body, const Vector3& point,
-                            const Vector3& towards) const {
+  BodyContact::Side side_at(const State& state, const btMultiBodyLinkCollider& body,
+                            const Vector3& point, const Vector3& towards) const {
     const auto item = static_cast<std::size_t>(body.getUserIndex());
-    const State& state = state_->items[item];
     if (body.m_link < 0) return {item, -1, state.rotation.conjugate() * (point - state.position)};
     const int caster = body.m_link / 2;
     const auto i = static_cast<std::size_t>(caster);
@@ -194,6 +193,12 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
             wheel.tread_point(direction, wheel.on_fork(pose, angle, point - state.position))};
   }
 
+  BodyContact::Side side_now(const btMultiBodyLinkCollider& body, const Vector3& point,
+                             const Vector3& towards) const {
+    return side_at(state_->items[static_cast<std::size_t>(body.getUserIndex())], body, point,
+                   towards);
+  }
+
   /// Bullet's normal of a tread before a polyhedron is a guess; of one that touches, the normal it
   /// had is a better one: of a deep overlap Bullet may separate it through another face.
   Vector3 guess_of(const BodyContact& contact) const {
@@ -202,18 +207,33 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
     return contact.normal;
   }
 
-  /// A tread before a polyhedron.
+  /// An item in the middle of the step that begins.
+  State in_middle_of_step(const State& start) const {
+    const double time = 0.5 * step_;
+    State state = start;
+    state.position += time * start.velocity.chassis.head<3>();
+    state.rotation = rotated(time * start.velocity.chassis.tail<3>(), start.rotation);
+    for (std::size_t i = 0; i < state.casters.size(); ++i)
+      state.casters[i].swivel_angle += time * start.velocity.joints[i][0];
+    return state;
+  }
+
+  /// A tread before a polyhedron. The plane stays for the step: that of its middle errs alike at
+  /// both ends, so that the next one takes over without a jump to the leading order.
   void refine_normal(const btMultiBodyLinkCollider& body, BodyContact& contact) const {
     const auto& obstacle = obstacles_[static_cast<std::size_t>(contact.other) - 1];
     if (!obstacle || body.m_link < 0) return;
     const Mechanism& mechanism = assembly_.items[contact.side.item];
     const State& state = state_->items[contact.side.item];
+    const State middle = in_middle_of_step(state);
     const Vector3 found = state.position + mechanism.point(contact.side, state);
+    const Vector3 moved = middle.position - state.position;
     const WheelObstacle::Plane plane =
         obstacle->between(guess_of(contact), [&](const Vector3& normal) -> Vector3 {
-          return state.position + mechanism.point(side_at(body, found, -normal), state);
+          return middle.position +
+                 mechanism.point(side_at(middle, body, found + moved, -normal), middle);
         });
-    contact.side = side_at(body, found, -plane.normal);
+    contact.side = side_at(state, body, found, -plane.normal);
     contact.side.outwards = -plane.normal;
     contact.normal = plane.normal;
     contact.offset = plane.offset;
@@ -258,10 +278,10 @@ class BulletWorld::World : private BulletComponents, public btMultiBodyDynamicsW
         const Vector3 on_b = from_bullet(point.getPositionWorldOnB());
         BodyContact contact;
         contact.normal = (first ? 1.0 : -1.0) * from_bullet(point.m_normalWorldOnB);
-        contact.side = side_at(*body, first ? on_a : on_b, -contact.normal);
+        contact.side = side_now(*body, first ? on_a : on_b, -contact.normal);
         if (other_body != nullptr) {
           contact.other = BodyContact::kItem;
-          contact.other_side = side_at(*other_body, first ? on_b : on_a, contact.normal);
+          contact.other_side = side_now(*other_body, first ? on_b : on_a, contact.normal);
         } else {
           contact.other = other->getUserIndex();
           contact.offset = contact.normal.dot(first ? on_b : on_a);

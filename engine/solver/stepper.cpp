@@ -16,11 +16,11 @@ constexpr double kShortestStep = 1e-8;
 
 constexpr int kMaxLandingTrials = 20;
 
-/// A reversal of slip nearer to the start or end of a step than this fraction of it is left there.
-constexpr double kReversalTolerance = 1e-3;
+/// An event nearer to the start or end of a step than this fraction of it is left there.
+constexpr double kEventTolerance = 1e-3;
 
-/// Passes that find the time of a reversal and the floor's mean acceleration until then.
-constexpr int kReversalPasses = 4;
+/// Passes that find the time of an event and the floor's mean acceleration until then.
+constexpr int kEventPasses = 4;
 
 /// A step that no subdivision makes converge is still accepted below this residual, and counted.
 constexpr double kAcceptableResidual = 1e-5;
@@ -91,6 +91,7 @@ Stepper::Stepper(const Assembly& assembly, const FloorMotion& floor,
       contacts_of_(assembly.items.size()),
       predictions_(assembly.items.size()),
       reversals_(assembly, settings.time_step),
+      crossings_(assembly),
       control_(assembly, settings),
       accounts_(assembly.items.size()) {
   input_.guess.resize(assembly.items.size());
@@ -170,6 +171,8 @@ void Stepper::accept(const Island& island, SceneState& state, double duration,
     add_power(second.power, kSdirkGamma * duration, accounts_[i]);
     accounts_[i].numerical_loss += 0.5 * tau * tau * (second.spring_rates - first.spring_rates);
     predictions_[i] = {second.acceleration, floor_second_.acceleration, true};
+    crossings_.observe(i, assembly_.items[i].casters.size(), duration, first, second,
+                       floor_second_.acceleration.z());
     const Tethers& tethers = assembly_.items[i].tethers;
     if (!tethers.empty())
       accounts_[i].damper_loss += tethers.break_overstressed(second_.end.items[i]);
@@ -261,18 +264,24 @@ std::optional<std::string> Stepper::advance_smoothly(const Island& island, Scene
 }
 
 double Stepper::end_of_step(const Island& island, const SceneState& state, double latest) {
-  reversals_.collect(island, state, predictions_);
-  if (reversals_.none()) return latest;
   const double time = state.items[island.items.front()].time;
   const double longest = latest - time;
+  reversals_.collect(island, state, predictions_);
+  const bool crosses =
+      crossings_.near(island, longest) &&
+      std::ranges::all_of(island.items, [&](std::size_t i) { return predictions_[i].known; });
+  if (reversals_.none() && !crosses) return latest;
   double until = longest;
-  for (int i = 0; i < kReversalPasses; ++i) {
+  for (int i = 0; i < kEventPasses; ++i) {
     const Vector3 change = apparent_floor_velocity(floor_, assembly_.gravity, time + until) -
                            apparent_floor_velocity(floor_, assembly_.gravity, time);
-    until = std::min(longest, reversals_.first(change / until));
-    if (until < kReversalTolerance * longest) return latest;
+    const Vector3 floor = change / until;
+    const double reversal = reversals_.first(floor);
+    until = longest;
+    if (reversal > kEventTolerance * longest) until = std::min(until, reversal);
+    if (crosses) until = std::min(until, crossings_.first(island, floor.z(), longest));
   }
-  if (until > (1 - kReversalTolerance) * longest) return latest;
+  if (until > (1 - kEventTolerance) * longest) return latest;
   ++quality_.event_steps;
   return time + until;
 }

@@ -11,6 +11,7 @@
 #include "engine/solver/slip_reversal.h"
 #include "engine/solver/stage_solver.h"
 #include "engine/solver/step_control.h"
+#include "engine/solver/tread_crossing.h"
 
 namespace gurney {
 
@@ -21,7 +22,8 @@ namespace gurney {
 /// (StepControl); a rejected one changes nothing but the choice of the next.
 /// A step whose solve does not converge is halved, again and again down to `max_subdivisions`.
 /// Events that change the equations (a drop weight reaching its floor) are located inside the step
-/// and end it. While a body meets another one the steps are a
+/// and end it; at those that bend a force (slip that reverses, a wheel that leaves the floor or
+/// lands) a step ends where they are foreseen. While a body meets another one the steps are a
 /// fraction of the contact's duration.
 class Stepper {
  public:
@@ -91,6 +93,7 @@ class Stepper {
   FloorStage floor_second_;
   std::vector<SlipReversals::Course> predictions_;
   SlipReversals reversals_;
+  TreadCrossings crossings_;
   StepControl control_;
   std::vector<EnergyAccount> accounts_;
   Quality quality_;

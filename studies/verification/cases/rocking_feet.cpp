@@ -154,24 +154,24 @@ double largest(const std::vector<Vector3>& a, const std::vector<Vector3>& b) {
 }
 
 constexpr const char* kSecondOrder =
-    "c h^2, a method of second order, c twice the larger of what the differences between 4 "
-    "and 2 "
-    "and between 2 and 1 ms say of it, over 12 and 3 ms^2, as each landing of a foot inside a step "
-    "adds its own; and what the reference changes by with its own step, 20 and 40 us";
+    "c h^2, a method of second order, c twice the largest of what the differences between 4 and 2, "
+    "2 and 1, 1 and 0.5 ms say of it, over 12, 3 and 0.75 ms^2, as each kink of a force inside a "
+    "step adds its own; and what the reference changes by with its own step, 20 and 40 us";
 
 Findings rock(const Feet& c, const Runner& runner) {
   Findings findings;
   const Reference reference(c);
   const Reference::Path exact = reference.path(c, 50), rough = reference.path(c, 25);
   const Run coarse = run(c, 0.004, runner, findings), middle = run(c, 0.002, runner, findings),
-            fine = run(c, 0.001, runner, findings);
+            fine = run(c, 0.001, runner, findings), finest = run(c, 0.0005, runner, findings);
   const double own = largest(exact.top, rough.top);
-  // Errors c h^2 at 4, 2 and 1 ms differ by c times 12 and 3 ms^2. But of each landing inside a
-  // step the method misses anything up to gamma^2 / 2 of its phase squared, to either side
-  // (sliding_block.h), by where in the step it is: c is another at each step. Twice the larger one
-  // is allowed for.
-  const double per_square = 2 * std::max(largest(coarse.top, middle.top) / 12,
-                                         largest(middle.top, fine.top) / 3);  // [m/ms^2]
+  // Errors c h^2 differ by c times 12, 3 and 0.75 ms^2 from one step to its half. But of each kink
+  // that stays inside a step, slow landings and feet that begin to slip, the method misses anything
+  // up to gamma^2 / 2 of its phase squared, to either side (sliding_block.h), by where in the step
+  // it is: c is another at each step. Twice the largest one is allowed for.
+  const double per_square =
+      2 * std::max({largest(coarse.top, middle.top) / 12, largest(middle.top, fine.top) / 3,
+                    largest(fine.top, finest.top) / 0.75});  // [m/ms^2]
   const auto bound = [&](double ms) { return per_square * ms * ms + own; };
   const char* const axes[] = {"x", "y", "z"};
   for (int i = 0; i < 3; ++i) {
