@@ -1,5 +1,7 @@
 #include "engine/run/energy_balance.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,6 +30,14 @@ void EnergyBalance::observe(const EnergyAccount& now) {
 
 double EnergyBalance::error() const {
   return std::max({closure(), share(given_back_), -numerical_loss()});
+}
+
+std::string EnergyBalance::source() const {
+  if (error() == closure()) return "its terms do not close (energy closure)";
+  if (error() == -numerical_loss())
+    return fmt::format("the time integration added energy (numerical loss {:.2g})",
+                       numerical_loss());
+  return "losses, which can only grow, gave energy back";
 }
 
 }  // namespace gurney

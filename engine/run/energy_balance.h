@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "engine/response/energy_account.h"
 
 namespace gurney {
@@ -22,6 +24,8 @@ class EnergyBalance {
   /// Energy without a source: the closure, what irreversible losses gave back, or what the
   /// integration added at the end, whichever is largest [-].
   double error() const;
+  /// Which of these the error is, in words.
+  std::string source() const;
 
  private:
   double share(double energy) const { return largest_energy_ > 0 ? energy / largest_energy_ : 0; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "engine/response/response.h"
@@ -33,6 +34,7 @@ class Recorder {
   void check(const SceneState& state, const EnergyAccount& account);
   /// [-]
   double energy_error() const { return checked_.error(); }
+  std::string energy_error_source() const { return checked_.source(); }
 
   /// At the last step.
   RunClock::ItemMotion motion() const { return {speed_, body_speed_, current_.tilt}; }

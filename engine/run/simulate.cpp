@@ -35,11 +35,25 @@ double earliest_time(const SceneState& state) {
   return std::ranges::min(state.items, {}, &State::time).time;
 }
 
-std::string miss_of(const std::string& item, double error) {
+bool trusted(const std::vector<Recorder>& recorders) {
+  return std::ranges::all_of(recorders, [](const Recorder& recorder) {
+    return recorder.energy_error() <= EnergyBalance::kTrusted;
+  });
+}
+
+/// @param trusted_until  when the first item overturned, the balance being right; < 0: never [s]
+std::string miss_of(const std::string& item, const Recorder& recorder, double trusted_until) {
+  const std::string advice =
+      trusted_until < 0 ? "a shorter settings.time_step_s may resolve its contacts"
+                        : fmt::format(
+                              "until it overturned at {:.3g} s the balance is within the limit: "
+                              "settings.follow_overturning = false ends the run there",
+                              trusted_until);
   return fmt::format(
       "the energy balance of {} is off by {:.2g} of the largest energy in play, above the limit of "
-      "{:g}; a shorter settings.time_step_s may resolve its contacts",
-      item.empty() ? "the item" : item, error, EnergyBalance::kTrusted);
+      "{:g}: {}; {}",
+      item.empty() ? "the item" : item, recorder.energy_error(), EnergyBalance::kTrusted,
+      recorder.energy_error_source(), advice);
 }
 
 }  // namespace
@@ -88,6 +102,8 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
   double sampled_at = sample();
   check();
   zones.observe(time, 0, state);
+  bool overturned = false;
+  double trusted_until = -1;
   std::vector<RunClock::ItemMotion> motions(count);
   while (clock.next(time)) {
     const double began = time;
@@ -103,15 +119,23 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
     if (clock.check_due()) check();
     for (std::size_t i = 0; i < count; ++i) motions[i] = recorders[i].motion();
     clock.observe(time, motions);
-    for (std::size_t i = 0; i < count; ++i)
-      if (clock.overturned_at(i) == time) recorders[i].overturned();
+    bool overturns = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (clock.overturned_at(i) != time) continue;
+      recorders[i].overturned();
+      overturns = true;
+    }
+    if (!overturns || overturned) continue;
+    overturned = true;
+    check();
+    if (settings.follow_overturning && trusted(recorders)) trusted_until = time;
   }
   if (sampled_at != time) sample();
   check();
   if (clock.outcome() != Outcome::kDiverged)
     for (std::size_t i = 0; i < count; ++i)
-      if (const double error = recorders[i].energy_error(); !(error <= EnergyBalance::kTrusted))
-        clock.stop(Outcome::kUntrusted, miss_of(scene.items[i].name, error));
+      if (!(recorders[i].energy_error() <= EnergyBalance::kTrusted))
+        clock.stop(Outcome::kUntrusted, miss_of(scene.items[i].name, recorders[i], trusted_until));
 
   Response response;
   response.outcome = clock.outcome();

@@ -15,6 +15,7 @@ TEST(EnergyBalance, MissesWhatNoWorkPaidFor) {
   EnergyBalance balance(0);
   balance.observe({.kinetic = 10, .work_of_floor = 8});
   EXPECT_DOUBLE_EQ(balance.error(), 0.2);
+  EXPECT_EQ(balance.source(), "its terms do not close (energy closure)");
 }
 
 // The account closes: the made energy is booked as a negative loss.
@@ -24,12 +25,14 @@ TEST(EnergyBalance, ALossThatGivesEnergyBackHidesNothing) {
   balance.observe({.kinetic = 10, .work_of_floor = 10});
   EXPECT_EQ(balance.closure(), 0);
   EXPECT_DOUBLE_EQ(balance.error(), 0.8);
+  EXPECT_EQ(balance.source(), "losses, which can only grow, gave energy back");
 }
 
 TEST(EnergyBalance, CountsWhatTheIntegrationAdded) {
   EnergyBalance balance(0);
   balance.observe({.kinetic = 10, .work_of_floor = 9, .numerical_loss = -1});
   EXPECT_DOUBLE_EQ(balance.error(), 0.1);
+  EXPECT_EQ(balance.source(), "the time integration added energy (numerical loss -0.1)");
   EnergyBalance damped(0);
   damped.observe({.kinetic = 9, .work_of_floor = 10, .numerical_loss = 1});
   EXPECT_EQ(damped.error(), 0);
