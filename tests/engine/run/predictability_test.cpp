@@ -102,7 +102,8 @@ Scene braked_and_tall() {
 
 TEST(Predictability, OfABrakedItemThatRocksIsLost) {
   const Scene scene = braked_and_tall();
-  const FloorMotion floor = small::noise_record(3, 12, {5, 4, 2});
+  // It rocks and stays upright: the balance of what lies on its casters may miss.
+  const FloorMotion floor = small::noise_record(3, 12, {4.75, 3.8, 1.9});
   const SimulationSettings settings;
   const Response run = simulate(scene, floor, settings);
   ASSERT_GT(run.items[0].demands.most_wheels_lifted, 1) << "it must rock";
