@@ -93,7 +93,7 @@ TEST(FragilityBand, CoversWithFewRecords) {
                      .records = records,
                      .levels = {0.1, 0.158, 0.251, 0.398, 0.631, 1.0},
                      .correlation = correlation},
-                    kRepeats, 0.93);
+                    400, 0.93);
 }
 
 // Without an interval rather than with one from 8.98e-49 to 92.
