@@ -78,8 +78,8 @@ TEST(Summary, SaysOfEachDemandWhatItIsSettledTo) {
   p.half_step->peak_yaw *= 2;
   p.half_step->points[0].peak_displacement *= 2;
   const std::string text = summary(fabricated_facts(), response);
-  expect_contains(text, "  demand                                 value       settled to\n");
-  expect_contains(text, "71.62 deg               no\n");
+  expect_contains(text, "  demand                                 value        settled to\n");
+  expect_contains(text, "71.62 deg            no\n");
   expect_contains(text, "\n  ~ not settled\n");
   const auto json = nlohmann::json::parse(summary_json(fabricated_facts(), response));
   const auto& settled = json["items"][0]["settled"];
