@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "engine/base/error.h"
@@ -17,7 +18,7 @@ namespace {
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 /// Codes of cells in a mixed topology of XDMF.
-constexpr std::int64_t kVertices = 1, kPolygon = 3, kQuadrilateral = 5, kHexahedron = 9;
+constexpr std::int64_t kVertex = 1, kTriangle = 4, kQuadrilateral = 5, kHexahedron = 9;
 
 struct Shape {
   std::size_t item = kNone;   ///< none: the room
@@ -70,33 +71,40 @@ std::vector<Shape> shapes_of(const Hdf5Reader& file, const std::vector<std::stri
   return shapes;
 }
 
-/// The cells of all shapes, and the item of each.
+/// The cells of shapes, and the item of each. Cells of a fixed number of points only: readers such
+/// as meshio know no polygons.
 struct Cells {
   std::vector<std::int64_t> connectivity, items;
+  std::int64_t points = 0;
 
-  void add(const Shape& shape, std::int64_t first) {
-    const auto points = static_cast<std::int64_t>(shape.points.size());
+  void add(const Shape& shape) {
+    const std::int64_t first = points;
+    points += static_cast<std::int64_t>(shape.points.size());
     if (shape.kind == "box") {
       begin(shape, {kHexahedron});
-      for (std::int64_t i = 0; i < points; ++i) connectivity.push_back(first + i);
+      for (std::int64_t i = first; i < points; ++i) connectivity.push_back(i);
     } else if (shape.kind == "prism") {
-      const std::int64_t sides = points / 2;
-      for (std::int64_t i = 0; i < sides; ++i) {
-        const std::int64_t next = (i + 1) % sides;
-        begin(shape,
-              {kQuadrilateral, first + i, first + next, first + sides + next, first + sides + i});
-      }
-      for (const std::int64_t ring : {first, first + sides}) {
-        begin(shape, {kPolygon, sides});
-        for (std::int64_t i = 0; i < sides; ++i) connectivity.push_back(ring + i);
-      }
+      add_prism(shape, first, static_cast<std::int64_t>(shape.points.size()) / 2);
     } else {
-      begin(shape, {kVertices, points});
-      for (std::int64_t i = 0; i < points; ++i) connectivity.push_back(first + i);
+      for (std::int64_t i = first; i < points; ++i) begin(shape, {kVertex, 1, i});
     }
   }
 
  private:
+  void add_prism(const Shape& shape, std::int64_t first, std::int64_t sides) {
+    for (std::int64_t i = 0; i < sides; ++i) {
+      const std::int64_t next = (i + 1) % sides;
+      begin(shape,
+            {kQuadrilateral, first + i, first + next, first + sides + next, first + sides + i});
+    }
+    for (const std::int64_t ring : {first, first + sides}) {  // a fan from its first point
+      std::int64_t i = 1;
+      for (; i + 2 < sides; i += 2)
+        begin(shape, {kQuadrilateral, ring, ring + i, ring + i + 1, ring + i + 2});
+      if (i + 1 < sides) begin(shape, {kTriangle, ring, ring + i, ring + i + 1});
+    }
+  }
+
   void begin(const Shape& shape, std::initializer_list<std::int64_t> numbers) {
     connectivity.insert(connectivity.end(), numbers);
     items.push_back(shape.item == kNone ? -1 : static_cast<std::int64_t>(shape.item));
@@ -147,6 +155,75 @@ std::string data_item(const std::string& file, const std::string& path, const ch
       type, dimensions, file, path);
 }
 
+std::vector<std::int64_t> counted(std::size_t count) {
+  std::vector<std::int64_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+/// Shapes whose points are written together, in the file of points below `group`.
+class ShapeGrid {
+ public:
+  ShapeGrid(std::string name, std::string heavy, Hdf5Writer& points)
+      : name_(std::move(name)), heavy_(std::move(heavy)), points_(points) {}
+
+  void add(const Shape& shape) {
+    shapes_.push_back(&shape);
+    cells_.add(shape);
+  }
+  bool empty() const { return shapes_.empty(); }
+
+  void write_cells() {
+    const std::string at = "/" + name_;
+    points_.add_group(at);
+    points_.add_scale({at + "/place", "1", "place in the list of cells", {}},
+                      counted(cells_.connectivity.size()));
+    points_.add_scale({at + "/cell", "1", "index of the cell", {}}, counted(cells_.items.size()));
+    points_.add_scale({at + "/vertex", "1", "index of the point", {}},
+                      counted(static_cast<std::size_t>(cells_.points)));
+    points_.add({at + "/cells", "1", "mixed topology of XDMF 3", {at + "/place"}},
+                cells_.connectivity);
+    points_.add({at + "/item", "1", "index of the item; -1: the room", {at + "/cell"}},
+                cells_.items);
+    points_.add_group(at + "/points");
+  }
+
+  /// Path of the points at one time.
+  std::string write_points(const Poses& poses, std::size_t time) {
+    std::vector<double> all;
+    for (const Shape* shape : shapes_)
+      for (const Vector3& point : shape->points) {
+        const Vector3 placed = poses.place(*shape, point, time);
+        all.insert(all.end(), placed.data(), placed.data() + 3);
+      }
+    const std::string path = fmt::format("/{}/points/{:06}", name_, time);
+    points_.add({path, "m", "points in floor axes", {"/" + name_ + "/vertex", "/axis"}}, all);
+    return path;
+  }
+
+  std::string xml(const std::string& points) const {
+    const auto item = [&](const std::string& path, const char* type, const std::string& dims) {
+      return data_item(heavy_, path, type, dims);
+    };
+    const std::string cells = std::to_string(cells_.items.size());
+    return fmt::format(
+        "<Grid Name=\"{}\" GridType=\"Uniform\">"
+        "<Topology TopologyType=\"Mixed\" NumberOfElements=\"{}\">{}</Topology>"
+        "<Geometry GeometryType=\"XYZ\">{}</Geometry>"
+        "<Attribute Name=\"item\" AttributeType=\"Scalar\" Center=\"Cell\">{}</Attribute></Grid>",
+        name_, cells,
+        item("/" + name_ + "/cells", "Int", std::to_string(cells_.connectivity.size())),
+        item(points, "Float", fmt::format("{} 3", cells_.points)),
+        item("/" + name_ + "/item", "Int", cells));
+  }
+
+ private:
+  std::string name_, heavy_;
+  Hdf5Writer& points_;
+  std::vector<const Shape*> shapes_;
+  Cells cells_;
+};
+
 }  // namespace
 
 void export_xdmf(const std::string& path, const std::string& name, const TakeFile& take) {
@@ -159,52 +236,26 @@ void export_xdmf(const std::string& path, const std::string& name, const TakeFil
   const Poses poses(file);
   poses.require_times(file, time.size());
 
-  Cells cells;
-  std::vector<std::int64_t> vertices, places, cell_rows;
-  for (const Shape& shape : shapes) {
-    cells.add(shape, static_cast<std::int64_t>(vertices.size()));
-    for (std::size_t i = 0; i < shape.points.size(); ++i)
-      vertices.push_back(static_cast<std::int64_t>(vertices.size()));
-  }
-  for (std::size_t i = 0; i < cells.connectivity.size(); ++i)
-    places.push_back(static_cast<std::int64_t>(i));
-  for (std::size_t i = 0; i < cells.items.size(); ++i)
-    cell_rows.push_back(static_cast<std::int64_t>(i));
-
-  Hdf5Writer points;
-  points.add_scale({"/place", "1", "place in the list of cells", {}}, places);
-  points.add_scale({"/cell", "1", "index of the cell", {}}, cell_rows);
-  points.add_scale({"/vertex", "1", "index of the point", {}}, vertices);
-  points.add_scale({"/axis", "1", "floor axis", {}}, std::vector<std::string>{"x", "y", "z"});
-  points.add({"/cells", "1", "mixed topology of XDMF 3", {"/place"}}, cells.connectivity);
-  points.add({"/item", "1", "index of the item; -1: the room", {"/cell"}}, cells.items);
-  points.add_group("/points");
-
   const std::string heavy = name + "_shapes.h5";
-  const std::string topology = fmt::format(
-      "<Topology TopologyType=\"Mixed\" NumberOfElements=\"{}\">{}</Topology>", cells.items.size(),
-      data_item(heavy, "/cells", "Int", std::to_string(places.size())));
-  const std::string attribute = fmt::format(
-      "<Attribute Name=\"item\" AttributeType=\"Scalar\" Center=\"Cell\">{}</Attribute>",
-      data_item(heavy, "/item", "Int", std::to_string(cells.items.size())));
+  Hdf5Writer points;
+  points.add_scale({"/axis", "1", "floor axis", {}}, std::vector<std::string>{"x", "y", "z"});
+  ShapeGrid items("items", heavy, points), room("room", heavy, points);
+  for (const Shape& shape : shapes) (shape.item == kNone ? room : items).add(shape);
+  items.write_cells();
+  // The room stands: its points are written once, and each time names them.
+  std::string standing;
+  if (!room.empty()) {
+    room.write_cells();
+    standing = room.xml(room.write_points(poses, 0));
+  }
   std::string xml =
       "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n"
       "<Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-  for (std::size_t t = 0; t < time.size(); ++t) {
-    std::vector<double> all;
-    for (const Shape& shape : shapes)
-      for (const Vector3& point : shape.points) {
-        const Vector3 placed = poses.place(shape, point, t);
-        all.insert(all.end(), placed.data(), placed.data() + 3);
-      }
-    const std::string dataset = fmt::format("/points/{:06}", t);
-    points.add({dataset, "m", "points in floor axes", {"/vertex", "/axis"}}, all);
+  for (std::size_t t = 0; t < time.size(); ++t)
     xml += fmt::format(
-        "<Grid Name=\"shapes\" GridType=\"Uniform\"><Time Value=\"{}\"/>{}"
-        "<Geometry GeometryType=\"XYZ\">{}</Geometry>{}</Grid>\n",
-        time[t], topology, data_item(heavy, dataset, "Float", fmt::format("{} 3", vertices.size())),
-        attribute);
-  }
+        "<Grid Name=\"shapes\" GridType=\"Collection\" CollectionType=\"Spatial\">"
+        "<Time Value=\"{}\"/>{}{}</Grid>\n",
+        time[t], items.xml(items.write_points(poses, t)), standing);
   take(heavy, points.image());
   take(name + ".xdmf", xml + "</Grid>\n</Domain>\n</Xdmf>\n");
 }
