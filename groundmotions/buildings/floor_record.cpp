@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "engine/base/error.h"
+#include "engine/base/units.h"
 #include "groundmotions/measures/integrate.h"
 #include "groundmotions/measures/peaks.h"
 
@@ -256,6 +257,26 @@ void report_rotation(Record& floor) {
                     peak.maxCoeff(), kLargestRotation));
 }
 
+void report_vertical(const Record& ground, const Building& building, BuildingResponse& response) {
+  const ModalAxis& axis = building[Direction::kVertical];
+  if (axis.empty() || !ground[Direction::kVertical]) return;
+  const auto peak = [](const Component& component) {
+    return peaks(component.time_step, component.acceleration).acceleration;
+  };
+  const double below = peak(*ground[Direction::kVertical]);
+  const double above = peak(*response.floor[Direction::kVertical]);
+  if (!(below > 0)) return;
+  const std::string finding = fmt::format(
+      "vertical amplified {:.2g} times, to {:.3g} g, by the building's own frequency "
+      "({:.3g} Hz, {:.2g} % damping, assumptions of its file)",
+      above / below, above / kStandardGravity, axis.front().omega / (2 * pi),
+      100 * axis.front().damping);
+  response.findings.push_back(finding);
+  response.floor.processing.push_back(finding);
+  if (above > kStandardGravity)
+    response.floor.warnings.push_back(finding + ": above 1 g what stands on the floor leaves it");
+}
+
 std::string period_text(const ModalAxis& axis) {
   return axis.empty() ? "rigid" : fmt::format("{:.4g} s", 2 * pi / axis.front().omega);
 }
@@ -328,7 +349,8 @@ BuildingResponse building_response(const Record& ground, const Building& buildin
   require(floor >= 0 && floor <= building.storeys,
           fmt::format("building '{}' has no floor {}; floors are 0 (the base) to {} (the roof)",
                       building.name, floor, building.storeys));
-  BuildingResponse response{ground, {}};
+  BuildingResponse response;
+  response.floor = ground;
   Record& record = response.floor;
   record.name = fmt::format("{}, floor {} of {}", ground.name, floor, building.name);
   record.processing.push_back(description(building, floor));
@@ -372,6 +394,7 @@ BuildingResponse building_response(const Record& ground, const Building& buildin
     record.rotation = rotation_of(history.floor);
     report_rotation(record);
   }
+  report_vertical(ground, building, response);
   report_drift(ground, static_cast<double>(samples - 1 - motion.steps()) * time_step, record);
   return response;
 }

@@ -1,11 +1,13 @@
 #include "groundmotions/buildings/floor_record.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/units.h"
 #include "groundmotions/buildings/generic_building.h"
 #include "groundmotions/buildings/shear_building.h"
 #include "groundmotions/record/record_motion.h"
@@ -75,6 +77,29 @@ TEST(FloorRecord, ReportsHowFarAResidualVelocityOfTheGroundCarriesTheFloor) {
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_THAT(warnings[0], HasSubstr("h2: the ground still moves at 0.5"));
   EXPECT_THAT(warnings[0], HasSubstr("with the step \"baseline kind=end_at_rest\""));
+}
+
+// 0.5 s at 8 m/s2 upwards and 0.5 s downwards, which leaves no velocity: a floor of 10 Hz overshoots,
+// by its own share, at each step.
+TEST(FloorRecord, SaysHowMuchTheFloorAmplifiesTheVertical) {
+  Record strong = ground();
+  auto& vertical = strong.components[2]->acceleration;
+  vertical.setZero();
+  vertical.segment(100, 100).setConstant(8);
+  vertical.segment(200, 100).setConstant(-8);
+  const BuildingResponse response = building_response(strong, two_storeys(), 2);
+  const double peak = samples(response.floor, Direction::kVertical).cwiseAbs().maxCoeff();
+  ASSERT_FALSE(response.findings.empty());
+  EXPECT_EQ(response.findings[0],
+            fmt::format("vertical amplified {:.2g} times, to {:.3g} g, by the building's own "
+                        "frequency (10 Hz, 3 % damping, assumptions of its file)",
+                        peak / 8, peak / kStandardGravity));
+  EXPECT_GT(peak, kStandardGravity);
+  ASSERT_EQ(response.floor.warnings.size(), 1u);
+  EXPECT_EQ(response.floor.warnings[0],
+            response.findings[0] + ": above 1 g what stands on the floor leaves it");
+  vertical /= 8;
+  EXPECT_THAT(floor_record(strong, two_storeys(), 2).warnings, IsEmpty());
 }
 
 // Each axis alone by ModalResponse, at the finer samples the vertical mode of 0.1 s asks for:
@@ -147,7 +172,7 @@ TEST(FloorRecord, IsolationIsSolvedToItsAccuracyAndSaysSo) {
   EXPECT_GT(isolators.peak, 0.1);
   EXPECT_EQ(isolators.displacement.cols(), response.floor.samples());
   EXPECT_EQ(isolators.peak, isolators.displacement.colwise().norm().maxCoeff());
-  ASSERT_EQ(response.floor.processing.size(), 3U);
+  ASSERT_EQ(response.floor.processing.size(), 4U);
   EXPECT_THAT(response.floor.processing[0], HasSubstr("lead rubber isolation"));
   EXPECT_THAT(response.floor.processing[1], HasSubstr("isolators: peak displacement 0."));
   EXPECT_THAT(response.floor.warnings,
