@@ -166,12 +166,23 @@ bool says_where(const FoundComponent& channel) {
   return channel.vertical || channel.azimuth || !channel.site.empty();
 }
 
+/// A channel alone at its place, beside channels at other places of the folder.
+bool is_alone_at_place(const Group& group, const std::vector<Group>& groups) {
+  return group.size() == 1 && !group[0].place.empty() &&
+         std::ranges::any_of(groups, [&](const Group& other) {
+           return !other[0].place.empty() && other[0].place != group[0].place &&
+                  other[0].content == group[0].content &&
+                  other[0].path.parent_path() == group[0].path.parent_path();
+         });
+}
+
 /// Two sensors at one station have files of like names; the place distinguishes them.
 void name_apart(std::vector<Group>& groups, std::vector<SuiteRecord>& records) {
   std::map<std::string, int> count;
   for (const SuiteRecord& record : records) ++count[record.name];
   for (std::size_t i = 0; i < records.size(); ++i)
-    if (count[records[i].name] > 1) records[i].name = with_place(records[i].name, groups[i][0]);
+    if (count[records[i].name] > 1 || is_alone_at_place(groups[i], groups))
+      records[i].name = with_place(records[i].name, groups[i][0]);
 }
 
 void take_directions_from_names(std::vector<FoundComponent>& components,

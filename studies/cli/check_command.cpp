@@ -11,6 +11,7 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/equipment_check.h"
 #include "studies/cli/job_argument.h"
+#include "studies/cli/scale_warnings.h"
 #include "studies/cli/study_size.h"
 #include "studies/cli/study_warnings.h"
 #include "studies/report/overview_report.h"
@@ -109,6 +110,7 @@ void add_plan(Answer& answer, const study::Batch& batch) {
       for (const std::string& warning : batch.motions.set(set).ground(i).warnings)
         warnings.push_back(name + ": " + warning);
     }
+  for (std::string& warning : scale_warnings(batch)) warnings.push_back(std::move(warning));
   answer.add(
       "records", records,
       list_of(records) +

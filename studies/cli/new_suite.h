@@ -8,7 +8,9 @@
 namespace gurney::cli {
 
 /// Lets a study run over the records found in a folder: the folder, or the files of it that can be
-/// read, with the components that all of them have.
+/// read. All three components are used if more than half of the records have them, else both
+/// horizontals, else what all have. Records that lack one of these, or that need a factor above
+/// kDubiousFactor for the highest level, are left out: their files stay as comments.
 /// @param unit  of files that do not state theirs; empty: all do
 /// @param file  the job that will name them
 /// @returns `3 of 5 records; the file states why the others are excluded`

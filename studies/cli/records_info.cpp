@@ -59,12 +59,13 @@ int info(const InfoOptions& options) {
 int list(const InfoOptions& options) {
   if (options.json) return print_json(options);
   std::size_t count = 0;
+  const std::size_t width = report::table_width();
   std::vector<groundmotions::Refusal> refused;
   const int code =
       for_each_record(options.source, &refused,
                       [&](const groundmotions::SuiteRecord&, const groundmotions::Record& record) {
-                        if (count++ == 0) fmt::print("{}", report::record_table_head());
-                        fmt::print("{}", printable(report::record_table_line(record)));
+                        if (count++ == 0) fmt::print("{}", report::record_table_head(width));
+                        fmt::print("{}", printable(report::record_table_line(record, width)));
                         std::fflush(stdout);
                       });
   fmt::print("{} record{}", count, count == 1 ? "" : "s");

@@ -21,6 +21,8 @@ using Json = nlohmann::ordered_json;
 
 const char* const kSource =
     "Boore, Stewart, Seyhan & Atkinson (2014), Earthquake Spectra 30(3), 1057-1085; RotD50";
+const char* const kLeftOut =
+    "regional terms (attenuation of China, Turkey, Italy, Japan) and the basin term are left out";
 const std::map<std::string, Faulting> kFaulting = {{"unspecified", Faulting::kUnspecified},
                                                    {"strike-slip", Faulting::kStrikeSlip},
                                                    {"normal", Faulting::kNormal},
@@ -51,6 +53,7 @@ int print_json(const ModelOptions& options) {
     correlation.push_back(row);
   }
   const Json result = {{"source", kSource},
+                       {"left_out", kLeftOut},
                        {"pgv_m_per_s", prediction_json(bssa14_pgv(options.scenario))},
                        {"sa_m_per_s2", spectrum},
                        {"correlation", correlation}};
@@ -71,6 +74,7 @@ int print(const ModelOptions& options) {
   for (const double period : options.periods)
     line(fmt::format("Sa({:g})", period), bssa14_sa(options.scenario, period), kStandardGravity,
          "g");
+  fmt::print("\nnote: {}\n", kLeftOut);
   return 0;
 }
 

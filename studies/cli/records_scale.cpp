@@ -67,7 +67,7 @@ groundmotions::TargetSpectrum target_of(const std::string& text) {
 
 struct ScaledSuite {
   std::vector<groundmotions::SuiteRecord> records;
-  std::vector<Eigen::VectorXd> spectra;
+  std::vector<groundmotions::Record> motions;  ///< that have a spectrum of the component
 };
 
 /// A cell in quotes, a quote in it doubled (RFC 4180).
@@ -175,16 +175,15 @@ int scale(const ScaleOptions& options) {
   const groundmotions::Combination combination =
       groundmotions::parse_combination(options.component);
   const Eigen::VectorXd periods = groundmotions::logarithmic_periods(low, high, kPeriods);
-  Eigen::VectorXd wanted(kPeriods);
-  for (Eigen::Index i = 0; i < kPeriods; ++i) wanted[i] = target.at(periods[i]);
+  target.at(low), target.at(high);  // refuses a range that the target does not have
 
   ScaledSuite suite;
   const int code = for_each_record(
       options.source, nullptr,
       [&](const groundmotions::SuiteRecord& entry, const groundmotions::Record& record) {
         try {
-          suite.spectra.push_back(
-              groundmotions::combined_spectrum(combination, record, periods, target.damping));
+          groundmotions::combined_spectrum(combination, record, periods.head(1), target.damping);
+          suite.motions.push_back(record);
           suite.records.push_back(entry);
         } catch (const Error& error) {
           print_error("skipped: {}\n", error.what());
@@ -193,18 +192,23 @@ int scale(const ScaleOptions& options) {
   require(!suite.records.empty(),
           "no record is left to scale; a record with one horizontal needs "
           "--component h1");
-  Eigen::MatrixXd spectra(static_cast<Eigen::Index>(suite.records.size()), kPeriods);
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < suite.records.size(); ++i) {
-    spectra.row(static_cast<Eigen::Index>(i)) = suite.spectra[i].transpose();
-    names.push_back(suite.records[i].name);
-  }
+  for (const groundmotions::SuiteRecord& record : suite.records) names.push_back(record.name);
+  const auto spectra_at = [&](const Eigen::VectorXd& at) {
+    Eigen::MatrixXd spectra(std::ssize(suite.motions), at.size());
+    for (Eigen::Index i = 0; i < spectra.rows(); ++i)
+      spectra.row(i) =
+          groundmotions::combined_spectrum(combination, suite.motions[static_cast<std::size_t>(i)],
+                                           at, target.damping)
+              .transpose();
+    return spectra;
+  };
   groundmotions::SuiteScalingOptions how{smallest, largest, !options.common};
   how.mean = options.mean == "geometric" ? groundmotions::SuiteScalingOptions::Mean::kGeometric
                                          : groundmotions::SuiteScalingOptions::Mean::kArithmetic;
   how.floor_share = options.floor_share;
-  const groundmotions::SuiteScaling scaling =
-      groundmotions::scale_suite(periods, spectra, wanted, names, how);
+  const groundmotions::SuiteScaling scaling = groundmotions::scale_suite(
+      periods, {spectra_at, [&](double period) { return target.at(period); }}, names, how);
   if (options.json)
     fmt::print("{}", json(suite, scaling, target));
   else
@@ -217,8 +221,8 @@ int scale(const ScaleOptions& options) {
     files.stage(options.output,
                 list_text(suite, scaling, target, fs::absolute(options.output).parent_path()));
   if (!options.figure.empty())
-    files.stage(options.figure.path,
-                options.figure.bytes(figures::suite_figure(target, periods, spectra, scaling)));
+    files.stage(options.figure.path, options.figure.bytes(figures::suite_figure(
+                                         target, periods, spectra_at(periods), scaling)));
   files.commit();
   return code;
 }

@@ -12,6 +12,7 @@
 #include "engine/base/error.h"
 #include "engine/base/files.h"
 #include "engine/base/shell_word.h"
+#include "studies/cli/scale_warnings.h"
 #include "studies/cli/signals.h"
 #include "studies/cli/standard_error.h"
 #include "studies/cli/study_output.h"
@@ -172,6 +173,7 @@ int run_study(const RunOptions& options) {
                            shard);
   const study::CrashLog crashes(folder.path() / "crashes");
   for (const std::string& warning : job_warnings(batch.job)) print_error("warning: {}\n", warning);
+  for (const std::string& warning : scale_warnings(batch)) print_error("warning: {}\n", warning);
   for (const std::string& warning : folder.warnings()) print_error("{}\n", warning);
   for (const std::string& warning : crashes.warnings()) print_error("{}\n", warning);
 

@@ -35,6 +35,21 @@ expect 0 "written" "$gurney" new study found --from records --item cart.toml
 grep -q '^suite = "records"' found.toml || complain "the folder is not named"
 grep -q '^use = "x"  # components that every record has' found.toml || complain "components are not stated"
 expect 0 "a valid study" "$gurney" check found.toml
+# More than half have three components: these are kept. A record that is too weak is left out.
+mkdir three
+cp "$2/groundmotions/records/synthetic_3c.csv" three/a.csv
+cp "$2/groundmotions/records/synthetic_3c.csv" three/b.csv
+cp "$2/groundmotions/records/synthetic_3c.csv" three/c.csv
+cp records/pulse.csv three
+awk 'BEGIN { print "time (s),EW (g),NS (g),UD (g)"; for (i = 0; i < 500; ++i)
+  printf "%.2f,%.5f,%.5f,%.5f\n", i / 100, 0.01 * sin(i / 5), 0.01 * cos(i / 6), 0.01 * sin(i / 7) }' > three/weak.csv
+expect 0 "left out: pulse: it has no h2 and vertical" "$gurney" new study kept --from three --item cart.toml
+expect 0 "left out: weak: the highest level needs a factor of 100, more than 20" "$gurney" new study again --from three --item cart.toml
+grep -q '^use = ' kept.toml && complain "components are left out that most records have"
+grep -q '^  # "three/pulse.csv",' kept.toml || complain "a record that lacks a component is not listed"
+expect 0 "a valid study" "$gurney" check kept.toml
+sed 's|^suite = .*|suite = ["three/weak.csv",|' kept.toml > weak.toml
+expect 0 "weak: scaled by 100, more than 20" "$gurney" check weak.toml
 echo "no record" > records/notes.txt
 expect 0 "records  2 of 3 records; listed.toml states why the others are excluded (no unit in them: --unit g)" \
   "$gurney" new study listed --from records --item cart.toml
