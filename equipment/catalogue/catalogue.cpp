@@ -14,29 +14,29 @@ namespace {
 namespace fs = std::filesystem;
 
 struct KindNames {
-  const char* folder;
+  const char* folder;  ///< below data_folder()
   const char* noun;
 };
 
 KindNames names_of(DataKind kind) {
   switch (kind) {
     case DataKind::kItem:
-      return {"items", "item of equipment"};
+      return {"equipment/items", "item of equipment"};
     case DataKind::kCaster:
-      return {"casters", "caster"};
+      return {"equipment/casters", "caster"};
     case DataKind::kFloor:
-      return {"floors", "floor covering"};
+      return {"equipment/floors", "floor covering"};
     case DataKind::kRoom:
-      return {"rooms", "room"};
+      return {"equipment/rooms", "room"};
     case DataKind::kTether:
+      return {"equipment/tethers", "kind of tether"};
+    case DataKind::kBuilding:
       break;
   }
-  return {"tethers", "kind of tether"};
+  return {"groundmotions/buildings", "building"};
 }
 
-fs::path folder_of(DataKind kind) {
-  return fs::path(data_folder()) / "equipment" / names_of(kind).folder;
-}
+fs::path folder_of(DataKind kind) { return fs::path(data_folder()) / names_of(kind).folder; }
 
 }  // namespace
 

@@ -68,6 +68,7 @@ CheckedFile check_data_file(const std::string& file) {
       return {DataKind::kRoom, load_room(file, names, room), {}};
     }
     case DataKind::kTether:
+    case DataKind::kBuilding:  // kind_of() refuses it: its command is another one
       break;
   }
   return {DataKind::kTether, load_tether_type(file).stated().name, {}};

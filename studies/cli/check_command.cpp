@@ -94,7 +94,8 @@ void add_scale_factors(Answer& answer, const study::Batch& batch) {
              "factors " + factors.text() + (ida ? " (first level of the IDA)" : ""));
 }
 
-void add_plan(Answer& answer, const study::Batch& batch) {
+void add_plan(Answer& answer, const study::Batch& batch,
+              const std::vector<std::string>& of_buildings) {
   const study::Study& study = batch.job.study();
   std::vector<std::string> names;
   for (const study::Configuration& each : batch.job.configurations())
@@ -135,6 +136,7 @@ void add_plan(Answer& answer, const study::Batch& batch) {
   if (!inputs.empty()) answer.add("inputs", inputs, list_of(inputs));
   const study::UndrawnRanges undrawn = study::undrawn_ranges(batch);
   answer.json["ranges_not_drawn"] = undrawn.lines();
+  warnings.insert(warnings.end(), of_buildings.begin(), of_buildings.end());
   answer.text += report::undrawn_text(undrawn);
   add_warnings(answer, warnings);
 }
@@ -147,15 +149,17 @@ Answer check_study(const study::StudyJob& job, int threads) {
   motions.read_all(threads);
   Answer answer;
   answer.add("job", job.file(), job.file() + ": a valid study");
-  add_plan(answer, batch);
   const study::Estimate needs = study::estimate(batch);
+  add_plan(answer, batch, needs.warnings);
   const bool ida = job.study().intensity.kind == study::IntensityPlan::Kind::kIda;
   const char* const most = ida ? "at most " : "";
   answer.add("cases", plan.tasks(), fmt::format("{}", plan.tasks()));
   answer.add("runs", needs.runs, fmt::format("{}{}", most, needs.runs));
   answer.add("time_s", needs.seconds(threads),
-             fmt::format("{}about {} with {} threads (two runs were timed: {:.2g} s each)", most,
-                         duration_text(needs.seconds(threads)), threads, needs.seconds_per_run));
+             fmt::format("{}about {} with {} threads on as many idle cores ({} runs were timed: "
+                         "{:.2g} s each)",
+                         most, rounded_duration(needs.seconds(threads)), threads, needs.timed,
+                         needs.seconds_per_run));
   answer.add("memory_bytes", needs.memory_bytes,
              "about " + size_text(static_cast<double>(needs.memory_bytes)));
   answer.add("disk_bytes", needs.bytes(),

@@ -24,9 +24,11 @@ const char* noun(equipment::DataKind kind) {
     case equipment::DataKind::kRoom:
       return "room";
     case equipment::DataKind::kTether:
+      return "kind of tether";
+    case equipment::DataKind::kBuilding:
       break;
   }
-  return "kind of tether";
+  return "building";
 }
 
 }  // namespace

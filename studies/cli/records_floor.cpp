@@ -9,6 +9,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
+#include "equipment/catalogue/catalogue.h"
 #include "groundmotions/buildings/building_reader.h"
 #include "groundmotions/buildings/floor_record.h"
 #include "groundmotions/measures/peaks.h"
@@ -25,6 +26,15 @@ struct FloorOptions {
   std::string building, floor = "roof", output;
   bool overwrite = false, json = false;
 };
+
+/// A name of the catalogue, or a path.
+std::string building_file(const std::string& name) {
+  try {
+    return equipment::find_data(equipment::DataKind::kBuilding, name, "");
+  } catch (const Error& error) {
+    throw Error("--building " + name + ": " + error.what());
+  }
+}
 
 int floor_of(const std::string& text, const groundmotions::Building& building) {
   if (text == "roof") return building.storeys;
@@ -89,6 +99,7 @@ void print_facts(const groundmotions::Building& building, int floor,
     fmt::print("  floor rotates by up to {:.2g} rad along h1, {:.2g} rad along h2\n",
                peak_dip(*response.floor.rotation, groundmotions::Direction::kH1),
                peak_dip(*response.floor.rotation, groundmotions::Direction::kH2));
+  for (const std::string& finding : response.findings) fmt::print("  {}\n", finding);
   if (response.isolators)
     fmt::print("  isolators {:.3g} m, residual {:.2g} m\n", response.isolators->peak,
                response.isolators->residual.norm());
@@ -99,7 +110,8 @@ void print_facts(const groundmotions::Building& building, int floor,
 }
 
 int floor(const FloorOptions& options) {
-  const groundmotions::Building building = groundmotions::building_from_file(options.building);
+  const groundmotions::Building building =
+      groundmotions::building_from_file(building_file(options.building));
   const int number = floor_of(options.floor, building);
   std::optional<groundmotions::Record> ground;
   const int code =
@@ -129,7 +141,7 @@ void add_records_floor(CLI::App& records, std::function<int()>& action) {
   add_source_options(*command, options->source);
   command
       ->add_option("--building", options->building,
-                   "A building file (docs/formats/building_file.md)")
+                   "A building of the catalogue (gurney equipment ls), or a building file")
       ->required();
   command->add_option("--storey,--floor", options->floor,
                       "0 (the base) to the number of storeys, or roof");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/base/error.h"
 #include "studies/study/run/estimate.h"
@@ -13,6 +14,13 @@ std::string duration_text(double seconds) {
   if (seconds < 90) return fmt::format("{:.2g} s", seconds);
   if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
   return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+std::string rounded_duration(double seconds) {
+  if (seconds < 1.5) return "a second";
+  if (seconds < 45)
+    return fmt::format("{:.0f} s", seconds < 9.5 ? seconds : 5 * std::round(seconds / 5));
+  return seconds < 90 ? "a minute" : duration_text(seconds);
 }
 
 std::string size_text(double bytes) {

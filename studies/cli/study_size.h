@@ -11,6 +11,9 @@ namespace gurney::cli {
 inline constexpr double kMaxRuns = 1e7;
 
 std::string duration_text(double seconds);
+
+/// "a second", "20 s", "a minute", "3 min": an estimate, as well as it is known.
+std::string rounded_duration(double seconds);
 std::string size_text(double bytes);
 
 /// @throws Error for a study with more runs than kMaxRuns, with what it would take

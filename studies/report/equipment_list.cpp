@@ -1,6 +1,8 @@
 #include "studies/report/equipment_list.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "engine/base/units.h"
 #include "equipment/catalogue/caster_type.h"
@@ -10,6 +12,7 @@
 #include "equipment/catalogue/load_item.h"
 #include "equipment/catalogue/room_description.h"
 #include "equipment/catalogue/tether_type.h"
+#include "groundmotions/buildings/building_reader.h"
 #include "studies/report/report_table.h"
 
 namespace gurney::report {
@@ -108,6 +111,33 @@ ReportTable tethers() {
   return table;
 }
 
+/// First period [s]; NaN: rigid.
+double period(double omega) { return omega > 0 ? 2 * std::numbers::pi / omega : std::nan(""); }
+double first_period(const groundmotions::ModalAxis& axis) {
+  return axis.empty() ? std::nan("") : period(axis.front().omega);
+}
+
+ReportTable buildings() {
+  ReportTable table({{"building", "<28", "", "key"},
+                     {"name", "<44", "", "name"},
+                     {"storeys", ">8", "", "storeys"},
+                     {"T h1 [s]", ">9", ".3g", "period_h1_s"},
+                     {"T h2 [s]", ">9", ".3g", "period_h2_s"},
+                     {"T vert. [s]", ">11", ".3g", "period_vertical_s"},
+                     {"isolated [s]", ">12", ".3g", "period_isolated_s"}});
+  for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kBuilding)) {
+    const groundmotions::Building building = groundmotions::building_from_file(
+        equipment::find_data(equipment::DataKind::kBuilding, key, ""));
+    table.add(
+        {key, building.name, static_cast<std::size_t>(building.storeys),
+         first_period(building[groundmotions::Direction::kH1]),
+         first_period(building[groundmotions::Direction::kH2]),
+         first_period(building[groundmotions::Direction::kVertical]),
+         building.isolation ? period(std::sqrt(building.isolation->stiffness)) : std::nan("")});
+  }
+  return table;
+}
+
 }  // namespace
 
 std::string equipment_list() {
@@ -115,15 +145,14 @@ std::string equipment_list() {
          "b/h and tilt: free swivels turned the worst way, locked ones as locked; without casters "
          "on its feet\n\n" +
          casters().text() + "\n" + floors().text() + "\n" + rooms().text() + "\n" +
-         tethers().text();
+         tethers().text() + "\n" + buildings().text() +
+         "first periods of the building on a fixed base; -: rigid, not isolated\n";
 }
 
 std::string equipment_list_json() {
-  const nlohmann::ordered_json lists = {{"items", items().json()},
-                                        {"casters", casters().json()},
-                                        {"floors", floors().json()},
-                                        {"rooms", rooms().json()},
-                                        {"tethers", tethers().json()}};
+  const nlohmann::ordered_json lists = {
+      {"items", items().json()}, {"casters", casters().json()}, {"floors", floors().json()},
+      {"rooms", rooms().json()}, {"tethers", tethers().json()}, {"buildings", buildings().json()}};
   return lists.dump(2) + "\n";
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace gurney::report {
 namespace {
 
@@ -12,7 +14,8 @@ std::string with(const std::string& spec, const auto& value) {
 std::string written(const ReportColumn& column, const ReportTable::Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* count = std::get_if<std::size_t>(&cell)) return std::to_string(*count);
-  return with(column.form, column.factor * std::get<double>(cell));
+  const double number = std::get<double>(cell);
+  return std::isfinite(number) ? with(column.form, column.factor * number) : "-";
 }
 
 /// `|` would end a cell.

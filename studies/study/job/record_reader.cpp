@@ -8,6 +8,7 @@
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "engine/config/file_snapshot.h"
+#include "equipment/catalogue/catalogue.h"
 #include "groundmotions/buildings/building_reader.h"
 #include "groundmotions/processing/step_reader.h"
 #include "groundmotions/record/acceleration_unit.h"
@@ -131,24 +132,39 @@ void read_scaling(Table& in, RecordRequest& record) {
   record.scale_to = read_scale_to(*found);
 }
 
+/// A building of the catalogue by its name, or a file.
+void read_building_file(Table& table, BuildingRequest& request) {
+  const std::string name = table.text("file", "");
+  try {
+    request.file =
+        equipment::find_data(equipment::DataKind::kBuilding, name, table.document().path());
+  } catch (const Error& error) {
+    table.note("file", " = \"" + name + "\": " + error.what());
+    return;
+  }
+  try {
+    request.building = groundmotions::building_from_file(request.file);
+  } catch (const Error& error) {
+    table.document().note(error);
+  }
+}
+
 std::optional<BuildingRequest> read_building_request(Table& excitation) {
   auto found = excitation.table("building");
   if (!found) return {};
   if (!excitation.has("record"))
     excitation.note("building", ": must go with a record that shakes it");
   BuildingRequest request;
-  if (found->has("file")) {
-    const auto path = checked_path(*found, "file", found->text("file", ""));
-    try {
-      request.building = groundmotions::building_from_file(path);
-      request.file = path;
-    } catch (const Error& error) {
-      found->document().note(error);
-    }
-  } else {
+  const std::size_t before = excitation.document().errors();
+  if (found->has("file"))
+    read_building_file(*found, request);
+  else
     request.building = groundmotions::read_building(*found);
-  }
-  request.floor = read_floor(*found, request.building);
+  // The floors of a building that could not be read are not known.
+  if (excitation.document().errors() == before)
+    request.floor = read_floor(*found, request.building);
+  else
+    found->has("floor");
   return request;
 }
 

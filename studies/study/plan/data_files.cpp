@@ -11,10 +11,10 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string name_of(const fs::path& path, const fs::path& beside) {
-  const fs::path in_catalogue = path.lexically_relative(
-      fs::absolute(equipment::data_folder()).lexically_normal() / "equipment");
-  if (!in_catalogue.empty() && *in_catalogue.begin() != "..")
-    return (fs::path("equipment") / in_catalogue).string();
+  const fs::path data = fs::absolute(equipment::data_folder()).lexically_normal();
+  const fs::path in_catalogue = path.lexically_relative(data);
+  const std::string from = in_catalogue.string();
+  if (from.starts_with("equipment/") || from.starts_with("groundmotions/buildings/")) return from;
   return path.lexically_proximate(beside).string();
 }
 

@@ -106,6 +106,10 @@ records 1 "perod_s" make ricker perod_s=1 -o x.csv
 
 records 0 "isolators" floor "$record" --building "$building" -o roof.csv
 grep -q "energy closes" roof.csv || complain "the building is not in the processing of its floor"
+records 0 "vertical amplified" floor "$record" --building lead_rubber_hospital --floor 3 -o named.csv
+records 0 "vertical amplified" floor "$record" --building lead_rubber_hospital --floor 3 -o named2.csv --json
+records 1 "--building lead_ruber_hospital: unknown building; did you mean 'lead_rubber_hospital'?" \
+  floor "$record" --building lead_ruber_hospital -o x.csv
 wall=$2/groundmotions/buildings/wall_hospital.toml
 records 0 "floor rotates by up to" floor "$record" --building "$wall" -o wall_roof.csv
 grep -q "the floor rotates: peak" wall_roof.csv || complain "the rotation is not in the floor's processing"
