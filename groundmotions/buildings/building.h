@@ -17,6 +17,7 @@ struct Building {
   int storeys = 0;                     ///< floors are 0 (the base) to `storeys` (the roof)
   std::array<ModalAxis, 3> axes;       ///< indexed by Direction; without modes: rigid
   std::optional<Isolation> isolation;  ///< below floor 0; empty: floor 0 is the ground
+  std::optional<double> height;        ///< of the roof above the base, where stated [m]
 
   const ModalAxis& operator[](Direction direction) const {
     return axes[static_cast<std::size_t>(direction)];

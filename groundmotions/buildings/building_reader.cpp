@@ -190,8 +190,8 @@ ModalAxis read_vertical(Table in, int storeys) {
 }
 
 /// Rotation of the floors of a shear or generic building.
-/// @param height  of a building whose keys state it
-void read_rotation(Table in, std::optional<double> height, std::array<ModalAxis, 3>& axes) {
+/// @param height  of a building whose keys state it; else it is set
+void read_rotation(Table in, std::optional<double>& height, std::array<ModalAxis, 3>& axes) {
   const std::size_t before = in.document().errors();
   if (height)
     exclude(in, "height_m", "the height_m of a frame");
@@ -226,14 +226,13 @@ Building read_building(Table& table, const std::string& name) {
       building.axes[static_cast<std::size_t>(direction)] =
           read_modes(table, name_of(direction), building.storeys);
   } else {
-    std::optional<double> height;
     const auto axes = kind == 0 ? read_shear(table, building.storeys)
-                                : read_generic(table, building.storeys, height);
+                                : read_generic(table, building.storeys, building.height);
     building.axes = {axes[0], axes[1], {}};
     if (auto vertical = table.table("vertical"))
       building.axes[2] = read_vertical(*vertical, building.storeys);
     if (auto rotation = table.table("floor_rotation"))
-      read_rotation(*rotation, height, building.axes);
+      read_rotation(*rotation, building.height, building.axes);
   }
   if (auto isolation = table.table("isolation")) {
     building.isolation = read_isolation(*isolation);

@@ -28,6 +28,7 @@ constexpr double kAccuracy = 1e-3;            ///< of the peaks, at a halving of
 constexpr double kVisibleDrift = 0.01;        ///< after the ground's end; an assumption [m]
 constexpr double kShareOfPeak = 0.1;          ///< and of the peak displacement; an assumption
 constexpr const char* kBaselineStep = "\"baseline kind=end_at_rest\"";
+constexpr double kElasticDrift = 0.01;     ///< storey drift ratio; an assumption
 constexpr double kLargestRotation = 0.05;  ///< sin and cos are 1 and 0 within 0.13 % [rad]
 constexpr int kMaxHalvings = 10;
 constexpr double kMaxSteps = 1.5e7;       ///< of one pass; some ten seconds in all
@@ -99,6 +100,7 @@ class Quiet {
 struct FloorSample {
   Vector3 acceleration;
   Vector2 dip = Vector2::Zero(), dip_acceleration = Vector2::Zero();  ///< towards h1 and h2
+  double drift = 0;                                                   ///< of a storey [m]
 };
 
 struct History {
@@ -149,7 +151,8 @@ IsolatedHistory run_isolated(const Ground& ground, const Building& building, int
     largest_closure = std::max(largest_closure, std::abs(energy.closure()));
     const Vector2 level = motion.floor_acceleration(floor);
     const Vector3 moved(level.x(), level.y(), vertical.step(ground0.z(), ground1.z()));
-    return FloorSample{moved, motion.floor_dip(floor), motion.floor_dip_acceleration(floor)};
+    return FloorSample{moved, motion.floor_dip(floor), motion.floor_dip_acceleration(floor),
+                       building.height ? motion.storey_drift() : 0};
   };
   const FloorSample first{Vector3(0, 0, vertical.at_rest(ground.at(0).z()))};
   result.history = run(ground, time_step, window, first, step);
@@ -229,6 +232,7 @@ History solve_fixed(const Ground& ground, const Building& building, int floor, d
       const ModalResponse& axis = axes[static_cast<std::size_t>(row)];
       sample.dip[row] = axis.rotation();
       sample.dip_acceleration[row] = axis.rotation_acceleration(b[row]);
+      if (building.height) sample.drift = std::max(sample.drift, axis.storey_drift());
     }
     return sample;
   });
@@ -257,6 +261,14 @@ void report_rotation(Record& floor) {
                     peak.maxCoeff(), kLargestRotation));
 }
 
+/// A finding, and with the words of what follows from it a warning where it is too large.
+void report_finding(const std::string& finding, bool too_large, const std::string& therefore,
+                    BuildingResponse& response) {
+  response.findings.push_back(finding);
+  response.floor.processing.push_back(finding);
+  if (too_large) response.floor.warnings.push_back(finding + ": " + therefore);
+}
+
 void report_vertical(const Record& ground, const Building& building, BuildingResponse& response) {
   const ModalAxis& axis = building[Direction::kVertical];
   if (axis.empty() || !ground[Direction::kVertical]) return;
@@ -266,15 +278,27 @@ void report_vertical(const Record& ground, const Building& building, BuildingRes
   const double below = peak(*ground[Direction::kVertical]);
   const double above = peak(*response.floor[Direction::kVertical]);
   if (!(below > 0)) return;
-  const std::string finding = fmt::format(
-      "vertical amplified {:.2g} times, to {:.3g} g, by the building's own frequency "
-      "({:.3g} Hz, {:.2g} % damping, assumptions of its file)",
-      above / below, above / kStandardGravity, axis.front().omega / (2 * pi),
-      100 * axis.front().damping);
-  response.findings.push_back(finding);
-  response.floor.processing.push_back(finding);
-  if (above > kStandardGravity)
-    response.floor.warnings.push_back(finding + ": above 1 g what stands on the floor leaves it");
+  report_finding(
+      fmt::format("vertical amplified {:.2g} times, to {:.3g} g, by the building's own frequency "
+                  "({:.3g} Hz, {:.2g} % damping, assumptions of its file)",
+                  above / below, above / kStandardGravity, axis.front().omega / (2 * pi),
+                  100 * axis.front().damping),
+      above > kStandardGravity, "above 1 g what stands on the floor leaves it", response);
+}
+
+void report_storey_drift(const History& history, const Building& building,
+                         BuildingResponse& response) {
+  if (!building.height) return;
+  double drift = 0;
+  for (const FloorSample& sample : history.floor) drift = std::max(drift, sample.drift);
+  const double ratio = drift / (*building.height / building.storeys);
+  response.storey_drift_ratio = ratio;
+  report_finding(fmt::format("peak storey drift ratio {:.2g} %", 100 * ratio),
+                 ratio > kElasticDrift,
+                 fmt::format("the model is elastic; above {:g} % a building yields, and its floors "
+                             "accelerate less",
+                             100 * kElasticDrift),
+                 response);
 }
 
 std::string period_text(const ModalAxis& axis) {
@@ -395,6 +419,7 @@ BuildingResponse building_response(const Record& ground, const Building& buildin
     report_rotation(record);
   }
   report_vertical(ground, building, response);
+  report_storey_drift(history, building, response);
   report_drift(ground, static_cast<double>(samples - 1 - motion.steps()) * time_step, record);
   return response;
 }

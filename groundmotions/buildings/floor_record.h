@@ -25,7 +25,10 @@ struct IsolatorResponse {
 struct BuildingResponse {
   Record floor;
   std::optional<IsolatorResponse> isolators;  ///< if the building has any
-  /// What the building did to its floors, in a line each: amplified vertical motion.
+  /// Largest difference of the displacements of two floors over the height of a storey; empty: no
+  /// height is stated.
+  std::optional<double> storey_drift_ratio;
+  /// What the building did to its floors, in a line each: amplified vertical motion, drift.
   std::vector<std::string> findings;
 };
 
@@ -42,9 +45,9 @@ struct BuildingResponse {
 /// floor's horizontal acceleration nor the isolators' displacement by more than 0.03 % of their
 /// peaks.
 ///
-/// Warnings go to the floor's record: vertical acceleration above 1 g, displacement capacity
-/// exceeded, isolators unloaded, motion cut after 120 s, accuracy not reached, energies that do not
-/// add up.
+/// Warnings go to the floor's record: vertical acceleration above 1 g, a storey drift ratio above
+/// 1 %, beyond which a building would yield, displacement capacity exceeded, isolators unloaded, motion
+/// cut after 120 s, accuracy not reached, energies that do not add up.
 ///
 /// @param floor  0 to building.storeys
 /// @throws Error for another floor and for a ground without components

@@ -150,6 +150,17 @@ Vector2 IsolatedMotion::floor_acceleration(Eigen::Index floor) const {
   return result;
 }
 
+double IsolatedMotion::storey_drift() const {
+  double largest = 0;
+  for (const std::vector<ModeState>& axis : modes_) {
+    if (axis.empty()) continue;
+    Eigen::VectorXd floors = Eigen::VectorXd::Zero(axis.front().shape.size());
+    for (const ModeState& mode : axis) floors += mode.q * mode.shape;
+    largest = std::max(largest, largest_storey_drift(floors));
+  }
+  return largest;
+}
+
 Vector2 IsolatedMotion::floor_dip(Eigen::Index floor) const {
   Vector2 dip = Vector2::Zero();
   for (int axis = 0; axis < 2; ++axis)

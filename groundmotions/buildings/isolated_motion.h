@@ -62,6 +62,7 @@ class IsolatedMotion {
   /// How far a floor dips towards h1 and h2, and the second derivative [rad], [rad/s2].
   Vector2 floor_dip(Eigen::Index floor) const;
   Vector2 floor_dip_acceleration(Eigen::Index floor) const;
+  double storey_drift() const;             ///< largest of the building above, h1 or h2 [m]
   bool lifted() const { return lifted_; }  ///< the vertical motion took all load off at some time
   IsolationEnergy energy() const;
 

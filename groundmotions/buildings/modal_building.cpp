@@ -93,6 +93,19 @@ double ModalResponse::step(double base0, double base1) {
   return acceleration;
 }
 
+double largest_storey_drift(const Eigen::VectorXd& floors) {
+  const Eigen::Index storeys = floors.size() - 1;
+  return (floors.tail(storeys) - floors.head(storeys)).cwiseAbs().maxCoeff();
+}
+
+double ModalResponse::storey_drift() const {
+  if (axis_.empty()) return 0;
+  Eigen::VectorXd floors = Eigen::VectorXd::Zero(axis_.front().effective_shape.size());
+  for (std::size_t i = 0; i < axis_.size(); ++i)
+    floors += oscillators_[i].displacement() * axis_[i].effective_shape;
+  return largest_storey_drift(floors);
+}
+
 double ModalResponse::rotation() const {
   double angle = 0;
   for (std::size_t i = 0; i < axis_.size(); ++i)

@@ -54,6 +54,10 @@ void set_rotation(ModalAxis& axis, double height, double share);
 /// @param first, second  indices of modes with different frequencies
 void set_rayleigh_damping(ModalAxis& axis, double ratio, std::size_t first, std::size_t second);
 
+/// Largest difference of two displacements that follow each other.
+/// @param floors  displacements of floors 0 to n, relative to the base [m]
+double largest_storey_drift(const Eigen::VectorXd& floors);
+
 /// The absolute acceleration of one floor,
 ///
 ///     a = a_base + sum_i Gamma_i phi_i q_i'',
@@ -72,6 +76,9 @@ class ModalResponse {
   /// Rotation of the floor now, and its second derivative under a base acceleration.
   double rotation() const;                          ///< [rad]
   double rotation_acceleration(double base) const;  ///< [rad/s2]
+
+  /// Largest difference of the displacements of two floors that follow each other, now [m].
+  double storey_drift() const;
 
   /// The floor's acceleration at rest under a sudden acceleration of the base: that of the modes
   /// left out [m/s2].

@@ -76,6 +76,7 @@ nlohmann::ordered_json facts_json(const groundmotions::Building& building, int f
   if (response.isolators)
     facts["isolators"] = {{"peak_m", response.isolators->peak},
                           {"residual_m", response.isolators->residual.norm()}};
+  if (response.storey_drift_ratio) facts["peak_storey_drift_ratio"] = *response.storey_drift_ratio;
   facts["processing"] = response.floor.processing;
   facts["warnings"] = response.floor.warnings;
   return facts;

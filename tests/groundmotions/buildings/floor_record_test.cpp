@@ -102,6 +102,59 @@ TEST(FloorRecord, SaysHowMuchTheFloorAmplifiesTheVertical) {
   EXPECT_THAT(floor_record(strong, two_storeys(), 2).warnings, IsEmpty());
 }
 
+// On one mode the drift of a storey is the difference of the shape at its floors times the mode's
+// displacement; the ratio is that over the storey's height, 10 m.
+TEST(FloorRecord, SaysTheLargestStoreyDriftRatio) {
+  Building building = two_storeys();
+  for (ModalAxis& axis : building.axes) axis.resize(1);
+  EXPECT_FALSE(building_response(ground(), building, 2).storey_drift_ratio);
+  building.height = 20;
+  building.axes[1].clear();
+  building.axes[2].clear();
+  const Mode& mode = building.axes[0][0];
+  const BuildingResponse response = building_response(ground(), building, 1);
+  const double step = response.floor.time_step();
+  Oscillator oscillator(mode.omega, mode.damping, step);
+  const Eigen::VectorXd& input = samples(ground(), Direction::kH1);
+  const auto refinement = static_cast<Eigen::Index>(std::lround(ground().time_step() / step));
+  double largest = 0;
+  for (Eigen::Index i = 0; i + 1 < input.size(); ++i)
+    for (Eigen::Index k = 0; k < refinement; ++k) {
+      const auto at = [&](Eigen::Index m) {
+        return input[i] + (input[i + 1] - input[i]) * static_cast<double>(m) / refinement;
+      };
+      oscillator.step(-at(k), -at(k + 1));
+      largest = std::max(largest, std::abs(oscillator.displacement()));
+    }
+  const Eigen::VectorXd& shape = mode.effective_shape;
+  const double share = std::max(shape[1], shape[2] - shape[1]);
+  ASSERT_TRUE(response.storey_drift_ratio);
+  EXPECT_NEAR(*response.storey_drift_ratio, share * largest / 10, 1e-9 * largest);
+  EXPECT_THAT(response.floor.warnings, IsEmpty());
+
+  building.height = 20 * *response.storey_drift_ratio / 0.02;  // 2 %
+  const BuildingResponse low = building_response(ground(), building, 1);
+  EXPECT_NEAR(*low.storey_drift_ratio, 0.02, 1e-12);
+  ASSERT_EQ(low.floor.warnings.size(), 1u);
+  EXPECT_EQ(low.floor.warnings[0],
+            "peak storey drift ratio 2 %: the model is elastic; above 1 % a building yields, and "
+            "its floors accelerate less");
+}
+
+// The building above the isolators, alike: no storey drifts more than the fixed one would, whose
+// motion the isolators keep away.
+TEST(FloorRecord, AnIsolatedBuildingDriftsLess) {
+  Building fixed = two_storeys();
+  fixed.height = 6;
+  Building above = isolated(linear_isolation(3, 0.1));
+  above.height = 6;
+  const auto ratio = [](const Building& building) {
+    return *building_response(ground(), building, 2).storey_drift_ratio;
+  };
+  EXPECT_GT(ratio(above), 0);
+  EXPECT_LT(ratio(above), 0.8 * ratio(fixed));
+}
+
 // Each axis alone by ModalResponse, at the finer samples the vertical mode of 0.1 s asks for:
 // 0.1 / 20 = 0.005 s is the ground's own step.
 TEST(FloorRecord, EachAxisIsItsModalResponse) {
