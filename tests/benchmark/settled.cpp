@@ -2,9 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <thread>
+#include <vector>
 
+#include "engine/base/parallel.h"
 #include "engine/run/predictability.h"
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/load_item.h"
@@ -94,15 +98,15 @@ void print_settled(int motions) {
       motions, 1e3 * kFinestStep);
   Row all;
   for (const SettledRegime& regime : kSettledRegimes) {
+    std::vector<LabelledRun> runs(static_cast<std::size_t>(motions));
+    const auto threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    parallel_for(runs.size(), threads, [&](std::size_t k) {
+      runs[k] = labelled_run(regime, static_cast<int>(k), motions);
+    });
     Row row;
-#pragma omp parallel for schedule(dynamic)
-    for (int k = 0; k < motions; ++k) {
-      const LabelledRun run = labelled_run(regime, k, motions);
-#pragma omp critical
-      {
-        row.add(run);
-        all.add(run);
-      }
+    for (const LabelledRun& run : runs) {
+      row.add(run);
+      all.add(run);
     }
     row.print(regime.name);
   }

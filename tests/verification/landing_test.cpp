@@ -33,9 +33,9 @@ void integrate(Planar state, double end, double step,
     return {s[2], s[3], a[0], a[1]};
   };
   const auto moved = [](const Planar& s, double h, const Planar& r) {
-    Planar end;
-    for (std::size_t i = 0; i < 4; ++i) end[i] = s[i] + h * r[i];
-    return end;
+    Planar next;
+    for (std::size_t i = 0; i < 4; ++i) next[i] = s[i] + h * r[i];
+    return next;
   };
   see(state);
   for (long k = 0; k < std::lround(end / step) * parts; ++k) {

@@ -35,7 +35,7 @@ Building two_storeys() {
                                             .column_omega = std::numeric_limits<double>::infinity(),
                                             .damping = 0.03,
                                             .mass_share = 0.6});
-  return {"House", 2, {axis, axis, slab}, {}};
+  return {"House", 2, {axis, axis, slab}, {}, {}};
 }
 
 Building isolated(Isolation isolation) {
@@ -60,7 +60,7 @@ TEST(FloorRecord, GroundFloorIsTheGround) {
 }
 
 TEST(FloorRecord, ARigidBuildingMovesAsTheGround) {
-  const Building rigid{"Block", 3, {}, {}};
+  const Building rigid{"Block", 3, {}, {}, {}};
   const Record floor = floor_record(ground(), rigid, 3);
   for (const Direction direction : kDirections)
     EXPECT_EQ(samples(floor, direction).head(ground().samples()), samples(ground(), direction));
@@ -289,7 +289,7 @@ Building one_mode() {
   mode.effective_shape = Eigen::Vector2d(0, 1);
   mode.effective_rotation = Eigen::Vector2d(0, 0.1);
   mode.effective_mass = 0.9;
-  return {"Pole", 1, {ModalAxis{mode}, {}, {}}, {}};
+  return {"Pole", 1, {ModalAxis{mode}, {}, {}}, {}, {}};
 }
 
 // The floor's acceleration without the ground's is u'', the rotation 0.1 u about h2 (a floor that

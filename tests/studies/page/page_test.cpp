@@ -144,7 +144,9 @@ TEST(Page, OfOneRunBeginsWithItsVerdictAndNarrative) {
   response.items[0].predictability = Predictability{.verdict = Predictability::Verdict::kChaotic,
                                                     .amplification = 1e9,
                                                     .amplification_at_peaks = 1e8,
-                                                    .time_of_peaks = 12.5};
+                                                    .time_of_peaks = 12.5,
+                                                    .twin = {},
+                                                    .half_step = {}};
   folder.write("r.h5", study::results_image(fabricated_facts(), response));
   explanation::Explanation explained;
   explained.failed = true;  // nothing but the narrative
