@@ -219,11 +219,11 @@ class MarkFinder {
 
   /// Three digits at the end: NIS090, C05085, but not run001090.
   void find_degrees(const Token& token) {
-    constexpr std::size_t kDigits = 3, kMostDigits = 5;
+    constexpr std::size_t kDigits = 3, kMaxDigits = 5;
     const std::string_view text = text_of(token);
     std::size_t digits = 0;
     while (digits < text.size() && digit(text[text.size() - 1 - digits])) ++digits;
-    if (digits < kDigits || digits > kMostDigits || token.end != stem_.size()) return;
+    if (digits < kDigits || digits > kMaxDigits || token.end != stem_.size()) return;
     const auto degrees = number(text.substr(text.size() - kDigits));
     if (!degrees || *degrees > 360) return;
     NameMark mark{.text = std::string(text.substr(text.size() - kDigits)),

@@ -10,6 +10,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
+#include "groundmotions/buildings/floor_findings.h"
 #include "groundmotions/measures/integrate.h"
 #include "groundmotions/measures/peaks.h"
 
@@ -25,11 +26,6 @@ constexpr double kQuiet = 0.01;               ///< of the peak
 constexpr double kShortestQuiet = 1;          ///< [s]
 constexpr double kLongestTail = 120;          ///< [s]
 constexpr double kAccuracy = 1e-3;            ///< of the peaks, at a halving of the step
-constexpr double kVisibleDrift = 0.01;        ///< after the ground's end; an assumption [m]
-constexpr double kShareOfPeak = 0.1;          ///< and of the peak displacement; an assumption
-constexpr const char* kBaselineStep = "\"baseline kind=end_at_rest\"";
-constexpr double kElasticDrift = 0.01;     ///< storey drift ratio; an assumption
-constexpr double kLargestRotation = 0.05;  ///< sin and cos are 1 and 0 within 0.13 % [rad]
 constexpr int kMaxHalvings = 10;
 constexpr double kMaxSteps = 1.5e7;       ///< of one pass; some ten seconds in all
 constexpr double kEnergyAccuracy = 1e-6;  ///< of the largest input
@@ -250,55 +246,10 @@ FloorRotation rotation_of(const std::vector<FloorSample>& floor) {
   return rotation;
 }
 
-void report_rotation(Record& floor) {
-  const Vector2 peak = floor.rotation->angle.cwiseAbs().rowwise().maxCoeff();
-  floor.processing.push_back(fmt::format(
-      "the floor rotates: peak {:.3g} rad about h1, {:.3g} rad about h2", peak.x(), peak.y()));
-  if (peak.maxCoeff() > kLargestRotation)
-    floor.warnings.push_back(
-        fmt::format("the floor rotates by {:.3g} rad; the engine takes rotations as small, up to "
-                    "{:g} rad, and a building would not stay linear",
-                    peak.maxCoeff(), kLargestRotation));
-}
-
-/// A finding, and with the words of what follows from it a warning where it is too large.
-void report_finding(const std::string& finding, bool too_large, const std::string& therefore,
-                    BuildingResponse& response) {
-  response.findings.push_back(finding);
-  response.floor.processing.push_back(finding);
-  if (too_large) response.floor.warnings.push_back(finding + ": " + therefore);
-}
-
-void report_vertical(const Record& ground, const Building& building, BuildingResponse& response) {
-  const ModalAxis& axis = building[Direction::kVertical];
-  if (axis.empty() || !ground[Direction::kVertical]) return;
-  const auto peak = [](const Component& component) {
-    return peaks(component.time_step, component.acceleration).acceleration;
-  };
-  const double below = peak(*ground[Direction::kVertical]);
-  const double above = peak(*response.floor[Direction::kVertical]);
-  if (!(below > 0)) return;
-  report_finding(
-      fmt::format("vertical amplified {:.2g} times, to {:.3g} g, by the building's own frequency "
-                  "({:.3g} Hz, {:.2g} % damping, assumptions of its file)",
-                  above / below, above / kStandardGravity, axis.front().omega / (2 * pi),
-                  100 * axis.front().damping),
-      above > kStandardGravity, "above 1 g what stands on the floor leaves it", response);
-}
-
-void report_storey_drift(const History& history, const Building& building,
-                         BuildingResponse& response) {
-  if (!building.height) return;
-  double drift = 0;
-  for (const FloorSample& sample : history.floor) drift = std::max(drift, sample.drift);
-  const double ratio = drift / (*building.height / building.storeys);
-  response.storey_drift_ratio = ratio;
-  report_finding(fmt::format("peak storey drift ratio {:.2g} %", 100 * ratio),
-                 ratio > kElasticDrift,
-                 fmt::format("the model is elastic; above {:g} % a building yields, and its floors "
-                             "accelerate less",
-                             100 * kElasticDrift),
-                 response);
+double largest_drift(const History& history) {
+  double largest = 0;
+  for (const FloorSample& sample : history.floor) largest = std::max(largest, sample.drift);
+  return largest;
 }
 
 std::string period_text(const ModalAxis& axis) {
@@ -339,24 +290,6 @@ void report_isolators(const IsolatedHistory& history, const Isolation& isolation
         fmt::format("isolators: the motion still changes by {:.2g} of its peak between steps of "
                     "{:.3g} s and twice that; wanted: {:g}",
                     isolators.change, isolators.time_step, kAccuracy));
-}
-
-/// A ground that moves on when its record ends carries the floor on while the building vibrates.
-void report_drift(const Record& ground, double tail, Record& floor) {
-  for (const Direction direction : kDirections) {
-    if (!ground[direction] || !floor[direction]) continue;
-    const double step = ground.time_step();
-    const double speed = std::abs(end_motion(step, ground[direction]->acceleration).velocity);
-    const double below = peaks(step, ground[direction]->acceleration).displacement;
-    if (speed * tail <= std::max(kVisibleDrift, kShareOfPeak * below)) continue;
-    const auto& above = *floor[direction];
-    floor.warnings.push_back(fmt::format(
-        "{}: the ground still moves at {:.2g} m/s when its record ends; over the {:.3g} s that the "
-        "building vibrates on this is {:.2g} m, and the peak displacement of {:.3g} m becomes "
-        "{:.3g} m on the floor; correct the baseline of the record first, with the step {}",
-        name_of(direction), speed, tail, speed * tail, below,
-        peaks(above.time_step, above.acceleration).displacement, kBaselineStep));
-  }
 }
 
 }  // namespace
@@ -419,7 +352,7 @@ BuildingResponse building_response(const Record& ground, const Building& buildin
     report_rotation(record);
   }
   report_vertical(ground, building, response);
-  report_storey_drift(history, building, response);
+  report_storey_drift(largest_drift(history), building, response);
   report_drift(ground, static_cast<double>(samples - 1 - motion.steps()) * time_step, record);
   return response;
 }

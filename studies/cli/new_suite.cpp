@@ -130,7 +130,7 @@ std::string use_records(const fs::path& folder, const std::string& unit, const f
                                       fmt::join(left_out, "\n")));
   std::string text = comment(fmt::format("{} records: {}", names.size(), fmt::join(names, ", ")));
   for (const std::string& reason : found.refused) text += comment("excluded: " + reason);
-  for (const std::string& reason : left_out) text += comment("left out: " + reason);
+  for (const std::string& reason : left_out) text += comment("excluded: " + reason);
   if (found.refused.empty() && left_out.empty())
     text += fmt::format("suite = \"{}\"\n", seen_from(file, folder));
   else
@@ -147,7 +147,7 @@ std::string use_records(const fs::path& folder, const std::string& unit, const f
     answer = fmt::format("{} of {} records; {} states why the others are excluded{}", names.size(),
                          found.records.size() + found.refused.size(), file.string(),
                          unit.empty() ? " (no unit in them: --unit g)" : "");
-  for (const std::string& reason : left_out) answer += "\n         left out: " + reason;
+  for (const std::string& reason : left_out) answer += "\n         excluded: " + reason;
   for (const Found& record : found.records)
     if (const std::string missing = lacking(record, {true, true, true});
         !missing.empty() && !(x && y && z) && unfit(record, wanted).empty())

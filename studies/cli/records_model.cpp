@@ -22,7 +22,8 @@ using Json = nlohmann::ordered_json;
 const char* const kSource =
     "Boore, Stewart, Seyhan & Atkinson (2014), Earthquake Spectra 30(3), 1057-1085; RotD50";
 const char* const kLeftOut =
-    "regional terms (attenuation of China, Turkey, Italy, Japan) and the basin term are left out";
+    "regional terms (attenuation of China, Turkey, Italy, Japan) and the basin term are not "
+    "included";
 const std::map<std::string, Faulting> kFaulting = {{"unspecified", Faulting::kUnspecified},
                                                    {"strike-slip", Faulting::kStrikeSlip},
                                                    {"normal", Faulting::kNormal},

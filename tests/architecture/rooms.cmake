@@ -70,7 +70,7 @@ set(GURNEY_ROOMS
   "studies/figures: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/scaling equipment/catalogue studies/statistics
     studies/verification studies/study/units studies/study/results studies/study/analysis
-    studies/study/convergence studies/calibration/fit studies/report"
+    studies/study/convergence studies/calibration/trials studies/calibration/fit studies/report"
   "studies/explanation: engine/base engine/scene engine/response engine/run engine/baselines
     equipment/catalogue studies/statistics studies/study/units studies/study/results studies/report
     studies/figures"

@@ -71,17 +71,23 @@ TEST(FloorRotation, AbsoluteAccelerationHasNoGravity) {
 }
 
 // Works and losses come from their own forces; the geometry that a stage predicts misses them by
-// the square of the step. The rotation does more work here than the shaking.
+// the square of the step. The rotation does more work here than the shaking. Wheels of the locked
+// block leave the floor and land, anywhere in a step: the order is that of the mean of motions.
 TEST(FloorRotation, WorkIsInTheEnergyBalanceToSecondOrder) {
-  const FloorMotion shaken = small::noise_record(3, 6, {0.2, 0.1, 0.1});
-  const FloorMotion floor = shaken.with_rotation(rocking(0.02, 2, true));
   for (const bool locked : {false, true}) {
-    Scene scene = scene_of(locked ? scenes::locked_block() : scenes::trolley());
-    scene.items[0].initial.position = {2, 1, 0};
-    const Response coarse = run(scene, floor), fine = run(scene, floor, 0.002);
-    EXPECT_NE(coarse.outcome, Outcome::kUntrusted);
-    EXPECT_LT(fine.quality.energy_closure, 0.3 * coarse.quality.energy_closure) << locked;
-    EXPECT_GT(std::abs(coarse.items[0].energy.work_of_floor), 0.1) << locked;
+    double of_coarse = 0, of_fine = 0;
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+      const FloorMotion shaken = small::noise_record(seed, 6, {0.2, 0.1, 0.1});
+      const FloorMotion floor = shaken.with_rotation(rocking(0.02, 2, true));
+      Scene scene = scene_of(locked ? scenes::locked_block() : scenes::trolley());
+      scene.items[0].initial.position = {2, 1, 0};
+      const Response coarse = run(scene, floor), fine = run(scene, floor, 0.002);
+      EXPECT_NE(coarse.outcome, Outcome::kUntrusted);
+      EXPECT_GT(std::abs(coarse.items[0].energy.work_of_floor), 0.1) << locked;
+      of_coarse += coarse.quality.energy_closure;
+      of_fine += fine.quality.energy_closure;
+    }
+    EXPECT_LT(of_fine, 0.3 * of_coarse) << locked;
   }
 }
 

@@ -17,7 +17,7 @@
 namespace gurney::study {
 namespace {
 
-constexpr std::size_t kMostLevels = 40;  // more intensities are a cloud
+constexpr std::size_t kMaxLevels = 40;  // more intensities are a cloud
 
 std::vector<std::size_t> runs_at(const ConfigurationView& side, const Levels& levels,
                                  const std::optional<std::size_t>& level) {
@@ -52,7 +52,7 @@ std::optional<std::size_t> level_of(const ConfigurationView& side, const Levels&
   const StudyData& data = *side.data;
   const std::size_t count = levels.values().size();
   if (request.level) return request.level;
-  if (request.all_levels || count < 2 || count > kMostLevels ||
+  if (request.all_levels || count < 2 || count > kMaxLevels ||
       data.study().intensity.kind == IntensityPlan::Kind::kIda)
     return {};
   const auto median = median_near(side, request);

@@ -11,7 +11,7 @@
 namespace gurney::study {
 namespace {
 
-constexpr std::size_t kMostTimed = 8;
+constexpr std::size_t kMaxTimed = 8;
 constexpr double kLongEnough = 2;  // [s]
 
 struct Trial {
@@ -58,8 +58,8 @@ std::vector<double> intensities(const IntensityPlan& plan) {
 /// Place i of n in a range, in an order that does not rise with i: tasks and intensities are not
 /// paired, low with low.
 std::size_t scattered(std::size_t i, std::size_t n, std::size_t size) {
-  constexpr std::size_t kOrder[kMostTimed] = {0, 7, 3, 5, 1, 6, 2, 4};
-  return n < 2 ? 0 : std::min(size - 1, kOrder[i] * size / kMostTimed);
+  constexpr std::size_t kOrder[kMaxTimed] = {0, 7, 3, 5, 1, 6, 2, 4};
+  return n < 2 ? 0 : std::min(size - 1, kOrder[i] * size / kMaxTimed);
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ std::size_t scattered(std::size_t i, std::size_t n, std::size_t size) {
 Estimate estimate(const Batch& batch) {
   const std::vector<double> values = intensities(batch.job.study().intensity);
   const std::size_t tasks = batch.plan.tasks_of_stage();
-  const std::size_t most = std::min(kMostTimed, tasks * values.size());
+  const std::size_t most = std::min(kMaxTimed, tasks * values.size());
   Estimate result;
   result.runs = batch.plan.runs();
   make_run(batch, 0, values.front());

@@ -28,7 +28,7 @@ std::vector<double> numbers(const std::string& text, const std::string& pattern)
 study::SensitiveInput input(const char* name, double low, double high) {
   study::SensitiveInput made;
   made.names = {name};
-  made.bar = {.low = low, .high = high};
+  made.bar = {.low = low, .high = high, .low_runs = 14, .high_runs = 12};
   return made;
 }
 
@@ -41,7 +41,7 @@ TEST(TornadoFigure, LongestBarsAreAbove) {
   found.inputs.back().drawn = false;
   const std::string svg = tornado_figure({}, "title", {{"brakes off", found, ""}});
   EXPECT_THAT(svg, HasSubstr("ICU bed: Peak displacement, brakes off"));
-  EXPECT_THAT(svg, HasSubstr("Mean over runs (m)"));
+  EXPECT_THAT(svg, HasSubstr("Mean over 12 runs or more (m)"));
   EXPECT_THAT(svg, Not(HasSubstr(">record<")));
   EXPECT_LT(svg.find(">long<"), svg.find(">short<"));
   // The bars of low inputs, and their key: 0.1 and 0.01 from the mean, drawn to 0.01 px.

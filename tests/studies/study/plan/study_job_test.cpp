@@ -97,9 +97,8 @@ TEST(StudyJob, AWrongLevelIsReportedWhereItStands) {
             "a.toml:13:18: item.brake: unknown key; did you mean 'brakes'?");
   EXPECT_EQ(errors("[[study.factor]]\nkey = \"item.yaw_deg\"\nvalues = [0, \"north\"]\n"),
             "a.toml:13:14: item.yaw_deg = \"north\": must be a finite number");
-  EXPECT_EQ(
-      errors("[[study.factor]]\n[study.factor.level.a]\nitem.casters = \"R101\"\n").substr(0, 80),
-      "a.toml:13:16: item.casters = \"R101\": unknown caster; did you mean 'R100'? (the c");
+  EXPECT_EQ(errors("[[study.factor]]\n[study.factor.level.a]\nitem.casters = \"R101\"\n"),
+            "a.toml:13:16: item.casters = \"R101\": unknown caster; did you mean 'R100'?");
 }
 
 TEST(StudyJob, ErrorsOfTheStudyDoNotHideThoseOfTheJob) {
