@@ -73,7 +73,7 @@ std::string find_data(DataKind kind, const std::string& name, const std::string&
     const std::string file_beside =
         config::FileSnapshot::exists(beside) ? "; for the file write " + name + ".toml" : "";
     std::string known = config::near_name(name, names);
-    if (known.empty()) {
+    if (known.empty() && file_beside.empty()) {
       for (const std::string& each : names) known += (known.empty() ? "" : ", ") + each;
       known = " (the catalogue has " + known + ")";
     }

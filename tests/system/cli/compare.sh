@@ -64,7 +64,7 @@ expect 1 "no limit state 'roled'; did you mean 'rolled'?" "$gurney" measures a.h
 
 expect 0 "Correlated, so the index of each" "$gurney" sensitivity a.h5 --configuration false --level 2
 expect 0 "scale = 1" "$gurney" sensitivity a.h5 --configuration false --level 2
-expect 0 "64 runs share 32 draws" "$gurney" sensitivity a.h5 --configuration false
+expect 0 "64 runs share 32 draws" "$gurney" sensitivity a.h5 --configuration false --all-levels
 expect 0 "s.svg" "$gurney" sensitivity a.h5 --configuration false --level 2 --figure s.svg
 expect 0 '"correlated"' "$gurney" sensitivity a.h5 --json
 expect 1 "are too few: at least 20" "$gurney" sensitivity few.h5

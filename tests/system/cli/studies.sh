@@ -191,13 +191,13 @@ grep -qE "^runs +48$" stdout || complain "no runs"
 grep -qE "^time +about .* with 1 threads on as many idle cores \([0-9] runs were timed: " stdout || complain "no time"
 grep -qE "^disk +about .*bytes a run" stdout || complain "no disk"
 expect 0 '"runs": 48' "$gurney" check small.toml --json
-# Its time is that of the run: eight of 48 runs say it within a factor of 2, and the run reads and
-# writes files besides.
+# Its time is that of the runs, at most twice it: eight of 48 are timed. A study this small spends more
+# on reading and writing files, which no run is charged for.
 "$gurney" check small.toml --json -j 1 > stdout
 estimated=$(sed -n 's/.*"time_s": \([0-9.e-]*\).*/\1/p' stdout)
 TIMEFORMAT=%U
 { time "$gurney" run small.toml -o timed.h5 -j 1 > /dev/null 2>&1; } 2> spent
-awk -v e="$estimated" -v s="$(cat spent)" 'BEGIN { exit !(e < 2 * s && e > s / 4) }' ||
+awk -v e="$estimated" -v s="$(cat spent)" 'BEGIN { exit !(e > 0 && e < 2 * s) }' ||
   complain "check estimates $estimated s, the run takes $(cat spent) s"
 rm -f timed.* spent
 expect 0 "a valid single run" "$gurney" check "$2/studies/jobs/icu_ventilator_shake.toml"
