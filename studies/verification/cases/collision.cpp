@@ -13,6 +13,7 @@ namespace gurney::verification {
 namespace {
 
 constexpr double kStep = 0.004, kGap = 0.1;  // [s], [m]
+constexpr double kSteelStiffness = 1e8;      // of steel on steel, far above that of any item [N/m]
 const Vector3 kFirst(0.5, 0.4, 0.6), kSecond(0.3, 0.3, 0.6);
 
 /// The second block's middle is `aside` of the first one's path, its face 0.1 m before it.
@@ -47,7 +48,7 @@ struct Collision {
              0},
             {1 / first, 1 / solid_box_inertia(first, kFirst)(2, 2), {0, 0}, {speed, 0}, 0, 0},
             {{corner, corner, other, other}, {0.5 * kFirst.x(), 0}, {1, 0}, 0},
-            ContactConstants().stiffness,
+            kSteelStiffness,
             ImpactLaw::damping_number(restitution),
             contact};
   }
@@ -65,9 +66,10 @@ Findings collide(const Collision& c, const Runner& runner) {
   Findings findings;
   const double v = c.speed, M = c.first, m = c.second, e = c.restitution;
   const PlanarImpact exact = c.exact();
-  const Response response =
-      runner(findings, two_blocks(M, m, v, c.aside, {.restitution = e, .friction = 0}), {},
-             blocks::run_for(1.2 * kGap / v + exact.duration, kStep, kStep));
+  const Response response = runner(
+      findings,
+      two_blocks(M, m, v, c.aside, {.stiffness = kSteelStiffness, .restitution = e, .friction = 0}),
+      {}, blocks::run_for(1.2 * kGap / v + exact.duration, kStep, kStep));
   const double a = speed_at_end(response, 0), b = speed_at_end(response, 1);
   const double effective = 1 / (1 / M + 1 / m);
   const ImpactSteps steps = c.steps();

@@ -150,11 +150,12 @@ TEST_P(OverAThreshold, DoesWhatThePageSaysAndItsEnergyAllows) {
     ASSERT_TRUE(response.outcome == Outcome::kRested || response.outcome == Outcome::kOverturned)
         << name_of(response.outcome) << " " << response.cause;
     EXPECT_EQ(response.quality.unconverged_steps, 0);
-    // Wheels that roll over an edge meet a plane in each step: Limits in docs/theory/impact.md. All
-    // are below 0.0038, and below 0.0017 at 0.5 ms.
-    EXPECT_LT(response.quality.energy_closure, 0.005);
-
     const Verdict found = verdict(run, response);
+    // Wheels that roll over an edge meet a plane in each step, and one that overturns goes over from
+    // its tread to its side: up to 2 % (Limitations in docs/theory/impact.md). Others are below
+    // 0.002 at 2 and at 0.5 ms.
+    EXPECT_LT(response.quality.energy_closure, found == Verdict::kFalls ? 0.02 : 0.005);
+
     const ItemResponse& item = response.items[0];
     if (found == Verdict::kFalls)
       EXPECT_GT(energy_at_start(model, threshold.speed) + item.energy.work_of_forces,

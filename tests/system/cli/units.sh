@@ -12,7 +12,7 @@ write_ventilator_job units
   cat run.toml
   cat << 'TOML'
 [study]
-draws = 4
+draws = 12
 seed = 1
 angles_deg = [0, 30]
 measures = ["PGV h1"]
@@ -64,7 +64,7 @@ for command in show fragility compare "sensitivity --all-levels"; do
 done
 for command in fragility compare "sensitivity --all-levels" measures "fragility --and pfv"; do
   name=${command//[^a-z]/_}
-  name=${name%__all_levels}
+  name=${name%___all_levels}
   # shellcheck disable=SC2046,SC2086
   for units in "" si cm g-in; do
     "$gurney" ${command/ / study.h5 } $([ "$command" = "${command/ /}" ] && echo study.h5) --json \
@@ -102,7 +102,7 @@ def compare(si, other, factor, path):
             elif key == "inputs":
                 compare(si[key], other[key], inner, path + (key,))
             elif key == "band":
-                for a, b in zip(si[key], other[key]):
+                for a, b in zip(si[key] or (), other[key] or ()):
                     near(a[0] * inner, b[0], path + (key,))
                     assert a[1:] == b[1:]
             else:
@@ -138,7 +138,7 @@ compare(json.load(open(sys.argv[1])), json.load(open(sys.argv[2])), 1, ("",))
 assert seen >= set(sys.argv[3:]), seen
 PY
 for units in cm g-in; do
-  check scaled.py fragility.json "fragility$units.json" theta theta_interval im lowest_im
+  check scaled.py fragility.json "fragility$units.json" theta im lowest_im
   check scaled.py compare.json "compare$units.json" a b difference interval
   check scaled.py sensitivity.json "sensitivity$units.json" mean standard_deviation
   check scaled.py measures.json "measures$units.json" floor
@@ -200,7 +200,7 @@ labelled stripes "PGA h1 (cm/s²)"
 labelled ida "PGA h1 (cm/s²)"
 labelled cloud "Peak displacement (cm)"
 labelled cdf "98.0665 cm/s2"
-labelled tornado "Mean over runs (cm)"
+labelled tornado "Means of fewer than 10 runs are not drawn (cm)"
 labelled fragility "PGA h1 (cm/s²)"
 plot history history displacement tilt --units g-in
 labelled history "Displacement relative to the floor (in)"
