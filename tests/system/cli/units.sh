@@ -229,7 +229,7 @@ labelled run "Displacement (m)"
 check - << 'PY'
 import re
 def table(name):
-    rows = re.findall(r"^  (\w[\w ]*?) {2,}(-?[\d.]+) (\S.*)$", open(name).read(), re.M)
+    rows = re.findall(r"^  (\w[\w ]*?) {2,}(-?[\d.]+) (\S+)(?: .*)?$", open(name).read(), re.M)
     return {row[0]: (float(row[1]), row[2]) for row in rows}
 si, cm = table("run.txt"), table("run_cm.txt")
 assert si.keys() == cm.keys() and len(si) > 12, si
