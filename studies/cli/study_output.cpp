@@ -55,7 +55,7 @@ class FactorsOfTasks {
   study::ScaleFactors factors_;
 };
 
-constexpr std::size_t kMaxRunsReadBack = 100'000, kMaxRows = 20;
+constexpr std::size_t kMaxRunsReadBack = 5'000, kMaxRows = 20;
 
 /// What exceeded what, and the commands that answer more.
 void print_shares(const study::StudyOverview& overview) {

@@ -48,6 +48,10 @@ struct RunFile {
 /// The verdict on each item whose numbers are those of one run among many, before all numbers.
 std::vector<std::string> cautions_of(const RunFile& run) {
   std::vector<std::string> all;
+  const auto datasets = run.file.datasets();
+  if (std::ranges::find(datasets, "/predictability/item", &study::Hdf5Dataset::path) ==
+      datasets.end())
+    return all;  // of a program that did not judge runs
   const auto items = run.file.strings("/predictability/item"),
              verdicts = run.file.strings("/predictability/verdict");
   const auto peaks = run.file.numbers("/predictability/time_of_peaks"),

@@ -45,6 +45,8 @@ def check_pelicun():
         assert row[9:] == [""] * 13
     with open("pelicun/fragility.json", encoding="utf-8") as file:
         described = json.load(file)
+    assert set(described.pop("_GeneralInformation")) == {"ShortName", "Description", "Version",
+                                                         "ComponentGroups"}
     assert list(described) == [row[0] for row in rows]
     for each in described.values():
         assert set(each) == {"Description", "Comments", "SuggestedComponentBlockSize",
