@@ -34,7 +34,7 @@ inline double change_between(const DemandNumber& from, const DemandNumber& to) {
   return relative_change(from.name, from.units, from.value, to.value);
 }
 
-/// What the repetitions of a run show of one of its numbers (docs/theory/predictability.md).
+/// Result of the repetitions of a run for one of its numbers (docs/theory/predictability.md).
 struct SettledDemand {
   /// The fractions within which a number is said to be settled.
   static constexpr double kFractions[] = {0.01, 0.02, 0.05, 0.1};

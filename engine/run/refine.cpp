@@ -16,7 +16,7 @@ namespace {
 /// By item and number of numbers_of(), whether it has a value; of a run that failed: empty.
 using Judged = std::vector<std::vector<bool>>;
 
-/// Of an item that overturns only what says so: what follows is asked of none.
+/// Items that overturn are judged by the time and direction of that alone.
 bool is_asked(const DemandNumber& number, bool overturns) {
   return !overturns || std::string_view(number.name).ends_with("_of_overturning");
 }

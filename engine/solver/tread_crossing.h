@@ -23,7 +23,7 @@ class TreadCrossings {
   /// is this squared of that in the middle.
   static constexpr double kNearEnd = 0.02;
 
-  /// What an accepted step of an item ended with.
+  /// Takes the end of an accepted step of an item.
   /// @param floor_up  acceleration of the floor at its end [m/s2]
   void observe(std::size_t item, std::size_t casters, double duration,
                const ItemStage::Output& first, const ItemStage::Output& end, double floor_up);

@@ -12,7 +12,7 @@
 
 namespace gurney::groundmotions {
 
-/// What all columns share.
+/// Facts that all columns share.
 struct PlainTable {
   const PlainRows& rows;
   const PlainFacts& facts;

@@ -57,7 +57,7 @@ class FactorsOfTasks {
 
 constexpr std::size_t kMaxRunsReadBack = 5'000, kMaxRows = 20;
 
-/// What exceeded what, and the commands that answer more.
+/// Shares of runs that exceed limit states, and the commands that answer more.
 void print_shares(const study::StudyOverview& overview) {
   fmt::print("\n{}\n", report::shares_text(overview, kMaxRows));
   const std::string file = shell_word(overview.file.path);
