@@ -22,6 +22,7 @@
 #include "studies/report/failed_runs.h"
 #include "studies/study/results/output_files.h"
 #include "studies/study/run/complete_study.h"
+#include "studies/study/run/folder_lock.h"
 #include "studies/study/run/identity_file.h"
 #include "studies/study/run/run_batch.h"
 #include "studies/study/run/shard.h"
@@ -73,6 +74,7 @@ bool is_complete(const RunOptions& options, const Paths& paths, const study::Bat
     study::PartFolder(paths.parts, study::identity_of(batch), batch.plan.tasks(),
                       study::PartFolder::Start::kResume)
         .remove();
+  study::remove_abandoned(paths.parts);
   fmt::print("results  {} (already complete)\n", paths.results.string());
   return true;
 }

@@ -89,6 +89,13 @@ std::string working_process(const fs::path& folder) {
   return process;
 }
 
+void remove_abandoned(const fs::path& folder) {
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(folder, problem))
+    if (entry.path().filename() != "lock") return;
+  if (!problem && working_process(folder).empty()) const FolderLock taken(folder);
+}
+
 FolderLock::FolderLock(fs::path folder) : folder_(std::move(folder)), file_(folder_ / "lock") {
   constexpr int kTries = 100;  // each fails only because another process removed the folder
   for (int i = 0; i < kTries; ++i) {

@@ -130,6 +130,10 @@ interrupt
 cp whole.h5 a.h5
 study 0 "a.h5 (already complete)" long.toml -o a.h5 --resume
 gone a.h5.parts
+mkdir a.h5.parts
+touch a.h5.parts/lock
+study 0 "a.h5 (already complete)" long.toml -o a.h5 --resume
+gone a.h5.parts
 
 # Counts and percent after --resume are those of the whole study.
 fresh
