@@ -103,7 +103,7 @@ void add_verify(CLI::App& app, std::function<int()>& action) {
                       "Groups, families or cases to report in full (default: all)");
   command->add_flag("--list", options.list, "Print the names of groups and families");
   command->add_flag("--json", options.json, "Print JSON, with every check");
-  command->add_flag("--markdown", options.markdown, "Print the tables of docs/verification.md");
+  command->add_flag("--markdown", options.markdown, "Print docs/verification_tables.md");
   command->add_option("--figures", options.figures,
                       "Draw computed and reference of each case into this folder");
   add_figure_format(*command, options.style);

@@ -87,17 +87,27 @@ std::string verification_markdown(const std::vector<CaseRun>& runs) {
                    stock_error(run.stock[1], c.quantity)});
     }
   }
-  return "### What is compared\n\n" + statements.markdown() +
-         "\n### The worst of each quantity\n\nOf all cases of a closed form the one that uses most "
-         "of "
-         "its tolerance; every case is in `gurney verify --json`.\n\n" +
-         checks.markdown() +
-         "\n### The stock solver of Bullet on the same cases\n\n`bullet` is its iterated contact "
-         "solver (50 iterations), `bullet-dantzig` its direct one, with the same steps. It "
-         "supports\n"
-         "neither fixtures nor drop weights, so it runs only the cases without them. Its friction "
-         "cone is a pyramid, which explains the\nerror of `isotropy_free`.\n\n" +
-         stock.markdown();
+  return std::string(R"(# Closed forms
+
+Written by `gurney verify --markdown`; [verification](verification.md) explains how to read and repeat it.
+
+## What is compared
+
+)") + statements.markdown() +
+         R"(
+## Worst case of each quantity
+
+For each quantity the case that uses most of its tolerance; `gurney verify --json` prints every case.
+
+)" + checks.markdown() +
+         R"(
+## Stock Bullet on the same cases
+
+`bullet` is its iterated contact solver (50 iterations), `bullet-dantzig` its direct one, with the same steps. Cases
+with fixtures or drop weights are omitted, which stock Bullet does not support. Its friction cone is a pyramid: hence
+the error of `isotropy_free`.
+
+)" + stock.markdown();
 }
 
 }  // namespace gurney::report

@@ -17,7 +17,7 @@ std::string verification_summary(const std::vector<verification::CaseRun>& runs)
 /// One object with `cases`, of which `gurney report` makes a page.
 std::string verification_json(const std::vector<verification::CaseRun>& runs);
 
-/// The tables of docs/verification.md: closed forms, and every check of every case.
+/// The page docs/verification_tables.md: closed forms, and every check of every case.
 std::string verification_markdown(const std::vector<verification::CaseRun>& runs);
 
 }  // namespace gurney::report

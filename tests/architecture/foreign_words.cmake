@@ -47,7 +47,7 @@ foreach(page IN LISTS pages ITEMS README.md)
 endforeach()
 
 # Texts of the program, without the cases of `gurney verify`, whose texts are in the tables of
-# docs/verification.md.
+# docs/verification_tables.md.
 set(sources ${all_files})
 list(FILTER sources INCLUDE REGEX "^(engine|groundmotions|equipment|studies)/.*[.](h|cpp)$")
 list(FILTER sources EXCLUDE REGEX "^studies/verification/cases/")

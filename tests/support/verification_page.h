@@ -8,7 +8,7 @@
 
 namespace gurney {
 
-/// The tables of docs/verification.md, which `gurney verify --markdown` wrote, each row as its cells.
+/// The tables of docs/verification_tables.md, written by `gurney verify --markdown`: cells of each row.
 struct VerificationPage {
   std::set<std::vector<std::string>> statements;
   std::vector<std::vector<std::string>> checks;
@@ -36,7 +36,7 @@ inline VerificationPage verification_page(const std::string& markdown) {
 }
 
 inline VerificationPage shipped_verification_page() {
-  std::ifstream file(GURNEY_SOURCE_DIR "/docs/verification.md");
+  std::ifstream file(GURNEY_SOURCE_DIR "/docs/verification_tables.md");
   return verification_page(file);
 }
 

@@ -101,7 +101,7 @@ TEST(VerificationFigure, ShowsComputedOnReference) {
   EXPECT_EQ(figures::verification_figure(run), "");
 }
 
-// The words of docs/verification.md must be those of the list. That each case writes only what is on
+// The words of that page must be those of the list. That each case writes only what is on
 // the page, its own test sees; of each closed form, cases run here until all its rows are written.
 TEST(VerificationPage, HasNothingThatTheProgramDoesNotWrite) {
   const VerificationPage page = shipped_verification_page();

@@ -105,7 +105,8 @@ values = [true]
   const TempFolder folder;
   const std::string path = folder.file("a.h5");
   write_study_file(path, study.batch, [&](std::size_t unit) { return study.run(unit); });
-  expect_as_on_page(Hdf5Reader(path), GURNEY_SOURCE_DIR "/docs/formats/study_file.md");
+  const std::string formats = GURNEY_SOURCE_DIR "/docs/formats/";
+  expect_as_on_page(Hdf5Reader(path), formats + "study_file.md", formats + "results_file.md");
 }
 
 using Json = nlohmann::json;
