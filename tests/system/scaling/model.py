@@ -1,4 +1,4 @@
-"""How the time, files, inodes and memory of a study grow with its cases: docs/scaling.md."""
+"""How the time, files, inodes and memory of a study grow with its cases: docs/cluster.md."""
 
 from dataclasses import dataclass
 
