@@ -30,7 +30,9 @@ while IFS= read -r -d '' page; do
     esac
     printf 'FAILED: %s: %s\n%s\n' "${page#"$source"/}" "$command" "$output"
     failures=$((failures + 1))
-  done < <(awk '/^```sh$/ {inside = 1; next} /^```/ {inside = 0} inside && NF && !/^#/' "$page")
+  done < <(awk '/^```sh$/ {inside = 1; next} /^```/ {inside = 0}
+    inside && sub(/\\$/, "") {begun = begun $0; next}
+    inside && NF && !/^#/ {print begun $0; begun = ""}' "$page")
 done < <(find "$source/README.md" "$source/docs" -name '*.md' ! -path "$source/docs/tutorial.md" \
   ! -path "$source/docs/python.md" -print0)
 
