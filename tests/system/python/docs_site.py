@@ -1,8 +1,9 @@
-"""The site of docs builds without a warning; every link and anchor in it leads somewhere, and its
-pages load nothing from the network. Exit code 77: mkdocs is not installed."""
+"""The site of docs builds without a warning; every link and anchor in it and in README.md leads
+somewhere, and its pages load nothing from the network. Exit code 77: mkdocs is not installed."""
 
 import html.parser
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -64,6 +65,18 @@ def check(site):
     return len(pages)
 
 
+def check_readme(site):
+    """Files of the sources, and headings of the pages in the site."""
+    with open(os.path.join(support.SOURCE, "README.md"), encoding="utf-8") as file:
+        links = re.findall(r"\]\(([^)#]*)(?:#([^)]*))?\)", file.read())
+    assert len(links) > 10, links
+    for path, anchor in links:
+        assert os.path.exists(os.path.join(support.SOURCE, path)), path
+        if anchor:
+            page = re.sub(r"^docs/(.*)[.]md$", r"\1.html", path)
+            assert anchor in Page(os.path.join(site, page)).anchors, f"{path}#{anchor}"
+
+
 with tempfile.TemporaryDirectory() as site:
     built = subprocess.run(["mkdocs", "build", "--strict", "--site-dir", site, "-f",
                             os.path.join(support.SOURCE, "docs/site/mkdocs.yml")],
@@ -71,4 +84,5 @@ with tempfile.TemporaryDirectory() as site:
     report = built.stdout + built.stderr
     assert built.returncode == 0 and "WARNING" not in report, report
     assert "not included in the \"nav\"" not in report, report
+    check_readme(site)
     print(f"{check(site)} pages, every link leads somewhere")
