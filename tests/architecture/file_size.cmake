@@ -1,4 +1,4 @@
-# Fails for a header of more than 200 lines and a source of more than 400.
+# Fails for a header of more than 300 lines and a source of more than 700: a class is in one file.
 cmake_minimum_required(VERSION 3.25)
 foreach(folder engine groundmotions equipment studies tests)
   file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/${folder}/*.h ${ROOT}/${folder}/*.cpp)
@@ -6,9 +6,9 @@ foreach(folder engine groundmotions equipment studies tests)
     file(READ ${ROOT}/${source} text)
     string(REGEX MATCHALL "\n" ends "${text}")
     list(LENGTH ends lines)
-    set(limit 400)
+    set(limit 700)
     if(source MATCHES "\\.h$")
-      set(limit 200)
+      set(limit 300)
     endif()
     if(lines GREATER limit)
       message(SEND_ERROR "${source} has ${lines} lines, at most ${limit} are allowed")
