@@ -69,6 +69,15 @@ TEST(Measure, ScalesAsItSays) {
   }
 }
 
+// A constant of 1.5 m/s2 for 1001 samples: the Arias intensity grows along a line but for half a step
+// at each end, which the trapezoid adds, for 10 s and one step.
+TEST(Measure, TakesSharesOfTheAriasIntensityByName) {
+  VectorXd a = VectorXd::Zero(2001);
+  a.segment(200, 1001).setConstant(-1.5);
+  EXPECT_NEAR(value_of(parse_measure("D5-95"), 0.01, a), 0.9 * 10.01, 1e-9);
+  EXPECT_NEAR(value_of(parse_measure("D5-75"), 0.01, a), 0.7 * 10.01, 1e-9);
+}
+
 TEST(Measure, TakesPeriodAndDampingToTheSpectrum) {
   const VectorXd a = motion();
   const auto s = response_spectrum(0.01, a, VectorXd::Constant(1, 0.7), 0.02);

@@ -50,6 +50,30 @@ TEST(VectorFragility, AMeasureWithoutInfluenceAddsNothingAndMixingTurnsThePlane)
   EXPECT_NEAR(mixed.plane[1], fit.plane[1], 1e-7);
 }
 
+// ln a' = ln(c a) = ln a + ln c: the slopes stay, and the constant takes what they add. The planes are
+// solutions of one convex problem in other coordinates; Newton's method ends below 1e-8.
+TEST(VectorFragility, InOtherUnitsIsTheSameSurface) {
+  std::vector<VectorObservation> runs = drawn(7, 100, 1);
+  const VectorFit fit = fit_vector(runs);
+  const double c = 9.81, d = 0.01;
+  for (VectorObservation& each : runs) {
+    each.first *= c;
+    each.second *= d;
+  }
+  const VectorFit other = fit_vector(runs);
+  EXPECT_NEAR(other.log_likelihood, fit.log_likelihood, 1e-8);
+  EXPECT_NEAR(other.plane[0], fit.plane[0], 1e-7);
+  EXPECT_NEAR(other.plane[1], fit.plane[1], 1e-7);
+  EXPECT_NEAR(other.plane[2],
+              fit.plane[2] - fit.plane[0] * std::log(c) - fit.plane[1] * std::log(d), 1e-7);
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) {
+      EXPECT_NEAR(other.covariance(i, j), fit.covariance(i, j), 1e-7);
+      EXPECT_NEAR(other.cluster_covariance(i, j), fit.cluster_covariance(i, j), 1e-7);
+    }
+  EXPECT_NEAR(other.probability(c * 1.3, d * 0.8), fit.probability(1.3, 0.8), 1e-7);
+}
+
 TEST(VectorFragility, FindsKnownSlopes) {
   const VectorFit fit = fit_vector(drawn(1, 2000, 1));
   ASSERT_EQ(fit.status, VectorStatus::kFitted);
