@@ -13,7 +13,6 @@ namespace gurney::verification {
 namespace {
 
 constexpr double kStep = 0.004, kGap = 0.1;  // [s], [m]
-constexpr double kSteelStiffness = 1e8;      // of steel on steel, far above that of any item [N/m]
 const Vector3 kFirst(0.5, 0.4, 0.6), kSecond(0.3, 0.3, 0.6);
 
 /// The second block's middle is `aside` of the first one's path, its face 0.1 m before it.
@@ -35,6 +34,7 @@ double speed_at_end(const Response& response, std::size_t item) {
 
 struct Collision {
   double restitution, second, speed = 0.8, first = 80, aside = 0;  // [-], [kg], [m/s], [kg], [m]
+  double stiffness = ContactConstants().stiffness;                 // of a corner [N/m]
 
   /// The corners of the second block's face, which lies within the first one's.
   PlanarImpact exact(PlanarImpact::Contact contact = PlanarImpact::Contact::kFollows) const {
@@ -48,7 +48,7 @@ struct Collision {
              0},
             {1 / first, 1 / solid_box_inertia(first, kFirst)(2, 2), {0, 0}, {speed, 0}, 0, 0},
             {{corner, corner, other, other}, {0.5 * kFirst.x(), 0}, {1, 0}, 0},
-            kSteelStiffness,
+            stiffness,
             ImpactLaw::damping_number(restitution),
             contact};
   }
@@ -57,8 +57,8 @@ struct Collision {
     const Vector3 here(0.5 * kFirst.x(), std::abs(aside) + 0.5 * kSecond.y(), 0.5 * kFirst.z());
     const double at_first = SlidingBlock{first, kFirst}.effective_mass(here, x);
     const double at_second = SlidingBlock{second, kSecond}.effective_mass(0.5 * kSecond, x);
-    return {1 / (1 / first + 1 / second), 1 / (1 / at_first + 1 / at_second), 4,
-            4 + 2 * kFloorPoints};
+    // Of two items the engine counts the points of that which has more.
+    return {1 / (1 / first + 1 / second), 1 / (1 / at_first + 1 / at_second), 4, 4 + kFloorPoints};
   }
 };
 
@@ -68,8 +68,8 @@ Findings collide(const Collision& c, const Runner& runner) {
   const PlanarImpact exact = c.exact();
   const Response response = runner(
       findings,
-      two_blocks(M, m, v, c.aside, {.stiffness = kSteelStiffness, .restitution = e, .friction = 0}),
-      {}, blocks::run_for(1.2 * kGap / v + exact.duration, kStep, kStep));
+      two_blocks(M, m, v, c.aside, {.stiffness = c.stiffness, .restitution = e, .friction = 0}), {},
+      blocks::run_for(1.2 * kGap / v + exact.duration, kStep, kStep));
   const double a = speed_at_end(response, 0), b = speed_at_end(response, 1);
   const double effective = 1 / (1 / M + 1 / m);
   const ImpactSteps steps = c.steps();
@@ -184,7 +184,8 @@ Family collision() {
        {{"second", "kg", 10, 300}, &Collision::second},
        {{"speed", "m/s", 0.2, 2}, &Collision::speed},
        {{"first", "kg", 20, 300}, &Collision::first},
-       {{"aside", "m", -0.045, 0.045}, &Collision::aside}},
+       {{"aside", "m", -0.045, 0.045}, &Collision::aside},
+       {{"stiffness", "N/m", 1e6, 1e8}, &Collision::stiffness}},
       {{"light_soft", {0.2, 20}},
        {"light", {0.7, 20}},
        {"light_elastic", {1, 20}},
