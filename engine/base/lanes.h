@@ -16,11 +16,14 @@
 #endif
 
 /// Formulas for one number or for four side by side: written for a type T, which is double or
-/// Lanes. Every lane takes the operations of the single number in their order, so both give the
-/// same bits.
+/// Lanes. Both agree to rounding; no result may depend on which of them is used where.
+///
+/// The vocabulary is that of SIMD libraries: +, -, *, / act lane by lane and take a double for one
+/// operand; comparisons give a mask, masks combine with !, & and |; splat, select, any, lane,
+/// gather, sqrt, abs, copysign, mul_add. Vectors and matrices of such numbers: vec3.h.
 namespace gurney {
 
-/// Four numbers. +, -, *, / act on each, comparisons give a mask.
+/// Four numbers.
 using Lanes = double __attribute__((vector_size(32)));
 using LaneMask = decltype(Lanes{} < Lanes{});
 inline constexpr std::size_t kLanes = 4;
@@ -32,16 +35,15 @@ inline constexpr std::size_t kLanesOf = std::is_same_v<T, double> ? 1 : kLanes;
 template <class T>
 using Mask = decltype(T{} < T{});
 
-/// a b + c, with one rounding where the processor multiplies and adds at once: as Eigen sums
-/// products.
-inline double madd(double a, double b, double c) {
+/// a b + c, with one rounding where the processor multiplies and adds at once.
+inline double mul_add(double a, double b, double c) {
 #if defined(__FMA__)
   return std::fma(a, b, c);
 #else
   return a * b + c;
 #endif
 }
-inline Lanes madd(const Lanes& a, const Lanes& b, const Lanes& c) {
+inline Lanes mul_add(const Lanes& a, const Lanes& b, const Lanes& c) {
 #if defined(__FMA__)
   return _mm256_fmadd_pd(a, b, c);
 #else
@@ -49,13 +51,27 @@ inline Lanes madd(const Lanes& a, const Lanes& b, const Lanes& c) {
 #endif
 }
 
-inline double root(double a) { return std::sqrt(a); }
-inline Lanes root(const Lanes& a) {
+using std::abs;
+using std::copysign;
+using std::sqrt;
+
+inline Lanes sqrt(const Lanes& a) {
 #if defined(__AVX__)
   return _mm256_sqrt_pd(a);
 #else
   return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
 #endif
+}
+
+inline Lanes abs(const Lanes& a) {
+  const LaneMask sign = std::bit_cast<LaneMask>(-Lanes{});
+  return std::bit_cast<Lanes>(std::bit_cast<LaneMask>(a) & ~sign);
+}
+
+inline Lanes copysign(const Lanes& magnitude, const Lanes& sign_of) {
+  const LaneMask sign = std::bit_cast<LaneMask>(-Lanes{});
+  return std::bit_cast<Lanes>((std::bit_cast<LaneMask>(magnitude) & ~sign) |
+                              (std::bit_cast<LaneMask>(sign_of) & sign));
 }
 
 inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
@@ -72,41 +88,23 @@ inline bool any(const LaneMask& mask) {
 #endif
 }
 
-inline bool none(bool a) { return !a; }
-inline LaneMask none(const LaneMask& a) { return ~a; }
+/// The k-th number.
+inline double lane(double a, std::size_t) { return a; }
+inline double lane(const Lanes& a, std::size_t k) { return a[k]; }
 
-inline bool both(bool a, bool b) { return a && b; }
-inline LaneMask both(const LaneMask& a, const LaneMask& b) { return a & b; }
-
-inline double magnitude(double a) { return std::abs(a); }
-inline Lanes magnitude(const Lanes& a) {
-  const LaneMask sign = std::bit_cast<LaneMask>(-Lanes{});
-  return std::bit_cast<Lanes>(std::bit_cast<LaneMask>(a) & ~sign);
-}
-
-/// The magnitude of a with the sign of b.
-inline double with_sign(double a, double b) { return std::copysign(a, b); }
-inline Lanes with_sign(const Lanes& a, const Lanes& b) {
-  const LaneMask sign = std::bit_cast<LaneMask>(-Lanes{});
-  return std::bit_cast<Lanes>((std::bit_cast<LaneMask>(a) & ~sign) |
-                              (std::bit_cast<LaneMask>(b) & sign));
-}
-
-inline double of_lane(double a, std::size_t) { return a; }
-inline double of_lane(const Lanes& a, std::size_t lane) { return a[lane]; }
-
+/// The same number in every lane.
 template <class T>
-T same(double a) {
-  if constexpr (sizeof(T) == sizeof(double))
+T splat(double a) {
+  if constexpr (std::is_same_v<T, double>)
     return a;
   else
     return T{a, a, a, a};
 }
 
-/// Four numbers of a function of the lane. Written one by one into memory they would be read back
-/// as four with a wait.
+/// The numbers of a function of the lane. Avoids a store-forwarding stall: written one by one into
+/// memory they would be read back as four with a wait.
 template <class Number>
-Lanes gathered(const Number& number) {
+Lanes gather(const Number& number) {
   return Lanes{number(std::size_t{0}), number(std::size_t{1}), number(std::size_t{2}),
                number(std::size_t{3})};
 }

@@ -9,13 +9,10 @@
 namespace gurney {
 namespace {
 
-/// Stuck bearings, brakes and locks are this much stiffer than the tread at their lever arm.
-constexpr double kStickStiffnessRatio = 10;
-
-/// Where a leaning wheel touches the floor: on the middle of its tread up to 10 degrees, from there
+/// Where a leaning wheel touches the floor: on the middle of its tread up to kCrownBegins, from there
 /// further out with every degree, on its edge from 30 degrees on (assumptions). A sharp edge would
 /// have a valley between middle and edge in which no single contact point can stay.
-constexpr double kCrownBegins = 10 * kRadiansPerDegree, kCrownEnds = 30 * kRadiansPerDegree;
+constexpr double kCrownEnds = 30 * kRadiansPerDegree;
 
 /// Nearer to its axle than this a direction has no part in the wheel's plane: sine of the angle.
 constexpr double kSquare = 1e-6;
@@ -34,6 +31,7 @@ CrownPoint crown_point(double lean, double half_width) {
           per_radian * std::log(std::cos(kCrownBegins) / std::cos(until))};
 }
 
+/// Of stuck bearings, brakes and locks, whose load acts through the tread at a lever arm.
 double stick_stiffness(const Caster& caster, double lever) {
   return kStickStiffnessRatio * caster.tread.tangential_stiffness * lever * lever;
 }
@@ -67,10 +65,10 @@ CasterDynamics::CasterDynamics(const Caster& caster, const Vector3& chassis_cent
                 caster.wheel_width,
                 caster.swivels ? 1.0 : 0.0,
                 tread_.spin_radius(),
-                same<double>(mount_),
-                same<double>(wheel_center_),
-                same<double>(center_),
-                same<double>(whole.inertia)};
+                splat<double>(mount_),
+                splat<double>(wheel_center_),
+                splat<double>(center_),
+                splat<double>(whole.inertia)};
 }
 
 Vector3 crown_contact(double axle_z, double radius, double width, const Vector3& up,
@@ -118,7 +116,7 @@ Matrix3 CasterDynamics::fork_rotation(const Pose& pose, double swivel_angle) con
 
 CasterGeometry<double> CasterDynamics::contact(const Pose& pose, double swivel_angle) const {
   CasterMotion<double> motion;
-  motion.rotation = same<double>(pose.rotation);
+  motion.rotation = splat<double>(pose.rotation);
   motion.height = pose.position.z();
   motion.sine = std::sin(swivel_angle);
   motion.cosine = std::cos(swivel_angle);
@@ -133,12 +131,12 @@ void CasterDynamics::evaluate(const Pose& pose, double swivel_angle,
   CasterGeometry<double> g;
   caster_geometry<double>(
       constants_,
-      {same<double>(pose.rotation), pose.position.z(), std::sin(swivel_angle),
-       std::cos(swivel_angle), same<double>(Vector3(chassis_velocity.tail<3>())), joint_rates[0],
-       joint_rates[1], same<double>(gravity)},
+      {splat<double>(pose.rotation), pose.position.z(), std::sin(swivel_angle),
+       std::cos(swivel_angle), splat<double>(Vector3(chassis_velocity.tail<3>())), joint_rates[0],
+       joint_rates[1], splat<double>(gravity)},
       g);
-  const auto vector = [](const Triple<double>& v) -> Vector3 { return {v.x, v.y, v.z}; };
-  const auto cross_matrix = [](const Triple<double>& v) {
+  const auto vector = [](const Vec3<double>& v) -> Vector3 { return {v.x, v.y, v.z}; };
+  const auto cross_matrix = [](const Vec3<double>& v) {
     Matrix3 m;
     m << 0, -v.z, v.y, v.z, 0, -v.x, -v.y, v.x, 0;
     return m;

@@ -18,15 +18,15 @@ struct CasterEnergy {
 /// @param fork      rotation from fork to floor axes (contact_geometry)
 template <class T>
 CasterEnergy<T> caster_energy(const CasterConstants<T>& c, const CasterMotion<T>& motion,
-                              const Triple<T>& velocity, const Columns<T>& fork) {
-  const Triple<T>& w = motion.angular_velocity;
-  const Triple<T> w_joint = (c.swivels * motion.swivel_rate) * fork.z;
-  const Triple<T> w_fork = w + w_joint;
-  const Triple<T> rho = fork * c.center;
-  const Triple<T> r = motion.rotation * c.mount + rho;
-  const Triple<T> v = velocity + cross(w, r) + cross(w_joint, rho);
-  const Triple<T> turning = transposed(fork) * w_fork;
-  const T spin = motion.axle_rate, half = same<T>(0.5);
+                              const Vec3<T>& velocity, const Mat3<T>& fork) {
+  const Vec3<T>& w = motion.angular_velocity;
+  const Vec3<T> w_joint = (c.swivels * motion.swivel_rate) * fork.z;
+  const Vec3<T> w_fork = w + w_joint;
+  const Vec3<T> rho = fork * c.center;
+  const Vec3<T> r = motion.rotation * c.mount + rho;
+  const Vec3<T> v = velocity + cross(w, r) + cross(w_joint, rho);
+  const Vec3<T> turning = transposed(fork) * w_fork;
+  const T spin = motion.axle_rate, half = splat<T>(0.5);
   return {half * (c.mass * dot(v, v) + dot(turning, c.inertia * turning)) +
               c.axial_inertia * spin * (turning.y + half * spin),
           -c.mass * dot(motion.gravity, r)};

@@ -1,112 +1,128 @@
 #pragma once
 
-#include "engine/base/triple.h"
+#include "engine/base/units.h"
+#include "engine/base/vec3.h"
 
 /// The mechanics of CasterDynamics, for one caster or for four.
 namespace gurney {
 
-/// What differs between casters; members as of CasterDynamics.
+/// What differs between casters. `whole` is fork and wheel as one body, the wheel as not spinning.
 template <class T>
 struct CasterConstants {
-  T mass{}, axial_inertia{}, radius{}, width{};
-  T swivels{};  ///< 1 or 0
-  T spin_radius{};
-  Triple<T> mount, wheel_center, center;
-  Columns<T> inertia;
+  T mass{};           ///< m: of the whole [kg]
+  T axial_inertia{};  ///< I_a: of the wheel about its axle [kg m2]
+  T radius{};         ///< of the wheel [m]
+  T width{};          ///< of the wheel [m]
+  T swivels{};        ///< 1, or 0 of a fork that does not swivel: it then has no swivel rate
+  T spin_radius{};    ///< r_s of TreadLaw [m]
+  Vec3<T> mount;      ///< chassis axes, relative to O [m]
+  Vec3<T> wheel_center, center;  ///< of the wheel, of the whole; fork axes, from the mount [m]
+  Mat3<T> inertia;               ///< of the whole about its centre, fork axes [kg m2]
 };
 
-/// Where the chassis is and how all moves.
+/// Where the chassis is and how all moves; floor axes.
 template <class T>
 struct CasterMotion {
-  Columns<T> rotation;
-  T height{};          ///< of O above the floor [m]
-  T sine{}, cosine{};  ///< of the swivel angle
-  Triple<T> angular_velocity;
-  T swivel_rate{}, axle_rate{};
-  Triple<T> gravity;
+  Mat3<T> rotation;          ///< R: chassis to floor axes
+  T height{};                ///< of O above the floor [m]
+  T sine{}, cosine{};        ///< of the swivel angle psi
+  Vec3<T> angular_velocity;  ///< w: of the chassis [rad/s]
+  T swivel_rate{};           ///< psi' [rad/s]
+  T axle_rate{};             ///< theta' [rad/s]
+  Vec3<T> gravity;           ///< g: acceleration that acts on every mass [m/s2]
 };
 
-/// CasterDynamics::Geometry by what is not zero in its matrices.
+/// CasterDynamics::Geometry by what is not zero in its matrices; floor axes, about O.
 template <class T>
 struct CasterGeometry {
-  Triple<T> swivel_axis, axle, axle_level, mount, wheel_center, contact;
-  T height{};
+  Vec3<T> swivel_axis;   ///< s, unit
+  Vec3<T> axle;          ///< a, unit, to the left
+  Vec3<T> axle_level;    ///< l: horizontal direction of the axle, unit
+  Vec3<T> mount;         ///< relative to O [m]
+  Vec3<T> wheel_center;  ///< relative to O [m]
+  Vec3<T> contact;       ///< p: lowest point of the undeformed wheel, relative to O [m]
+  T height{};            ///< of p above the floor; kHeightOfLying of a wheel that lies [m]
 
-  Triple<T> mass_moment;  ///< m r: of the mass about O
-  Columns<T> inertia;     ///< about O
-  Triple<T> coupling_linear, coupling_angular, spin_momentum;
-  T joint_inertia{}, joint_coupling{};
-  Triple<T> bias_linear, bias_angular;
-  T bias_swivel{}, bias_axle{};
+  /// Mass matrix. Chassis: m, m [r]x and `inertia`; by swivel and axle rate, `coupling_*` and
+  /// `spin_momentum`; of the joints, `joint_*` and I_a.
+  Vec3<T> mass_moment;       ///< m r: of the caster's mass about O [kg m]
+  Mat3<T> inertia;           ///< about O [kg m2]
+  Vec3<T> coupling_linear;   ///< momentum by the swivel rate [kg m]
+  Vec3<T> coupling_angular;  ///< angular momentum about O by the swivel rate [kg m2]
+  Vec3<T> spin_momentum;     ///< angular momentum by the axle rate, I_a a [kg m2]
+  T joint_inertia{};         ///< of the swivel; 1 where it does not swivel [kg m2]
+  T joint_coupling{};        ///< between swivel and axle [kg m2]
 
-  Triple<T> swivel_speed, axle_speed;  ///< of the contact point, by the joint rates
-  T swivel_spin{}, axle_spin{}, swivel_roll{}, axle_roll{};
+  /// Bias: forces at zero acceleration, of inertia minus weight.
+  Vec3<T> bias_linear;   ///< [N]
+  Vec3<T> bias_angular;  ///< about O [N m]
+  T bias_swivel{};       ///< [N m]
+  T bias_axle{};         ///< [N m]
+
+  /// Columns of the contact Jacobian that belong to the joints (contact_jacobian.h).
+  Vec3<T> swivel_speed, axle_speed;  ///< of the contact point, by swivel and axle rate [m]
+  T swivel_spin{}, axle_spin{};      ///< r_s w_spin, by each [m]
+  T swivel_roll{}, axle_roll{};      ///< w_roll, by each
 };
 
-/// A wheel whose axle is steeper lies on its side (CasterDynamics::lies).
+/// A wheel whose axle is steeper lies on its side, more than 60 degrees from upright
+/// (CasterDynamics::lies): it has no contact on its tread and counts as this far above the floor.
 inline constexpr double kSineOfLying = 0.866;
+inline constexpr double kHeightOfLying = 1;  // [m]
 
-/// Of the tread's lowest point from the wheel's centre, where it leans out of its crown: `down`
-/// is that of a disc along `up`.
+/// A wheel that leans further touches the floor beside the middle of its tread (assumption).
+inline constexpr double kCrownBegins = 10 * kRadiansPerDegree;
+inline constexpr double kSineOfCrown = 0.17364817766693033;  // of kCrownBegins
+
+/// From the wheel's centre to the lowest point of a tread that leans further than kCrownBegins.
+/// @param axle_z  z component of the axle
+/// @param up      unit, in the wheel's plane, the steepest
 Vector3 crown_contact(double axle_z, double radius, double width, const Vector3& up,
                       const Vector3& axle);
-/// Of the 10 degrees from which on a wheel leans so far.
-inline constexpr double kSineOfCrown = 0.17364817766693033;
 
+/// Moves `down`, the lowest point of a disc, to that of the crowned tread where a wheel leans.
 template <class T>
-[[gnu::noinline, gnu::cold]] void lean_on_crown(const CasterConstants<T>& c, const Triple<T>& up,
-                                                const Triple<T>& axle, Triple<T>& down) {
+[[gnu::noinline, gnu::cold]] void lean_on_crown(const CasterConstants<T>& c, const Vec3<T>& up,
+                                                const Vec3<T>& axle, Vec3<T>& down) {
   for (std::size_t k = 0; k < kLanesOf<T>; ++k)
-    if (std::abs(of_lane(axle.z, k)) > kSineOfCrown)
-      put_lane(down, k,
-               crown_contact(of_lane(axle.z, k), of_lane(c.radius, k), of_lane(c.width, k),
-                             of_lane(up, k), of_lane(axle, k)));
+    if (std::abs(lane(axle.z, k)) > kSineOfCrown)
+      set_lane(down, k,
+               crown_contact(lane(axle.z, k), lane(c.radius, k), lane(c.width, k), lane(up, k),
+                             lane(axle, k)));
 }
 
+/// From the wheel's centre to the lowest point of its tread.
 template <class T>
-[[gnu::always_inline]] inline Triple<T> lowest_of_tread(const CasterConstants<T>& c,
-                                                        const Triple<T>& axle) {
-  // The lowest point of the disc lies against the component of z in the wheel's plane.
-  const Triple<T> up =
-      normalized<T>({T{} - axle.z * axle.x, T{} - axle.z * axle.y, same<T>(1) - axle.z * axle.z});
-  Triple<T> down = -c.radius * up;
-  const Mask<T> leans = magnitude(axle.z) > same<T>(kSineOfCrown);
-  if (any(leans)) lean_on_crown(c, up, axle, down);
+[[gnu::always_inline]] inline Vec3<T> lowest_of_tread(const CasterConstants<T>& c,
+                                                      const Vec3<T>& axle) {
+  // The lowest point of the disc lies against z - (z . a) a, its part in the wheel's plane.
+  const Vec3<T> up = normalized<T>({-axle.z * axle.x, -axle.z * axle.y, 1.0 - axle.z * axle.z});
+  Vec3<T> down = -c.radius * up;
+  if (any(abs(axle.z) > kSineOfCrown)) lean_on_crown(c, up, axle, down);
   return down;
 }
 
-/// m (r x)^2 of a mass at r whose moment is `moment`.
+/// Contact kinematics only: all but the masses.
+/// @returns F, the rotation from fork to floor axes
 template <class T>
-Columns<T> squared_arm(const Triple<T>& moment, const Triple<T>& r) {
-  const Triple<T>& m = moment;
-  return {{madd(m.y, -r.y, -m.z * r.z), -m.x * -r.y, m.x * r.z},
-          {m.y * r.x, madd(-m.x, r.x, m.z * -r.z), -m.y * -r.z},
-          {-m.z * -r.x, m.z * r.y, -m.y * r.y + m.x * -r.x}};
-}
-
-/// What of the geometry the floor sees; all of it but the masses.
-/// @returns the rotation from fork to floor axes
-template <class T>
-[[gnu::always_inline]] inline Columns<T> contact_geometry(const CasterConstants<T>& c,
-                                                          const CasterMotion<T>& motion,
-                                                          CasterGeometry<T>& out) {
-  const Columns<T>& R = motion.rotation;
-  const T cosine = motion.cosine, sine = motion.sine;
-  const auto turned = [&](const T& x, const T& y) -> Triple<T> {
-    return {madd(R.y.x, y, R.x.x * x), madd(R.y.y, y, R.x.y * x), R.x.z * x + R.y.z * y};
-  };
-  const Columns<T> fork = {turned(cosine, sine), turned(-sine, cosine), R.z};
-  const Triple<T>&s = fork.z, &a = fork.y;
+[[gnu::always_inline]] inline Mat3<T> contact_geometry(const CasterConstants<T>& c,
+                                                       const CasterMotion<T>& motion,
+                                                       CasterGeometry<T>& out) {
+  const Mat3<T>& R = motion.rotation;
+  // F = R times the rotation by psi about z.
+  const Mat3<T> fork = {mul_add(motion.sine, R.y, motion.cosine * R.x),
+                        mul_add(motion.cosine, R.y, -motion.sine * R.x), R.z};
+  const Vec3<T>&s = fork.z, &a = fork.y;
   out.swivel_axis = s;
   out.axle = a;
+  out.axle_level = normalized<T>({a.x, a.y, T{}});
   out.mount = R * c.mount;
-  const Triple<T> arm = fork * c.wheel_center;
+  const Vec3<T> arm = fork * c.wheel_center;
+  const Vec3<T> down = lowest_of_tread(c, a);
   out.wheel_center = out.mount + arm;
-  const Triple<T> down = lowest_of_tread(c, a);
   out.contact = out.wheel_center + down;
   out.height =
-      select(magnitude(a.z) > same<T>(kSineOfLying), same<T>(1), motion.height + out.contact.z);
-  out.axle_level = normalized<T>({a.x, a.y, T{}});
+      select(abs(a.z) > kSineOfLying, splat<T>(kHeightOfLying), motion.height + out.contact.z);
 
   out.swivel_speed = c.swivels * cross(s, arm + down);
   out.axle_speed = cross(a, down);
@@ -117,43 +133,50 @@ template <class T>
   return fork;
 }
 
+/// With rho from the mount to the centre of mass C of the caster, r = O to C, and J its inertia
+/// about C, the momentum of the whole at (v, w, psi', theta') is
+///
+///     linear           m (v + w x r + psi' s x rho)
+///     angular about O  r x linear + J (w + psi' s) + I_a theta' a.
+///
+/// Its coefficients are the mass matrix. The bias is the rate of this momentum at constant rates,
+/// less the weight.
 template <class T>
 void caster_geometry(const CasterConstants<T>& c, const CasterMotion<T>& motion,
                      CasterGeometry<T>& out) {
-  const Columns<T> fork = contact_geometry(c, motion, out);
-  const Triple<T>&s = fork.z, &a = fork.y;
+  const Mat3<T> fork = contact_geometry(c, motion, out);
+  const Vec3<T>&s = fork.z, &a = fork.y;
 
-  // Inertia: momentum of the caster m v_L and J w_f + I_a theta' a about its centre.
-  const Triple<T> rho = fork * c.center;
-  const Triple<T> r = out.mount + rho;
-  const Columns<T> J = fork * c.inertia * transposed(fork);
-  const Triple<T> d = c.swivels * cross(s, rho);
-  const Triple<T> Js = c.swivels * (J * s);
-  const Triple<T> spin_momentum = c.axial_inertia * a;
-  out.mass_moment = c.mass * r;
-  const Columns<T> squared = squared_arm(out.mass_moment, r);
-  out.inertia = {J.x - squared.x, J.y - squared.y, J.z - squared.z};
+  const Vec3<T> rho = fork * c.center;
+  const Vec3<T> r = out.mount + rho;
+  const Vec3<T> mr = c.mass * r;
+  const Mat3<T> J = fork * c.inertia * transposed(fork);
+  const Vec3<T> d = c.swivels * cross(s, rho);  // velocity of C by the swivel rate
+  const Vec3<T> Js = c.swivels * (J * s);
+  const Vec3<T> spin_momentum = c.axial_inertia * a;
+  out.mass_moment = mr;
+  out.inertia = J + (diagonal(dot(mr, r)) - outer(mr, r));  // parallel axes: - m [r]x [r]x
   out.coupling_linear = c.mass * d;
-  out.coupling_angular = c.mass * cross(r, d) + Js;
+  out.coupling_angular = cross(mr, d) + Js;
   out.spin_momentum = spin_momentum;
-  out.joint_inertia = select(c.swivels > T{}, c.mass * dot(d, d) + dot(s, Js), same<T>(1));
+  out.joint_inertia = select(c.swivels > 0.0, c.mass * dot(d, d) + dot(s, Js), splat<T>(1));
   out.joint_coupling = c.swivels * dot(spin_momentum, s);
 
-  const Triple<T>& w = motion.angular_velocity;
+  const Vec3<T>& w = motion.angular_velocity;
   const T psi = c.swivels * motion.swivel_rate, theta = motion.axle_rate;
-  const Triple<T> w_fork = w + psi * s;
-  const Triple<T> s_rate = cross(w, s);
-  const Triple<T> r_rate = cross(w, r) + psi * cross(s, rho);
-  const Triple<T> linear =
+  const Vec3<T> w_fork = w + psi * s;
+  const Vec3<T> s_rate = cross(w, s);
+  const Vec3<T> r_rate = cross(w, r) + psi * cross(s, rho);
+  const Vec3<T> linear =
       c.mass * (cross(w, r_rate) + psi * (cross(s_rate, rho) + cross(s, cross(w_fork, rho))) -
                 motion.gravity);
-  const Triple<T> swivel_rate_change = psi * s_rate;
-  const Triple<T> angular =
-      J * swivel_rate_change + cross(w_fork, J * w_fork) + theta * cross(w_fork, spin_momentum);
+  const Vec3<T> swivel_acceleration = psi * s_rate;
+  const Vec3<T> angular =
+      J * swivel_acceleration + cross(w_fork, J * w_fork) + theta * cross(w_fork, spin_momentum);
   out.bias_linear = linear;
   out.bias_angular = cross(r, linear) + angular;
   out.bias_swivel = dot(d, linear) + c.swivels * dot(s, angular);
-  out.bias_axle = dot(spin_momentum, swivel_rate_change);
+  out.bias_axle = dot(spin_momentum, swivel_acceleration);
 }
 
 }  // namespace gurney

@@ -4,6 +4,10 @@
 
 namespace gurney {
 
+/// Stuck bearings, brakes, locks and rolling resistances are this much stiffer than the tread they
+/// act through at its lever arm.
+inline constexpr double kStickStiffnessRatio = 10;
+
 /// Dry friction of one rotating joint or one rolling direction, with real stick: an elastic-plastic
 /// element whose stored deflection z [rad] is its memory. Over an implicit stage of length tau
 ///
@@ -31,11 +35,11 @@ struct DryFrictionOf {
   Result evaluate(const T& deflection, const T& rate, const T& limit, const T& tau) const {
     Result result;
     const T trial = -stiffness * (deflection + tau * rate);
-    const Mask<T> sticks = both(limit > T{}, magnitude(trial) <= limit);
-    const T dry = select(sticks, trial, with_sign(limit, trial));
+    const Mask<T> sticks = (limit > T{}) & (abs(trial) <= limit);
+    const T dry = select(sticks, trial, copysign(limit, trial));
     result.rate_slope = select(sticks, stiffness * tau, T{}) + viscous;
-    result.limit_slope = select(sticks, T{}, with_sign(same<T>(1), trial));
-    result.slips = none(sticks);
+    result.limit_slope = select(sticks, T{}, copysign(splat<T>(1), trial));
+    result.slips = !sticks;
     result.deflection = -dry / stiffness;
     result.torque = dry - viscous * rate;
     return result;

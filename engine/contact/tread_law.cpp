@@ -5,9 +5,6 @@
 namespace gurney {
 namespace {
 
-/// The stuck rolling resistance is this much stiffer than the tread it acts through.
-constexpr double kStickStiffnessRatio = 10;
-
 TreadRates<double> rates_of(const Vector5& u) { return {{u[0], u[1], u[3]}, u[2], u[4]}; }
 
 }  // namespace
@@ -29,7 +26,7 @@ TreadStage<double> TreadLaw::inputs(const Stage& stage) const {
   result.tau = stage.tau;
   result.compression = stage.compression;
   result.mu = friction(stage.start);
-  result.deflection = same<double>(stage.start.deflection);
+  result.deflection = splat<double>(stage.start.deflection);
   result.roll_deflection = stage.start.roll_deflection;
   result.set_rolling(constants_, stage.rolling_speed);
   return result;

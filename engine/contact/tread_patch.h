@@ -1,58 +1,12 @@
 #pragma once
 
-#include "engine/base/triple.h"
-#include "engine/contact/dry_friction.h"
+#include "engine/contact/tread_quantities.h"
 
 /// The equations of TreadLaw, for one tread or for four.
 namespace gurney {
 
-/// What differs between treads: `Tread` and the wheel.
-template <class T>
-struct TreadConstants {
-  T normal_stiffness{}, normal_damping{}, tangential_stiffness{}, tangential_damping{};
-  T relaxation_length{}, rolling_friction_length{};
-  T spin_radius{};
-  DryFrictionOf<T> roll;
-};
-
-/// TreadLaw::Stage with what follows from it alone.
-template <class T>
-struct TreadStage {
-  T tau{}, compression{};
-  T mu{};
-  T forgetting_rate{};  ///< V / sigma [1/s]
-  T memory{}, damping_rate{}, stiffness{};
-  Triple<T> deflection;
-  T roll_deflection{};
-
-  void set_rolling(const TreadConstants<T>& c, const T& rolling_speed) {
-    forgetting_rate = rolling_speed / c.relaxation_length;
-    memory = same<T>(1) / (same<T>(1) + tau * rolling_speed / c.relaxation_length);
-    damping_rate = c.tangential_damping / tau;
-    stiffness = c.tangential_stiffness + damping_rate;
-  }
-};
-
-template <class T>
-struct TreadRates {
-  Triple<T> patch;  ///< u_x, u_y, r_s w_spin
-  T normal{};       ///< u_z
-  T roll{};
-};
-
-template <class T>
-struct TreadForce {
-  Triple<T> patch;
-  T normal{}, roll{};
-};
-
-/// -df/du; all else of the 5 x 5 is zero.
-template <class T>
-struct TreadSlope {
-  Columns<T> patch;
-  Triple<T> by_normal;  ///< of the patch, by u_z
-  T normal{}, roll_by_normal{}, roll{};
-};
+/// A patch whose force is this share of its friction limit slides: rounding must not make it stick.
+inline constexpr double kAtLimit = 1 - 1e-12;
 
 template <class T>
 struct TreadNormal {
@@ -78,15 +32,15 @@ TreadNormal<T> tread_normal(const TreadConstants<T>& c, const TreadStage<T>& sta
 template <class T>
 void limit_patch(const Mask<T>& slides, const T& size, const T& limit, const T& limit_slope,
                  TreadForce<T>& force, TreadSlope<T>& slope) {
-  const Triple<T> direction = force.patch / size;
+  const Vec3<T> direction = force.patch / size;
   const T stuck = slope.patch.x.x, share = limit / size;
-  const Triple<T> scaled = stuck * direction;
-  const auto column = [&](const Triple<T>& unlimited, const T& along) {
+  const Vec3<T> scaled = stuck * direction;
+  const auto column = [&](const Vec3<T>& unlimited, const T& along) {
     return select(slides, share * (unlimited - along * scaled), unlimited);
   };
   slope.patch = {column(slope.patch.x, direction.x), column(slope.patch.y, direction.y),
                  column(slope.patch.z, direction.z)};
-  slope.by_normal = select(slides, limit_slope * direction, Triple<T>());
+  slope.by_normal = select(slides, limit_slope * direction, Vec3<T>());
   force.patch = select(slides, limit * direction, force.patch);
 }
 
@@ -94,10 +48,10 @@ template <class T>
 void tread_force(const TreadConstants<T>& c, const TreadStage<T>& stage, const TreadRates<T>& u,
                  TreadForce<T>& force, TreadSlope<T>& slope) {
   const TreadNormal<T> n = tread_normal(c, stage, u.normal);
-  const Triple<T> trial = stage.memory * (stage.deflection + stage.tau * u.patch);
+  const Vec3<T> trial = stage.memory * (stage.deflection + stage.tau * u.patch);
   force.patch = stage.damping_rate * stage.deflection - stage.stiffness * trial;
   const T stuck = stage.stiffness * stage.memory * stage.tau;
-  slope.patch = {{stuck, T{}, T{}}, {T{}, stuck, T{}}, {T{}, T{}, stuck}};
+  slope.patch = diagonal(stuck);
   slope.by_normal = {};
   const T limit = stage.mu * n.force, size = norm(force.patch);
   const Mask<T> slides = size > limit;
@@ -112,26 +66,25 @@ void tread_force(const TreadConstants<T>& c, const TreadStage<T>& stage, const T
   slope.roll = roll.rate_slope;
   const Mask<T> off = n.force <= T{};
   if (any(off)) {
-    force = {select(off, Triple<T>(), force.patch), select(off, T{}, force.normal),
+    force = {select(off, Vec3<T>(), force.patch), select(off, T{}, force.normal),
              select(off, T{}, force.roll)};
-    const Columns<T>& s = slope.patch;
-    slope = {{select(off, Triple<T>(), s.x), select(off, Triple<T>(), s.y),
-              select(off, Triple<T>(), s.z)},
-             select(off, Triple<T>(), slope.by_normal),
-             select(off, T{}, slope.normal),
-             select(off, T{}, slope.roll_by_normal),
-             select(off, T{}, slope.roll)};
+    const Mat3<T>& s = slope.patch;
+    slope = {
+        {select(off, Vec3<T>(), s.x), select(off, Vec3<T>(), s.y), select(off, Vec3<T>(), s.z)},
+        select(off, Vec3<T>(), slope.by_normal),
+        select(off, T{}, slope.normal),
+        select(off, T{}, slope.roll_by_normal),
+        select(off, T{}, slope.roll)};
   }
 }
 
 /// Energy stored in its springs [J].
 template <class T>
-T tread_energy(const TreadConstants<T>& c, const T& compression, const Triple<T>& deflection,
+T tread_energy(const TreadConstants<T>& c, const T& compression, const Vec3<T>& deflection,
                const T& roll_deflection) {
   const T d = select(compression > T{}, compression, T{});
-  return same<T>(0.5) *
-         (c.normal_stiffness * d * d + c.tangential_stiffness * dot(deflection, deflection) +
-          c.roll.stiffness * roll_deflection * roll_deflection);
+  return 0.5 * (c.normal_stiffness * d * d + c.tangential_stiffness * dot(deflection, deflection) +
+                c.roll.stiffness * roll_deflection * roll_deflection);
 }
 
 /// TreadLaw::Result of four treads, and TreadLaw::spring_rates.
@@ -140,7 +93,7 @@ struct TreadOutcome {
   T compression{}, compression_rate{};
   T sliding_power{}, rolling_power{}, relaxation_power{}, damping_power{}, slip_speed{};
   T spring_rates{};
-  Triple<T> deflection;
+  Vec3<T> deflection;
   T roll_deflection{};
   Mask<T> slides{}, rolls{};
 };
@@ -152,34 +105,34 @@ TreadOutcome<T> tread_outcome(const TreadConstants<T>& c, const TreadStage<T>& s
   result.compression = stage.compression - stage.tau * u.normal;
   result.compression_rate = -u.normal;
   const TreadNormal<T> n = tread_normal(c, stage, u.normal);
-  const Mask<T> on = none(n.force <= T{});
+  const Mask<T> on = !(n.force <= T{});
   const auto if_on = [&](const T& value) { return select(on, value, T{}); };
 
-  const Triple<T>& patch = force.patch;
-  const Triple<T>& start = stage.deflection;
-  const Triple<T> end = (stage.damping_rate * start - patch) / stage.stiffness;
-  const Triple<T> rate = (end - start) / stage.tau;
-  const Triple<T> relaxation = stage.forgetting_rate * end;
-  const Triple<T> slip = u.patch - relaxation - rate;
-  result.slides = both(on, norm(patch) >= stage.mu * n.force * same<T>(1 - 1e-12));
+  const Vec3<T>& patch = force.patch;
+  const Vec3<T>& start = stage.deflection;
+  const Vec3<T> end = (stage.damping_rate * start - patch) / stage.stiffness;
+  const Vec3<T> rate = (end - start) / stage.tau;
+  const Vec3<T> relaxation = stage.forgetting_rate * end;
+  const Vec3<T> slip = u.patch - relaxation - rate;
+  result.slides = on & (norm(patch) >= kAtLimit * stage.mu * n.force);
   const T lost = -dot(patch, slip);
   const T damped = -n.damping_force * u.normal;
   const T on_floor = damped + c.tangential_damping * dot(rate, rate);
   result.relaxation_power = if_on(-dot(patch, relaxation));
   result.sliding_power = select(result.slides, lost, T{});
-  result.slip_speed = select(result.slides, root(slip.x * slip.x + slip.y * slip.y), T{});
+  result.slip_speed = select(result.slides, sqrt(slip.x * slip.x + slip.y * slip.y), T{});
   // Off the floor the patch springs back at once; of one that sticks `lost` is rounding.
   result.damping_power = select(on, select(result.slides, on_floor, on_floor + lost), damped);
-  result.deflection = select(on, end, Triple<T>());
+  result.deflection = select(on, end, Vec3<T>());
 
   const auto roll = c.roll.evaluate(stage.roll_deflection, u.roll,
                                     c.rolling_friction_length * n.force, stage.tau);
   result.roll_deflection = if_on(roll.deflection);
-  result.rolls = both(on, roll.slips);
+  result.rolls = on & roll.slips;
   const T elastic_rate = (roll.deflection - stage.roll_deflection) / stage.tau;
   result.rolling_power = if_on(-roll.torque * (u.roll - elastic_rate));
 
-  const Triple<T> patch_rate = (result.deflection - start) / stage.tau;
+  const Vec3<T> patch_rate = (result.deflection - start) / stage.tau;
   const T roll_rate = (result.roll_deflection - stage.roll_deflection) / stage.tau;
   const T normal_rate = select(result.compression > T{}, u.normal, T{});
   result.spring_rates = c.normal_stiffness * normal_rate * normal_rate +

@@ -31,21 +31,17 @@ void CasterLanes::finish(const State& start, double length, const Velocity& v,
                          const Vector6& acceleration, State& end, const Outputs& out,
                          const Sums& sums) const {
   const CasterGeometry<Lanes>& g = geometry_;
-  const Lanes tau = same<Lanes>(length);
-  const TreadRates<Lanes> u{
-      {rates_.velocity.x, rates_.velocity.y, rates_.spin}, rates_.velocity.z, rates_.roll};
-  const TreadOutcome<Lanes> tread = tread_outcome(tread_, stage_, u, force_);
+  const Lanes tau = splat<Lanes>(length);
+  const TreadOutcome<Lanes> tread = tread_outcome(tread_, stage_, rates_, force_);
   const Lanes swivel_rate = joint_rates(v, 0), axle_rate = joint_rates(v, 1);
   const Lanes b0 = (swivel_rate - joint_rates(start.velocity, 0)) / tau;
   const Lanes b1 = (axle_rate - joint_rates(start.velocity, 1)) / tau;
 
-  // a' M a of the joints, and 2 a' M b.
-  const Six coupled = coupled_momentum(b0, b1);
-  const auto part = [&](std::size_t i) { return acceleration[static_cast<int>(i)] * coupled[i]; };
-  const Lanes along = (part(0) + (part(2) + part(4))) + (part(1) + (part(3) + part(5)));
-  const Lanes joint0 = madd(g.joint_coupling, b1, g.joint_inertia * b0);
-  const Lanes joint1 = madd(body_.axial_inertia, b1, g.joint_coupling * b0);
-  const Lanes inertial_rates = 2.0 * along + (b0 * joint0 + b1 * joint1);
+  // 2 a' M b + b' M b of the joints' accelerations b beside that of the chassis, a.
+  const Lanes joint0 = g.joint_inertia * b0 + g.joint_coupling * b1;
+  const Lanes joint1 = g.joint_coupling * b0 + body_.axial_inertia * b1;
+  const Lanes inertial_rates =
+      2.0 * dot(splat<Lanes>(acceleration), coupled_momentum(b0, b1)) + (b0 * joint0 + b1 * joint1);
 
   const JointOutcome swivel =
       outcome_of(swivel_, {swivel_rate, swivel_wind_, swivel_friction_.deflection}, tau);
@@ -53,25 +49,21 @@ void CasterLanes::finish(const State& start, double length, const Velocity& v,
       outcome_of(axle_, {axle_rate, axle_wind_, axle_friction_.deflection}, tau);
   const Lanes spring_rates = swivel.spring_rates + axle.spring_rates + tread.spring_rates;
 
-  // Momentum: of the chassis' motion, then of the joints.
-  const Vector6& V = v.chassis;
-  const Triple<Lanes>& m = g.mass_moment;
-  const Triple<Lanes> carried = {
-      madd(-m.y, same<Lanes>(V[5]), madd(m.z, same<Lanes>(V[4]), body_.mass * V[0])),
-      madd(m.x, same<Lanes>(V[5]), madd(-m.z, same<Lanes>(V[3]), body_.mass * V[1])),
-      body_.mass * V[2] + (m.y * V[3] + -m.x * V[4])};
-  const Triple<Lanes> momentum = carried + swivel_rate * g.coupling_linear;
+  // m v + w x m r + psi' m d.
+  const Vec6<Lanes> V = splat<Lanes>(v.chassis);
+  const Vec3<Lanes> momentum =
+      body_.mass * V.linear + cross(V.angular, g.mass_moment) + swivel_rate * g.coupling_linear;
 
   for (std::size_t k = 0; k < count_; ++k) {
     sums.spring_rates += inertial_rates[k];
     sums.spring_rates += spring_rates[k];
-    sums.momentum += of_lane(momentum, k);
+    sums.momentum += lane(momentum, k);
     const std::size_t i = first_ + k;
     const CasterState& was = start.casters[i];
     CasterState& is = end.casters[i];
     is.swivel_angle = was.swivel_angle + length * swivel_rate[k];
     is.axle_angle = was.axle_angle + length * axle_rate[k];
-    is.tread = {of_lane(tread.deflection, k), tread.roll_deflection[k], tread.slides[k] != 0,
+    is.tread = {lane(tread.deflection, k), tread.roll_deflection[k], tread.slides[k] != 0,
                 tread.rolls[k] != 0};
     is.swivel_wind = swivel_friction_.deflection[k];
     is.axle_wind = axle_friction_.deflection[k];
@@ -88,7 +80,7 @@ void CasterLanes::finish(const State& start, double length, const Velocity& v,
     result.slip_speed = tread.slip_speed[k];
     result.spring_rates = tread.spring_rates[k];
     out.axle_slips[k] = axle_friction_.slips[k] != 0;
-    out.heading[k] = of_lane(g.axle_level, k).cross(Vector3::UnitZ()).head<2>();
+    out.heading[k] = lane(g.axle_level, k).cross(Vector3::UnitZ()).head<2>();
     out.accelerations[k] = {b0[k], b1[k]};
   }
   EnergyAccount& power = sums.power;
@@ -96,7 +88,7 @@ void CasterLanes::finish(const State& start, double length, const Velocity& v,
   add(tread.sliding_power, count_, power.sliding_loss);
   add(tread.relaxation_power, count_, power.relaxation_loss);
   add(tread.damping_power, count_, power.tread_loss);
-  add(select(body_.swivels > Lanes{}, swivel.loss, Lanes{}), count_, power.swivel_loss);
+  add(select(body_.swivels > 0.0, swivel.loss, Lanes{}), count_, power.swivel_loss);
   add(axle.loss, count_, power.axle_loss);
 }
 

@@ -7,9 +7,11 @@ namespace gurney {
 Vector6 ItemStage::all_momentum(const Velocity& v) const {
   Vector6 momentum = mass_ * v.chassis;
   for (const CasterLanes& lanes : casters_) {
-    const CasterLanes::Six joints = lanes.joint_momentum(v);
-    for (std::size_t k = 0; k < lanes.count(); ++k)
-      for (std::size_t i = 0; i < 6; ++i) momentum[static_cast<int>(i)] += joints[i][k];
+    const Vec6<Lanes> joints = lanes.joint_momentum(v);
+    for (std::size_t k = 0; k < lanes.count(); ++k) {
+      momentum.head<3>() += lane(joints.linear, k);
+      momentum.tail<3>() += lane(joints.angular, k);
+    }
   }
   return momentum;
 }

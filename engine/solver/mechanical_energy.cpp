@@ -40,25 +40,25 @@ void MechanicalEnergies::add(const Casters& casters, const State& state, const P
   const CasterState* s = state.casters.data() + casters.first;
   const Eigen::Vector2d* rates = state.velocity.joints.data() + casters.first;
   const auto of = [&](const auto& number) {
-    return gathered([&](std::size_t k) -> double { return number(s[k]); });
+    return gather([&](std::size_t k) -> double { return number(s[k]); });
   };
   CasterMotion<Lanes> motion;
-  motion.rotation = same<Lanes>(pose.rotation);
-  motion.height = same<Lanes>(pose.position.z());
+  motion.rotation = splat<Lanes>(pose.rotation);
+  motion.height = splat<Lanes>(pose.position.z());
   motion.sine = of([](const CasterState& c) { return std::sin(c.swivel_angle); });
   motion.cosine = of([](const CasterState& c) { return std::cos(c.swivel_angle); });
-  motion.angular_velocity = same<Lanes>(Vector3(state.velocity.chassis.tail<3>()));
-  motion.swivel_rate = gathered([&](std::size_t k) { return rates[k][0]; });
-  motion.axle_rate = gathered([&](std::size_t k) { return rates[k][1]; });
-  motion.gravity = same<Lanes>(mechanism_.gravity);
+  motion.angular_velocity = splat<Lanes>(Vector3(state.velocity.chassis.tail<3>()));
+  motion.swivel_rate = gather([&](std::size_t k) { return rates[k][0]; });
+  motion.axle_rate = gather([&](std::size_t k) { return rates[k][1]; });
+  motion.gravity = splat<Lanes>(mechanism_.gravity);
   CasterGeometry<Lanes> g;
-  const Columns<Lanes> fork = contact_geometry(casters.body, motion, g);
+  const Mat3<Lanes> fork = contact_geometry(casters.body, motion, g);
   const CasterEnergy<Lanes> moved = caster_energy(
-      casters.body, motion, same<Lanes>(Vector3(state.velocity.chassis.head<3>())), fork);
+      casters.body, motion, splat<Lanes>(Vector3(state.velocity.chassis.head<3>())), fork);
 
-  const Triple<Lanes> patch = {of([](const CasterState& c) { return c.tread.deflection[0]; }),
-                               of([](const CasterState& c) { return c.tread.deflection[1]; }),
-                               of([](const CasterState& c) { return c.tread.deflection[2]; })};
+  const Vec3<Lanes> patch = {of([](const CasterState& c) { return c.tread.deflection[0]; }),
+                             of([](const CasterState& c) { return c.tread.deflection[1]; }),
+                             of([](const CasterState& c) { return c.tread.deflection[2]; })};
   const Lanes roll = of([](const CasterState& c) { return c.tread.roll_deflection; });
   const Lanes swivel = of([](const CasterState& c) { return c.swivel_wind; });
   const Lanes axle = of([](const CasterState& c) { return c.axle_wind; });

@@ -27,19 +27,16 @@ void SlipReversals::collect_treads(std::size_t item, const State& state, const C
     const CasterDynamics& caster = mechanism.casters[i];
     const CasterGeometry<double> g = caster.contact(pose, state.casters[i].swivel_angle);
     const auto rates = [&](const Velocity& v) {
-      return contact_rates<double>(
-          g, caster.constants().spin_radius, same<double>(Vector3(v.chassis.head<3>())),
-          same<double>(Vector3(v.chassis.tail<3>())), v.joints[i][0], v.joints[i][1]);
+      return contact_rates<double>(g, caster.constants().spin_radius,
+                                   {splat<double>(v.chassis), v.joints[i][0], v.joints[i][1]});
     };
-    const ContactRates<double> u = rates(state.velocity), a = rates(course.acceleration);
+    const TreadRates<double> u = rates(state.velocity), a = rates(course.acceleration);
     if (tread.sliding)
-      slips_.push_back({{u.velocity.x, u.velocity.y, u.spin},
-                        {a.velocity.x, a.velocity.y, a.spin},
-                        Vector3(1, 1, 0).asDiagonal(),
+      slips_.push_back({lane(u.patch, 0), lane(a.patch, 0), Vector3(1, 1, 0).asDiagonal(),
                         course.floor_acceleration});
     if (tread.rolling) {
       const double radius = caster.wheel_radius();
-      const Vector3 heading = of_lane(g.axle_level, 0).cross(Vector3::UnitZ());
+      const Vector3 heading = lane(g.axle_level, 0).cross(Vector3::UnitZ());
       Matrix3 along = Matrix3::Zero();
       along.row(0) = std::copysign(1.0, u.roll) * heading.transpose();
       slips_.push_back({{radius * std::abs(u.roll), 0, 0},

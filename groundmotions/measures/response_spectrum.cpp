@@ -30,7 +30,7 @@ struct Swing {
 
   void step(const OscillatorPack& pack, double p0, double p1) {
     pack.step(p0, p1, u, v);
-    const Lanes now = magnitude(u), acceleration = magnitude(viscosity * v + stiffness * u);
+    const Lanes now = abs(u), acceleration = abs(viscosity * v + stiffness * u);
     largest_u = select(now > largest_u, now, largest_u);
     largest_a = select(acceleration > largest_a, acceleration, largest_a);
   }

@@ -94,16 +94,16 @@ CasterDynamics::Geometry geometry(const CasterDynamics& dynamics, const Motion& 
 CasterEnergy<double> energy(const CasterDynamics& dynamics, const Motion& m,
                             const Vector3& gravity) {
   CasterMotion<double> motion;
-  motion.rotation = same<double>(m.pose.rotation);
+  motion.rotation = splat<double>(m.pose.rotation);
   motion.sine = std::sin(m.swivel_angle);
   motion.cosine = std::cos(m.swivel_angle);
-  motion.angular_velocity = same<double>(Vector3(m.velocity.tail<3>()));
+  motion.angular_velocity = splat<double>(Vector3(m.velocity.tail<3>()));
   motion.swivel_rate = m.rates[0];
   motion.axle_rate = m.rates[1];
-  motion.gravity = same<double>(gravity);
+  motion.gravity = splat<double>(gravity);
   CasterGeometry<double> g;
-  const Columns<double> fork = contact_geometry(dynamics.constants(), motion, g);
-  return caster_energy(dynamics.constants(), motion, same<double>(Vector3(m.velocity.head<3>())),
+  const Mat3<double> fork = contact_geometry(dynamics.constants(), motion, g);
+  return caster_energy(dynamics.constants(), motion, splat<double>(Vector3(m.velocity.head<3>())),
                        fork);
 }
 
@@ -164,14 +164,13 @@ TEST(CasterDynamics, ContactIsThatOfTheWholeGeometry) {
       const Motion m = random.motion(swivels);
       const auto whole = geometry(dynamics, m);
       const CasterGeometry<double> g = dynamics.contact(m.pose, m.swivel_angle);
-      EXPECT_EQ(of_lane(g.contact, 0), whole.contact);
+      EXPECT_EQ(lane(g.contact, 0), whole.contact);
       EXPECT_EQ(g.height, whole.height);
-      const ContactRates<double> u = contact_rates<double>(
-          g, dynamics.constants().spin_radius, same<double>(Vector3(m.velocity.head<3>())),
-          same<double>(Vector3(m.velocity.tail<3>())), m.rates[0], m.rates[1]);
+      const TreadRates<double> u = contact_rates<double>(
+          g, dynamics.constants().spin_radius, {splat<double>(m.velocity), m.rates[0], m.rates[1]});
       const Vector5 rates = whole.jacobian_chassis * m.velocity + whole.jacobian_joints * m.rates;
       const Vector5 found =
-          (Vector5() << u.velocity.x, u.velocity.y, u.velocity.z, u.spin, u.roll).finished();
+          (Vector5() << u.patch.x, u.patch.y, u.normal, u.patch.z, u.roll).finished();
       EXPECT_NEAR((found - rates).norm(), 0, 1e-13 * rates.norm());
     }
   }
