@@ -78,7 +78,8 @@ std::vector<SuiteSpectra> suite_spectra(const StudyData& data, const SuiteSpectr
     spectra.level = name;
     spectra.periods = groundmotions::logarithmic_periods(0.02, 10, request.periods);
     for (std::size_t record = 0; record < set.size(); ++record) {
-      const Record& ground = set.ground(record).record;
+      const FloorRecords::Shared kept = set.ground_record(record);
+      const Record& ground = *kept;
       if (ground.samples() == 0) continue;
       if (record < rows.size()) require_same(ground, files.at(rows[record]), path);
       spectra.combination = combination_for(data.study(), ground);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -63,6 +64,18 @@ groundmotions::Suite suite_of(const RecordRequest& request) {
   return suite;
 }
 
+/// SHA-256 and name of each file of a record, one a line.
+std::string files_of(const groundmotions::Record& record) {
+  std::string text;
+  for (const auto& component : record.components) {
+    if (!component || component->sha256.empty()) continue;
+    const std::string line = fmt::format(
+        "{} {}", component->sha256, std::filesystem::path(component->file).filename().string());
+    if (text.find(line) == std::string::npos) text += (text.empty() ? "" : "\n") + line;
+  }
+  return text;
+}
+
 double or_none(const std::function<double()>& value) {
   try {
     return value();
@@ -90,7 +103,7 @@ MotionSet::MotionSet(const Job& job, const Study& study, FloorRecords& floors, s
     notes_ = std::move(suite.notes);
     std::ranges::move(suite.warnings, std::back_inserter(notes_));
     for (const groundmotions::SuiteRecord& record : suite_) names_.push_back(record.name);
-    if (suite_.empty()) names_ = {ground_record(*request_).name};
+    if (suite_.empty()) names_ = {study::ground_record(*request_).name};
   }
   slots_ = std::make_unique<Slot[]>(names_.size());
 }
@@ -106,16 +119,25 @@ groundmotions::SourceFacts MotionSet::source_of(const groundmotions::Record& rec
 
 const GroundMotion& MotionSet::ground(std::size_t record) const {
   Slot& slot = slots_[record];
-  std::call_once(slot.once, [&] { slot.motion = read(record); });
+  std::call_once(slot.once, [&] {
+    const auto motion = is_synthetic()
+                            ? ground_record(record)
+                            : std::make_shared<const groundmotions::Record>(read(record));
+    slot.motion = facts_of(record, *motion);
+    if (!is_synthetic()) slot.record = motion;
+  });
   return slot.motion;
 }
 
-GroundMotion MotionSet::read(std::size_t record) const {
-  GroundMotion motion;
-  if (!request_) {
-    motion.measures.assign(kept_.size(), std::numeric_limits<double>::quiet_NaN());
-    return motion;
-  }
+FloorRecords::Shared MotionSet::ground_record(std::size_t record) const {
+  constexpr double kGround = 0;  // no floor has it as scale
+  if (is_synthetic()) return floors_.of({index_, record, kGround}, [&] { return read(record); });
+  ground(record);
+  return slots_[record].record;
+}
+
+groundmotions::Record MotionSet::read(std::size_t record) const {
+  if (!request_) return {};
   RecordRequest request = *request_;
   double scale = request.scale;
   request.suite.clear();
@@ -126,31 +148,43 @@ GroundMotion MotionSet::read(std::size_t record) const {
   } else if (names_.size() > 1) {
     request.synthetic->values["seed"] = static_cast<double>(record + 1);
   }
-  motion.record = ground_record(request);
-  motion.record.name = names_[record];
-  motion.source = source_of(motion.record, record);
-  if (request.scale_to) motion.record = scaled_to(motion.record, *request.scale_to);
-  if (scale != 1) motion.record = groundmotions::scaled(std::move(motion.record), scale);
-  motion.warnings = motion.record.warnings;
-  if (record == 0) motion.warnings.insert(motion.warnings.end(), notes_.begin(), notes_.end());
-  const std::vector<std::string> findings = implausible(motion.record);
-  require(!request.refuse_implausible || findings.empty(),
-          fmt::format("{}: record '{}' is not plausible, and plausibility = \"refuse\":\n{}",
-                      request.where, names_[record], fmt::join(findings, "\n")));
-  motion.warnings.insert(motion.warnings.end(), findings.begin(), findings.end());
-  for (const KeptMeasure& kept : kept_)
-    motion.measures.push_back(
-        or_none([&] { return value_of(kept.measure, kept.combination, motion.record); }));
-  if (!scaled_by_measure()) return motion;
-  try {
-    motion.intensity = value_of(intensity_.measure, intensity_.combination, motion.record);
-  } catch (const Error& error) {
-    throw Error(request.where + ": " + error.what());
-  }
-  require(motion.intensity > 0,
-          fmt::format("{}: record '{}' cannot be scaled: its {} is {:g}", request.where,
-                      names_[record], name_of(intensity_.measure), motion.intensity));
+  groundmotions::Record motion = study::ground_record(request);
+  motion.name = names_[record];
+  if (request.scale_to) motion = scaled_to(motion, *request.scale_to);
+  if (scale != 1) motion = groundmotions::scaled(std::move(motion), scale);
   return motion;
+}
+
+GroundMotion MotionSet::facts_of(std::size_t record, const groundmotions::Record& motion) const {
+  GroundMotion facts;
+  if (!request_) {
+    facts.measures.assign(kept_.size(), std::numeric_limits<double>::quiet_NaN());
+    return facts;
+  }
+  facts.files = files_of(motion);
+  facts.processing = motion.processing;
+  facts.duration = motion.time_step() * static_cast<double>(motion.samples());
+  facts.source = source_of(motion, record);
+  facts.record_warnings = facts.warnings = motion.warnings;
+  if (record == 0) facts.warnings.insert(facts.warnings.end(), notes_.begin(), notes_.end());
+  const std::vector<std::string> findings = implausible(motion);
+  require(!request_->refuse_implausible || findings.empty(),
+          fmt::format("{}: record '{}' is not plausible, and plausibility = \"refuse\":\n{}",
+                      request_->where, names_[record], fmt::join(findings, "\n")));
+  facts.warnings.insert(facts.warnings.end(), findings.begin(), findings.end());
+  for (const KeptMeasure& kept : kept_)
+    facts.measures.push_back(
+        or_none([&] { return value_of(kept.measure, kept.combination, motion); }));
+  if (!scaled_by_measure()) return facts;
+  try {
+    facts.intensity = value_of(intensity_.measure, intensity_.combination, motion);
+  } catch (const Error& error) {
+    throw Error(request_->where + ": " + error.what());
+  }
+  require(facts.intensity > 0,
+          fmt::format("{}: record '{}' cannot be scaled: its {} is {:g}", request_->where,
+                      names_[record], name_of(intensity_.measure), facts.intensity));
+  return facts;
 }
 
 double MotionSet::scale_for(std::size_t record, double value) const {
@@ -160,9 +194,10 @@ double MotionSet::scale_for(std::size_t record, double value) const {
 
 FloorRecords::Shared MotionSet::floor_record(std::size_t record, double scale) const {
   const auto make = [&] {
-    const groundmotions::Record& ground = this->ground(record).record;
+    const FloorRecords::Shared ground = ground_record(record);
     return floor_record_of(
-        scale == 1 ? ground : groundmotions::scaled(ground, scale, intensity_.vertical), *request_);
+        scale == 1 ? *ground : groundmotions::scaled(*ground, scale, intensity_.vertical),
+        *request_);
   };
   if (request_->building) return floors_.of({index_, record, scale}, make);
   return std::make_shared<const groundmotions::Record>(make());
@@ -172,7 +207,7 @@ FloorMotion MotionSet::floor(std::size_t record, double scale, double angle,
                              std::vector<std::string>& warnings) const {
   if (!request_) return {};
   const FloorRecords::Shared floor = floor_record(record, scale);
-  const std::vector<std::string>& of_ground = ground(record).record.warnings;
+  const std::vector<std::string>& of_ground = ground(record).record_warnings;
   for (const std::string& warning : floor->warnings)
     if (std::ranges::find(of_ground, warning) == of_ground.end()) warnings.push_back(warning);
   return in_floor_axes(*floor, *request_, request_->angle + angle);

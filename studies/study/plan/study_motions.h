@@ -15,12 +15,15 @@
 
 namespace gurney::study {
 
-/// A ground motion as read and processed, at scale 1.
+/// Facts of a ground motion as read and processed, at scale 1, without its samples.
 struct GroundMotion {
-  groundmotions::Record record;  ///< no components: the floor rests
+  std::string files;  ///< SHA-256 and name of each of its files, one a line
+  std::vector<std::string> processing;
+  double duration = 0;           ///< [s]; 0: the floor rests
   double intensity = 0;          ///< the measure that levels are stated in [SI]
   std::vector<double> measures;  ///< as Study::measures [SI]; NaN: the record has none
-  std::vector<std::string> warnings;
+  std::vector<std::string> record_warnings;
+  std::vector<std::string> warnings;  ///< those of the record and of its plausibility
   groundmotions::SourceFacts source;
 };
 
@@ -37,6 +40,10 @@ class MotionSet {
   /// Read at the first call; may be called from several threads.
   /// @throws Error as motion_of() does, and for an intensity that is zero
   const GroundMotion& ground(std::size_t record) const;
+
+  /// The motion itself; no components: the floor rests. Recorded motions stay in memory. Synthetic ones,
+  /// of which a study may have a million, are made again where they are not among those asked for last.
+  FloorRecords::Shared ground_record(std::size_t record) const;
 
   /// Factor on the ground motion that gives a value of the study's measure.
   double scale_for(std::size_t record, double value) const;
@@ -55,9 +62,11 @@ class MotionSet {
   std::optional<Motion> motion(std::size_t record, double scale, double angle) const;
 
  private:
-  GroundMotion read(std::size_t record) const;
+  groundmotions::Record read(std::size_t record) const;
+  GroundMotion facts_of(std::size_t record, const groundmotions::Record& motion) const;
   groundmotions::SourceFacts source_of(const groundmotions::Record& record,
                                        std::size_t index) const;
+  bool is_synthetic() const { return request_ && request_->synthetic; }
   bool scaled_by_measure() const { return intensity_.kind != IntensityPlan::Kind::kScales; }
 
   std::optional<RecordRequest> request_;
@@ -69,6 +78,7 @@ class MotionSet {
   struct Slot {
     std::once_flag once;
     GroundMotion motion;
+    FloorRecords::Shared record;  ///< none of synthetic motions
   };
   std::unique_ptr<Slot[]> slots_;
   FloorRecords& floors_;

@@ -88,9 +88,7 @@ class Collector {
 /// Duration of the ground motion of a task [s].
 double duration_of(const Batch& batch, std::size_t index) {
   const Task task = batch.plan.task(index);
-  const MotionSet& motions = batch.motions.set_of(task.configuration);
-  const groundmotions::Record& record = motions.ground(task.record).record;
-  return record.time_step() * static_cast<double>(record.samples());
+  return batch.motions.set_of(task.configuration).ground(task.record).duration;
 }
 
 /// Tasks of the stage and shard that the folder lacks, those of the longest motions first, so that

@@ -79,8 +79,8 @@ void add_records(Hdf5Writer& file, const Batch& batch) {
       const GroundMotion& motion = batch.motions.set(set).ground(i);
       sets.push_back(std::to_string(set));
       names.push_back(batch.motions.set(set).name(i));
-      files.push_back(files_of(motion.record));
-      processing.push_back(fmt::format("{}", fmt::join(motion.record.processing, "\n")));
+      files.push_back(motion.files);
+      processing.push_back(fmt::format("{}", fmt::join(motion.processing, "\n")));
       warnings.push_back(fmt::format("{}", fmt::join(motion.warnings, "\n")));
       distances.push_back(motion.source.distance_kind);
     }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
 #include <map>
 #include <sstream>
 
@@ -27,7 +26,7 @@ std::string input_lines(const Batch& batch) {
   for (std::size_t set = 0; set < batch.motions.sets(); ++set)
     for (std::size_t i = 0; i < batch.motions.set(set).size(); ++i)
       lines += record_line(std::to_string(set), batch.motions.set(set).name(i),
-                           files_of(batch.motions.set(set).ground(i).record));
+                           batch.motions.set(set).ground(i).files);
   for (const auto& [name, hash] : data_files(batch.job)) lines += data_file_line(name, hash);
   return lines;
 }
@@ -86,17 +85,6 @@ std::string record_line(const std::string& set, const std::string& name, const s
 
 std::string data_file_line(const std::string& name, const std::string& sha256) {
   return fmt::format("{} = {}\n", name, sha256);
-}
-
-std::string files_of(const groundmotions::Record& record) {
-  std::string text;
-  for (const auto& component : record.components) {
-    if (!component || component->sha256.empty()) continue;
-    const std::string line = fmt::format(
-        "{} {}", component->sha256, std::filesystem::path(component->file).filename().string());
-    if (text.find(line) == std::string::npos) text += (text.empty() ? "" : "\n") + line;
-  }
-  return text;
 }
 
 std::string inputs_from(const std::string& lines, const std::string& job_text) {

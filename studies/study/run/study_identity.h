@@ -24,9 +24,6 @@ std::string inputs_from(const std::string& lines, const std::string& job_text);
 std::string record_line(const std::string& set, const std::string& name, const std::string& files);
 std::string data_file_line(const std::string& name, const std::string& sha256);
 
-/// SHA-256 and name of each file of a record, one a line.
-std::string files_of(const groundmotions::Record& record);
-
 /// The job's text in it.
 std::string job_text_in(const std::string& identity);
 
