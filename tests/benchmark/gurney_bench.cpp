@@ -10,7 +10,7 @@
 /// `--predictability`, `--refine`, `--settled`, `--replicas` and `--step-control` print the tables of
 /// docs/theory/predictability.md and step_control.md alone, `--intervals` that of
 /// docs/theory/statistics.md, `--cost` and `--rooms` those of
-/// docs/performance.md.
+/// docs/performance.md, and so does `--studies JOB...`.
 int main(int argc, char** argv) try {
   using namespace gurney::benchmark;
   const bool quick = argc > 1 && std::string_view(argv[1]) == "--quick";
@@ -32,6 +32,10 @@ int main(int argc, char** argv) try {
   }
   if (argc > 1 && std::string_view(argv[1]) == "--rooms") {
     print_rooms(argc > 2 ? std::atoi(argv[2]) : 12);
+    return 0;
+  }
+  if (argc > 1 && std::string_view(argv[1]) == "--studies") {
+    print_studies({argv + 2, argv + argc}, 8);
     return 0;
   }
   if (argc > 1 && std::string_view(argv[1]) == "--refine") {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 namespace gurney::benchmark {
 
 /// Pulling tests against closed form, and three-component ensembles at 4 ms against 0.125 ms.
@@ -36,5 +39,8 @@ void print_intervals(int repeats);
 /// CPU time over the number of casters, of items and the length of the record, and of batches on two
 /// threads.
 void print_cost();
+
+/// CPU time of whole studies by what takes it: motions, buildings, draws, engine, the rest.
+void print_studies(const std::vector<std::string>& jobs, int cases);
 
 }  // namespace gurney::benchmark
