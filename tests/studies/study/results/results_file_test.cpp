@@ -182,8 +182,8 @@ TEST_F(ResultsFile, HoldsARunThatDiverged) {
 TEST_F(ResultsFile, IsWhatItsPageSays) {
   RunFacts facts = fabricated_facts();
   facts.seed = 7;
-  expect_as_on_page(Hdf5Reader(save(facts, fabricated_response())),
-                    GURNEY_SOURCE_DIR "/docs/formats/results_file.md");
+  const std::string page = GURNEY_SOURCE_DIR "/docs/formats/results_file.md";
+  expect_as_on_page(Hdf5Reader(save(facts, fabricated_response())), page, page);
 }
 
 TEST(Sha256, MatchesThePublishedExample) {
