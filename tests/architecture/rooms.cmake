@@ -32,8 +32,9 @@ set(GURNEY_ROOMS
   "equipment/catalogue: engine/base engine/config engine/scene"
   "studies/build_info:"
   "studies/statistics: engine/base"
+  "studies/verification/scenes: engine/base engine/scene engine/response"
   "studies/verification: engine/base engine/config engine/scene engine/contact engine/response
-    engine/solver engine/baselines"
+    engine/solver engine/baselines studies/verification/scenes"
   "studies/study/job: engine/base engine/config engine/scene engine/run groundmotions/record
     groundmotions/measures groundmotions/processing groundmotions/assembly groundmotions/synthetic
     groundmotions/scaling groundmotions/suites groundmotions/buildings equipment/catalogue"

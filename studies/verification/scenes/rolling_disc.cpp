@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "studies/verification/gravity.h"
+#include "engine/base/units.h"
 #include "studies/verification/scenes/small_scenes.h"
 
 namespace gurney {
@@ -19,12 +19,12 @@ double Disc::A() const { return 0.5 * C() + crumb * mass * std::pow(gyration(*th
 
 double Disc::critical_speed() const {
   const double mr2 = m() * radius * radius;
-  return std::sqrt(kG * radius * mr2 * A() / (C() * (C() + mr2)));
+  return std::sqrt(kStandardGravity * radius * mr2 * A() / (C() * (C() + mr2)));
 }
 
 double Disc::stiffness(double v) const {
   const double mr2 = m() * radius * radius, n = v / radius;
-  return (C() * (C() + mr2) * n * n / A() - m() * kG * radius) / (A() + mr2);
+  return (C() * (C() + mr2) * n * n / A() - m() * kStandardGravity * radius) / (A() + mr2);
 }
 
 DiscReference::State DiscReference::sum(const State& y, double h, const State& k) {
@@ -40,7 +40,8 @@ DiscReference::State DiscReference::rates(const State& y, double push) const {
   const double difference = disc_.C() - disc_.A(), r = disc_.radius, m = disc_.m();
   const Matrix3 inertia = disc_.A() * Matrix3::Identity() + difference * a * a.transpose() +
                           m * r * r * (Matrix3::Identity() - u * u.transpose());
-  const Vector3 force = m * (r * w.cross(du) + kG * Vector3::UnitZ()) - push * level(a);
+  const Vector3 force =
+      m * (r * w.cross(du) + kStandardGravity * Vector3::UnitZ()) - push * level(a);
   const Vector3 rest = -r * u.cross(force) - difference * (w.dot(da) * a + w.dot(a) * da);
   return {da, inertia.inverse() * rest, r * w.cross(u)};
 }
