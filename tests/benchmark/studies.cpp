@@ -19,7 +19,7 @@ item.yaw_deg = { value = 0, distribution = { kind = "uniform", low = 0, high = 3
 excitation.record.synthetic = { kind = "stochastic", significant_duration_s = 6, middle_s = 5, corner_frequency_hz = 0.2 }
 settings.duration_s = 20
 settings.settle_time_s = 0
-settings.time_step_ms = 10
+settings.time_step_s = 0.01
 study.synthetic_records = 200
 study.draws = 1
 study.intensity = { measure = "PGV", component = "larger", unit = "m/s", levels = [0.4] }
