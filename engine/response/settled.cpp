@@ -27,7 +27,30 @@ void append(std::vector<DemandNumber>& numbers, DemandNumber::Of of, std::size_t
   }
 }
 
+/// Whether neither run has anything of it: no lift-off, no overturning.
+bool is_nothing(const SettledDemand& demand) {
+  const auto nothing = [](double value) { return std::isnan(value) || value == 0; };
+  return nothing(demand.number.value) && nothing(demand.at_half_step);
+}
+
+void set_least_changes(std::vector<SettledDemand>& all) {
+  std::vector<double> changes;
+  for (const SettledDemand& each : all)
+    if (!is_nothing(each)) changes.push_back(std::abs(each.step_change));
+  if (changes.empty()) return;
+  const auto quartile = changes.begin() + static_cast<std::ptrdiff_t>(3 * changes.size() / 4);
+  std::ranges::nth_element(changes, quartile);
+  for (SettledDemand& each : all)
+    if (!is_nothing(each))
+      each.least_change =
+          each.number.counts_events() ? kInfinite : SettledDemand::kShareOfOthers * *quartile;
+}
+
 }  // namespace
+
+bool DemandNumber::counts_events() const {
+  return units == std::string_view("1") && name != std::string_view("most_wheels_lifted");
+}
 
 std::vector<DemandNumber> numbers_of(const Demands& demands) {
   using Of = DemandNumber::Of;
@@ -66,8 +89,9 @@ double relative_change(const char* name, const char* units, double from, double 
 
 double SettledDemand::within() const {
   if (!predictable()) return kInfinite;
+  const double change = std::max(std::abs(step_change), least_change);
   for (const double fraction : kFractions)
-    if (kMargin * std::abs(step_change) <= fraction) return fraction;
+    if (kMargin * change <= fraction) return fraction;
   return kInfinite;
 }
 
@@ -84,8 +108,9 @@ std::vector<SettledDemand> settled_demands(const ItemResponse& item) {
   for (const DemandNumber& number : numbers_of(item.demands)) {
     const DemandNumber &at_half = half[all.size()], &of_twin = twin[all.size()];
     all.push_back({number, at_half.value, of_twin.value, change_between(number, at_half),
-                   change_between(number, of_twin)});
+                   change_between(number, of_twin), 0});
   }
+  set_least_changes(all);
   return all;
 }
 

@@ -17,6 +17,9 @@ struct DemandNumber {
   const char* name = "";
   const char* units = "";
   double value = 0;  ///< [SI]; NaN: there is none
+
+  /// Whether each event adds one: of many some are marginal, and come and go with the step.
+  bool counts_events() const;
 };
 
 /// All demands of an item, always in the same order.
@@ -41,14 +44,20 @@ struct SettledDemand {
   /// Error of a number over its change with half the time step, at most: where the method is of
   /// first order it is 2, and a change may be small by chance.
   static constexpr double kMargin = 4;
+  /// Change that a number is taken to have at least, over that which a quarter of the numbers of
+  /// its item exceed: among large changes small ones are chance.
+  static constexpr double kShareOfOthers = 0.1;
 
   DemandNumber number;
   double at_half_step = 0, of_twin = 0;  ///< [SI]; NaN: there is none
   double step_change = 0;                ///< relative_change() with half the time step
   double twin_change = 0;                ///< and of the twin
+  /// What |step_change| counts as at least: 0 of what is zero or none, infinite of other numbers of
+  /// events, else by kShareOfOthers.
+  double least_change = 0;
 
-  /// The least of kFractions that the change with half the time step times kMargin is within;
-  /// infinite: none, or the number is not predictable().
+  /// The least of kFractions that the change with half the time step, or least_change, times
+  /// kMargin is within; infinite: none, or the number is not predictable().
   double within() const;
   bool settled() const { return within() <= kFractions[3]; }
 

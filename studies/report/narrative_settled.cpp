@@ -26,7 +26,8 @@ std::string reason(const SettledDemand& demand) {
   if (!std::isfinite(demand.step_change)) return "comes or goes";
   if (SettledDemand::kMargin * std::abs(demand.step_change) > SettledDemand::kFractions[3])
     return fmt::format("{:+.2g} %", 100 * demand.step_change);
-  return "by the change of mass";
+  if (!demand.predictable()) return "by the change of mass";
+  return demand.number.counts_events() ? "as many at half the step" : "others change by more";
 }
 
 /// "40 are settled within 1 % and 3 within 5 %"

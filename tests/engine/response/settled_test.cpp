@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "engine/base/error.h"
 
@@ -72,6 +76,53 @@ TEST(SettledDemand, IsNoneThatAChangeOfMassMoves) {
   EXPECT_EQ(yaw(0, 0.9e-6).within(), 0.01);
   EXPECT_EQ(yaw(0, 1.1e-6).within(), kInfinite) << "grown by more than 1000";
   EXPECT_FALSE(yaw(0, 1.1e-6).predictable());
+}
+
+const SettledDemand& find(const std::vector<SettledDemand>& all, std::string_view name) {
+  const auto found = std::ranges::find_if(
+      all, [&](const SettledDemand& each) { return each.number.name == name; });
+  if (found == all.end()) throw Error("no " + std::string(name));
+  return *found;
+}
+
+/// A run whose numbers are all 1 and the same at half the step and of the twin.
+ItemResponse steady() {
+  ItemResponse item;
+  Demands& d = item.demands;
+  for (double* each : {&d.peak_displacement, &d.peak_yaw, &d.peak_tilt, &d.peak_velocity})
+    *each = 1;
+  d.time_of_peak_displacement = 1;
+  d.impacts = 20;
+  d.most_wheels_lifted = 2;
+  d.wheels.resize(1);
+  Predictability& p = item.predictability.emplace();
+  p.half_step = p.twin = d;
+  return item;
+}
+
+// An equal number of events leaves open how many come and go at the next step.
+TEST(SettledDemand, IsNoNumberOfEventsButNone) {
+  const std::vector<SettledDemand> all = settled_demands(steady());
+  EXPECT_EQ(find(all, "impacts").step_change, 0);
+  EXPECT_FALSE(find(all, "impacts").settled());
+  EXPECT_EQ(find(all, "liftoffs").within(), 0.01) << "there is none in either run";
+  EXPECT_EQ(find(all, "most_wheels_lifted").within(), 0.01) << "the wheels are few";
+}
+
+// Seven numbers are something; the larger changes of two of them are the upper quartile.
+TEST(SettledDemand, IsNotAmongOthersThatChangeTenTimesAsMuch) {
+  ItemResponse item = steady();
+  const auto within = [&](double change_of_two) {
+    item.predictability->half_step->peak_yaw = item.predictability->half_step->peak_tilt =
+        1 - change_of_two;
+    const std::vector<SettledDemand> all = settled_demands(item);
+    EXPECT_EQ(find(all, "liftoffs").within(), 0.01) << "nothing stays nothing";
+    return find(all, "peak_displacement").within();
+  };
+  EXPECT_EQ(within(0.024), 0.01);
+  EXPECT_EQ(within(0.026), 0.02);
+  EXPECT_EQ(within(0.24), 0.1);
+  EXPECT_EQ(within(0.26), kInfinite);
 }
 
 TEST(SettledDemands, AreThoseOfWheelsAndPointsTooAndNoneWithoutARepetition) {

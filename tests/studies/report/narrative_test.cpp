@@ -62,10 +62,12 @@ TEST(Story, SaysWhatHalfTheTimeStepChanges) {
   EXPECT_THAT(narrative(fabricated_facts(), response), Not(HasSubstr("Time step")));
 }
 
-/// The run of one item, its repetitions equal.
+/// The run of one item without events, its repetitions equal.
 Response repeated() {
   Response response = fabricated_response();
   ItemResponse& item = response.items[0];
+  item.demands.impacts = 0;
+  for (WheelDemands& wheel : item.demands.wheels) wheel.liftoffs = 0;
   Predictability& p = item.predictability.emplace();
   p.half_step = p.twin = item.demands;
   return response;
@@ -90,6 +92,25 @@ TEST(Story, SaysOfEachDemandWhetherItIsSettled) {
                                           "residual yaw (-2e+02 %), time of overturning (comes or "
                                           "goes) and 1 number of wheels.",
                                           all - 6)));
+}
+
+TEST(Story, SaysWhySmallChangesDoNotSettle) {
+  Response response = repeated();
+  ItemResponse& item = response.items[0];
+  Predictability& p = *item.predictability;
+  Demands& half = *p.half_step;
+  item.demands.impacts = half.impacts = p.twin->impacts = 7;
+  EXPECT_THAT(narrative(fabricated_facts(), response),
+              HasSubstr("NOT SETTLED: impacts (as many at half the step)."));
+  for (double* each : {&half.peak_yaw, &half.residual_yaw, &half.path_length, &half.lifted_time,
+                       &half.peak_velocity, &half.residual_displacement})
+    *each *= 2;
+  for (WheelDemands& wheel : half.wheels)
+    wheel = {2 * wheel.peak_normal_force, 2 * wheel.peak_tangential_force,
+             2 * wheel.lifted_time,       wheel.liftoffs,
+             2 * wheel.skid_distance,     wheel.liftoff_before_overturning};
+  EXPECT_THAT(narrative(fabricated_facts(), response),
+              HasSubstr("peak displacement (others change by more)"));
 }
 
 TEST(Story, NamesTheItemThatTheTimeStepChangesMost) {
