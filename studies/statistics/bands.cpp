@@ -26,11 +26,12 @@ struct Lines {
   LineEstimate of;
   double quantile;
 
-  /// The half-width of what changes by `gradient` with the line. Records cannot make runs more
-  /// informative than independent ones are: where V says so, it is by chance.
+  /// The half-width of what changes by `gradient` with the line, by the largest of its variances.
   double half_width(const Eigen::Vector2d& gradient) const {
-    return quantile * std::sqrt(std::max(gradient.dot(of.of_groups * gradient),
-                                         gradient.dot(of.of_runs * gradient)));
+    double variance = 0;
+    for (const Eigen::Matrix2d& each : of.covariances)
+      variance = std::max(variance, gradient.dot(each * gradient));
+    return quantile * std::sqrt(variance);
   }
   Interval score(double im) const {
     const double z = of.line[0] * std::log(im) + of.line[1];
@@ -96,12 +97,13 @@ FragilityBand band_of(const LineEstimate& estimate, const std::vector<double>& i
     band.of_curve.push_back({normal_cdf(z.low), normal_cdf(z.high)});
   }
   const double theta = std::exp(-estimate.line[1] / estimate.line[0]), beta = 1 / estimate.line[0];
-  const double step = std::sqrt(covariance_of_curve(estimate.line, estimate.of_runs)(0, 0));
+  const double step =
+      std::sqrt(covariance_of_curve(estimate.line, estimate.covariances.front())(0, 0));
   band.theta = bounded({end_of_theta(lines, theta, -step), end_of_theta(lines, theta, step)},
                        estimate.lowest, estimate.highest);
   band.beta = bounded(lines.beta(), beta, beta);
-  for (const Eigen::Matrix2d* covariance : {&estimate.of_groups, &estimate.of_runs})
-    for (const Eigen::Vector2d& point : outline_of(estimate.line, *covariance, lines.quantile))
+  for (const Eigen::Matrix2d& covariance : estimate.covariances)
+    for (const Eigen::Vector2d& point : outline_of(estimate.line, covariance, lines.quantile))
       band.outline.push_back(point);
   return band;
 }
@@ -120,11 +122,9 @@ FragilityBand fragility_band(const StripeTable& table, const std::vector<double>
     band.of_curve = distribution_free_band(table, im, confidence);
     return band;
   }
-  return band_of(
-      {fit.line, table.groups() > 1 ? cluster_covariance(fit, table) : Eigen::Matrix2d::Zero(),
-       fit.information.inverse(), effective_groups(fit, table), table.stripes().front().im,
-       table.stripes().back().im},
-      im, confidence);
+  return band_of({fit.line, line_covariances(fit, table), effective_groups(fit, table),
+                  table.stripes().front().im, table.stripes().back().im},
+                 im, confidence);
 }
 
 Interval proportion_interval(int successes, int trials, double confidence) {

@@ -44,18 +44,17 @@ struct FragilityBand {
 
 /// Pointwise band of the curve at the given intensities: z -+ q s of z = slope ln im + intercept,
 /// carried over by Phi, with Student's quantile q for effective groups - 1 degrees and s^2 the
-/// larger of the variances for groups and for independent runs. Without a fit, or with one group,
-/// the distribution-free band.
+/// largest of the variances by line_covariances(). Without a fit the distribution-free band.
 /// @throws Error unless im > 0 and confidence in (0, 1)
 FragilityBand fragility_band(const StripeTable& table, const std::vector<double>& im,
                              double confidence = 0.95);
 
 /// An estimated line z = slope ln im + intercept of P = Phi(z).
 struct LineEstimate {
-  Eigen::Vector2d line;                ///< slope > 0
-  Eigen::Matrix2d of_groups, of_runs;  ///< covariance with groups independent, with runs
-  double effective;                    ///< groups
-  double lowest, highest;              ///< im of the runs
+  Eigen::Vector2d line;                      ///< slope > 0
+  std::vector<Eigen::Matrix2d> covariances;  ///< the first with runs independent
+  double effective;                          ///< groups
+  double lowest, highest;                    ///< im of the runs
 };
 
 /// The band of a curve with its intervals, of the kind above.

@@ -112,8 +112,12 @@ FragilityBand cloud_band(const CloudFit& fit, const std::vector<CloudPoint>& poi
   const double effective = effective_groups(points);
   // The degrees that coefficients and sigma cost, of as many groups
   const double lost = effective > 3 ? effective / (effective - 3) : 1;
-  return band_of({line, lost * jacobian * fit.cluster_covariance * jacobian.transpose(),
-                  jacobian * fit.covariance * jacobian.transpose(), effective, low.im, high.im},
+  return band_of({line,
+                  {jacobian * fit.covariance * jacobian.transpose(),
+                   lost * jacobian * fit.cluster_covariance * jacobian.transpose()},
+                  effective,
+                  low.im,
+                  high.im},
                  im, confidence);
 }
 

@@ -75,6 +75,23 @@ Eigen::Matrix2d expected_information(const ProbitFit& fit, const std::vector<Str
   return sum;
 }
 
+/// Covariance of a group's score if one capacity decides all its runs: those of P_i <= P_j exceed
+/// together, cov(y_i, y_j) = P_i (1 - P_j).
+Eigen::Matrix2d spread_of_one_capacity(const ProbitFit& fit, const std::vector<Stripe>& stripes) {
+  Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d below = Eigen::Vector2d::Zero();  // sum of n phi / (1 - P) x of lower P
+  for (const Stripe& stripe : stripes) {
+    const double z = fit.score(stripe.im);
+    const Eigen::Vector2d x(std::log(stripe.im), 1);
+    const Eigen::Vector2d risk = stripe.runs * normal_hazard_below(z) * x;   // n phi / P x
+    const Eigen::Vector2d safe = stripe.runs * normal_hazard_below(-z) * x;  // n phi / (1 - P) x
+    // The score of a run is phi / (P (1 - P)) (y - P) x, so a pair i < j gives risk_j safe_i'.
+    sum += safe * risk.transpose() + below * risk.transpose() + risk * below.transpose();
+    below += safe;
+  }
+  return sum;
+}
+
 ProbitFit without_line(FragilityStatus status, double low, double high, double log_likelihood = 0) {
   ProbitFit fit;
   fit.status = status;
@@ -198,6 +215,21 @@ Eigen::Matrix2d cluster_covariance(const ProbitFit& fit, const StripeTable& tabl
     spread += influence * influence.transpose();
   }
   return (groups - 1) / groups * spread;
+}
+
+std::vector<Eigen::Matrix2d> line_covariances(const ProbitFit& fit, const StripeTable& table) {
+  const Eigen::Matrix2d of_runs = fit.information.inverse();
+  if (table.groups() < 2) return {of_runs};
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (std::size_t group = 0; group < table.groups(); ++group)
+    spread += spread_of_one_capacity(fit, stripes_of(table, group));
+  const double groups = static_cast<double>(table.groups());
+  const Eigen::Matrix2d of_groups = cluster_covariance(fit, table);
+  const Eigen::Matrix2d decided = groups / (groups - 1) * of_runs * spread * of_runs;
+  const double excess = (fit.information * decided).trace() - 2;
+  const double share =
+      excess > 0 ? std::clamp(((fit.information * of_groups).trace() - 2) / excess, 0.0, 1.0) : 0;
+  return {of_runs, of_groups, share * decided + (1 - share) * of_runs};
 }
 
 double effective_groups(const ProbitFit& fit, const StripeTable& table) {

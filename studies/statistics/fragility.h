@@ -77,6 +77,15 @@ ProbitFit fit_line(const std::vector<Stripe>& stripes,
 /// @pre fit.has_line(); two or more groups
 Eigen::Matrix2d cluster_covariance(const ProbitFit& fit, const StripeTable& table);
 
+/// Covariances of the line of which an interval takes that with the larger variance: with runs
+/// independent, which groups cannot improve on but by chance; with groups independent; and with as
+/// much dependence as the second shows over all, r V_1 + (1 - r) I^-1, where V_1 is that of runs
+/// which one capacity of their group decides. The second alone is too small in one direction by
+/// chance, and then the estimate of it is extreme: it underrates its error most where it is worst.
+/// The first alone with one group.
+/// @pre fit.has_line()
+std::vector<Eigen::Matrix2d> line_covariances(const ProbitFit& fit, const StripeTable& table);
+
 /// As many groups of equal weight as have the same sum of squares of their shares in the expected
 /// information: their number where all have the same runs (Carter, Schnepel & Steigerwald 2017,
 /// Review of Economics and Statistics 99(4), 698-709, in its simplest form).

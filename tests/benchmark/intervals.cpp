@@ -31,6 +31,12 @@ st::HazardCurve site() {
   return st::HazardCurve::table(im, rate);
 }
 
+std::vector<double> spaced(int count, double low, double high) {
+  std::vector<double> levels;
+  for (int i = 0; i < count; ++i) levels.push_back(low * std::pow(high / low, i / (count - 1.0)));
+  return levels;
+}
+
 Counts count(const st::SyntheticStudy& study, int repeats) {
   const st::HazardCurve table = site(), law = st::HazardCurve::power_law(1e-4, 3);
   std::vector<double> im;
@@ -58,25 +64,24 @@ Counts count(const st::SyntheticStudy& study, int repeats) {
 }  // namespace
 
 void print_intervals(int repeats) {
-  std::vector<double> levels;
-  for (int i = 0; i < 6; ++i) levels.push_back(0.1 * std::pow(10, i / 5.0));
   fmt::print(
-      "Coverage of 95 % intervals [%], {} synthetic studies each with theta = beta = 0.4, six "
-      "levels from 0.1 to 1\n\n| r | records | with a curve | band at P = 5, 16, 50, 84, 95 % | "
-      "theta | beta | rate, table | rate, k = 3 |\n| --- | --- | --- | --- | --- | --- | --- | --- "
-      "|\n",
+      "Coverage of 95 % intervals [%], {} synthetic studies each with theta = beta = 0.4\n\n"
+      "| levels | r | records | with a curve | band at P = 5, 16, 50, 84, 95 % | theta | beta | "
+      "rate, table | rate, k = 3 |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
       repeats);
-  for (const double correlation : {0.0, 0.5, 1.0})
-    for (const std::size_t records : {8u, 12u, 16u, 32u, 40u}) {
-      const Counts of = count({{0.4, 0.4}, records, levels, correlation}, repeats);
-      const auto share = [&](int each) { return 100.0 * each / of.fitted; };
-      fmt::print(
-          "| {:g} | {} | {:.0f} | {:.1f} {:.1f} {:.1f} {:.1f} {:.1f} | {:.1f} | {:.1f} | "
-          "{:.1f} | {:.1f} |\n",
-          correlation, records, 100.0 * of.fitted / repeats, share(of.band[0]), share(of.band[1]),
-          share(of.band[2]), share(of.band[3]), share(of.band[4]), share(of.theta), share(of.beta),
-          share(of.of_table), share(of.of_law));
-    }
+  for (const std::vector<double>& levels : {spaced(6, 0.1, 1), spaced(9, 0.16, 1)})
+    for (const double correlation : {0.0, 0.5, 1.0})
+      for (const std::size_t records : {8u, 12u, 20u, 40u}) {
+        const Counts of = count({{0.4, 0.4}, records, levels, correlation}, repeats);
+        const auto share = [&](int each) { return 100.0 * each / of.fitted; };
+        fmt::print(
+            "| {} | {:g} | {} | {:.0f} | {:.1f} {:.1f} {:.1f} {:.1f} {:.1f} | {:.1f} | {:.1f} | "
+            "{:.1f} | {:.1f} |\n",
+            levels.size(), correlation, records, 100.0 * of.fitted / repeats, share(of.band[0]),
+            share(of.band[1]), share(of.band[2]), share(of.band[3]), share(of.band[4]),
+            share(of.theta), share(of.beta), share(of.of_table), share(of.of_law));
+      }
 }
 
 }  // namespace gurney::benchmark

@@ -56,25 +56,27 @@ Coverage coverage(const SyntheticStudy& study, int repeats = kRepeats) {
   return covered;
 }
 
-/// At least `least` of the curves that could be fitted, as far as the repeats can tell.
-Coverage expect_covers(const SyntheticStudy& study, int repeats, double least) {
+/// Of 95 % intervals at least 95 % contain the curve, theta and the rate, and 94 % beta, as far as
+/// the repeats can tell: a coverage of just that fails in 0.5 % of such counts. The estimate of beta
+/// is too low by 1 / (2 records) on the mean, which its symmetric interval does not know.
+Coverage expect_covers(const SyntheticStudy& study, int repeats) {
   const Coverage covered = coverage(study, repeats);
-  const int accepted = fewest_accepted(covered.fitted, least);
+  const int accepted = fewest_accepted(covered.fitted);
   for (std::size_t i = 0; i < kProbabilities.size(); ++i)
     EXPECT_GE(covered.of_curve[i], accepted)
         << "of " << covered.fitted << " at " << kProbabilities[i];
   EXPECT_GE(covered.theta, accepted) << "theta, of " << covered.fitted;
-  EXPECT_GE(covered.beta, accepted) << "beta, of " << covered.fitted;
   EXPECT_GE(covered.rate, accepted) << "rate, of " << covered.fitted;
+  EXPECT_GE(covered.beta, fewest_accepted(covered.fitted, 0.94)) << "beta, of " << covered.fitted;
   return covered;
 }
 
-// 40 records: 94 % at least (of 95 %; beta and P = 16 % have least where records decide), and intervals at most 15 % wider than those of the same number of exact
-// capacities (r = 1), or independent outcomes would need (r = 0), 2 t(39) s.
+// 40 records, and intervals at most 15 % wider than those of the same number of exact capacities
+// (r = 1), or independent outcomes would need (r = 0), 2 t(39) s.
 TEST(FragilityBand, CoversWithoutBeingWide) {
   for (const double correlation : {0.0, 0.5, 1.0}) {
     const SyntheticStudy study{.correlation = correlation};
-    const Coverage covered = expect_covers(study, kRepeats, 0.94);
+    const Coverage covered = expect_covers(study, kRepeats);
     EXPECT_EQ(covered.fitted, kRepeats);
     double squares = 0;  // of the errors of ln theta: its true variance
     for (std::uint64_t i = 0; i < kRepeats; ++i)
@@ -84,16 +86,43 @@ TEST(FragilityBand, CoversWithoutBeingWide) {
   }
 }
 
-// Few records: 93 % at least where 95 is stated, docs/theory/statistics.md. Without the correction
-// for leverage and the floor at independent runs, 12 records with r = 1 have 88 to 91 %.
+// Few records at six levels over a decade, and at nine around theta: there a covariance of records
+// alone has 91 % for beta and 93 % for the band (16 records, r = 1), docs/theory/statistics.md.
 TEST(FragilityBand, CoversWithFewRecords) {
   for (const std::size_t records : {8u, 12u, 16u})
-    for (const double correlation : {0.0, 0.5, 1.0})
+    for (const double correlation : {0.0, 0.5, 1.0}) {
       expect_covers({.curve = {0.4, 0.4},
                      .records = records,
                      .levels = {0.1, 0.158, 0.251, 0.398, 0.631, 1.0},
                      .correlation = correlation},
-                    400, 0.93);
+                    400);
+      expect_covers({.records = records, .correlation = correlation}, kRepeats);
+    }
+}
+
+// With one level a record's capacity is its outcome: the spread of the score is the information,
+// and shared and independent runs have one covariance. With two runs at each level that share their
+// outcome it is twice that.
+TEST(LineCovariances, AreThoseOfOneCapacityPerRecord) {
+  for (const std::size_t runs : {1u, 2u}) {
+    std::vector<Observation> seen;
+    for (std::size_t record = 0; record < 80; ++record)
+      for (std::size_t run = 0; run < runs; ++run)
+        seen.push_back({record < 40 ? 1.0 : 2.0, record % 4 < (record < 40 ? 1 : 3), record});
+    const StripeTable table(seen);
+    const ProbitFit fit = fit_probit(table.stripes());
+    const auto all = line_covariances(fit, table);
+    ASSERT_EQ(all.size(), 3);
+    // Two parameters of two levels: observed and expected information are one.
+    const Eigen::Matrix2d decided = static_cast<double>(runs) * 80 / 79 * all[0];
+    const double excess = (fit.information * decided).trace() - 2;
+    const double share = std::clamp(((fit.information * all[1]).trace() - 2) / excess, 0.0, 1.0);
+    const Eigen::Matrix2d expected = share * decided + (1 - share) * all[0];
+    EXPECT_LT((all[2] - expected).norm(), 1e-9 * expected.norm());
+    if (runs == 2) {
+      EXPECT_EQ(share, 1);
+    }
+  }
 }
 
 // Without an interval rather than with one from 8.98e-49 to 92.

@@ -4,7 +4,9 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <string>
 
+#include "studies/statistics/special.h"
 #include "tests/studies/statistics/synthetic.h"
 #include "tests/support/expect_error.h"
 
@@ -75,6 +77,62 @@ TEST(Cloud, GivesTheFragilityOfALimit) {
               4.5 * std::sqrt(fragility->covariance(1, 1)));
   EXPECT_LT(std::sqrt(fragility->covariance(0, 0)), 0.03);
   EXPECT_ERROR(cloud_fragility(fit, 0), "limit = 0 must be > 0");
+}
+
+/// Of 1000 clouds of five runs each of `records` whose scatter they share to `correlation`, how many
+/// of the 95 % intervals contain what the demands follow, and the share of the least of them that
+/// an interval of 95 % would have at 0.5 %.
+void expect_cloud_covers(std::size_t records, double correlation) {
+  constexpr int kClouds = 1000, kRuns = 5;
+  const LognormalCurve curve{std::pow(3, 1 / 1.5), 0.4 / 1.5};  // 0.1 im^1.5 = 0.3
+  const std::vector<double> at{0.05, 0.16, 0.5, 0.84, 0.95};
+  std::vector<double> im;
+  for (const double p : at) im.push_back(curve.quantile(p));
+  int theta = 0, beta = 0;
+  std::vector<int> band(at.size());
+  for (std::uint64_t seed = 0; seed < kClouds; ++seed) {
+    std::vector<CloudPoint> points;
+    for (std::size_t i = 0; i < kRuns * records; ++i) {
+      const std::size_t record = i / kRuns;
+      const double z = std::sqrt(correlation) * normal_draw(seed, 2, record) +
+                       std::sqrt(1 - correlation) * normal_draw(seed, 1, i);
+      const double x = std::exp(0.6 * normal_draw(seed, 0, i));
+      points.push_back({x, 0.1 * std::pow(x, 1.5) * std::exp(0.4 * z), Known::kExactly, record});
+    }
+    const FragilityBand found = cloud_band(fit_cloud(points), points, 0.3, im);
+    ASSERT_FALSE(found.too_few);
+    for (std::size_t i = 0; i < at.size(); ++i) band[i] += found.of_curve[i].contains(at[i]);
+    theta += found.theta.contains(curve.theta);
+    beta += found.beta.contains(curve.beta);
+  }
+  int least = 0;
+  while (binomial_cdf(least, kClouds, 0.95) < 0.005) ++least;
+  const std::string where = std::to_string(records) + " records, " + std::to_string(correlation);
+  for (const int count : band) EXPECT_GE(count, least) << where;
+  EXPECT_GE(theta, least) << where;
+  EXPECT_GE(beta, least) << where;
+}
+
+TEST(Cloud, IntervalsContainWhatTheDemandsFollow) {
+  for (const std::size_t records : {8u, 12u, 40u})
+    for (const double correlation : {0.0, 0.5}) expect_cloud_covers(records, correlation);
+}
+
+// The band holds one half where the interval of theta ends, to the 2^-40 of a bracket.
+TEST(Cloud, HasTheBandThatItsMedianHas) {
+  const std::vector<CloudPoint> points = synthetic_cloud(20, 4);
+  const CloudFit fit = fit_cloud(points);
+  const Interval theta = cloud_band(fit, points, 0.3, {}).theta;
+  const auto band = cloud_band(fit, points, 0.3, {theta.low, theta.high}).of_curve;
+  EXPECT_NEAR(band[0].high, 0.5, 1e-9);
+  EXPECT_NEAR(band[1].low, 0.5, 1e-9);
+}
+
+TEST(Cloud, HasNoIntervalOfFewRecords) {
+  const std::vector<CloudPoint> points = synthetic_cloud(7, 4);
+  const FragilityBand band = cloud_band(fit_cloud(points), points, 0.3, {1});
+  EXPECT_TRUE(band.too_few);
+  EXPECT_TRUE(band.of_curve.empty());
 }
 
 TEST(Cloud, SaysWhyThereIsNoLine) {
