@@ -50,7 +50,7 @@ class Fragility:
     stripes: pandas.DataFrame = field(repr=False)  #: im, runs, exceeded; one row for each im
     effective_records: float = 0.0
     line: tuple = field(default=(math.nan, math.nan), repr=False)  #: slope, intercept of z
-    line_covariances: tuple = field(default=(), repr=False)  #: records independent, runs
+    line_covariances: tuple = field(default=(), repr=False)  #: an interval takes the largest variance
 
     def probability(self, im):
         """P(exceeded | im) for intensities in ``units``; an array has the shape of ``im``."""
@@ -217,7 +217,8 @@ def fit(low, high, weight, group):
     :param weight: shape (n,)
     :param group: shape (n,), records; observations of one are not independent
     :returns: status, theta, beta, covariance of (ln theta, ln beta), effective records, the line
-        (slope, intercept) of z over ln im, and its covariances with records and runs independent
+        (slope, intercept) of z over ln im, and its covariances with records independent, with runs
+        independent, and (of outcomes) with as much dependence within all records
     """
     nothing = (math.nan, math.nan, numpy.full((2, 2), math.nan), 0.0, (math.nan, math.nan), ())
     finite = numpy.concatenate([low[numpy.isfinite(low)], high[numpy.isfinite(high)]])
@@ -237,7 +238,7 @@ def fit(low, high, weight, group):
         size = 1.0
         while size > 1e-12:
             following = _likelihood(x - size * step, low, high, weight)
-            if following[0] >= value:
+            if following[0] >= value - 1e-13 * (1 + abs(value)):  # flat to rounding
                 break
             size /= 2
         x, done = x - size * step, abs(size * step).max() <= 1e-12 * abs(x).max()
@@ -250,13 +251,22 @@ def fit(low, high, weight, group):
     theta, beta = math.exp(centre - scale * intercept / slope), scale / slope
     back = numpy.array([[1 / scale, 0], [-centre / scale, 1]])  # of x to slope, intercept of ln im
     line = back @ x
-    of_line = tuple(back @ c @ back.T for c in
-                    (_cluster_covariance(weight, scores, each, group), numpy.linalg.inv(-hessian)))
+    of_line = [back @ c @ back.T for c in
+               (_cluster_covariance(weight, scores, each, group), numpy.linalg.inv(-hessian))]
     slope, intercept = line
     change = numpy.array([[intercept / slope ** 2, -1 / slope], [-1 / slope, 0]])
     covariance = change @ of_line[0] @ change.T
-    return ("fitted", theta, beta, covariance, _effective(line, low, high, weight, group, centre,
-            scale, covariance), tuple(line), of_line)
+    groups, place = numpy.unique(group, return_inverse=True)
+    if not (numpy.isfinite(low) != numpy.isfinite(high)).all():
+        # As many exact capacities as tell as much of beta
+        effective = float(numpy.clip(0.5 / covariance[1, 1], 2, max(2, len(groups))))
+    else:
+        x = centre + scale * numpy.where(numpy.isfinite(low), low, high)
+        risk, safe = _score_factors(line, x)
+        effective = _effective(risk, safe, weight, place)
+        if len(groups) > 1:
+            of_line.append(_shared_covariance(of_line, x, risk, safe, place))
+    return "fitted", theta, beta, covariance, effective, tuple(line), tuple(of_line)
 
 
 def _log_phi(z):
@@ -316,20 +326,38 @@ def _cluster_covariance(weight, scores, second, group):
                                                                                       math.nan)
 
 
-def _effective(line, low, high, weight, group, centre, scale, covariance):
+def _score_factors(line, x):
+    """The scores of runs at ln im = x that exceed, and of those that do not but for the sign,
+    shapes (n, 2)."""
+    z = line[0] * x + line[1]
+    log_density = -z ** 2 / 2 - math.log(2 * math.pi) / 2
+    basis = numpy.stack([x, numpy.ones(len(z))], axis=1)
+    return tuple(numpy.exp(log_density - _log_phi(side))[:, None] * basis for side in (z, -z))
+
+
+def _effective(risk, safe, weight, place):
     """As many records of equal weight as have the same sum of squares of their shares in the
-    expected information; of capacities as many exact ones as tell as much of beta."""
-    outcomes = numpy.isfinite(low) != numpy.isfinite(high)
-    groups, place = numpy.unique(group, return_inverse=True)
-    if not outcomes.all():
-        return float(numpy.clip(0.5 / covariance[1, 1], 2, max(2, len(groups))))
-    ln_im = centre + scale * numpy.where(numpy.isfinite(low), low, high)
-    z = line[0] * ln_im + line[1]
-    density = numpy.exp(-z ** 2 - math.log(2 * math.pi) - _log_phi(z) - _log_phi(-z))
-    basis = numpy.stack([ln_im, numpy.ones(len(z))], axis=1)
-    information = numpy.zeros((len(groups), 2, 2))
-    numpy.add.at(information, place, (weight * density)[:, None, None] * basis[:, :, None] *
-                 basis[:, None, :])
+    expected information."""
+    information = numpy.zeros((place.max() + 1, 2, 2))
+    numpy.add.at(information, place, weight[:, None, None] * risk[:, :, None] * safe[:, None, :])
     inverse = numpy.linalg.inv(information.sum(axis=0))
     shares = numpy.trace(inverse @ information, axis1=1, axis2=2) / 2
     return float(1 / (shares ** 2).sum())
+
+
+def _shared_covariance(of_line, x, risk, safe, place):
+    """Of the line, with as much dependence within all records as of_line[0] shows over all, between
+    independent runs, of_line[1], and runs of which one capacity of the record decides."""
+    spread = numpy.zeros((2, 2))
+    for record in range(place.max() + 1):
+        order = numpy.flatnonzero(place == record)
+        order = order[numpy.argsort(x[order], kind="stable")]
+        below = numpy.cumsum(safe[order], axis=0) - safe[order]
+        pairs = below.T @ risk[order]  # P of one (1 - P) of the higher, over the variances
+        spread += safe[order].T @ risk[order] + pairs + pairs.T
+    groups = place.max() + 1
+    decided = groups / (groups - 1) * of_line[1] @ spread @ of_line[1]
+    information = numpy.linalg.inv(of_line[1])
+    most = (information @ decided).trace() - 2
+    share = numpy.clip(((information @ of_line[0]).trace() - 2) / most, 0, 1) if most > 0 else 0
+    return share * decided + (1 - share) * of_line[1]

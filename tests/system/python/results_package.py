@@ -1,6 +1,7 @@
 """The package `gurney` on files of single runs and studies; its fits against the program's."""
 
 import json
+import math
 import os
 import shutil
 import tempfile
@@ -25,7 +26,7 @@ synthetic = { kind = "ac156" }
 [settings]
 duration_s = 12
 [study]
-synthetic_records = 6
+synthetic_records = 9
 angles_deg = [0, 45]
 draws = 1
 measures = ["PGV geomean", "Sa(1.0) RotD50"]
@@ -107,10 +108,10 @@ class Files(unittest.TestCase):
     def test_runs_have_names_measures_and_drawn_values(self):
         with gurney.open(self.stripes) as study:
             runs = study.runs
-            self.assertEqual(len(runs), 2 * 6 * 2 * 5)
+            self.assertEqual(len(runs), 2 * 9 * 2 * 5)
             self.assertEqual(set(runs["brakes"]), {"free", "locked"})
             self.assertEqual(runs["configuration"].tolist(), runs["brakes"].tolist())
-            self.assertEqual(runs["record"].nunique(), 6)
+            self.assertEqual(runs["record"].nunique(), 9)
             self.assertTrue((runs["record"] == "ac156 " + (runs["record_index"] + 1).astype(str))
                             .all())
             units = runs.attrs["units"]
@@ -197,6 +198,7 @@ class Files(unittest.TestCase):
                     self.assertAlmostEqual(getattr(mine, name) / theirs["curve"][name], 1,
                                            delta=FIT, msg=where)
                 if mine.method == "outcomes":
+                    self.check_intervals(mine, theirs, where)
                     theirs = numpy.array(theirs["covariance_of_ln_theta_ln_beta"])
                     # The covariance moves with the maximum: its terms by the step times the count
                     # of runs at most.
@@ -204,12 +206,31 @@ class Files(unittest.TestCase):
                     error = abs(mine.covariance - theirs) / scale
                     self.assertLess(error.max(), FIT * mine.runs, where)
 
+    def check_intervals(self, mine, theirs, where):
+        self.assertEqual(mine.has_intervals, theirs["theta_interval"] is not None, where)
+        if not mine.has_intervals:
+            self.assertIsNone(mine.theta_interval(), where)
+            return
+        # Ends in ln theta lie between two of the 128 points of the outline: within 1 - cos(pi / 128)
+        # = 3e-4 of the half-width.
+        for name, tolerance in (("theta", 4e-4), ("beta", 1e-6)):
+            ours, interval = getattr(mine, name + "_interval")(), theirs[name + "_interval"]
+            for end, given in zip(ours, interval):
+                if given is None:
+                    self.assertIn(end, (0, math.inf), where)
+                    continue
+                half = abs(math.log(given / getattr(mine, name)))
+                self.assertAlmostEqual(math.log(end / given), 0, delta=tolerance * half, msg=where)
+                self.compared.add(name)
+
     def test_fits_are_those_of_the_program(self):
+        self.compared = set()
         methods = set()
         self.check_fits(self.stripes, methods)
         self.check_fits(self.ida, methods)
         self.assertEqual({each for each in methods if each.startswith("fitted")},
                          {"fitted outcomes", "fitted capacities"})
+        self.assertEqual(self.compared, {"theta", "beta"})
 
     def test_other_measures_and_limit_states_after_the_runs(self):
         for line, measure in (("peak_displacement > 8 cm", "PGV geomean"),
