@@ -46,10 +46,13 @@ constexpr auto kH1 = Direction::kH1, kH2 = Direction::kH2, kUp = Direction::kVer
 
 constexpr std::array kWords = {Word{"E", kH1, kCompass, 90},
                                Word{"EW", kH1, kCompass, 90},
+                               Word{"EO", kH1, kCompass, 90},
                                Word{"EAST", kH1, kCompass, 90},
+                               Word{"ESTE", kH1, kCompass, 90},
                                Word{"N", kH2, kCompass, 0},
                                Word{"NS", kH2, kCompass, 0},
                                Word{"NORTH", kH2, kCompass, 0},
+                               Word{"NORTE", kH2, kCompass, 0},
                                Word{"X", kH1, kAxes},
                                Word{"Y", kH2, kAxes},
                                Word{"H1", kH1, kNumbered},
@@ -196,6 +199,7 @@ class MarkFinder {
     for (std::size_t begin = 0; begin < text.size(); ++begin) {
       auto mark = mark_of(text.substr(begin));
       const bool is_one = begin + 1 == text.size();
+      if (begin > 0 && mark && mark->styles == kSeed) mark.reset();  // RSN1
       if (!mark && is_one && is_pair(text)) mark = pair_mark(text.back());
       if (!mark && is_one && (letter(text.back()) || is_pair(text)))
         mark = NameMark{.text = std::string(1, text.back())};
@@ -373,8 +377,13 @@ std::vector<NameMark> name_marks(const std::filesystem::path& file) {
 
 std::optional<NameMark> vertical_mark(const std::filesystem::path& file) {
   constexpr std::array<std::string_view, 3> kUnmistakable = {"UD", "VERT", "VERTICAL"};
-  for (NameMark& mark : name_marks(file)) {
-    if (mark.place != kUp || mark.text == "U") continue;
+  auto marks = name_marks(file);
+  // "vertical_park_NS" ends with its component.
+  const bool ends_level = std::ranges::any_of(marks, [](const NameMark& mark) {
+    return mark.is_word && mark.is_last && mark.azimuth && mark.text.size() > 1;
+  });
+  for (NameMark& mark : marks) {
+    if (mark.place != kUp || mark.text == "U" || (ends_level && !mark.is_last)) continue;
     const auto at = mark.pattern.find('*');
     const bool is_first = at == 0 && mark.text != "V";
     const bool after_digit = at > 0 && digit(mark.pattern[at - 1]) && mark.text.size() > 1;

@@ -30,7 +30,14 @@ void check_component(const Component& component, const char* place,
     findings.push_back(fmt::format(
         "{}: the peak acceleration of {} is {:.3g} g, outside 0.001 to 3 g; check the unit ({})",
         component.file, place, largest / kStandardGravity, component.unit));
-  if (component.acceleration.size() >= kEnough && std::abs(mean) > kLargestMean * largest)
+  const bool has_one_sign =
+      component.acceleration.minCoeff() >= 0 || component.acceleration.maxCoeff() <= 0;
+  if (component.acceleration.size() >= kEnough && has_one_sign)
+    findings.push_back(
+        fmt::format("{}: all samples of {} have one sign (their mean is {:.3g} g): a spectrum, "
+                    "times, or a history with an offset that a baseline step removes",
+                    component.file, place, mean / kStandardGravity));
+  else if (component.acceleration.size() >= kEnough && std::abs(mean) > kLargestMean * largest)
     findings.push_back(
         fmt::format("{}: the mean of {} is {:.3g} g at a peak of {:.3g} g: a constant offset; "
                     "remove it with a baseline step",

@@ -82,6 +82,17 @@ void check_sites(const std::vector<UnplacedComponent>& components, Record& recor
   record.warnings.push_back(text);
 }
 
+void warn_of_structure(Record& record) {
+  for (const auto& component : record.components)
+    if (const std::string structure = component ? structure_of(*component) : "";
+        !structure.empty()) {
+      record.warnings.push_back(fmt::format(
+          "the sensor is in a structure ('{}'): a motion of the structure, not of the ground",
+          structure));
+      return;
+    }
+}
+
 }  // namespace
 
 Record read_record(const std::vector<RecordFile>& files, const ReadOptions& options) {
@@ -90,6 +101,7 @@ Record read_record(const std::vector<RecordFile>& files, const ReadOptions& opti
   orient_by_file_names(components);
   Record record = place(components);
   check_sites(components, record);
+  warn_of_structure(record);
   record.name = name_from(files);
   std::vector<std::string> warnings;
   for (const auto& component : record.components)

@@ -1,6 +1,7 @@
 #include "groundmotions/assembly/site.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "groundmotions/formats/words.h"
@@ -18,6 +19,21 @@ std::string instrument_of(const std::string& name) {
       std::string_view("ENZ123").find(code[2]) != std::string_view::npos &&
       std::all_of(code.begin() + 3, code.end(), [](unsigned char c) { return std::isdigit(c); });
   return is_code ? code.substr(0, 2) + code.substr(3) : "";
+}
+
+/// Whether a place, as plain_words() writes it, is in or on a structure.
+bool is_in_structure(const std::string& place) {
+  constexpr std::array<std::string_view, 28> kPlaces = {
+      "ROOF",      "FLOOR",     "FLR",    "STORY",   "STY",   "BASEMENT", "BSMT",
+      "PENTHOUSE", "MEZZANINE", "DECK",   "GIRDER",  "BENT",  "PIER",     "ABUT",
+      "ABUTMENT",  "CREST",     "SPAN",   "MIDSPAN", "TOWER", "COLUMN",   "WALL",
+      "FOOTING",   "BUILDING",  "BRIDGE", "DAM",     "BLDG",  "GALLERY",  "STRUCTURE"};
+  const std::string spaced = " " + place + " ";
+  const auto has = [&](std::string_view word) {
+    return spaced.find(" " + std::string(word) + " ") != std::string::npos;
+  };
+  if (has("FF") || has("FREEFIELD") || has("FREE FIELD")) return false;
+  return std::ranges::any_of(kPlaces, has);
 }
 
 void append(std::string_view text, std::string& site) {
@@ -44,6 +60,17 @@ std::string plain_words(std::string_view text) {
   }
   if (plain.ends_with(' ')) plain.pop_back();
   return plain;
+}
+
+std::string structure_of(const Component& component) {
+  const std::string location = fact_of(component, "location");
+  if (is_in_structure(plain_words(location))) return location;
+  if (const std::string structure = fact_of(component, "structure"); !structure.empty())
+    return structure;
+  const std::string station = plain_words(fact_of(component, "station"));
+  const bool has_storeys = (" " + station + " ").find(" STORY ") != std::string::npos;
+  return has_storeys && location.empty() && is_in_structure(station) ? fact_of(component, "station")
+                                                                     : "";
 }
 
 std::string site_of(const Component& component) {

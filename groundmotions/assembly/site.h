@@ -19,4 +19,8 @@ std::string plain_words(std::string_view text);
 /// number of the recorder. Empty if the file states none. Components of one record have one site.
 std::string site_of(const Component& component);
 
+/// The structure or the place in one that the file names for a sensor: "a building, floor 12",
+/// "Roof, N wall". Empty for the free field and where nothing is said.
+std::string structure_of(const Component& component);
+
 }  // namespace gurney::groundmotions

@@ -25,19 +25,17 @@ struct Quantity {
 
 /// Columns of laboratories and of other programs that are no accelerations.
 constexpr std::array kQuantities = {
-    Quantity{"vel", "velocity"},        Quantity{"vitesse", "velocity"},
-    Quantity{"disp", "displacement"},   Quantity{"desp", "displacement"},
-    Quantity{"deplac", "displacement"}, Quantity{"spost", "displacement"},
-    Quantity{"lvdt", "displacement"},   Quantity{"volt", "voltage"},
-    Quantity{"force", "force"},         Quantity{"load", "force"},
-    Quantity{"strain", "strain"},       Quantity{"stress", "stress"},
-    Quantity{"press", "pressure"},      Quantity{"temperat", "temperature"},
-    Quantity{"humid", "humidity"},      Quantity{"gyro", "rotation"},
-    Quantity{"rotation", "rotation"},   Quantity{"tilt", "rotation"},
-    Quantity{"angle", "rotation"},      Quantity{"moment", "moment"},
-    Quantity{"torque", "moment"},       Quantity{"arias", "intensity"},
-    Quantity{"husid", "intensity"},     Quantity{"intens", "intensity"},
-    Quantity{"energy", "energy"},       Quantity{"jerk", "jerk"}};
+    Quantity{"vel", "velocity"},      Quantity{"disp", "displacement"},
+    Quantity{"lvdt", "displacement"}, Quantity{"volt", "voltage"},
+    Quantity{"force", "force"},       Quantity{"load", "force"},
+    Quantity{"strain", "strain"},     Quantity{"stress", "stress"},
+    Quantity{"press", "pressure"},    Quantity{"temperat", "temperature"},
+    Quantity{"humid", "humidity"},    Quantity{"gyro", "rotation"},
+    Quantity{"rotation", "rotation"}, Quantity{"tilt", "rotation"},
+    Quantity{"angle", "rotation"},    Quantity{"moment", "moment"},
+    Quantity{"torque", "moment"},     Quantity{"arias", "intensity"},
+    Quantity{"husid", "intensity"},   Quantity{"intens", "intensity"},
+    Quantity{"energy", "energy"},     Quantity{"jerk", "jerk"}};
 
 constexpr std::array kUnits = {Quantity{"v", "voltage"},
                                Quantity{"mv", "voltage"},
@@ -127,6 +125,7 @@ void take_brackets(ColumnTitle& title) {
 
 /// `acc_g`, `x_m_per_s2`, `time_ms`, `acc/g`.
 void take_suffix(ColumnTitle& title) {
+  if (says_direction(title.name)) return;  // "N_S"
   for (auto at = title.name.find('_'); at != kNone; at = title.name.find('_', at + 1)) {
     if (at == 0 || !is_unit(title.name.substr(at + 1))) continue;
     title.unit = title.name.substr(at + 1);
@@ -181,10 +180,27 @@ ColumnTitle parsed(const std::string& text) {
   return title;
 }
 
+template <std::size_t size>
+bool is_one_of(std::string_view text, const std::array<std::string_view, size>& names) {
+  return std::ranges::find(names, text) != names.end();
+}
+
 /// Words that say nothing of a direction.
 bool is_filler(std::string_view word) {
-  return word.starts_with("ACC") || word == "A" || word == "GROUND" || word == "MOTION" ||
-         word.starts_with("COMP");
+  constexpr std::array<std::string_view, 9> kStarts = {"ACC", "GROUND", "MOTION", "COMP",  "CHAN",
+                                                       "DIR", "SENSOR", "ACEL",   "RECORD"};
+  const auto rest = word.starts_with("CH") ? word.substr(2) : word;
+  return word == "A" || rest.find_first_not_of("0123456789") == kNone ||
+         std::ranges::any_of(kStarts, [&](auto start) { return word.starts_with(start); });
+}
+
+/// "Z" of AZ and ACCZ, "EW" of ACCEW; other words as they are.
+std::string_view without_quantity(std::string_view word) {
+  constexpr std::array<std::string_view, 8> kAxes = {"E", "N", "Z", "U", "V", "EW", "NS", "UD"};
+  for (const std::string_view start : {"ACCEL", "ACC", "A"})
+    if (word.starts_with(start) && is_one_of(word.substr(start.size()), kAxes))
+      return word.substr(start.size());
+  return word;
 }
 
 void orient_by_name(std::string_view text, Component& component) {
@@ -192,10 +208,18 @@ void orient_by_name(std::string_view text, Component& component) {
   if (component.azimuth || component.direction) return;
   const std::string capitals = upper(text);
   std::string rest;
-  for (const auto word : words_of(capitals, " \t_"))
-    if (!is_filler(word)) rest += fmt::format("{}{}", rest.empty() ? "" : " ", word);
+  for (const auto each : words_of(capitals, " \t_"))
+    if (const auto word = without_quantity(each); !is_filler(word))
+      rest += fmt::format("{}{}", rest.empty() ? "" : " ", word);
   orient(rest, component);
   if (!component.azimuth && !component.direction) orient_by_label(rest, component);
+  if (component.azimuth || component.direction) return;
+  // "STA.EW", "CH3-UD", "UD-dir": two letters and more, as N may be a place.
+  for (const auto word : words_of(capitals, " \t_.-:"))
+    if (!is_filler(word) && word.size() > 1 && !number(word)) {
+      orient(word, component);
+      if (component.azimuth || component.direction) return;
+    }
 }
 
 /// Letters only, in lower case: "tn" of "T_n".
@@ -205,11 +229,6 @@ std::string letters(std::string_view text) {
     if (std::isalpha(static_cast<unsigned char>(c)) != 0)
       result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return result;
-}
-
-template <std::size_t size>
-bool is_one_of(std::string_view text, const std::array<std::string_view, size>& names) {
-  return std::ranges::find(names, text) != names.end();
 }
 
 }  // namespace
@@ -257,8 +276,9 @@ bool names_ordinate(const ColumnTitle& title, bool beside_time) {
   constexpr std::array<std::string_view, 14> kNames = {"sa",  "psa", "rsa",  "psv",   "fas",
                                                        "ars", "uhs", "sae",  "spa",   "target",
                                                        "mce", "dbe", "mcer", "design"};
-  constexpr std::array<std::string_view, 3> kShort = {"se", "sd", "sv"};
-  const std::string name = lower(title.name);
+  constexpr std::array<std::string_view, 4> kShort = {"se", "sd", "sv", "response"};
+  std::string name = lower(title.name);
+  if (name.starts_with("s_")) name.erase(1, 1);  // "S_a"
   const auto words = words_of(name, " \t_-.,:;/#*|0123456789%");
   if (words.empty()) return false;
   return is_one_of(words[0], kNames) || words[0].starts_with("rotd") ||
@@ -279,15 +299,15 @@ std::vector<ColumnTitle> parsed_titles(const std::vector<std::string>& titles) {
       any([&](const ColumnTitle& t) { return has_name(t, "d") || t.quantity == "displacement"; });
   const bool with_directions = any([](const ColumnTitle& t) {
     const std::string name = lower(t.name);
-    return name != "v" && name != "t" && (says_direction(name) || name == "l" || name == "h1");
+    return name != "v" && name != "u" && name != "t" &&
+           (says_direction(name) || name == "l" || name == "h1");
   });
   for (ColumnTitle& title : result) {
-    if (has_name(title, "v")) {
-      if (with_acceleration || with_displacement) title.quantity = "velocity";
-      title.is_doubtful = title.quantity.empty() && !with_directions;
-    } else if (with_acceleration && (has_name(title, "d") || has_name(title, "u"))) {
-      title.quantity = "displacement";
-    }
+    const bool is_velocity = has_name(title, "v");
+    if (!is_velocity && !has_name(title, "d") && !has_name(title, "u")) continue;
+    if (with_acceleration || (is_velocity && with_displacement))
+      title.quantity = is_velocity ? "velocity" : "displacement";
+    title.is_doubtful = title.quantity.empty() && !with_directions;
   }
   return result;
 }

@@ -20,7 +20,7 @@ struct ColumnTitle {
   std::string quantity;   ///< "velocity", "voltage", "time"...; empty: may be acceleration
   std::string factor;     ///< "x 10" of `Acc (g) x 10`; empty if there is none
 
-  /// A `v` alone, which may be a velocity or the vertical.
+  /// A `v`, `d` or `u` alone, which may be a velocity, a displacement or the vertical.
   bool is_doubtful = false;
 
   /// `Acc`, `NS [g]`: surely an acceleration, not only because nothing else is stated.

@@ -10,6 +10,7 @@
 #include "engine/base/csv_row.h"
 #include "engine/base/units.h"
 #include "engine/config/nearest_name.h"
+#include "groundmotions/formats/column_title.h"
 #include "groundmotions/formats/columns_csv_facts.h"
 #include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/numbers.h"
@@ -105,9 +106,13 @@ bool recognises_columns_csv(const SourceFile& file) {
   const std::size_t line = header_line(file);
   if (line == file.lines().size()) return false;
   const auto cells = csv_row(file.lines()[line]);
-  return cells.size() > 1 && std::ranges::any_of(cells, [](const CsvCell& cell) {
-           return cell.text == "time_s" || find_column(cell.text);
-         });
+  if (cells.size() < 2) return false;
+  if (std::ranges::any_of(cells, [](const CsvCell& cell) { return find_column(cell.text); }))
+    return true;
+  std::vector<std::string> titles;  // `time_s,acc_g` is a plain table
+  for (const CsvCell& cell : cells) titles.emplace_back(cell.text);
+  return titles[0] == "time_s" &&
+         std::ranges::none_of(parsed_titles(titles), &ColumnTitle::is_acceleration);
 }
 
 /// @throws Error for unknown, doubled or missing columns, rows of another length, what is no

@@ -236,6 +236,8 @@ class ChannelReader {
     state("peak", 10);
     state("filter", 11);
     state_place(channel, component);
+    if (const char* structure = cosmos_structure(static_cast<int>(channel.integer(19).value_or(0))))
+      component.header.emplace_back("structure", structure);
     const auto part = [&](std::size_t number) {
       return static_cast<int>(channel.integer(number).value_or(-1));
     };

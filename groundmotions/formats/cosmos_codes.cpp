@@ -21,6 +21,15 @@ constexpr std::array kQuantities = {
     Code{21, "relative pressure"},    Code{30, "volumetric strain"},
     Code{31, "linear strain"}};
 
+constexpr std::array kStructures = {Code{5, "the base of a building"},
+                                    Code{10, "a building"},
+                                    Code{11, "a bridge"},
+                                    Code{12, "a dam"},
+                                    Code{13, "a wharf"},
+                                    Code{14, "a tunnel"},
+                                    Code{15, "a lifeline structure"},
+                                    Code{20, "a structure"}};
+
 constexpr std::array kOrientations = {Code{kCosmosUp, "up"},
                                       Code{kCosmosDown, "down"},
                                       Code{kCosmosVertical, "vertical, its sense not stated"},
@@ -56,6 +65,8 @@ const char* meaning(const std::array<Code, N>& codes, int code) {
 }  // namespace
 
 const char* cosmos_quantity(int code) { return meaning(kQuantities, code); }
+
+const char* cosmos_structure(int code) { return meaning(kStructures, code); }
 
 const char* cosmos_orientation(int code) { return meaning(kOrientations, code); }
 

@@ -16,6 +16,10 @@ const char* cosmos_quantity(int code);
 std::optional<AccelerationUnit> cosmos_unit(int code);
 inline constexpr int kCosmosCounts = 50;
 
+/// Table 6: the structure that integer 19 of the header says a station is in: "a bridge"; nullptr
+/// for the free field and unknown codes.
+const char* cosmos_structure(int code);
+
 /// Table 8: what a code above 360 says of a sensor's orientation: "up", "radial", ...; nullptr for
 /// an unknown code.
 const char* cosmos_orientation(int code);

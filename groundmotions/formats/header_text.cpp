@@ -1,5 +1,7 @@
 #include "groundmotions/formats/header_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -8,6 +10,7 @@
 #include <vector>
 
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
@@ -33,6 +36,13 @@ std::size_t find_word(std::string_view line, std::string_view word) {
       return at;
   }
   return kNone;
+}
+
+bool says_direction(std::string_view word) {
+  Component component;
+  component.acceleration = Eigen::Vector2d::Zero();
+  orient(word, component);
+  return component.azimuth || component.direction;
 }
 
 /// Velocities and displacements that are no samples.
@@ -69,7 +79,7 @@ std::optional<std::string_view> behind_unit(std::string_view rest) {
         static_cast<std::size_t>(words[count - 1].data() - rest.data()) + words[count - 1].size();
     if (acceleration_unit(rest.substr(0, end))) return rest.substr(0, end);
   }
-  for (const auto word : words)
+  for (const auto word : words_of(rest, " \t()[]"))  // "gal(cm/s/s)"
     if (acceleration_unit(word)) return word;
   if (words.empty() || time_unit(words[0])) return {};
   return words[0];
@@ -154,9 +164,11 @@ std::optional<double> keyed(std::string_view rest, bool is_rate) {
   if (unit.empty()) unit = trimmed(rest).substr(0, trimmed(rest).find_first_of(" \t,;)"));
   const auto seconds = time_unit(unit);
   if (seconds) return *value * *seconds;
+  unit.remove_prefix(std::min(unit.find_first_not_of("(["), unit.size()));
   const bool is_per_second =
       unit.starts_with("HZ") || unit.starts_with("SPS") || unit.find("/S") != kNone;
-  return is_rate || is_per_second ? 1 / *value : *value;
+  // "Sampling rate: 0.01" is a step.
+  return (is_rate && *value > 1) || is_per_second ? 1 / *value : *value;
 }
 
 }  // namespace
@@ -164,13 +176,21 @@ std::optional<double> keyed(std::string_view rest, bool is_rate) {
 std::optional<std::string_view> quantity_in(std::string_view text) {
   const std::string line = upper(text);
   const auto words = words_of(line, " \t,;:()[]=.#%*\"");
-  const auto acceleration = [](std::string_view word) {
-    return word.starts_with("ACCEL") || word == "ACC";
+  const auto begins = [](std::string_view word, std::initializer_list<std::string_view> starts) {
+    return std::ranges::any_of(starts, [&](auto start) { return word.starts_with(start); });
+  };
+  const auto acceleration = [&](std::string_view word) {
+    return begins(word,
+                  {"ACCEL", "ACELER", "ACC\xc3\xa9L", "BESCHLEUNIG", "IVME", "\xc4\xb0VME"}) ||
+           word == "ACC";
   };
   if (std::ranges::any_of(words, acceleration)) return "acceleration";
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const bool velocity = words[i].starts_with("VELOC") || words[i] == "VEL";
-    const bool displacement = words[i].starts_with("DISPL") || words[i] == "DISP";
+    const bool velocity =
+        begins(words[i], {"VELOC", "VITESSE", "GESCHWINDIG"}) || words[i] == "VEL";
+    const bool displacement =
+        begins(words[i], {"DISPL", "DESPL", "SPOST", "VERSCHIEB", "DEPLAC", "D\xc3\xa9PLAC"}) ||
+        words[i] == "DISP" || words[i] == "DESP";
     if ((velocity || displacement) && !is_of_something_else(words, i))
       return velocity ? "velocity" : "displacement";
   }
@@ -196,7 +216,8 @@ std::optional<OtherQuantity> other_quantity_in(const std::vector<std::string_vie
 std::optional<std::string_view> unit_text_in(std::string_view text) {
   const std::string line = upper(text);
   std::optional<std::string_view> found;
-  for (const std::string_view key : {"UNITS", "UNIT"})
+  for (const std::string_view key : {"UNITS", "UNIT", "UNIDADES", "UNIDAD", "UNIT\xc3\xa0",
+                                     "UNIT\xc3\xa9", "UNITE", "EINHEIT", "BIRIM"})
     if (const auto at = find_word(line, key); !found && at != kNone) {
       const auto rest = std::string_view(line).substr(at + key.size());
       const auto next = rest.substr(std::min(rest.find_first_not_of(" \t"), rest.size()));
@@ -220,17 +241,19 @@ std::optional<double> time_step_in(std::string_view text) {
   for (const std::string_view key :
        {"DT", "TIME STEP", "TIMESTEP", "TIME INTERVAL", "TIME INCREMENT", "SAMPLING INTERVAL",
         "SAMPLE INTERVAL", "SAMPLING PERIOD", "SAMPLING TIME", "SPACING OF", "EQUALLY SPACED AT",
-        "INTERVALS OF", "DELTA T", "DELTAT"})
+        "INTERVALS OF", "DELTA T", "DELTAT", "INTERVALO DE MUESTREO", "INTERVALO DE TIEMPO",
+        "PASO DE TIEMPO", "PASSO TEMPORALE"})
     if (const auto at = find_word(line, key); at != kNone)
       if (const auto step = keyed(std::string_view(line).substr(at + key.size()), false))
         return step;
   for (const std::string_view key :
-       {"SAMPLING RATE", "SAMPLE RATE", "SAMPLING FREQUENCY", "SAMPLING FREQ", "SAMPLING FREQ."})
+       {"SAMPLING RATE", "SAMPLE RATE", "SAMPLING FREQUENCY", "SAMPLING FREQ", "SAMPLING FREQ.",
+        "FRECUENCIA DE MUESTREO", "TASA DE MUESTREO", "MUESTREO", "FREQUENZA DI CAMPIONAMENTO"})
     if (const auto at = find_word(line, key); at != kNone)
       if (const auto step = keyed(std::string_view(line).substr(at + key.size()), true))
         return step;
-  for (const std::string_view key :
-       {"SAMPLES PER SECOND", "SAMPLES/SEC", "SAMPLES/S", "SPS", "POINTS PER SECOND"}) {
+  for (const std::string_view key : {"SAMPLES PER SECOND", "SAMPLES/SEC", "SAMPLES/S", "SPS",
+                                     "POINTS PER SECOND", "MUESTRAS/S", "MUESTRAS/SEGUNDO"}) {
     const auto at = find_word(line, key);
     if (at == kNone) continue;
     const auto words = words_of(std::string_view(line).substr(0, at), " \t,;:=(");
@@ -245,7 +268,8 @@ std::optional<double> count_in(std::string_view text) {
   const std::string line = upper(text);
   for (const std::string_view key :
        {"NPTS", "NDATA", "NO. OF POINTS", "NO. OF SAMPLES", "NO. OF DATA", "NO OF POINTS",
-        "NUMBER OF POINTS", "NUMBER OF SAMPLES", "NUMBER OF DATA", "NUMBER OF DATA POINTS"}) {
+        "NUMBER OF POINTS", "NUMBER OF SAMPLES", "NUMBER OF DATA", "NUMBER OF DATA POINTS",
+        "NUMERO DE MUESTRAS", "N\xc3\xbaMERO DE MUESTRAS"}) {
     const auto at = find_word(line, key);
     if (at == kNone) continue;
     auto rest = std::string_view(line).substr(at + key.size());
@@ -253,6 +277,44 @@ std::optional<double> count_in(std::string_view text) {
     const auto count = take_number(rest);
     if (count && *count >= 2 && *count == std::floor(*count)) return count;
   }
+  return {};
+}
+
+std::string component_in(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t,;:=()[]";
+  const std::string line = upper(text);
+  for (const std::string_view key :
+       {"COMPONENT", "COMPONENTE", "COMP", "COMP.", "DIRECTION", "DIRECCION", "DIR", "DIR.",
+        "ORIENTATION", "ORIENTACION", "CHANNEL", "CANAL", "STREAM"}) {
+    const auto at = find_word(line, key);
+    if (at == kNone) continue;
+    const auto behind = words_of(std::string_view(line).substr(at + key.size()), kBlanks);
+    const auto before = words_of(std::string_view(line).substr(0, at), kBlanks);
+    const std::size_t count = before.size();
+    std::vector<std::string> names;  // two words first: "NORTH SOUTH"
+    if (behind.size() > 1) names.push_back(fmt::format("{}-{}", behind[0], behind[1]));
+    if (!behind.empty()) names.emplace_back(behind[0]);
+    if (count > 1) names.push_back(fmt::format("{}-{}", before[count - 2], before[count - 1]));
+    if (count > 0 && before.back().size() > 1) names.emplace_back(before.back());
+    const auto name = std::ranges::find_if(names, says_direction);
+    if (name != names.end()) return *name;
+  }
+  // "Acceleration (VERTICAL)"
+  for (auto at = line.find_first_of("(["); at != kNone; at = line.find_first_of("([", at + 1)) {
+    const auto word = in_brackets(std::string_view(line).substr(at));
+    if (word.size() > 1 && is_letter(word[0]) && says_direction(word)) return std::string(word);
+  }
+  return {};
+}
+
+std::optional<double> factor_in(std::string_view text) {
+  const std::string line = upper(text);
+  for (const std::string_view key : {"SCALE FACTOR", "SCALING FACTOR", "SCALE", "CONVERSION FACTOR",
+                                     "FACTOR DE ESCALA", "FACTOR", "MULTIPLY BY", "MULTIPLIED BY"})
+    if (const auto at = find_word(line, key); at != kNone) {
+      const auto factor = number_after(std::string_view(line).substr(at), key);
+      if (factor && *factor != 1 && *factor != 0) return factor;
+    }
   return {};
 }
 

@@ -35,6 +35,13 @@ std::optional<double> time_step_in(std::string_view line);
 /// How many samples a line states: "NPTS= 400", "No. of points: 400".
 std::optional<double> count_in(std::string_view line);
 
+/// The direction that a line states for its component, in capitals and as orient() takes it:
+/// "Component: N-S", "VERTICAL COMPONENT", "Acceleration (UP)". Empty if it states none.
+std::string component_in(std::string_view line);
+
+/// A factor other than 1 that a line states for the numbers: "scale factor: 2.5".
+std::optional<double> factor_in(std::string_view line);
+
 /// Seconds in the unit that a line gives to its times: "Time (ms)", "time in min". Known units
 /// only.
 std::optional<double> time_unit_in(std::string_view line);

@@ -33,7 +33,7 @@ NumberReader::NumberReader(const SourceFile& file, FileErrors& errors, std::stri
 
 std::size_t NumberReader::read_line(std::size_t index) {
   const std::string_view line = file_.lines()[index];
-  const std::size_t before = values_.size();
+  const std::size_t before = line_begin_ = values_.size();
   Layout layout;
   const auto separates = [&](std::size_t i) {
     return separates_[static_cast<unsigned char>(line[i])];
@@ -70,6 +70,12 @@ void NumberReader::compare(const Layout& layout) {
   }
 }
 
+void NumberReader::keep_tail() {
+  if (last_column_ >= shortest_tails_.size())
+    shortest_tails_.resize(last_column_ + 1, std::string_view::npos);
+  shortest_tails_[last_column_] = std::min(shortest_tails_[last_column_], last_tail_);
+}
+
 void NumberReader::read_word(std::string_view word, std::size_t line, std::size_t column) {
   std::string_view rest = word;
   while (!rest.empty()) {
@@ -89,15 +95,17 @@ void NumberReader::read_word(std::string_view word, std::size_t line, std::size_
                   fmt::format("'{}' is not a finite number", word.substr(0, 40)));
       return;
     }
+    if (!values_.empty()) keep_tail();
     values_.push_back(*value);
-    if (values_.size() > 1) shortest_tail_ = std::min(shortest_tail_, last_tail_);
+    last_column_ = values_.size() - 1 - line_begin_;
     last_tail_ = point == std::string_view::npos ? 0 : text.size() - point;
   }
 }
 
 void NumberReader::check_end() const {
   if (file_.ends_with_line_end() || values_.size() < 2) return;
-  const bool is_short = last_tail_ < shortest_tail_;
+  const bool is_short =
+      last_column_ < shortest_tails_.size() && last_tail_ < shortest_tails_[last_column_];
   const bool ends_early = is_flush_right_ && all_in_columns_ && !last_in_columns_;
   if (!is_short && !ends_early) return;
   errors_.add(file_.lines().size(), file_.lines().back().size(),

@@ -42,16 +42,19 @@ class NumberReader {
   using Layout = std::vector<std::pair<std::size_t, std::size_t>>;
 
   void compare(const Layout& layout);
+  void keep_tail();
   void read_word(std::string_view word, std::size_t line, std::size_t column);
 
   const SourceFile& file_;
   FileErrors& errors_;
   std::array<bool, 256> separates_;  ///< by byte
   std::vector<double> values_;
-  std::size_t shortest_tail_ = std::string_view::npos;  ///< of all but the last number
-  std::size_t last_tail_ = std::string_view::npos;      ///< characters after the decimal point
-  Layout layout_;                                       ///< of the first line
-  bool is_flush_right_ = false;  ///< words of several lengths end in the same columns
+  std::vector<std::size_t> shortest_tails_;  ///< by column, of all but the last number
+  std::size_t line_begin_ = 0;               ///< numbers before the line that is read
+  std::size_t last_column_ = 0;              ///< of the last number, from 0
+  std::size_t last_tail_ = 0;                ///< characters after its decimal point
+  Layout layout_;                            ///< of the first line
+  bool is_flush_right_ = false;              ///< words of several lengths end in the same columns
   bool all_in_columns_ = true, last_in_columns_ = true;  ///< all lines but the last; the last
 };
 

@@ -65,15 +65,38 @@ std::optional<double> azimuth_in(std::string_view label) {
 
 /// Directions that words and SEED codes name, letter case apart.
 bool orient_by_word(std::string_view name, Component& component) {
-  constexpr std::array<std::string_view, 7> kNorth = {"N",   "NS",    "N-S",        "SN",
-                                                      "S-N", "NORTH", "NORTH-SOUTH"};
-  constexpr std::array<std::string_view, 7> kEast = {"E",   "EW",   "E-W",      "WE",
-                                                     "W-E", "EAST", "EAST-WEST"};
-  constexpr std::array<std::string_view, 10> kUp = {"U", "UP",  "UD",   "U-D",      "V",
-                                                    "Z", "VER", "VERT", "VERTICAL", "UP-DOWN"};
+  // English, Spanish, Portuguese, French, Italian, German and Turkish.
+  constexpr std::array<std::string_view, 12> kNorth = {
+      "N",     "NS",          "N-S",        "SN",        "S-N",  "NORTH",
+      "NORTE", "NORTH-SOUTH", "NORTHSOUTH", "NORTE-SUR", "NORD", "KUZEY"};
+  constexpr std::array<std::string_view, 17> kEast = {
+      "E",    "EW",        "E-W",      "WE",  "W-E", "EO",    "E-O",  "O-E",        "EAST",
+      "ESTE", "EAST-WEST", "EASTWEST", "EST", "OST", "LESTE", "DOGU", "DO\xc4\x9fU"};
+  constexpr std::array<std::string_view, 19> kUp = {"U",
+                                                    "UP",
+                                                    "UD",
+                                                    "U-D",
+                                                    "DU",
+                                                    "D-U",
+                                                    "V",
+                                                    "Z",
+                                                    "VER",
+                                                    "VERT",
+                                                    "VRT",
+                                                    "UPDO",
+                                                    "UP-DOWN",
+                                                    "UPDOWN",
+                                                    "VERTICAL",
+                                                    "VERTIKAL",
+                                                    "VERTICALE",
+                                                    "DUSEY",
+                                                    "D\xc3\xbc\xc5\x9f"
+                                                    "EY"};
   constexpr std::array<std::string_view, 3> kDown = {"DN", "DWN", "DOWN"};
 
   std::string code = upper(trimmed(name));
+  std::ranges::replace(code, '_', '-');
+  if (code.ends_with('.')) code.pop_back();
   if (code.size() == 5 && number(code.substr(3))) code = code.substr(0, 3);  // with its location
   if (is_seed_code(code)) code = code.back();
   if (is_one_of(code, kNorth)) {

@@ -12,7 +12,8 @@ namespace gurney::groundmotions {
 ///   is the number of a channel and says nothing;
 /// - N, NS, N-S, NORTH...; E, EW, E-W, WE, EAST... (positive to the north and to the east);
 ///   S, SOUTH and W, WEST; bearings such as N38E and S38W;
-/// - U, UP, UD, U-D, V, Z, VER, VERT, VERTICAL: up;
+/// - U, UP, UD, U-D, UPDO, V, Z, VER, VERT, VERTICAL: up;
+/// - the same words of other languages: NORTE, ESTE, NORD, OST, KUZEY, DUSEY, E-O ...;
 /// - DN, DWN, DOWN: the samples change sign so that they point up, with a warning;
 /// - a SEED channel code of three letters ending in N, E or Z, with or without a location of two
 ///   digits: HNE, HGZ, BHZ00; ENE may be a point of the compass and says nothing.

@@ -181,11 +181,17 @@ bool name_rotated(const SourceFile& file, const Header& header, Component& compo
 /// The last field of that line names the component: "228", "360 (CDMG STATION 24461)", "UP".
 void name_component(const SourceFile& file, const Header& header, Component& component) {
   const std::string_view event = event_line(file, header);
-  if (event.empty()) return;
-  component.header.emplace_back("event", event);
+  if (!event.empty()) component.header.emplace_back("event", event);
   const auto field = last_field(event);
-  if (name_rotated(file, header, component) || !is_component_name(field)) return;
-  component.name = field;
+  if (name_rotated(file, header, component)) return;
+  if (is_component_name(field)) {
+    component.name = field;
+    orient(component.name, component);
+    return;
+  }
+  const std::size_t end = std::min(header.first_data_line(), file.lines().size());
+  for (std::size_t i = 0; i < end && component.name.empty(); ++i)
+    component.name = component_in(file.lines()[i].substr(0, 1000));
   orient(component.name, component);
 }
 

@@ -87,6 +87,8 @@ PlainFacts plain_facts(const PlainRows& rows, const std::vector<std::size_t>& ti
     take_step(line, rows.header_lines[i], facts, errors);
     take_count(line, rows.header_lines[i], facts);
     if (const auto unit = time_unit_in(line)) facts.time_unit = *unit;
+    if (facts.component.empty()) facts.component = component_in(line);
+    if (factor_in(line) && facts.factor_line == 0) facts.factor_line = rows.header_lines[i];
   }
   return facts;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "groundmotions/formats/plain_rows.h"
@@ -16,7 +17,9 @@ struct PlainFacts {
   std::size_t step_line = 0;
   std::optional<double> count;  ///< of the samples of a component
   std::size_t count_line = 0;
-  double time_unit = 1;  ///< of a column of times without a title of its own [s]
+  std::string component;        ///< its direction, where the text states one
+  std::size_t factor_line = 0;  ///< of a factor for the numbers; 0: none
+  double time_unit = 1;         ///< of a column of times without a title of its own [s]
 };
 
 /// Errors: samples that are velocity or displacement as the text says, a unit that is none of

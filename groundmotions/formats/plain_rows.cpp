@@ -20,13 +20,21 @@ constexpr std::size_t kHeaderLines = 40;
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
+/// A word of another script; "\u2212" and blanks of Unicode (C2, E2) are none.
+bool is_foreign_word(std::string_view word) {
+  const auto first = static_cast<unsigned char>(word[0]);
+  return first >= 0x80 && first != 0xc2 && first != 0xe2 && std::ranges::none_of(word, is_digit);
+}
+
 /// A word of a language rather than a number that went wrong (nan, inf, E-03).
 bool is_text(std::string_view word) {
   while (!word.empty() && std::ispunct(static_cast<unsigned char>(word.front())))
     word.remove_prefix(1);
   while (!word.empty() && std::ispunct(static_cast<unsigned char>(word.back())))
     word.remove_suffix(1);
-  if (word.empty() || !is_letter(word[0])) return false;
+  if (word.empty()) return false;
+  if (is_foreign_word(word)) return true;
+  if (!is_letter(word[0])) return false;
   if (word.size() > 1 && lower(word)[0] == 'e' && (is_digit(word[1]) || !is_letter(word[1])))
     return false;
   if (word.size() > 1 && lower(word)[0] == 'd' && (word[1] == '-' || word[1] == '+')) return false;

@@ -9,6 +9,7 @@
 
 #include "groundmotions/formats/header_text.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/time_column.h"
 #include "groundmotions/formats/unit_text.h"
@@ -116,7 +117,7 @@ std::vector<ColumnTitle> only_title(const PlainRows& rows) {
   line.remove_prefix(std::min(line.find_first_not_of("#% \t"), line.size()));
   const bool has_bracket = line.ends_with(')') || line.ends_with(']');
   const bool is_word = line.find_first_of(" \t,;") == std::string_view::npos;  // "acc_g"
-  if (!(has_bracket || is_word) || unit_text_in(line)) return {};
+  if (!(has_bracket || is_word) || unit_text_in(line) || time_step_in(line)) return {};
   auto titles = parsed_titles({std::string(line)});
   if (is_word && acceleration_unit(titles[0].unit)) return titles;
   // A depth in m is no displacement.
@@ -176,6 +177,19 @@ std::string skip_other_quantities(PlainColumns& columns, const std::vector<Colum
   return "columns that are no accelerations, skipped: " + note;
 }
 
+/// Tables beside each other: all their times must be those of the first.
+void refuse_other_times(const std::vector<ColumnTitle>& titles, std::size_t time,
+                        const PlainTable& table) {
+  const std::size_t width = titles.size();
+  for (std::size_t k = time + 1; k < width; ++k)
+    if (titles[k].quantity == "time" &&
+        column(table.rows, k, width) != column(table.rows, time, width))
+      table.errors.add(table.title_line, 1,
+                       fmt::format("columns {} and {} are both times ('{}' and '{}') and differ; "
+                                   "save the tables as files of their own",
+                                   time + 1, k + 1, titles[time].text, titles[k].text));
+}
+
 /// The quantity other than acceleration that a line names beside it: `Time Acc Vel`.
 std::optional<std::string_view> quantity_beside_acceleration(std::string_view text) {
   std::string line;
@@ -204,10 +218,12 @@ Component component_of(const PlainColumns::Column& column_kind, const ColumnTitl
   const auto& stated = column_kind.direction;
   refuse_other_quantities(title, table);
   if (title.is_doubtful && stated != Direction::kVertical)
-    table.errors.add(table.title_line, 1,
-                     fmt::format("the column '{}' may be a velocity or the vertical; say which by "
-                                 "columns, such as \"time,vertical\" or \"time,h1,skip\"",
-                                 title.text));
+    table.errors.add(
+        table.title_line, 1,
+        fmt::format(
+            "the column '{}' may be a velocity, a displacement or the vertical; say which by "
+            "columns, such as \"time,vertical\" or \"time,h1,skip\"",
+            title.text));
   if (const auto error = axis_error(values); !stated && !error.empty())
     table.errors.add(table.rows.lines[0], 1,
                      fmt::format("{}; name the columns of accelerations, such as columns = "
@@ -220,6 +236,15 @@ Component component_of(const PlainColumns::Column& column_kind, const ColumnTitl
   component.name = title.name;
   orient(title, stated, component);
   return component;
+}
+
+bool columns_are_named(const PlainTable& table) { return !table.options.columns.empty(); }
+
+/// A direction that the text states for the only component, unless its title does.
+void take_direction(const PlainTable& table, Component& component) {
+  if (table.facts.component.empty() || component.azimuth || component.direction) return;
+  component.name = table.facts.component;
+  orient(component.name, component);
 }
 
 /// What the user is to know of columns that were taken without being named.
@@ -252,6 +277,7 @@ std::vector<Component> only_component(const PlainTable& table) {
   component.time_step = time_step_of(table);
   component.unit = unit.name;
   component.acceleration = scaled(table.rows.values, unit.to_si);
+  take_direction(table, component);
   return {component};
 }
 
@@ -274,6 +300,7 @@ std::vector<Component> table_components(PlainColumns columns, std::vector<Column
     note = skip_other_quantities(columns, titles);
     if (!has_titles && width > 2) refuse_unnamed_quantities(table);
   }
+  refuse_other_times(titles, at, table);
   std::vector<Component> components;
   for (std::size_t k = 0; k < width; ++k) {
     if (columns.columns[k].kind != Kind::kComponent) continue;
@@ -282,6 +309,7 @@ std::vector<Component> table_components(PlainColumns columns, std::vector<Column
     components.back().time_step = step;
     if (components.back().name.empty()) components.back().name = fmt::format("column {}", k + 1);
   }
+  if (components.size() == 1 && !columns_are_named(table)) take_direction(table, components[0]);
   if (const auto late = late_start(first, step); !table.errors.any() && !late.empty())
     components[0].warnings.push_back(late);
   if (!note.empty()) components[0].warnings.push_back(note);

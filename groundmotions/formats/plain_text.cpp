@@ -45,6 +45,15 @@ void warn_of_count(const PlainFacts& facts, const FileErrors& errors, Component&
                                              held));
 }
 
+/// Samples may still have to be multiplied by what the text states.
+void warn_of_factor(const PlainFacts& facts, const SourceFile& file, const FileErrors& errors,
+                    Component& component) {
+  if (facts.factor_line == 0) return;
+  component.warnings.push_back(fmt::format(
+      "line {} states a factor ('{}'): it was not applied", errors.line_in_file(facts.factor_line),
+      trimmed(file.lines()[facts.factor_line - 1]).substr(0, 60)));
+}
+
 void check_leading_count(const LeadingNumbers& leading, const PlainRows& rows, FileErrors& errors) {
   if (leading.count > 0 && !errors.any())
     check_count(leading.count, "the first row", leading.line,
@@ -112,6 +121,7 @@ std::vector<Component> read_plain_text(const SourceFile& original, const ReadOpt
   for (Component& component : components) set_header(rows, component);
   warn_of_text(rows, components[0]);
   warn_of_count(facts, errors, components[0]);
+  if (!options.si_per_count) warn_of_factor(facts, file, errors, components[0]);
   if (!leading.warning.empty()) components[0].warnings.push_back(leading.warning);
   if (!cells.first_time.empty())
     components[0].warnings.push_back(fmt::format(

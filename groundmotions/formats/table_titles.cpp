@@ -78,8 +78,11 @@ std::vector<std::string> with_brackets(const std::vector<std::string_view>& word
 /// Units that stand alone belong to the word before them: `Time, s, Acc, m/s2`.
 std::vector<std::string> with_lone_units(const std::vector<std::string>& cells) {
   std::vector<std::string> result;
-  for (const std::string& cell : cells)
-    if (!result.empty() && is_unit_of_something(cell) && !number(result.back()))
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (const std::string& cell = cells[i];
+        lower(cell) == "in" && i + 1 < cells.size() && is_unit_of_something(cells[i + 1]))
+      continue;  // "acc in g"
+    else if (!result.empty() && is_unit_of_something(cell) && !number(result.back()))
       result.back() += " [" + cell + "]";
     else
       result.push_back(cell);

@@ -18,14 +18,16 @@ std::optional<AccelerationUnit> unit_in(std::string_view line) {
 
 std::optional<double> time_unit(std::string_view spelling) {
   // "seconds" is "s" in the plain spelling, so "milliseconds" is "millis".
-  constexpr std::array<std::pair<std::string_view, double>, 8> kUnits = {{{"s", 1},
-                                                                          {"ms", 1e-3},
-                                                                          {"millis", 1e-3},
-                                                                          {"us", 1e-6},
-                                                                          {"micros", 1e-6},
-                                                                          {"min", 60},
-                                                                          {"minute", 60},
-                                                                          {"minutes", 60}}};
+  constexpr std::array<std::pair<std::string_view, double>, 10> kUnits = {{{"s", 1},
+                                                                           {"ms", 1e-3},
+                                                                           {"millis", 1e-3},
+                                                                           {"us", 1e-6},
+                                                                           {"micros", 1e-6},
+                                                                           {"\xc2\xb5s", 1e-6},
+                                                                           {"\xce\xbcs", 1e-6},
+                                                                           {"min", 60},
+                                                                           {"minute", 60},
+                                                                           {"minutes", 60}}};
   const std::string text = plain_unit(spelling);
   for (const auto& [name, seconds] : kUnits)
     if (text == name) return seconds;

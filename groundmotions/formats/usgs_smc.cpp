@@ -54,7 +54,6 @@ class SmcReader {
     component.unit = "cm/s2";
     orient(component);
     describe(component);
-    warn_of_structure(component);
     errors_.throw_if_any();
     return component;
   }
@@ -276,12 +275,6 @@ class SmcReader {
     std::string place = structure_name(kind);
     if (has_integer(24)) place += fmt::format(", floor {}", integers_[24]);
     return place;
-  }
-
-  void warn_of_structure(Component& component) const {
-    if (const std::string place = place_of(); !place.empty())
-      component.warnings.push_back(
-          fmt::format("the station is in {}: a motion of the structure, not of the ground", place));
   }
 
   const SourceFile& file_;

@@ -28,7 +28,7 @@ constexpr std::array kSpellings = {
     Spelling{"/sq.s", "/s2"},      Spelling{"%ofg", "%g"},        Spelling{"/s/s", "/s2"},
     Spelling{"/ss", "/s2"},        Spelling{"s-2", "/s2"},        Spelling{"s-1", "/s"},
     Spelling{"./", "/"},           Spelling{"//", "/"},           Spelling{"gals", "gal"},
-    Spelling{"g's", "g"}};
+    Spelling{"g's", "g"},          Spelling{"mps2", "m/s2"}};
 
 std::string listed(const std::vector<std::string>& names) {
   std::string text = names[0];

@@ -35,6 +35,14 @@ TEST(Plausibility, FindsAConstantOffset) {
               ElementsAre(HasSubstr("a: the mean of h1 is 0.0204 g at a peak of 0.122 g")));
 }
 
+TEST(Plausibility, FindsSamplesOfOneSign) {
+  const Eigen::VectorXd swing = Eigen::Vector4d(1, -1, 1, -1).replicate(25, 1);
+  EXPECT_THAT(implausible(record(swing.array() + 1, 0.9 * swing)),
+              ElementsAre(HasSubstr("a: all samples of h1 have one sign")));
+  EXPECT_THAT(implausible(record(-1 - swing.array(), 0.9 * swing)),
+              ElementsAre(HasSubstr("a: all samples of h1 have one sign")));
+}
+
 TEST(Plausibility, FindsComponentsThatDisagreeByOrdersOfMagnitude) {
   const Eigen::VectorXd swing = Eigen::Vector4d(1, -1, 1, -1).replicate(25, 1);
   EXPECT_THAT(implausible(record(9.9 * swing, 0.1 * swing)), IsEmpty());

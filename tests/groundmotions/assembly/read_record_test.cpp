@@ -8,12 +8,14 @@
 #include <fstream>
 
 #include "engine/base/units.h"
+#include "groundmotions/assembly/site.h"
 #include "groundmotions/formats/format.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::groundmotions {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -235,6 +237,35 @@ TEST_F(ReadRecord, TakesChannelsOfOneFile) {
 TEST_F(ReadRecord, KeepsTheWarningsOfTheFiles) {
   const auto csv = file("r.csv", "time_s,x_g\n0.1,0.1\n0.2,0.3\n");
   EXPECT_THAT(read_record({{csv, {}}}).warnings, ElementsAre(HasSubstr("the first time is 0.1 s")));
+}
+
+TEST(Structures, AreKnownByThePlaceOfTheirSensor) {
+  const auto structure = [](const char* name, const char* value) {
+    Component component;
+    component.header.emplace_back(name, value);
+    return structure_of(component);
+  };
+  EXPECT_EQ(structure("location", "Roof - N wall"), "Roof - N wall");
+  EXPECT_EQ(structure("location", "a building, floor 12"), "a building, floor 12");
+  EXPECT_EQ(structure("location", "Bent 4: North Column, Grnd Level"),
+            "Bent 4: North Column, Grnd Level");
+  EXPECT_EQ(structure("structure", "a bridge"), "a bridge");
+  EXPECT_EQ(structure("station", "Sylmar - 6-story Hospital Bldg"),
+            "Sylmar - 6-story Hospital Bldg");
+  for (const char* ground : {"Free Field", "FF - near the bridge", "Ground level"})
+    EXPECT_EQ(structure("location", ground), "") << ground;
+  for (const char* ground : {"Pacoima Dam - Downstream", "Sylmar - 6-story Bldg FF"})
+    EXPECT_EQ(structure("station", ground), "") << ground;
+}
+
+TEST_F(ReadRecord, WarnsOfAMotionOfAStructure) {
+  // Two lines of the header of a synthetic component of CSMNC name what is needed.
+  const auto path = file("a.txt",
+                         "SYNTHETIC\nSTATION: 7 story Bldg\nCOMP. EW\nUNIT: CM/SEC/SEC\n"
+                         "NO. OF POINTS: 4  EQUALLY SPACED INTERVALS OF: 0.01\n1.0 -2.0 1.0 2.0\n");
+  EXPECT_THAT(read_record(std::vector{RecordFile{.path = path}}).warnings,
+              Contains("the sensor is in a structure ('7 story Bldg'): a motion of the structure, "
+                       "not of the ground"));
 }
 
 }  // namespace

@@ -96,8 +96,8 @@ TEST(ColumnTitle, AVelocityIsNoVertical) {
   EXPECT_THAT(error("t v d", {.unit = "g"}), HasSubstr(names("v")));
   EXPECT_THAT(error("t(ms)  NS velocity  x", {.unit = "g"}), HasSubstr(names("NS velocity")));
   EXPECT_THAT(error_text([] { read_text("t v\n0 1\n0.1 2\n0.2 3\n", {.unit = "g"}); }),
-              HasSubstr("f:1:1: the column 'v' may be a velocity or the vertical; say which by "
-                        "columns"));
+              HasSubstr("f:1:1: the column 'v' may be a velocity, a displacement or the vertical; "
+                        "say which by columns"));
   EXPECT_EQ(read_text("t v\n0 1\n0.1 2\n", {.unit = "g", .columns = "time,vertical"})[0].direction,
             Direction::kVertical);
   EXPECT_EQ(read_text("t(ms) NS(g) V(g)\n" + kRows)[1].direction, Direction::kVertical);

@@ -105,12 +105,10 @@ TEST(UsgsSmc, KnowsUpAndDown) {
               ElementsAre(HasSubstr("says component 'up', its numbers say 90 degrees from up")));
 }
 
-TEST(UsgsSmc, WarnsOfStructuresAndProblems) {
-  EXPECT_THAT(read_text(smc_file({.integers = {{19, 1}, {25, 12}}}))[0].warnings,
-              ElementsAre("the station is in a building, floor 12: a motion of the structure, not "
-                          "of the ground"));
-  EXPECT_THAT(read_text(smc_file({.integers = {{28, 2}}}))[0].warnings,
-              ElementsAre(HasSubstr("the station is in a dam")));
+TEST(UsgsSmc, NamesStructuresAndWarnsOfProblems) {
+  const auto building = read_text(smc_file({.integers = {{19, 1}, {25, 12}}}))[0];
+  EXPECT_EQ(fact(building, "location"), "a building, floor 12");
+  EXPECT_EQ(fact(read_text(smc_file({.integers = {{28, 2}}}))[0], "location"), "a dam");
   EXPECT_THAT(read_text(smc_file({.integers = {{18, 1}}}))[0].warnings,
               ElementsAre("the header flags a problem; its comments: invented"));
 }

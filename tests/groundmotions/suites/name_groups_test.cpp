@@ -183,5 +183,19 @@ TEST_F(NameGroups, NameFilesThatAreThereTwice) {
                                          HasSubstr("are the same file, byte by byte"))));
 }
 
+// "SN1" and "SN2" within a word are no channels.
+TEST_F(NameGroups, TakeNoChannelCodeOutOfAWord) {
+  EXPECT_THAT(found({"RSN1_UP.txt", "RSN2_UP.txt"}),
+              ElementsAre("RSN1_UP: - - RSN1_UP.txt", "RSN2_UP: - - RSN2_UP.txt"));
+}
+
+TEST_F(NameGroups, EndWithTheirComponent) {
+  write({"vertical_park_NS.txt", "UP_station_EW.txt", "sismo_EO.txt", "sismo_NS.txt"});
+  EXPECT_FALSE(read("vertical_park_NS.txt")[Direction::kVertical]);
+  EXPECT_FALSE(read("UP_station_EW.txt")[Direction::kVertical]);
+  EXPECT_THAT(motions(read_suite({folder_.path()})),
+              testing::Contains("sismo: sismo_EO.txt sismo_NS.txt -"));
+}
+
 }  // namespace
 }  // namespace gurney::groundmotions

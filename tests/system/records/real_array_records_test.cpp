@@ -5,6 +5,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Pair;
 
 /// Of arrays and national networks; their reference values are in real_records_test.cpp.
 using RealArrayRecords = RealRecords;
@@ -14,10 +15,10 @@ TEST_F(RealArrayRecords, Smc) {
        {std::pair{"0111a.smc", 0}, {"0111b.smc", kUp}, {"0111c.smc", 270}})
     EXPECT_TRUE(
         expect_directions(std::string("usgs_smc/") + file, {direction})[0].warnings.empty());
-  EXPECT_THAT(expect_directions("usgs_smc/0165b_a.smc", {kUp})[0].warnings,
-              Contains(HasSubstr("the station is in a building, floor 12")));
+  EXPECT_THAT(expect_directions("usgs_smc/0165b_a.smc", {kUp})[0].header,
+              Contains(Pair("location", "a building, floor 12")));
   const auto dam = expect_directions("usgs_smc/891018_1.sma-1.0444a.smc", {65})[0];
-  EXPECT_THAT(dam.warnings, Contains(HasSubstr("the station is in a dam")));
+  EXPECT_THAT(dam.header, Contains(Pair("location", HasSubstr("a dam"))));
   EXPECT_THAT(dam.warnings, Contains(HasSubstr("brought to even steps of 0.005 s")));
   EXPECT_THAT(expect_directions("usgs_smc/A-CAT180.AT2.smc", {kNoDirection})[0].warnings,
               Contains(HasSubstr("does not say what it holds")));
