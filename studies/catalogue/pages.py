@@ -1,22 +1,35 @@
 """Writes the pages of the fragility catalogue, docs/catalogue, from the tables of tables.py.
 
 usage: pages.py GURNEY RESULTS TABLES PAGES
+       pages.py --check GURNEY TABLES PAGES
 
-PAGES gets items.md (the overview), a page for each item, and their figures.
+PAGES gets items.md (the overview), a page for each item, and their figures. --check writes nothing and ends with 1
+where the texts of the pages are not those of the tables.
 """
 
 import json
 import os
 import subprocess
 import sys
+import textwrap
 
 from advice import ACTIONS, MOTION_COUNT, SPEED, Advice, read
-from tables import FURTHER, MUCH_BETTER, much_better
+from catalogue import VARIANCE
+from tables import FURTHER, much_better
 
 WHERE = ("flexible building", "open")  # of the overview
 LIMITS = ["moved 0.1 m", "moved 0.3 m", "moved 1 m", "hit at 0.4 m/s", "hit at 0.8 m/s", "overturned"]
 SETTINGS = ["off", "on", "locked"]
 SHOWN = 0.05  # of p, adjusted for the number of constants
+
+
+CAUTION = ("Computed under synthetic motions for a class of items, of which most parameters are assumed "
+           "([sources](../equipment.md#items)); not for a make, a site, or what is attached "
+           "([what it must not be used for](methods.md#what-it-must-not-be-used-for)).")
+
+
+def wrapped(text, indent=""):
+    return textwrap.wrap(text, 118, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
 def cell(row):
@@ -45,7 +58,7 @@ def decisions(advice, names):
     for action, words in ACTIONS.items():
         items = [f"[{names[item]}]({item}.md)" for item in names if advice.action(item) == action]
         if items:
-            lines.append(f"- **{words}** ({len(items)}): {', '.join(items)}")
+            lines += wrapped(f"- **{words}** ({len(items)}): {', '.join(items)}", "  ")
     return lines
 
 
@@ -61,11 +74,10 @@ def overview(advice, names):
 
 def overview_page(advice, names):
     return ["# What to brake, what to tether, what to leave", "",
-            f"At a peak floor velocity of {SPEED} m/s on an upper floor of a flexible building, on an open floor, by "
-            f"{MOTION_COUNT} motions ([rule](methods.md#what-to-do)):", "",
+            *wrapped(f"At a peak floor velocity of {SPEED} m/s on an upper floor of a flexible building, on an open floor, "
+                     f"by {MOTION_COUNT} motions ([rule](methods.md#what-to-do)). {CAUTION}"), "",
             *decisions(advice, names), "",
-            "Where the results are inconclusive, tether the item: that is safe in either case. "
-            "[Methods](methods.md), with what these numbers must not be used for.", "",
+            "Where the results are inconclusive, tether the item: that is safe in either case.", "",
             "Probabilities, with intervals of 95 %:", "",
             *overview(advice, names), ""]
 
@@ -122,7 +134,8 @@ def constants_line(catalogue, item):
     if shown:
         return "To be measured first, by rank correlation with the displacement: " + ", ".join(shown) + "."
     strongest = min(own, key=lambda row: float(row["p"]))
-    return f"No constant is shown to matter in 64 draws; the strongest is {words(strongest)}."
+    draws = VARIANCE["draws"] * MOTION_COUNT
+    return f"No constant is shown to matter in {draws} draws; the strongest is {words(strongest)}."
 
 
 def best_measures(catalogue, item):
@@ -138,30 +151,27 @@ def best_measures(catalogue, item):
 def item_page(catalogue, advice, item, sheet):
     size = " x ".join(f"{1000 * each:.0f}" for each in sheet["size_m"])
     return [
-        f"# {sheet['name']}", "", sheet["description"] + ".", "",
-        f"{sheet['mass_kg']:.0f} kg, {size} mm, base over height {sheet['base_over_height']:.2f}, tips from "
-        f"{sheet['tips_from_g']:.2f} g where its wheels cannot roll. Data: `equipment/items/{item}.toml`.", "",
-        f"{advice.line(item)} ([rule](methods.md#what-to-do)).", "",
+        f"# {sheet['name']}", "", *wrapped(sheet["description"] + "."), "",
+        *wrapped(f"{sheet['mass_kg']:.0f} kg, {size} mm, base over height {sheet['base_over_height']:.2f}, tips from "
+                 f"{sheet['tips_from_g']:.2f} g where its wheels cannot roll. Data: `equipment/items/{item}.toml`."), "",
+        advice.line(item), "([rule](methods.md#what-to-do)).", *wrapped(CAUTION), "",
         f"![Plan and sides](images/{item}.svg)", "",
         f"![Fragility on an upper floor of the flexible building](images/{item}_fragility.svg)", "",
         "## Fragility", "",
-        "Median peak floor velocity [m/s] and, in brackets, the standard deviation of its logarithm. Without a curve: runs "
-        "that exceed. `*`: few runs exceed, or the median is beyond the runs. Intervals of 95 % and the curves for the PGV of "
-        "the ground are in [fragility.csv](data/fragility.csv). A hit on an open floor is that of an item that overturns. "
-        f"`†`: the scatter about the peak floor velocity is more than {100 * MUCH_BETTER:.0f} % larger than about the best "
-        "measure of the displacement; curves on that measure are in [best_measure.csv](data/best_measure.csv).", "",
+        "Median peak floor velocity [m/s] (standard deviation of its logarithm), or runs that exceed",
+        "([legend](methods.md#pages-of-the-items)).", "",
         *item_table(catalogue, item), "",
         "## Further limit states", "",
-        f"On an upper floor of the {WHERE[0]}, as above; from [more_states.csv](data/more_states.csv). "
-        "[What they bound](methods.md#further-limit-states).", "",
+        f"On an upper floor of the {WHERE[0]} ([what they bound](methods.md#further-limit-states)).", "",
         *further_table(catalogue, item), "",
         "## What the scatter is due to", "",
-        "Shares of the variance at a PGV of 0.8 m/s on an upper floor of the flexible building, open floor, with intervals of "
-        "95 % ([method](methods.md#record-parameters-chaos)):", "",
+        f"Shares of the variance at a PGV of 0.8 m/s on an upper floor of the {WHERE[0]}",
+        "([method](methods.md#record-parameters-chaos)):", "",
         *variance_table(catalogue, item), "",
-        constants_line(catalogue, item) + " [Method](methods.md#what-to-measure-first).", "",
+        *wrapped(constants_line(catalogue, item) + " [Method](methods.md#what-to-measure-first)."), "",
         "## Intensity measure", "",
-        f"Best predictors of the peak displacement, with the number of configurations: {best_measures(catalogue, item)}.", ""]
+        *wrapped("Best predictors of the peak displacement, with the number of configurations: "
+                 f"{best_measures(catalogue, item)}."), ""]
 
 
 def figures(gurney, item, results, images):
@@ -176,22 +186,39 @@ def figures(gurney, item, results, images):
         "--figure", os.path.join(images, item + "_fragility.svg"))
 
 
+def sheet_of(gurney, item):
+    return json.loads(subprocess.run([gurney, "equipment", "show", item, "--json"], check=True,
+                                     capture_output=True, text=True).stdout)
+
+
+def texts(gurney, tables):
+    """Each page by its name."""
+    catalogue, advice = Catalogue(tables), Advice(tables)
+    sheets = {item: sheet_of(gurney, item) for item in catalogue.items}
+    pages = {item + ".md": item_page(catalogue, advice, item, sheet) for item, sheet in sheets.items()}
+    pages["items.md"] = overview_page(advice, {item: sheet["name"] for item, sheet in sheets.items()})
+    return {name: "\n".join(lines) for name, lines in pages.items()}
+
+
+def stale(gurney, tables, folder):
+    for name, text in texts(gurney, tables).items():
+        with open(os.path.join(folder, name), encoding="utf-8") as file:
+            if file.read() != text:
+                yield f"{name} is not what pages.py writes"
+
+
 def main():
+    if sys.argv[1:2] == ["--check"] and len(sys.argv) == 5:
+        sys.exit("\n".join(stale(*sys.argv[2:])) or 0)
     if len(sys.argv) != 5:
         sys.exit(__doc__)
     gurney, results, tables, pages = sys.argv[1:]
-    catalogue, advice = Catalogue(tables), Advice(tables)
     os.makedirs(os.path.join(pages, "images"), exist_ok=True)
-    names = {}
-    for item in catalogue.items:
-        sheet = json.loads(subprocess.run([gurney, "equipment", "show", item, "--json"], check=True,
-                                          capture_output=True, text=True).stdout)
-        names[item] = sheet["name"]
-        figures(gurney, item, results, os.path.join(pages, "images"))
-        with open(os.path.join(pages, item + ".md"), "w") as file:
-            file.write("\n".join(item_page(catalogue, advice, item, sheet)))
-    with open(os.path.join(pages, "items.md"), "w") as file:
-        file.write("\n".join(overview_page(advice, names)))
+    for name, text in texts(gurney, tables).items():
+        if name != "items.md":
+            figures(gurney, name.removesuffix(".md"), results, os.path.join(pages, "images"))
+        with open(os.path.join(pages, name), "w", encoding="utf-8") as file:
+            file.write(text)
 
 
 if __name__ == "__main__":
