@@ -32,7 +32,7 @@ class StockMultibody : public StockModel {
                     : std::make_unique<btMultiBodyConstraintSolver>()),
         world_(&dispatcher_, &broadphase_, solver_.get(), &configuration_),
         floor_shape_(btVector3(0, 0, 1), 0),
-        item_(scene.items[0].model, mechanism, 0, MultibodyItem::Wheels::kSpheres, world_) {
+        item_(scene.items[0].model, mechanism, world_) {
     floor_.setCollisionShape(&floor_shape_);
     floor_.setFriction(1);  // Bullet multiplies the two: the tread's coefficient is left
     world_.addCollisionObject(&floor_, MultibodyItem::kFloor,

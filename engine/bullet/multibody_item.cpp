@@ -2,7 +2,6 @@
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
-#include <BulletCollision/CollisionShapes/btCylinderShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 
 #include "engine/bullet/convert.h"
@@ -18,9 +17,9 @@ int wheel_link(std::size_t caster) { return static_cast<int>(2 * caster) + 1; }
 
 }  // namespace
 
-MultibodyItem::MultibodyItem(const EquipmentModel& model, const Mechanism& mechanism, int index,
-                             Wheels wheels, btMultiBodyDynamicsWorld& world)
-    : world_(world), index_(index), casters_(model.casters.size()) {
+MultibodyItem::MultibodyItem(const EquipmentModel& model, const Mechanism& mechanism,
+                             btMultiBodyDynamicsWorld& world)
+    : world_(world), casters_(model.casters.size()) {
   const MassProperties& chassis = mechanism.chassis;
   const PrincipalAxes base = principal_axes(chassis.inertia);
   base_axes_ = base.rotation;
@@ -66,8 +65,7 @@ MultibodyItem::MultibodyItem(const EquipmentModel& model, const Mechanism& mecha
   for (const Box& box : model.shape) {
     auto shape = std::make_unique<btBoxShape>(to_bullet(Vector3(0.5 * box.size)));
     shape->setMargin(0.001);
-    // Whole faces of contact with boxes of the room. Without spheres Bullet compares wheels alone.
-    if (wheels == Wheels::kSpheres) shape->initializePolyhedralFeatures();
+    shape->initializePolyhedralFeatures();  // whole faces of contact with boxes of the room
     shapes_.push_back(std::move(shape));
     const Vector3 center = base_axes_.conjugate() * (box.center - chassis.center_of_mass);
     boxes->addChildShape(
@@ -77,15 +75,8 @@ MultibodyItem::MultibodyItem(const EquipmentModel& model, const Mechanism& mecha
   add_collider(-1, std::move(boxes), kChassis, kFloor | kCasters, 0.4);
   for (std::size_t i = 0; i < casters_; ++i) {
     const Caster& c = model.casters[i];
-    if (wheels == Wheels::kSpheres) {
-      add_collider(wheel_link(i), std::make_unique<btSphereShape>(c.wheel_radius), kCasters,
-                   kFloor | kRoom, c.tread.kinetic_friction);
-    } else {
-      add_collider(wheel_link(i),
-                   std::make_unique<btCylinderShape>(
-                       btVector3(c.wheel_radius, 0.5 * c.wheel_width, c.wheel_radius)),
-                   kCasters, kRoom | kChassis | kCasters, c.tread.kinetic_friction);
-    }
+    add_collider(wheel_link(i), std::make_unique<btSphereShape>(c.wheel_radius), kCasters,
+                 kFloor | kRoom, c.tread.kinetic_friction);
   }
 }
 
@@ -98,7 +89,6 @@ void MultibodyItem::add_collider(int link, std::unique_ptr<btCollisionShape> sha
                                  int mask, double friction) {
   auto collider = std::make_unique<btMultiBodyLinkCollider>(body_.get(), link);
   collider->setCollisionShape(shape.get());
-  collider->setUserIndex(index_);
   collider->setFriction(friction);
   collider->setRollingFriction(0);
   collider->setSpinningFriction(0);

@@ -15,7 +15,8 @@ namespace gurney {
 /// One item as Bullet holds it: a btMultiBody whose base is the chassis with its payloads and whose
 /// links are, for caster i, the fork (2 i: revolute about the swivel axis, or fixed) and the wheel
 /// (2 i + 1: revolute about the axle). Bullet's bodies use principal axes; this class keeps the
-/// rotations between.
+/// rotations between. Wheels are spheres, which touch the floor in one point like a disc that stands
+/// upright.
 ///
 /// Everything in btMultiBody that would silently change the mechanics is off: sleeping, damping
 /// (0.04 by default), the limits of velocity and impulse.
@@ -23,12 +24,7 @@ class MultibodyItem {
  public:
   enum Group : int { kFloor = 1, kChassis = 2, kCasters = 4, kRoom = 8 };
 
-  /// Wheels as spheres touch the floor in one point, like a disc that stands upright: for the
-  /// baselines. Otherwise they are cylinders, and the floor's contact with them is ours.
-  enum class Wheels { kCylinders, kSpheres };
-
-  /// @param index  of the item: the user index of its colliders
-  MultibodyItem(const EquipmentModel& model, const Mechanism& mechanism, int index, Wheels wheels,
+  MultibodyItem(const EquipmentModel& model, const Mechanism& mechanism,
                 btMultiBodyDynamicsWorld& world);
   ~MultibodyItem();
   MultibodyItem(const MultibodyItem&) = delete;
@@ -47,7 +43,6 @@ class MultibodyItem {
                     double friction);
 
   btMultiBodyDynamicsWorld& world_;
-  int index_;
   std::size_t casters_;
   std::vector<bool> swivels_;
   std::vector<double> headings_;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/bullet/bullet_world.h"
+#include "engine/bullet/contact_search.h"
 #include "engine/run/zone_log.h"
 #include "engine/solver/assembly.h"
 
@@ -32,15 +32,11 @@ std::vector<Overlap> find_overlaps(const Scene& scene) {
       }
     overlaps.push_back(here);
   };
-  constexpr double kNoTime = 1e-6;  // [s]
-  BulletWorld(scene, assembly, false)
-      .step(0, kNoTime, state, [&](double, const std::vector<BodyContact>& contacts) {
-        for (const BodyContact& contact : contacts) {
-          const double depth = -assembly.gap(contact, state);
-          if (contact.other != 0 && depth > kLeastDepth) note(contact, depth);
-        }
-        return false;
-      });
+  ContactSearch search(scene, assembly, false);
+  for (const BodyContact& contact : search.find(state, 0)) {
+    const double depth = -assembly.gap(contact, state);
+    if (contact.other != 0 && depth > kLeastDepth) note(contact, depth);
+  }
   return overlaps;
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "engine/base/error.h"
-#include "engine/bullet/bullet_world.h"
+#include "engine/bullet/contact_search.h"
 #include "engine/run/impact_log.h"
 #include "engine/run/recorder.h"
 #include "engine/run/run_clock.h"
@@ -71,7 +71,7 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
   double time = 0;
 
   Stepper stepper(assembly, floor, settings);
-  BulletWorld world(scene, assembly, settings.skip_clear_collision_passes);
+  ContactSearch search(scene, assembly, settings.skip_clear_collision_passes);
   std::vector<Recorder> recorders;
   for (std::size_t i = 0; i < count; ++i) recorders.emplace_back(scene, assembly, i, state);
   ImpactLog impacts(scene, assembly);
@@ -83,11 +83,14 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
     tethers.observe(step);
     for (std::size_t i : step.island->items) recorders[i].observe(step, impacts.impacts_of(i));
   };
-  std::optional<std::string> cause;
-  const BulletWorld::Solve solve = [&](double until, const std::vector<BodyContact>& contacts) {
-    stepper.set_contacts(contacts, state);
-    cause = stepper.advance(state, until, observer);
-    return !cause;
+  const auto advance = [&](double until) -> std::optional<std::string> {
+    for (double now = time; now < until;) {
+      const double stop = search.next(state, now, until);
+      stepper.set_contacts(search.find(state, stop - now), state);
+      if (auto cause = stepper.advance(state, stop, observer)) return cause;
+      now = stop;
+    }
+    return std::nullopt;
   };
   const auto sample = [&] {
     for (std::size_t i = 0; i < count; ++i)
@@ -107,7 +110,7 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
   std::vector<RunClock::ItemMotion> motions(count);
   while (clock.next(time)) {
     const double began = time;
-    if (!world.step(began, clock.target(), state, solve)) {
+    if (const auto cause = advance(clock.target())) {
       time = earliest_time(state);
       clock.stop(Outcome::kDiverged, *cause);
       break;
@@ -142,7 +145,7 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
   response.cause = clock.cause();
   response.end_time = time;
   response.quality = stepper.quality();
-  response.quality.collision_passes = world.collision_passes();
+  response.quality.collision_passes = search.collision_passes();
   response.impacts = impacts.finish(time);
   response.tethers = tethers.outcomes();
   response.zones = zones.outcomes();

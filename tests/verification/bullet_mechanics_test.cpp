@@ -58,8 +58,7 @@ class BulletMechanics : public testing::Test {
   BulletMechanics()
       : scene_(odd_scene()),
         mechanism_(scene_, 0),
-        item_(scene_.items[0].model, mechanism_, 0, MultibodyItem::Wheels::kCylinders,
-              world_.world) {}
+        item_(scene_.items[0].model, mechanism_, world_.world) {}
 
   double draw() { return std::ldexp(static_cast<double>(random_()), -31) - 1; }
   Vector3 draw3(double size) { return size * Vector3(draw(), draw(), draw()); }
