@@ -91,7 +91,11 @@ ImpactLaw::Result ImpactLaw::finish(const Stage& stage, const Vector3& u,
   const Normal n = normal(stage, u.z());
   result.damping_power = -n.damping_force * u.z();
   if (result.compression > 0) result.spring_rates = stiffness_ * u.z() * u.z();
-  if (n.force <= 0) return result;
+  // Between the end of the force and that of the overlap the deflection still relaxes.
+  if (result.compression <= 0) {
+    result.spring_rates += tangential_stiffness_ * (stage.deflection / stage.tau).squaredNorm();
+    return result;
+  }
   const double damping_rate = this->tangent(stage, u).damping_rate;
   const Vector2 tangent = result.force.head<2>();
   result.deflection =

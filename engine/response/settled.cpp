@@ -40,16 +40,21 @@ void set_least_changes(std::vector<SettledDemand>& all) {
   if (changes.empty()) return;
   const auto quartile = changes.begin() + static_cast<std::ptrdiff_t>(3 * changes.size() / 4);
   std::ranges::nth_element(changes, quartile);
-  for (SettledDemand& each : all)
-    if (!is_nothing(each))
-      each.least_change =
-          each.number.counts_events() ? kInfinite : SettledDemand::kShareOfOthers * *quartile;
+  for (SettledDemand& each : all) {
+    if (is_nothing(each) || each.number.is_of_overturning()) continue;
+    each.least_change =
+        each.number.counts_events() ? kInfinite : SettledDemand::kShareOfOthers * *quartile;
+  }
 }
 
 }  // namespace
 
 bool DemandNumber::counts_events() const {
   return units == std::string_view("1") && name != std::string_view("most_wheels_lifted");
+}
+
+bool DemandNumber::is_of_overturning() const {
+  return std::string_view(name).ends_with("_of_overturning");
 }
 
 std::vector<DemandNumber> numbers_of(const Demands& demands) {

@@ -20,6 +20,8 @@ struct DemandNumber {
 
   /// Whether each event adds one: of many some are marginal, and come and go with the step.
   bool counts_events() const;
+  /// Whether it is known as soon as the item overturns: what comes after does not touch it.
+  bool is_of_overturning() const;
 };
 
 /// All demands of an item, always in the same order.
@@ -52,8 +54,8 @@ struct SettledDemand {
   double at_half_step = 0, of_twin = 0;  ///< [SI]; NaN: there is none
   double step_change = 0;                ///< relative_change() with half the time step
   double twin_change = 0;                ///< and of the twin
-  /// What |step_change| counts as at least: 0 of what is zero or none, infinite of other numbers of
-  /// events, else by kShareOfOthers.
+  /// What |step_change| counts as at least: 0 of what is zero or none and of overturning, infinite
+  /// of other numbers of events, else by kShareOfOthers.
   double least_change = 0;
 
   /// The least of kFractions that the change with half the time step, or least_change, times

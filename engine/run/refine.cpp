@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 
 #include "engine/response/settled.h"
 #include "engine/run/predictability.h"
@@ -18,7 +17,7 @@ using Judged = std::vector<std::vector<bool>>;
 
 /// Items that overturn are judged by the time and direction of that alone.
 bool is_asked(const DemandNumber& number, bool overturns) {
-  return !overturns || std::string_view(number.name).ends_with("_of_overturning");
+  return !overturns || number.is_of_overturning();
 }
 
 Judged judged_demands(const Scene& scene, const FloorMotion& floor,

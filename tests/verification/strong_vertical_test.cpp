@@ -235,10 +235,11 @@ TEST_F(StrongVertical, ATrolleyFliesFreelyAndItsAccountCloses) {
       if (time_step > kStep) continue;
       EXPECT_GE(expect_free_fall(scene, floor, response), least_flights);
     }
-    // Second order: a quarter at each halving; impacts spoil some of it, of one halving or the other.
+    // Second order: a quarter at each halving, but for the kinks that stay inside steps, of one
+    // halving or the other. Over both the order is at least 1.5, a factor of 4^1.5; 4 is the first.
     EXPECT_LT(closures[0], 5e-3);
     EXPECT_LT(closures[1], closures[0] / 2);
-    EXPECT_LT(closures[2], closures[0] / 4);
+    EXPECT_LT(closures[2], closures[0] / 8);
   }
 }
 

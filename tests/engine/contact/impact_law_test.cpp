@@ -85,5 +85,40 @@ TEST(ImpactLaw, SlopeIsTheDerivative) {
   }
 }
 
+// Energy that the body gives is stored or lost, to rounding: in an implicit Euler step a spring k loses
+// k tau^2 x'^2 / 2. So it is when the body parts faster than the force lets it, still overlapping,
+// with a deflection that no force holds, and when it has parted.
+TEST(ImpactLaw, AccountsForTheEnergyOfAStage) {
+  for (const auto kind :
+       {ContactConstants::Kind::kRestitution, ContactConstants::Kind::kCompliant}) {
+    const ImpactLaw law({.kind = kind, .restitution = 0.3, .damping = 5e4, .friction = 0.5});
+    const double tau = 1e-4;
+    const Vector2 before(1e-5, -2e-5);
+    struct {
+      double compression;
+      Vector3 u;
+      bool pushes;
+    } const stages[] = {{1e-3, {0.01, 0.02, -0.2}, true},  // sticks
+                        {1e-3, {2, -1, -0.2}, true},       // slides
+                        {1e-3, {0.1, 0.3, 5}, false},      // parts and overlaps by half of that
+                        {0, {0.1, 0.3, 1}, false}};        // has parted
+    for (const auto& [compression, u, pushes] : stages) {
+      SCOPED_TRACE(u.z());
+      const ImpactLaw::Stage stage{tau, compression, 0.5, before};
+      Matrix3 slope;
+      const Vector3 force = law.force(stage, u, slope);
+      EXPECT_EQ(force.z() > 0, pushes);
+      const ImpactLaw::Result result = law.finish(stage, u, force);
+      const double stored = law.stored_energy(result.compression, result.deflection.norm()) -
+                            law.stored_energy(compression, before.norm());
+      const double lost = tau * (result.sliding_power + result.damping_power) +
+                          0.5 * tau * tau * result.spring_rates;
+      const double given = -tau * force.dot(u);
+      EXPECT_NEAR(given, stored + lost, 1e-12 * law.stored_energy(1e-3, before.norm()));
+      EXPECT_GE(lost, 0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gurney

@@ -123,6 +123,11 @@ TEST(SettledDemand, IsNotAmongOthersThatChangeTenTimesAsMuch) {
   EXPECT_EQ(within(0.026), 0.02);
   EXPECT_EQ(within(0.24), 0.1);
   EXPECT_EQ(within(0.26), kInfinite);
+  item.demands.time_of_overturning = item.predictability->half_step->time_of_overturning =
+      item.predictability->twin->time_of_overturning = 1;
+  within(0.26);
+  EXPECT_EQ(find(settled_demands(item), "time_of_overturning").within(), 0.01)
+      << "the item had overturned before the others changed";
 }
 
 TEST(SettledDemands, AreThoseOfWheelsAndPointsTooAndNoneWithoutARepetition) {
