@@ -1,6 +1,7 @@
 #include "equipment/catalogue/data_folder.h"
 
 #include <cstdlib>
+#include <fstream>
 
 namespace gurney::equipment {
 
@@ -27,15 +28,15 @@ const char* name_of(DataFolder::Origin origin) {
   return "source folder of the build";
 }
 
-DataFolder find_data_folder(const char* stated, const fs::path& program,
-                            const std::string& source) {
+DataFolder find_data_folder(const char* stated, const fs::path& program) {
   if (stated != nullptr && *stated != '\0') return {stated, DataFolder::Origin::kEnvironment};
-  if (!program.empty()) {
-    const fs::path installed = program.parent_path().parent_path() / "share" / "gurney";
-    std::error_code ignored;
-    if (fs::is_directory(installed / "equipment", ignored))
-      return {installed.string(), DataFolder::Origin::kBesideProgram};
-  }
+  const fs::path bin = program.empty() ? "/usr/bin" : program.parent_path();
+  const fs::path installed = bin.parent_path() / "share" / "gurney";
+  std::error_code ignored;
+  std::string source;
+  if (!fs::is_directory(installed / "equipment", ignored))
+    std::getline(std::ifstream(bin / kSourceFolderFile), source);
+  if (source.empty()) return {installed.string(), DataFolder::Origin::kBesideProgram};
   return {source, DataFolder::Origin::kSource};
 }
 
@@ -43,7 +44,7 @@ DataFolder find_data_folder() {
   std::error_code unknown;
   const fs::path program =
       stated_program().empty() ? fs::read_symlink("/proc/self/exe", unknown) : stated_program();
-  return find_data_folder(std::getenv("GURNEY_DATA"), program, GURNEY_DATA_DIR);
+  return find_data_folder(std::getenv("GURNEY_DATA"), program);
 }
 
 void take_as_program(const fs::path& place) { stated_program() = place; }

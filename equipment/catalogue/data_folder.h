@@ -17,11 +17,15 @@ struct DataFolder {
 };
 const char* name_of(DataFolder::Origin origin);
 
-/// The first of the three that is there; the environment counts whatever it says.
+/// Names the source folder, in the build folder: an installed program holds no path of the machine
+/// that built it.
+inline constexpr const char* kSourceFolderFile = "source_folder";
+
+/// The first of the three that is there, else where an installation would have it; the environment
+/// counts whatever it says.
 /// @param stated   value of GURNEY_DATA; nullptr or empty: not set
 /// @param program  path of the running program; empty: not known
-DataFolder find_data_folder(const char* stated, const std::filesystem::path& program,
-                            const std::string& source);
+DataFolder find_data_folder(const char* stated, const std::filesystem::path& program);
 
 /// That of this program.
 DataFolder find_data_folder();

@@ -41,12 +41,14 @@ py::bytes results_bytes(const FinishedRun& run) {
 }
 
 /// The data of an installation are beside this library and not beside the interpreter:
-/// PREFIX/lib/python3/dist-packages/gurney/_engine.so stands for PREFIX/lib/program.
+/// PREFIX/lib/python3/dist-packages/gurney/_engine.so stands for PREFIX/lib/program. That of a build
+/// stands for itself.
 void find_data_beside_module() {
   Dl_info library;
   if (dladdr(reinterpret_cast<const void*>(&find_data_beside_module), &library) == 0) return;
-  std::filesystem::path place = std::filesystem::absolute(library.dli_fname);
-  for (int level = 0; level < 4; ++level) place = place.parent_path();
+  std::filesystem::path place = std::filesystem::absolute(library.dli_fname).parent_path();
+  if (!exists(place / equipment::kSourceFolderFile))
+    place = place.parent_path().parent_path().parent_path();
   equipment::take_as_program(place / "program");
 }
 

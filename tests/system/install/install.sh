@@ -13,6 +13,9 @@ mv first "moved/to here"
 prefix="$folder/moved/to here"
 installed="$prefix/bin/gurney"
 
+# Nothing knows where it was built: a folder of that name could be anybody's on another machine.
+grep -rlaF -e "$source" -e "$build" "$prefix" > stdout && complain "paths of the build are installed"
+
 # Its own data: an item that only this folder has.
 cp "$prefix/share/gurney/equipment/items/xu_trolley.toml" \
   "$prefix/share/gurney/equipment/items/only_here.toml"
