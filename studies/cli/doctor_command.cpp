@@ -8,7 +8,7 @@
 #include "engine/base/printable.h"
 #include "studies/cli/commands.h"
 #include "studies/doctor/examination.h"
-#include "studies/report/wrapped.h"
+#include "studies/render/wrapped.h"
 
 namespace gurney::cli {
 namespace {
@@ -19,9 +19,9 @@ void print_text(const std::vector<Finding>& findings) {
   constexpr std::size_t kIndent = 22;
   for (const Finding& each : findings) {
     fmt::print("{:<8} {:<12} {}\n", name_of(each.state), each.name,
-               report::wrapped(printable(each.text), kIndent, kIndent));
+               render::wrapped(printable(each.text), kIndent, kIndent));
     if (!each.advice.empty())
-      fmt::print("{:22}-> {}\n", "", report::wrapped(each.advice, kIndent + 3, kIndent + 3));
+      fmt::print("{:22}-> {}\n", "", render::wrapped(each.advice, kIndent + 3, kIndent + 3));
   }
 }
 

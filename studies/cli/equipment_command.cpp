@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <memory>
 
@@ -11,6 +9,7 @@
 #include "studies/cli/equipment_check.h"
 #include "studies/cli/figure_output.h"
 #include "studies/cli/item_file.h"
+#include "studies/cli/print.h"
 #include "studies/figures/equipment_figure.h"
 #include "studies/report/equipment_list.h"
 #include "studies/report/equipment_report.h"
@@ -55,8 +54,7 @@ int show(const ShowOptions& options) {
     facts.warnings.push_back(std::move(finding));
   if (!options.figure.empty())
     options.figure.write(figures::equipment_figure(facts), options.overwrite, true);
-  fmt::print("{}", options.json ? report::equipment_json(facts)
-                                : report::equipment_report(facts, options.assumptions));
+  print_findings(report::equipment_findings(facts, options.assumptions), options.json);
   return 0;
 }
 
@@ -72,7 +70,7 @@ void add_list(CLI::App& equipment, std::function<int()>& action) {
   command->add_flag("--json", *json, "Print JSON, in SI units");
   command->callback([json, &action] {
     action = [json] {
-      fmt::print("{}", *json ? report::equipment_list_json() : report::equipment_list());
+      print_findings(report::equipment_list(), *json);
       return 0;
     };
   });

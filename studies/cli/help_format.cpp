@@ -5,7 +5,7 @@
 #include <set>
 
 #include "studies/cli/command_tree.h"
-#include "studies/report/wrapped.h"
+#include "studies/render/wrapped.h"
 
 namespace gurney::cli {
 namespace {
@@ -19,7 +19,7 @@ std::string entry(const std::string& name, const std::string& description) {
     text += "\n" + std::string(kIndent, ' ');
   else
     text.resize(kIndent, ' ');
-  return text + report::wrapped(description, kIndent, kIndent) + "\n";
+  return text + render::wrapped(description, kIndent, kIndent) + "\n";
 }
 
 /// " (not with --demand)"

@@ -9,7 +9,7 @@
 #include "engine/base/units.h"
 #include "groundmotions/scaling/scale.h"
 #include "groundmotions/suites/suite.h"
-#include "studies/report/wrapped.h"
+#include "studies/render/wrapped.h"
 
 namespace gurney::cli {
 namespace {
@@ -99,7 +99,7 @@ std::string seen_from(const fs::path& file, const fs::path& path) {
 }
 
 std::string comment(const std::string& text) {
-  std::string lines = "# " + report::wrapped(text, 2, 2);
+  std::string lines = "# " + render::wrapped(text, 2, 2);
   for (std::size_t at = lines.find("\n  "); at != std::string::npos;
        at = lines.find("\n  ", at + 3))
     lines.replace(at, 3, "\n# ");

@@ -5,16 +5,15 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/base/printable.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/print.h"
 #include "studies/cli/study_size.h"
 #include "studies/report/failed_runs.h"
-#include "studies/report/report_table.h"
 #include "studies/study/run/shard_status.h"
 
 namespace gurney::cli {
@@ -42,20 +41,22 @@ double to_go(const ShardStatus& shard) {
          static_cast<double>(shard.tasks - std::min(shard.done, shard.tasks));
 }
 
-report::ReportTable table_of(const std::vector<ShardStatus>& shards) {
-  report::ReportTable table({{"shard", ">9", "", "shard"},
-                             {"cases", ">13", "", ""},
-                             {"", "", "", "analysis_cases"},
-                             {"", "", "", "finished"},
-                             {"runs", ">9", "", "runs"},
-                             {"overturned", ">10", "", "overturned"},
-                             {"failed", ">18", "", ""},
-                             {"", "", "", "failed"},
-                             {"", "", "", "untrusted"},
-                             {"runs/s", ">8", ".1f", "runs_per_second"},
-                             {"to go", ">10", "", ""},
-                             {"", "", "", "seconds_to_go"},
-                             {"state", "<", "", "state"}});
+findings::Table table_of(const std::vector<ShardStatus>& shards) {
+  findings::Table table{"shards",
+                        "",
+                        {{"shard", "shard"},
+                         {"", "cases"},
+                         {"analysis_cases", ""},
+                         {"finished", ""},
+                         {"runs", "runs"},
+                         {"overturned", "overturned"},
+                         {"", "failed"},
+                         {"failed", ""},
+                         {"untrusted", ""},
+                         {"runs_per_second", "runs/s", {".1f"}},
+                         {"", "to go"},
+                         {"seconds_to_go", ""},
+                         {"state", "state"}}};
   for (const ShardStatus& s : shards) {
     const double time = to_go(s);
     table.add({fmt::format("{}/{}", s.shard.number, s.shard.count),
@@ -108,10 +109,12 @@ std::vector<std::pair<std::string, RecordTime>> slowest_records(
   return sorted;
 }
 
-report::ReportTable table_of(const std::vector<std::pair<std::string, RecordTime>>& records) {
-  report::ReportTable table({{"slowest records", "<32", "", "record"},
-                             {"runs", ">9", "", "runs"},
-                             {"CPU time of a run [s]", ">22", ".3g", "cpu_seconds_per_run"}});
+findings::Table table_of(const std::vector<std::pair<std::string, RecordTime>>& records) {
+  findings::Table table{"slowest_records",
+                        "",
+                        {{"record", "slowest records"},
+                         {"runs", "runs"},
+                         {"cpu_seconds_per_run", "CPU time of a run", {".3g", "s"}}}};
   for (const auto& [name, time] : records)
     table.add({name.empty() ? "floor at rest" : printable(name), time.runs, time.mean()});
   return table;
@@ -119,36 +122,27 @@ report::ReportTable table_of(const std::vector<std::pair<std::string, RecordTime
 
 int status_command(const StatusOptions& options) {
   const std::vector<ShardStatus> shards = study::shard_status(options.folder);
-  const report::ReportTable table = table_of(shards);
   const Total all = total_of(shards);
-  const auto records = slowest_records(shards);
-  const report::ReportTable slowest = table_of(records);
-  if (options.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"shards", table.json()},
-                                              {"analysis_cases", all.tasks},
-                                              {"finished", all.done},
-                                              {"runs", all.runs},
-                                              {"failed", all.failed},
-                                              {"damaged_parts", all.damaged},
-                                              {"foreign_analysis_cases", all.foreign},
-                                              {"runs_per_second", all.rate},
-                                              {"seconds_to_go", all.to_go},
-                                              {"slowest_records", slowest.json()}}
-                           .dump(2));
-    return 0;
-  }
-  fmt::print(
-      "{}\n{} of {} analysis cases, {} runs, {} failed; {} of {} shards finished, {} running",
-      table.text(), all.done, all.tasks, all.runs, all.failed, all.finished, shards.size(),
-      all.running);
-  if (all.rate > 0) fmt::print(", {:.1f} runs/s", all.rate);
-  if (all.to_go > 0) fmt::print(", {} to go", duration_text(all.to_go));
-  if (all.damaged > 0) fmt::print("\n{} damaged parts, whose runs will be repeated", all.damaged);
+  findings::Section known;
+  known.add(table_of(shards));
+  known.json("analysis_cases", all.tasks).json("finished", all.done).json("runs", all.runs);
+  known.json("failed", all.failed).json("damaged_parts", all.damaged);
+  known.json("foreign_analysis_cases", all.foreign).json("runs_per_second", all.rate);
+  known.json("seconds_to_go", all.to_go);
+  known.say(
+      fmt::format("{} of {} analysis cases, {} runs, {} failed; {} of {} shards finished, {} "
+                  "running{}{}",
+                  all.done, all.tasks, all.runs, all.failed, all.finished, shards.size(),
+                  all.running, all.rate > 0 ? fmt::format(", {:.1f} runs/s", all.rate) : "",
+                  all.to_go > 0 ? fmt::format(", {} to go", duration_text(all.to_go)) : ""));
+  if (all.damaged > 0)
+    known.say(fmt::format("{} damaged parts, whose runs will be repeated", all.damaged));
   if (all.foreign > 0)
-    fmt::print("\n{} analysis cases stand in the folder of another shard and are not counted",
-               all.foreign);
-  fmt::print("\n");
-  if (records.size() > 1) fmt::print("\n{}", slowest.text());
+    known.say(fmt::format(
+        "{} analysis cases stand in the folder of another shard and are not counted", all.foreign));
+  const auto records = slowest_records(shards);
+  if (records.size() > 1 || options.json) known.add(table_of(records));
+  print_findings(known, options.json);
   return 0;
 }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "engine/base/units.h"
+#include "studies/render/wrapped.h"
 #include "studies/report/words.h"
-#include "studies/report/wrapped.h"
 
 namespace gurney::explanation {
 namespace {
@@ -298,12 +298,12 @@ std::vector<TextPart> parts_of(const Explanation& of) {
 }
 
 std::string text(const Explanation& of) {
-  std::string result = report::wrapped(headline(of), 0, 0) + "\n";
+  std::string result = render::wrapped(headline(of), 0, 0) + "\n";
   for (const TextPart& part : parts_of(of)) {
     if (!part.heading.empty()) result += "\n" + part.heading + "\n";
     for (const auto& [label, words] : part.lines) {
       const std::size_t hang = 2 + label.size();
-      result += "  " + label + (part.table ? words : report::wrapped(words, hang, hang)) + "\n";
+      result += "  " + label + (part.table ? words : render::wrapped(words, hang, hang)) + "\n";
     }
   }
   return result;

@@ -4,8 +4,8 @@
 
 #include "studies/explanation/text.h"
 #include "studies/explanation/what_if.h"
+#include "studies/render/wrapped.h"
 #include "studies/report/words.h"
-#include "studies/report/wrapped.h"
 #include "studies/statistics/bands.h"
 
 namespace gurney::explanation {
@@ -149,10 +149,10 @@ std::string text(const WhatIf& what, const Explanation& of) {
       text += row(each, replicas, width, of.units);
     else
       without += fmt::format("  {:<{}}  {}\n", each.name, width,
-                             report::wrapped(each.reason, width + 4, width + 4));
+                             render::wrapped(each.reason, width + 4, width + 4));
   }
   if (!without.empty()) text += "  Not tried:\n" + without;
-  return text + "\n" + report::wrapped(conclusion(what, of), 0, 0) + "\n";
+  return text + "\n" + render::wrapped(conclusion(what, of), 0, 0) + "\n";
 }
 
 }  // namespace gurney::explanation

@@ -1,7 +1,6 @@
 #include "studies/report/equipment_list.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "engine/base/units.h"
@@ -13,22 +12,25 @@
 #include "equipment/catalogue/room_description.h"
 #include "equipment/catalogue/tether_type.h"
 #include "groundmotions/buildings/building_reader.h"
-#include "studies/report/report_table.h"
 
 namespace gurney::report {
 namespace {
 
-constexpr double kDegree = 1 / kRadiansPerDegree;
+using findings::Table;
 
-ReportTable items() {
-  ReportTable table({{"item", "<24", "", "key"},
-                     {"name", "<52", "", "name"},
-                     {"kg", ">7", ".1f", "mass_kg"},
-                     {"mm high", ">7", ".0f", "height_m", kMillimetersPerMeter},
-                     {"b/h", ">6", ".2f", "base_over_height"},
-                     {"tilt [deg]", ">10", ".1f", "tilt_rad", kDegree},
-                     {"casters", ">8", "", "casters"},
-                     {"assumptions", ">12", "", "assumptions"}});
+constexpr double kMillimetre = 1 / kMillimetersPerMeter;
+
+Table items() {
+  Table table{"items",
+              "",
+              {{"key", "item"},
+               {"name", "name"},
+               {"mass_kg", "mass", {".1f", "kg"}},
+               {"height_m", "height", {".0f", "mm", kMillimetre}},
+               {"base_over_height", "b/h", {".2f"}},
+               {"tilt_rad", "tilt", {".1f", "deg", kRadiansPerDegree}},
+               {"casters", "casters"},
+               {"assumptions", "assumptions"}}};
   for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kItem)) {
     const equipment::LoadedItem item =
         equipment::load_item(equipment::find_data(equipment::DataKind::kItem, key, ""));
@@ -41,16 +43,18 @@ ReportTable items() {
   return table;
 }
 
-ReportTable casters() {
-  ReportTable table({{"caster", "<24", "", "key"},
-                     {"", "", "", "name"},
-                     {"wheel [mm]", ">10", ".0f", "wheel_radius_m", 2 * kMillimetersPerMeter},
-                     {"high [mm]", ">9", ".0f", "height_m", kMillimetersPerMeter},
-                     {"trail", ">8", ".1f", "trail_m", kMillimetersPerMeter},
-                     {"Cr / R", ">7", ".4f", ""},
-                     {"", "", "", "rolling_resistance_m"},
-                     {"friction mu_s", ">13", ".2f", "static_friction"},
-                     {"brake [N m]", ">11", ".3g", "brake_torque_n_m"}});
+Table casters() {
+  Table table{"casters",
+              "",
+              {{"key", "caster"},
+               {"name", ""},
+               {"wheel_radius_m", "wheel", {".0f", "mm", kMillimetre / 2}},
+               {"height_m", "height", {".0f", "mm", kMillimetre}},
+               {"trail_m", "trail", {".1f", "mm", kMillimetre}},
+               {"", "Cr / R", {".4f"}},
+               {"rolling_resistance_m", ""},
+               {"static_friction", "friction mu_s", {".2f"}},
+               {"brake_torque_n_m", "brake", {".3g", "N m"}}}};
   for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kCaster)) {
     const equipment::CasterType type =
         equipment::load_caster_type(equipment::find_data(equipment::DataKind::kCaster, key, ""))
@@ -63,11 +67,13 @@ ReportTable casters() {
   return table;
 }
 
-ReportTable floors() {
-  ReportTable table({{"floor covering", "<24", "", "key"},
-                     {"name", "<40", "", "name"},
-                     {"factor on Cr", ">12", ".2f", "rolling_resistance_factor"},
-                     {"on friction", ">12", ".2f", "friction_factor"}});
+Table floors() {
+  Table table{"floors",
+              "",
+              {{"key", "floor covering"},
+               {"name", "name"},
+               {"rolling_resistance_factor", "factor on Cr", {".2f"}},
+               {"friction_factor", "on friction", {".2f"}}}};
   for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kFloor)) {
     const equipment::FloorCovering floor =
         equipment::load_floor_covering(equipment::find_data(equipment::DataKind::kFloor, key, ""))
@@ -77,13 +83,15 @@ ReportTable floors() {
   return table;
 }
 
-ReportTable rooms() {
-  ReportTable table({{"room", "<24", "", "key"},
-                     {"name", "<40", "", "name"},
-                     {"shapes", ">12", "", "shapes"},
-                     {"zones", ">12", "", "zones"},
-                     {"points", ">12", "", "points"},
-                     {"", "", "", "assumptions"}});
+Table rooms() {
+  Table table{"rooms",
+              "",
+              {{"key", "room"},
+               {"name", "name"},
+               {"shapes", "shapes"},
+               {"zones", "zones"},
+               {"points", "points"},
+               {"assumptions", ""}}};
   for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kRoom)) {
     equipment::RoomNames names;
     equipment::Uncertain<equipment::RoomDescription> model;
@@ -96,12 +104,14 @@ ReportTable rooms() {
   return table;
 }
 
-ReportTable tethers() {
-  ReportTable table({{"tether", "<24", "", "key"},
-                     {"name", "<40", "", "name"},
-                     {"EA [N]", ">12", "g", "axial_stiffness_n"},
-                     {"", "", "", "damping_n_s_per_m"},
-                     {"strength [N]", ">12", "g", "strength_n"}});
+Table tethers() {
+  Table table{"tethers",
+              "",
+              {{"key", "tether"},
+               {"name", "name"},
+               {"axial_stiffness_n", "EA", {"g", "N"}},
+               {"damping_n_s_per_m", ""},
+               {"strength_n", "strength", {"g", "N"}}}};
   for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kTether)) {
     const equipment::TetherType type =
         equipment::load_tether_type(equipment::find_data(equipment::DataKind::kTether, key, ""))
@@ -117,19 +127,21 @@ double first_period(const groundmotions::ModalAxis& axis) {
   return axis.empty() ? std::nan("") : period(axis.front().omega);
 }
 
-ReportTable buildings() {
-  ReportTable table({{"building", "<28", "", "key"},
-                     {"name", "<44", "", "name"},
-                     {"storeys", ">8", "", "storeys"},
-                     {"T h1 [s]", ">9", ".3g", "period_h1_s"},
-                     {"T h2 [s]", ">9", ".3g", "period_h2_s"},
-                     {"T vert. [s]", ">11", ".3g", "period_vertical_s"},
-                     {"isolated [s]", ">12", ".3g", "period_isolated_s"}});
+Table buildings() {
+  Table table{"buildings",
+              "",
+              {{"key", "building"},
+               {"name", "name"},
+               {"storeys", "storeys"},
+               {"period_h1_s", "T h1", {".3g", "s"}},
+               {"period_h2_s", "T h2", {".3g", "s"}},
+               {"period_vertical_s", "T vert.", {".3g", "s"}},
+               {"period_isolated_s", "isolated", {".3g", "s"}}}};
   for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kBuilding)) {
     const groundmotions::Building building = groundmotions::building_from_file(
         equipment::find_data(equipment::DataKind::kBuilding, key, ""));
     table.add(
-        {key, building.name, static_cast<std::size_t>(building.storeys),
+        {key, building.name, building.storeys,
          first_period(building[groundmotions::Direction::kH1]),
          first_period(building[groundmotions::Direction::kH2]),
          first_period(building[groundmotions::Direction::kVertical]),
@@ -140,20 +152,13 @@ ReportTable buildings() {
 
 }  // namespace
 
-std::string equipment_list() {
-  return items().text() +
-         "b/h and tilt: free swivels turned the worst way, locked ones as locked; without casters "
-         "on its feet\n\n" +
-         casters().text() + "\n" + floors().text() + "\n" + rooms().text() + "\n" +
-         tethers().text() + "\n" + buildings().text() +
-         "first periods of the building on a fixed base; -: rigid, not isolated\n";
-}
-
-std::string equipment_list_json() {
-  const nlohmann::ordered_json lists = {
-      {"items", items().json()}, {"casters", casters().json()}, {"floors", floors().json()},
-      {"rooms", rooms().json()}, {"tethers", tethers().json()}, {"buildings", buildings().json()}};
-  return lists.dump(2) + "\n";
+findings::Section equipment_list() {
+  findings::Section all;
+  all.add(items()).say(
+      "b/h and tilt: free swivels turned the worst way, locked ones as locked; without casters on "
+      "its feet");
+  all.add(casters()).add(floors()).add(rooms()).add(tethers()).add(buildings());
+  return all.say("first periods of the building on a fixed base; -: rigid, not isolated");
 }
 
 }  // namespace gurney::report

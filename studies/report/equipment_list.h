@@ -1,12 +1,11 @@
 #pragma once
 
-#include <string>
+#include "studies/findings/findings.h"
 
 namespace gurney::report {
 
-/// The catalogue as tables for people, or as a JSON object.
+/// The catalogue as tables.
 /// @throws Error with the errors of a catalogue file.
-std::string equipment_list();
-std::string equipment_list_json();
+findings::Section equipment_list();
 
 }  // namespace gurney::report

@@ -7,144 +7,166 @@
 namespace gurney::report {
 namespace {
 
+using findings::Section;
+using findings::Table;
+using findings::Value;
+
 constexpr double kTransportTilt = 10, kOtherTilt = 5;  ///< of IEC 60601-1 [deg]
+
+const findings::Format kMillimetres{".0f", "mm", 1 / kMillimetersPerMeter};
+const findings::Format kDegrees{".1f", "deg", kRadiansPerDegree};
+const findings::Format kWholeDegrees{".0f", "deg", kRadiansPerDegree};
 
 double degrees(double radians) { return radians / kRadiansPerDegree; }
 
-std::string body_text(const EquipmentFacts& facts) {
-  const equipment::ItemSheet& sheet = facts.sheet;
-  const Vector3& center = sheet.whole.center_of_mass;
-  const Matrix3& inertia = sheet.whole.inertia;
-  std::string text = fmt::format("  {:<28} {:.1f} kg\n", "mass", sheet.whole.mass);
-  text += fmt::format("  {:<28} {:.0f} x {:.0f} x {:.0f} mm\n", "length, width, height",
-                      sheet.size.x() * kMillimetersPerMeter, sheet.size.y() * kMillimetersPerMeter,
-                      sheet.size.z() * kMillimetersPerMeter);
-  text += fmt::format("  {:<28} ({:.0f}, {:.0f}, {:.0f}) mm\n", "centre of mass",
-                      center.x() * kMillimetersPerMeter, center.y() * kMillimetersPerMeter,
-                      center.z() * kMillimetersPerMeter);
-  text += fmt::format("  {:<28} {:.4g}, {:.4g}, {:.4g} kg m2; principal {:.4g}, {:.4g}, {:.4g}\n",
-                      "inertia about x, y, z", inertia(0, 0), inertia(1, 1), inertia(2, 2),
-                      sheet.principal_inertia.x(), sheet.principal_inertia.y(),
-                      sheet.principal_inertia.z());
-  if (!facts.variants.empty())
-    text += fmt::format("  {:<28} {}\n", "variants", fmt::join(facts.variants, ", "));
-  return text;
+const char* met(double tilt, double least) { return tilt >= least ? "met" : "not met"; }
+
+std::vector<findings::Numbers> rows_of(const Matrix3& matrix) {
+  std::vector<findings::Numbers> rows;
+  for (int i = 0; i < 3; ++i) rows.push_back({matrix(i, 0), matrix(i, 1), matrix(i, 2)});
+  return rows;
 }
 
-std::string stability_text(const EquipmentFacts& facts) {
+Section body(const EquipmentFacts& facts) {
   const equipment::ItemSheet& sheet = facts.sheet;
-  const equipment::Stability& stability = sheet.stability;
-  const double tilt = degrees(stability.tilt);
-  std::string text = "\nstability\n";
-  if (facts.model.casters.empty()) {
-    text += fmt::format("  {:<28} {:.2f}; slenderness h / b {:.1f}\n", "b / h", sheet.tipping_share,
-                        1 / sheet.tipping_share);
-    text += fmt::format("  {:<28} {:.1f} deg towards {:.0f} deg\n", "overturns at a tilt of", tilt,
-                        degrees(stability.direction));
-    text += fmt::format("  {:<28} 5 deg of what is not mobile: {}\n", "IEC 60601-1",
-                        tilt >= kOtherTilt ? "met" : "not met");
-  } else {
-    text += fmt::format("  {:<28} {:.2f}, wheels as placed; {:.2f}, swivels at their worst\n",
-                        "b / h", sheet.tipping_share, stability.base / stability.height);
-    text += fmt::format("  {:<28} {:.1f} deg, wheels as placed\n", "overturns at a tilt of",
-                        degrees(stability.tilt_as_placed));
-    text += fmt::format("  {:<28} {:.1f} deg towards {:.0f} deg, swivels at their worst\n", "",
-                        tilt, degrees(stability.direction));
-    text += fmt::format("  {:<28} 10 deg in transport: {}; 5 deg otherwise: {}\n", "IEC 60601-1",
-                        tilt >= kTransportTilt ? "met" : "not met",
-                        tilt >= kOtherTilt ? "met" : "not met");
-  }
+  const findings::Format inertia{".4g", "kg m2"};
+  Section of;
+  of.fact("mass_kg", "mass", sheet.whole.mass, {".1f", "kg"});
+  of.fact("size_m", "length, width, height", sheet.size, kMillimetres);
+  of.fact("center_of_mass_m", "centre of mass", sheet.whole.center_of_mass, kMillimetres);
+  of.json("inertia_kg_m2", rows_of(sheet.whole.inertia));
+  of.text("inertia about x, y, z", Vector3(sheet.whole.inertia.diagonal()), inertia);
+  of.fact("principal_inertia_kg_m2", "principal inertia", sheet.principal_inertia, inertia);
+  of.fact("variants", "variants", facts.variants);
+  return of;
+}
+
+Section stability(const EquipmentFacts& facts) {
+  const equipment::ItemSheet& sheet = facts.sheet;
+  const equipment::Stability& of = sheet.stability;
+  const double tilt = degrees(of.tilt);
   const bool rolls = !facts.model.casters.empty();
-  text += rolls ? "\n  tilt towards     as placed   at worst      towards   as placed   at worst\n"
-                : "\n  tilt towards      overturns      towards   overturns\n";
-  const std::size_t half = sheet.tilts.size() / 2;
-  const auto cells = [&](const equipment::TiltTowards& t) {
-    if (!rolls)
-      return fmt::format("{:>8.0f} deg {:>7.1f} deg", degrees(t.direction), degrees(t.as_placed));
-    return fmt::format("{:>8.0f} deg {:>7.1f} deg {:>6.1f} deg", degrees(t.direction),
-                       degrees(t.as_placed), degrees(t.worst));
-  };
-  for (std::size_t i = 0; i < half; ++i)
-    text += fmt::format("  {}  {}\n", cells(sheet.tilts[i]), cells(sheet.tilts[half + i]));
-  text += "  0 deg is forward (x), 90 deg to the left (y)\n";
-  return text;
+  const findings::Format ratio{".2f"};
+  const std::string worst = fmt::format("towards {:.0f} deg{}", degrees(of.direction),
+                                        rolls ? ", swivels at their worst" : "");
+  Section all{"", "stability"};
+  all.fact("base_over_height_as_placed", "b / h", sheet.tipping_share, ratio,
+           rolls ? "wheels as placed"
+                 : fmt::format("slenderness h / b {:.1f}", 1 / sheet.tipping_share));
+  all.fact("base_over_height", rolls ? "b / h at worst" : "", of.base / of.height, ratio,
+           "swivels at their worst");
+  all.fact("tilt_as_placed_rad", rolls ? "overturns, as placed, at" : "", of.tilt_as_placed,
+           kDegrees);
+  all.fact("tilt_rad", "overturns at a tilt of", of.tilt, kDegrees, worst);
+  all.json("tilt_direction_rad", of.direction);
+  all.text("IEC 60601-1",
+           rolls ? fmt::format("10 deg in transport: {}; 5 deg otherwise: {}",
+                               met(tilt, kTransportTilt), met(tilt, kOtherTilt))
+                 : fmt::format("5 deg of what is not mobile: {}", met(tilt, kOtherTilt)));
+  Table tilts{"tilts",
+              "",
+              {{"direction_rad", "tilt towards", kWholeDegrees},
+               {"as_placed_rad", rolls ? "as placed" : "overturns", kDegrees},
+               {"worst_rad", rolls ? "at worst" : "", kDegrees}}};
+  for (const equipment::TiltTowards& t : sheet.tilts)
+    tilts.add({t.direction, t.as_placed, t.worst});
+  all.add(std::move(tilts));
+  return all.say("0 deg is forward (x), 90 deg to the left (y)");
 }
 
-std::string feet_text(const EquipmentFacts& facts) {
+/// What stands on the floor without casters.
+Section feet(const EquipmentFacts& facts) {
   const ContactConstants& floor = facts.floor;
-  std::string text = "\nstands without casters\n";
+  const bool compliant = floor.kind == ContactConstants::Kind::kCompliant;
+  const bool stands = facts.model.casters.empty();
+  Section of{"floor_contact", stands ? "stands without casters" : ""};
   for (const Vector2& corner : facts.sheet.support_polygon)
-    text += fmt::format("  {:<28} ({:.0f}, {:.0f}) mm\n", "corner of the support",
-                        corner.x() * kMillimetersPerMeter, corner.y() * kMillimetersPerMeter);
-  const std::string rebound =
-      floor.kind == ContactConstants::Kind::kRestitution
-          ? fmt::format("restitution {:.2g}", floor.restitution)
-          : fmt::format("compliant, {:.3g} N/m and {:.3g} N s/m", floor.stiffness, floor.damping);
-  return text + fmt::format("  {:<28} {}; friction {:.2g}, {}\n", "material on the floor",
-                            facts.model.material, floor.friction, rebound);
+    of.text(stands ? "corner of the support" : "", corner, kMillimetres);
+  of.text(stands ? "material on the floor" : "",
+          fmt::format("{}; friction {:.2g}, {}", facts.model.material, floor.friction,
+                      compliant ? fmt::format("compliant, {:.3g} N/m and {:.3g} N s/m",
+                                              floor.stiffness, floor.damping)
+                                : fmt::format("restitution {:.2g}", floor.restitution)));
+  of.json("material", facts.model.material).json("friction", floor.friction);
+  of.json("restitution", compliant ? Value() : floor.restitution);
+  of.json("stiffness_n_per_m", floor.stiffness);
+  return of.json("damping_n_s_per_m", compliant ? floor.damping : Value());
 }
 
-std::string wheels_text(const EquipmentFacts& facts) {
-  std::string text = fmt::format("\nwheels at rest\n  {:<24} {:>10} {:>10} {:>9} {:>9}  {}\n", "",
-                                 "x [mm]", "y [mm]", "load [N]", "sink [mm]", "state");
+Table wheels(const EquipmentFacts& facts) {
+  Table table{"wheels",
+              "wheels at rest",
+              {{"caster", "caster"},
+               {"contact_m", "x, y", kMillimetres},
+               {"load_n", "load", {".1f", "N"}},
+               {"sink_m", "sink", {".2f", "mm", 1 / kMillimetersPerMeter}},
+               {"", "state"},
+               {"swivels", ""},
+               {"braked", ""},
+               {"swivel_locked", ""}}};
   for (std::size_t i = 0; i < facts.sheet.wheels.size(); ++i) {
     const equipment::WheelAtRest& wheel = facts.sheet.wheels[i];
     const Caster& caster = facts.model.casters[i];
-    std::string state = caster.swivels ? "swivels" : "rigid";
-    if (caster.brake_torque > 0) state += ", braked";
-    if (caster.swivel_lock_torque > 0) state += ", swivel locked";
-    text += fmt::format("  {:<24} {:>10.0f} {:>10.0f} {:>9.1f} {:>9.2f}  {}\n", wheel.caster,
-                        wheel.contact.x() * kMillimetersPerMeter,
-                        wheel.contact.y() * kMillimetersPerMeter, wheel.load,
-                        wheel.sink * kMillimetersPerMeter, state);
+    const bool braked = caster.brake_torque > 0, locked = caster.swivel_lock_torque > 0;
+    table.add({wheel.caster, wheel.contact, wheel.load, wheel.sink,
+               std::string(caster.swivels ? "swivels" : "rigid") + (braked ? ", braked" : "") +
+                   (locked ? ", swivel locked" : ""),
+               caster.swivels, braked, locked});
   }
-  return text;
+  return table;
 }
 
-std::string motion_text(const EquipmentFacts& facts) {
+Section motion(const EquipmentFacts& facts) {
   const equipment::ItemSheet& sheet = facts.sheet;
   const bool rolls = !facts.model.casters.empty();
-  std::string text = "\nunder a slowly increasing acceleration of the floor\n";
-  if (rolls) {
-    text += fmt::format("  {:<36} {:.3f} g ({:.1f} N); a slope of {:.1f} %\n",
-                        "brakes off, straight, rolls from", sheet.rolling_resistance_coefficient,
-                        sheet.rolling_resistance_force, 100 * sheet.rolling_resistance_coefficient);
-    text +=
-        fmt::format("  {:<36} {:.3f} g\n", "brakes as configured, moves from", sheet.holding_share);
-  }
-  text += fmt::format("  {:<36} {:.2f} g\n",
-                      rolls ? "wheels that cannot turn slide from" : "slides from",
-                      sheet.sliding_share);
-  text += fmt::format("  {:<36} {:.2f} g, if it does not slide or roll before\n", "tips from",
-                      sheet.tipping_share);
+  const auto rolling = [&](double value) { return rolls ? Value(value) : Value(); };
+  const double resistance = sheet.rolling_resistance_coefficient;
+  Section of{"", "under a slowly increasing acceleration of the floor"};
+  of.json("rolling_resistance_n", rolling(sheet.rolling_resistance_force));
+  of.fact("rolls_from_g", "brakes off, straight, rolls from", rolling(resistance), {".3f", "g"},
+          fmt::format("{:.1f} N; a slope of {:.1f} %", sheet.rolling_resistance_force,
+                      100 * resistance));
+  of.fact("moves_with_brakes_as_they_are_from_g", "brakes as configured, moves from",
+          rolling(sheet.holding_share), {".3f", "g"});
+  of.fact("slides_from_g", rolls ? "wheels that cannot turn slide from" : "slides from",
+          sheet.sliding_share, {".2f", "g"});
+  of.fact("tips_from_g", "tips from", sheet.tipping_share, {".2f", "g"},
+          "if it does not slide or roll before");
   if (!rolls)
-    text += sheet.tipping_share < sheet.sliding_share ? "  so it rocks before it slides\n"
-                                                      : "  so it slides before it rocks\n";
-  return text;
+    of.say(sheet.tipping_share < sheet.sliding_share ? "so it rocks before it slides"
+                                                     : "so it slides before it rocks");
+  return of;
 }
 
-std::string assumption_text(const equipment::Assumption& a) {
-  const std::string value = a.choice.empty() ? fmt::format("{:g}", a.value) : a.choice;
-  const std::string range = a.choice.empty() ? fmt::format(" ({:g} to {:g})", a.low, a.high) : "";
-  return fmt::format("  {} = {}{}\n      {}\n", a.key, value, range, a.reason);
+void add_assumptions(Section& to, const std::vector<equipment::Assumption>& all, bool one_by_one) {
+  to.say(fmt::format("{} of the parameters in use are assumptions{}", all.size(),
+                     one_by_one ? ":" : " (--assumptions lists them)"));
+  Table table{"assumptions", "", {{"key", ""}, {"value", ""}, {"range", ""}, {"reason", ""}}};
+  findings::Texts lines;
+  for (const equipment::Assumption& a : all) {
+    const bool number = a.choice.empty();
+    table.add({a.key, number ? Value(a.value) : Value(a.choice),
+               number ? Value(findings::Numbers{a.low, a.high}) : Value(), a.reason});
+    lines.push_back((number ? fmt::format("{} = {:g} ({:g} to {:g})", a.key, a.value, a.low, a.high)
+                            : a.key + " = " + a.choice) +
+                    "\n" + a.reason);
+  }
+  to.add(std::move(table));
+  if (one_by_one) to.list("", "assumptions", std::move(lines));
 }
 
 }  // namespace
 
-std::string equipment_report(const EquipmentFacts& facts, bool with_assumptions) {
-  std::string text = facts.model.name + "\n";
-  if (!facts.description.empty()) text += facts.description + "\n";
-  text += "\n" + body_text(facts) + stability_text(facts) +
-          (facts.model.casters.empty() ? feet_text(facts) : wheels_text(facts)) +
-          motion_text(facts);
-  text += fmt::format("\n{} of the parameters in use are assumptions{}\n", facts.assumptions.size(),
-                      with_assumptions ? ":" : " (--assumptions lists them)");
-  if (with_assumptions)
-    for (const equipment::Assumption& assumption : facts.assumptions)
-      text += assumption_text(assumption);
-  if (!facts.warnings.empty()) text += "\nwarnings\n";
-  for (const std::string& warning : facts.warnings) text += "  " + warning + "\n";
-  return text;
+findings::Section equipment_findings(const EquipmentFacts& facts, bool with_assumptions) {
+  Section all{"", facts.model.name};
+  all.json("name", facts.model.name).json("description", facts.description);
+  all.say(facts.description).add(body(facts)).add(stability(facts)).add(feet(facts));
+  std::vector<findings::Numbers> polygon;
+  for (const Vector2& corner : facts.sheet.support_polygon)
+    polygon.push_back({corner.x(), corner.y()});
+  all.json("support_polygon_m", polygon).add(wheels(facts)).add(motion(facts));
+  add_assumptions(all, facts.assumptions, with_assumptions);
+  return all.list("warnings", "warnings", facts.warnings);
 }
 
 }  // namespace gurney::report

@@ -6,6 +6,7 @@
 #include "engine/scene/contact_pair.h"
 #include "equipment/catalogue/assumption.h"
 #include "equipment/catalogue/item_sheet.h"
+#include "studies/findings/findings.h"
 
 namespace gurney::report {
 
@@ -20,11 +21,8 @@ struct EquipmentFacts {
   std::vector<std::string> warnings;
 };
 
-/// For people: mass, inertia, support, tilt, wheel loads, resistance; with `with_assumptions` every
-/// number that has no source.
-std::string equipment_report(const EquipmentFacts& facts, bool with_assumptions);
-
-/// The same as a JSON object, in SI units.
-std::string equipment_json(const EquipmentFacts& facts);
+/// Mass, inertia, support, tilt, wheel loads, resistance, every number that has no source.
+/// @param with_assumptions  people read them one by one
+findings::Section equipment_findings(const EquipmentFacts& facts, bool with_assumptions);
 
 }  // namespace gurney::report

@@ -7,7 +7,7 @@
 
 #include "studies/report/failed_runs.h"
 #include "studies/report/overview_report.h"
-#include "studies/report/wrapped.h"
+#include "studies/render/wrapped.h"
 
 namespace gurney::report {
 namespace {
@@ -207,7 +207,7 @@ std::string undrawn_text(const std::optional<study::UndrawnRanges>& undrawn) {
   if (!undrawn) return name + ": not stated in this file\n";
   if (undrawn->parameters() == 0) return name + ": none\n";
   std::string all = name + ", parameters with a range that keep their values:\n";
-  for (const std::string& line : undrawn->lines()) all += "  " + wrapped(line, 4, 2) + "\n";
+  for (const std::string& line : undrawn->lines()) all += "  " + render::wrapped(line, 4, 2) + "\n";
   return all;
 }
 
@@ -234,7 +234,7 @@ std::string overview_text(const study::StudyOverview& overview) {
   all += undrawn_text(overview.undrawn);
   if (!overview.missing_demands.empty())
     all += fmt::format("demands not in this file:\n  {}\n",
-                       wrapped(fmt::format("{}", fmt::join(overview.missing_demands, ", ")), 4, 2));
+                       render::wrapped(fmt::format("{}", fmt::join(overview.missing_demands, ", ")), 4, 2));
   all += entry("runs", fmt::format("{}, {} overturned, {}", overview.runs, overview.overturned,
                                    failed_runs(overview.failed, overview.untrusted)));
   if (overview.warned > 0)

@@ -7,9 +7,9 @@
 #include <set>
 #include <sstream>
 
+#include "studies/render/wrapped.h"
 #include "studies/report/narrative.h"
 #include "studies/report/settled.h"
-#include "studies/report/wrapped.h"
 #include "studies/study/results/columns.h"
 #include "studies/study/results/names.h"
 
@@ -122,7 +122,7 @@ std::string narrative_text(const study::RunFacts& facts, const Response& respons
   std::string text = "\n";
   for (std::string line; std::getline(lines, line);) {
     const std::size_t indent = line.find_first_not_of(' ');
-    text += std::string(indent, ' ') + wrapped(line, 2 * indent, indent) + "\n";
+    text += std::string(indent, ' ') + render::wrapped(line, 2 * indent, indent) + "\n";
   }
   return text + "\n";
 }
@@ -186,7 +186,7 @@ std::string numerical_text(const std::vector<ItemResponse>& items, const UnitSys
       "note: accelerations of points leave out impacts that state a restitution and no stiffness; "
       "the numerical ones there reach {}.",
       units.chosen() ? units.text(largest, "m/s2") : fmt::format("{:.3g} m/s2", largest));
-  return fmt::format("\n{}\n", wrapped(text, 6, 0));
+  return fmt::format("\n{}\n", render::wrapped(text, 6, 0));
 }
 
 std::string record_text(const study::RunFacts& facts, const UnitSystem& units) {
@@ -195,9 +195,9 @@ std::string record_text(const study::RunFacts& facts, const UnitSystem& units) {
   std::string text = fmt::format("  floor    {}: {:.2f} s, sampled every {:g} s\n", r.name,
                                  r.duration, r.time_step);
   for (const std::string& component : r.components)
-    text += fmt::format("           {}\n", wrapped(component, 13, 11));
+    text += fmt::format("           {}\n", render::wrapped(component, 13, 11));
   for (const std::string& step : r.processing)
-    text += fmt::format("           {}\n", wrapped(step, 13, 11));
+    text += fmt::format("           {}\n", render::wrapped(step, 13, 11));
   text += "\n";
   text += fmt::format("  {:<32}{:>12}{:>12}{:>12}\n", "floor motion", "x", "y", "z");
   const auto row = [&](const char* name, const char* si, const Vector3& value) {
@@ -250,13 +250,13 @@ std::string drawn_text(const study::RunFacts& facts) {
 std::string notes(const study::RunFacts& facts) {
   std::string text = drawn_text(facts);
   for (const std::string& warning : facts.warnings)
-    text += fmt::format("\nwarning: {}\n", wrapped(warning, 9, 9));
+    text += fmt::format("\nwarning: {}\n", render::wrapped(warning, 9, 9));
   if (facts.assumptions.empty()) return text;
   const std::string rest = fmt::format(
       "{} parameters of this run have no published source and are assumed ({}). Values, ranges and "
       "reasons: --json, or /assumptions in the results file.",
       facts.assumptions.size(), assumed_by_file(facts.assumptions));
-  text += fmt::format("\n{}\n", wrapped(rest, 0, 0));
+  text += fmt::format("\n{}\n", render::wrapped(rest, 0, 0));
   return text;
 }
 

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
-#include "studies/report/report_table.h"
+#include "studies/render/render.h"
 #include "studies/report/verification_report.h"
 
 namespace gurney::report {
 namespace {
 
+using findings::Table;
 using verification::CaseRun;
 using verification::Check;
 using verification::StockRun;
@@ -52,27 +53,37 @@ std::string code(const std::string& name) { return "`" + name + "`"; }
 }  // namespace
 
 std::string verification_markdown(const std::vector<CaseRun>& runs) {
-  ReportTable statements({{"closed form"}, {"what happens"}, {"reference"}, {"source"}, {"cases"}});
-  ReportTable checks({{"closed form"},
-                      {"quantity"},
-                      {"worst case"},
-                      {"unit"},
-                      {"computed", "", ".5g"},
-                      {"reference", "", ".5g"},
-                      {"error", "", ".1e"},
-                      {"tolerance", "", ".1e"},
-                      {"how the tolerance follows"}});
-  ReportTable stock({{"case"},
-                     {"quantity"},
-                     {"unit"},
-                     {"reference", "", ".5g"},
-                     {"error of gurney", "", ".1e"},
-                     {"of bullet"},
-                     {"of bullet-dantzig"}});
+  Table statements{"",
+                   "",
+                   {{"", "closed form"},
+                    {"", "what happens"},
+                    {"", "reference"},
+                    {"", "source"},
+                    {"", "cases"}}};
+  Table checks{"",
+               "",
+               {{"", "closed form"},
+                {"", "quantity"},
+                {"", "worst case"},
+                {"", "unit"},
+                {"", "computed", {".5g"}},
+                {"", "reference", {".5g"}},
+                {"", "error", {".1e"}},
+                {"", "tolerance", {".1e"}},
+                {"", "how the tolerance follows"}}};
+  Table stock{"",
+              "",
+              {{"", "case"},
+               {"", "quantity"},
+               {"", "unit"},
+               {"", "reference", {".5g"}},
+               {"", "error of gurney", {".1e"}},
+               {"", "of bullet"},
+               {"", "of bullet-dantzig"}}};
   for (const verification::Family* family : families_of(runs)) {
     const verification::Statement& s = family->statement;
     statements.add({code(s.name), s.title, s.equation, s.source,
-                    static_cast<std::size_t>(std::ranges::count(runs, family, &CaseRun::family))});
+                    std::ranges::count(runs, family, &CaseRun::family)});
     for (const Row& row : rows_of(runs, family))
       checks.add({code(s.name), row.quantity, row.run->set.name, row.check->unit,
                   row.check->computed, row.check->reference, row.check->error(),
@@ -93,13 +104,13 @@ Written by `gurney verify --markdown`; [verification](verification.md) explains 
 
 ## What is compared
 
-)") + statements.markdown() +
+)") + render::markdown(statements) +
          R"(
 ## Worst case of each quantity
 
 For each quantity the case that uses most of its tolerance; `gurney verify --json` prints every case.
 
-)" + checks.markdown() +
+)" + render::markdown(checks) +
          R"(
 ## Stock Bullet on the same cases
 
@@ -107,7 +118,7 @@ For each quantity the case that uses most of its tolerance; `gurney verify --jso
 with fixtures or drop weights are omitted, which stock Bullet does not support. Its friction cone is a pyramid: hence
 the error of `isotropy_free`.
 
-)" + stock.markdown();
+)" + render::markdown(stock);
 }
 
 }  // namespace gurney::report

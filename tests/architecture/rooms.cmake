@@ -64,17 +64,20 @@ set(GURNEY_ROOMS
     studies/statistics studies/calibration/trials"
   "studies/calibration/pulling: engine/base engine/scene equipment/catalogue studies/study/results
     studies/study/plan studies/study/exports studies/calibration/trials"
+  "studies/findings:"
+  "studies/render: studies/findings"
   "studies/report: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/assembly groundmotions/buildings equipment/catalogue
     studies/build_info studies/verification studies/study/units studies/study/results studies/study/analysis
-    studies/study/convergence studies/calibration/trials studies/calibration/fit studies/calibration/pulling"
+    studies/study/convergence studies/calibration/trials studies/calibration/fit studies/calibration/pulling
+    studies/findings studies/render"
   "studies/figures: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/scaling equipment/catalogue studies/statistics
     studies/verification studies/study/units studies/study/results studies/study/analysis
     studies/study/convergence studies/calibration/trials studies/calibration/fit studies/report"
   "studies/explanation: engine/base engine/scene engine/response engine/run engine/baselines
-    equipment/catalogue studies/statistics studies/study/units studies/study/results studies/report
-    studies/figures"
+    equipment/catalogue studies/statistics studies/study/units studies/study/results studies/render
+    studies/report studies/figures"
   "studies/picture: engine/base"
   "studies/page: engine/base engine/config engine/scene equipment/catalogue studies/build_info
     studies/study/job studies/study/units studies/study/results studies/study/plan
@@ -93,7 +96,8 @@ set(GURNEY_ROOMS
     studies/study/results
     studies/study/prepare studies/study/limit_states studies/study/plan studies/study/run
     studies/study/analysis studies/study/exports studies/calibration/fit
-    studies/calibration/pulling studies/report studies/figures studies/explanation studies/picture
+    studies/calibration/pulling studies/render studies/report studies/figures
+    studies/explanation studies/picture
     studies/page studies/playback studies/doctor studies/templates")
 
 # Libraries that only these rooms, or files that begin so, may include, by how their headers begin.
@@ -103,8 +107,8 @@ set(GURNEY_LIBRARIES
   "openssl/: engine/base"
   "boost/: engine/base studies/statistics"
   "hdf5|H5: studies/study/results/hdf5_"
-  "nlohmann/: engine/config studies/study/exports studies/report studies/explanation studies/page
-    studies/playback studies/cli"
+  "nlohmann/: engine/config studies/study/exports studies/render studies/report studies/explanation
+    studies/page studies/playback studies/cli"
   "cairo|librsvg/: studies/picture/rendering"
   "CLI/: studies/cli"
   "pybind11/: studies/bindings")

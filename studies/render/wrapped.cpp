@@ -1,4 +1,4 @@
-#include "studies/report/wrapped.h"
+#include "studies/render/wrapped.h"
 
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <sstream>
 
-namespace gurney::report {
+namespace gurney::render {
 
 std::size_t columns() {
   constexpr std::size_t kFewest = 40, kMost = 100;
@@ -41,4 +41,4 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t use
   return result;
 }
 
-}  // namespace gurney::report
+}  // namespace gurney::render

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace gurney::report {
+namespace gurney::render {
 
 /// Columns of a line of text: the environment variable COLUMNS, else the width of the terminal;
 /// from 40 to 100, and 100 where the output is no terminal.
@@ -12,4 +12,4 @@ std::size_t columns();
 /// @param used  columns before the first word
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t used);
 
-}  // namespace gurney::report
+}  // namespace gurney::render

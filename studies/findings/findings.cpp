@@ -1,0 +1,107 @@
+#include "studies/findings/findings.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace gurney::findings {
+
+// Here once, not wherever a cell is written.
+Value::Value() = default;
+Value::Value(const Value&) = default;
+Value::Value(Value&&) noexcept = default;
+Value& Value::operator=(const Value&) = default;
+Value& Value::operator=(Value&&) noexcept = default;
+Value::~Value() = default;
+
+bool Value::is_missing() const {
+  if (const auto* number = std::get_if<double>(this)) return !std::isfinite(*number);
+  if (const auto* text = std::get_if<std::string>(this)) return text->empty();
+  if (const auto* texts = std::get_if<Texts>(this)) return texts->empty();
+  return std::holds_alternative<std::monostate>(*this);
+}
+
+Section& Section::fact(std::string key_of, std::string label, Value value, Format format,
+                       std::string note) {
+  parts.emplace_back(Fact{std::move(key_of), std::move(label), std::move(value), std::move(format),
+                          std::move(note)});
+  return *this;
+}
+
+Section& Section::json(std::string key_of, Value value, Format format) {
+  return fact(std::move(key_of), "", std::move(value), std::move(format));
+}
+
+Section& Section::text(std::string label, Value value, Format format, std::string note) {
+  return fact("", std::move(label), std::move(value), std::move(format), std::move(note));
+}
+
+Section& Section::say(std::string sentence) {
+  if (!sentence.empty()) parts.emplace_back(Sentence{std::move(sentence)});
+  return *this;
+}
+
+Section& Section::list(std::string key_of, std::string title_of, Texts lines) {
+  parts.emplace_back(List{std::move(key_of), std::move(title_of), std::move(lines)});
+  return *this;
+}
+
+Section& Section::add(Table table) {
+  parts.emplace_back(std::move(table));
+  return *this;
+}
+
+Section& Section::add(List lines) {
+  parts.emplace_back(std::move(lines));
+  return *this;
+}
+
+Section& Section::add(Section section) {
+  parts.emplace_back(std::move(section));
+  return *this;
+}
+
+std::string written(const Value& value, const Format& format) {
+  const auto number = [&](double of) {
+    const std::string text =
+        fmt::format(fmt::runtime("{:" + format.digits + "}"), of / format.in_si);
+    // A number shown as zero has no sign.
+    return text.find_first_not_of("-0.") == std::string::npos && text.front() == '-'
+               ? text.substr(1)
+               : text;
+  };
+  if (const auto* of = std::get_if<std::string>(&value)) return *of;
+  if (value.is_missing()) return "-";
+  if (const auto* of = std::get_if<bool>(&value)) return *of ? "yes" : "no";
+  if (const auto* of = std::get_if<std::int64_t>(&value)) return std::to_string(*of);
+  if (const auto* of = std::get_if<double>(&value)) return number(*of);
+  if (const auto* of = std::get_if<Texts>(&value)) return fmt::format("{}", fmt::join(*of, ", "));
+  Texts all;
+  if (const auto* of = std::get_if<Counts>(&value))
+    for (const std::int64_t each : *of) all.push_back(std::to_string(each));
+  if (const auto* of = std::get_if<Numbers>(&value))
+    for (const double each : *of) all.push_back(number(each));
+  return fmt::format("{}", fmt::join(all, format.between));
+}
+
+std::string with_unit(const Value& value, const Format& format) {
+  return written(value, format) + (format.unit.empty() ? "" : " " + format.unit);
+}
+
+std::vector<Table> groups_of(const Table& table) {
+  if (!table.grouped) return {table};
+  std::vector<Table> groups;
+  for (const auto& row : table.rows) {
+    const std::string name = written(row.front().value, {});
+    if (groups.empty() || groups.back().title != name)
+      groups.push_back({"", name, {table.columns.begin() + 1, table.columns.end()}});
+    groups.back().add({row.begin() + 1, row.end()});
+  }
+  return groups;
+}
+
+std::string heading(const Column& column) {
+  return column.label + (column.format.unit.empty() ? "" : " [" + column.format.unit + "]");
+}
+
+}  // namespace gurney::findings

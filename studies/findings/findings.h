@@ -1,0 +1,155 @@
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <ranges>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+/// What is known of a run, a study, an item: plain data, built once. `studies/render` and
+/// `studies/page` show it as text, JSON, Markdown and HTML, and know no subject.
+namespace gurney::findings {
+
+using Numbers = std::vector<double>;
+using Counts = std::vector<std::int64_t>;
+using Texts = std::vector<std::string>;
+using ValueTypes = std::variant<std::monostate, bool, std::int64_t, double, std::string, Numbers,
+                                Counts, std::vector<Numbers>, Texts, std::vector<Texts>>;
+
+/// Nothing, yes or no, a count, a number in SI units, a text, or a list. A number that does not
+/// exist is NaN: null in JSON, a dash in a table, and no line among facts.
+struct Value : ValueTypes {
+  Value();
+  Value(const Value&);
+  Value(Value&&) noexcept;
+  Value& operator=(const Value&);
+  Value& operator=(Value&&) noexcept;
+  ~Value();
+
+  template <std::integral T>
+  Value(T of) {  // NOLINT: cells are written as lists, here and below
+    if constexpr (std::same_as<T, bool>)
+      emplace<bool>(of);
+    else
+      emplace<std::int64_t>(static_cast<std::int64_t>(of));
+  }
+
+  template <class T>
+  requires(!std::integral<T> && std::constructible_from<ValueTypes, T>) Value(T of)
+      : ValueTypes(std::move(of)) {}  // NOLINT
+
+  template <class T>
+  Value(const std::optional<T>& of) {  // NOLINT
+    if (of) *this = Value(*of);
+  }
+
+  template <std::ranges::input_range T>  // a vector of Eigen
+  requires(std::same_as<std::ranges::range_value_t<T>, double> && !std::same_as<T, Numbers>)
+      Value(const T& of)
+      : ValueTypes(Numbers(of.begin(), of.end())) {}  // NOLINT
+
+  bool is_missing() const;  ///< nothing, NaN or infinite, or an empty text
+};
+
+/// How a number is written. Programs get it with all digits.
+struct Format {
+  std::string digits = ".4g";
+  std::string unit = {};       ///< that people read; empty: of none
+  double in_si = 1;            ///< size of that unit
+  double json_unit = 1;        ///< in which JSON has it, in SI
+  std::string between = ", ";  ///< the numbers of a list: " to " for an interval
+};
+
+/// @param key    in JSON; empty: for people alone
+/// @param label  for people; empty: for JSON alone
+struct Fact {
+  std::string key, label;
+  Value value;
+  Format format = {};
+  std::string note = {};  ///< after the value
+};
+
+/// A key `a.b` is `b` of an object `a`.
+struct Column {
+  std::string key, label;
+  Format format = {};
+  std::string meaning = {};  ///< shown where a page is pointed at
+};
+
+inline constexpr std::size_t kAll = static_cast<std::size_t>(-1);
+
+/// A value with a format of its own, or that of its column.
+struct Cell {
+  Value value;
+  std::optional<Format> format = {};
+
+  template <class T>
+  requires std::constructible_from<Value, T> Cell(T of) : value(std::move(of)) {}  // NOLINT
+  Cell(Value of, Format own) : value(std::move(of)), format(std::move(own)) {}
+
+  const Format& format_in(const Column& column) const { return format ? *format : column.format; }
+};
+
+/// A key `name{}` makes JSON an object by the first column, any other an array of objects.
+struct Table {
+  std::string key, title;
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows = {};
+  bool grouped = false;     ///< people read a table for each value of the first column, its title
+  std::size_t most = kAll;  ///< rows that a terminal shows
+
+  void add(std::vector<Cell> row) { rows.push_back(std::move(row)); }
+};
+
+/// The tables that people read: itself, or its groups without their column.
+std::vector<Table> groups_of(const Table& table);
+
+/// Texts of one or more lines below a title, which is left out with them.
+struct List {
+  std::string key, title;
+  Texts lines;
+  std::size_t most = kAll;  ///< lines that a terminal shows, but one text at least
+};
+
+/// A sentence built from facts, for people.
+struct Sentence {
+  std::string text;
+};
+
+struct Part;
+
+/// Parts in the order in which people read them. A key `name[]` makes JSON an array of such
+/// sections; an empty one puts the parts into the object around.
+struct Section {
+  std::string key = {}, title = {};
+  std::vector<Part> parts = {};
+
+  Section& fact(std::string key, std::string label, Value value, Format format = {},
+                std::string note = {});
+  Section& json(std::string key, Value value, Format format = {});  ///< not for people
+  Section& text(std::string label, Value value, Format format = {},
+                std::string note = {});  ///< not for programs
+  Section& say(std::string sentence);    ///< an empty one is left out
+  Section& list(std::string key, std::string title, Texts lines);
+  Section& add(Table table);
+  Section& add(List lines);
+  Section& add(Section section);
+};
+
+struct Part : std::variant<Fact, Table, List, Sentence, Section> {
+  using std::variant<Fact, Table, List, Sentence, Section>::variant;
+};
+
+/// What people read of a value, without its unit: "0.41", "yes", "a, b"; "-" for a missing one.
+std::string written(const Value& value, const Format& format);
+
+/// The same with its unit: "0.41 m".
+std::string with_unit(const Value& value, const Format& format);
+
+/// "load [N]"
+std::string heading(const Column& column);
+
+}  // namespace gurney::findings

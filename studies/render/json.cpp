@@ -1,0 +1,113 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "studies/render/render.h"
+
+namespace gurney::render {
+namespace {
+
+using namespace findings;
+using Json = nlohmann::ordered_json;
+
+Json value_json(const Value& value, const Format& format) {
+  const auto number = [&](double of) {
+    return std::isfinite(of) ? Json(of / format.json_unit) : Json(nullptr);
+  };
+  const auto numbers = [&](const Numbers& of) {
+    Json all = Json::array();
+    for (const double each : of) all.push_back(number(each));
+    return all;
+  };
+  if (const auto* of = std::get_if<bool>(&value)) return *of;
+  if (const auto* of = std::get_if<std::int64_t>(&value)) return *of;
+  if (const auto* of = std::get_if<double>(&value)) return number(*of);
+  if (const auto* of = std::get_if<std::string>(&value)) return *of;
+  if (const auto* of = std::get_if<Counts>(&value)) return *of;
+  if (const auto* of = std::get_if<Texts>(&value)) return *of;
+  if (const auto* of = std::get_if<std::vector<Texts>>(&value)) return *of;
+  if (const auto* of = std::get_if<Numbers>(&value)) return numbers(*of);
+  if (const auto* of = std::get_if<std::vector<Numbers>>(&value)) {
+    Json all = Json::array();
+    for (const Numbers& each : *of) all.push_back(numbers(each));
+    return all;
+  }
+  return nullptr;
+}
+
+void put(Json& object, const std::string& key, Json value) {
+  const std::size_t dot = key.find('.');
+  if (dot == std::string::npos)
+    object[key] = std::move(value);
+  else
+    object[key.substr(0, dot)][key.substr(dot + 1)] = std::move(value);
+}
+
+Json table_json(const Table& table, bool by_name) {
+  Json all = by_name ? Json::object() : Json::array();
+  for (const auto& row : table.rows) {
+    Json object = Json::object();
+    for (std::size_t i = by_name ? 1 : 0; i < table.columns.size(); ++i)
+      if (!table.columns[i].key.empty())
+        put(object, table.columns[i].key,
+            value_json(row.at(i).value, row[i].format_in(table.columns[i])));
+    if (by_name)
+      all[std::get<std::string>(row.front().value)] = std::move(object);
+    else
+      all.push_back(std::move(object));
+  }
+  return all;
+}
+
+/// Takes the mark at the end of a key.
+bool ends_with(std::string& key, const char* mark) {
+  if (!key.ends_with(mark)) return false;
+  key.resize(key.size() - 2);
+  return true;
+}
+
+void fill(Json& object, const Section& section) {
+  for (const Part& part : section.parts) {
+    if (const auto* fact = std::get_if<Fact>(&part); fact && !fact->key.empty())
+      object[fact->key] = value_json(fact->value, fact->format);
+    if (const auto* list = std::get_if<List>(&part); list && !list->key.empty())
+      object[list->key] = list->lines;
+    if (const auto* table = std::get_if<Table>(&part); table && !table->key.empty()) {
+      std::string key = table->key;
+      const bool by_name = ends_with(key, "{}");
+      object[key] = table_json(*table, by_name);
+    }
+    const auto* inner = std::get_if<Section>(&part);
+    if (inner == nullptr) continue;
+    std::string key = inner->key;
+    if (key.empty()) {
+      fill(object, *inner);
+      continue;
+    }
+    Json of = Json::object();
+    fill(of, *inner);
+    if (ends_with(key, "[]"))
+      object[key].push_back(std::move(of));
+    else
+      object[key] = std::move(of);
+  }
+}
+
+}  // namespace
+
+std::string json(const Section& section) {
+  Json object = Json::object();
+  fill(object, section);
+  return object.dump(2) + "\n";
+}
+
+std::string json(const std::vector<Section>& sections) {
+  Json all = Json::array();
+  for (const Section& each : sections) {
+    Json object = Json::object();
+    fill(object, each);
+    all.push_back(std::move(object));
+  }
+  return all.dump(2) + "\n";
+}
+
+}  // namespace gurney::render
