@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
@@ -8,6 +6,7 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
 #include "studies/cli/job_argument.h"
+#include "studies/cli/print.h"
 #include "studies/cli/units_option.h"
 #include "studies/figures/convergence_figure.h"
 #include "studies/report/convergence_report.h"
@@ -34,8 +33,7 @@ int converge_command(const ConvergeOptions& options) {
   const study::Convergence found =
       study::converge(study::convergence_cases(options.job, options.runs, threads),
                       0.01 * options.tolerance_percent, threads);
-  fmt::print("{}", options.json ? report::convergence_json(found, options.units)
-                                : report::convergence_text(found, options.units));
+  print_findings(report::convergence_findings(found, options.units), options.json);
   if (!options.figure.empty())
     options.figure.write(figures::convergence_figure(found), options.overwrite, options.json);
   return found.failed.empty() ? 0 : 3;

@@ -9,6 +9,7 @@
 #include "studies/figures/convergence_figure.h"
 #include "studies/report/convergence_report.h"
 #include "tests/studies/study/small_study.h"
+#include "tests/support/one_line.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::study {
@@ -68,7 +69,8 @@ TEST(ConvergenceTest, OfAStudyAreMediansAndSharesOfAnyNumberOfThreads) {
   EXPECT_GT(number_named(found, "peak_displacement").scatter, 0);
   const ConvergedNumber& moved = number_named(found, "exceeds rolled");
   EXPECT_EQ(moved.item, "");
-  EXPECT_EQ(report::convergence_json(found), report::convergence_json(converge(cases, 0.02, 3)));
+  EXPECT_EQ(render::json(report::convergence_findings(found)),
+            render::json(report::convergence_findings(converge(cases, 0.02, 3))));
 }
 
 TEST(ConvergenceTest, ARunThatFailsIsNamedAndLeftOut) {
@@ -96,10 +98,10 @@ TEST(ConvergenceReportTest, ReportsVerdictsAndWhatWasVaried) {
                            .step = StepVerdict::kConverging,
                            .step_needed = 0.0013,
                            .solver_change = 0.03});
-  const std::string text = report::convergence_text(found);
-  EXPECT_THAT(text, HasSubstr("time step   0.004 s, compared with 0.0005 s"));
+  const std::string text = one_line(report::convergence_findings(found));
+  EXPECT_THAT(text, HasSubstr("time step 0.004 s, compared with 0.0005 s"));
   EXPECT_THAT(text, HasSubstr("needs a smaller step (0.0013 s); solver tolerance too loose"));
-  const auto json = nlohmann::json::parse(report::convergence_json(found));
+  const auto json = nlohmann::json::parse(render::json(report::convergence_findings(found)));
   EXPECT_EQ(json["numbers"][0]["verdict"], "needs a smaller step");
   EXPECT_EQ(json["variants"][1]["varied"], "time_step");
   EXPECT_EQ(json["variants"][1]["factor"], 2);
