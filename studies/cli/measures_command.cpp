@@ -6,6 +6,7 @@
 #include "engine/base/error.h"
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/print.h"
 #include "studies/cli/units_option.h"
 #include "studies/report/measure_report.h"
 #include "studies/study/limit_states/limit_state_reader.h"
@@ -31,14 +32,15 @@ int measures(const MeasuresOptions& options) {
           options.file +
               ": no limit state has a demand above a limit, so there is no size to "
               "predict");
-  std::vector<report::MeasureReport> reports;
+  std::vector<findings::Section> known;
   for (const std::size_t configuration : study::wanted_configurations(data, options.configurations))
     for (const std::size_t state : states) {
       const study::LimitState& limit = data.limit_states()[state];
-      reports.push_back({data.configurations()[configuration], limit.name, limit.words,
-                         study::choose_measure({&data, configuration}, state), options.units});
+      known.push_back(report::measure_findings(
+          {data.configurations()[configuration], limit.name, limit.words,
+           study::choose_measure({&data, configuration}, state), options.units}));
     }
-  fmt::print("{}", options.json ? report::measure_json(reports) : report::measure_text(reports));
+  print_findings(known, options.json);
   return 0;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/findings/findings.h"
 #include "studies/study/analysis/measure_choice.h"
 
 namespace gurney::report {
@@ -19,7 +20,7 @@ struct MeasureReport {
 /// stays in 95 % of the resamples of records, and does not where another comes first in a fifth.
 std::string verdict(const study::MeasureChoice& choice);
 
-std::string measure_text(const std::vector<MeasureReport>& reports);
-std::string measure_json(const std::vector<MeasureReport>& reports);
+/// In SI unless units are chosen.
+findings::Section measure_findings(const MeasureReport& report);
 
 }  // namespace gurney::report

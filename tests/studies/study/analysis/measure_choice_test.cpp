@@ -8,6 +8,7 @@
 #include "studies/report/measure_report.h"
 #include "tests/studies/study/analysis/made_study.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/one_line.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::study {
@@ -82,9 +83,9 @@ TEST_F(MeasureChoiceTest, FallenAndResettingRunsAreCensored) {
   EXPECT_EQ(choice.overturned, 1);
   EXPECT_EQ(choice.at_floor, 1);
   EXPECT_DOUBLE_EQ(choice.floor, 1e-4);  // of the limit, 0.1 m
-  const std::string text = report::measure_text({{"", "moved", "", choice}});
-  EXPECT_THAT(text, HasSubstr("1 overturned: demand at least the limit; 1 below 0.0001 (SI)"));
-  EXPECT_THAT(text, HasSubstr("not tested: magnitude and distance"));
+  const std::string text = one_line(report::measure_findings({"", "moved", "", choice}));
+  EXPECT_THAT(text, HasSubstr("1 overturned: demand at least the limit; 1 below 0.0001 m"));
+  EXPECT_THAT(text, HasSubstr("not tested: magnitude, which"));
 }
 
 /// The demand rises e-fold with each magnitude, over 2 of them.
@@ -103,7 +104,7 @@ TEST_F(MeasureChoiceTest, MagnitudesOfAllRunsAreTested) {
   ASSERT_THAT(choice.properties, testing::ElementsAre("factor on the record", "magnitude"));
   // ln demand scatters by 0.1 about a slope of 1: 50 standard errors and more in 80 runs.
   EXPECT_LT(choice.rows.front().sufficiency[1], 1e-6);
-  const std::string text = report::measure_text({{"", "moved", "", choice}});
+  const std::string text = one_line(report::measure_findings({"", "moved", "", choice}));
   EXPECT_THAT(text, HasSubstr("p of magnitude: the same for the magnitude of the records"));
   EXPECT_THAT(text, HasSubstr("not tested: distance,"));
 }
