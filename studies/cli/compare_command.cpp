@@ -9,6 +9,7 @@
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
+#include "studies/cli/print.h"
 #include "studies/cli/units_option.h"
 #include "studies/figures/comparison_figure.h"
 #include "studies/report/comparison_report.h"
@@ -107,8 +108,7 @@ int compare(const CompareOptions& options) {
   report.found = study::compare_studies(
       report.a, report.b,
       {.demands = options.demands, .measure = options.measure, .confidence = report.confidence});
-  fmt::print("{}",
-             options.json ? report::comparison_json(report) : report::comparison_text(report));
+  print_findings(report::comparison_findings(report), options.json);
   if (!options.figure.empty())
     options.figure.write(figures::comparison_figure(report), options.overwrite, options.json);
   return 0;

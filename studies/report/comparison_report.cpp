@@ -6,97 +6,117 @@
 #include <cmath>
 #include <utility>
 
+#include "studies/report/formats.h"
 #include "studies/study/analysis/curve_audit.h"
 #include "studies/study/analysis/report_unit.h"
 
 namespace gurney::report {
 namespace {
 
+using findings::Format;
+using findings::Section;
+using findings::Table;
+using findings::Texts;
+using findings::Value;
+using Kind = study::ComparedQuantity::Kind;
+
 constexpr double kSignificant = 0.05;
 
 constexpr double kRounding = 1e-12;  // of the values that a difference is of
 
-std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
-
-std::string probability(double p) {
-  if (std::isnan(p)) return "-";
-  return p < 0.0001 ? "<0.0001" : fmt::format("{:.4f}", p);
-}
-
 /// 0 where it is the rounding of sums of values as large as `size`.
 double rounded(double value, double size) { return std::abs(value) < kRounding * size ? 0 : value; }
 
-std::string interval(const statistics::Interval& of, double unit, double size) {
-  if (!std::isfinite(of.low)) return "unknown";
-  return fmt::format("{:.3g} to {:.3g}", rounded(of.low, size) / unit,
-                     rounded(of.high, size) / unit);
-}
+const char* mark(double p) { return p < kSignificant ? "*" : ""; }
 
-std::string shown(const std::string& value) { return value.empty() ? "(not there)" : value; }
-
-std::string differences_text(const char* title,
-                             const std::vector<study::InputDifference>& differences,
-                             const ComparisonReport& report) {
-  if (differences.empty()) return fmt::format("{:<12} the same\n", title);
-  std::string text = fmt::format("{:<46} {}  |  {}\n", title, report.label_a, report.label_b);
-  for (const study::InputDifference& each : differences)
-    text += fmt::format("  {:<44} {}  |  {}\n", each.key, shown(each.a), shown(each.b));
-  return text;
-}
-
-std::string inputs_text(const ComparisonReport& report) {
-  const study::InputDifferences& inputs = report.inputs;
-  std::string text = differences_text("job", inputs.job, report) +
-                     differences_text("assumptions", inputs.assumptions, report) +
-                     differences_text("data files", inputs.data_files, report) +
-                     differences_text("program", inputs.program, report);
-  text += fmt::format("{:<12} {} in both", "records", inputs.records_common);
-  const auto add = [&](const std::string& what, const std::vector<std::string>& names) {
-    if (!names.empty())
-      text += fmt::format("; {} {}: {}", names.size(), what, fmt::join(names, ", "));
-  };
-  add("only in " + report.label_a, inputs.records_of_a);
-  add("only in " + report.label_b, inputs.records_of_b);
-  add("with other files or processing", inputs.records_changed);
-  return text + "\n";
-}
-
-std::string side_text(const char* title, const std::string& name,
-                      const study::ConfigurationView& side, std::size_t paired,
-                      std::size_t left_out) {
-  std::string text = fmt::format("{:<12} {}: {} runs paired", title, name, paired);
+Section side(const char* key, const char* label, const std::string& name,
+             const study::ConfigurationView& of, std::size_t paired, std::size_t left_out) {
+  const std::size_t failed = of.data->failed(of.configuration);
+  std::string text = fmt::format("{}: {} runs paired", name, paired);
   if (left_out > 0) text += fmt::format(", {} without a partner", left_out);
-  if (const std::size_t failed = side.data->failed(side.configuration); failed > 0)
-    text += fmt::format(", {} excluded because they failed", failed);
-  return text + "\n";
+  if (failed > 0) text += fmt::format(", {} excluded because they failed", failed);
+  Section all{key};
+  all.json("name", name).json("file", of.data->file().path());
+  all.json("configuration", of.configuration_name()).json("runs_paired", paired);
+  all.json("runs_without_partner", left_out).json("runs_failed", failed);
+  return all.text(label, text);
 }
 
-std::string pairing_text(const study::StudyComparison& found) {
-  const study::RunPairs& pairs = found.pairs;
-  std::string by = "record and " + pairs.level;
-  if (pairs.by_angle) by += ", angle";
-  if (pairs.by_draw) by += ", draw";
-  std::string text = fmt::format("{:<12} {} pairs by {}", "paired", pairs.pairs.size(), by);
+const char* name_of(study::RunPairs::Group group) {
+  switch (group) {
+    case study::RunPairs::Group::kRecord:
+      return "record";
+    case study::RunPairs::Group::kDraw:
+      return "draw";
+    case study::RunPairs::Group::kNone:
+      break;
+  }
+  return "none";
+}
+
+std::string groups_text(const study::RunPairs& pairs) {
   switch (pairs.group) {
     case study::RunPairs::Group::kRecord:
-      text += fmt::format("; {} records, each counts once\n", pairs.groups);
-      break;
+      return fmt::format("{} records, each counts once", pairs.groups);
     case study::RunPairs::Group::kDraw:
-      text +=
-          fmt::format("; {} draws, each counts once: one record, so nothing is known of others\n",
-                      pairs.groups);
-      break;
+      return fmt::format("{} draws, each counts once: one record, so nothing is known of others",
+                         pairs.groups);
     case study::RunPairs::Group::kNone:
-      return text + "; one record without draws: nothing is random, so there is no p\n";
+      break;
   }
+  return "one record without draws: nothing is random, so there is no p";
+}
+
+Section pairing(const study::StudyComparison& found) {
+  const study::RunPairs& pairs = found.pairs;
+  Section all{"pairs"};
+  all.json("count", pairs.pairs.size()).json("level", pairs.level);
+  all.json("by_angle", pairs.by_angle).json("by_draw", pairs.by_draw);
+  all.json("group", name_of(pairs.group)).json("groups", pairs.groups);
+  all.json("runs_overturned", found.overturned);
+  all.text("paired", fmt::format("{} pairs by record and {}{}{}; {}", pairs.pairs.size(),
+                                 pairs.level, pairs.by_angle ? ", angle" : "",
+                                 pairs.by_draw ? ", draw" : "", groups_text(pairs)));
   const double smallest =
       found.smallest_p * static_cast<double>(std::max<std::size_t>(1, found.tests.largest()));
-  if (smallest > kSignificant)
-    text += fmt::format(
-        "{:<12} so few groups give a p of {} or more, {} after Holm: whatever differs, this table "
-        "cannot\n{:<12} show it; add records or draws, or compare fewer demands (--demand)\n",
-        "caution", probability(found.smallest_p), probability(std::min(1.0, smallest)), "");
-  return text;
+  if (pairs.group != study::RunPairs::Group::kNone && smallest > kSignificant)
+    all.say(fmt::format(
+        "caution: so few groups give a p of {:.4f} or more, {:.4f} after Holm: whatever differs, "
+        "this table cannot show it; add records or draws, or compare fewer demands (--demand)",
+        found.smallest_p, std::min(1.0, smallest)));
+  return all;
+}
+
+Table differences(const char* key, const char* title, const std::vector<study::InputDifference>& of,
+                  const ComparisonReport& report) {
+  Table table{key,
+              title,
+              {{"key", "key"}, {"a", ""}, {"b", ""}, {"", report.label_a}, {"", report.label_b}}};
+  const auto value = [](const std::string& text) { return text.empty() ? Value() : Value(text); };
+  const auto shown = [](const std::string& text) { return text.empty() ? "(not there)" : text; };
+  for (const study::InputDifference& each : of)
+    table.add({each.key, value(each.a), value(each.b), shown(each.a), shown(each.b)});
+  return table;
+}
+
+Section inputs(const ComparisonReport& report) {
+  const study::InputDifferences& of = report.inputs;
+  Section all{"inputs", "inputs that differ"};
+  all.fact("records_in_both", "records in both", of.records_common);
+  all.fact("records_of_a_only", "only in " + report.label_a, of.records_of_a);
+  all.fact("records_of_b_only", "only in " + report.label_b, of.records_of_b);
+  all.fact("records_changed", "with other files or processing", of.records_changed);
+  Texts same;
+  const auto add = [&](const char* key, const char* title, const auto& list) {
+    if (list.empty()) same.emplace_back(title);
+    all.add(differences(key, title, list, report));
+  };
+  add("job", "job", of.job);
+  add("assumptions", "assumptions", of.assumptions);
+  add("data_files", "data files", of.data_files);
+  add("program", "program", of.program);
+  if (!same.empty()) all.say(fmt::format("the same: {}", fmt::join(same, ", ")));
+  return all;
 }
 
 std::string label(const study::ComparedQuantity& row, const study::UnitSystem& units) {
@@ -104,49 +124,51 @@ std::string label(const study::ComparedQuantity& row, const study::UnitSystem& u
   return row.units == "1" ? row.name : row.name + " [" + units.of(row.units).name + "]";
 }
 
-std::string with_unit(const study::ComparedQuantity& row, const study::UnitSystem& units) {
-  const study::ReportUnit unit = units.of(row.units);
-  return number(row.a / unit.in_si) + (unit.name == "1" ? "" : " " + unit.name);
-}
-
-std::string quantities_text(const ComparisonReport& report, study::ComparedQuantity::Kind kind,
-                            const std::string& title) {
-  const study::StudyComparison& found = report.found;
+/// Differences that are rounding are shown as zero.
+Table quantities(const ComparisonReport& report, Kind kind, const char* key, const char* title) {
   const study::UnitSystem& units = report.units();
-  const std::size_t wide_a = std::max<std::size_t>(10, report.label_a.size()),
-                    wide_b = std::max<std::size_t>(10, report.label_b.size());
-  std::size_t width = title.size();
-  for (const study::ComparedQuantity& row : found.quantities)
-    width = std::max(width, label(row, units).size());
-  const auto line = [&](const std::string& name, const auto& groups, const std::string& a,
-                        const std::string& b, const std::string& difference,
-                        const std::string& between, const std::string& p, const std::string& holm) {
-    return fmt::format("{:<{}} {:>6} {:>{}} {:>{}} {:>11}  {:<22} {:>8} {:>8}", name, width, groups,
-                       a, wide_a, b, wide_b, difference, between, p, holm);
-  };
-  const auto row_text = [&](const study::ComparedQuantity& row) {
-    const double unit = units.of(row.units).in_si;
-    const double size = std::max(std::abs(row.a), std::abs(row.b));
-    return line(label(row, units), row.groups, number(row.a / unit), number(row.b / unit),
-                number(rounded(row.difference, size) / unit), interval(row.interval, unit, size),
-                probability(row.p), probability(row.p_holm));
-  };
-  std::string text, same;
-  for (const study::ComparedQuantity& row : found.quantities) {
+  const Format p{".2g"};
+  Table table{key,
+              "",
+              {{"", title},
+               {"name", ""},
+               {"words", ""},
+               {"units", ""},
+               {"groups", "groups"},
+               {"a", report.label_a},
+               {"b", report.label_b},
+               {"difference", ""},
+               {"", "difference"},
+               {"interval", ""},
+               {"", fmt::format("{:g} % interval", 100 * report.confidence)},
+               {"p", "p", p},
+               {"p_holm", "Holm", p},
+               {"", "*"}}};
+  for (const study::ComparedQuantity& row : report.found.quantities) {
     if (row.kind != kind) continue;
+    const Format number = format_of(units, row.units),
+                 interval = interval_format(format_of(units, row.units, ".3g"));
     const double size = std::max(std::abs(row.a), std::abs(row.b));
-    if (std::isnan(row.p) && rounded(row.difference, size) == 0 &&
-        rounded(row.a - row.b, size) == 0)
-      same += fmt::format("{}{} ({})", same.empty() ? "" : ", ", row.name, with_unit(row, units));
-    else
-      text += row_text(row) + (row.p_holm < kSignificant ? " *\n" : "\n");
+    const bool known = std::isfinite(row.interval.low);
+    table.add({label(row, units),
+               row.name,
+               row.words,
+               units.or_else("si").of(row.units).name,
+               row.groups,
+               {row.a, number},
+               {row.b, number},
+               {row.difference, number},
+               {rounded(row.difference, size), number},
+               {ends(row.interval), interval},
+               {known ? Value(findings::Numbers{rounded(row.interval.low, size),
+                                                rounded(row.interval.high, size)})
+                      : Value("unknown"),
+                interval},
+               row.p,
+               row.p_holm,
+               mark(row.p_holm)});
   }
-  if (text.empty() && same.empty()) return {};
-  text = "\n" +
-         line(title, "groups", report.label_a, report.label_b, "difference",
-              fmt::format("{:g} % interval", 100 * report.confidence), "p", "Holm") +
-         "\n" + text;
-  return same.empty() ? text : text + "the same in every pair: " + same + "\n";
+  return table;
 }
 
 std::string curve_text(const statistics::FragilityFit& fit, const study::ReportUnit& unit) {
@@ -156,111 +178,128 @@ std::string curve_text(const statistics::FragilityFit& fit, const study::ReportU
   return known.empty() ? text(fit.status) : known;
 }
 
-/// Of the curves of one side; that of the scale factors once, since they are the same.
-std::string side_cautions(const std::string& label, const study::StudyComparison& found,
-                          study::CurveAudit study::ComparedCurves::*audit,
-                          const study::ReportUnit& unit) {
-  std::string text;
+/// Cautions on the curves of one side; that of the scale factors once, since they are the same.
+void add_cautions(Section& to, const std::string& label, const study::StudyComparison& found,
+                  study::CurveAudit study::ComparedCurves::*audit, const study::ReportUnit& unit) {
   study::CurveAudit of_records;
   for (const study::ComparedCurves& row : found.curves) {
     study::CurveAudit of_curve = row.*audit;
     of_records.factors = std::exchange(of_curve.factors, {});
     for (const std::string& each : study::cautions(of_curve, unit))
-      text += fmt::format("{}, {}: caution: {}\n", label, row.name, each);
+      to.say(fmt::format("{}, {}: caution: {}", label, row.name, each));
   }
   for (const std::string& each : study::cautions(of_records, unit))
-    text += fmt::format("{}: caution: {}\n", label, each);
-  return text;
+    to.say(fmt::format("{}: caution: {}", label, each));
 }
 
-std::string cautions_text(const ComparisonReport& report, const study::ReportUnit& unit) {
-  return side_cautions(report.label_a, report.found, &study::ComparedCurves::audit_a, unit) +
-         side_cautions(report.label_b, report.found, &study::ComparedCurves::audit_b, unit);
+void add_curve(std::vector<findings::Cell>& row, const statistics::FragilityFit& fit,
+               const study::CurveAudit& audit, const study::ReportUnit& shown,
+               const study::ReportUnit& unit) {
+  const Format of = format_of(shown, unit.in_si);
+  row.insert(row.end(), {text(fit.status),
+                         fit.runs,
+                         fit.exceeded,
+                         {fit.curve ? Value() : ends(fit.median), of},
+                         {fit.curve ? Value(fit.curve->theta) : Value(), of},
+                         fit.curve ? Value(fit.curve->beta) : Value(),
+                         study::cautions(audit, unit),
+                         curve_text(fit, shown)});
 }
 
-std::string curves_text(const ComparisonReport& report) {
+/// Without curves: why there are none.
+Section curves(const ComparisonReport& report) {
   const study::StudyComparison& found = report.found;
-  if (found.measure.empty())
-    return "\nno fragility curves: the studies have different intensity measures\n";
-  if (found.curves.empty())
-    return "\nno fragility curves: all runs have one " + found.measure + "; see the shares\n";
-  const std::string of_a = report.label_a + ": theta, beta",
-                    of_b = report.label_b + ": theta, beta";
-  const study::ReportUnit unit =
-      study::report_unit(*report.a.data, {found.measure, found.units, {}});
-  std::size_t wide = 24, wide_a = std::max<std::size_t>(28, of_a.size()),
-              wide_b = std::max<std::size_t>(28, of_b.size());
-  for (const study::ComparedCurves& row : found.curves) {
-    wide = std::max(wide, row.name.size());
-    wide_a = std::max(wide_a, curve_text(row.a, unit).size());
-    wide_b = std::max(wide_b, curve_text(row.b, unit).size());
+  const study::ReportUnit unit = report.units().or_else("si").of(found.units);
+  Section all;
+  all.json("measure", found.measure).json("measure_units", unit.name);
+  Table table{"curves", "", {{"name", "fragility curve"}}};
+  for (const bool first : {true, false}) {
+    for (const char* key :
+         {"status", "runs", "exceeded", "median_between", "theta", "beta", "cautions"})
+      table.columns.push_back({std::string(first ? "a." : "b.") + key, ""});
+    table.columns.push_back({"", (first ? report.label_a : report.label_b) + ": theta, beta"});
   }
-  const auto line = [&](const std::string& name, const std::string& a, const std::string& b,
-                        const std::string& ratio, const std::string& p, const std::string& holm) {
-    return fmt::format("{:<{}} {:<{}} {:<{}} {:>9} {:>8} {:>8}", name, wide, a, wide_a, b, wide_b,
-                       ratio, p, holm);
-  };
-  std::string text = "\n" + line("fragility curve", of_a, of_b, "LR", "p", "Holm") + "\n";
-  for (const study::ComparedCurves& row : found.curves)
-    text += line(row.name, curve_text(row.a, unit), curve_text(row.b, unit),
-                 number(row.likelihood_ratio), probability(row.p), probability(row.p_holm)) +
-            (row.p_holm < kSignificant ? " *\n" : "\n");
-  return text + fmt::format("theta in {} ({})\n", unit.name, found.measure) +
-         cautions_text(report, unit);
+  const Format p{".2g"};
+  table.columns.insert(
+      table.columns.end(),
+      {{"likelihood_ratio", "LR"}, {"p", "p", p}, {"p_holm", "Holm", p}, {"", "*"}});
+  const study::ReportUnit shown =
+      found.measure.empty() ? unit
+                            : study::report_unit(*report.a.data, {found.measure, found.units, {}});
+  for (const study::ComparedCurves& row : found.curves) {
+    std::vector<findings::Cell> cells{row.name};
+    add_curve(cells, row.a, row.audit_a, shown, unit);
+    add_curve(cells, row.b, row.audit_b, shown, unit);
+    cells.insert(cells.end(), {row.likelihood_ratio, row.p, row.p_holm, mark(row.p_holm)});
+    table.add(std::move(cells));
+  }
+  all.add(std::move(table));
+  if (found.measure.empty())
+    return all.say("no fragility curves: the studies have different intensity measures");
+  if (found.curves.empty())
+    return all.say("no fragility curves: all runs have one " + found.measure + "; see the shares");
+  all.say(fmt::format("theta in {} ({})", shown.name, found.measure));
+  add_cautions(all, report.label_a, found, &study::ComparedCurves::audit_a, shown);
+  add_cautions(all, report.label_b, found, &study::ComparedCurves::audit_b, shown);
+  return all;
 }
 
 /// The findings in words.
-std::string conclusion_text(const ComparisonReport& report) {
-  std::string text;
-  std::vector<std::string> less, more;
+Texts conclusions(const ComparisonReport& report) {
+  Texts lines, less, more;
   for (const study::ComparedQuantity& row : report.found.quantities) {
     if (!(row.p_holm < kSignificant)) continue;
-    if (row.kind == study::ComparedQuantity::Kind::kShare)
-      text += fmt::format("* '{}' is exceeded {} often in {}: in {:.3g} % against {:.3g} %\n",
-                          row.name, row.difference > 0 ? "more" : "less", report.label_b,
-                          100 * row.b, 100 * row.a);
-    std::vector<std::string>& list = row.difference > 0 ? more : less;
-    if (row.kind != study::ComparedQuantity::Kind::kShare &&
-        std::ranges::find(list, row.name) == list.end())
+    if (row.kind == Kind::kShare)
+      lines.push_back(fmt::format("'{}' is exceeded {} often in {}: in {:.3g} % against {:.3g} %",
+                                  row.name, row.difference > 0 ? "more" : "less", report.label_b,
+                                  100 * row.b, 100 * row.a));
+    Texts& list = row.difference > 0 ? more : less;
+    if (row.kind != Kind::kShare && std::ranges::find(list, row.name) == list.end())
       list.push_back(row.name);
   }
   for (const study::ComparedCurves& row : report.found.curves)
     if (row.p_holm < kSignificant)
-      text += fmt::format("* '{}' has another fragility curve in {}\n", row.name, report.label_b);
+      lines.push_back(
+          fmt::format("'{}' has another fragility curve in {}", row.name, report.label_b));
   if (!less.empty())
-    text += fmt::format("* less in {}: {}\n", report.label_b, fmt::join(less, ", "));
+    lines.push_back(fmt::format("less in {}: {}", report.label_b, fmt::join(less, ", ")));
   if (!more.empty())
-    text += fmt::format("* more in {}: {}\n", report.label_b, fmt::join(more, ", "));
-  return text.empty() ? "no difference is significant after Holm's adjustment\n" : text;
+    lines.push_back(fmt::format("more in {}: {}", report.label_b, fmt::join(more, ", ")));
+  if (lines.empty()) lines.emplace_back("no difference is significant after Holm's adjustment");
+  return lines;
 }
 
 }  // namespace
 
-std::string comparison_text(const ComparisonReport& report) {
+findings::Section comparison_findings(const ComparisonReport& report) {
   const study::StudyComparison& found = report.found;
-  using Kind = study::ComparedQuantity::Kind;
-  std::string text =
-      side_text("reference", report.name_a, report.a, found.pairs.paired_a,
-                found.pairs.left_out_a) +
-      side_text("compared", report.name_b, report.b, found.pairs.paired_b, found.pairs.left_out_b) +
-      fmt::format("{:<12} {} - {}\n", "difference", report.label_b, report.label_a) +
-      pairing_text(found) + "\n" + inputs_text(report);
-  text += quantities_text(report, Kind::kShare, "share of runs that exceed") + curves_text(report) +
-          quantities_text(report, Kind::kMean, "mean") +
-          quantities_text(report, Kind::kMedian, "median");
+  Section all;
+  all.add(side("a", "reference", report.name_a, report.a, found.pairs.paired_a,
+               found.pairs.left_out_a));
+  all.add(
+      side("b", "compared", report.name_b, report.b, found.pairs.paired_b, found.pairs.left_out_b));
+  all.text("difference", report.label_b + " - " + report.label_a);
+  all.add(pairing(found)).add(inputs(report)).json("confidence", report.confidence);
+  all.add(quantities(report, Kind::kShare, "shares", "share of runs that exceed"));
+  all.add(curves(report));
+  all.add(quantities(report, Kind::kMean, "means", "mean"));
+  all.add(quantities(report, Kind::kMedian, "medians", "median"));
   if (found.overturned > 0)
-    text += fmt::format(
-        "\n{} of the paired runs overturned: their demands are those before overturning\n",
-        found.overturned);
-  if (!found.not_common.empty())
-    text += fmt::format("\nnot in both: {}\n", fmt::join(found.not_common, ", "));
-  return text +
-         fmt::format(
-             "\ntests: {} of shares, {} of curves, {} of means, {} of medians; Holm's "
-             "adjustment within each of these families; * below {:g}\n",
-             found.tests.shares, found.tests.curves, found.tests.means, found.tests.medians,
-             kSignificant) +
-         conclusion_text(report);
+    all.say(
+        fmt::format("{} of the paired runs overturned: their demands are those before overturning",
+                    found.overturned));
+  all.list("not_in_both", "not in both", found.not_common);
+  all.json("smallest_p_possible", found.smallest_p);
+  Section tests{"tests"};
+  tests.json("shares", found.tests.shares).json("curves", found.tests.curves);
+  tests.json("means", found.tests.means).json("medians", found.tests.medians);
+  all.add(tests);
+  all.say(fmt::format(
+      "Holm's adjustment within each of these families of tests: {} of shares, {} of curves, {} of "
+      "means, {} of medians; * below {:g}",
+      found.tests.shares, found.tests.curves, found.tests.means, found.tests.medians,
+      kSignificant));
+  return all.list("", "in short", conclusions(report));
 }
 
 }  // namespace gurney::report

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "studies/findings/findings.h"
 #include "studies/study/analysis/input_differences.h"
 #include "studies/study/analysis/study_comparison.h"
 
@@ -19,7 +20,7 @@ struct ComparisonReport {
   const study::UnitSystem& units() const { return a.data->units(); }
 };
 
-std::string comparison_text(const ComparisonReport& report);
-std::string comparison_json(const ComparisonReport& report);
+/// Sides, inputs that differ, shares, curves, means, medians, and what is significant.
+findings::Section comparison_findings(const ComparisonReport& report);
 
 }  // namespace gurney::report
