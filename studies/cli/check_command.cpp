@@ -15,7 +15,7 @@
 #include "studies/cli/study_size.h"
 #include "studies/cli/study_warnings.h"
 #include "studies/report/overview_report.h"
-#include "studies/report/scale_factors_json.h"
+#include "studies/report/scale_factors.h"
 #include "studies/study/plan/stages.h"
 #include "studies/study/prepare/run_job.h"
 #include "studies/study/run/declared_ranges.h"
@@ -137,7 +137,7 @@ void add_plan(Answer& answer, const study::Batch& batch,
   const study::UndrawnRanges undrawn = study::undrawn_ranges(batch);
   answer.json["ranges_not_drawn"] = undrawn.lines();
   warnings.insert(warnings.end(), of_buildings.begin(), of_buildings.end());
-  answer.text += report::undrawn_text(undrawn);
+  answer.text += render::text(report::undrawn_findings(undrawn));
   add_warnings(answer, warnings);
 }
 

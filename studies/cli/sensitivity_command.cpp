@@ -7,6 +7,7 @@
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
+#include "studies/cli/print.h"
 #include "studies/cli/units_option.h"
 #include "studies/figures/sensitivity_figure.h"
 #include "studies/report/sensitivity_report.h"
@@ -66,8 +67,10 @@ int sensitivity(const SensitivityCommand& options) {
     reports.push_back(std::move(report));
   }
   if (found == 0) throw Error(reports.front().why_not);
-  fmt::print("{}",
-             options.json ? report::sensitivity_json(reports) : report::sensitivity_text(reports));
+  std::vector<findings::Section> known;
+  for (const report::SensitivityReport& each : reports)
+    known.push_back(report::sensitivity_findings(each));
+  print_findings(known, options.json);
   if (!options.figure.empty())
     options.figure.write(figures::sensitivity_figure(reports.front()), options.overwrite,
                          options.json);

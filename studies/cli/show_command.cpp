@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "engine/base/error.h"
@@ -11,6 +10,7 @@
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/job_of_log.h"
+#include "studies/cli/print.h"
 #include "studies/cli/scratch_folder.h"
 #include "studies/cli/units_option.h"
 #include "studies/report/overview_report.h"
@@ -59,16 +59,14 @@ int show_unfinished(const ShowOptions& options) {
   overview.file.path = options.file;
   for (study::FailedRun& each : overview.failures)
     each.command = "(can be repeated once the study is complete)";
-  if (options.json) {
-    auto json = nlohmann::ordered_json::parse(report::overview_json(overview));
-    json["unfinished"] = {{"analysis_cases", cases.tasks()}, {"finished", cases.finished()}};
-    fmt::print("{}\n", json.dump(2));
-    return 0;
-  }
-  fmt::print("UNFINISHED: {} of {} analysis cases; all below is of these alone{}\n\n{}",
-             cases.finished(), cases.tasks(),
-             cases.damaged() > 0 ? fmt::format(", without {} damaged parts", cases.damaged()) : "",
-             report::overview_text(overview));
+  if (!options.json)
+    fmt::print(
+        "UNFINISHED: {} of {} analysis cases; all below is of these alone{}\n\n", cases.finished(),
+        cases.tasks(),
+        cases.damaged() > 0 ? fmt::format(", without {} damaged parts", cases.damaged()) : "");
+  findings::Section unfinished{"unfinished"};
+  unfinished.json("analysis_cases", cases.tasks()).json("finished", cases.finished());
+  print_findings(report::overview_findings(overview).add(std::move(unfinished)), options.json);
   return 0;
 }
 
@@ -76,15 +74,13 @@ int show_command(const ShowOptions& options) {
   if (is_folder(options.file)) return show_unfinished(options);
   if (study::is_study_file(options.file)) {
     const auto overview = study::study_overview(options.file, options.assessed_by, options.units);
-    fmt::print("{}",
-               options.json ? report::overview_json(overview) : report::overview_text(overview));
+    print_findings(report::overview_findings(overview), options.json);
     return 0;
   }
   require(options.assessed_by.empty(),
           options.file + ": is the file of one run; limit states are for that of a study");
   const study::RunOverview overview = study::run_overview(options.file);
-  fmt::print("{}", options.json ? report::overview_json(overview, options.units)
-                                : report::overview_text(overview, options.units));
+  print_findings(report::overview_findings(overview, options.units), options.json);
   return 0;
 }
 

@@ -17,7 +17,7 @@
 #include "studies/cli/standard_error.h"
 #include "studies/report/failed_runs.h"
 #include "studies/report/overview_report.h"
-#include "studies/report/scale_factors_json.h"
+#include "studies/report/scale_factors.h"
 #include "studies/study/analysis/overview.h"
 #include "studies/study/results/output_files.h"
 #include "studies/study/run/declared_ranges.h"
@@ -59,7 +59,9 @@ constexpr std::size_t kMaxRunsReadBack = 5'000, kMaxRows = 20;
 
 /// Shares of runs that exceed limit states, and the commands that answer more.
 void print_shares(const study::StudyOverview& overview) {
-  fmt::print("\n{}\n", report::shares_text(overview, kMaxRows));
+  findings::Table shares = report::share_findings(overview);
+  shares.most = kMaxRows;
+  fmt::print("\n{}\n", render::text(shares));
   const std::string file = shell_word(overview.file.path);
   const std::string page =
       shell_word(fs::path(overview.file.path).replace_extension(".html").string());

@@ -8,6 +8,7 @@
 #include "studies/figures/labels.h"
 #include "studies/figures/sensitivity_figure.h"
 #include "studies/page/drawing.h"
+#include "studies/page/findings_html.h"
 #include "studies/page/study_page.h"
 #include "studies/page/table.h"
 #include "studies/report/fragility_report.h"
@@ -15,13 +16,6 @@
 
 namespace gurney::page {
 namespace {
-
-std::string interval(const statistics::Interval& of, double unit, int digits) {
-  const auto end = [&](double value) {
-    return std::isfinite(value) ? fmt::format("{:.{}g}", value / unit, digits) : "\u221e";
-  };
-  return end(of.low) + " to " + end(of.high);
-}
 
 std::vector<Cell> row_of(const study::FragilityResult& of, const study::ReportUnit& unit,
                          bool rates) {
@@ -119,38 +113,6 @@ Html performance_of(const StudyPage& page) {
   return all.empty() ? all : element("h3", "Performance levels") + all;
 }
 
-Html sensitivity_table(const report::SensitivityReport& report) {
-  const study::StudySensitivity& found = report.found;
-  const study::ReportUnit unit = report.units.of(found.units), one{"1", 1};
-  const std::string of_unit = unit.name == "1" ? "" : " (" + unit.name + ")";
-  Table table{fmt::format("Inputs of {}{}", found.output,
-                          report.configuration.empty() ? "" : ", " + report.configuration),
-              {{"Input"},
-               {"First-order index", true, "share of the variance by the input alone"},
-               {"95 % interval"}}};
-  if (found.designed) {
-    table.columns.push_back({"Total index", true, "with all interactions"});
-    table.columns.push_back({"95 % interval"});
-  }
-  for (const char* end : {"Mean in its lowest ", "Mean in its highest "})
-    table.columns.push_back({fmt::format("{}{:g} %{}", end, 100 * found.share, of_unit), true});
-  table.columns.push_back({"Swing" + of_unit, true});
-  const auto add = [&](std::vector<Cell>& row,
-                       const std::optional<statistics::VarianceIndex>& index) {
-    row.push_back(index ? Cell(index->estimate, one, 2) : Cell("\u2013"));
-    row.push_back(index ? Cell(interval(index->interval, 1, 2)) : Cell("too few runs"));
-  };
-  for (const study::SensitiveInput& input : found.inputs) {
-    std::vector<Cell> row{report::name_of(input)};
-    add(row, input.index);
-    if (found.designed) add(row, input.total);
-    for (const double value : {input.bar.low, input.bar.high, input.bar.swing()})
-      row.push_back(input.drawn && std::isfinite(value) ? Cell(value, unit) : Cell("\u2013"));
-    table.rows.push_back(std::move(row));
-  }
-  return html(table);
-}
-
 }  // namespace
 
 Section study_fragility(const StudyPage& page) {
@@ -171,17 +133,13 @@ Section study_sensitivity(const StudyPage& page) {
       content += paragraph("No sensitivity: " + each.why_not);
       continue;
     }
-    const study::ReportUnit unit = each.units.of(found.units);
     content +=
-        paragraph(fmt::format("{}: mean {:.3g} {}, standard deviation {:.3g} {}, {}.", found.output,
-                              found.mean / unit.in_si, unit.name, found.deviation / unit.in_si,
-                              unit.name, counted(found.runs, "run"))) +
+        paragraph(report::sensitivity_title(each)) +
         html(Drawing{fmt::format("sensitivity-{}", i + 1), figures::sensitivity_figure(each),
                      "Sensitivity: indices with 95 % intervals, and tornado.",
                      "First-order indices of the inputs, and means of the demand where an input is "
                      "low or high; the table has the numbers."}) +
-        sensitivity_table(each) +
-        element("p", report::sensitivity_remarks(found), {{"class", "lines"}});
+        html(report::sensitive_inputs(each)) + list(report::sensitivity_remarks(found));
   }
   return {"sensitivity", "Sensitivity", content};
 }

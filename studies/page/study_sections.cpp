@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include "studies/figures/labels.h"
+#include "studies/page/findings_html.h"
 #include "studies/page/study_page.h"
 #include "studies/page/table.h"
 #include "studies/report/failed_runs.h"
 #include "studies/report/fragility_report.h"
+#include "studies/report/overview_report.h"
 #include "studies/study/analysis/zone_occupancy.h"
 
 namespace gurney::page {
@@ -106,57 +108,16 @@ Section study_summary(const StudyPage& page) {
 
 Section study_design(const StudyPage& page) {
   const study::StudyOverview& overview = page.overview;
-  std::vector<std::string> angles;
-  const study::ReportUnit turn = overview.units.of("rad");
-  for (const double angle : overview.angles)
-    angles.push_back(fmt::format("{:g}", angle / turn.in_si));
-  std::vector<std::pair<std::string, std::string>> named;
-  for (const auto& factor : overview.factors)
-    named.emplace_back("Factor " + factor.name, fmt::format("{}", fmt::join(factor.levels, "; ")));
-  named.emplace_back("Configurations", std::to_string(overview.configurations.size()));
-  named.emplace_back("Angles", fmt::format("{} {}", fmt::join(angles, ", "), turn.name));
-  named.emplace_back(overview.measure.empty() ? "Records" : "Intensity, " + overview.measure,
-                     fmt::format("{}", fmt::join(overview.levels, ", ")));
-  if (overview.factors_on_records.any())
-    named.emplace_back("Scale factors", overview.factors_on_records.text());
-  named.emplace_back("Draws", overview.draws > 0 ? fmt::format("{} of each record", overview.draws)
-                                                 : "none: every parameter has its value");
-  if (overview.replicas > 1)
-    named.emplace_back("Replicas", fmt::format("{} of each draw", overview.replicas));
-  for (const study::LimitState& state : overview.states)
-    named.emplace_back("Limit state " + state.name, state.origin.empty()
-                                                        ? state.words
-                                                        : state.words + " (" + state.origin + ")");
   const std::string what =
       overview.configurations.size() > 1 ? "configuration " + overview.configurations.front() : "";
   return {"design", "What was run",
-          facts(named) + (page.scene ? scene_drawings(*page.scene, what, overview.units)
-                                     : paragraph(page.no_scene))};
+          html(report::design_findings(overview)) +
+              (page.scene ? scene_drawings(*page.scene, what, overview.units)
+                          : paragraph(page.no_scene))};
 }
 
 Section study_outcomes(const StudyPage& page) {
-  const study::StudyOverview& overview = page.overview;
-  Table table{
-      "Runs of each configuration and intensity, and the share of those that did not fail "
-      "that exceeds each limit state",
-      {{"Configuration"},
-       {overview.measure.empty() ? "Records" : overview.measure},
-       {"Runs", true},
-       {"Overturned", true},
-       {"Failed", true}}};
-  for (const study::LimitState& state : overview.states)
-    table.columns.push_back({state.name, true, state.words});
-  for (const study::LevelCounts& each : overview.counts) {
-    std::vector<Cell> row{each.configuration.empty() ? "all runs" : each.configuration, each.level,
-                          each.runs, each.overturned, each.failed};
-    for (const std::size_t exceeded : each.exceeded) {
-      Cell cell(percent(exceeded, each.counted()));
-      if (each.counted() > 0) cell.number = double(exceeded) / double(each.counted());
-      row.push_back(cell);
-    }
-    table.rows.push_back(std::move(row));
-  }
-  return {"outcomes", "Outcomes", html(table)};
+  return {"outcomes", "Outcomes", html(report::share_findings(page.overview))};
 }
 
 Section study_zones(const StudyPage& page) {
@@ -185,48 +146,18 @@ Section study_zones(const StudyPage& page) {
 }
 
 Section study_failures(const StudyPage& page) {
-  Table table{"Runs that failed, why, and the command that re-runs each",
-              {{"Run", true}, {"Cause"}, {"Command"}}};
-  for (const study::FailedRun& each : page.overview.failures)
-    table.rows.push_back({each.run, each.cause, each.command});
+  const findings::Table table = report::failure_findings(page.overview);
   return {"failures", "Failed runs",
           table.rows.empty() ? paragraph("No run failed.") : html(table)};
 }
 
 Section study_time_step(const StudyPage& page) {
-  const study::ReportUnit one{"1", 1};
-  if (!page.overview.step_check)
+  if (page.overview.step_check)
     return {"time-step", "Time-step check",
-            paragraph("The study asked for none (study.step_check): how far the time step changes "
-                      "these results is not known from this file.")};
-  const study::StepCheck& of = *page.overview.step_check;
-  Table table{"Relative change of the demands with half the time step",
-              {{"Demand"},
-               {"Compared", true},
-               {"Within 1 %", true},
-               {"Within 5 %", true},
-               {"Median", true},
-               {"Largest", true},
-               {"In run", true}}};
-  for (const study::StepChange& each : of.changes)
-    if (each.compared > 0)
-      table.rows.push_back({study::name_of(each), each.compared,
-                            fmt::format("{:.0f} %", 100 * each.within_1_percent),
-                            fmt::format("{:.0f} %", 100 * each.within_5_percent),
-                            Cell(each.median, one, 2), Cell(each.largest, one, 2),
-                            each.largest > 0 ? Cell(each.largest_run) : Cell("\u2013")});
-  std::vector<std::string> lines;
-  if (of.failed > 0) lines.push_back(counted(of.failed, "further repetition") + " failed.");
-  for (const study::StateChange& each : of.states)
-    lines.push_back(fmt::format("{}: a different outcome in {} of {}.", each.state,
-                                each.runs.size(), counted(of.runs, "run")));
-  for (const std::string& each : of.unjudged)
-    lines.push_back(each +
-                    ": not compared, the repeated runs keep only demands of items and points.");
+            html(report::step_check_findings(*page.overview.step_check))};
   return {"time-step", "Time-step check",
-          paragraph(fmt::format("{} {} repeated with half the time step.", counted(of.runs, "run"),
-                                of.runs == 1 ? "was" : "were")) +
-              html(table) + list(lines)};
+          paragraph("The study asked for none (study.step_check): how far the time step changes "
+                    "these results is not known from this file.")};
 }
 
 }  // namespace gurney::page

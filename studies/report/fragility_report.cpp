@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/report/json_values.h"
-#include "studies/report/scale_factors_json.h"
+#include "studies/report/scale_factors.h"
 #include "studies/study/analysis/performance.h"
 
 namespace gurney::report {

@@ -1,24 +1,25 @@
 #pragma once
 
-#include <string>
-
+#include "studies/findings/findings.h"
 #include "studies/study/analysis/overview.h"
 
 namespace gurney::report {
 
-/// What a results file holds, to be read in a terminal.
-std::string overview_text(const study::StudyOverview& overview);
-std::string overview_text(const study::RunOverview& overview, const study::UnitSystem& units = {});
+/// What a results file holds. JSON of a run is in SI unless units are chosen.
+findings::Section overview_findings(const study::StudyOverview& overview);
+findings::Section overview_findings(const study::RunOverview& overview,
+                                    const study::UnitSystem& units = {});
+
+// Parts of it.
+findings::Section design_findings(const study::StudyOverview& overview);
+findings::Section provenance_findings(const study::FileOverview& file,
+                                      const std::string& what = "");
+findings::Section assumption_findings(const study::FileOverview& file);
+findings::Section undrawn_findings(const std::optional<study::UndrawnRanges>& undrawn);
+findings::Section step_check_findings(const study::StepCheck& check);
+findings::Table failure_findings(const study::StudyOverview& overview);
 
 /// Runs of each configuration and level, and the shares of them that exceed the limit states.
-/// @param most_rows  further ones are counted
-std::string shares_text(const study::StudyOverview& overview, std::size_t most_rows);
-
-/// "uncertainties not propagated", by data file.
-std::string undrawn_text(const std::optional<study::UndrawnRanges>& undrawn);
-
-/// The same as JSON: SI unless units are chosen; a number that does not exist is null.
-std::string overview_json(const study::StudyOverview& overview);
-std::string overview_json(const study::RunOverview& overview, const study::UnitSystem& units = {});
+findings::Table share_findings(const study::StudyOverview& overview);
 
 }  // namespace gurney::report

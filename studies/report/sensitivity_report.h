@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/findings/findings.h"
 #include "studies/study/analysis/study_sensitivity.h"
 
 namespace gurney::report {
@@ -18,10 +19,16 @@ struct SensitivityReport {
 /// "mass_kg", or "static_friction and 7 equal to it".
 std::string name_of(const study::SensitiveInput& input);
 
-std::string sensitivity_text(const std::vector<SensitivityReport>& reports);
-/// What the indices mean and how far to trust them, a line each.
-std::string sensitivity_remarks(const study::StudySensitivity& found);
+/// Indices and tornado of the inputs.
+findings::Table sensitive_inputs(const SensitivityReport& report);
 
-std::string sensitivity_json(const std::vector<SensitivityReport>& reports);
+/// What the indices mean and how far to trust them, a sentence each.
+findings::Texts sensitivity_remarks(const study::StudySensitivity& found);
+
+/// "peak_tilt, brakes on: mean 3.2 deg, standard deviation 0.4 deg, 100 runs"
+std::string sensitivity_title(const SensitivityReport& report);
+
+/// In SI unless units are chosen.
+findings::Section sensitivity_findings(const SensitivityReport& report);
 
 }  // namespace gurney::report

@@ -81,7 +81,7 @@ set(GURNEY_ROOMS
   "studies/picture: engine/base"
   "studies/page: engine/base engine/config engine/scene equipment/catalogue studies/build_info
     studies/study/job studies/study/units studies/study/results studies/study/plan
-    studies/study/analysis studies/report studies/figures studies/explanation"
+    studies/study/analysis studies/findings studies/report studies/figures studies/explanation"
   "studies/playback: engine/base engine/response studies/study/results"
   "studies/doctor: engine/base equipment/catalogue studies/build_info studies/study/results
     studies/study/run studies/picture"

@@ -83,7 +83,8 @@ grep -q '"theta"' given.json || complain "no curve to compare"
 
 # Of named records: as a study without the others.
 records=3 study few.h5 "levels = [0.1, 0.25, 0.5]"
-mapfile -t names < <("$gurney" show few.h5 --json | sed -n 's/^ *"name": "\(.*\)",$/\1/p' | head -3)
+mapfile -t names < <("$gurney" show few.h5 --json |
+  python3 -c 'import json, sys; [print(r["name"]) for r in json.load(sys.stdin)["records"]]')
 [ "${#names[@]}" -eq 3 ] || complain "few.h5 does not have three records"
 "$gurney" fragility plain.h5 --limit-states limits.toml --record "${names[@]}" > given.txt
 "$gurney" fragility few.h5 --limit-states limits.toml > stated.txt

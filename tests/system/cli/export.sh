@@ -18,7 +18,7 @@ folder_holds() {
   complain "the study does not run"
 
 expect 0 "a study of 30 runs" "$gurney" show study.h5
-expect 0 "PGA larger: 0.1 g, 0.15 g, 0.2 g" "$gurney" show study.h5
+expect 0 "0.1 g, 0.15 g, 0.2 g" "$gurney" show study.h5
 expect 0 "were repeated with half the step" "$gurney" show study.h5
 expect 0 '"filetype": "gurney-study"' "$gurney" show study.h5 --json
 expect 1 "nothing.h5: no such file" "$gurney" show nothing.h5

@@ -7,6 +7,7 @@
 #include "studies/report/sensitivity_report.h"
 #include "tests/studies/study/analysis/made_study.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/one_line.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::study {
@@ -90,10 +91,11 @@ TEST_F(DesignedSensitivity, IndicesAreTheClosedForms) {
   EXPECT_NEAR(named(found, "u").bar.low, 2.75 - 1.8, 0.1);
   EXPECT_FALSE(named(found, "record").drawn);
   EXPECT_FALSE(named(found, "group treads").drawn);
-  const std::string text = report::sensitivity_text({{"", found, ""}});
-  EXPECT_THAT(text, HasSubstr(" first  95 % interval   total  95 % interval"));
+  const std::string text = one_line(report::sensitivity_findings({"", found, ""}));
+  EXPECT_THAT(text, HasSubstr(" first 95 % interval total 95 % interval"));
   EXPECT_THAT(text, HasSubstr("an input whose total is 0 does not matter"));
-  EXPECT_THAT(report::sensitivity_json({{"", found, ""}}), HasSubstr("\"total_interval\""));
+  EXPECT_THAT(render::json(report::sensitivity_findings({"", found, ""})),
+              HasSubstr("\"total_interval\""));
   EXPECT_THAT(figures::sensitivity_figure({"", found, ""}), HasSubstr("total index"));
 }
 
@@ -106,7 +108,7 @@ TEST_F(DesignedSensitivity, WhatLevelsAddIsNoVarianceOfTheInputs) {
   second.level = 1;
   const StudySensitivity one = study_sensitivity({&study, 0}, second);
   EXPECT_TRUE(both.repeated_draws);
-  EXPECT_THAT(report::sensitivity_text({{"", both, ""}}),
+  EXPECT_THAT(one_line(report::sensitivity_findings({"", both, ""})),
               HasSubstr("Several angles or levels share 1024 points"));
   EXPECT_FALSE(one.repeated_draws);
   EXPECT_NEAR(one.mean, both.mean + 50, 1e-9);
@@ -122,7 +124,7 @@ TEST_F(DesignedSensitivity, PointsThatAreNotWholeAreLeftOut) {
   const StudySensitivity found = study_sensitivity({&study, 0}, kPeak);
   EXPECT_EQ(found.draws, 99);
   EXPECT_EQ(found.left_out, kMatrices - 1);
-  EXPECT_THAT(report::sensitivity_text({{"", found, ""}}),
+  EXPECT_THAT(one_line(report::sensitivity_findings({"", found, ""})),
               HasSubstr("4 runs are excluded: they have no such demand, or another run of their "
                         "point has none or failed."));
   for (std::size_t point = 0; point < 81; ++point) runs[point * kMatrices].failed = true;

@@ -7,6 +7,7 @@
 #include "studies/report/sensitivity_report.h"
 #include "tests/studies/study/analysis/made_study.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/one_line.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::study {
@@ -58,7 +59,7 @@ TEST_F(StudySensitivityTest, SharesOfTheVarianceAreFound) {
   EXPECT_NEAR(found.inputs[0].low, 0.1, 0.05);
   EXPECT_TRUE(found.correlated.empty());
   EXPECT_EQ(found.output, "cart: peak_displacement");
-  const std::string text = report::sensitivity_text({{"", found, ""}});
+  const std::string text = one_line(report::sensitivity_findings({"", found, ""}));
   EXPECT_THAT(text, HasSubstr("big contributes most"));
   EXPECT_THAT(text, HasSubstr("(interactions) is in none of them"));
   EXPECT_THAT(text, testing::Not(HasSubstr("Few runs")));
@@ -77,7 +78,7 @@ TEST_F(StudySensitivityTest, EqualConstantAndCorrelatedInputsAreNamed) {
   EXPECT_THAT(found.inputs[0].names, ElementsAre("big", "big again"));
   ASSERT_EQ(found.correlated.size(), 1);
   EXPECT_THAT(found.correlated[0], ElementsAre("much like small", "small"));
-  const std::string text = report::sensitivity_text({{"", found, ""}});
+  const std::string text = one_line(report::sensitivity_findings({"", found, ""}));
   EXPECT_THAT(text, HasSubstr("big and 1 equal to it"));
   EXPECT_THAT(text, HasSubstr("Equal in every run, so one input: big, big again."));
   EXPECT_THAT(text,
@@ -106,7 +107,8 @@ TEST_F(StudySensitivityTest, LevelsAreAnInputUnlessOneIsChosen) {
   EXPECT_THAT(all.inputs[0].names, ElementsAre("level"));
   EXPECT_FALSE(all.inputs[0].drawn);
   EXPECT_TRUE(all.repeated_draws);
-  EXPECT_THAT(report::sensitivity_text({{"", all, ""}}), HasSubstr("200 runs share 100 draws"));
+  EXPECT_THAT(one_line(report::sensitivity_findings({"", all, ""})),
+              HasSubstr("200 runs share 100 draws"));
   SensitivityRequest second = kPeak;
   second.level = 1;
   const StudySensitivity one = study_sensitivity({&study, 0}, second);
@@ -167,7 +169,7 @@ TEST_F(StudySensitivityTest, ReplicasShowTheShareOfChaos) {
   EXPECT_FALSE(found.inputs[1].drawn);
   EXPECT_NEAR(found.inputs[1].index->estimate, 0.1, 0.027);
   EXPECT_NEAR(found.sum, 1, 0.05);
-  EXPECT_THAT(report::sensitivity_text({{"", found, ""}}), HasSubstr("chaos"));
+  EXPECT_THAT(one_line(report::sensitivity_findings({"", found, ""})), HasSubstr("chaos"));
 }
 
 }  // namespace

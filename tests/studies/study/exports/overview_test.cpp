@@ -8,6 +8,7 @@
 #include "studies/report/overview_report.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fabricated_study.h"
+#include "tests/support/one_line.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::study {
@@ -49,10 +50,11 @@ TEST_F(Overview, CountsRunsOfEachConfigurationAtEachLevel) {
 
 TEST_F(Overview, PrintsTheScaleFactorsOfAllRecords) {
   const StudyOverview overview = study_overview(path_);
-  EXPECT_THAT(report::overview_text(overview),
-              HasSubstr("scaling     factors 0.49 to 5.88; 40 of 40 records above 5"));
-  EXPECT_EQ(
-      nlohmann::json::parse(report::overview_json(overview))["scale_factors"]["records_above"], 40);
+  EXPECT_THAT(one_line(report::overview_findings(overview)),
+              HasSubstr("scaling factors 0.49 to 5.88; 40 of 40 records above 5"));
+  EXPECT_EQ(nlohmann::json::parse(render::json(
+                report::overview_findings(overview)))["scale_factors"]["records_above"],
+            40);
 }
 
 TEST_F(Overview, NamesFailedRunsAndWhatMakesThemAgain) {
@@ -67,10 +69,10 @@ TEST_F(Overview, ListsTheRangesThatWereNotDrawn) {
   const StudyOverview overview = study_overview(path_);
   ASSERT_TRUE(overview.undrawn.has_value());
   EXPECT_THAT(overview.undrawn->lines(), ElementsAre("bed.toml: chassis.mass_kg"));
-  EXPECT_THAT(report::overview_text(overview),
+  EXPECT_THAT(one_line(report::overview_findings(overview)),
               HasSubstr("uncertainties not propagated, parameters with a range that keep their "
-                        "values:\n  bed.toml: chassis.mass_kg\n"));
-  const auto json = nlohmann::json::parse(report::overview_json(overview));
+                        "values bed.toml: chassis.mass_kg "));
+  const auto json = nlohmann::json::parse(render::json(report::overview_findings(overview)));
   EXPECT_EQ(json["ranges_not_drawn"], nlohmann::json({"bed.toml: chassis.mass_kg"}));
 }
 
@@ -118,25 +120,24 @@ TEST_F(Overview, HasNoStepCheckWhereTheStudyHasNone) {
   FabricatedStudy::write(path_, false);
   const StudyOverview overview = study_overview(path_);
   EXPECT_FALSE(overview.step_check);
-  EXPECT_THAT(report::overview_text(overview), Not(HasSubstr("half the step")));
+  EXPECT_THAT(one_line(report::overview_findings(overview)), Not(HasSubstr("half the step")));
 }
 
 TEST_F(Overview, IsReadInATerminal) {
-  const std::string text = report::overview_text(study_overview(path_));
+  const std::string text = one_line(report::overview_findings(study_overview(path_)));
   for (const char* line :
-       {"Fabricated & <plain>\n", "a study of 480 runs\n", "factor      brakes: false, true\n",
-        "intensity   PGA larger: 0.1 g, 0.2 g, 0.3 g, 0.5 g, 0.8 g, 1.2 g\n",
-        "runs        480, 0 overturned, 1 failed\n", "(worst: run 30)\n",
-        "assumed     1 parameter without a source", "    warning: no vertical component\n",
-        "  and 31 more records; --json lists all\n",
-        "  17: did not converge, \"badly\"\n    gurney replay ",
-        "10 runs were repeated with half the step", "  1 further repetition failed\n",
-        "  moved: a different outcome in 1 of 10 runs\n"})
+       {"Fabricated & <plain> ", "factor brakes false, true ",
+        "intensity, PGA larger 0.1 g, 0.2 g, 0.3 g, 0.5 g, 0.8 g, 1.2 g ",
+        "480, 0 overturned, 1 failed ", "(worst: run 30) ", "1 parameter without a source",
+        " warning: no vertical component ", " and 31 more; --json lists all ",
+        "did not converge, \"badly\" gurney replay ", "10 runs were repeated with half the step",
+        " 1 further repetition failed ", " moved: a different outcome in 1 of 10 runs "})
     EXPECT_THAT(text, HasSubstr(line));
 }
 
 TEST_F(Overview, IsJson) {
-  const auto json = nlohmann::json::parse(report::overview_json(study_overview(path_)));
+  const auto json =
+      nlohmann::json::parse(render::json(report::overview_findings(study_overview(path_))));
   EXPECT_EQ(json["filetype"], "gurney-study");
   EXPECT_EQ(json["counts"][5]["failed"], 1);
   EXPECT_EQ(json["records"].size(), FabricatedStudy::kRecords);
