@@ -83,7 +83,8 @@ IN_SI = {"m": 1, "m/s": 1, "m/s2": 1, "rad": 1, "N": 1, "N s": 1, "cm": .01, "cm
 OF_IM = {"theta", "theta_interval", "median_between", "lowest_im", "highest_im", "im", "above",
          "at_most"}
 OF_DEMAND = {"a", "b", "difference", "interval", "mean", "standard_deviation", "mean_below",
-             "mean_above", "mean_below_error", "mean_above_error", "floor", "values", "scatter"}
+             "mean_above", "mean_below_error", "mean_above_error", "swing", "floor", "values",
+             "scatter"}
 seen = set()
 
 
