@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "engine/base/error.h"
+#include "engine/base/printable.h"
 #include "studies/calibration/fit/caster_file.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
@@ -44,7 +45,7 @@ void write_all(const CalibrateOptions& options, const calibration::Calibration& 
   files.commit();
   if (options.json) return;
   fmt::print("\n");
-  for (const auto& [path, text] : all) fmt::print("{}\n", path);
+  for (const auto& [path, text] : all) fmt::print("{}\n", printable(path));
 }
 
 /// Before the work: what is certain to be refused after it.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "engine/base/printable.h"
 #include "engine/base/units.h"
 #include "equipment/catalogue/file_kind.h"
 #include "studies/cli/commands.h"
@@ -40,13 +41,14 @@ struct Answer {
   /// @param key  of JSON, with its unit; the line begins without the unit
   void add(const std::string& key, const Json& value, const std::string& words) {
     json[key] = value;
-    text += fmt::format("{:<14} {}\n", key.substr(0, key.find('_')), words);
+    text += fmt::format("{:<14} {}\n", key.substr(0, key.find('_')), printable(words));
   }
 };
 
 void add_warnings(Answer& answer, const std::vector<std::string>& warnings) {
   answer.json["warnings"] = warnings;
-  for (const std::string& warning : warnings) answer.text += "warning: " + warning + '\n';
+  for (const std::string& warning : warnings)
+    answer.text += "warning: " + printable(warning) + '\n';
 }
 
 void add_intensity(Answer& answer, const study::IntensityPlan& plan) {

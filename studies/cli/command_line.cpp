@@ -10,6 +10,7 @@
 #include <iostream>
 #include <memory>
 #include <new>
+#include <sstream>
 
 #include "engine/base/error.h"
 #include "engine/base/printable.h"
@@ -193,10 +194,14 @@ int parse_and_run(CLI::App& app, const std::function<int()>& action, int argc, c
   try {
     app.parse(argc, argv);
   } catch (const CLI::ExtrasError&) {
-    write_error(unexpected(app, words));
+    print_error("{}", unexpected(app, words));
     return kBadUsage;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kBadUsage;
+    std::ostringstream output, errors;
+    const int code = app.exit(error, output, errors);
+    fmt::print("{}", output.str());
+    print_error("{}", errors.str());
+    return code == 0 ? kDone : kBadUsage;
   }
   if (!app.get_subcommands().empty()) return with_json_errors(wants_json(app), action);
   print_error("a command is needed\n\n{}", app.help());
@@ -225,11 +230,11 @@ int run_command_line(int argc, char** argv) {
   try {
     return flushed(parse_and_run(app, action, argc, argv));
   } catch (const Error& error) {
-    print_error("{}\n", shortened(printable(error.what())));
+    print_error("{}\n", error.what());
   } catch (const std::bad_alloc&) {
     write_error("gurney: not enough memory\n");
   } catch (const std::exception& error) {
-    print_error("gurney: {}\n", shortened(printable(error.what())));
+    print_error("gurney: {}\n", error.what());
   }
   return kBadInput;
 }

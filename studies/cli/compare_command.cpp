@@ -34,6 +34,8 @@ std::string listed(const study::StudyData& data) {
 /// Two configurations of one file.
 void choose(const study::StudyData& data, const std::string& text,
             report::ComparisonReport& report) {
+  require(data.configurations().size() > 1,
+          data.file().path() + ": has one configuration; name a second file to compare it with");
   std::vector<std::size_t> chosen = study::named_configurations(data, text);
   if (text.empty() && data.configurations().size() == 2) chosen = {0, 1};
   require(chosen.size() == 2,

@@ -49,7 +49,7 @@ int check_equipment(const std::vector<std::string>& files, bool json) {
     } catch (const Error& error) {
       code = 1;
       results.push_back({{"file", file}, {"errors", json_errors(error.what())}});
-      if (!json) print_error("{}\n", shortened(printable(error.what())));
+      if (!json) print_error("{}\n", error.what());
     }
   }
   if (json) fmt::print("{}\n", nlohmann::ordered_json{{"files", results}}.dump(2));

@@ -47,7 +47,8 @@ class VariantProgress {
     using std::chrono::steady_clock;
     const bool last = finished == all;
     if (terminal_)
-      print_error("\r{} of {} runs of variants{}", finished, all, last ? "\n" : "\x1b[K");
+      write_error(
+          fmt::format("\r{} of {} runs of variants{}", finished, all, last ? "\n" : "\x1b[K"));
     else if (steady_clock::now() - shown_ >= std::chrono::seconds(10)) {
       print_error("{} of {} runs of variants\n", finished, all);
       shown_ = steady_clock::now();

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/base/error.h"
+#include "engine/base/printable.h"
 #include "equipment/catalogue/load_item.h"
 #include "studies/calibration/pulling/trials.h"
 #include "studies/cli/assessment_options.h"
@@ -135,7 +136,7 @@ int export_command(const ExportOptions& options) {
         written += "wrote    " + path + "\n";
       });
   files.commit();
-  fmt::print("{}", written);
+  fmt::print("{}", printable(written));
   for (const std::string& each : left_out) print_error("omitted {}\n", each);
   return 0;
 }

@@ -6,6 +6,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
+#include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
 #include "equipment/catalogue/catalogue.h"
 #include "studies/cli/commands.h"
@@ -92,7 +93,7 @@ int new_command(const NewOptions& options) {
     records = write_file(options, file);
   }
   if (!records.empty()) fmt::print("records  {}\n", records);
-  fmt::print("written  {}\nnext     {}\n", file.string(), next_command(options, file));
+  fmt::print("written  {}\nnext     {}\n", printable(file.string()), next_command(options, file));
   return 0;
 }
 

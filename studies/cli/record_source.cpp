@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engine/base/error.h"
+#include "engine/base/printable.h"
 #include "engine/config/document.h"
 #include "engine/config/table.h"
 #include "groundmotions/processing/pipeline.h"
@@ -45,11 +46,11 @@ class ProgressLine {
   ~ProgressLine() { clear(); }
   void show(const std::string& what, std::size_t done, std::size_t all) {
     if (!isatty(2) || all < 2) return;
-    print_error("\r\x1b[K{} {} of {}", what, done + 1, all);
+    write_error(fmt::format("\r\x1b[K{} {} of {}", printable(what), done + 1, all));
     shown_ = true;
   }
   void clear() {
-    if (shown_) print_error("\r\x1b[K");
+    if (shown_) write_error("\r\x1b[K");
     shown_ = false;
   }
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "engine/base/error.h"
+#include "engine/base/printable.h"
 #include "groundmotions/formats/columns_csv.h"
 #include "studies/cli/signals.h"
 #include "studies/study/results/output_files.h"
@@ -58,7 +59,7 @@ void write_output(const std::string& path, const std::string& text, bool overwri
   const SignalsHeld until_written;
   files.stage(path, text);
   files.commit();
-  if (!quiet) fmt::print("{}\n", path);
+  if (!quiet) fmt::print("{}\n", printable(path));
 }
 
 }  // namespace gurney::cli

@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
 #include "engine/baselines/any_solver.h"
 #include "studies/build_info/build_info.h"
@@ -42,8 +43,8 @@ void print(const RunOutput& output, const study::PreparedRun& run, const Respons
   }
   fmt::print("{}\n", report::summary(run.facts, response, output.units));
   if (seconds > 0) fmt::print("speed    {:.0f} x real time\n", response.end_time / seconds);
-  fmt::print("results  {}\n", output.results.string());
-  if (!output.no_figure) fmt::print("figure   {}\n", output.figure().string());
+  fmt::print("results  {}\n", printable(output.results.string()));
+  if (!output.no_figure) fmt::print("figure   {}\n", printable(output.figure().string()));
   if (is_failure(response.outcome)) return;
   const fs::path stem = fs::path(output.results).replace_extension();
   const std::string file = shell_word(output.results.string());

@@ -11,6 +11,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
+#include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
 #include "studies/cli/scale_warnings.h"
 #include "studies/cli/signals.h"
@@ -75,7 +76,7 @@ bool is_complete(const RunOptions& options, const Paths& paths, const study::Bat
                       study::PartFolder::Start::kResume)
         .remove();
   study::remove_abandoned(paths.parts);
-  fmt::print("results  {} (already complete)\n", paths.results.string());
+  fmt::print("results  {} (already complete)\n", printable(paths.results.string()));
   return true;
 }
 

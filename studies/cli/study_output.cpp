@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/base/error.h"
+#include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/run_output.h"
@@ -121,7 +122,7 @@ void print_study(const study::Batch& batch, const fs::path& results, const Study
   if (undrawn.parameters() > 0)
     fmt::print("ranges   {} parameters with a range keep their values: gurney show lists them\n",
                undrawn.parameters());
-  fmt::print("results  {}\n", results.string());
+  fmt::print("results  {}\n", printable(results.string()));
   if (counts.runs <= kMaxRunsReadBack)
     print_shares(study::study_overview(results.string(), {}, units));
 }

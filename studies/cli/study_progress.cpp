@@ -39,7 +39,7 @@ void StudyProgress::operator()(const study::BatchProgress& now) {
                   report::failed_runs(now.failed, now.untrusted),
                   last ? std::string() : ", " + duration_text(to_go) + " to go");
   if (terminal_ && !last) text.resize(std::min(text.size(), terminal_width() - 1));
-  print_error("{}{}{}", terminal_ ? "\r" : "", text, terminal_ && !last ? "\x1b[K" : "\n");
+  write_error((terminal_ ? "\r" : "") + text + (terminal_ && !last ? "\x1b[K" : "\n"));
 }
 
 }  // namespace gurney::cli

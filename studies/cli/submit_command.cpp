@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/error.h"
+#include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
 #include "studies/cli/commands.h"
 #include "studies/study/plan/plan.h"
@@ -120,7 +121,7 @@ int submit_command(const SubmitOptions& options) {
   files.stage(script, script_of(options, results));
   files.commit();
   fmt::print("{}: {} analysis cases in {} shards\nsubmit   sbatch {}\nwatch    gurney status {}\n",
-             script, tasks, options.shards, shell_word(script),
+             printable(script), tasks, options.shards, shell_word(script),
              shell_word(study::shards_path(results).string()));
   if (options.mode == "array")
     fmt::print("at last  gurney merge {}\n", shell_word(study::shards_path(results).string()));

@@ -13,5 +13,10 @@ TEST(ShellWord, IsQuotedWhereAShellWouldReadSomethingElse) {
   EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
 }
 
+// printf '%s' $'\x1b[31m it\'s \\' in a shell gives the text back.
+TEST(ShellWord, ShowsControlCharacters) {
+  EXPECT_EQ(shell_word("\x1b[31m it's \\"), "$'\\x1b[31m it\\'s \\\\'");
+}
+
 }  // namespace
 }  // namespace gurney
