@@ -61,6 +61,7 @@ TEST_F(Grouping, KnowsStationsThatEndInDigitsAndWordsThatTouchThem) {
   EXPECT_EQ(name_without_component("RSN30_PARKF_C05085.AT2", "085"), "RSN30_PARKF_C05*.AT2");
   EXPECT_EQ(name_without_component("RSN1_X_STADWN.AT2", "DWN"), "RSN1_X_STA*.AT2");
   EXPECT_EQ(name_of_pattern("RSN30_PARKF_C05*.AT2"), "RSN30_PARKF_C05");
+  EXPECT_EQ(name_of_pattern("HI.ARS1.*.ASC"), "HI.ARS1");  // HNE, HNN, HNZ
   for (const auto& [file, component] : {std::pair{"X10050", "50"},
                                         {"X10140", "140"},
                                         {"X10-UP", "UP"},  // digits touch digits

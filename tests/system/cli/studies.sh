@@ -81,7 +81,13 @@ same one.h5 fresh.h5
 
 # Killed at random moments, then gone on with.
 job long.toml 80
-study 0 "runs     48" long.toml -o whole.h5
+TIMEFORMAT=%U
+{ time study 0 "runs     48" long.toml -o whole.h5; } 2> spent
+# check times eight of these runs, which take nearly all of its time: within a factor of 2 of what it says.
+"$gurney" check long.toml --json -j 1 > stdout
+estimated=$(sed -n 's/.*"time_s": \([0-9.e-]*\).*/\1/p' stdout)
+awk -v e="$estimated" -v s="$(cat spent)" 'BEGIN { exit !(e > s / 2 && e < 2 * s) }' ||
+  complain "check estimates $estimated s, the run takes $(cat spent) s"
 killed long.toml killed.h5
 same whole.h5 killed.h5
 
@@ -195,7 +201,6 @@ expect 0 '"runs": 48' "$gurney" check small.toml --json
 # on reading and writing files, which no run is charged for.
 "$gurney" check small.toml --json -j 1 > stdout
 estimated=$(sed -n 's/.*"time_s": \([0-9.e-]*\).*/\1/p' stdout)
-TIMEFORMAT=%U
 { time "$gurney" run small.toml -o timed.h5 -j 1 > /dev/null 2>&1; } 2> spent
 awk -v e="$estimated" -v s="$(cat spent)" 'BEGIN { exit !(e > 0 && e < 2 * s) }' ||
   complain "check estimates $estimated s, the run takes $(cat spent) s"
