@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "studies/report/json_values.h"
 #include "studies/report/scale_factors.h"
@@ -87,7 +89,7 @@ Json interval_json(const statistics::Interval& interval, double unit = 1) {
 
 Json rate_json(const study::SiteRate& rate, const study::ReportUnit& unit) {
   Json json{{"per_year", json_number(rate.rate)},
-            {"in_50_years", statistics::probability_in(50, rate.rate)},
+            {"in_50_years", json_number(statistics::probability_in(50, rate.rate))},
             {"interval_per_year", rate.has_interval ? interval_json(rate.interval) : Json()},
             {"share_below_lowest_im", rate.share_below},
             {"share_above_highest_im", rate.share_above},
@@ -254,12 +256,39 @@ std::vector<std::string> fragility_notes(const study::FragilityResult& result,
   return notes;
 }
 
+namespace {
+
+constexpr const char* kScaleNote = "caution: scale factors ";
+
+/// One note for all curves with large factors, which differ where levels or failed runs do.
+std::string scale_note(const std::vector<study::FragilityResult>& results) {
+  std::set<std::string> texts;
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+  std::size_t above = 0, records = 0;
+  for (const study::FragilityResult& each : results) {
+    const study::ScaleFactors& factors = each.audit.factors;
+    if (!factors.any() || factors.above() == 0) continue;
+    texts.insert(factors.text());
+    low = std::min(low, factors.lowest());
+    high = std::max(high, factors.highest());
+    above = std::max(above, factors.above());
+    records = std::max(records, factors.records());
+  }
+  if (texts.size() == 1) return kScaleNote + *texts.begin();
+  return fmt::format("{}{:.3g} to {:.3g}; up to {} of {} records above {:g}", kScaleNote, low, high,
+                     above, records, study::kLargestFactor);
+}
+
+}  // namespace
+
 std::vector<std::string> notes_on_curves(const std::vector<study::FragilityResult>& results,
                                          const study::ReportUnit& unit) {
   std::vector<std::string> order;
   std::map<std::string, std::vector<std::string>> curves;  // of each note
+  const std::string of_all_factors = scale_note(results);
   for (const study::FragilityResult& each : results)
-    for (const std::string& note : fragility_notes(each, unit)) {
+    for (std::string note : fragility_notes(each, unit)) {
+      if (note.starts_with(kScaleNote)) note = of_all_factors;
       if (!curves.contains(note)) order.push_back(note);
       curves[note].push_back(curve_name(each));
     }

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 
+#include "studies/statistics/bands.h"
 #include "studies/statistics/special.h"
 
 namespace gurney::statistics {
@@ -120,7 +121,7 @@ std::string text(FragilityStatus status) {
       return "quasi-complete separation: only one intensity has both outcomes, so neither median "
              "nor beta can be estimated";
     case FragilityStatus::kNotIncreasing:
-      return "exceedance does not increase with intensity: no lognormal curve";
+      return "exceedance increases hardly or not with intensity: no lognormal curve";
   }
   return {};
 }
@@ -197,7 +198,10 @@ ProbitFit fit_line(const std::vector<Stripe>& stripes,
   if (!maximum.found) return without_line(FragilityStatus::kNotIncreasing, 0, kInfinity);
   ProbitFit fit;
   const bool rises = maximum.point[0] > kNoRise * slope;
-  fit.status = rises ? FragilityStatus::kFitted : FragilityStatus::kNotIncreasing;
+  const double theta = std::exp(-maximum.point[1] / maximum.point[0]);
+  const bool near_runs =
+      theta * kFarthestEnd >= stripes.front().im && theta <= kFarthestEnd * stripes.back().im;
+  fit.status = rises && near_runs ? FragilityStatus::kFitted : FragilityStatus::kNotIncreasing;
   fit.line = maximum.point;
   fit.information = maximum.at.curvature;
   fit.log_likelihood = maximum.at.value;

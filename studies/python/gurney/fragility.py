@@ -248,7 +248,12 @@ def fit(low, high, weight, group):
     slope, intercept = x
     if slope <= 0:
         return "not increasing", *nothing
-    theta, beta = math.exp(centre - scale * intercept / slope), scale / slope
+    outcomes = (numpy.isfinite(low) != numpy.isfinite(high)).all()
+    ln_theta = centre - scale * intercept / slope
+    if outcomes and not (finite.min() - math.log(intervals.FARTHEST) <= ln_theta <=
+                         finite.max() + math.log(intervals.FARTHEST)):
+        return "not increasing", *nothing
+    theta, beta = math.exp(ln_theta), scale / slope
     back = numpy.array([[1 / scale, 0], [-centre / scale, 1]])  # of x to slope, intercept of ln im
     line = back @ x
     of_line = [back @ c @ back.T for c in
@@ -257,7 +262,7 @@ def fit(low, high, weight, group):
     change = numpy.array([[intercept / slope ** 2, -1 / slope], [-1 / slope, 0]])
     covariance = change @ of_line[0] @ change.T
     groups, place = numpy.unique(group, return_inverse=True)
-    if not (numpy.isfinite(low) != numpy.isfinite(high)).all():
+    if not outcomes:
         # As many exact capacities as tell as much of beta
         effective = float(numpy.clip(0.5 / covariance[1, 1], 2, max(2, len(groups))))
     else:

@@ -10,7 +10,8 @@ import numpy
 
 FEWEST_RECORDS = 8  #: effective records below which no interval is stated
 FEWEST_CAPACITIES = 4  #: the same of an incremental dynamic analysis
-_FARTHEST = 10  # an end beyond this factor of the intensities of the runs is unbounded
+FARTHEST = 10  #: an end beyond this factor of the intensities of the runs is unbounded, and no curve
+#: has its median there
 _POINTS = 128
 
 
@@ -54,8 +55,8 @@ def of_theta(lines, lowest, highest):
     if (slope <= 0).any():
         return 0.0, math.inf
     low, high = range_of(numpy.exp(-intercept / slope))
-    return (low if low >= lowest / _FARTHEST else 0.0,
-            high if high <= highest * _FARTHEST else math.inf)
+    return (low if low >= lowest / FARTHEST else 0.0,
+            high if high <= highest * FARTHEST else math.inf)
 
 
 def of_beta(line, covariances, effective, confidence):
@@ -63,6 +64,6 @@ def of_beta(line, covariances, effective, confidence):
     slope = line[0]
     error = max(math.sqrt(c[0, 0]) for c in covariances) / slope
     half = student_quantile((1 + confidence) / 2, effective - 1) * error
-    if half > math.log(_FARTHEST):
+    if half > math.log(FARTHEST):
         return 0.0, math.inf
     return math.exp(-half) / slope, math.exp(half) / slope

@@ -62,7 +62,8 @@ std::string few_records_text(const CurveAudit& audit) {
 std::string interval_text(const statistics::Interval& interval, double in_si, int digits,
                           std::size_t records) {
   const bool low = interval.low > 0, high = std::isfinite(interval.high);
-  if (!low && !high) return fmt::format("unbounded ({} records)", records);
+  if (!low && !high)
+    return fmt::format("unbounded ({} record{})", records, records == 1 ? "" : "s");
   const auto end = [&](double value, bool known) {
     return known ? fmt::format("{:.{}g}", value / in_si, digits) : std::string("unbounded");
   };

@@ -51,7 +51,11 @@ void add_cloud(const StudyData& data, std::size_t state_index, std::size_t confi
   if (state.kind != LimitState::Kind::kAbove || state.at_least > 1 || !(state.limit > 0)) return;
   fitted.demands = data.cloud(state_index, configuration, measure, kFloorOfLimit * state.limit);
   fitted.cloud = statistics::fit_cloud(fitted.demands);
-  if (const auto fragility = statistics::cloud_fragility(*fitted.cloud, state.limit)) {
+  const auto fragility = statistics::cloud_fragility(*fitted.cloud, state.limit);
+  if (!fragility) return;
+  const auto [low, high] = std::ranges::minmax(fitted.demands, {}, &statistics::CloudPoint::im);
+  const double theta = fragility->curve.theta;
+  if (theta * statistics::kFarthestEnd >= low.im && theta <= high.im * statistics::kFarthestEnd) {
     fitted.cloud_curve = fragility->curve;
     fitted.cloud_covariance = fragility->covariance;
   }
@@ -63,7 +67,7 @@ std::string no_curve_text(const FittedCurve& fitted, const ReportUnit& unit) {
   if (!fitted.by_cloud()) return no_curve_text(fitted.status(), fitted.median(), unit);
   if (!fitted.cloud) return "a cloud needs one demand above a limit";
   if (fitted.cloud->status != statistics::CloudStatus::kFitted) return text(fitted.cloud->status);
-  return "the demand does not increase with intensity";
+  return "the demand increases hardly or not with intensity, or its limit is far beyond the runs";
 }
 
 FittedCurve fitted_curve(const StudyData& data, std::size_t state, std::size_t configuration,

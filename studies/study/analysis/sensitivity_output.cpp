@@ -123,13 +123,15 @@ SensitivityOutput sensitivity_output(const ConfigurationView& side,
 }
 
 void require_variation(const SensitivityOutput& output, const std::string& file) {
+  const std::string at = output.level.empty() ? "" : " at " + output.level;
+  const std::string others = output.level.empty() ? "" : "; --level N and --all-levels take others";
   require(output.runs.size() >= kFewestRuns,
-          fmt::format("{}: {} runs of {} are too few: at least {} are needed, and 100 or more give "
-                      "informative intervals",
-                      file, output.runs.size(), output.name, kFewestRuns));
+          fmt::format("{}: {} runs of {}{} are too few: at least {} are needed, and 100 or more "
+                      "give informative intervals{}",
+                      file, output.runs.size(), output.name, at, kFewestRuns, others));
   require(statistics::moments_of(output.values).variance > 0,
-          fmt::format("{}: {} is {:g} in every run: no input controls it", file, output.name,
-                      output.values.front()));
+          fmt::format("{}: {} is {:g} in every run{}: no input controls it{}", file, output.name,
+                      output.values.front(), at, others));
 }
 
 std::vector<double> DrawnNumbers::column(const std::string& name,

@@ -20,8 +20,8 @@ std::string intensity(const ReportUnit& unit, double im) {
 }  // namespace
 
 bool SiteRate::is_supported() const {
-  return complete() && share_below <= kLargestShare && share_above <= kLargestShare &&
-         !(of_lowest && rate > *of_lowest);
+  return std::isfinite(rate) && complete() && share_below <= kLargestShare &&
+         share_above <= kLargestShare;
 }
 
 SiteRate site_rate(const statistics::LognormalCurve& curve, const statistics::FragilityBand& band,
@@ -33,13 +33,18 @@ SiteRate site_rate(const statistics::LognormalCurve& curve, const statistics::Fr
   rate.of_lowest = hazard.rate(audit.lowest);
   rate.has_interval = !band.outline.empty();
   rate.interval = statistics::rate_interval(band.outline, hazard);
+  if (rate.of_lowest && rate.interval.high > *rate.of_lowest) rate.interval.high = kInfinity;
+  if (rate.of_lowest && rate.rate > *rate.of_lowest) {
+    rate.rate = std::numeric_limits<double>::quiet_NaN();
+    rate.share_below = 1;
+    return rate;
+  }
   if (!(rate.rate > 0)) return rate;
   const double up_to_highest = statistics::rate_between(curve, hazard, 0, audit.highest);
   rate.share_below = statistics::rate_between(curve, hazard, 0, audit.lowest) / rate.rate;
   // The end of a table counts as above the highest level if the table reaches beyond it.
   if (hazard.pieces().back().high > audit.highest)
     rate.share_above = std::max(0.0, 1 - up_to_highest / rate.rate);
-  if (!std::isfinite(rate.rate)) rate.share_below = 1;
   return rate;
 }
 
@@ -50,6 +55,7 @@ std::string rate_interval_text(const SiteRate& rate, std::size_t records) {
 }
 
 std::string rate_text(const SiteRate& rate, std::size_t records) {
+  if (std::isnan(rate.rate)) return "no annual rate";
   return fmt::format("{:.3g} times a year (95 %: {}), {:.2g} % in 50 years", rate.rate,
                      rate_interval_text(rate, records),
                      100 * statistics::probability_in(50, rate.rate));
@@ -57,11 +63,11 @@ std::string rate_text(const SiteRate& rate, std::size_t records) {
 
 std::vector<std::string> cautions(const SiteRate& rate, const ReportUnit& unit) {
   std::vector<std::string> all;
-  if (rate.of_lowest && rate.rate > *rate.of_lowest)
-    all.push_back(fmt::format(
-        "the rate exceeds that of motions above the lowest analysed intensity, {:.3g} a year at "
-        "{}: it is not supported by the runs",
-        *rate.of_lowest, intensity(unit, rate.lowest)));
+  if (std::isnan(rate.rate))
+    return {fmt::format(
+        "the curve and the hazard give more than the rate of motions above the lowest analysed "
+        "intensity, {:.3g} a year at {}: the runs do not support a rate; analyse weaker motions",
+        *rate.of_lowest, intensity(unit, rate.lowest))};
   if (rate.share_below > kLargestShare)
     all.push_back(
         fmt::format("{:.0f} % of the rate is from motions below the lowest analysed "

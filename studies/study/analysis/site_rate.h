@@ -13,9 +13,11 @@ namespace gurney::study {
 /// A larger part of a rate from intensities that were not analysed is cautioned against.
 inline constexpr double kLargestShare = 0.1;
 
-/// Mean annual rate of a limit state at a site, and how far the runs support it.
+/// Mean annual rate of a limit state at a site, and how far the runs support it. NaN where it would
+/// exceed that of motions above the lowest analysed intensity: a limit state that needs such a
+/// motion cannot, and that the others matter is the form of the curve alone.
 struct SiteRate : statistics::MeanRate {
-  statistics::Interval interval{0, 0};  ///< of the band's lines; infinite: unbounded
+  statistics::Interval interval{0, 0};  ///< of the band's lines; an end above `of_lowest`: infinite
   bool has_interval = false;
   double lowest = 0, highest = 0;           ///< im of the runs
   double share_below = 0, share_above = 0;  ///< of the rate, from motions beyond these

@@ -125,6 +125,10 @@ same stated.csv given.csv
 # Cautions go with the curves, whoever prints them.
 expect 0 "true, moved: caution: fewer than 8 effective records" "$gurney" compare plain.h5
 expect 0 '"fewer than 8 effective records' "$gurney" compare plain.h5 --json
+expect 0 "false, rolled: caution: fewer than 8 effective records (6 of 6)" \
+  "$gurney" fragility plain.h5 --and pfa --measure "PGA geomean" --limit-states limits.toml
+expect 0 '"fewer than 8 effective records (6 of 6)' "$gurney" fragility plain.h5 --limit-states limits.toml \
+  --and pfa --measure "PGA geomean" --json
 expect 0 '"cautions": [' "$gurney" fragility plain.h5 --and pfa --measure pfv --json
 
 # After an IDA the state that ended it has capacities, under whatever name.

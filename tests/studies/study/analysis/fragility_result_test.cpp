@@ -192,6 +192,48 @@ TEST_F(FragilityResultTest, CautionsAgainstWhatTheRunsDoNotCarry) {
   EXPECT_EQ(json["audit"]["scale_factors"]["records_above"], 1);
 }
 
+// Few runs exceed, so that the stripes determine little; the demands of 20 records do.
+TEST_F(FragilityResultTest, ACloudHasIntervalsAndRatesOfItsOwn) {
+  const StudyData study = data(known_runs(20, {0.03, 0.05, 0.08}));
+  const FragilityResult result =
+      fragility_of(study, {.measure = "", .method = CurveMethod::kCloud});
+  ASSERT_TRUE(result.curve());
+  EXPECT_NEAR(result.curve()->theta / kG, 0.2, 1e-6);
+  EXPECT_FALSE(result.band.too_few);
+  EXPECT_TRUE(result.band.theta.contains(0.2 * kG));
+  EXPECT_TRUE(result.band.beta.contains(0.5));
+  // Wider than if sigma alone were unknown, t(19) 0.5 / sqrt(20) in ln theta, as the line has to be
+  // carried on to 0.2 g; bounded within ten times the highest level.
+  EXPECT_GT(std::log(result.band.theta.high / result.band.theta.low), 2 * 2.093 * 0.5 / 4.472);
+  EXPECT_LE(result.band.theta.high, 0.8 * kG);
+  ASSERT_EQ(result.band.of_curve.size(), result.im.size());
+  for (std::size_t i = 0; i < result.im.size(); ++i)
+    EXPECT_TRUE(result.band.of_curve[i].contains(result.curve()->probability(result.im[i])));
+  ASSERT_TRUE(result.rate && result.rate->has_interval);
+  EXPECT_TRUE(result.rate->interval.contains(result.rate->rate));
+  const auto json = nlohmann::json::parse(report::fragility_json({result}))["fragilities"][0];
+  EXPECT_EQ(json["method"], "cloud");
+  EXPECT_DOUBLE_EQ(json["theta_interval"][0], result.band.theta.low);
+  EXPECT_EQ(json["band"].size(), result.im.size());
+  // The outcomes do not determine this curve: only the extrapolation is a caution.
+  ASSERT_EQ(json["cautions"].size(), 1);
+  EXPECT_THAT(json["cautions"][0].get<std::string>(), testing::HasSubstr("is extrapolated"));
+}
+
+// One note for all curves whose records are scaled, also where the factors differ.
+TEST_F(FragilityResultTest, CautionsAgainstScaleFactorsOnce) {
+  const StudyData study = data(known_runs(20, {0.1, 0.2, 0.4}));
+  FragilityResult first = fragility_of(study, {}), second = first;
+  first.audit.factors.add(0, 7);
+  second.configuration = "braked";
+  second.audit.factors.add(0, 9);
+  const std::string report = report::fragility_report(study, {first, second});
+  const std::string note =
+      "all curves: caution: scale factors 1 to 9; up to 1 of 20 records above 5\n";
+  EXPECT_THAT(report, testing::HasSubstr(note));
+  EXPECT_EQ(report.find("scale factors"), report.rfind("scale factors"));
+}
+
 TEST_F(FragilityResultTest, SaysWhyThereIsNoCurve) {
   const StudyData study = data({{0, 1, 0.05}, {1, 1, 0.05}, {0, 2, 0.2}, {1, 2, 0.2}});
   const std::vector<FragilityResult> results{fragility_of(study, {0, 0, ""}),
