@@ -8,16 +8,6 @@
 
 namespace gurney {
 
-/// What the contacts of one pair did in one step.
-struct ImpactLog::PairStep {
-  double first_force = 0, force = 0;  // of all points, in the two stages
-  double fastest = 0;                 // of touching points
-  double approach = 0;                // of points that came to touch
-  double begins = std::numeric_limits<double>::infinity(), ends = 0;
-  Vector3 point = Vector3::Zero();  // that touched first
-  const BodyContact* contact = nullptr;
-};
-
 ImpactLog::ImpactLog(const Scene& scene, const Assembly& assembly)
     : assembly_(assembly), others_{"floor"} {
   for (const PlacedItem& item : scene.items) {
@@ -70,15 +60,20 @@ void ImpactLog::begin(Pair& pair, const BodyContact& contact, const PairStep& no
   impacts_.push_back(impact);
 }
 
+ImpactLog::PairStep& ImpactLog::step_of(const Key& key) {
+  const auto known = std::ranges::find(steps_, key, &std::pair<Key, PairStep>::first);
+  return known != steps_.end() ? known->second : steps_.emplace_back(key, PairStep()).second;
+}
+
 void ImpactLog::observe(const Stepper::Step& step) {
   const auto& before = step.from->contacts;
   const auto& after = step.to->contacts;
   if (before.empty() && pairs_.empty()) return;
-  std::map<Key, PairStep> steps;
+  steps_.clear();
   for (std::size_t c = step.island->first_contact; c < step.island->end_contact; ++c) {
     const BodyContact& contact = after[c].contact;
     const Key key = key_of(contact);
-    PairStep& now = steps[key];
+    PairStep& now = step_of(key);
     now.contact = &contact;
     const auto& first = step.first->contacts[c];
     const auto& end = step.end->contacts[c];
@@ -101,8 +96,12 @@ void ImpactLog::observe(const Stepper::Step& step) {
       now.ends = std::max(now.ends, d1 < 0 ? crossing : step.time);
   }
   for (auto& [key, pair] : pairs_)
-    if (!steps.contains(key) && in_island(key, *step.island)) steps[key].ends = step.time;
-  for (auto& [key, now] : steps) {
+    if (in_island(key, *step.island) &&
+        std::ranges::find(steps_, key, &std::pair<Key, PairStep>::first) == steps_.end())
+      step_of(key).ends = step.time;
+  // Impacts that begin in one step are listed by their pair.
+  std::ranges::sort(steps_, {}, &std::pair<Key, PairStep>::first);
+  for (auto& [key, now] : steps_) {
     Pair& pair = pairs_[key];
     if (!pair.in_impact && now.approach > kSlowestImpact) begin(pair, *now.contact, now);
     pair.touches = now.force > 0;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/response/response.h"
@@ -44,18 +46,29 @@ class ImpactLog {
     double quiet_since = 0;
     std::size_t impact = 0;
   };
-  struct PairStep;
+  /// What the contacts of one pair did in one step.
+  struct PairStep {
+    double first_force = 0, force = 0;  // of all points, in the two stages
+    double fastest = 0;                 // of touching points
+    double approach = 0;                // of points that came to touch
+    double begins = std::numeric_limits<double>::infinity(), ends = 0;
+    Vector3 point = Vector3::Zero();  // that touched first
+    const BodyContact* contact = nullptr;
+  };
 
   void begin(Pair& pair, const BodyContact& contact, const PairStep& now);
 
   using Key = std::array<int, 5>;  // item, caster, other, other item, its caster
   static Key key_of(const BodyContact& contact);
   bool in_island(const Key& key, const Island& island) const;
+  /// That of a pair in this step, made when first asked for.
+  PairStep& step_of(const Key& key);
 
   const Assembly& assembly_;
   std::vector<std::vector<std::string>> wheels_;  // of each item
   std::vector<std::string> others_, items_;
   std::map<Key, Pair> pairs_;
+  std::vector<std::pair<Key, PairStep>> steps_;  // of the step that is observed
   std::vector<Impact> impacts_;
 };
 

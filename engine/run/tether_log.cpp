@@ -12,13 +12,12 @@ void TetherLog::observe(const Stepper::Step& step) {
     const State& to = step.to->items[item];
     for (std::size_t i = 0; i < tethers.indices().size(); ++i) {
       TetherOutcome& outcome = outcomes_[tethers.indices()[i]];
-      const bool breaks = ((to.broken_tethers ^ from.broken_tethers) >> i & 1u) != 0;
-      State whole = to;
-      if (breaks) whole.broken_tethers = from.broken_tethers;
-      const double tension = tethers.tension(i, whole);
+      const auto broken = [i](const State& s) { return (s.broken_tethers >> i & 1u) != 0; };
+      if (broken(from)) continue;
+      const double tension = tethers.tension(i, to);
       outcome.peak_tension = std::max(outcome.peak_tension, tension);
       if (tension > 0 && outcome.time_taut < 0) outcome.time_taut = time;
-      if (breaks) outcome.time_broken = time;
+      if (broken(to)) outcome.time_broken = time;
     }
   }
 }

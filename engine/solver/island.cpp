@@ -6,43 +6,43 @@
 
 namespace gurney {
 
-std::vector<Island> islands_of(std::vector<BodyContact>& contacts, std::size_t items) {
-  std::vector<std::size_t> first(items);  // of the item's island
-  std::iota(first.begin(), first.end(), 0);
-  const auto find = [&](std::size_t i) {
-    while (first[i] != i) i = first[i] = first[first[i]];
-    return i;
-  };
+std::size_t Islands::first_of(std::size_t item) {
+  while (parent_[item] != item) item = parent_[item] = parent_[parent_[item]];
+  return item;
+}
+
+void Islands::update(std::vector<BodyContact>& contacts, std::size_t items) {
+  parent_.resize(items);
+  island_of_.resize(items);
+  std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   for (const BodyContact& contact : contacts) {
     if (!contact.between_items()) continue;
-    const std::size_t a = find(contact.side.item), b = find(contact.other_side.item);
-    first[std::max(a, b)] = std::min(a, b);
+    const std::size_t a = first_of(contact.side.item), b = first_of(contact.other_side.item);
+    parent_[std::max(a, b)] = std::min(a, b);
   }
-  std::stable_sort(contacts.begin(), contacts.end(),
-                   [&](const BodyContact& a, const BodyContact& b) {
-                     const auto key = [&](const BodyContact& c) {
-                       return std::tuple(find(c.side.item), c.side.item, c.other, c.side.caster,
-                                         c.other_side.item, c.other_side.caster, c.side.local.x(),
-                                         c.side.local.y(), c.side.local.z());
-                     };
-                     return key(a) < key(b);
-                   });
-  std::vector<Island> islands;
-  std::vector<std::size_t> island_of(items);
+  const auto key = [&](const BodyContact& c) {
+    const Vector3 &at = c.side.local, &n = c.normal;
+    return std::tuple(first_of(c.side.item), c.side.item, c.other, c.side.caster, c.other_side.item,
+                      c.other_side.caster, at.x(), at.y(), at.z(), n.x(), n.y(), n.z());
+  };
+  std::ranges::sort(contacts, [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  count_ = 0;
   for (std::size_t i = 0; i < items; ++i) {
-    if (find(i) == i) {
-      island_of[i] = islands.size();
-      islands.emplace_back();
+    if (first_of(i) == i) {
+      if (count_ == islands_.size()) islands_.emplace_back();
+      islands_[count_].items.clear();
+      island_of_[i] = count_++;
     }
-    islands[island_of[find(i)]].items.push_back(i);
+    islands_[island_of_[first_of(i)]].items.push_back(i);
   }
   std::size_t next = 0;
-  for (Island& island : islands) {
+  for (std::size_t k = 0; k < count_; ++k) {
+    Island& island = islands_[k];
     island.first_contact = next;
-    while (next < contacts.size() && find(contacts[next].side.item) == island.items.front()) ++next;
+    while (next < contacts.size() && first_of(contacts[next].side.item) == island.items.front())
+      ++next;
     island.end_contact = next;
   }
-  return islands;
 }
 
 }  // namespace gurney

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/contact/body_contact.h"
@@ -12,7 +13,21 @@ struct Island {
   std::size_t first_contact = 0, end_contact = 0;  ///< theirs, in SceneState::contacts
 };
 
-/// The islands of a scene of `items` items, by their first ones; sorts `contacts` by island.
-std::vector<Island> islands_of(std::vector<BodyContact>& contacts, std::size_t items);
+/// The islands of a scene, by their first items.
+class Islands {
+ public:
+  /// Finds the islands of a scene of `items` items; sorts `contacts` by island.
+  void update(std::vector<BodyContact>& contacts, std::size_t items);
+
+  std::span<const Island> all() const { return {islands_.data(), count_}; }
+
+ private:
+  /// The first item of an item's island.
+  std::size_t first_of(std::size_t item);
+
+  std::vector<Island> islands_;  // more than count_ once there were more: they keep their memory
+  std::size_t count_ = 0;
+  std::vector<std::size_t> parent_, island_of_;  // of each item; parent: towards the first
+};
 
 }  // namespace gurney

@@ -47,7 +47,7 @@ void ItemStage::finish(const Input& input, const Velocity& v, State& end, Output
   if (mechanism_.loads.empty()) {
     end.loads = {};
   } else {
-    rates += mechanism_.loads.finish(input.loads, pose_, v.chassis, power, end.loads);
+    rates += mechanism_.loads.finish(input.loads, pose_, v.chassis, load_rows_, power, end.loads);
   }
   end.broken_tethers = start.broken_tethers;
   if (!mechanism_.tethers.empty())

@@ -38,8 +38,8 @@ constexpr double kReleaseTolerance = 1e-9;
 
 }  // namespace
 
-LoadsState LoadsState::extrapolated(const LoadsState& first, double ratio) const {
-  LoadsState result = *this;
+void LoadsState::extrapolate(const LoadsState& first, double ratio, LoadsState& result) const {
+  result = *this;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     Weight& weight = result.weights[i];
     const Weight& at_first = first.weights[i];
@@ -51,7 +51,6 @@ LoadsState LoadsState::extrapolated(const LoadsState& first, double ratio) const
     result.blocks[i] += ratio * (first.blocks[i] - blocks[i]);
   for (std::size_t i = 0; i < springs.size(); ++i)
     result.springs[i] += ratio * (first.springs[i] - springs[i]);
-  return result;
 }
 
 Loads::Loads(const PlacedItem& item, const Vector3& chassis_center, double gravity)
@@ -154,11 +153,9 @@ void Loads::evaluate(const Stage& stage, const Pose& pose, const Vector6& veloci
 }
 
 double Loads::finish(const Stage& stage, const Pose& pose, const Vector6& velocity,
-                     EnergyAccount& power, LoadsState& end) const {
+                     const std::vector<Row>& rows, EnergyAccount& power, LoadsState& end) const {
   end = *stage.start;
   double spring_rates = 0;
-  std::vector<Row> rows;
-  evaluate(stage, pose, velocity, rows);
   for (std::size_t i = 0; i < forces_.size() + strings_.size(); ++i)
     power.work_of_forces += rows[i].force * rows[i].direction.dot(velocity);
 

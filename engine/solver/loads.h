@@ -46,8 +46,9 @@ class Loads {
 
   /// Adds powers (W) to `power`, writes the new state, and returns the sum of k x'^2 of its
   /// springs.
-  double finish(const Stage& stage, const Pose& pose, const Vector6& velocity, EnergyAccount& power,
-                LoadsState& end) const;
+  /// @param rows  begin with those that evaluate() gave
+  double finish(const Stage& stage, const Pose& pose, const Vector6& velocity,
+                const std::vector<Row>& rows, EnergyAccount& power, LoadsState& end) const;
 
   /// Takes over the deflections of the fixture's springs from a state of other loads.
   void adopt_springs(const Loads& other, const LoadsState& other_state, LoadsState& state) const;

@@ -18,8 +18,8 @@ struct LoadsState {
 
   bool empty() const { return weights.empty() && blocks.empty() && springs.empty(); }
 
-  /// y + ratio (y_first - y) of every entry, y being this.
-  LoadsState extrapolated(const LoadsState& first, double ratio) const;
+  /// Writes y + ratio (y_first - y) of every entry, y being this, to `result`.
+  void extrapolate(const LoadsState& first, double ratio, LoadsState& result) const;
 };
 
 }  // namespace gurney

@@ -1,5 +1,5 @@
-#include <Eigen/LU>
 #include <algorithm>
+#include <utility>
 
 #include "engine/solver/stage_solver.h"
 
@@ -7,11 +7,27 @@
 namespace gurney {
 namespace {
 
-/// Where the unknowns of an item are in the island's system: its chassis, then its kept joints.
-struct Place {
-  Eigen::Index chassis = 0;
-  std::array<Eigen::Index, kMaxCasters> joints{};
-};
+/// x of a x = b by LU with partial pivoting in place: Eigen's would allocate in each step.
+void solve_in_place(Eigen::Map<Eigen::MatrixXd> a, Eigen::Map<Eigen::VectorXd> x) {
+  const Eigen::Index size = a.rows();
+  for (Eigen::Index k = 0; k < size; ++k) {
+    const Eigen::Index below = size - k - 1;
+    Eigen::Index pivot = 0;
+    a.col(k).tail(below + 1).cwiseAbs().maxCoeff(&pivot);
+    if (pivot != 0) {
+      a.row(k).swap(a.row(k + pivot));
+      std::swap(x[k], x[k + pivot]);
+    }
+    if (a(k, k) != 0) a.col(k).tail(below) /= a(k, k);
+    for (Eigen::Index j = k + 1; j < size; ++j)
+      a.col(j).tail(below) -= a(k, j) * a.col(k).tail(below);
+    x.tail(below) -= x[k] * a.col(k).tail(below);
+  }
+  for (Eigen::Index k = size - 1; k >= 0; --k) {
+    x[k] /= a(k, k);
+    x.head(k) -= x[k] * a.col(k).head(k);
+  }
+}
 
 }  // namespace
 
@@ -40,7 +56,7 @@ void StageSolver::coupled_steps(const Island& island, double tau, std::vector<Ve
 
 void StageSolver::coupled_step(const std::vector<std::size_t>& group, double tau,
                                std::vector<Velocity>& v) {
-  std::vector<Place> places(items_.size());
+  std::vector<Place>& places = places_;
   Eigen::Index size = 0;
   for (std::size_t i : group) {
     places[i].chassis = size;
@@ -51,8 +67,11 @@ void StageSolver::coupled_step(const std::vector<std::size_t>& group, double tau
       size += 2;
     }
   }
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size, size);
-  Eigen::VectorXd right_side = Eigen::VectorXd::Zero(size);
+  const auto unknowns = static_cast<std::size_t>(size);
+  matrix_.assign(unknowns * unknowns, 0.0);
+  right_side_.resize(unknowns);
+  Eigen::Map<Eigen::MatrixXd> K(matrix_.data(), size, size);
+  Eigen::Map<Eigen::VectorXd> right_side(right_side_.data(), size);
   for (std::size_t i : group) {
     const ItemStage& item = items_[i];
     const Eigen::Index at = places[i].chassis;
@@ -98,7 +117,8 @@ void StageSolver::coupled_step(const std::vector<std::size_t>& group, double tau
       K.row(row).setZero();
       K(row, row) = assembly_.items[i].total_mass;
     }
-  const Eigen::VectorXd step = K.partialPivLu().solve(right_side);
+  solve_in_place(K, right_side);
+  const auto& step = right_side;
   for (std::size_t i : group) {
     items_[i].apply(step.segment<6>(places[i].chassis), v[i]);
     for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j)

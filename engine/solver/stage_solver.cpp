@@ -25,7 +25,8 @@ StageSolver::StageSolver(const Assembly& assembly, const Settings& settings)
       settings_(settings),
       inputs_(assembly.items.size()),
       v_(assembly.items.size()),
-      group_of_(assembly.items.size()) {
+      group_of_(assembly.items.size()),
+      places_(assembly.items.size()) {
   for (const Mechanism& mechanism : assembly.items) items_.emplace_back(mechanism);
   before_ = full_ = v_;
 }

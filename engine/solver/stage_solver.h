@@ -101,6 +101,13 @@ class StageSolver {
   std::vector<ContactWork> contacts_;     // of the island
   std::vector<Velocity> v_, before_, full_;
   std::vector<std::size_t> group_of_, group_;  // items that push each other, by the first of them
+  /// Where the unknowns of an item are in the system of its group: its chassis, then its kept joints.
+  struct Place {
+    Eigen::Index chassis = 0;
+    std::array<Eigen::Index, kMaxCasters> joints{};
+  };
+  std::vector<Place> places_;                // as Scene::items
+  std::vector<double> matrix_, right_side_;  // of a group, by columns
 };
 
 }  // namespace gurney

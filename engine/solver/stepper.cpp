@@ -62,7 +62,7 @@ void extrapolate_item(const State& from, const State& end, const Velocity& accel
     s.tread.rolling = b.tread.rolling;
   }
   start.broken_tethers = from.broken_tethers;
-  if (!from.loads.empty()) start.loads = from.loads.extrapolated(end.loads, kExtrapolation);
+  if (!from.loads.empty()) from.loads.extrapolate(end.loads, kExtrapolation, start.loads);
 }
 
 void add_power(const EnergyAccount& power, double time, EnergyAccount& account) {
@@ -96,8 +96,7 @@ Stepper::Stepper(const Assembly& assembly, const FloorMotion& floor,
       accounts_(assembly.items.size()) {
   input_.guess.resize(assembly.items.size());
   between_.items.resize(assembly.items.size());
-  std::vector<BodyContact> none;
-  islands_ = islands_of(none, assembly.items.size());
+  islands_.update(contacts_, assembly.items.size());
 }
 
 void Stepper::change_loads(SceneState& state) {
@@ -306,7 +305,7 @@ std::optional<std::string> Stepper::advance_island(const Island& island, SceneSt
 
 std::optional<std::string> Stepper::advance(SceneState& state, double time,
                                             const Observer& observer) {
-  for (const Island& island : islands_)
+  for (const Island& island : islands_.all())
     if (auto cause = advance_island(island, state, time, observer)) return cause;
   return std::nullopt;
 }

@@ -8,6 +8,7 @@
 #include "engine/base/floor_motion.h"
 #include "engine/response/quality.h"
 #include "engine/scene/settings.h"
+#include "engine/solver/contact_memory.h"
 #include "engine/solver/slip_reversal.h"
 #include "engine/solver/stage_solver.h"
 #include "engine/solver/step_control.h"
@@ -87,9 +88,11 @@ class Stepper {
   StageSolver::Input input_;
   StageSolver::Output first_, second_;
   SceneState between_;  // start of the second stage
-  std::vector<Island> islands_;
-  std::vector<double> rates_;        // of the gaps of the island's contacts [m/s]
-  std::vector<double> contacts_of_;  // number of each item's
+  Islands islands_;
+  ContactMemory memory_;
+  std::vector<BodyContact> contacts_;  // sorted by island
+  std::vector<double> rates_;          // of the gaps of the island's contacts [m/s]
+  std::vector<double> contacts_of_;    // number of each item's
   FloorStage floor_second_;
   std::vector<SlipReversals::Course> predictions_;
   SlipReversals reversals_;

@@ -8,36 +8,8 @@
 namespace gurney {
 namespace {
 
-constexpr double kSameContactDistance = 0.02;  // [m]
-
 /// Steps in half a period of a contact's spring: the rebound is then within 0.3 % of its law's.
 constexpr double kStepsInImpact = 32;
-
-/// The contacts with what they remember: each that of the nearest of its pair, once.
-std::vector<BodyContactState> remembered(const std::vector<BodyContact>& contacts,
-                                         const std::vector<BodyContactState>& before) {
-  struct Match {
-    double distance;
-    std::size_t now, before;
-  };
-  std::vector<Match> matches;
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    for (std::size_t k = 0; k < before.size(); ++k)
-      if (before[k].contact.same_pair(contacts[i]))
-        matches.push_back({(before[k].contact.side.local - contacts[i].side.local).norm(), i, k});
-  std::ranges::stable_sort(matches, {}, &Match::distance);
-  std::vector<BodyContactState> memories(contacts.size());
-  std::vector<bool> found(contacts.size()), taken(before.size());
-  for (const Match& match : matches) {
-    if (found[match.now] || taken[match.before]) continue;
-    found[match.now] = taken[match.before] = true;
-    BodyContactState& memory = memories[match.now] = before[match.before];
-    memory.kept_place = contacts[match.now].same_place(memory.contact);
-    if (match.distance >= kSameContactDistance) memory.deflection.setZero();
-  }
-  for (std::size_t i = 0; i < contacts.size(); ++i) memories[i].contact = contacts[i];
-  return memories;
-}
 
 }  // namespace
 
@@ -46,10 +18,10 @@ void Stepper::set_contacts(const std::vector<BodyContact>& contacts, SceneState&
   const std::size_t count = state.items.size();
   for (std::size_t i = 0; i < count; ++i)
     accounts_[i].contact_loss += assembly_.contact_energy(i, state);
-  std::vector<BodyContact> sorted = contacts;
-  islands_ = islands_of(sorted, count);
-  std::vector<BodyContactState> memories = remembered(sorted, state.contacts);
-  for (BodyContactState& memory : memories) {
+  contacts_ = contacts;
+  islands_.update(contacts_, count);
+  memory_.match(contacts_, state.contacts);
+  for (BodyContactState& memory : state.contacts) {
     memory.deflection -= memory.contact.normal * memory.contact.normal.dot(memory.deflection);
     // One that has parted may overlap again as its points move: that is no new blow.
     if (memory.compression <= 0) memory.approach_speed = approach_speed(memory.contact, state);
@@ -60,7 +32,6 @@ void Stepper::set_contacts(const std::vector<BodyContact>& contacts, SceneState&
     memory.contact.offset -= memory.slack;
     memory.compression = overlap - memory.slack;
   }
-  state.contacts = std::move(memories);
   for (std::size_t i = 0; i < count; ++i)
     accounts_[i].contact_loss -= assembly_.contact_energy(i, state);
 }

@@ -104,7 +104,6 @@ double Tethers::stored_energy(const State& state) const {
 }
 
 double Tethers::tension(std::size_t i, const State& state) const {
-  if (broken(state, i)) return 0;
   const Pull p = pull(tethers_[i], 0, state, state.pose(), state.velocity.chassis);
   return p.elastic + p.damping;
 }

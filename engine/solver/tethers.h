@@ -41,7 +41,7 @@ class Tethers {
   double break_overstressed(State& state) const;
 
   double stored_energy(const State& state) const;
-  /// T of the i-th [N].
+  /// T of the i-th while it is whole [N].
   double tension(std::size_t i, const State& state) const;
 
  private:

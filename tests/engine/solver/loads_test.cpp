@@ -130,7 +130,7 @@ TEST(Loads, TheWeightObeysItsOwnEquation) {
   const double tension = e.rows(e.stage())[2].force;
   EnergyAccount power;
   LoadsState end;
-  e.loads.finish(e.stage(), e.pose, e.velocity, power, end);
+  e.loads.finish(e.stage(), e.pose, e.velocity, e.rows(e.stage()), power, end);
   const LoadsState::Weight& after = end.weights[0];
   const double inertia = 5 + 0.001 / 0.0016;
   EXPECT_NEAR(inertia * (after.speed - 0.3) / 0.003, 5 * kGravity - 3 - tension, 1e-9);
@@ -165,7 +165,7 @@ TEST(Loads, AWeightLandsAtItsDropHeight) {
   e.velocity[0] = 1;
   EnergyAccount power;
   LoadsState end;
-  e.loads.finish(e.stage(), e.pose, e.velocity, power, end);
+  e.loads.finish(e.stage(), e.pose, e.velocity, e.rows(e.stage()), power, end);
   EXPECT_EQ(end.weights[0].speed, 0) << "it rests";
 }
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/contact/body_contact.h"
+
+namespace gurney {
+
+/// Gives contacts that were found anew what those of the same pair of bodies remember.
+class ContactMemory {
+ public:
+  /// Matches contacts to stored states, nearest first, one-to-one; `states` become those of
+  /// `contacts`, in their order.
+  void match(const std::vector<BodyContact>& contacts, std::vector<BodyContactState>& states);
+
+ private:
+  struct Match {
+    double distance;  // [m]
+    std::size_t now, before;
+  };
+  std::vector<Match> matches_;
+  std::vector<BodyContactState> before_;
+  std::vector<bool> found_, taken_;
+};
+
+}  // namespace gurney
