@@ -7,7 +7,7 @@
 
 namespace gurney::groundmotions {
 
-/// What looks wrong in the amplitudes of a record, one sentence each; empty if nothing does:
+/// Doubts about the amplitudes of a record, one sentence each; empty if nothing does:
 ///
 /// - a component that is all zero;
 /// - a peak below 0.001 g or above 3 g: mostly a wrong unit, or velocities taken as accelerations.
@@ -18,7 +18,7 @@ namespace gurney::groundmotions {
 ///   outweighs every earthquake;
 /// - two components that are the same, sample by sample.
 ///
-/// What the motion leaves at its end is judged by residual().
+/// The end of the motion is judged by residual().
 std::vector<std::string> implausible(const Record& record);
 
 }  // namespace gurney::groundmotions

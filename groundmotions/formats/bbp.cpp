@@ -16,9 +16,7 @@ namespace gurney::groundmotions {
 
 namespace {
 
-constexpr auto kNone = std::string_view::npos;
-
-/// What the comments state.
+/// Statements of the comments.
 struct Header {
   std::size_t lines = 0;            ///< of comments at the top
   std::string_view unit;            ///< empty: not stated
@@ -136,7 +134,7 @@ Header header_of(const SourceFile& file) {
   return header;
 }
 
-/// Of N-S, E-W and U-D the first is positive.
+/// Turns what is positive to the south, west or down.
 void turn(bool is_negative, Component& component) {
   if (!is_negative) return;
   component.acceleration = -component.acceleration;
@@ -202,8 +200,7 @@ std::vector<Component> read_bbp(const SourceFile& file, const ReadOptions& optio
                  fmt::format("{} numbers on a line, time and three components are 4", count));
   }
   reader.check_end();
-  if (lines.size() < 2)
-    errors.add(fmt::format("{} samples are no record (2 at least)", lines.size()));
+  check_enough(static_cast<double>(lines.size()), 0, errors);
   errors.throw_if_any();
 
   std::array<std::vector<double>, 4> columns;

@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::size_t kMaxHeaderLines = 40;  ///< 27 in the files of this volume
 constexpr double kRateTolerance = 0.01;      ///< the duration may count steps or samples
-constexpr auto kNone = std::string::npos;
 
 bool starts_channel(std::string_view line) {
   return upper(line.substr(0, 20)).starts_with("* VOL");

@@ -14,7 +14,7 @@ std::optional<double> utc_seconds(std::string_view text);
 /// Reads a date with its day first: `14/11/2010 23:09:19.300`.
 std::optional<double> day_first_utc_seconds(std::string_view text);
 
-/// The same of numbers; nothing if there is no such date or time from 1900 to 3000.
+/// Takes numbers; nothing if there is no such date or time from 1900 to 3000.
 std::optional<double> utc_seconds(int year, int month, int day, double hour, double minute,
                                   double second);
 

@@ -20,7 +20,6 @@ namespace gurney::groundmotions {
 
 namespace {
 
-constexpr auto kNone = std::string_view::npos;
 constexpr double kGrid = 1e-6;              ///< printed times on an even grid differ by less [s]
 constexpr double kPeakOfVolume1 = 0.00056;  ///< printed to 0.001 g, the samples to 0.0001 g [g]
 constexpr double kPeakOfVolume2 = 1.1e-5;   ///< both are printed to 0.001 cm/s2 [m/s2]

@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::size_t kMaxTextLines = 40;  ///< 13 in volume 1, 25 in volume 2
 constexpr double kMaxSamples = 1e7;
-constexpr auto kNone = std::string_view::npos;
 
 /// Formats of samples in the order they are tried; the first that fits the first line is taken,
 /// or else (that line has an error) the first of its length.

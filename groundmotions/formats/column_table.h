@@ -9,13 +9,13 @@
 
 namespace gurney::groundmotions {
 
-/// What stands behind the colon of the first line in `lines` that starts with `key` (blanks before
+/// Text behind the colon of the first line in `lines` that starts with `key` (blanks before
 /// it apart), trimmed; nothing if there is none.
 /// @param line  index of that line from 0
 std::optional<std::string_view> value_behind(const std::vector<std::string_view>& lines,
                                              std::string_view key, std::size_t& line);
 
-/// The same of a line that must be there.
+/// Text behind the colon of a line that must be there.
 std::string_view needed_behind(const std::vector<std::string_view>& lines, std::string_view key,
                                std::size_t& line, FileErrors& errors);
 

@@ -16,8 +16,6 @@ namespace gurney::groundmotions {
 
 namespace {
 
-constexpr auto kNone = std::string_view::npos;
-
 struct Quantity {
   std::string_view start;  ///< of a word, in lower case
   std::string_view name;
@@ -87,12 +85,11 @@ bool is_unit(std::string_view text) {
   return acceleration_unit(text) || other_quantity(text) || time_unit(text);
 }
 
-bool says_direction(std::string_view text) {
+/// A direction, a label or a number of degrees.
+bool may_be_direction(std::string_view text) {
   Component component;
   component.acceleration = Eigen::Vector2d::Zero();
-  orient(text, component);
-  return component.azimuth || component.direction || orient_by_label(text, component) ||
-         number(text);
+  return says_direction(text) || orient_by_label(text, component) || number(text);
 }
 
 /// Two known units contradict each other: their sum is none.
@@ -113,7 +110,7 @@ void take_brackets(ColumnTitle& title) {
     // "Acc (V)" is a vertical, "CH1 (V)" and "Voltage (V)" are volts.
     const bool is_volt =
         content == "V" && !title.name.empty() && quantity_in(title.name) != "acceleration";
-    if (!is_unit(content) && !is_volt && says_direction(content))
+    if (!is_unit(content) && !is_volt && may_be_direction(content))
       title.direction = content;
     else
       add_unit(content, title);
@@ -178,11 +175,6 @@ ColumnTitle parsed(const std::string& text) {
   if (title.quantity.empty() && !is_acceleration)
     title.quantity = foreign_quantity(title.name, title.unit);
   return title;
-}
-
-template <std::size_t size>
-bool is_one_of(std::string_view text, const std::array<std::string_view, size>& names) {
-  return std::ranges::find(names, text) != names.end();
 }
 
 /// Words that say nothing of a direction.
@@ -300,7 +292,7 @@ std::vector<ColumnTitle> parsed_titles(const std::vector<std::string>& titles) {
   const bool with_directions = any([](const ColumnTitle& t) {
     const std::string name = lower(t.name);
     return name != "v" && name != "u" && name != "t" &&
-           (says_direction(name) || name == "l" || name == "h1");
+           (may_be_direction(name) || name == "l" || name == "h1");
   });
   for (ColumnTitle& title : result) {
     const bool is_velocity = has_name(title, "v");

@@ -15,6 +15,7 @@
 #include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/readers.h"
+#include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/time_column.h"
 
 namespace gurney::groundmotions {
@@ -145,8 +146,7 @@ std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOption
       values[k].push_back(value.value_or(0));
     }
   }
-  if (lines.size() < 2)
-    errors.add(fmt::format("{} samples are no record (2 at least)", lines.size()));
+  check_enough(static_cast<double>(lines.size()), 0, errors);
   errors.throw_if_any();
   const double step = even_step(values[0], lines, errors);
   check_options(options, step, errors);

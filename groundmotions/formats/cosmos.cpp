@@ -22,9 +22,8 @@ constexpr double kMicrovolt = 1e-6;
 constexpr double kPeakRounding = 5e-4;  ///< of the peak: three digits and more are printed
 constexpr double kSameStep = 1e-6;      ///< share by which two statements of a time step may differ
 constexpr double kSameFactor = 0.01;    ///< the like of the value of a count
-constexpr auto kNone = std::string_view::npos;
 
-/// What a series is: its own line says it, or else the header; "acceleration" if a record.
+/// Quantity of a series: its own line says it, or else the header; "acceleration" if a record.
 std::string quantity_of(const CosmosChannel& channel, const CosmosSeries& series) {
   const int code = static_cast<int>(channel.integer(2).value_or(0));
   const char* stated = cosmos_quantity(code);

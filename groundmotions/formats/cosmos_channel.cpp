@@ -6,6 +6,7 @@
 
 #include "groundmotions/formats/fortran_fields.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {
@@ -13,7 +14,6 @@ namespace gurney::groundmotions {
 namespace {
 
 constexpr double kMaxNumbers = 1e8;
-constexpr auto kNone = std::string_view::npos;
 
 /// The format behind "Format=" of a line in capitals.
 std::optional<FortranFormat> format_in(std::string_view text) {
@@ -141,9 +141,8 @@ class CosmosFileReader {
       ++line_;
       series.values = fields_.read(line_, *count_of(series.text), *format_in(series.text),
                                    EmptyField::kError, "samples");
-      if (!errors_.any() && series.values.size() < 2)
-        errors_.add(series.line + 1, 1,
-                    fmt::format("{} samples are no record (2 at least)", series.values.size()));
+      if (!errors_.any())
+        check_enough(static_cast<double>(series.values.size()), series.line + 1, errors_);
       channel.series.push_back(std::move(series));
     }
   }

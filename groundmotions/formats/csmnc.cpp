@@ -18,7 +18,6 @@ namespace gurney::groundmotions {
 
 namespace {
 
-constexpr auto kNone = std::string_view::npos;
 constexpr std::size_t kHeaderLines = 30;  ///< a header ends within these; files have 15
 constexpr std::string_view kUnit = "UNIT", kCount = "NO. OF POINTS", kPeak = "PEAK VALUE",
                            kDuration = "DURATION";

@@ -90,10 +90,8 @@ class CwbReader {
   }
 
   void check_times(const Eigen::VectorXd& times, double length) {
-    if (times.size() < 2) {
-      errors_.add(fmt::format("{} samples are no record (2 at least)", times.size()));
-      return;
-    }
+    check_enough(static_cast<double>(times.size()), 0, errors_);
+    if (errors_.any()) return;
     for (Eigen::Index i = 0; i < times.size(); ++i) {
       const double even = times[0] + static_cast<double>(i) * time_step_;
       if (!(std::abs(times[i] - even) <= 2 * kTimeRounding)) {

@@ -10,8 +10,6 @@ namespace gurney::groundmotions {
 
 namespace {
 
-bool is_blank(std::string_view line) { return trimmed(line).empty(); }
-
 bool is_end_mark(std::string_view line) {
   return std::ranges::any_of(words_of(line, " \t\v\f\x1a,;*-=#%.!"), [](std::string_view word) {
     const std::string text = lower(word);

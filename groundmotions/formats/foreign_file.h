@@ -6,7 +6,7 @@
 
 namespace gurney::groundmotions {
 
-/// What a file is that is known well but is no record (an archive, an HDF5 file, XML, a picture,
+/// Names a file that is known well but is no record (an archive, an HDF5 file, XML, a picture,
 /// ...), by its first bytes, and what to do about it; nothing for any other.
 std::optional<std::string> foreign_file(std::string_view bytes);
 

@@ -58,7 +58,7 @@ namespace {
 /// Above all that ground and floors were ever seen to do (4.1 g: Aoi et al. 2008, Science 322).
 constexpr double kLargestAcceleration = 100 * kStandardGravity;
 
-/// What is wrong with options whatever the file.
+/// Checks options whatever the file.
 void check(const ReadOptions& options) {
   require(options.unit.empty() || acceleration_unit(options.unit),
           fmt::format("'{}' is not a unit of acceleration: {} are allowed", options.unit,

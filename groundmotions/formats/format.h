@@ -10,13 +10,13 @@
 
 namespace gurney::groundmotions {
 
-/// What a file does not state must be stated here; what it states too is checked against this.
+/// Statements of the user: what a file does not state must be stated here; what it states too is checked against this.
 struct ReadOptions {
   std::string unit = {};                    ///< as acceleration_unit() takes it; empty: not stated
   std::optional<double> time_step = {};     ///< > 0 [s]
   std::optional<double> si_per_count = {};  ///< > 0, of a file of raw counts [m/s2]
 
-  /// What the columns of a table of plain numbers are: "samples" (row by row one component), or
+  /// Meaning of the columns of a table of plain numbers are: "samples" (row by row one component), or
   /// names from time, h1, h2, vertical and skip, such as "time,h1"; empty: not stated.
   std::string columns = {};
 };

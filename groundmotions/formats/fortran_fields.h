@@ -24,7 +24,7 @@ struct FortranFormat {
 /// means; nothing for any other, also for several formats in one such as "(2(F8.3,F9.6))".
 std::optional<FortranFormat> fortran_format(std::string_view spelling);
 
-/// What an empty field is: an error as among samples, or 0 as in a header, where `****` (a number
+/// Meaning of an empty field: an error as among samples, or 0 as in a header, where `****` (a number
 /// too long for its field) is NaN and real numbers may lack their point.
 enum class EmptyField { kError, kZero };
 

@@ -101,7 +101,7 @@ class BlockReader {
     return agreed_time_step(stated, start_ + kTextLines + 7, options_, errors_);
   }
 
-  /// Of V1A the unit line ("in units of 1.00 mm/s/s"), of V2A the peak line.
+  /// Unit line of V1A ("in units of 1.00 mm/s/s") or peak line of V2A.
   AccelerationUnit unit() {
     const std::string line = upper(text(kUnitLine));
     const auto factor = number_after(line, "UNITS OF");

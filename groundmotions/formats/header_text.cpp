@@ -18,32 +18,7 @@ namespace gurney::groundmotions {
 
 namespace {
 
-constexpr auto kNone = std::string_view::npos;
 using Words = std::vector<std::string_view>;
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
-template <std::size_t size>
-bool is_one_of(std::string_view text, const std::array<std::string_view, size>& names) {
-  return std::ranges::find(names, text) != names.end();
-}
-
-/// Where `word` stands alone in `line`; digits may touch it.
-std::size_t find_word(std::string_view line, std::string_view word) {
-  for (auto at = line.find(word); at != kNone; at = line.find(word, at + 1)) {
-    const auto end = at + word.size();
-    if ((at == 0 || !is_letter(line[at - 1])) && (end == line.size() || !is_letter(line[end])))
-      return at;
-  }
-  return kNone;
-}
-
-bool says_direction(std::string_view word) {
-  Component component;
-  component.acceleration = Eigen::Vector2d::Zero();
-  orient(word, component);
-  return component.azimuth || component.direction;
-}
 
 /// Velocities and displacements that are no samples.
 bool is_of_something_else(const Words& words, std::size_t i) {
@@ -61,7 +36,7 @@ bool speaks_of_peaks(std::string_view line) {
   return std::ranges::any_of(kPeaks, [&](auto word) { return find_word(line, word) != kNone; });
 }
 
-/// What follows the word `unit`: "OF G. FILTER...", "(g)", ": cm / s2", "= SEC AND G".
+/// Text that follows the word `unit`: "OF G. FILTER...", "(g)", ": cm / s2", "= SEC AND G".
 std::optional<std::string_view> behind_unit(std::string_view rest) {
   for (bool again = true; again;) {
     rest.remove_prefix(std::min(rest.find_first_not_of(" \t(=:[-"), rest.size()));

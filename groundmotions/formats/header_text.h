@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-/// What a line of free text in a header says of the samples, letter case apart.
+/// Statements on the samples in a line of free text, letter case apart.
 namespace gurney::groundmotions {
 
 /// "acceleration", "velocity" or "displacement" if the line speaks of one: "VELOCITY HISTORY",

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cctype>
 
+#include "groundmotions/formats/words.h"
+
 namespace gurney::groundmotions {
 
 namespace {
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_sign(char c) { return c == '+' || c == '-'; }
 
 /// A sign and three digits, and then no further part of a number.

@@ -16,13 +16,6 @@ namespace gurney::groundmotions {
 
 namespace {
 
-constexpr auto kNone = std::string_view::npos;
-
-template <std::size_t size>
-bool is_one_of(std::string_view text, const std::array<std::string_view, size>& names) {
-  return std::ranges::find(names, text) != names.end();
-}
-
 /// Not the points of the compass NNE and ENE, which say neither north nor east.
 bool is_seed_code(const std::string& code) {
   return code.size() == 3 && code != "NNE" && code != "ENE" &&
@@ -136,6 +129,13 @@ void orient(std::string_view name, Component& component) {
   } else if (!orient_by_word(code, component)) {
     if (const auto azimuth = azimuth_in(code)) component.azimuth = *azimuth * kRadiansPerDegree;
   }
+}
+
+bool says_direction(std::string_view name) {
+  Component component;
+  component.acceleration = Eigen::Vector2d::Zero();
+  orient(name, component);
+  return component.azimuth || component.direction;
 }
 
 bool orient_by_label(std::string_view text, Component& component) {

@@ -28,6 +28,9 @@ void orient(std::string_view name, Component& component);
 /// @returns whether the label says it.
 bool orient_by_label(std::string_view label, Component& component);
 
+/// Whether orient() sets anything by a name.
+bool says_direction(std::string_view name);
+
 /// Turns a component that points down, with a warning. @param why  the file's word: "DOWN"
 void turn_up(std::string_view why, Component& component);
 

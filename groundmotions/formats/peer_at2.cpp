@@ -22,19 +22,6 @@ namespace gurney::groundmotions {
 namespace {
 
 constexpr std::size_t kHeaderLines = 20;  ///< a header ends within these
-constexpr auto kNone = std::string_view::npos;
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
-/// Where `word` stands alone in `line`; digits may touch it: `NPTS=2000DT=.02`.
-std::size_t find_word(std::string_view line, std::string_view word) {
-  for (auto at = line.find(word); at != kNone; at = line.find(word, at + 1)) {
-    const auto end = at + word.size();
-    if ((at == 0 || !is_letter(line[at - 1])) && (end == line.size() || !is_letter(line[end])))
-      return at;
-  }
-  return kNone;
-}
 
 /// A number of the header and the line that has it (from 0).
 struct Entry {
@@ -122,13 +109,6 @@ bool is_component_name(std::string_view field) {
   return !field.empty() && field.size() <= kLongest && words_of(field, " ").size() <= 3;
 }
 
-bool says_direction(std::string_view field) {
-  Component component;
-  component.acceleration = Eigen::VectorXd::Zero(2);
-  orient(field, component);
-  return component.azimuth || component.direction;
-}
-
 /// "1/17/1994" or "10/28/83".
 bool has_date(std::string_view line) {
   return std::ranges::any_of(words_of(line, ", \t"), [](std::string_view word) {
@@ -148,7 +128,7 @@ std::optional<std::string_view> dated_line(const SourceFile& file, const Header&
   return {};
 }
 
-/// That line, or else the second, or where that is blank the last above NPTS, quantity and unit.
+/// The dated line, or else the second, or where that is blank the last above NPTS, quantity and unit.
 std::string_view event_line(const SourceFile& file, const Header& header) {
   if (const auto line = dated_line(file, header)) return *line;
   std::size_t end = file.lines().size();
@@ -227,7 +207,7 @@ void check_samples(const Header& header, std::size_t count, Component& component
   }
   component.warnings.push_back(
       fmt::format("the header states no NPTS: all {} numbers were taken", count));
-  if (count < 2) errors.add(fmt::format("{} samples are no record (2 at least)", count));
+  check_enough(static_cast<double>(count), 0, errors);
 }
 
 /// `2000 0.0200` alone on the line after the header.

@@ -15,10 +15,6 @@ namespace gurney::groundmotions {
 
 namespace {
 
-constexpr auto kNone = std::string_view::npos;
-
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
 /// A date and clock time that a line begins with.
 struct Stamp {
   std::size_t begin = 0, end = 0;  ///< in the line

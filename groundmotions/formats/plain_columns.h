@@ -11,7 +11,7 @@
 
 namespace gurney::groundmotions {
 
-/// What the numbers of plain rows are.
+/// Meaning of the numbers in plain rows.
 struct PlainColumns {
   enum class Kind { kTime, kComponent, kSkip };
   struct Column {

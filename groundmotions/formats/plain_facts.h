@@ -9,7 +9,7 @@
 
 namespace gurney::groundmotions {
 
-/// What the free text above plain numbers states. Lines are counted from 1.
+/// Statements of the free text above plain numbers. Lines are counted from 1.
 struct PlainFacts {
   std::optional<AccelerationUnit> unit;
   std::size_t unit_line = 0;

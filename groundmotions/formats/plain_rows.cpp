@@ -17,9 +17,6 @@ constexpr std::string_view kSeparators = ",;";
 constexpr std::string_view kBetweenWords = " \t\v\f\x1a,;\"";
 constexpr std::size_t kHeaderLines = 40;
 
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
 /// A word of another script; "\u2212" and blanks of Unicode (C2, E2) are none.
 bool is_foreign_word(std::string_view word) {
   const auto first = static_cast<unsigned char>(word[0]);
@@ -87,8 +84,6 @@ bool is_comment(std::string_view line) {
   line = trimmed(line);
   return line.starts_with('#') || line.starts_with('%') || line.starts_with("//");
 }
-
-bool is_blank(std::string_view line) { return trimmed(line).empty(); }
 
 bool is_row(std::string_view line) {
   const auto words = words_of(line, kBetweenWords);

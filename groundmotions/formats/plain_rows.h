@@ -46,7 +46,7 @@ struct PlainFault {
 };
 std::optional<PlainFault> plain_fault(const SourceFile& file);
 
-/// What is no number after the first row, save an end mark, and empty cells become errors.
+/// Reads the rows: what is no number after the first row, save an end mark, and empty cells become errors.
 PlainRows plain_rows(const SourceFile& file, FileErrors& errors);
 
 }  // namespace gurney::groundmotions

@@ -247,7 +247,7 @@ void take_direction(const PlainTable& table, Component& component) {
   orient(component.name, component);
 }
 
-/// What the user is to know of columns that were taken without being named.
+/// Warns of columns that were taken without being named.
 void warn_of_columns(const PlainColumns& columns, const PlainTable& table,
                      std::vector<Component>& components) {
   auto& warnings = components[0].warnings;

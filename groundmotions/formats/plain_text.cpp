@@ -101,7 +101,7 @@ std::vector<Component> read_plain_text(const SourceFile& original, const ReadOpt
   const PlainColumns columns =
       plain_columns(rows, titles, leading.count > 0 && !leading.of_rows, options, errors);
   const std::size_t samples = columns.samples ? rows.values.size() : rows.lengths.size();
-  if (samples < 2) errors.add(fmt::format("{} samples are no record (2 at least)", samples));
+  check_enough(static_cast<double>(samples), 0, errors);
 
   const bool is_table = !columns.samples && !errors.any();
   const PlainFacts facts =

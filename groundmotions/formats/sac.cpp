@@ -97,9 +97,8 @@ void check_layout(const SacWords& words, FileErrors& errors) {
   const double count = words.integer(kCount);
   const std::size_t footer = words.integer(kVersion) == 7 ? kFooterBytes : 0;
   const double expected = kHeaderBytes + 4 * count + static_cast<double>(footer);
-  if (!(count >= 2))
-    errors.add(fmt::format("{} samples are no record (2 at least)", count));
-  else if (expected != static_cast<double>(words.bytes().size()))
+  check_enough(count, 0, errors);
+  if (count >= 2 && expected != static_cast<double>(words.bytes().size()))
     errors.add(
         fmt::format("{} samples make {:.0f} bytes, but the file has {}: it was cut or "
                     "changed",

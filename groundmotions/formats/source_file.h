@@ -18,7 +18,7 @@ class SourceFile {
   /// @throws Error if the file cannot be read, is no regular file, is empty or larger than 256 MiB.
   explicit SourceFile(const std::filesystem::path& path);
 
-  /// What is in memory already. @throws Error if it is empty.
+  /// Takes what is in memory already. @throws Error if it is empty.
   SourceFile(std::string name, std::string bytes);
 
   SourceFile(const SourceFile&) = delete;  // lines_ point into bytes_

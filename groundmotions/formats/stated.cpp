@@ -98,6 +98,11 @@ void check_count(double stated, std::string_view key, std::size_t line, std::siz
                fmt::format("{} states {} samples, but the file holds {}", key, stated, held));
 }
 
+void check_enough(double samples, std::size_t line, FileErrors& errors) {
+  if (!(samples >= 2))
+    report(errors, line, fmt::format("a record needs at least 2 samples, got {}", samples));
+}
+
 void check_length(double length, std::size_t line, Component& component, FileErrors& errors) {
   const double held = static_cast<double>(component.acceleration.size()) * component.time_step;
   if (!(length > 0) || std::abs(held - length) <= 2.5 * component.time_step + 0.01) return;

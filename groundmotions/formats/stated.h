@@ -8,7 +8,7 @@
 #include "groundmotions/record/acceleration_unit.h"
 #include "groundmotions/record/time_step_range.h"
 
-/// What a file says of itself, checked against the user's options and against its samples. Lines
+/// Statements of a file on itself, checked against the user's options and against its samples. Lines
 /// are counted from 1.
 namespace gurney::groundmotions {
 
@@ -36,6 +36,9 @@ double checked_time_step(double stated, std::string_view key, std::size_t line,
 /// An error unless the file holds as many samples as it states as `key` on `line`, 2 at least.
 void check_count(double stated, std::string_view key, std::size_t line, std::size_t held,
                  FileErrors& errors);
+
+/// An error of a line (0: of the file) for fewer samples than a record needs.
+void check_enough(double samples, std::size_t line, FileErrors& errors);
 
 /// A warning if the component has not the length that `line` states; an error if it is not within
 /// a factor of 1.5.

@@ -16,8 +16,6 @@ namespace gurney::groundmotions {
 
 namespace {
 
-constexpr auto kNone = std::string_view::npos;
-
 /// The cells of one line of text.
 struct Cells {
   std::vector<std::string> texts;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view kData = "DATOS DE ACELERACION";
 
-/// Of the channels 1 to 6 and 7 to 12: "/V/N90E/N00E".
+/// Values of the channels 1 to 6 and 7 to 12: "/V/N90E/N00E".
 struct ChannelValues {
   std::vector<std::string_view> values;
   std::size_t line = 0;  ///< from 0
@@ -166,7 +166,7 @@ class UnamReader {
     const auto counts = channels("NUM. TOTAL DE MUESTRAS");
     const auto count = channel_number(counts, i).value_or(0);
     const auto rows = component.acceleration.size();
-    if (rows < 2) errors_.add(fmt::format("{} samples are no record (2 at least)", rows));
+    check_enough(static_cast<double>(rows), 0, errors_);
     if (!(static_cast<double>(rows) >= count))
       errors_.add(counts.line + 1, 1,
                   fmt::format("the header states {} samples, but the file has {} rows: it seems "

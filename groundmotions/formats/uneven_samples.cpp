@@ -11,7 +11,7 @@ namespace gurney::groundmotions {
 
 namespace {
 
-/// Of a step: a last time that misses the grid by less is on it.
+/// Share of a step: a last time that misses the grid by less is on it.
 constexpr double kGridTolerance = 1e-6;
 constexpr double kMaxSamples = 1e7;
 

@@ -34,7 +34,7 @@ Spacing spacing_of(const std::vector<double>& times);
 Eigen::VectorXd evenly_spaced(const std::vector<double>& times, const std::vector<double>& values,
                               double time_step);
 
-/// What a component must state of samples that were brought to an even time step.
+/// Warning that a component must have of samples that were brought to an even time step.
 std::string uneven_warning(const std::vector<double>& times, double time_step);
 
 }  // namespace gurney::groundmotions

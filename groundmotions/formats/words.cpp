@@ -7,11 +7,16 @@
 
 namespace gurney::groundmotions {
 
-namespace {
+bool is_blank(std::string_view line) { return trimmed(line).empty(); }
 
-constexpr auto kNone = std::string_view::npos;
-
-}  // namespace
+std::size_t find_word(std::string_view line, std::string_view word) {
+  for (auto at = line.find(word); at != kNone; at = line.find(word, at + 1)) {
+    const auto end = at + word.size();
+    if ((at == 0 || !is_letter(line[at - 1])) && (end == line.size() || !is_letter(line[end])))
+      return at;
+  }
+  return kNone;
+}
 
 std::string upper(std::string_view text) {
   std::string result(text);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -7,6 +9,21 @@
 
 /// Words and numbers within the lines of a header.
 namespace gurney::groundmotions {
+
+inline constexpr auto kNone = std::string_view::npos;
+
+/// Letters and digits of ASCII.
+inline bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_blank(std::string_view line);
+
+template <std::size_t size>
+bool is_one_of(std::string_view text, const std::array<std::string_view, size>& names) {
+  return std::ranges::find(names, text) != names.end();
+}
+
+/// Where `word` stands alone in `line`; digits may touch it: `NPTS=2000DT=.02`.
+std::size_t find_word(std::string_view line, std::string_view word);
 
 std::string upper(std::string_view text);
 std::string lower(std::string_view text);

@@ -19,7 +19,7 @@ struct Peaks {
 /// @param acceleration  [m/s2]; empty: all peaks are zero
 Peaks peaks(double time_step, const Eigen::VectorXd& acceleration);
 
-/// The same of the resultants: the largest lengths of the horizontal vectors.
+/// Peaks of the resultants: the largest lengths of the horizontal vectors.
 /// @param h1, h2  at right angles, of one length [m/s2]
 Peaks peaks(double time_step, const Eigen::VectorXd& h1, const Eigen::VectorXd& h2);
 

@@ -9,7 +9,7 @@ namespace gurney::groundmotions {
 /// @param period  > 0 [s]
 Eigen::VectorXd average_periods(double period);
 
-/// The same between two periods 0 < from < to [s].
+/// Periods between two periods 0 < from < to [s].
 Eigen::VectorXd average_periods(double from, double to);
 
 /// Average spectral acceleration: the geometric mean of `spectral_accelerations` [m/s2], 0 if one

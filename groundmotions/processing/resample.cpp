@@ -47,7 +47,7 @@ struct Period {
   Eigen::Index old_steps = 0;
 };
 
-/// Of the ratio of a new step to an old one; a period of all `samples` if there is no short one.
+/// Period of the ratio of a new step to an old one; all `samples` if there is no short one.
 Period period_of(double ratio, Eigen::Index samples) {
   constexpr Eigen::Index kLongest = 1000;
   for (Eigen::Index steps = 1; steps < std::min(kLongest, samples); ++steps) {

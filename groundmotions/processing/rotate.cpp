@@ -21,7 +21,7 @@ Component& component(Record& record, Direction direction) {
   return *record.components[static_cast<std::size_t>(direction)];
 }
 
-/// The same direction in [0, 2 pi).
+/// An angle in [0, 2 pi).
 double wrapped(double azimuth) {
   const double turns = azimuth - 2 * kPi * std::floor(azimuth / (2 * kPi));
   return 2 * kPi - turns < kSameAngle / 1000 ? 0 : turns;

@@ -8,6 +8,7 @@
 #include "engine/base/csv_row.h"
 #include "engine/base/error.h"
 #include "engine/base/files.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {
 
@@ -32,8 +33,6 @@ constexpr std::array kFacts = {
     std::pair("Lowest Useable Frequency", "lowest usable frequency [Hz]"),
     std::pair("Scale Factor", "scale factor of the search"),
 };
-
-constexpr auto kNone = std::string::npos;
 
 std::size_t column_of(const std::vector<CsvCell>& titles, std::string_view start) {
   for (std::size_t i = 0; i < titles.size(); ++i)

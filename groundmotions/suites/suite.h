@@ -19,7 +19,7 @@ struct SuiteRecord {
   std::vector<std::pair<std::string, std::string>> facts;  ///< of the source: name, value
 };
 
-/// What was left out, and why.
+/// A file that was left out, and why.
 struct Refusal {
   std::string file;  ///< or name of the record
   std::string reason;

@@ -196,7 +196,8 @@ TEST(PlainText, RefusesWhatIsNoNumber) {
               HasSubstr("f:2:1: 1 numbers in a row, the first row has 2"));
   EXPECT_THAT(error_text([] { read_text("0,1,2\n0.1,,3\n0.2,3,4\n", {.unit = "g"}); }),
               HasSubstr("f:2:5: an empty cell"));
-  EXPECT_EQ(error_text([] { read_text("1\n", kGal); }), "f: 1 samples are no record (2 at least)");
+  EXPECT_EQ(error_text([] { read_text("1\n", kGal); }),
+            "f: a record needs at least 2 samples, got 1");
 }
 
 TEST(PlainText, RefusesOptionsOutsideTheirRanges) {

@@ -77,7 +77,8 @@ TEST(Sac, RefusesWhatIsNoAcceleration) {
 TEST(Sac, ChecksLengthSamplesAndStep) {
   EXPECT_THAT(error({.integers = {{79, 5}}}),
               HasSubstr("5 samples make 652 bytes, but the file has 648: it was cut or changed"));
-  EXPECT_THAT(error({.integers = {{79, -5}}}), HasSubstr("-5 samples are no record"));
+  EXPECT_THAT(error({.integers = {{79, -5}}}),
+              HasSubstr("a record needs at least 2 samples, got -5"));
   EXPECT_THAT(error({.reals = {{0, 0}}}),
               HasSubstr("the time step must be in [1e-05, 1] s, got 0"));
   EXPECT_THAT(error({.values = {1, std::numeric_limits<float>::quiet_NaN()}}),
