@@ -103,6 +103,9 @@ TEST(ColumnsCsv, RefusesOptionsAgainstTheFile) {
   EXPECT_EQ(error_text([] { read(kThree, {.unit = "g", .time_step = 0.02}); }),
             "f.csv: unit = \"g\" was given, but the columns of this file state their units\n"
             "f.csv: the file has a time step of 0.01 s, but time_step_s = 0.02 was given");
+  EXPECT_EQ(error_text([] { read(kThree, {.time_step = 0.005}); }),
+            "f.csv: the file has a time step of 0.01 s, but time_step_s = 0.005 was given");
+  EXPECT_EQ(read(kThree, {.time_step = 0.01 * (1 - 1e-7)})[0].time_step, 0.01);
 }
 
 TEST(ColumnsCsv, ReadsWhatItWrites) {

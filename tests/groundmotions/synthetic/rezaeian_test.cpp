@@ -32,6 +32,7 @@ TEST(GammaEnvelope, HasTheDurationAndTheMiddle) {
   const GammaEnvelope envelope = gamma_envelope(12, 8);
   EXPECT_NEAR(gamma_time(envelope, 0.95) - gamma_time(envelope, 0.05), 12, 1e-9);
   EXPECT_NEAR(gamma_time(envelope, 0.45), 8, 1e-9);
+  EXPECT_ERROR(gamma_envelope(4.5 * 8, 8), "must be less than 4.5 times");
   EXPECT_ERROR(gamma_envelope(40, 8),
                "significant duration 40 s: must be less than 4.5 times the time of the middle of "
                "strong shaking, 8 s");

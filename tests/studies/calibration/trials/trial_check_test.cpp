@@ -101,6 +101,27 @@ TEST(TrialCheck, BlamesOnlyColumnsThatAreThere) {
   EXPECT_THAT(cause_of_ratio(1e6, 1.2, false), HasSubstr("mass, force or clock"));
 }
 
+/// Each unit in place of another gives its ratio, within a factor of 1.2.
+TEST(TrialCheck, NamesTheUnitsOfEachRatio) {
+  const struct {
+    double ratio;
+    const char *displacement, *acceleration;
+  } rows[] = {{1e3, "mm in a column of m", "mm/s2 in a column of m/s2"},
+              {1e-3, "m in a column of mm", "force in N in a column of kN"},
+              {1e-6, "ms in a column of s?", "mass, force or clock"},
+              {1e6, "s in a column of ms?", "mass, force or clock"},
+              {9.80665, "is the force in kg in a column of N?", "m/s2 in a column of g"},
+              {1 / 9.80665, "is the force in N in a column of kg?", "g in a column of m/s2"}};
+  for (const auto& row : rows)
+    for (const double factor : {1 / 1.19, 1.0, 1.19}) {
+      EXPECT_THAT(cause_of_ratio(row.ratio * factor, 1.2, true), HasSubstr(row.displacement));
+      EXPECT_THAT(cause_of_ratio(row.ratio * factor, 1.2, false), HasSubstr(row.acceleration));
+    }
+  for (const double factor : {1 / 1.21, 1.21})
+    for (const auto& row : rows)
+      EXPECT_THAT(cause_of_ratio(row.ratio * factor, 1.2, true), HasSubstr("mass, force or clock"));
+}
+
 TEST(TrialCheck, NamesPhasesThatAreTooShort) {
   MadePull made;
   made.pull = 0.4;
