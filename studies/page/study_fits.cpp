@@ -10,57 +10,17 @@
 #include "studies/page/drawing.h"
 #include "studies/page/findings_html.h"
 #include "studies/page/study_page.h"
-#include "studies/page/table.h"
 #include "studies/report/fragility_report.h"
-#include "studies/study/analysis/performance.h"
 
 namespace gurney::page {
 namespace {
 
-std::vector<Cell> row_of(const study::FragilityResult& of, const study::ReportUnit& unit,
-                         bool rates) {
-  const study::ReportUnit one{"1", 1};
-  const std::string exceeded =
-      fmt::format("{} of {} {}", of.audit.exceeded, of.audit.outcomes, of.audit.counted);
-  std::vector<Cell> row{of.state, of.configuration.empty() ? "all runs" : of.configuration,
-                        exceeded};
-  if (const auto curve = of.curve()) {
-    row.insert(row.end(), {Cell(curve->theta, unit), Cell(curve->beta, one, 2),
-                           study::interval_text(of.band.theta, unit.in_si, 3, of.records),
-                           study::interval_text(of.band.beta, 1, 2, of.records)});
-  } else {
-    row.insert(row.end(), {"\u2013", "\u2013", study::no_curve_text(of, unit), "\u2013"});
-  }
-  if (rates && of.rate) {
-    row.insert(row.end(),
-               {Cell(of.rate->rate, one), study::rate_interval_text(*of.rate, of.records),
-                Cell(100 * statistics::probability_in(50, of.rate->rate), one, 2)});
-  } else if (rates) {
-    row.insert(row.end(), 3, Cell("\u2013"));
-  }
-  return row;
-}
-
 Html table_of(const StudyPage& page) {
   const auto& all = page.fragilities;
-  const study::ReportUnit unit = study::report_unit(page.data, all.front().measure);
-  const bool rates =
-      std::ranges::any_of(all, [](const auto& each) { return each.rate.has_value(); });
-  const std::string of_unit = unit.name == "1" ? "" : " (" + unit.name + ")";
-  Table table{fmt::format("Lognormal fragility curves over {}", all.front().measure.name),
-              {{"Limit state"},
-               {"Configuration"},
-               {"Exceeded"},
-               {"\u03b8" + of_unit, true, "median"},
-               {"\u03b2", true, "dispersion"},
-               {"95 % of \u03b8"},
-               {"95 % of \u03b2"}}};
-  if (rates) {
-    table.columns.push_back({"Rate (1/year)", true, "mean annual rate of exceedance"});
-    table.columns.push_back({"95 % of the rate"});
-    table.columns.push_back({"In 50 years (%)", true});
-  }
-  for (const study::FragilityResult& each : all) table.rows.push_back(row_of(each, unit, rates));
+  findings::Table table = report::fragility_table(
+      all, study::report_unit(page.data, all.front().measure),
+      std::ranges::any_of(all, [](const auto& each) { return each.rate.has_value(); }));
+  table.title = fmt::format("Lognormal fragility curves over {}", all.front().measure.name);
   return html(table);
 }
 
@@ -96,20 +56,8 @@ Html notes_of(const StudyPage& page) {
 
 Html performance_of(const StudyPage& page) {
   Html all;
-  for (const study::PerformanceTable& of : study::performance_tables(page.data, page.fragilities)) {
-    const auto& measure = page.fragilities.front().measure;
-    const study::ReportUnit unit = study::report_unit(page.data, measure), percent{"%", 0.01};
-    Table table{fmt::format("{}Probability (%) that each level is the worst that is reached",
-                            of.configuration.empty() ? "" : of.configuration + ": "),
-                {{figures::with_unit(measure.name, unit), true}, {"none", true}}};
-    for (const std::string& level : of.levels) table.columns.push_back({level, true});
-    for (std::size_t i = 0; i < of.im.size(); ++i) {
-      std::vector<Cell> row{Cell(of.im[i], unit)};
-      for (const double probability : of.at[i].of_level) row.emplace_back(probability, percent);
-      table.rows.push_back(std::move(row));
-    }
-    all += html(table);
-  }
+  for (const findings::Table& of : report::worst_level_tables(page.data, page.fragilities))
+    all += html(of);
   return all.empty() ? all : element("h3", "Performance levels") + all;
 }
 

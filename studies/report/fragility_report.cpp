@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "studies/render/render.h"
+#include "studies/report/formats.h"
 #include "studies/report/json_values.h"
 #include "studies/report/scale_factors.h"
 #include "studies/study/analysis/performance.h"
@@ -21,19 +23,6 @@ using Json = nlohmann::ordered_json;
 std::string exceed_text(const study::FragilityResult& result) {
   const study::CurveAudit& audit = result.audit;
   return fmt::format("{} of {} {}", audit.exceeded, audit.outcomes, audit.counted);
-}
-
-std::string row(const study::FragilityResult& result, const study::ReportUnit& unit,
-                std::size_t wide, std::size_t state_wide) {
-  std::string line = fmt::format("{:<{}}  {:<{}}  {:>16}  ", result.configuration, wide,
-                                 result.state, state_wide, exceed_text(result));
-  if (const auto curve = result.curve())
-    line += fmt::format("{:>8.3g}  {:>5.2f}  {:<16}  {}", curve->theta / unit.in_si, curve->beta,
-                        study::interval_text(result.band.theta, unit.in_si, 3, result.records),
-                        study::interval_text(result.band.beta, 1, 2, result.records));
-  else
-    line += study::no_curve_text(result, unit);
-  return line + "\n";
 }
 
 std::string fit_note(const study::FragilityResult& result) {
@@ -49,36 +38,16 @@ std::string curve_name(const study::FragilityResult& result) {
   return (result.configuration.empty() ? "" : result.configuration + ", ") + result.state;
 }
 
-std::string performance_text(const study::StudyData& data,
-                             const std::vector<study::FragilityResult>& results,
-                             const study::ReportUnit& unit) {
-  std::string text;
-  for (const study::PerformanceTable& table : study::performance_tables(data, results)) {
-    text += fmt::format("\n{}P(worst level reached), %\n{:>10}  {:>10}",
-                        table.configuration.empty() ? "" : table.configuration + ": ",
-                        results.front().measure.name, "none");
-    for (const std::string& level : table.levels) text += fmt::format("  {:>10}", level);
-    text += "\n";
-    for (std::size_t i = 0; i < table.im.size(); ++i) {
-      text += fmt::format("{:>10}", fmt::format("{:.3g} {}", table.im[i] / unit.in_si, unit.name));
-      for (const double probability : table.at[i].of_level)
-        text += fmt::format("  {:>10.1f}", 100 * probability);
-      text += table.at[i].crossed ? "  curves cross: the worse is cut to the milder\n" : "\n";
-    }
-  }
-  return text;
-}
-
 /// What the limit states say, each once; one without a name of its own has said it already.
-std::string definitions_text(const std::vector<study::FragilityResult>& results) {
-  std::string text;
+findings::Texts definitions(const std::vector<study::FragilityResult>& results) {
+  findings::Texts lines;
   std::vector<std::string> listed;
   for (const study::FragilityResult& each : results) {
     if (std::ranges::find(listed, each.state) != listed.end() || each.state == each.words) continue;
     listed.push_back(each.state);
-    text += fmt::format("{}: {}\n", each.state, each.words);
+    lines.push_back(each.state + ": " + each.words);
   }
-  return text.empty() ? "" : "\n" + text;
+  return lines;
 }
 
 /// An end that the runs do not bound is null.
@@ -113,13 +82,6 @@ Eigen::Matrix2d covariance_of(const study::FragilityResult& result) {
 
 const char* method_name(const study::FragilityResult& result) {
   return result.by_cloud() ? "cloud" : result.capacities ? "capacities" : "stripes";
-}
-
-template <class Take>
-std::size_t widest(const std::vector<study::FragilityResult>& results, std::size_t least,
-                   Take take) {
-  for (const study::FragilityResult& each : results) least = std::max(least, take(each).size());
-  return least;
 }
 
 Json curve_json(const std::optional<statistics::LognormalCurve>& curve, double unit) {
@@ -302,26 +264,83 @@ std::vector<std::string> notes_on_curves(const std::vector<study::FragilityResul
   return all;
 }
 
+findings::Table fragility_table(const std::vector<study::FragilityResult>& results,
+                                const study::ReportUnit& unit, bool rates) {
+  const findings::Format theta = format_of(unit, 1, ".3g"), two{".2g"};
+  const auto intervals = [&](const study::FragilityResult& each, double in_si, int digits,
+                             const statistics::Interval& of) {
+    return each.curve() ? study::interval_text(of, in_si, digits, each.records) : std::string();
+  };
+  findings::Table table{"",
+                        "",
+                        {{"", "configuration"},
+                         {"", "limit state"},
+                         {"", "exceed"},
+                         {"", "theta", theta, "median"},
+                         {"", "beta", {".2f"}, "dispersion"},
+                         {"", "95 % of theta"},
+                         {"", "95 % of beta"}}};
+  if (rates)
+    table.columns.insert(table.columns.end(),
+                         {{"", "rate", {".3g", "1/year"}, "mean annual rate of exceedance"},
+                          {"", "95 % of the rate"},
+                          {"", "in 50 years", {".2g", "%", 0.01}}});
+  for (const study::FragilityResult& each : results) {
+    const auto curve = each.curve();
+    table.add(
+        {each.configuration.empty() ? "all runs" : each.configuration, each.state,
+         exceed_text(each), curve ? findings::Value(curve->theta) : findings::Value(),
+         curve ? findings::Value(curve->beta) : findings::Value(),
+         curve ? intervals(each, unit.in_si, 3, each.band.theta) : study::no_curve_text(each, unit),
+         intervals(each, 1, 2, each.band.beta)});
+    if (rates && each.rate)
+      table.rows.back().insert(
+          table.rows.back().end(),
+          {each.rate->rate, study::rate_interval_text(*each.rate, each.records),
+           statistics::probability_in(50, each.rate->rate)});
+    else if (rates)
+      table.rows.back().resize(table.columns.size(), findings::Value());
+  }
+  return table;
+}
+
+std::vector<findings::Table> worst_level_tables(
+    const study::StudyData& data, const std::vector<study::FragilityResult>& results) {
+  std::vector<findings::Table> tables;
+  for (const study::PerformanceTable& of : study::performance_tables(data, results)) {
+    const study::RunMeasure& measure = results.front().measure;
+    const findings::Format percent{".1f", "%", 0.01};
+    findings::Table table{
+        "",
+        (of.configuration.empty() ? "" : of.configuration + ": ") + "P(worst level reached)",
+        {{"", measure.name, format_of(study::report_unit(data, measure), 1, ".3g")},
+         {"", "none", percent}}};
+    for (const std::string& level : of.levels) table.columns.push_back({"", level, percent});
+    table.columns.push_back({"", "remark"});
+    for (std::size_t i = 0; i < of.im.size(); ++i) {
+      table.add({of.im[i]});
+      for (const double probability : of.at[i].of_level)
+        table.rows.back().emplace_back(probability);
+      table.rows.back().emplace_back(
+          of.at[i].crossed ? "curves cross: the worse is cut to the milder" : "");
+    }
+    tables.push_back(std::move(table));
+  }
+  return tables;
+}
+
 std::string fragility_report(const study::StudyData& data,
                              const std::vector<study::FragilityResult>& results) {
   if (results.empty()) return "";
   const study::ReportUnit unit = study::report_unit(data, results.front().measure);
-  const std::size_t wide =
-      widest(results, 13, [](const study::FragilityResult& each) { return each.configuration; });
-  const std::size_t state_wide =
-      widest(results, 11, [](const study::FragilityResult& each) { return each.state; });
-  std::string text = fmt::format(
-      "P(limit state | {} [{}]) = Phi(ln(im / theta) / beta){}\n\n", results.front().measure.name,
-      unit.name, results.front().by_cloud() ? ", by regression of demands (cloud)" : "");
-  text += fmt::format("{:<{}}  {:<{}}  {:>16}  {:>8}  {:>5}  {:<16}  {}\n", "configuration", wide,
-                      "limit state", state_wide, "exceed", "theta", "beta", "95 % of theta",
-                      "95 % of beta");
-  for (const study::FragilityResult& each : results) text += row(each, unit, wide, state_wide);
-  std::string below;
-  for (const std::string& note : notes_on_curves(results, unit)) below += note + "\n";
-  text += below.empty() ? "" : "\n" + below;
-  text += performance_text(data, results, unit);
-  return text + definitions_text(results);
+  findings::Section all;
+  all.say(fmt::format("P(limit state | {} [{}]) = Phi(ln(im / theta) / beta){}",
+                      results.front().measure.name, unit.name,
+                      results.front().by_cloud() ? ", by regression of demands (cloud)" : ""));
+  all.add(fragility_table(results, unit, false));
+  all.list("", "notes", notes_on_curves(results, unit));
+  for (findings::Table& each : worst_level_tables(data, results)) all.add(std::move(each));
+  return render::text(all.list("", "limit states", definitions(results)));
 }
 
 std::string fragility_json(const std::vector<study::FragilityResult>& results,

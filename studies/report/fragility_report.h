@@ -3,9 +3,19 @@
 #include <string>
 #include <vector>
 
+#include "studies/findings/findings.h"
 #include "studies/study/analysis/fragility_result.h"
 
 namespace gurney::report {
+
+/// A row for each configuration and limit state.
+/// @param rates  with annual rates of exceedance
+findings::Table fragility_table(const std::vector<study::FragilityResult>& results,
+                                const study::ReportUnit& unit, bool rates);
+
+/// For each configuration the probability that each level is the worst that is reached.
+std::vector<findings::Table> worst_level_tables(const study::StudyData& data,
+                                                const std::vector<study::FragilityResult>& results);
 
 /// A table with a row for each configuration and limit state, and below it what to know of them.
 std::string fragility_report(const study::StudyData& data,
