@@ -6,6 +6,7 @@
 
 #include "engine/base/printable.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/print.h"
 #include "studies/cli/record_source.h"
 #include "studies/report/record_report.h"
 #include "studies/report/record_table.h"
@@ -29,17 +30,19 @@ std::vector<groundmotions::Measure> measures_of(const InfoOptions& options) {
 
 int print_json(const InfoOptions& options) {
   const auto measures = measures_of(options);
-  std::vector<std::string> records;
+  findings::Section known;
+  known.json("records", findings::Texts{});
   std::vector<groundmotions::Refusal> refused;
   const int code = for_each_record(
       options.source, &refused,
       [&](const groundmotions::SuiteRecord& entry, const groundmotions::Record& record) {
-        records.push_back(report::record_json(record, entry.facts, measures));
+        findings::Section of = report::record_report(record, entry.facts, measures);
+        of.key = "records[]";
+        known.add(std::move(of));
       });
-  std::vector<std::pair<std::string, std::string>> left_out;
-  for (const groundmotions::Refusal& refusal : refused)
-    left_out.emplace_back(refusal.file, refusal.reason);
-  fmt::print("{}", report::records_json(records, left_out));
+  findings::Table left_out{"refused", "", {{"file", ""}, {"reason", ""}}};
+  for (const groundmotions::Refusal& each : refused) left_out.add({each.file, each.reason});
+  print_findings(known.add(std::move(left_out)), true);
   return code;
 }
 
@@ -51,7 +54,7 @@ int info(const InfoOptions& options) {
       options.source, nullptr,
       [&](const groundmotions::SuiteRecord& entry, const groundmotions::Record& record) {
         fmt::print("{}{}", first ? "" : "\n",
-                   printable(report::record_report(record, entry.facts, measures)));
+                   printable(render::text(report::record_report(record, entry.facts, measures))));
         first = false;
       });
 }

@@ -16,89 +16,104 @@
 namespace gurney::report {
 namespace {
 
-constexpr int kColumn = 10;  ///< width of the columns of measures
+using findings::Section;
+using findings::Table;
+using groundmotions::Direction;
 
 bool has_horizontals(const groundmotions::Record& record) {
-  return record[groundmotions::Direction::kH1] && record[groundmotions::Direction::kH2];
+  return record[Direction::kH1] && record[Direction::kH2];
 }
 
-std::string file_name(const groundmotions::Component& component) {
-  return std::filesystem::path(component.file).filename().string();
+/// Name and value of each fact of a header.
+Section named(std::string key, const std::vector<RecordFact>& facts) {
+  Section all{std::move(key)};
+  for (const auto& [name, value] : facts) all.json(name, value);
+  return all;
 }
 
-std::string files_text(const groundmotions::Record& record) {
-  std::string text;
-  for (const groundmotions::Direction direction : groundmotions::kDirections) {
+Section component(Direction direction, const groundmotions::Component& of) {
+  const groundmotions::EndMotion end = groundmotions::end_motion(of.time_step, of.acceleration);
+  Section all{name_of(direction)};
+  all.json("name", of.name).json("file", of.file).json("format", of.format);
+  all.json("unit", of.unit).json("sha256", of.sha256);
+  all.json("azimuth_deg", of.azimuth, {.json_unit = kRadiansPerDegree});
+  all.add(named("header", of.header)).json("residual_velocity_m_per_s", end.velocity);
+  return all.json("residual_displacement_m", end.displacement);
+}
+
+/// One line for each component, and its hash.
+void add_files(Section& to, const groundmotions::Record& record) {
+  Section components{"components"};
+  for (const Direction direction : groundmotions::kDirections) {
     if (!record[direction]) continue;
     const groundmotions::Component& c = *record[direction];
+    components.add(component(direction, c));
     const std::string azimuth =
         c.azimuth ? fmt::format(", azimuth {:.0f}", *c.azimuth / kRadiansPerDegree) : "";
-    text += fmt::format("  {:<9} {}, '{}'{}, {}, {}\n", name_of(direction), file_name(c), c.name,
-                        azimuth, c.format, c.unit);
-    if (!c.sha256.empty()) text += fmt::format("  {:<9} SHA-256 {}\n", "", c.sha256);
+    to.text(name_of(direction),
+            fmt::format("{}, '{}'{}, {}, {}", std::filesystem::path(c.file).filename().string(),
+                        c.name, azimuth, c.format, c.unit));
+    to.text(std::string("SHA-256 of ") + name_of(direction), c.sha256);
   }
-  return text;
+  to.add(std::move(components));
 }
 
 /// Facts of the headers; those that all components share are stated once.
-std::string header_text(const groundmotions::Record& record) {
-  std::string text;
+Section headers(const groundmotions::Record& record) {
+  Section all{"", "header"};
   std::vector<RecordFact> stated;
   for (const auto& component : record.components) {
     if (!component) continue;
     for (const RecordFact& fact : component->header) {
-      if (fact.second.empty() || std::ranges::find(stated, fact) != stated.end()) continue;
+      if (std::ranges::find(stated, fact) != stated.end()) continue;
       stated.push_back(fact);
-      text += fmt::format("  {:<28} {}\n", fact.first, fact.second);
+      all.text(fact.first, fact.second);
     }
   }
-  return text;
+  return all;
 }
 
-std::string measures_text(const groundmotions::Record& record,
-                          const groundmotions::Summary& measures) {
-  std::vector<std::string> columns;
-  for (const groundmotions::Direction direction : groundmotions::kDirections)
-    if (record[direction]) columns.emplace_back(name_of(direction));
-  if (has_horizontals(record)) columns.insert(columns.end(), {"RotD50", "RotD100"});
-  std::string text = fmt::format("  {:<10}", "measure");
-  for (const std::string& column : columns) text += fmt::format("{:>{}}", column, kColumn);
-  text += "\n";
+/// A column for each component and combination; how it moves at the end, from rest.
+void add_measures(Section& to, const groundmotions::Record& record,
+                  const groundmotions::Summary& measures) {
+  Table table{"measures{}", "", {{"", "measure"}, {"unit", ""}}},
+      ends{"", "", {{"", "at the end"}}};
+  std::vector<std::string> names;
+  for (const Direction direction : groundmotions::kDirections)
+    if (record[direction]) names.emplace_back(name_of(direction));
+  for (const std::string& name : names) ends.columns.push_back({"", name, {".2g"}});
+  if (has_horizontals(record)) names.insert(names.end(), {"RotD50", "RotD100"});
+  const std::size_t shown = names.size();
+  for (const groundmotions::SummaryRow& row : measures.rows)
+    for (const auto& [name, value] : row.values)
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    table.columns.push_back({"values." + names[i], i < shown ? names[i] : ""});
+  table.columns.insert(table.columns.end(), {{"", "unit"}, {"definition", "definition"}});
   for (const groundmotions::SummaryRow& row : measures.rows) {
     const groundmotions::DisplayUnit unit = groundmotions::display_unit_of(row.measure);
-    text += fmt::format("  {:<10}", row.name);
-    for (const std::string& column : columns) {
+    table.add({row.name, row.unit});
+    for (const std::string& name : names) {
       const auto value =
-          std::ranges::find(row.values, column, &std::pair<std::string, double>::first);
-      text += fmt::format(
-          "{:>{}}",
-          value == row.values.end() ? "-" : fmt::format("{:.4g}", value->second / unit.in_si),
-          kColumn);
+          std::ranges::find(row.values, name, &std::pair<std::string, double>::first);
+      table.rows.back().emplace_back(
+          value == row.values.end() ? findings::Value() : findings::Value(value->second),
+          findings::Format{".4g", "", unit.in_si});
     }
-    text += fmt::format("  {:<5} {}\n", unit.name, row.definition);
+    table.rows.back().insert(table.rows.back().end(), {unit.name, row.definition});
   }
-  return text;
-}
-
-std::string end_text(const groundmotions::Record& record) {
-  std::string velocity = "  v at end  ", displacement = "  d at end  ";
-  for (const auto& component : record.components) {
-    if (!component) continue;
-    const groundmotions::EndMotion end =
-        groundmotions::end_motion(component->time_step, component->acceleration);
-    velocity += fmt::format("{:>{}}", fmt::format("{:.2g}", end.velocity), kColumn);
-    displacement += fmt::format("{:>{}}", fmt::format("{:.2g}", end.displacement), kColumn);
-  }
-  const std::string gap(has_horizontals(record) ? 2 * kColumn : 0, ' ');
-  return velocity + gap + "  m/s   residual velocity, from rest\n" + displacement + gap +
-         "  m     residual displacement, from rest\n";
-}
-
-std::string list_text(const char* title, const std::vector<std::string>& lines) {
-  if (lines.empty()) return {};
-  std::string text = fmt::format("\n{}\n", title);
-  for (const std::string& line : lines) text += fmt::format("  {}\n", line);
-  return text;
+  ends.columns.push_back({"", "unit"});
+  ends.add({"residual velocity, from rest"});
+  ends.add({"residual displacement, from rest"});
+  for (const auto& component : record.components)
+    if (component) {
+      const auto end = groundmotions::end_motion(component->time_step, component->acceleration);
+      ends.rows[0].emplace_back(end.velocity);
+      ends.rows[1].emplace_back(end.displacement);
+    }
+  ends.rows[0].emplace_back("m/s");
+  ends.rows[1].emplace_back("m");
+  to.add(std::move(table)).add(std::move(ends));
 }
 
 }  // namespace
@@ -118,23 +133,25 @@ std::vector<std::string> record_findings(const groundmotions::Record& record) {
   return findings;
 }
 
-std::string record_report(const groundmotions::Record& record, const std::vector<RecordFact>& facts,
-                          const std::vector<groundmotions::Measure>& wanted) {
-  std::string text = record.name + "\n" + files_text(record);
-  text += fmt::format("  {:<9} {} samples, {:g} s apart, {:.2f} s\n", "samples", record.samples(),
-                      record.time_step(),
-                      static_cast<double>(record.samples() - 1) * record.time_step());
-  if (const std::string header = header_text(record); !header.empty())
-    text += "\nheader\n" + header;
-  if (!facts.empty()) text += "\nfrom the suite\n";
-  for (const auto& [name, value] : facts) text += fmt::format("  {:<28} {}\n", name, value);
-  text += list_text("processing", record.processing);
+findings::Section record_report(const groundmotions::Record& record,
+                                const std::vector<RecordFact>& facts,
+                                const std::vector<groundmotions::Measure>& wanted) {
+  Section all{"", record.name};
+  all.json("name", record.name);
+  add_files(all, record);
+  all.json("time_step_s", record.time_step());
+  all.fact("samples", "samples", record.samples(), {},
+           fmt::format("{:g} s apart, {:.2f} s", record.time_step(),
+                       static_cast<double>(record.samples() - 1) * record.time_step()));
+  all.add(headers(record)).add(named("facts", facts));
+  Section suite{"", "from the suite"};
+  for (const auto& [name, value] : facts) suite.text(name, value);
+  all.add(std::move(suite)).list("processing", "processing", record.processing);
   const groundmotions::Summary measures = summary(record, wanted);
-  text += "\n" + measures_text(record, measures) + end_text(record);
-  std::vector<std::string> findings = record_findings(record);
-  findings.insert(findings.end(), measures.warnings.begin(), measures.warnings.end());
-  text += list_text("warnings", findings);
-  return text;
+  add_measures(all, record, measures);
+  std::vector<std::string> warnings = record_findings(record);
+  warnings.insert(warnings.end(), measures.warnings.begin(), measures.warnings.end());
+  return all.list("warnings", "warnings", std::move(warnings));
 }
 
 }  // namespace gurney::report

@@ -6,6 +6,7 @@
 
 #include "groundmotions/measures/summary.h"
 #include "groundmotions/record/record.h"
+#include "studies/findings/findings.h"
 
 namespace gurney::report {
 
@@ -13,21 +14,12 @@ namespace gurney::report {
 using RecordFact = std::pair<std::string, std::string>;
 
 /// Everything about one record: files, samples, header, processing, intensity measures of the
-/// components and of RotD50, what is left at the end, warnings. In 110 columns.
-std::string record_report(
+/// components and of RotD50, what is left at the end, warnings.
+findings::Section record_report(
     const groundmotions::Record& record, const std::vector<RecordFact>& facts,
     const std::vector<groundmotions::Measure>& measures = groundmotions::common_measures());
 
 /// What looks wrong: warnings of reading, of amplitudes, of what is left at the end.
 std::vector<std::string> record_findings(const groundmotions::Record& record);
-
-/// The same as a JSON object in SI units.
-std::string record_json(
-    const groundmotions::Record& record, const std::vector<RecordFact>& facts,
-    const std::vector<groundmotions::Measure>& measures = groundmotions::common_measures());
-
-/// An object with `records` (of record_json) and `refused` (file, reason).
-std::string records_json(const std::vector<std::string>& records,
-                         const std::vector<std::pair<std::string, std::string>>& refused);
 
 }  // namespace gurney::report
