@@ -7,8 +7,8 @@
 #include "engine/base/error.h"
 #include "engine/baselines/paper_model.h"
 #include "engine/baselines/stock_multibody.h"
-#include "engine/run/recorder.h"
-#include "engine/run/run_clock.h"
+#include "engine/record/recorder.h"
+#include "engine/record/run_clock.h"
 
 namespace gurney::baselines {
 namespace {

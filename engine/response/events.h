@@ -7,7 +7,7 @@
 namespace gurney {
 
 /// The chassis or a wheel of an item that hit the floor, a room shape or another item (when one
-/// begins and ends: engine/run/impact_log.h). Wheels that land on their treads are not among them.
+/// begins and ends: engine/record/impact_log.h). Wheels that land on their treads are not among them.
 struct Impact {
   double time = 0;         ///< of the first touch [s]
   std::size_t item = 0;    ///< index in Scene::items

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/bullet/contact_search.h"
-#include "engine/run/zone_log.h"
+#include "engine/record/zone_log.h"
 #include "engine/solver/assembly.h"
 
 namespace gurney {

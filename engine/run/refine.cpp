@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "engine/response/settled.h"
-#include "engine/run/predictability.h"
 #include "engine/run/simulate.h"
+#include "engine/run/twin.h"
 #include "engine/scene/perturbed.h"
 
 namespace gurney {

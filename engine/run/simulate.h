@@ -6,8 +6,8 @@
 
 namespace gurney {
 
-/// Runs one scene on one floor motion. The only entry point of the engine; keeps no state between
-/// calls and may be called from several threads at once.
+/// One integration by our solver, with the steps that the settings state: what run() (run.h) makes
+/// once or, for settings.peak_error, several times.
 ///
 /// @throws Error for a scene or settings outside their ranges. Physics or numerics gone
 ///         wrong is not an error but an Outcome.

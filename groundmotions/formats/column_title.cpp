@@ -16,60 +16,60 @@ namespace gurney::groundmotions {
 
 namespace {
 
-struct Quantity {
+struct QuantityWord {
   std::string_view start;  ///< of a word, in lower case
   std::string_view name;
 };
 
 /// Columns of laboratories and of other programs that are no accelerations.
 constexpr std::array kQuantities = {
-    Quantity{"vel", "velocity"},      Quantity{"disp", "displacement"},
-    Quantity{"lvdt", "displacement"}, Quantity{"volt", "voltage"},
-    Quantity{"force", "force"},       Quantity{"load", "force"},
-    Quantity{"strain", "strain"},     Quantity{"stress", "stress"},
-    Quantity{"press", "pressure"},    Quantity{"temperat", "temperature"},
-    Quantity{"humid", "humidity"},    Quantity{"gyro", "rotation"},
-    Quantity{"rotation", "rotation"}, Quantity{"tilt", "rotation"},
-    Quantity{"angle", "rotation"},    Quantity{"moment", "moment"},
-    Quantity{"torque", "moment"},     Quantity{"arias", "intensity"},
-    Quantity{"husid", "intensity"},   Quantity{"intens", "intensity"},
-    Quantity{"energy", "energy"},     Quantity{"jerk", "jerk"}};
+    QuantityWord{"vel", "velocity"},      QuantityWord{"disp", "displacement"},
+    QuantityWord{"lvdt", "displacement"}, QuantityWord{"volt", "voltage"},
+    QuantityWord{"force", "force"},       QuantityWord{"load", "force"},
+    QuantityWord{"strain", "strain"},     QuantityWord{"stress", "stress"},
+    QuantityWord{"press", "pressure"},    QuantityWord{"temperat", "temperature"},
+    QuantityWord{"humid", "humidity"},    QuantityWord{"gyro", "rotation"},
+    QuantityWord{"rotation", "rotation"}, QuantityWord{"tilt", "rotation"},
+    QuantityWord{"angle", "rotation"},    QuantityWord{"moment", "moment"},
+    QuantityWord{"torque", "moment"},     QuantityWord{"arias", "intensity"},
+    QuantityWord{"husid", "intensity"},   QuantityWord{"intens", "intensity"},
+    QuantityWord{"energy", "energy"},     QuantityWord{"jerk", "jerk"}};
 
-constexpr std::array kUnits = {Quantity{"v", "voltage"},
-                               Quantity{"mv", "voltage"},
-                               Quantity{"volt", "voltage"},
-                               Quantity{"volts", "voltage"},
-                               Quantity{"kn", "force"},
-                               Quantity{"lbf", "force"},
-                               Quantity{"lb", "force"},
-                               Quantity{"lbs", "force"},
-                               Quantity{"kip", "force"},
-                               Quantity{"kips", "force"},
-                               Quantity{"kgf", "force"},
-                               Quantity{"pa", "pressure"},
-                               Quantity{"kpa", "pressure"},
-                               Quantity{"mpa", "pressure"},
-                               Quantity{"psi", "pressure"},
-                               Quantity{"ksi", "pressure"},
-                               Quantity{"rad", "rotation"},
-                               Quantity{"rad/s", "rotation"},
-                               Quantity{"deg", "rotation"},
-                               Quantity{"deg/s", "rotation"},
-                               Quantity{"degc", "temperature"},
-                               Quantity{"\xc2\xb0", "rotation"},
-                               Quantity{"\xc2\xb0"
-                                        "c",
-                                        "temperature"},
-                               Quantity{"strain", "strain"},
-                               Quantity{"ustrain", "strain"},
-                               Quantity{"microstrain", "strain"},
-                               Quantity{"hz", "frequency"},
-                               Quantity{"m/s3", "jerk"},
-                               Quantity{"g/s", "jerk"},
-                               Quantity{"\xc2\xb0/s", "rotation"},
-                               Quantity{"m2/s3", "energy"}};
+constexpr std::array kUnits = {QuantityWord{"v", "voltage"},
+                               QuantityWord{"mv", "voltage"},
+                               QuantityWord{"volt", "voltage"},
+                               QuantityWord{"volts", "voltage"},
+                               QuantityWord{"kn", "force"},
+                               QuantityWord{"lbf", "force"},
+                               QuantityWord{"lb", "force"},
+                               QuantityWord{"lbs", "force"},
+                               QuantityWord{"kip", "force"},
+                               QuantityWord{"kips", "force"},
+                               QuantityWord{"kgf", "force"},
+                               QuantityWord{"pa", "pressure"},
+                               QuantityWord{"kpa", "pressure"},
+                               QuantityWord{"mpa", "pressure"},
+                               QuantityWord{"psi", "pressure"},
+                               QuantityWord{"ksi", "pressure"},
+                               QuantityWord{"rad", "rotation"},
+                               QuantityWord{"rad/s", "rotation"},
+                               QuantityWord{"deg", "rotation"},
+                               QuantityWord{"deg/s", "rotation"},
+                               QuantityWord{"degc", "temperature"},
+                               QuantityWord{"\xc2\xb0", "rotation"},
+                               QuantityWord{"\xc2\xb0"
+                                            "c",
+                                            "temperature"},
+                               QuantityWord{"strain", "strain"},
+                               QuantityWord{"ustrain", "strain"},
+                               QuantityWord{"microstrain", "strain"},
+                               QuantityWord{"hz", "frequency"},
+                               QuantityWord{"m/s3", "jerk"},
+                               QuantityWord{"g/s", "jerk"},
+                               QuantityWord{"\xc2\xb0/s", "rotation"},
+                               QuantityWord{"m2/s3", "energy"}};
 
-/// Quantity of a column that is no acceleration by its name or unit; empty if neither says it.
+/// QuantityWord of a column that is no acceleration by its name or unit; empty if neither says it.
 std::string foreign_quantity(std::string_view name, std::string_view unit) {
   const std::string plain = plain_unit(unit), text = lower(name);
   for (const auto& [spelling, quantity] : kUnits)
@@ -236,7 +236,7 @@ bool is_unit_of_something(std::string_view text) {
   text = trimmed(text);
   const bool in_brackets = text.size() > 1 && std::string_view("([").find(text.front()) != kNone;
   const std::string plain = plain_unit(text);
-  return is_unit(text) || std::ranges::find(kUnits, plain, &Quantity::start) != kUnits.end() ||
+  return is_unit(text) || std::ranges::find(kUnits, plain, &QuantityWord::start) != kUnits.end() ||
          (in_brackets && (plain == "v" || plain == "n" || plain == "c" || plain == "%"));
 }
 

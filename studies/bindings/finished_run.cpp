@@ -1,8 +1,8 @@
 #include "studies/bindings/finished_run.h"
 
 #include "engine/base/error.h"
-#include "engine/baselines/any_solver.h"
 #include "engine/config/table.h"
+#include "engine/run/run.h"
 #include "studies/study/job/job.h"
 #include "studies/study/prepare/run_job.h"
 
@@ -42,9 +42,9 @@ FinishedRun run_job(const RunRequest& request) {
   const study::Job job = job_of(request);
   FinishedRun run{study::prepare_run(job, motion(job, request)).facts, {}};
   const study::RunFacts& facts = run.facts;
-  run.response = baselines::simulate_with_any_solver(facts.scene, facts.floor, facts.settings);
+  run.response = gurney::run(facts.scene, facts.floor, facts.settings);
   if (request.predictability)
-    baselines::add_predictability(facts.scene, facts.floor, facts.settings, run.response);
+    add_predictability(facts.scene, facts.floor, facts.settings, run.response);
   return run;
 }
 

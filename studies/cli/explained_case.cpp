@@ -1,7 +1,7 @@
 #include "studies/cli/explained_case.h"
 
 #include "engine/base/error.h"
-#include "engine/baselines/any_solver.h"
+#include "engine/run/run.h"
 #include "studies/explanation/explain.h"
 #include "studies/report/narrative.h"
 
@@ -11,10 +11,10 @@ explanation::Explanation explained(const CaseAgain& again, const study::UnitSyst
   const study::RunFacts& facts = again.run.facts;
   const SimulationSettings settings =
       explanation::finely_stored(facts.settings, facts.floor, facts.scene.items.size());
-  Response response = baselines::simulate_with_any_solver(facts.scene, facts.floor, settings);
+  Response response = gurney::run(facts.scene, facts.floor, settings);
   const std::string differs = again.difference(response);
   require(differs.empty(), differs);
-  baselines::add_predictability(facts.scene, facts.floor, settings, response);
+  add_predictability(facts.scene, facts.floor, settings, response);
   explanation::Explanation found = explanation::explain(facts, response);
   found.narrative = report::narrative(facts, response, units);
   found.units = units;

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "engine/base/error.h"
-#include "engine/baselines/any_solver.h"
+#include "engine/run/run.h"
 #include "studies/cli/case_again.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/records_output.h"
@@ -33,8 +33,7 @@ struct PlayOptions {
 playback::RecordedRun run_again(const PlayOptions& options, std::size_t index) {
   const StudyCase study_case(options.file, index, options.job);
   const study::PreparedRun run = study_case.prepared();
-  const Response response =
-      baselines::simulate_with_any_solver(run.facts.scene, run.facts.floor, run.facts.settings);
+  const Response response = gurney::run(run.facts.scene, run.facts.floor, run.facts.settings);
   const std::string differs = study_case.difference(response);
   require(differs.empty(), differs);
   const ScratchFolder scratch;

@@ -7,7 +7,7 @@
 
 #include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
-#include "engine/baselines/any_solver.h"
+#include "engine/run/run.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/signals.h"
 #include "studies/figures/run_figure.h"
@@ -75,10 +75,9 @@ void check_output(const RunOutput& output) {
 
 Response run_and_write(const study::PreparedRun& run, const RunOutput& output) {
   const auto start = Clock::now();
-  Response response =
-      baselines::simulate_with_any_solver(run.facts.scene, run.facts.floor, run.facts.settings);
+  Response response = gurney::run(run.facts.scene, run.facts.floor, run.facts.settings);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  baselines::add_predictability(run.facts.scene, run.facts.floor, run.facts.settings, response);
+  add_predictability(run.facts.scene, run.facts.floor, run.facts.settings, response);
   {
     const SignalsHeld until_written;
     study::OutputFiles files(output.overwrite);

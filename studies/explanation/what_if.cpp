@@ -5,7 +5,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/parallel.h"
-#include "engine/baselines/any_solver.h"
+#include "engine/run/run.h"
 #include "engine/scene/perturbed.h"
 #include "studies/explanation/explain.h"
 #include "studies/explanation/margins.h"
@@ -40,8 +40,8 @@ RunOutcome outcome_of(const study::RunFacts& facts, const Scene& scene, const Ex
   RunOutcome result;
   Response response;
   try {
-    response = baselines::simulate_with_any_solver(
-        scene, facts.floor, finely_stored(facts.settings, facts.floor, scene.items.size()));
+    response = gurney::run(scene, facts.floor,
+                           finely_stored(facts.settings, facts.floor, scene.items.size()));
     if (is_failure(response.outcome)) result.failure = "its run failed: " + response.cause;
   } catch (const Error& error) {
     result.failure = error.what();

@@ -11,9 +11,11 @@ set(GURNEY_ROOMS
   "engine/response: engine/base engine/scene"
   "engine/solver: engine/base engine/scene engine/contact engine/caster engine/response"
   "engine/bullet: engine/base engine/scene engine/contact engine/solver"
-  "engine/run: engine/base engine/scene engine/response engine/solver engine/bullet"
+  "engine/record: engine/base engine/scene engine/response engine/solver"
   "engine/baselines: engine/base engine/scene engine/response engine/solver engine/bullet
-    engine/run"
+    engine/record"
+  "engine/run: engine/base engine/scene engine/response engine/solver engine/bullet engine/record
+    engine/baselines"
   "groundmotions/record: engine/base"
   "groundmotions/formats: engine/base engine/config groundmotions/record"
   "groundmotions/measures: engine/base engine/config groundmotions/record"
@@ -34,7 +36,7 @@ set(GURNEY_ROOMS
   "studies/statistics: engine/base"
   "studies/verification/scenes: engine/base engine/scene engine/response"
   "studies/verification: engine/base engine/config engine/scene engine/contact engine/response
-    engine/solver engine/baselines studies/verification/scenes"
+    engine/solver engine/run studies/verification/scenes"
   "studies/study/job: engine/base engine/config engine/scene engine/run groundmotions/record
     groundmotions/measures groundmotions/processing groundmotions/assembly groundmotions/synthetic
     groundmotions/scaling groundmotions/suites groundmotions/buildings equipment/catalogue"
@@ -48,13 +50,13 @@ set(GURNEY_ROOMS
   "studies/study/plan: engine/base engine/config groundmotions/record groundmotions/assembly
     groundmotions/suites equipment/catalogue studies/statistics studies/study/job studies/study/prepare
     studies/study/limit_states"
-  "studies/study/run: engine/base engine/config engine/response engine/baselines studies/build_info
+  "studies/study/run: engine/base engine/config engine/response engine/run studies/build_info
     studies/statistics studies/study/results studies/study/prepare studies/study/limit_states
     studies/study/plan"
   "studies/study/analysis: engine/base engine/config engine/response
     groundmotions/measures studies/statistics studies/study/job studies/study/units
     studies/study/results studies/study/limit_states studies/study/plan"
-  "studies/study/convergence: engine/base engine/baselines studies/statistics studies/study/results
+  "studies/study/convergence: engine/base engine/run studies/statistics studies/study/results
     studies/study/prepare studies/study/limit_states studies/study/run"
   "studies/study/exports: engine/base engine/config engine/scene groundmotions/measures
     equipment/catalogue studies/statistics studies/study/units studies/study/results
@@ -75,7 +77,7 @@ set(GURNEY_ROOMS
     groundmotions/measures groundmotions/scaling equipment/catalogue studies/statistics
     studies/verification studies/study/units studies/study/results studies/study/analysis
     studies/study/convergence studies/calibration/trials studies/calibration/fit studies/report"
-  "studies/explanation: engine/base engine/scene engine/response engine/run engine/baselines
+  "studies/explanation: engine/base engine/scene engine/response engine/run
     equipment/catalogue studies/statistics studies/study/units studies/study/results studies/render
     studies/report studies/figures"
   "studies/picture: engine/base"
@@ -86,10 +88,10 @@ set(GURNEY_ROOMS
   "studies/doctor: engine/base equipment/catalogue studies/build_info studies/study/results
     studies/study/run studies/picture"
   "studies/templates: engine/base"
-  "studies/bindings: engine/base engine/config engine/response engine/baselines groundmotions/record
+  "studies/bindings: engine/base engine/config engine/response engine/run groundmotions/record
     equipment/catalogue studies/build_info studies/study/job studies/study/results
     studies/study/prepare"
-  "studies/cli: engine/base engine/config engine/response engine/baselines groundmotions/record
+  "studies/cli: engine/base engine/config engine/response engine/run groundmotions/record
     groundmotions/formats groundmotions/measures groundmotions/models groundmotions/processing
     groundmotions/synthetic groundmotions/scaling groundmotions/suites groundmotions/buildings
     equipment/catalogue studies/build_info studies/verification studies/study/job studies/study/units

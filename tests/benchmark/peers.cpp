@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/baselines/any_solver.h"
+#include "engine/run/run.h"
 #include "tests/benchmark/sections.h"
 #include "tests/benchmark/workload.h"
 
@@ -54,12 +54,11 @@ void print_peers() {
     const FloorMotion floor = shaking(record, 0.4);
     settings.solver = Solver::kImplicit;
     settings.time_step = 6.25e-5;
-    references.push_back(baselines::simulate_with_any_solver(scene, floor, settings));
+    references.push_back(gurney::run(scene, floor, settings));
     settings.solver = Solver::kBulletDantzig;
     settings.time_step = 2.5e-4;
-    peers_apart = std::max(
-        peers_apart, path_distance(references.back(),
-                                   baselines::simulate_with_any_solver(scene, floor, settings)));
+    peers_apart = std::max(peers_apart,
+                           path_distance(references.back(), gurney::run(scene, floor, settings)));
   }
   fmt::print("two independent solvers at their finest step are {:.1f} mm apart\n",
              1e3 * peers_apart);
@@ -82,8 +81,7 @@ void print_peers() {
         const FloorMotion floor = shaking(kRecords[i], 0.4);
         settings.history_step = kSampling;
         const Scene& mine = peer.solver == Solver::kImplicit ? ours : scene;
-        distance += path_distance(references[i],
-                                  baselines::simulate_with_any_solver(mine, floor, settings)) /
+        distance += path_distance(references[i], gurney::run(mine, floor, settings)) /
                     static_cast<double>(std::size(kRecords));
         settings.history_step = 0;
         const Timed run = timed(mine, floor, settings, 3);

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "engine/run/predictability.h"
+#include "engine/run/twin.h"
 #include "tests/benchmark/regimes.h"
 #include "tests/benchmark/sections.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/run/predictability.h"
+#include "engine/run/twin.h"
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/load_item.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/base/parallel.h"
-#include "engine/run/predictability.h"
+#include "engine/run/twin.h"
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/load_item.h"
 #include "tests/benchmark/sections.h"

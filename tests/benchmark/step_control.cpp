@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "engine/run/predictability.h"
+#include "engine/run/twin.h"
 #include "tests/benchmark/regimes.h"
 #include "tests/benchmark/sections.h"
 #include "tests/benchmark/workload.h"

@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "engine/run/run.h"
 #include "studies/study/run/run_task.h"
 #include "tests/benchmark/sections.h"
 #include "tests/benchmark/workload.h"
@@ -76,10 +77,10 @@ Shares shares_of(const study::StudyJob& job, std::size_t cases) {
     std::optional<study::Job> drawn;
     const double draw = cpu_of([&] { drawn = job.job(task.configuration, plan.draw(task)); });
     double engine = 0;
-    for (const study::StudyRun& run : result.runs) {
-      study::RunCase each = study::case_of(batch, task, *drawn, run.scale);
+    for (const study::StudyRun& done : result.runs) {
+      study::RunCase each = study::case_of(batch, task, *drawn, done.scale);
       each.settings.history_step = 0;
-      engine += cpu_of([&] { simulate(each.scene, each.floor, each.settings); });
+      engine += cpu_of([&] { run(each.scene, each.floor, each.settings); });
     }
     seen.jobs += draw, seen.engine += engine, seen.rest += std::max(0.0, whole - draw - engine);
     seen.runs += double(result.runs.size());

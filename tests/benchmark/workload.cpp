@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "engine/base/units.h"
-#include "engine/baselines/any_solver.h"
+#include "engine/run/run.h"
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/load_item.h"
 #include "groundmotions/record/record_motion.h"
@@ -79,7 +79,7 @@ Timed timed(const Scene& scene, const FloorMotion& floor, const SimulationSettin
   Timed result{{}, 1e300};
   for (int i = 0; i < repeats; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    result.response = baselines::simulate_with_any_solver(scene, floor, settings);
+    result.response = gurney::run(scene, floor, settings);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
     result.seconds = std::min(result.seconds, wall.count());
   }

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "engine/baselines/any_solver.h"
+#include "engine/run/run.h"
 #include "studies/verification/scenes/small_scenes.h"
 
 // The same job by two programs that share no line of mechanics: ours in the rigid limit, and stock
@@ -27,7 +27,7 @@ struct Job {
   Demands demands(Solver solver, double step) const {
     auto settings = small::settings_for(step, 7, 100);
     settings.solver = solver;
-    const Response response = baselines::simulate_with_any_solver(scene, floor, settings);
+    const Response response = gurney::run(scene, floor, settings);
     EXPECT_EQ(response.outcome, Outcome::kStopped) << response.cause;
     return response.items[0].demands;
   }

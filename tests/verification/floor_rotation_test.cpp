@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "engine/base/units.h"
-#include "engine/baselines/any_solver.h"
-#include "engine/run/energy_balance.h"
+#include "engine/record/energy_balance.h"
+#include "engine/run/run.h"
 #include "engine/run/simulate.h"
 #include "studies/verification/scenes/scenes.h"
 #include "studies/verification/scenes/small_scenes.h"
@@ -127,7 +127,7 @@ TEST(FloorRotation, TheBaselinesRefuseIt) {
   SimulationSettings settings = scenes::run_for(1, 0.004);
   settings.solver = Solver::kBullet;
   EXPECT_EQ(
-      error_text([&] { baselines::simulate_with_any_solver(standing_trolley(), floor, settings); }),
+      error_text([&] { gurney::run(standing_trolley(), floor, settings); }),
       "the stock Bullet baselines know no rotation of the floor; use solver = \"implicit\" for "
       "this job");
 }

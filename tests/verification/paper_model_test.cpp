@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "engine/baselines/any_solver.h"
+#include "engine/run/run.h"
 #include "studies/verification/scenes/scenes.h"
 #include "tests/support/error_text.h"
 
@@ -39,7 +39,7 @@ struct Pull {
   Response run(Solver solver, double step) const {
     SimulationSettings settings = run_for(stop + 1, step, step);
     settings.solver = solver;
-    return baselines::simulate_with_any_solver(scene, {}, settings);
+    return gurney::run(scene, {}, settings);
   }
   static double at_release(const Response& response) {
     for (const Sample& s : response.items[0].history)

@@ -8,7 +8,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/parallel.h"
-#include "engine/baselines/any_solver.h"
+#include "engine/run/run.h"
 #include "studies/statistics/median_interval.h"
 #include "studies/statistics/quantiles.h"
 #include "studies/study/convergence/judge.h"
@@ -40,7 +40,7 @@ Outcomes outcomes_of(const RunCase& run, const std::vector<LimitState>& states) 
   Outcomes found;
   Response response;
   try {
-    response = baselines::simulate_with_any_solver(run.scene, run.floor, run.settings);
+    response = gurney::run(run.scene, run.floor, run.settings);
     if (is_failure(response.outcome)) found.failure = response.cause;
   } catch (const Error& error) {
     found.failure = error.what();

@@ -6,7 +6,7 @@
 #include <ctime>
 #include <vector>
 
-#include "engine/baselines/any_solver.h"
+#include "engine/run/run.h"
 
 namespace gurney::study {
 namespace {
@@ -37,7 +37,7 @@ Trial make_run(const Batch& batch, std::size_t index, double value) {
       by_measure ? batch.motions.set_of(task.configuration).scale_for(task.record, value) : value;
   RunCase of_run = case_of(batch, task, job, run.scale);
   if (study.keep.histories == Histories::kNone) of_run.settings.history_step = 0;
-  run.response = baselines::simulate_with_any_solver(of_run.scene, of_run.floor, of_run.settings);
+  run.response = gurney::run(of_run.scene, of_run.floor, of_run.settings);
   if (study.keep.histories != Histories::kAll)
     for (ItemResponse& item : run.response.items) item.history.clear();
   TaskResult result;

@@ -4,7 +4,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
-#include "engine/baselines/any_solver.h"
+#include "engine/run/run.h"
 #include "studies/study/limit_states/response_values.h"
 #include "studies/study/plan/intensities.h"
 #include "studies/study/results/names.h"
@@ -56,7 +56,7 @@ void repeat_at_half_step(RunCase run, StudyRun& result) {
   run.settings.history_step = 0;
   Response response;
   try {
-    response = baselines::simulate_with_any_solver(run.scene, run.floor, run.settings);
+    response = gurney::run(run.scene, run.floor, run.settings);
   } catch (const Error& error) {
     response = failed(error.what());
   }
@@ -75,7 +75,7 @@ void simulate_case(const Batch& batch, const Task& task, const Job& job, bool ch
     run.warnings = of_run.warnings;
     run.pfa = peak_of(of_run.floor, false);
     run.pfv = peak_of(of_run.floor, true);
-    run.response = baselines::simulate_with_any_solver(of_run.scene, of_run.floor, of_run.settings);
+    run.response = gurney::run(of_run.scene, of_run.floor, of_run.settings);
     if (checked && !is_failure(run.response.outcome)) repeat_at_half_step(std::move(of_run), run);
   } catch (const Error& error) {
     run.response = failed(error.what());

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "engine/run/predictability.h"
+#include "engine/run/twin.h"
 #include "tests/benchmark/regimes.h"
 
 namespace gurney::benchmark {

@@ -1,4 +1,4 @@
-#include "engine/baselines/any_solver.h"
+#include "engine/run/run.h"
 #include "tests/benchmark/peers/engines.h"
 #include "tests/benchmark/peers/jobs.h"
 
@@ -13,7 +13,7 @@ Path gurney_path(const Scene& scene, const CrossCheck& check, SimulationSettings
   settings.history_step = check.sampling;
   settings.follow_overturning = false;
   settings.overturn_tilt = peers::kOverturned;
-  const Response response = baselines::simulate_with_any_solver(scene, check.floor, settings);
+  const Response response = gurney::run(scene, check.floor, settings);
   Path path;
   for (const Sample& sample : response.items[0].history)
     path.push_back({{sample.displacement.x(), sample.displacement.y(), sample.yaw}, sample.tilt});

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "engine/run/predictability.h"
 #include "engine/run/refine.h"
+#include "engine/run/twin.h"
 #include "tests/benchmark/regimes.h"
 
 // A part of the table of docs/theory/predictability.md, which `./dev bench --refine` makes:

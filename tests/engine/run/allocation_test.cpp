@@ -3,9 +3,9 @@
 #include <cstdlib>
 
 #include "engine/bullet/contact_search.h"
-#include "engine/run/impact_log.h"
-#include "engine/run/recorder.h"
-#include "engine/run/tether_log.h"
+#include "engine/record/impact_log.h"
+#include "engine/record/recorder.h"
+#include "engine/record/tether_log.h"
 #include "engine/solver/stepper.h"
 #include "studies/verification/scenes/blocks.h"
 #include "studies/verification/scenes/small_scenes.h"

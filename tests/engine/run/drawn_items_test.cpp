@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "engine/base/error.h"
-#include "engine/run/energy_balance.h"
+#include "engine/record/energy_balance.h"
 
 namespace gurney {
 namespace {

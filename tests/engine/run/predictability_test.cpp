@@ -1,10 +1,9 @@
-#include "engine/run/predictability.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "engine/run/simulate.h"
+#include "engine/run/twin.h"
 #include "studies/verification/scenes/small_scenes.h"
 
 namespace gurney {

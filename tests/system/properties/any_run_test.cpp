@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "engine/base/error.h"
-#include "engine/run/energy_balance.h"
+#include "engine/record/energy_balance.h"
 #include "tests/engine/run/drawn_items.h"
 #include "tests/studies/study/small_study.h"
 #include "tests/system/properties/motions.h"

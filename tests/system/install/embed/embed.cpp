@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "engine/run/simulate.h"
+#include "engine/run/run.h"
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/load_item.h"
 #include "groundmotions/assembly/read_record.h"
@@ -16,7 +16,7 @@ int main(int, char** files) {
   scene.pairs = item.pairs;
   const auto record = groundmotions::read_record({{files[1]}});
   for (const double scale : {0.5, 1.0}) {
-    const Response response = simulate(scene, groundmotions::floor_motion(record, scale), {});
+    const Response response = run(scene, groundmotions::floor_motion(record, scale), {});
     std::printf("%g %.17g\n", scale, response.items[0].demands.peak_displacement);
   }
 }

@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
+#include "engine/record/recorder.h"
 #include "engine/response/demand_columns.h"
-#include "engine/run/recorder.h"
 #include "studies/verification/scenes/small_scenes.h"
 
 // Each demand of a run of three steps in which nothing happens but one act: not at all, in the first

@@ -1,4 +1,4 @@
-#include "engine/run/impact_log.h"
+#include "engine/record/impact_log.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/run/predictability.h"
+#include "engine/run/twin.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/run/zone_log.h"
+#include "engine/record/zone_log.h"
 
 #include <algorithm>
 #include <array>

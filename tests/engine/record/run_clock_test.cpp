@@ -1,4 +1,4 @@
-#include "engine/run/run_clock.h"
+#include "engine/record/run_clock.h"
 
 #include <gtest/gtest.h>
 

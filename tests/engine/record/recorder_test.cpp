@@ -1,4 +1,4 @@
-#include "engine/run/recorder.h"
+#include "engine/record/recorder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/run/recorder.h"
+#include "engine/record/recorder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/run/tether_log.h"
+#include "engine/record/tether_log.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "engine/run/energy_balance.h"
+#include "engine/record/energy_balance.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/record/energy_balance.h"
+#include "engine/record/impact_log.h"
+#include "engine/record/run_clock.h"
 #include "engine/response/response.h"
-#include "engine/run/energy_balance.h"
-#include "engine/run/impact_log.h"
-#include "engine/run/run_clock.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
 #include "engine/solver/assembly.h"

@@ -1,15 +1,15 @@
-#include "engine/baselines/any_solver.h"
+#include "engine/run/run.h"
 
 #include "engine/baselines/stock_baseline.h"
-#include "engine/run/predictability.h"
 #include "engine/run/refine.h"
 #include "engine/run/simulate.h"
+#include "engine/run/twin.h"
 
-namespace gurney::baselines {
+namespace gurney {
 
-Response simulate_with_any_solver(const Scene& scene, const FloorMotion& floor,
-                                  const SimulationSettings& settings) {
-  if (settings.solver != Solver::kImplicit) return simulate_on_stock_bullet(scene, floor, settings);
+Response run(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings) {
+  if (settings.solver != Solver::kImplicit)
+    return baselines::simulate_on_stock_bullet(scene, floor, settings);
   return settings.peak_error > 0 ? refine(scene, floor, settings)
                                  : simulate(scene, floor, settings);
 }
@@ -23,4 +23,4 @@ void add_predictability(const Scene& scene, const FloorMotion& floor,
   for (std::size_t i = 0; i < found.size(); ++i) response.items[i].predictability = found[i];
 }
 
-}  // namespace gurney::baselines
+}  // namespace gurney
