@@ -4,7 +4,8 @@
 
 namespace gurney {
 
-/// A text as one word of a POSIX shell: as it stands, or in single quotes.
+/// A text as one word of a shell: as it stands, in single quotes, or, with control characters, as
+/// bash's $'...'.
 std::string shell_word(const std::string& text);
 
 }  // namespace gurney

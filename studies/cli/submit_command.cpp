@@ -30,22 +30,27 @@ struct SubmitOptions {
 /// Before a shard: how many seconds of grace Slurm gives with SIGTERM, to write what is finished.
 constexpr int kGrace = 60;
 
-/// An option of sbatch as a comment of the script, which a line end would turn into a command.
-/// @param origin  that states it, for the message
-std::string directive(const std::string& origin, const std::string& option) {
+/// @param origin  that states the text, for the message
+void check_one_line(const std::string& origin, const std::string& text) {
   const auto control =
-      std::ranges::find_if(option, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
-  require(control == option.end(),
+      std::ranges::find_if(text, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+  require(control == text.end(),
           fmt::format("{}: has the control character 0x{:02x}; a line of #SBATCH has none", origin,
-                      control == option.end() ? 0 : static_cast<unsigned char>(*control)));
+                      control == text.end() ? 0 : static_cast<unsigned char>(*control)));
+}
+
+/// An option of sbatch as a comment of the script, which a line end would turn into a command.
+std::string directive(const std::string& origin, const std::string& option) {
+  check_one_line(origin, option);
   return fmt::format("#SBATCH {}\n", option);
 }
 
 std::string head(const SubmitOptions& options) {
   const bool array = options.mode == "array";
   std::string text = "#!/bin/bash\n";
-  text += directive("the name of the job file",
-                    "--job-name=" + shell_word(fs::path(options.job).stem().string()));
+  const std::string name = fs::path(options.job).stem().string();
+  check_one_line("the name of the job file", name);
+  text += directive("the name of the job file", "--job-name=" + shell_word(name));
   text += fmt::format("#SBATCH --{}={}\n", array ? "array" : "ntasks",
                       (array ? "1-" : "") + std::to_string(options.shards));
   text += fmt::format("#SBATCH --cpus-per-task={}\n", options.threads);

@@ -107,7 +107,7 @@ set(GURNEY_LIBRARIES
   "bt[A-Z]|Bullet|LinearMath/: engine/bullet engine/baselines"
   "toml: engine/config"
   "openssl/: engine/base"
-  "boost/: engine/base studies/statistics"
+  "boost/: engine/base groundmotions/synthetic studies/statistics"
   "hdf5|H5: studies/study/results/hdf5_"
   "nlohmann/: engine/config studies/study/exports studies/render studies/report studies/explanation
     studies/page studies/playback studies/cli"

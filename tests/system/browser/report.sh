@@ -65,8 +65,8 @@ ask "$shared document.getElementById('cases-on').click();
 ask "$shared const field = document.getElementById('cases-filter'); field.value = '7';
   field.dispatchEvent(new Event('input')); all.tBodies[0].querySelector('button').click();
   return document.getElementById('cases-command').textContent;" '"gurney replay study.h5 7"'
-ask "$shared const table = document.querySelector('#outcomes table'); click(table, 'moved');
-  return rises(numbers(table, 'moved'));" 'true'
+ask "$shared const table = document.querySelector('#outcomes table'); click(table, 'moved (%)');
+  return rises(numbers(table, 'moved (%)'));" 'true'
 # The file's largest peak displacement, by way of another program's format.
 largest=$(awk -F, 'NR == 1 {for (i = 1; i <= NF; i++) if ($i == "peak_displacement") c = i; next}
   $c + 0 > most {most = $c + 0; text = $c} END {print text}' csv/items.csv)

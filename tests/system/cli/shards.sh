@@ -133,7 +133,7 @@ expect 0 "of 48 analysis cases, " "$gurney" status a.h5.shards
 grep -qE "^ *1/3 +[0-9]+ of 16 .* running: process $process on " stdout || complain "does not show that shard 1 runs"
 grep -qE "^ *2/3 +16 of 16 +32 +0 +0 failed .* finished$" stdout || complain "does not show that shard 2 has finished"
 grep -qE "^ *3/3 +0 of 16 +0 .* not started$" stdout || complain "does not show that shard 3 is missing"
-grep -qE "; 1 of 3 shards finished, 1 running, [0-9.]+ runs/s, .* to go$" stdout || complain "no rate"
+tr '\n' ' ' < stdout | grep -qE "; 1 of 3 shards finished, 1 running, [0-9.]+ runs/s, .* to go " || complain "no rate"
 expect 0 '"seconds_to_go": ' "$gurney" status a.h5.shards --json
 expect 0 "of 48 analysis cases; all below is of these alone" "$gurney" show a.h5.shards
 grep -q "^UNFINISHED: [0-9]" stdout || complain "an unfinished study is not marked as such"

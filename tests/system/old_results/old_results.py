@@ -110,7 +110,7 @@ class OldResults(unittest.TestCase):
 
         path = self.changed("without.h5", remove)
         shown = support.gurney("show", path)
-        self.assertRegex(shown, r"demands not in this file:\n  peak_yaw\n")
+        self.assertRegex(shown, r"demands not in this file\n  peak_yaw\n")
         self.assertNotIn("demands not in this file", support.gurney("show", self.today))
         self.assertEqual(json.loads(support.gurney("show", path, "--json"))["demands_not_in_file"],
                          ["peak_yaw"])
