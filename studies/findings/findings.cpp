@@ -21,6 +21,14 @@ bool Value::is_missing() const {
   return std::holds_alternative<std::monostate>(*this);
 }
 
+Section::Section(std::string its_key, std::string its_title)
+    : key(std::move(its_key)), title(std::move(its_title)) {}
+Section::Section(const Section&) = default;
+Section::Section(Section&&) noexcept = default;
+Section& Section::operator=(const Section&) = default;
+Section& Section::operator=(Section&&) noexcept = default;
+Section::~Section() = default;
+
 Section& Section::fact(std::string key_of, std::string label, Value value, Format format,
                        std::string note) {
   parts.emplace_back(Fact{std::move(key_of), std::move(label), std::move(value), std::move(format),

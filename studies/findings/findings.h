@@ -124,8 +124,15 @@ struct Part;
 /// Parts in the order in which people read them. A key `name[]` makes JSON an array of such
 /// sections; an empty one puts the parts into the object around.
 struct Section {
-  std::string key = {}, title = {};
-  std::vector<Part> parts = {};
+  std::string key, title;
+  std::vector<Part> parts;
+
+  explicit Section(std::string its_key = {}, std::string its_title = {});
+  Section(const Section&);
+  Section(Section&&) noexcept;
+  Section& operator=(const Section&);
+  Section& operator=(Section&&) noexcept;
+  ~Section();
 
   Section& fact(std::string key, std::string label, Value value, Format format = {},
                 std::string note = {});
