@@ -92,7 +92,7 @@ inline bool any(const LaneMask& mask) {
 inline double lane(double a, std::size_t) { return a; }
 inline double lane(const Lanes& a, std::size_t k) { return a[k]; }
 
-/// The same number in every lane.
+/// One number in every lane.
 template <class T>
 T splat(double a) {
   if constexpr (std::is_same_v<T, double>)

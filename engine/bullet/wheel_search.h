@@ -12,8 +12,8 @@ namespace gurney {
 /// phase: kerbs, thresholds, columns, other wheels and chassis.
 ///
 /// Wheels are cylinders, chassis compounds of boxes, shapes of the room convex hulls or cylinders.
-/// Of a wheel before a polyhedron Bullet's normal is where WheelObstacle starts from; of other pairs
-/// it is the contact's. Bullet's world is built when it is first asked: most runs need none.
+/// Bullet's normal of a wheel before a polyhedron is where WheelObstacle starts from; that of other
+/// pairs is the contact's. Bullet's world is built when it is first asked: most runs need none.
 class WheelSearch {
  public:
   /// Contacts are found from this far, Bullet's gContactBreakingThreshold [m].

@@ -31,7 +31,7 @@ CrownPoint crown_point(double lean, double half_width) {
           per_radian * std::log(std::cos(kCrownBegins) / std::cos(until))};
 }
 
-/// Of stuck bearings, brakes and locks, whose load acts through the tread at a lever arm.
+/// Stiffness of stuck bearings, brakes and locks, whose load acts through the tread at a lever arm.
 double stick_stiffness(const Caster& caster, double lever) {
   return kStickStiffnessRatio * caster.tread.tangential_stiffness * lever * lever;
 }

@@ -6,7 +6,7 @@
 /// The mechanics of CasterDynamics, for one caster or for four.
 namespace gurney {
 
-/// What differs between casters. `whole` is fork and wheel as one body, the wheel as not spinning.
+/// Constants of one caster. `whole` is fork and wheel as one body, the wheel as not spinning.
 template <class T>
 struct CasterConstants {
   T mass{};           ///< m: of the whole [kg]

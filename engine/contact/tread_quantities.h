@@ -3,10 +3,10 @@
 #include "engine/base/vec3.h"
 #include "engine/contact/dry_friction.h"
 
-/// What the equations of TreadLaw work on, for one tread or for four.
+/// Quantities in the equations of TreadLaw, for one tread or for four.
 namespace gurney {
 
-/// What differs between treads: `Tread` and the wheel.
+/// Constants of one tread: `Tread` and the wheel.
 template <class T>
 struct TreadConstants {
   T normal_stiffness{};         ///< k_n [N/m]

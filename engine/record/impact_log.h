@@ -46,7 +46,7 @@ class ImpactLog {
     double quiet_since = 0;
     std::size_t impact = 0;
   };
-  /// What the contacts of one pair did in one step.
+  /// Forces and times of the contacts of one pair in one step.
   struct PairStep {
     double first_force = 0, force = 0;  // of all points, in the two stages
     double fastest = 0;                 // of touching points
@@ -61,7 +61,7 @@ class ImpactLog {
   using Key = std::array<int, 5>;  // item, caster, other, other item, its caster
   static Key key_of(const BodyContact& contact);
   bool in_island(const Key& key, const Island& island) const;
-  /// That of a pair in this step, made when first asked for.
+  /// Entry of a pair in this step, made when first asked for.
   PairStep& step_of(const Key& key);
 
   const Assembly& assembly_;

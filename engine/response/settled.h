@@ -54,7 +54,7 @@ struct SettledDemand {
   double at_half_step = 0, of_twin = 0;  ///< [SI]; NaN: there is none
   double step_change = 0;                ///< relative_change() with half the time step
   double twin_change = 0;                ///< and of the twin
-  /// What |step_change| counts as at least: 0 of what is zero or none and of overturning, infinite
+  /// Least size that |step_change| counts as: 0 of what is zero or none and of overturning, infinite
   /// of other numbers of events, else by kShareOfOthers.
   double least_change = 0;
 

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-/// What is known of a run, a study, an item: plain data, built once. `studies/render` and
+/// Facts of a run, a study, an item: plain data, built once. `studies/render` and
 /// `studies/page` show it as text, JSON, Markdown and HTML, and know no subject.
 namespace gurney::findings {
 
@@ -150,10 +150,10 @@ struct Part : std::variant<Fact, Table, List, Sentence, Section> {
   using std::variant<Fact, Table, List, Sentence, Section>::variant;
 };
 
-/// What people read of a value, without its unit: "0.41", "yes", "a, b"; "-" for a missing one.
+/// Text of a value for people, without its unit: "0.41", "yes", "a, b"; "-" for a missing one.
 std::string written(const Value& value, const Format& format);
 
-/// The same with its unit: "0.41 m".
+/// Text of a value with its unit: "0.41 m".
 std::string with_unit(const Value& value, const Format& format);
 
 /// "load [N]"

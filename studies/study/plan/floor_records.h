@@ -11,8 +11,8 @@
 
 namespace gurney::study {
 
-/// Motions of a building's floor, each made once for all configurations and draws under it. Those
-/// asked for last are kept, up to a number of bytes, so that memory does not grow with the study.
+/// Motions of a building's floor, and synthetic motions of the ground, each made once for all
+/// configurations and draws under it. Those asked for last are kept, up to a number of bytes, so that memory does not grow with the study.
 class FloorRecords {
  public:
   using Shared = std::shared_ptr<const groundmotions::Record>;
