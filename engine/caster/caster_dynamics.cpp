@@ -9,9 +9,10 @@
 namespace gurney {
 namespace {
 
-/// Where a leaning wheel touches the floor: on the middle of its tread up to kCrownBegins, from there
-/// further out with every degree, on its edge from 30 degrees on (assumptions). A sharp edge would
-/// have a valley between middle and edge in which no single contact point can stay.
+/// Angle from which a leaning wheel touches the floor with the edge of its tread. Up to
+/// kCrownBegins it touches with the middle, between the two further out with every degree
+/// (assumptions). A sharp edge would have a valley between middle and edge in which no single
+/// contact point can stay.
 constexpr double kCrownEnds = 30 * kRadiansPerDegree;
 
 /// Nearer to its axle than this a direction has no part in the wheel's plane: sine of the angle.

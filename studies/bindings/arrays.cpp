@@ -3,8 +3,8 @@
 #include <limits>
 #include <span>
 
-#include "studies/study/results/columns.h"
-#include "studies/study/results/names.h"
+#include "studies/results/columns.h"
+#include "studies/results/names.h"
 
 namespace gurney::bindings {
 namespace {

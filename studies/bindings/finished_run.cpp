@@ -3,8 +3,8 @@
 #include "engine/base/error.h"
 #include "engine/config/table.h"
 #include "engine/run/run.h"
-#include "studies/study/job/job.h"
-#include "studies/study/prepare/run_job.h"
+#include "studies/job/job.h"
+#include "studies/prepare/run_job.h"
 
 namespace gurney::bindings {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "engine/response/response.h"
 #include "groundmotions/record/record.h"
-#include "studies/study/results/run_facts.h"
+#include "studies/results/run_facts.h"
 
 namespace gurney::bindings {
 

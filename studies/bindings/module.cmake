@@ -26,7 +26,7 @@ endif()
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/*.cpp)
 add_library(gurney_bindings MODULE ${sources})
 target_link_libraries(gurney_bindings PRIVATE Python::Module pybind11::headers
-  gurney_engine_run gurney_studies_study_prepare gurney_studies_study_results ${CMAKE_DL_LIBS})
+  gurney_engine_run gurney_studies_prepare gurney_studies_results ${CMAKE_DL_LIBS})
 target_compile_options(gurney_bindings PRIVATE ${GURNEY_LIGHT_OPTIONS})
 set_target_properties(gurney_bindings PROPERTIES PREFIX "" OUTPUT_NAME _engine
   SUFFIX ".${Python_SOABI}.so" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/python/gurney)

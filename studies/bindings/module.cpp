@@ -10,8 +10,8 @@
 #include "studies/bindings/arrays.h"
 #include "studies/bindings/finished_run.h"
 #include "studies/build_info/build_info.h"
-#include "studies/study/results/names.h"
-#include "studies/study/results/results_file.h"
+#include "studies/results/names.h"
+#include "studies/results/results_file.h"
 
 namespace gurney::bindings {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "studies/study/analysis/assessment.h"
+#include "studies/analysis/assessment.h"
 
 namespace gurney::cli {
 

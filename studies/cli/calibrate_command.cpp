@@ -13,7 +13,7 @@
 #include "studies/cli/signals.h"
 #include "studies/figures/calibration_figure.h"
 #include "studies/report/calibration_report.h"
-#include "studies/study/results/output_files.h"
+#include "studies/results/output_files.h"
 
 namespace gurney::cli {
 namespace {

@@ -12,9 +12,9 @@
 #include "engine/base/hash/sha256.h"
 #include "studies/cli/job_of_log.h"
 #include "studies/cli/study_case.h"
-#include "studies/study/results/columns.h"
-#include "studies/study/results/hdf5_reader.h"
-#include "studies/study/run/study_identity.h"
+#include "studies/results/columns.h"
+#include "studies/results/hdf5_reader.h"
+#include "studies/run/study_identity.h"
 
 namespace gurney::cli {
 namespace {

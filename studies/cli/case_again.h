@@ -6,7 +6,7 @@
 #include <string>
 
 #include "engine/response/response.h"
-#include "studies/study/prepare/run_job.h"
+#include "studies/prepare/run_job.h"
 
 namespace gurney::cli {
 

@@ -15,12 +15,12 @@
 #include "studies/cli/scale_warnings.h"
 #include "studies/cli/study_size.h"
 #include "studies/cli/study_warnings.h"
+#include "studies/plan/stages.h"
+#include "studies/prepare/run_job.h"
 #include "studies/report/overview_report.h"
 #include "studies/report/scale_factors.h"
-#include "studies/study/plan/stages.h"
-#include "studies/study/prepare/run_job.h"
-#include "studies/study/run/declared_ranges.h"
-#include "studies/study/run/estimate.h"
+#include "studies/run/declared_ranges.h"
+#include "studies/run/estimate.h"
 
 namespace gurney::cli {
 namespace {

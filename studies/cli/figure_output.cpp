@@ -2,7 +2,7 @@
 
 #include "engine/base/error.h"
 #include "studies/cli/records_output.h"
-#include "studies/study/results/output_files.h"
+#include "studies/results/output_files.h"
 
 namespace gurney::cli {
 

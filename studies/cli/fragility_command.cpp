@@ -13,9 +13,9 @@
 #include "studies/cli/units_option.h"
 #include "studies/figures/fragility_figure.h"
 #include "studies/figures/vector_figure.h"
+#include "studies/limit_states/limit_state_reader.h"
 #include "studies/report/fragility_report.h"
 #include "studies/report/vector_report.h"
-#include "studies/study/limit_states/limit_state_reader.h"
 
 namespace gurney::cli {
 namespace {

@@ -8,8 +8,8 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/print.h"
 #include "studies/cli/units_option.h"
+#include "studies/limit_states/limit_state_reader.h"
 #include "studies/report/measure_report.h"
-#include "studies/study/limit_states/limit_state_reader.h"
 
 namespace gurney::cli {
 namespace {

@@ -13,9 +13,9 @@
 #include "studies/cli/job_of_log.h"
 #include "studies/cli/standard_error.h"
 #include "studies/cli/study_output.h"
-#include "studies/study/results/output_files.h"
-#include "studies/study/run/shard_folders.h"
-#include "studies/study/run/study_identity.h"
+#include "studies/results/output_files.h"
+#include "studies/run/shard_folders.h"
+#include "studies/run/study_identity.h"
 
 namespace gurney::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "studies/study/analysis/fitted_curve.h"
+#include "studies/analysis/fitted_curve.h"
 
 namespace gurney::cli {
 

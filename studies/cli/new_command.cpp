@@ -11,7 +11,7 @@
 #include "equipment/catalogue/catalogue.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/new_suite.h"
-#include "studies/study/results/output_files.h"
+#include "studies/results/output_files.h"
 #include "studies/templates/templates.h"
 
 namespace gurney::cli {

@@ -7,6 +7,7 @@
 
 #include "engine/base/error.h"
 #include "engine/run/run.h"
+#include "studies/analysis/run_levels.h"
 #include "studies/cli/case_again.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/records_output.h"
@@ -14,9 +15,8 @@
 #include "studies/cli/study_case.h"
 #include "studies/playback/ghosts.h"
 #include "studies/playback/page.h"
-#include "studies/study/analysis/run_levels.h"
-#include "studies/study/results/output_files.h"
-#include "studies/study/results/results_file.h"
+#include "studies/results/output_files.h"
+#include "studies/results/results_file.h"
 
 namespace gurney::cli {
 namespace {

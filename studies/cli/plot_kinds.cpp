@@ -6,6 +6,8 @@
 
 #include "engine/base/error.h"
 #include "engine/config/nearest_name.h"
+#include "studies/analysis/configuration_view.h"
+#include "studies/analysis/overview.h"
 #include "studies/cli/job_of_log.h"
 #include "studies/cli/method_option.h"
 #include "studies/figures/collision_figure.h"
@@ -15,11 +17,9 @@
 #include "studies/figures/spectra_figure.h"
 #include "studies/figures/tornado_figure.h"
 #include "studies/figures/trajectory_figure.h"
+#include "studies/limit_states/limit_state_reader.h"
 #include "studies/page/job_scene.h"
 #include "studies/report/fragility_report.h"
-#include "studies/study/analysis/configuration_view.h"
-#include "studies/study/analysis/overview.h"
-#include "studies/study/limit_states/limit_state_reader.h"
 
 namespace gurney::cli {
 namespace {

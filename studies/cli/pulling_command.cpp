@@ -6,14 +6,14 @@
 #include <optional>
 
 #include "engine/base/error.h"
+#include "studies/analysis/overview.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
 #include "studies/cli/new_folder.h"
 #include "studies/cli/signals.h"
 #include "studies/figures/pulling_figures.h"
 #include "studies/report/pulling_report.h"
-#include "studies/study/analysis/overview.h"
-#include "studies/study/results/output_files.h"
+#include "studies/results/output_files.h"
 
 namespace gurney::cli {
 namespace {

@@ -16,8 +16,8 @@
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"
 #include "studies/cli/signals.h"
-#include "studies/study/job/scale_reader.h"
-#include "studies/study/results/output_files.h"
+#include "studies/job/scale_reader.h"
+#include "studies/results/output_files.h"
 
 namespace gurney::cli {
 namespace {

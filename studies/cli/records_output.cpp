@@ -10,7 +10,7 @@
 #include "engine/base/printable.h"
 #include "groundmotions/formats/columns_csv.h"
 #include "studies/cli/signals.h"
-#include "studies/study/results/output_files.h"
+#include "studies/results/output_files.h"
 
 namespace gurney::cli {
 

@@ -23,7 +23,7 @@
 #include "studies/cli/signals.h"
 #include "studies/cli/standard_error.h"
 #include "studies/figures/suite_figure.h"
-#include "studies/study/results/output_files.h"
+#include "studies/results/output_files.h"
 
 namespace gurney::cli {
 namespace {

@@ -5,11 +5,11 @@
 #include <filesystem>
 
 #include "engine/base/error.h"
+#include "studies/analysis/replica_spread.h"
 #include "studies/cli/run_output.h"
 #include "studies/cli/standard_error.h"
 #include "studies/cli/study_case.h"
-#include "studies/study/analysis/replica_spread.h"
-#include "studies/study/results/study_reader.h"
+#include "studies/results/study_reader.h"
 
 namespace gurney::cli {
 namespace {

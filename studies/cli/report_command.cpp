@@ -9,7 +9,7 @@
 #include "studies/cli/records_output.h"
 #include "studies/cli/units_option.h"
 #include "studies/page/page.h"
-#include "studies/study/results/output_files.h"
+#include "studies/results/output_files.h"
 
 namespace gurney::cli {
 namespace {

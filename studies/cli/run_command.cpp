@@ -8,7 +8,7 @@
 #include "studies/cli/job_argument.h"
 #include "studies/cli/run_output.h"
 #include "studies/cli/run_study.h"
-#include "studies/study/plan/study_job.h"
+#include "studies/plan/study_job.h"
 
 namespace gurney::cli {
 namespace {

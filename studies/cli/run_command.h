@@ -3,7 +3,7 @@
 #include <string>
 
 #include "studies/cli/figure_output.h"
-#include "studies/study/units/unit_system.h"
+#include "studies/units/unit_system.h"
 
 namespace gurney::cli {
 

@@ -12,8 +12,8 @@
 #include "studies/cli/signals.h"
 #include "studies/figures/run_figure.h"
 #include "studies/report/summary.h"
-#include "studies/study/results/output_files.h"
-#include "studies/study/results/results_file.h"
+#include "studies/results/output_files.h"
+#include "studies/results/results_file.h"
 
 namespace gurney::cli {
 namespace {

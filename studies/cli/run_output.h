@@ -6,8 +6,8 @@
 
 #include "engine/response/response.h"
 #include "studies/cli/figure_output.h"
-#include "studies/study/prepare/run_job.h"
-#include "studies/study/units/unit_system.h"
+#include "studies/prepare/run_job.h"
+#include "studies/units/unit_system.h"
 
 namespace gurney::cli {
 

@@ -21,14 +21,14 @@
 #include "studies/cli/study_size.h"
 #include "studies/cli/study_warnings.h"
 #include "studies/report/failed_runs.h"
-#include "studies/study/results/output_files.h"
-#include "studies/study/run/complete_study.h"
-#include "studies/study/run/folder_lock.h"
-#include "studies/study/run/identity_file.h"
-#include "studies/study/run/run_batch.h"
-#include "studies/study/run/shard.h"
-#include "studies/study/run/shard_folders.h"
-#include "studies/study/run/study_identity.h"
+#include "studies/results/output_files.h"
+#include "studies/run/complete_study.h"
+#include "studies/run/folder_lock.h"
+#include "studies/run/identity_file.h"
+#include "studies/run/run_batch.h"
+#include "studies/run/shard.h"
+#include "studies/run/shard_folders.h"
+#include "studies/run/study_identity.h"
 
 namespace gurney::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/study/run/run_task.h"
+#include "studies/run/run_task.h"
 
 namespace gurney::cli {
 

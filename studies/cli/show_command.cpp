@@ -7,6 +7,8 @@
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
+#include "studies/analysis/kept_job.h"
+#include "studies/analysis/overview.h"
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/job_of_log.h"
@@ -14,9 +16,7 @@
 #include "studies/cli/scratch_folder.h"
 #include "studies/cli/units_option.h"
 #include "studies/report/overview_report.h"
-#include "studies/study/analysis/kept_job.h"
-#include "studies/study/analysis/overview.h"
-#include "studies/study/run/finished_cases.h"
+#include "studies/run/finished_cases.h"
 
 namespace gurney::cli {
 namespace {

@@ -14,7 +14,7 @@
 #include "studies/cli/print.h"
 #include "studies/cli/study_size.h"
 #include "studies/report/failed_runs.h"
-#include "studies/study/run/shard_status.h"
+#include "studies/run/shard_status.h"
 
 namespace gurney::cli {
 namespace {

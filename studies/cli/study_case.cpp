@@ -13,10 +13,10 @@
 #include "engine/config/unit_limit.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/job_of_log.h"
-#include "studies/study/plan/data_files.h"
-#include "studies/study/results/columns.h"
-#include "studies/study/run/run_task.h"
-#include "studies/study/run/study_identity.h"
+#include "studies/plan/data_files.h"
+#include "studies/results/columns.h"
+#include "studies/run/run_task.h"
+#include "studies/run/study_identity.h"
 
 namespace gurney::cli {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "engine/response/response.h"
-#include "studies/study/plan/study_job.h"
-#include "studies/study/prepare/run_job.h"
-#include "studies/study/results/study_reader.h"
+#include "studies/plan/study_job.h"
+#include "studies/prepare/run_job.h"
+#include "studies/results/study_reader.h"
 
 namespace gurney::cli {
 

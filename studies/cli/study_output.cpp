@@ -13,15 +13,15 @@
 #include "engine/base/error.h"
 #include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
+#include "studies/analysis/overview.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/run_output.h"
 #include "studies/cli/standard_error.h"
 #include "studies/report/failed_runs.h"
 #include "studies/report/overview_report.h"
 #include "studies/report/scale_factors.h"
-#include "studies/study/analysis/overview.h"
-#include "studies/study/results/output_files.h"
-#include "studies/study/run/declared_ranges.h"
+#include "studies/results/output_files.h"
+#include "studies/run/declared_ranges.h"
 
 namespace gurney::cli {
 

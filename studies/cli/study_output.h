@@ -4,9 +4,9 @@
 #include <functional>
 #include <string>
 
-#include "studies/study/analysis/scale_factors.h"
-#include "studies/study/run/run_batch.h"
-#include "studies/study/run/study_file.h"
+#include "studies/analysis/scale_factors.h"
+#include "studies/run/run_batch.h"
+#include "studies/run/study_file.h"
 
 namespace gurney::cli {
 

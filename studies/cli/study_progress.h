@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/study/run/run_batch.h"
+#include "studies/run/run_batch.h"
 
 namespace gurney::cli {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/base/error.h"
-#include "studies/study/run/estimate.h"
+#include "studies/run/estimate.h"
 
 namespace gurney::cli {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "studies/study/run/run_task.h"
+#include "studies/run/run_task.h"
 
 namespace gurney::cli {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/study/plan/study_job.h"
+#include "studies/plan/study_job.h"
 
 namespace gurney::cli {
 

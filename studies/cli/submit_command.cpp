@@ -11,9 +11,9 @@
 #include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
 #include "studies/cli/commands.h"
-#include "studies/study/plan/plan.h"
-#include "studies/study/results/output_files.h"
-#include "studies/study/run/shard_folders.h"
+#include "studies/plan/plan.h"
+#include "studies/results/output_files.h"
+#include "studies/run/shard_folders.h"
 
 namespace gurney::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "studies/study/units/unit_system.h"
+#include "studies/units/unit_system.h"
 
 namespace gurney::cli {
 

@@ -11,7 +11,7 @@
 #include "studies/cli/figure_output.h"
 #include "studies/figures/verification_figure.h"
 #include "studies/report/verification_report.h"
-#include "studies/study/results/output_files.h"
+#include "studies/results/output_files.h"
 #include "studies/verification/cases.h"
 #include "studies/verification/verify.h"
 

@@ -11,8 +11,8 @@
 #include "embedded/determinism_toml.h"
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
-#include "studies/study/run/run_batch.h"
-#include "studies/study/run/task_result.h"
+#include "studies/run/run_batch.h"
+#include "studies/run/task_result.h"
 
 namespace gurney::doctor {
 namespace {

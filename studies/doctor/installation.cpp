@@ -9,7 +9,7 @@
 #include "studies/build_info/build_info.h"
 #include "studies/build_info/libraries.h"
 #include "studies/picture/rendering.h"
-#include "studies/study/results/hdf5_version.h"
+#include "studies/results/hdf5_version.h"
 
 namespace gurney::doctor {
 namespace {

@@ -9,7 +9,7 @@
 #include "engine/base/units.h"
 #include "studies/explanation/caster_words.h"
 #include "studies/report/words.h"
-#include "studies/study/results/names.h"
+#include "studies/results/names.h"
 
 namespace gurney::explanation {
 namespace {

@@ -10,7 +10,7 @@
 #include "studies/explanation/margins.h"
 #include "studies/explanation/stages.h"
 #include "studies/report/fall.h"
-#include "studies/study/results/names.h"
+#include "studies/results/names.h"
 
 namespace gurney::explanation {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "engine/response/response.h"
 #include "studies/report/half_cycle.h"
-#include "studies/study/units/unit_system.h"
+#include "studies/units/unit_system.h"
 
 /// Why a run ended as it did: facts in time order, margins, energies (docs/explain.md).
 namespace gurney::explanation {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "studies/explanation/facts.h"
-#include "studies/study/results/run_facts.h"
+#include "studies/results/run_facts.h"
 
 namespace gurney::explanation {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "studies/explanation/facts.h"
-#include "studies/study/results/run_facts.h"
+#include "studies/results/run_facts.h"
 
 namespace gurney::explanation {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "studies/figures/scene_figure.h"
-#include "studies/study/results/names.h"
+#include "studies/results/names.h"
 
 namespace gurney::figures {
 namespace {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "engine/scene/scene.h"
+#include "studies/analysis/stored_impacts.h"
 #include "studies/figures/plot_page.h"
-#include "studies/study/analysis/stored_impacts.h"
 
 namespace gurney::figures {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studies/analysis/report_unit.h"
 #include "studies/figures/panel.h"
-#include "studies/study/analysis/report_unit.h"
 
 namespace gurney::figures {
 namespace {

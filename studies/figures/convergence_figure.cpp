@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studies/convergence/judge.h"
 #include "studies/figures/panel.h"
-#include "studies/study/convergence/judge.h"
 
 namespace gurney::figures {
 namespace {

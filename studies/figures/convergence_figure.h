@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "studies/study/convergence/convergence.h"
+#include "studies/convergence/convergence.h"
 
 namespace gurney::figures {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "studies/analysis/demand_runs.h"
 #include "studies/figures/panel.h"
-#include "studies/study/analysis/demand_runs.h"
 
 namespace gurney::figures {
 

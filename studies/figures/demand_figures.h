@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "studies/analysis/demand_runs.h"
 #include "studies/figures/plot_page.h"
-#include "studies/study/analysis/demand_runs.h"
 
 namespace gurney::figures {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "studies/analysis/fragility_result.h"
 #include "studies/figures/plot_page.h"
-#include "studies/study/analysis/fragility_result.h"
 
 namespace gurney::figures {
 

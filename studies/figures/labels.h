@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "studies/study/units/unit_system.h"
+#include "studies/units/unit_system.h"
 
 namespace gurney::figures {
 

@@ -8,7 +8,7 @@
 #include "engine/base/units.h"
 #include "studies/figures/scene_figure.h"
 #include "studies/report/footprint.h"
-#include "studies/study/results/names.h"
+#include "studies/results/names.h"
 
 namespace gurney::figures {
 namespace {

@@ -3,7 +3,7 @@
 #include "engine/response/response.h"
 #include "engine/scene/scene.h"
 #include "studies/figures/panel.h"
-#include "studies/study/units/unit_system.h"
+#include "studies/units/unit_system.h"
 
 namespace gurney::figures {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "studies/figures/panel.h"
-#include "studies/study/units/unit_system.h"
+#include "studies/units/unit_system.h"
 
 namespace gurney::figures {
 

@@ -8,7 +8,7 @@
 #include "studies/figures/labels.h"
 #include "studies/figures/panel.h"
 #include "studies/figures/plan_view.h"
-#include "studies/study/results/names.h"
+#include "studies/results/names.h"
 
 namespace gurney::figures {
 namespace {

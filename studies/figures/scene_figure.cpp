@@ -5,7 +5,7 @@
 
 #include "studies/figures/labels.h"
 #include "studies/report/footprint.h"
-#include "studies/study/results/names.h"
+#include "studies/results/names.h"
 
 namespace gurney::figures {
 namespace {

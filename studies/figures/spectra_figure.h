@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "studies/analysis/suite_spectra.h"
 #include "studies/figures/plot_page.h"
-#include "studies/study/analysis/suite_spectra.h"
 
 namespace gurney::figures {
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <map>
 
+#include "studies/analysis/ida_curves.h"
 #include "studies/figures/demand_axes.h"
 #include "studies/figures/demand_figures.h"
-#include "studies/study/analysis/ida_curves.h"
 
 namespace gurney::figures {
 namespace {

@@ -7,7 +7,7 @@
 #include "engine/base/error.h"
 #include "studies/figures/scene_figure.h"
 #include "studies/report/footprint.h"
-#include "studies/study/results/hdf5_reader.h"
+#include "studies/results/hdf5_reader.h"
 
 namespace gurney::figures {
 namespace {

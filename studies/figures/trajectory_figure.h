@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "studies/analysis/stored_histories.h"
 #include "studies/figures/plot_page.h"
-#include "studies/study/analysis/stored_histories.h"
 
 namespace gurney::figures {
 

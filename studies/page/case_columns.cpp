@@ -8,10 +8,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "studies/analysis/configuration_view.h"
+#include "studies/analysis/demands.h"
+#include "studies/analysis/run_levels.h"
 #include "studies/figures/labels.h"
-#include "studies/study/analysis/configuration_view.h"
-#include "studies/study/analysis/demands.h"
-#include "studies/study/analysis/run_levels.h"
 
 namespace gurney::page {
 namespace {

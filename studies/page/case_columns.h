@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "studies/study/analysis/report_unit.h"
-#include "studies/study/analysis/study_data.h"
+#include "studies/analysis/report_unit.h"
+#include "studies/analysis/study_data.h"
 
 namespace gurney::page {
 

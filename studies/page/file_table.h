@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "studies/page/table.h"
-#include "studies/study/results/hdf5_reader.h"
+#include "studies/results/hdf5_reader.h"
 
 namespace gurney::page {
 

@@ -5,7 +5,7 @@
 
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
-#include "studies/study/results/study_reader.h"
+#include "studies/results/study_reader.h"
 
 namespace gurney::page {
 

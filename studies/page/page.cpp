@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.h"
+#include "studies/analysis/demands.h"
 #include "studies/build_info/build_info.h"
 #include "studies/page/json_pages.h"
 #include "studies/page/run_page.h"
 #include "studies/page/study_page.h"
-#include "studies/study/analysis/demands.h"
 
 namespace gurney::page {
 namespace {

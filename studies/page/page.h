@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
+#include "studies/analysis/assessment.h"
 #include "studies/explanation/facts.h"
-#include "studies/study/analysis/assessment.h"
-#include "studies/study/units/unit_system.h"
+#include "studies/units/unit_system.h"
 
 namespace gurney::page {
 

@@ -5,12 +5,12 @@
 #include <map>
 
 #include "engine/base/error.h"
+#include "studies/analysis/configuration_view.h"
+#include "studies/analysis/suite_spectra.h"
 #include "studies/figures/spectra_figure.h"
 #include "studies/page/drawing.h"
 #include "studies/page/study_page.h"
 #include "studies/page/table.h"
-#include "studies/study/analysis/configuration_view.h"
-#include "studies/study/analysis/suite_spectra.h"
 
 namespace gurney::page {
 namespace {

@@ -17,8 +17,8 @@
 #include "studies/page/drawing.h"
 #include "studies/page/file_table.h"
 #include "studies/page/study_page.h"
-#include "studies/study/results/columns.h"
-#include "studies/study/results/names.h"
+#include "studies/results/columns.h"
+#include "studies/results/names.h"
 
 namespace gurney::page {
 namespace {

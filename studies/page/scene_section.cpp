@@ -5,15 +5,15 @@
 #include "engine/base/units.h"
 #include "engine/config/document.h"
 #include "equipment/catalogue/item_sheet.h"
+#include "studies/analysis/kept_job.h"
 #include "studies/figures/equipment_figure.h"
 #include "studies/figures/scene_figure.h"
+#include "studies/job/job.h"
 #include "studies/page/drawing.h"
 #include "studies/page/study_page.h"
+#include "studies/plan/data_files.h"
+#include "studies/plan/study_job.h"
 #include "studies/report/equipment_report.h"
-#include "studies/study/analysis/kept_job.h"
-#include "studies/study/job/job.h"
-#include "studies/study/plan/data_files.h"
-#include "studies/study/plan/study_job.h"
 
 namespace gurney::page {
 namespace {

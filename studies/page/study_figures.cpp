@@ -4,13 +4,13 @@
 
 #include "engine/base/error.h"
 #include "engine/base/shell_word.h"
+#include "studies/analysis/demand_runs.h"
+#include "studies/analysis/demands.h"
 #include "studies/figures/demand_figures.h"
 #include "studies/figures/labels.h"
 #include "studies/figures/trajectory_figure.h"
 #include "studies/page/drawing.h"
 #include "studies/page/study_page.h"
-#include "studies/study/analysis/demand_runs.h"
-#include "studies/study/analysis/demands.h"
 
 namespace gurney::page {
 namespace {

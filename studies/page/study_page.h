@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "studies/analysis/fragility_result.h"
+#include "studies/analysis/overview.h"
+#include "studies/analysis/stored_histories.h"
 #include "studies/page/document.h"
 #include "studies/page/job_scene.h"
 #include "studies/page/page.h"
 #include "studies/report/sensitivity_report.h"
-#include "studies/study/analysis/fragility_result.h"
-#include "studies/study/analysis/overview.h"
-#include "studies/study/analysis/stored_histories.h"
 
 namespace gurney::page {
 

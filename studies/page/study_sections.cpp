@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studies/analysis/zone_occupancy.h"
 #include "studies/figures/labels.h"
 #include "studies/page/findings_html.h"
 #include "studies/page/study_page.h"
@@ -11,7 +12,6 @@
 #include "studies/report/failed_runs.h"
 #include "studies/report/fragility_report.h"
 #include "studies/report/overview_report.h"
-#include "studies/study/analysis/zone_occupancy.h"
 
 namespace gurney::page {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "studies/analysis/report_unit.h"
 #include "studies/page/html.h"
-#include "studies/study/analysis/report_unit.h"
 
 namespace gurney::page {
 

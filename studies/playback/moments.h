@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "studies/playback/recorded_run.h"
-#include "studies/study/results/hdf5_reader.h"
+#include "studies/results/hdf5_reader.h"
 
 namespace gurney::playback {
 

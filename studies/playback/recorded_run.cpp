@@ -7,7 +7,7 @@
 
 #include "engine/base/error.h"
 #include "studies/playback/moments.h"
-#include "studies/study/results/hdf5_reader.h"
+#include "studies/results/hdf5_reader.h"
 
 namespace gurney::playback {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "studies/analysis/curve_audit.h"
+#include "studies/analysis/report_unit.h"
 #include "studies/report/formats.h"
-#include "studies/study/analysis/curve_audit.h"
-#include "studies/study/analysis/report_unit.h"
 
 namespace gurney::report {
 namespace {

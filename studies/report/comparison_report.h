@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "studies/analysis/input_differences.h"
+#include "studies/analysis/study_comparison.h"
 #include "studies/findings/findings.h"
-#include "studies/study/analysis/input_differences.h"
-#include "studies/study/analysis/study_comparison.h"
 
 namespace gurney::report {
 

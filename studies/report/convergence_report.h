@@ -1,8 +1,8 @@
 #pragma once
 
+#include "studies/convergence/convergence.h"
 #include "studies/findings/findings.h"
-#include "studies/study/convergence/convergence.h"
-#include "studies/study/units/unit_system.h"
+#include "studies/units/unit_system.h"
 
 namespace gurney::report {
 

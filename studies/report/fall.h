@@ -6,7 +6,7 @@
 
 #include "engine/response/response.h"
 #include "studies/report/half_cycle.h"
-#include "studies/study/results/run_facts.h"
+#include "studies/results/run_facts.h"
 
 namespace gurney::report {
 

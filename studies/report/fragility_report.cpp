@@ -9,11 +9,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "studies/analysis/performance.h"
 #include "studies/render/render.h"
 #include "studies/report/formats.h"
 #include "studies/report/json_values.h"
 #include "studies/report/scale_factors.h"
-#include "studies/study/analysis/performance.h"
 
 namespace gurney::report {
 namespace {

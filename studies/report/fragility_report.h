@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "studies/analysis/fragility_result.h"
 #include "studies/findings/findings.h"
-#include "studies/study/analysis/fragility_result.h"
 
 namespace gurney::report {
 

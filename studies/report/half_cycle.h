@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/base/floor_motion.h"
-#include "studies/study/units/unit_system.h"
+#include "studies/units/unit_system.h"
 
 namespace gurney::report {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "studies/analysis/measure_choice.h"
 #include "studies/findings/findings.h"
-#include "studies/study/analysis/measure_choice.h"
 
 namespace gurney::report {
 

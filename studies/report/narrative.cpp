@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "studies/study/results/names.h"
+#include "studies/results/names.h"
 
 namespace gurney::report {
 namespace {

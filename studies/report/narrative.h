@@ -3,8 +3,8 @@
 #include <string>
 
 #include "engine/response/response.h"
-#include "studies/study/results/run_facts.h"
-#include "studies/study/units/unit_system.h"
+#include "studies/results/run_facts.h"
+#include "studies/units/unit_system.h"
 
 namespace gurney::report {
 

@@ -7,7 +7,7 @@
 #include "studies/report/narrative.h"
 #include "studies/report/settled.h"
 #include "studies/report/words.h"
-#include "studies/study/results/names.h"
+#include "studies/results/names.h"
 
 namespace gurney::report {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "studies/analysis/overview.h"
 #include "studies/findings/findings.h"
-#include "studies/study/analysis/overview.h"
 
 namespace gurney::report {
 

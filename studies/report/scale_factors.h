@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "studies/analysis/scale_factors.h"
 #include "studies/render/render.h"
-#include "studies/study/analysis/scale_factors.h"
 
 namespace gurney::report {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "studies/analysis/study_sensitivity.h"
 #include "studies/findings/findings.h"
-#include "studies/study/analysis/study_sensitivity.h"
 
 namespace gurney::report {
 

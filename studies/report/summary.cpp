@@ -10,8 +10,8 @@
 #include "studies/render/wrapped.h"
 #include "studies/report/narrative.h"
 #include "studies/report/settled.h"
-#include "studies/study/results/columns.h"
-#include "studies/study/results/names.h"
+#include "studies/results/columns.h"
+#include "studies/results/names.h"
 
 namespace gurney::report {
 namespace {

@@ -7,8 +7,8 @@
 #include "studies/report/half_cycle_json.h"
 #include "studies/report/narrative.h"
 #include "studies/report/summary.h"
-#include "studies/study/results/columns.h"
-#include "studies/study/results/names.h"
+#include "studies/results/columns.h"
+#include "studies/results/names.h"
 
 namespace gurney::report {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/study/analysis/vector_result.h"
+#include "studies/analysis/vector_result.h"
 
 namespace gurney::report {
 

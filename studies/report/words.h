@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/study/units/unit_system.h"
+#include "studies/units/unit_system.h"
 
 namespace gurney::report {
 

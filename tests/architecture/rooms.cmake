@@ -37,67 +37,67 @@ set(GURNEY_ROOMS
   "studies/verification/scenes: engine/base engine/scene engine/response"
   "studies/verification: engine/base engine/config engine/scene engine/contact engine/response
     engine/solver engine/run studies/verification/scenes"
-  "studies/study/job: engine/base engine/config engine/scene engine/run groundmotions/record
+  "studies/job: engine/base engine/config engine/scene engine/run groundmotions/record
     groundmotions/measures groundmotions/processing groundmotions/assembly groundmotions/synthetic
     groundmotions/scaling groundmotions/suites groundmotions/buildings equipment/catalogue"
-  "studies/study/units: engine/base engine/config"
-  "studies/study/results: engine/base engine/scene engine/response studies/build_info"
-  "studies/study/prepare: engine/base engine/scene groundmotions/record groundmotions/measures
+  "studies/units: engine/base engine/config"
+  "studies/results: engine/base engine/scene engine/response studies/build_info"
+  "studies/prepare: engine/base engine/scene groundmotions/record groundmotions/measures
     groundmotions/processing groundmotions/assembly groundmotions/buildings equipment/catalogue
-    studies/study/job studies/study/results"
-  "studies/study/limit_states: engine/base engine/config engine/scene engine/response
-    studies/study/results"
-  "studies/study/plan: engine/base engine/config groundmotions/record groundmotions/assembly
-    groundmotions/suites equipment/catalogue studies/statistics studies/study/job studies/study/prepare
-    studies/study/limit_states"
-  "studies/study/run: engine/base engine/config engine/response engine/run studies/build_info
-    studies/statistics studies/study/results studies/study/prepare studies/study/limit_states
-    studies/study/plan"
-  "studies/study/analysis: engine/base engine/config engine/response
-    groundmotions/measures studies/statistics studies/study/job studies/study/units
-    studies/study/results studies/study/limit_states studies/study/plan"
-  "studies/study/convergence: engine/base engine/run studies/statistics studies/study/results
-    studies/study/prepare studies/study/limit_states studies/study/run"
-  "studies/study/exports: engine/base engine/config engine/scene groundmotions/measures
-    equipment/catalogue studies/statistics studies/study/units studies/study/results
-    studies/study/limit_states studies/study/analysis"
+    studies/job studies/results"
+  "studies/limit_states: engine/base engine/config engine/scene engine/response
+    studies/results"
+  "studies/plan: engine/base engine/config groundmotions/record groundmotions/assembly
+    groundmotions/suites equipment/catalogue studies/statistics studies/job studies/prepare
+    studies/limit_states"
+  "studies/run: engine/base engine/config engine/response engine/run studies/build_info
+    studies/statistics studies/results studies/prepare studies/limit_states
+    studies/plan"
+  "studies/analysis: engine/base engine/config engine/response
+    groundmotions/measures studies/statistics studies/job studies/units
+    studies/results studies/limit_states studies/plan"
+  "studies/convergence: engine/base engine/run studies/statistics studies/results
+    studies/prepare studies/limit_states studies/run"
+  "studies/exports: engine/base engine/config engine/scene groundmotions/measures
+    equipment/catalogue studies/statistics studies/units studies/results
+    studies/limit_states studies/analysis"
   "studies/calibration/trials: engine/base engine/config engine/scene"
   "studies/calibration/fit: engine/base engine/config engine/scene engine/run equipment/catalogue
     studies/statistics studies/calibration/trials"
-  "studies/calibration/pulling: engine/base engine/scene equipment/catalogue studies/study/results
-    studies/study/plan studies/study/exports studies/calibration/trials"
+  "studies/calibration/pulling: engine/base engine/scene equipment/catalogue studies/results
+    studies/plan studies/exports studies/calibration/trials"
   "studies/findings:"
   "studies/render: studies/findings"
   "studies/report: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/assembly groundmotions/buildings equipment/catalogue
-    studies/build_info studies/verification studies/study/units studies/study/results studies/study/analysis
-    studies/study/convergence studies/calibration/trials studies/calibration/fit studies/calibration/pulling
+    studies/build_info studies/verification studies/units studies/results studies/analysis
+    studies/convergence studies/calibration/trials studies/calibration/fit studies/calibration/pulling
     studies/findings studies/render"
   "studies/figures: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/scaling equipment/catalogue studies/statistics
-    studies/verification studies/study/units studies/study/results studies/study/analysis
-    studies/study/convergence studies/calibration/trials studies/calibration/fit studies/report"
+    studies/verification studies/units studies/results studies/analysis
+    studies/convergence studies/calibration/trials studies/calibration/fit studies/report"
   "studies/explanation: engine/base engine/scene engine/response engine/run
-    equipment/catalogue studies/statistics studies/study/units studies/study/results studies/render
+    equipment/catalogue studies/statistics studies/units studies/results studies/render
     studies/report studies/figures"
   "studies/picture: engine/base"
   "studies/page: engine/base engine/config engine/scene equipment/catalogue studies/build_info
-    studies/study/job studies/study/units studies/study/results studies/study/plan
-    studies/study/analysis studies/findings studies/report studies/figures studies/explanation"
-  "studies/playback: engine/base engine/response studies/study/results"
-  "studies/doctor: engine/base equipment/catalogue studies/build_info studies/study/results
-    studies/study/run studies/picture"
+    studies/job studies/units studies/results studies/plan
+    studies/analysis studies/findings studies/report studies/figures studies/explanation"
+  "studies/playback: engine/base engine/response studies/results"
+  "studies/doctor: engine/base equipment/catalogue studies/build_info studies/results
+    studies/run studies/picture"
   "studies/templates: engine/base"
   "studies/bindings: engine/base engine/config engine/response engine/run groundmotions/record
-    equipment/catalogue studies/build_info studies/study/job studies/study/results
-    studies/study/prepare"
+    equipment/catalogue studies/build_info studies/job studies/results
+    studies/prepare"
   "studies/cli: engine/base engine/config engine/response engine/run groundmotions/record
     groundmotions/formats groundmotions/measures groundmotions/models groundmotions/processing
     groundmotions/synthetic groundmotions/scaling groundmotions/suites groundmotions/buildings
-    equipment/catalogue studies/build_info studies/verification studies/study/job studies/study/units
-    studies/study/results
-    studies/study/prepare studies/study/limit_states studies/study/plan studies/study/run
-    studies/study/analysis studies/study/exports studies/calibration/fit
+    equipment/catalogue studies/build_info studies/verification studies/job studies/units
+    studies/results
+    studies/prepare studies/limit_states studies/plan studies/run
+    studies/analysis studies/exports studies/calibration/fit
     studies/calibration/pulling studies/render studies/report studies/figures
     studies/explanation studies/picture
     studies/page studies/playback studies/doctor studies/templates")
@@ -108,8 +108,8 @@ set(GURNEY_LIBRARIES
   "toml: engine/config"
   "openssl/: engine/base"
   "boost/: engine/base groundmotions/synthetic studies/statistics"
-  "hdf5|H5: studies/study/results/hdf5_"
-  "nlohmann/: engine/config studies/study/exports studies/render studies/report studies/explanation
+  "hdf5|H5: studies/results/hdf5_"
+  "nlohmann/: engine/config studies/exports studies/render studies/report studies/explanation
     studies/page studies/playback studies/cli"
   "cairo|librsvg/: studies/picture/rendering"
   "CLI/: studies/cli"

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "engine/run/run.h"
-#include "studies/study/run/run_task.h"
+#include "studies/run/run_task.h"
 #include "tests/benchmark/sections.h"
 #include "tests/benchmark/workload.h"
 

@@ -1,5 +1,5 @@
-#include "studies/study/limit_states/limit_state_expression.h"
-#include "studies/study/plan/assessment_files.h"
+#include "studies/limit_states/limit_state_expression.h"
+#include "studies/plan/assessment_files.h"
 #include "tests/fuzz/feed.h"
 
 /// Limit states, performance levels and hazards of finished studies, as files and as lines.

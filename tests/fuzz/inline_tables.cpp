@@ -6,7 +6,7 @@
 #include "groundmotions/scaling/target_reader.h"
 #include "groundmotions/synthetic/kinds.h"
 #include "studies/cli/inline_table.h"
-#include "studies/study/job/scale_reader.h"
+#include "studies/job/scale_reader.h"
 #include "tests/fuzz/feed.h"
 
 namespace {

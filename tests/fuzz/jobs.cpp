@@ -1,4 +1,4 @@
-#include "studies/study/plan/study_job.h"
+#include "studies/plan/study_job.h"
 #include "tests/fuzz/feed.h"
 
 /// Jobs of single runs and of studies, in TOML, or in JSON where the text begins as such.

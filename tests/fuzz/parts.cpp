@@ -1,7 +1,7 @@
 #include "engine/base/hash/sha256.h"
-#include "studies/study/run/part_file.h"
-#include "studies/study/run/study_identity.h"
-#include "studies/study/run/task_result.h"
+#include "studies/run/part_file.h"
+#include "studies/run/study_identity.h"
+#include "studies/run/task_result.h"
 #include "tests/fuzz/feed.h"
 
 namespace {

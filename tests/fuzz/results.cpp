@@ -3,8 +3,8 @@
 #include <signal.h>
 #include <sys/resource.h>
 
-#include "studies/study/analysis/overview.h"
-#include "studies/study/results/study_reader.h"
+#include "studies/analysis/overview.h"
+#include "studies/results/study_reader.h"
 #include "tests/fuzz/feed.h"
 
 /// The sanitizers need more address space than a reader may take.

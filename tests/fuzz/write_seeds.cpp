@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "studies/study/results/results_file.h"
-#include "studies/study/run/task_result.h"
+#include "studies/results/results_file.h"
+#include "studies/run/task_result.h"
 #include "tests/groundmotions/formats/format_samples.h"
-#include "tests/studies/study/analysis/made_study.h"
+#include "tests/studies/analysis/made_study.h"
 #include "tests/support/fabricated_run.h"
 #include "tests/support/temp_folder.h"
 

@@ -7,7 +7,7 @@
 
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/load_item.h"
-#include "studies/study/exports/item_bodies.h"
+#include "studies/exports/item_bodies.h"
 
 namespace gurney::peers {
 namespace {

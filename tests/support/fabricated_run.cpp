@@ -7,7 +7,7 @@
 #include <string_view>
 #include <variant>
 
-#include "studies/study/results/columns.h"
+#include "studies/results/columns.h"
 
 namespace gurney {
 namespace {

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include "engine/base/units.h"
-#include "studies/study/results/columns.h"
-#include "studies/study/results/growing_table.h"
-#include "studies/study/results/names.h"
-#include "studies/study/results/results_file.h"
-#include "studies/study/results/study_reader.h"
-#include "studies/study/run/study_file.h"
+#include "studies/results/columns.h"
+#include "studies/results/growing_table.h"
+#include "studies/results/names.h"
+#include "studies/results/results_file.h"
+#include "studies/results/study_reader.h"
+#include "studies/run/study_file.h"
 
 namespace gurney {
 

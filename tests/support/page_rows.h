@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/study/results/hdf5_reader.h"
+#include "studies/results/hdf5_reader.h"
 
 namespace gurney {
 

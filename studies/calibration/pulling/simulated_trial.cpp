@@ -9,7 +9,7 @@
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "studies/calibration/trials/instrument_noise.h"
-#include "studies/study/plan/study_job.h"
+#include "studies/plan/study_job.h"
 
 namespace gurney::calibration {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "studies/calibration/pulling/pull_theory.h"
 #include "studies/calibration/trials/average_method.h"
-#include "studies/study/results/study_reader.h"
+#include "studies/results/study_reader.h"
 
 namespace gurney::calibration {
 

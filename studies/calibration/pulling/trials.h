@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/study/exports/export.h"
+#include "studies/exports/export.h"
 
 namespace gurney::calibration {
 

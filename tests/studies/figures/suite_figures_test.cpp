@@ -6,7 +6,7 @@
 #include "studies/figures/collision_figure.h"
 #include "studies/figures/spectra_figure.h"
 #include "studies/figures/tornado_figure.h"
-#include "studies/study/results/names.h"
+#include "studies/results/names.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fabricated_ward.h"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "tests/studies/study/analysis/made_study.h"
+#include "tests/studies/analysis/made_study.h"
 
 namespace gurney::page {
 

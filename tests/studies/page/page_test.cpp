@@ -6,12 +6,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "studies/analysis/fragility_result.h"
 #include "studies/page/case_columns.h"
-#include "studies/study/analysis/fragility_result.h"
-#include "studies/study/results/results_file.h"
+#include "studies/results/results_file.h"
+#include "tests/studies/analysis/made_study.h"
 #include "tests/studies/page/balanced.h"
 #include "tests/studies/page/large_study.h"
-#include "tests/studies/study/analysis/made_study.h"
 #include "tests/support/fabricated_run.h"
 #include "tests/support/fabricated_study.h"
 #include "tests/support/temp_folder.h"

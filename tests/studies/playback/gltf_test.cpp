@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/playback/solid.h"
-#include "studies/study/results/results_file.h"
+#include "studies/results/results_file.h"
 #include "tests/studies/playback/base64_bytes.h"
 #include "tests/support/fabricated_run.h"
 #include "tests/support/temp_folder.h"

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/playback/channel.h"
-#include "studies/study/results/results_file.h"
+#include "studies/results/results_file.h"
 #include "tests/studies/playback/base64_bytes.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fabricated_run.h"

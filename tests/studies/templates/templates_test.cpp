@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "equipment/catalogue/check_file.h"
-#include "studies/study/plan/study_job.h"
-#include "studies/study/prepare/run_job.h"
+#include "studies/plan/study_job.h"
+#include "studies/prepare/run_job.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 

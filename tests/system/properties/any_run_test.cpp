@@ -7,7 +7,7 @@
 #include "engine/base/error.h"
 #include "engine/record/energy_balance.h"
 #include "tests/engine/run/drawn_items.h"
-#include "tests/studies/study/small_study.h"
+#include "tests/studies/small_study.h"
 #include "tests/system/properties/motions.h"
 
 /// Whatever stands in whatever room: a result or a reason.

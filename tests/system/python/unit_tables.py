@@ -16,7 +16,7 @@ ONLY_HERE = {"J": ("J", 1.0), "1": ("1", 1.0)}  # of results that no limit state
 
 program = {}
 for name in ("job/scale_reader.cpp", "limit_states/limit_state_reader.cpp"):
-    with open(os.path.join(support.SOURCE, "studies/study", name), encoding="utf-8") as file:
+    with open(os.path.join(support.SOURCE, "studies", name), encoding="utf-8") as file:
         rows = re.findall(r'Unit\{"([^"]+)", "([^"]+)", ([\w.]+)\}', file.read())
     assert len(rows) >= 7, (name, rows)
     for unit, si, value in rows:

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-PART_BYTES = 8 * 2**20  # a part is written when so much waits (studies/study/run/run_batch.cpp),
+PART_BYTES = 8 * 2**20  # a part is written when so much waits (studies/run/run_batch.cpp),
 LEAST_INTERVAL = 1.0    # or after so many seconds,
 PART_OF_TIME = 0.02     # or this part of the time since the shard began, whichever is longer
 FILES_OF_SHARD = 5      # its folder, `study`, `lock`, `crashes`, its log

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "engine/base/input_file.h"
-#include "studies/study/limit_states/response_values.h"
-#include "studies/study/run/run_task.h"
+#include "studies/limit_states/response_values.h"
+#include "studies/run/run_task.h"
 
 namespace gurney::study {
 namespace {

@@ -3,9 +3,9 @@
 #include <filesystem>
 
 #include "engine/base/error.h"
-#include "studies/study/run/run_batch.h"
-#include "studies/study/run/study_identity.h"
-#include "tests/studies/study/small_study.h"
+#include "studies/run/run_batch.h"
+#include "studies/run/study_identity.h"
+#include "tests/studies/small_study.h"
 
 /// A small study with several threads, for ThreadSanitizer: `./dev check tsan`.
 /// usage: threads FOLDER

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/study/run/run_task.h"
+#include "studies/run/run_task.h"
 
 namespace gurney::study {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "studies/study/results/study_reader.h"
-#include "studies/study/run/study_file.h"
+#include "studies/results/study_reader.h"
+#include "studies/run/study_file.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::calibration {

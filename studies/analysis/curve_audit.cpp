@@ -1,0 +1,111 @@
+#include "studies/analysis/curve_audit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gurney::study {
+namespace {
+
+std::string in(const ReportUnit& unit, double value) {
+  return fmt::format("{:.3g}{}{}", value / unit.in_si, unit.name == "1" ? "" : " ",
+                     unit.name == "1" ? "" : unit.name);
+}
+
+std::string extrapolation(const CurveAudit& audit, const ReportUnit& unit) {
+  const bool above = *audit.theta > audit.highest;
+  return fmt::format("theta {} is extrapolated {} the {} intensity of the runs, {}",
+                     in(unit, *audit.theta), above ? "beyond" : "below",
+                     above ? "highest" : "lowest", in(unit, above ? audit.highest : audit.lowest));
+}
+
+}  // namespace
+
+CurveAudit outcome_audit(const statistics::FragilityFit& fit,
+                         const std::vector<statistics::Observation>& observations,
+                         const ScaleFactors& factors) {
+  CurveAudit audit;
+  if (fit.curve) audit.theta = fit.curve->theta;
+  if (!observations.empty()) {
+    const auto [low, high] = std::ranges::minmax(observations, {}, &statistics::Observation::im);
+    audit.lowest = low.im;
+    audit.highest = high.im;
+  }
+  audit.outcomes = fit.runs;
+  audit.exceeded = fit.exceeded;
+  audit.records = fit.groups;
+  audit.effective = fit.effective_groups;
+  audit.fewest = statistics::kFewestGroups;
+  audit.factors = factors;
+  return audit;
+}
+
+bool is_extrapolated(const CurveAudit& audit) {
+  return audit.theta && (*audit.theta > audit.highest || *audit.theta < audit.lowest);
+}
+
+bool has_few_outcomes(const CurveAudit& audit) {
+  const std::size_t rarer = std::min(audit.exceeded, audit.outcomes - audit.exceeded);
+  return audit.theta && !audit.of_capacities && !audit.of_demands && rarer < kFewOutcomes;
+}
+
+bool has_few_records(const CurveAudit& audit) {
+  return audit.theta && audit.effective < audit.fewest * (1 - 1e-9);
+}
+
+std::string few_records_text(const CurveAudit& audit) {
+  return fmt::format("fewer than {:g} effective records ({:.3g} of {}): no usable interval",
+                     audit.fewest, audit.effective, audit.records);
+}
+
+std::string interval_text(const statistics::Interval& interval, double in_si, int digits,
+                          std::size_t records) {
+  const bool low = interval.low > 0, high = std::isfinite(interval.high);
+  if (!low && !high)
+    return fmt::format("unbounded ({} record{})", records, records == 1 ? "" : "s");
+  const auto end = [&](double value, bool known) {
+    return known ? fmt::format("{:.{}g}", value / in_si, digits) : std::string("unbounded");
+  };
+  return end(interval.low, low) + " to " + end(interval.high, high);
+}
+
+std::vector<std::string> cautions(const CurveAudit& audit, const ReportUnit& unit) {
+  std::vector<std::string> all;
+  if (is_extrapolated(audit)) all.push_back(extrapolation(audit, unit));
+  if (has_few_records(audit)) all.push_back(few_records_text(audit));
+  if (has_few_outcomes(audit)) {
+    const std::size_t rarer = std::min(audit.exceeded, audit.outcomes - audit.exceeded);
+    all.push_back(fmt::format("only {} of {} {} {}; fewer than {} leave theta and beta uncertain",
+                              rarer, audit.outcomes, audit.counted,
+                              rarer == audit.exceeded ? "exceed" : "do not exceed", kFewOutcomes));
+  }
+  // Small factors are those of weak stripes: nothing is claimed beyond what was recorded.
+  if (audit.factors.any() && audit.factors.above() > 0)
+    all.push_back("scale factors " + audit.factors.text());
+  if (audit.of_capacities && audit.overturned > 0)
+    all.push_back(fmt::format(
+        "{} runs of the IDA overturned; rocking is chaotic, so the capacity of a single record "
+        "depends on the time step and on the intensities tried: prefer multiple stripes",
+        audit.overturned));
+  return all;
+}
+
+std::string median_text(statistics::FragilityStatus status, const statistics::MedianBounds& median,
+                        const ReportUnit& unit) {
+  if (!median.known()) return {};
+  const char* const about = status == statistics::FragilityStatus::kQuasiSeparated ? "about " : "";
+  if (median.low == median.high) return fmt::format("median about {}", in(unit, median.low));
+  if (median.low == 0) return fmt::format("median below {}{}", about, in(unit, median.high));
+  if (std::isinf(median.high)) return fmt::format("median above {}{}", about, in(unit, median.low));
+  return fmt::format("median between {:.3g} and {}", median.low / unit.in_si,
+                     in(unit, median.high));
+}
+
+std::string no_curve_text(statistics::FragilityStatus status,
+                          const statistics::MedianBounds& median, const ReportUnit& unit) {
+  const std::string known = median_text(status, median, unit);
+  return statistics::text(status) + (known.empty() ? "" : ": " + known);
+}
+
+}  // namespace gurney::study

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/analysis/report_unit.h"
+#include "studies/analysis/scale_factors.h"
+#include "studies/statistics/bands.h"
+#include "studies/statistics/fragility.h"
+
+namespace gurney::study {
+
+/// Fewer runs that exceed, or that do not, than ten a parameter of interest do not determine a
+/// regression of outcomes (Peduzzi, Concato, Kemper, Holford & Feinstein 1996, Journal of Clinical
+/// Epidemiology 49(12), 1373-1379).
+inline constexpr std::size_t kFewOutcomes = 10;
+
+/// What a user of a fragility curve has to know of the runs behind it.
+struct CurveAudit {
+  std::optional<double> theta;             ///< none: there is no curve
+  double lowest = 0, highest = 0;          ///< im of the runs
+  bool of_capacities = false;              ///< outcomes are capacities, not runs
+  bool of_demands = false;                 ///< of a cloud: outcomes do not determine the curve
+  const char* counted = "runs";            ///< of capacities: records or analysis cases
+  std::size_t outcomes = 0, exceeded = 0;  ///< of these
+  std::size_t overturned = 0;              ///< runs of an IDA
+  std::size_t records = 0;
+  double effective = 0, fewest = 0;  ///< records, and how many an interval needs; 0: no curve
+  ScaleFactors factors;
+};
+
+/// Whether theta lies outside the intensities of the runs.
+bool is_extrapolated(const CurveAudit& audit);
+
+/// Whether fewer than kFewOutcomes runs exceed, or do not.
+bool has_few_outcomes(const CurveAudit& audit);
+
+/// Whether there are too few effective records for an interval.
+bool has_few_records(const CurveAudit& audit);
+
+/// `fewer than 8 effective records (5 of 5): no usable interval`
+std::string few_records_text(const CurveAudit& audit);
+
+/// Of a curve that is fitted to the outcomes of runs.
+CurveAudit outcome_audit(const statistics::FragilityFit& fit,
+                         const std::vector<statistics::Observation>& observations,
+                         const ScaleFactors& factors);
+
+/// `0.22 to 1.1`; `0.22 to unbounded`; `unbounded (5 records)` where neither end is bounded.
+std::string interval_text(const statistics::Interval& interval, double in_si, int digits,
+                          std::size_t records);
+
+/// A sentence for each reason not to use the curve as it stands, or with care.
+std::vector<std::string> cautions(const CurveAudit& audit, const ReportUnit& unit);
+
+/// `no run exceeds: median above 1.2 g`
+std::string no_curve_text(statistics::FragilityStatus status,
+                          const statistics::MedianBounds& median, const ReportUnit& unit);
+
+/// `median above about 1.2 g`; empty where nothing is known of it.
+std::string median_text(statistics::FragilityStatus status, const statistics::MedianBounds& median,
+                        const ReportUnit& unit);
+
+}  // namespace gurney::study

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/analysis/curve_audit.h"
+#include "studies/analysis/study_data.h"
+#include "studies/statistics/capacity.h"
+#include "studies/statistics/cloud.h"
+#include "studies/statistics/fragility.h"
+
+namespace gurney::study {
+
+/// Demands below this fraction of the limit count as "at most" it: they are noise of an item at
+/// rest (the time step and the settling of the treads), and would dominate a regression of
+/// logarithms. An assumption; 0.01 to 0.0001 is as good.
+inline constexpr double kFloorOfLimit = 1e-3;
+
+/// What a curve is fitted to.
+enum class CurveMethod {
+  kOwn,    ///< capacities after an IDA that the state ended, else outcomes
+  kCloud,  ///< the demands, by regression on the intensities
+};
+
+/// The fragility curve of a limit state and a configuration, without intervals.
+struct FittedCurve {
+  CurveMethod method = CurveMethod::kOwn;
+  std::vector<statistics::Observation> observations;
+  statistics::FragilityFit fit;                       ///< of the outcomes of runs
+  std::vector<statistics::Capacity> brackets;         ///< of an IDA: one for each record; else none
+  std::optional<statistics::CapacityFit> capacities;  ///< of the brackets
+  CurveAudit audit;
+
+  std::vector<statistics::CloudPoint> demands;  ///< where the state is a demand above a limit
+  std::optional<statistics::CloudFit> cloud;    ///< of them
+  std::optional<statistics::LognormalCurve> cloud_curve;
+  Eigen::Matrix2d cloud_covariance = Eigen::Matrix2d::Zero();  ///< of its ln theta, ln beta
+
+  bool by_cloud() const { return method == CurveMethod::kCloud; }
+  bool by_capacities() const { return !by_cloud() && capacities; }
+
+  /// The curve to be used; none: see no_curve().
+  std::optional<statistics::LognormalCurve> curve() const {
+    return by_cloud() ? cloud_curve : capacities ? capacities->curve : fit.curve;
+  }
+  statistics::FragilityStatus status() const {
+    return by_capacities() ? capacities->status : fit.status;
+  }
+  const statistics::MedianBounds& median() const {
+    return by_capacities() ? capacities->median : fit.median;
+  }
+};
+
+/// Why there is no curve, and what is known of the median.
+std::string no_curve_text(const FittedCurve& fitted, const ReportUnit& unit);
+
+/// An IDA gives capacities for the limit state that ends it, over its own measure; for all others
+/// its runs are outcomes like those of stripes.
+FittedCurve fitted_curve(const StudyData& data, std::size_t state, std::size_t configuration,
+                         const RunMeasure& measure, CurveMethod method = CurveMethod::kOwn);
+
+}  // namespace gurney::study

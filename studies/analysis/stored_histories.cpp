@@ -1,0 +1,156 @@
+#include "studies/analysis/stored_histories.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "engine/base/error.h"
+#include "engine/config/nearest_name.h"
+
+namespace gurney::study {
+namespace {
+
+const std::string kGroup = "/histories/";
+
+/// What indexes, names or codes other columns.
+bool is_quantity(const Hdf5Dataset& dataset) {
+  static const std::vector<std::string> others{"time",  "run",   "row",  "offset",
+                                               "count", "start", "mode", "orientation"};
+  return dataset.path.starts_with(kGroup) && dataset.type == "float64" &&
+         std::ranges::find(others, dataset.path.substr(kGroup.size())) == others.end();
+}
+
+/// "displacement" and "x" of "displacement_x".
+std::pair<std::string, std::string> split_axis(const std::string& column) {
+  for (const char* axis : {"x", "y", "z"})
+    if (column.ends_with(std::string("_") + axis))
+      return {column.substr(0, column.size() - 2), axis};
+  return {column, ""};
+}
+
+}  // namespace
+
+/// A study has a column for each axis and a row for each item and time; a run has arrays.
+struct StoredHistories::Layout {
+  explicit Layout(const std::string& path) : file(path) {
+    const auto attributes = file.attributes();
+    const bool known = std::ranges::find(attributes, "filetype") != attributes.end();
+    const std::string type = known ? file.text_attribute("filetype") : "";
+    require(type == "gurney-study" || type == "gurney-results",
+            path + ": not a results file of gurney");
+    of_study = type == "gurney-study";
+    for (const Hdf5Dataset& each : file.datasets()) {
+      if (!is_quantity(each)) continue;
+      const std::string column = each.path.substr(kGroup.size());
+      const auto [name, axis] = of_study ? split_axis(column) : std::pair(column, std::string());
+      if (!datasets.contains(name)) names.push_back(name);
+      datasets[name].push_back(each);
+    }
+  }
+
+  std::vector<double> numbers(const std::string& column) const {
+    return file.numbers(kGroup + column);
+  }
+
+  StoredHistory of_rows(const std::string& name, std::size_t run) const;
+  StoredHistory of_arrays(const std::string& name) const;
+
+  Hdf5Reader file;
+  bool of_study = false;
+  std::vector<std::string> names;
+  std::map<std::string, std::vector<Hdf5Dataset>> datasets;  ///< of each name: one, or its axes
+};
+
+StoredHistory StoredHistories::Layout::of_rows(const std::string& name, std::size_t run) const {
+  const std::vector<Hdf5Dataset>& columns = datasets.at(name);
+  StoredHistory history{name, columns.front().units, "item", {}, {}};
+  const std::vector<double> of_run = numbers("run"), time = numbers("time");
+  const std::vector<std::string> item = file.strings(kGroup + "item");
+  const std::size_t rows = of_run.size();
+  file.require_length({kGroup + "time", kGroup + "item"}, rows);
+  std::vector<std::string> items;
+  for (std::size_t row = 0; row < rows; ++row)
+    if (of_run[row] == static_cast<double>(run) &&
+        std::ranges::find(items, item[row]) == items.end())
+      items.push_back(item[row]);
+  for (const std::string& each : items)
+    for (const Hdf5Dataset& column : columns) {
+      file.require_length({column.path}, rows);
+      const std::vector<double> values = file.numbers(column.path);
+      StoredHistory::Series series{
+          items.size() == 1 ? "" : each, split_axis(column.path.substr(kGroup.size())).second, {}};
+      history.time.clear();
+      for (std::size_t row = 0; row < rows; ++row)
+        if (of_run[row] == static_cast<double>(run) && item[row] == each) {
+          history.time.push_back(time[row]);
+          series.values.push_back(values[row]);
+        }
+      history.series.push_back(std::move(series));
+    }
+  return history;
+}
+
+StoredHistory StoredHistories::Layout::of_arrays(const std::string& name) const {
+  const Hdf5Dataset& dataset = datasets.at(name).front();
+  const auto& scales = dataset.scales;
+  require(scales.size() == dataset.shape.size() && scales.size() >= 2 && scales[0] == "time",
+          fmt::format("{}: {} is no history", file.path(), dataset.path));
+  StoredHistory history{name, dataset.units, scales[1], numbers("time"), {}};
+  const bool vector = scales.back() == "axis";
+  std::vector<std::string> parts{""};
+  if (scales[1] != "axis") parts = file.strings(kGroup + scales[1]);
+  if (scales[1] == "item" && parts.size() == 1) parts = {""};
+  const std::vector<std::string> axes =
+      vector ? file.strings(kGroup + "axis") : std::vector<std::string>{""};
+  const std::vector<double> values = file.numbers(dataset.path);
+  const std::size_t width = parts.size() * axes.size();
+  require(values.size() == history.time.size() * width,
+          fmt::format("{}: {} is not as long as its scales", file.path(), dataset.path));
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      StoredHistory::Series series{parts[part], axes[axis], {}};
+      for (std::size_t i = 0; i < history.time.size(); ++i)
+        series.values.push_back(values[i * width + part * axes.size() + axis]);
+      history.series.push_back(std::move(series));
+    }
+  return history;
+}
+
+StoredHistories::StoredHistories(const std::string& path)
+    : layout_(std::make_unique<Layout>(path)) {}
+StoredHistories::~StoredHistories() = default;
+
+std::vector<std::string> StoredHistories::names() const { return layout_->names; }
+std::string StoredHistories::title() const { return layout_->file.text_attribute("title"); }
+const std::string& StoredHistories::path() const { return layout_->file.path(); }
+
+std::vector<std::size_t> StoredHistories::runs() const {
+  std::vector<std::size_t> runs;
+  if (layout_->names.empty()) return runs;
+  for (const double run : layout_->numbers("run"))
+    if (runs.empty() || runs.back() != static_cast<std::size_t>(run))
+      runs.push_back(static_cast<std::size_t>(run));
+  return runs;
+}
+
+StoredHistory StoredHistories::history(const std::string& name, std::size_t run) const {
+  const std::vector<std::string>& known = layout_->names;
+  require(!known.empty(),
+          path() +
+              ": holds no histories; studies keep them with study.keep.histories, and gurney "
+              "replay writes those of one run");
+  require(std::ranges::find(known, name) != known.end(),
+          fmt::format("{}: no history '{}'{}", path(), name, config::suggestion(name, known)));
+  const std::vector<std::size_t> with = runs();
+  if (std::ranges::find(with, run) == with.end()) {
+    const std::size_t shown = std::min<std::size_t>(with.size(), 10);
+    throw Error(fmt::format("{}: no histories of run {}; it has those of {} runs: {}{}", path(),
+                            run, with.size(),
+                            fmt::join(with.begin(), with.begin() + static_cast<long>(shown), ", "),
+                            shown < with.size() ? ", ..." : ""));
+  }
+  return layout_->of_study ? layout_->of_rows(name, run) : layout_->of_arrays(name);
+}
+
+}  // namespace gurney::study

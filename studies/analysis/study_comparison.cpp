@@ -1,0 +1,272 @@
+#include "studies/analysis/study_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "engine/response/response.h"
+#include "studies/analysis/demands.h"
+#include "studies/statistics/median_interval.h"
+#include "studies/statistics/quantiles.h"
+#include "studies/statistics/two_groups.h"
+
+namespace gurney::study {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// A number for each run of a side.
+using RunValues = std::map<std::size_t, double>;
+
+std::vector<std::size_t> runs_in(const std::vector<std::pair<std::size_t, std::size_t>>& common) {
+  std::vector<std::size_t> runs;
+  for (const auto& [run, group] : common) runs.push_back(run);
+  return runs;
+}
+
+template <class Numbers>
+RunValues by_run(const std::vector<std::size_t>& runs, const Numbers& numbers) {
+  RunValues values;
+  for (std::size_t i = 0; i < runs.size(); ++i) values[runs[i]] = numbers[i];
+  return values;
+}
+
+/// Mean over runs of one pair; NaN where one of them has no number.
+double mean_over(const std::vector<std::size_t>& runs, const RunValues& values) {
+  double sum = 0;
+  for (const std::size_t run : runs) sum += values.at(run);
+  return sum / static_cast<double>(runs.size());
+}
+
+class Comparer {
+ public:
+  Comparer(const ConfigurationView& a, const ConfigurationView& b, const ComparisonOptions& options)
+      : a_(a), b_(b), options_(options) {
+    result_.pairs = pair_runs(a, b);
+    runs_a_ = runs_in(result_.pairs.common_a);
+    runs_b_ = runs_in(result_.pairs.common_b);
+    factors_a_ = scale_factors(*a.data, a.configuration);
+    factors_b_ = scale_factors(*b.data, b.configuration);
+  }
+
+  StudyComparison compare() {
+    count_overturned();
+    choose_measure();
+    compare_states();
+    compare_demands();
+    adjust();
+    return result_;
+  }
+
+ private:
+  bool nothing_random() const { return result_.pairs.group == RunPairs::Group::kNone; }
+
+  /// @returns false where no pair has a number on both sides
+  bool add(ComparedQuantity::Kind kind, const std::string& name, const std::string& units,
+           const RunValues& of_a, const RunValues& of_b);
+  void add_curves(std::size_t state, const RunValues& of_a, const RunValues& of_b);
+  void choose_measure();
+  void compare_states();
+  void compare_demands();
+  void count_overturned();
+  void adjust();
+
+  ConfigurationView a_, b_;
+  const ComparisonOptions& options_;
+  StudyComparison result_;
+  std::vector<std::size_t> runs_a_, runs_b_;
+  RunMeasure im_a_, im_b_;
+  ScaleFactors factors_a_, factors_b_;
+};
+
+bool Comparer::add(ComparedQuantity::Kind kind, const std::string& name, const std::string& units,
+                   const RunValues& of_a, const RunValues& of_b) {
+  std::vector<statistics::Measured> measured_a, measured_b;
+  std::map<std::size_t, int> pairs_of_group;
+  bool one_each = true;
+  for (const RunPairs::Pair& pair : result_.pairs.pairs) {
+    const double value_a = mean_over(pair.a, of_a), value_b = mean_over(pair.b, of_b);
+    if (std::isnan(value_a) || std::isnan(value_b)) continue;
+    measured_a.push_back({value_a, pair.group});
+    measured_b.push_back({value_b, pair.group});
+    if (++pairs_of_group[pair.group] > 1) one_each = false;
+  }
+  if (measured_a.empty()) return false;
+  const statistics::PairedDifference paired =
+      statistics::paired_difference(measured_a, measured_b, options_.confidence, options_.seed);
+  ComparedQuantity row;
+  row.kind = kind;
+  row.name = name;
+  row.units = units;
+  row.groups = static_cast<std::size_t>(paired.pairs);
+  if (kind == ComparedQuantity::Kind::kMedian) {
+    std::map<std::size_t, std::pair<double, double>> sums;
+    for (std::size_t i = 0; i < measured_a.size(); ++i) {
+      sums[measured_a[i].group].first += measured_a[i].value;
+      sums[measured_a[i].group].second += measured_b[i].value;
+    }
+    std::vector<double> values_a, values_b, differences;
+    for (const auto& [group, sum] : sums) {
+      values_a.push_back(sum.first / pairs_of_group[group]);
+      values_b.push_back(sum.second / pairs_of_group[group]);
+      differences.push_back(values_b.back() - values_a.back());
+    }
+    const statistics::MedianInterval median =
+        statistics::median_interval(differences, options_.confidence);
+    row.a = statistics::quantile_of(values_a, 0.5);
+    row.b = statistics::quantile_of(values_b, 0.5);
+    row.difference = median.median;
+    row.interval = median.interval;
+    row.p = paired.p_sign;
+  } else {
+    row.a = paired.mean_a;
+    row.b = paired.mean_b;
+    row.difference = paired.difference;
+    row.interval = paired.interval;
+    if (kind == ComparedQuantity::Kind::kShare && std::isfinite(row.interval.low))
+      row.interval = {std::max(-1.0, row.interval.low), std::min(1.0, row.interval.high)};
+    const bool mcnemar = kind == ComparedQuantity::Kind::kShare && one_each;
+    row.p = mcnemar ? paired.p_sign : paired.p_permutation;
+  }
+  if (nothing_random() || paired.rises + paired.falls == 0) row.p = kNan;
+  result_.quantities.push_back(row);
+  return true;
+}
+
+void Comparer::choose_measure() {
+  if (!options_.measure.empty()) {
+    im_a_ = a_.data->measure(options_.measure);
+    im_b_ = b_.data->measure(options_.measure);
+  } else {
+    const std::vector<RunMeasure> of_a = known_measures(*a_.data), of_b = known_measures(*b_.data);
+    for (const RunMeasure& each : of_a) {
+      const auto same = std::ranges::find(of_b, each.name, &RunMeasure::name);
+      if (same == of_b.end() || !im_a_.name.empty()) continue;
+      im_a_ = each;
+      im_b_ = *same;
+    }
+  }
+  result_.measure = im_a_.name;
+  result_.units = im_a_.units;
+}
+
+void Comparer::add_curves(std::size_t state, const RunValues& of_a, const RunValues& of_b) {
+  const auto observed = [](const auto& common, const RunValues& exceeds,
+                           const std::vector<double>& im) {
+    std::vector<statistics::Observation> seen;
+    for (const auto& [run, group] : common)
+      if (im[run] > 0) seen.push_back({im[run], exceeds.at(run) > 0, group});
+    return seen;
+  };
+  ComparedCurves row;
+  row.state = state;
+  row.name = a_.data->limit_states()[state].name;
+  row.of_a = observed(result_.pairs.common_a, of_a, im_a_.values);
+  row.of_b = observed(result_.pairs.common_b, of_b, im_b_.values);
+  if (row.of_a.empty() || row.of_b.empty()) return;
+  const double first = row.of_a.front().im;
+  const auto is_first = [&](const statistics::Observation& each) { return each.im == first; };
+  if (std::ranges::all_of(row.of_a, is_first) && std::ranges::all_of(row.of_b, is_first)) return;
+  row.a = statistics::fit_fragility(row.of_a);
+  row.b = statistics::fit_fragility(row.of_b);
+  row.audit_a = outcome_audit(row.a, row.of_a, factors_a_);
+  row.audit_b = outcome_audit(row.b, row.of_b, factors_b_);
+  const bool equal = row.a.exceeded + row.b.exceeded == 0 ||
+                     row.a.exceeded + row.b.exceeded == row.a.runs + row.b.runs;
+  row.p = kNan;
+  if (!equal) {
+    const statistics::FragilityComparison seen =
+        statistics::compare_fragilities(row.of_a, row.of_b, options_.resamples, options_.seed);
+    row.likelihood_ratio = seen.likelihood_ratio;
+    if (!nothing_random()) row.p = seen.p_permutation.value_or(kNan);
+  }
+  result_.curves.push_back(std::move(row));
+}
+
+void Comparer::compare_states() {
+  const std::vector<LimitState>&states_a = a_.data->limit_states(),
+        &states_b = b_.data->limit_states();
+  std::set<std::string> common;
+  for (std::size_t i = 0; i < states_a.size(); ++i)
+    for (std::size_t j = 0; j < states_b.size(); ++j) {
+      if (states_a[i].name != states_b[j].name || !same_state(states_a, i, states_b, j)) continue;
+      common.insert(states_a[i].name);
+      const RunValues of_a = by_run(runs_a_, a_.data->exceedances(i, runs_a_));
+      const RunValues of_b = by_run(runs_b_, b_.data->exceedances(j, runs_b_));
+      if (add(ComparedQuantity::Kind::kShare, states_a[i].name, "1", of_a, of_b))
+        result_.quantities.back().words = states_a[i].words;
+      if (!im_a_.name.empty()) add_curves(i, of_a, of_b);
+    }
+  for (const auto* states : {&states_a, &states_b})
+    for (const LimitState& state : *states)
+      if (common.insert(state.name).second)
+        result_.not_common.push_back("limit state " + state.name);
+}
+
+void Comparer::compare_demands() {
+  const auto asked = [&](const ConfigurationView& side) {
+    return options_.demands.empty()
+               ? demands_of(*side.data, side.configuration)
+               : demands_named(*side.data, side.configuration, options_.demands);
+  };
+  const std::vector<NamedDemand> demands_a = asked(a_), demands_b = asked(b_);
+  std::set<std::string> common;
+  for (const NamedDemand& each : demands_a) {
+    const auto other = std::ranges::find(demands_b, each.name, &NamedDemand::name);
+    if (other == demands_b.end()) continue;
+    const RunValues of_a = by_run(runs_a_, values_of_runs(*a_.data, each, runs_a_));
+    const RunValues of_b = by_run(runs_b_, values_of_runs(*b_.data, *other, runs_b_));
+    if (!add(ComparedQuantity::Kind::kMean, each.name, each.units, of_a, of_b)) continue;
+    add(ComparedQuantity::Kind::kMedian, each.name, each.units, of_a, of_b);
+    common.insert(each.name);
+  }
+  for (const auto* demands : {&demands_a, &demands_b})
+    for (const NamedDemand& each : *demands)
+      if (common.insert(each.name).second) result_.not_common.push_back(each.name);
+}
+
+void Comparer::count_overturned() {
+  const std::vector<std::string> outcomes_a = a_.data->file().strings("runs/outcome"),
+                                 outcomes_b = b_.data->file().strings("runs/outcome");
+  const std::string fell = name_of(Outcome::kOverturned);
+  for (const RunPairs::Pair& pair : result_.pairs.pairs) {
+    for (const std::size_t run : pair.a) result_.overturned += outcomes_a[run] == fell;
+    for (const std::size_t run : pair.b) result_.overturned += outcomes_b[run] == fell;
+  }
+}
+
+template <class Row>
+std::size_t adjust_family(const std::vector<Row*>& rows) {
+  std::vector<double> p;
+  for (const Row* row : rows) p.push_back(row->p);
+  const std::vector<double> adjusted = statistics::holm_adjusted(p);
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i]->p_holm = adjusted[i];
+  return static_cast<std::size_t>(
+      std::ranges::count_if(p, [](double each) { return !std::isnan(each); }));
+}
+
+void Comparer::adjust() {
+  const auto tests_of = [this](ComparedQuantity::Kind kind) {
+    std::vector<ComparedQuantity*> family;
+    for (ComparedQuantity& row : result_.quantities)
+      if (row.kind == kind) family.push_back(&row);
+    return adjust_family(family);
+  };
+  std::vector<ComparedCurves*> curves;
+  for (ComparedCurves& row : result_.curves) curves.push_back(&row);
+  result_.tests = {tests_of(ComparedQuantity::Kind::kShare), adjust_family(curves),
+                   tests_of(ComparedQuantity::Kind::kMean),
+                   tests_of(ComparedQuantity::Kind::kMedian)};
+  result_.smallest_p = std::min(1.0, std::exp2(1 - static_cast<double>(result_.pairs.groups)));
+}
+
+}  // namespace
+
+StudyComparison compare_studies(const ConfigurationView& a, const ConfigurationView& b,
+                                const ComparisonOptions& options) {
+  return Comparer(a, b, options).compare();
+}
+
+}  // namespace gurney::study

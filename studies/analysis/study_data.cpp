@@ -1,0 +1,175 @@
+#include "studies/analysis/study_data.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/error.h"
+#include "engine/config/document.h"
+#include "engine/config/nearest_name.h"
+#include "engine/config/table.h"
+#include "engine/response/response.h"
+#include "studies/job/old_names.h"
+#include "studies/plan/study_reader.h"
+
+namespace gurney::study {
+namespace {
+
+/// The table [study] of the job that the file holds; the job's other files are not needed.
+Study study_of(const StudyReader& file) {
+  config::Document document(file.job_text(), file.path() + " (its job)");
+  rename_old_keys(document);
+  config::Table root = document.root();
+  auto table = root.table("study");
+  require(table.has_value(), file.path() + ": its job has no table [study]");
+  return read_study(*table, *document.tree().find("study"));
+}
+
+/// For each record of a file: is it wanted? Empty where none is named.
+std::vector<bool> named_records(const StudyReader& file, const std::vector<std::string>& wanted) {
+  if (wanted.empty()) return {};
+  const std::vector<std::string> names = file.strings("records/name");
+  for (const std::string& name : wanted)
+    require(
+        std::ranges::find(names, name) != names.end(),
+        fmt::format("{}: no record '{}'{}", file.path(), name, config::suggestion(name, names)));
+  std::vector<bool> named;
+  for (const std::string& name : names)
+    named.push_back(std::ranges::find(wanted, name) != wanted.end());
+  return named;
+}
+
+bool is_number(const std::vector<double>& values) {
+  return std::ranges::any_of(values, [](double value) { return !std::isnan(value); });
+}
+
+}  // namespace
+
+StudyData::StudyData(const std::string& path, const AssessmentRequest& request,
+                     const std::vector<std::string>& records, const UnitSystem& units)
+    : file_(std::make_unique<StudyReader>(path)),
+      values_(*file_),
+      study_(study_of(*file_)),
+      units_(units),
+      assessment_(assessment_of(*file_, study_, request)) {
+  configurations_ = file_->strings("configurations/name");
+  runs_.resize(configurations_.size());
+  failed_.resize(configurations_.size());
+  const std::vector<double> configuration = file_->numbers("runs/configuration");
+  const std::vector<double> record = file_->numbers("runs/record");
+  const std::vector<std::string> outcome = file_->strings("runs/outcome");
+  const std::vector<bool> counts = named_records(*file_, records);
+  for (std::size_t run = 0; run < configuration.size(); ++run) {
+    const auto of = static_cast<std::size_t>(configuration[run]);
+    record_.push_back(static_cast<std::size_t>(record[run]));
+    if (!counts.empty() && !counts.at(record_.back())) continue;
+    if (is_failure(outcome[run]))
+      ++failed_.at(of);
+    else
+      runs_.at(of).push_back(run);
+  }
+}
+
+std::vector<std::string> StudyData::measures() const {
+  std::vector<std::string> names;
+  const std::string own = file_->text_attribute("intensity_measure");
+  if (!own.empty()) names.push_back(own);
+  for (const KeptMeasure& kept : study_.measures) {
+    const std::string name = name_of(kept.measure) + " " + name_of(kept.combination);
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  names.insert(names.end(), {"pfa", "pfv"});
+  return names;
+}
+
+RunMeasure StudyData::measure(const std::string& name) const {
+  const std::vector<std::string> names = measures();
+  if (name.empty()) return measure(names.front());
+  require(std::ranges::find(names, name) != names.end(),
+          fmt::format("{}: no intensity measure '{}'{}", file_->path(), name,
+                      config::suggestion(name, names)));
+  if (name == "pfa") return {name, "m/s2", file_->numbers("runs/pfa")};
+  if (name == "pfv") return {name, "m/s", file_->numbers("runs/pfv")};
+  if (name == file_->text_attribute("intensity_measure"))
+    return {name, file_->text_attribute("intensity_units"), file_->numbers("runs/intensity")};
+  const std::vector<double> of_motion = file_->numbers("motions/" + name);
+  RunMeasure measure{name, "", {}};
+  for (const KeptMeasure& kept : study_.measures)
+    if (name == name_of(kept.measure) + " " + name_of(kept.combination))
+      measure.units = groundmotions::si_unit_of(kept.measure);
+  for (const double motion : file_->numbers("runs/motion"))
+    measure.values.push_back(of_motion.at(static_cast<std::size_t>(motion)));
+  require(is_number(measure.values), file_->path() + ": no record has " + name);
+  return measure;
+}
+
+bool StudyData::ends_ida(std::size_t state) const {
+  const IntensityPlan& plan = study_.intensity;
+  return plan.kind == IntensityPlan::Kind::kIda &&
+         same_state(limit_states(), state, study_.limit_states, plan.until);
+}
+
+const statistics::HazardCurve* StudyData::hazard_over(const RunMeasure& measure) const {
+  if (!assessment_.hazard) return nullptr;
+  const SiteHazard& hazard = *assessment_.hazard;
+  if (hazard.measure == measure.name) return &hazard.curve;
+  require(hazard.where.empty(),
+          fmt::format("{}: the hazard is over {}, the curves are over {}; --measure NAME chooses "
+                      "another, {} has {}",
+                      hazard.where, hazard.measure, measure.name, file_->path(),
+                      fmt::join(measures(), ", ")));
+  return nullptr;
+}
+
+std::vector<bool> StudyData::exceedances(std::size_t state,
+                                         const std::vector<std::size_t>& runs) const {
+  std::vector<bool> result;
+  for (const std::size_t run : runs)
+    result.push_back(exceeded(limit_states(), state, values_.of_run(run)));
+  return result;
+}
+
+std::vector<statistics::Observation> StudyData::observations(std::size_t state,
+                                                             std::size_t configuration,
+                                                             const RunMeasure& measure) const {
+  const std::vector<std::size_t>& runs = runs_.at(configuration);
+  const std::vector<bool> exceeds = exceedances(state, runs);
+  const std::vector<double> cases = file_->numbers("runs/analysis_case");
+  std::vector<statistics::Observation> result;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (measure.values[runs[i]] > 0)
+      result.push_back({measure.values[runs[i]], exceeds[i], record_[runs[i]],
+                        static_cast<std::size_t>(cases[runs[i]])});
+  return result;
+}
+
+std::vector<statistics::CloudPoint> StudyData::cloud(std::size_t state, std::size_t configuration,
+                                                     const RunMeasure& measure,
+                                                     double floor) const {
+  const LimitState& limit = limit_states().at(state);
+  const bool sized = limit.kind == LimitState::Kind::kAbove && limit.limit > 0;
+  require(sized, fmt::format("limit state '{}' ({}): a cloud needs a demand above a limit",
+                             limit.name, limit.words));
+  std::vector<statistics::CloudPoint> points;
+  const Quantity overturned{Quantity::Of::kItem, "time_of_overturning", limit.quantity.item, ""};
+  for (const std::size_t run : runs_.at(configuration)) {
+    double demand = 0;
+    for (const double value : values_(run, limit.quantity))
+      if (value > demand) demand = value;
+    bool fell = false;
+    for (const double time : values_(run, overturned)) fell = fell || time >= 0;
+    statistics::CloudPoint point{measure.values[run], std::max(demand, floor),
+                                 statistics::CloudPoint::Known::kExactly, record_[run]};
+    if (fell) {
+      point.known = statistics::CloudPoint::Known::kAtLeast;
+      point.edp = std::max(demand, limit.limit);
+    } else if (demand <= floor) {
+      point.known = statistics::CloudPoint::Known::kAtMost;
+    }
+    if (point.im > 0) points.push_back(point);
+  }
+  return points;
+}
+
+}  // namespace gurney::study

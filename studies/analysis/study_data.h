@@ -1,0 +1,88 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "studies/analysis/assessment.h"
+#include "studies/analysis/file_values.h"
+#include "studies/plan/study.h"
+#include "studies/results/study_reader.h"
+#include "studies/statistics/cloud.h"
+#include "studies/statistics/stripes.h"
+#include "studies/units/unit_system.h"
+
+namespace gurney::study {
+
+/// An intensity measure as a study file has it for each run.
+struct RunMeasure {
+  std::string name;   ///< "PGA geomean", "pfv"
+  std::string units;  ///< SI
+  std::vector<double> values;
+};
+
+/// A study file with what its job states of it, for statistics. Failed runs are never counted.
+class StudyData {
+ public:
+  /// @param records  names of those whose runs count; empty: all
+  /// @throws Error unless it is the results file of a study that can be assessed so
+  explicit StudyData(const std::string& path, const AssessmentRequest& request = {},
+                     const std::vector<std::string>& records = {}, const UnitSystem& units = {});
+
+  const StudyReader& file() const { return *file_; }
+  const Study& study() const { return study_; }
+  const UnitSystem& units() const { return units_; }  ///< to print and draw in
+
+  const std::vector<LimitState>& limit_states() const { return assessment_.limit_states; }
+  const std::vector<std::size_t>& performance() const { return assessment_.performance; }
+
+  /// Whether the study is an IDA that this state ended.
+  bool ends_ida(std::size_t state) const;
+
+  /// The hazard over a measure; none where there is none, or where the job's is over another.
+  /// @throws Error where a file states it over another
+  const statistics::HazardCurve* hazard_over(const RunMeasure& measure) const;
+
+  const std::vector<std::string>& configurations() const { return configurations_; }
+
+  /// Runs of a configuration that did not fail, in order.
+  const std::vector<std::size_t>& runs_of(std::size_t configuration) const {
+    return runs_[configuration];
+  }
+  std::size_t failed(std::size_t configuration) const { return failed_[configuration]; }
+
+  std::size_t record_of(std::size_t run) const { return record_[run]; }
+
+  /// Names of what measure() takes: the study's own measure first.
+  std::vector<std::string> measures() const;
+
+  /// @param name  of measures(); empty: the study's own
+  /// @throws Error with the nearest name
+  RunMeasure measure(const std::string& name) const;
+
+  /// For each of the runs: does it exceed the state?
+  std::vector<bool> exceedances(std::size_t state, const std::vector<std::size_t>& runs) const;
+
+  /// One observation for each run of a configuration. The group is the record.
+  std::vector<statistics::Observation> observations(std::size_t state, std::size_t configuration,
+                                                    const RunMeasure& measure) const;
+
+  /// The demand of a simple state above a limit, run by run: the largest over its items. Runs that
+  /// overturned are at least at the limit or at their demand, whichever is more; runs that moved
+  /// less than `floor` are at most there.
+  /// @throws Error for other kinds of states, and for events, which have no size
+  std::vector<statistics::CloudPoint> cloud(std::size_t state, std::size_t configuration,
+                                            const RunMeasure& measure, double floor) const;
+
+ private:
+  std::unique_ptr<StudyReader> file_;
+  mutable FileValues values_;
+  Study study_;
+  UnitSystem units_;
+  Assessment assessment_;
+  std::vector<std::string> configurations_;
+  std::vector<std::vector<std::size_t>> runs_;
+  std::vector<std::size_t> failed_, record_;
+};
+
+}  // namespace gurney::study

@@ -1,0 +1,291 @@
+#include "studies/job/job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "engine/base/units.h"
+#include "engine/config/table.h"
+#include "engine/scene/perturbed.h"
+#include "equipment/catalogue/file_kind.h"
+#include "equipment/catalogue/levelness.h"
+#include "equipment/catalogue/quantity.h"
+#include "studies/job/items_reader.h"
+#include "studies/job/load_named.h"
+#include "studies/job/old_names.h"
+#include "studies/job/overlap_check.h"
+#include "studies/job/record_reader.h"
+#include "studies/job/room_reader.h"
+#include "studies/job/tether_reader.h"
+
+namespace gurney::study {
+namespace {
+
+using config::Range;
+using config::Table;
+
+constexpr double kLongestRun = 7200;  ///< [s]; the longest records have some 20 min
+constexpr double kMaxSteps = 2e7;
+
+/// Notes each of these keys that is there, as one that `reason` leaves without effect.
+void note_without_effect(Table& table, const std::vector<const char*>& keys,
+                         const std::string& reason, JobReading& job) {
+  for (const char* key : keys)
+    if (table.has(key))
+      job.add([line = fmt::format("{}: {}: has no effect {}", table.where(key), table.name_of(key),
+                                  reason)](JobParts& of_draw, equipment::Sampler&) {
+        of_draw.without_effect.push_back(line);
+      });
+}
+
+/// The key wheels_roll of items without wheels.
+void note_wheels_roll(Table& root, std::vector<Table>& items, JobReading& job) {
+  const auto note = [&](Table& table, std::size_t index) {
+    auto initial = table.table("initial");
+    if (initial && job.stated().scene.items[index].model.casters.empty())
+      note_without_effect(*initial, {"wheels_roll"}, "on an item without casters", job);
+  };
+  if (!root.document().clean()) return;
+  for (std::size_t i = 0; i < items.size(); ++i) note(items[i], i);
+  note(root, 0);
+}
+
+void read_settings(Table& root, JobReading& job) {
+  auto found = root.table("settings");
+  if (!found) return;
+  SimulationSettings settings;
+  Table& in = *found;
+  static const std::vector<std::string> kSolvers = {"implicit", "bullet", "bullet-dantzig",
+                                                    "bullet-paper", "bullet-paper-dantzig"};
+  settings.solver =
+      static_cast<Solver>(in.choice("solver", kSolvers, static_cast<std::size_t>(settings.solver)));
+  settings.time_step =
+      in.number("time_step_s", Range::within(0, 0.02).open_below(), settings.time_step);
+  if (in.has("tolerance"))
+    settings.tolerance = in.number("tolerance", Range::within(0, 0.1).open_below());
+  if (in.has("peak_error"))
+    settings.peak_error = in.number("peak_error", Range::within(0, 0.1).open_below());
+  settings.residual = in.number("residual", Range::within(0, 1e-3).open_below(), settings.residual);
+  settings.max_newton_iterations =
+      in.integer("max_newton_iterations", 4, 1000, settings.max_newton_iterations);
+  settings.max_subdivisions = in.integer("max_subdivisions", 0, 20, settings.max_subdivisions);
+  settings.settle_time =
+      in.number("settle_time_s", Range::within(0, kLongestRun), settings.settle_time);
+  settings.duration =
+      in.number("duration_s", Range::within(0, kLongestRun).open_below(), settings.duration);
+  const double steps = settings.duration / settings.time_step;
+  if (steps > kMaxSteps)
+    in.note("duration_s",
+            fmt::format(" = {:g}: takes {:g} time steps of {:g} s; must take at most {:g}",
+                        settings.duration, steps, settings.time_step, kMaxSteps));
+  settings.rest_speed = in.number("rest_speed_m_per_s", Range::positive(), settings.rest_speed);
+  settings.rest_hold = in.number("rest_hold_s", Range::positive(), settings.rest_hold);
+  if (in.has("follow_overturning")) settings.follow_overturning = in.boolean("follow_overturning");
+  if (in.has("overturn_tilt_deg"))
+    settings.overturn_tilt =
+        in.number("overturn_tilt_deg", Range::within(0, 90).open_below().open_above()) *
+        kRadiansPerDegree;
+  settings.skip_clear_collision_passes =
+      in.boolean("skip_clear_collision_passes", settings.skip_clear_collision_passes);
+  if (settings.solver != Solver::kImplicit)
+    note_without_effect(
+        in,
+        {"tolerance", "peak_error", "residual", "max_newton_iterations", "max_subdivisions",
+         "skip_clear_collision_passes"},
+        "with the solver \"" + kSolvers[static_cast<std::size_t>(settings.solver)] + "\"", job);
+  std::vector<std::string> warnings;
+  for (const char* key : {"settle_time_s", "rest_speed_m_per_s", "rest_hold_s"})
+    if (settings.duration > 0 && in.has(key))
+      warnings.push_back(in.name_of(key) + ": no effect beside duration_s, which ends the run");
+  job.add([settings, warnings](JobParts& of_draw, equipment::Sampler&) {
+    of_draw.settings = settings;
+    of_draw.warnings.insert(of_draw.warnings.end(), warnings.begin(), warnings.end());
+  });
+}
+
+void read_output(Table& root, JobReading& job) {
+  auto table = root.table("output");
+  if (!table) return;
+  const SimulationSettings& settings = job.stated().settings;
+  const bool histories = table->boolean("histories", true);
+  const double spacing = table->number("history_step_s", Range::positive(), settings.history_step);
+  const double steps = std::max(1.0, std::round(spacing / settings.time_step));
+  const double whole = steps * settings.time_step;
+  if (table->has("history_step_s") && std::abs(spacing - whole) > 1e-6 * spacing)
+    table->note("history_step_s",
+                fmt::format(" = {:g}: must be a whole number of time steps of {:g} s, such as {:g}",
+                            spacing, settings.time_step, whole));
+  job.add([step = histories ? whole : 0](JobParts& of_draw, equipment::Sampler&) {
+    of_draw.settings.history_step = step;
+  });
+  if (!histories) note_without_effect(*table, {"history_step_s"}, "with histories = false", job);
+}
+
+/// A member of the scene.
+template <class Value>
+auto scene(Value Scene::*member) {
+  return [member](JobParts& job) -> Value& { return job.scene.*member; };
+}
+
+/// How far the floor is out of level where the job does not state it.
+void use_levelness(JobReading& job) {
+  job.add([usual = equipment::usual_levelness()](JobParts& of_draw, equipment::Sampler& of) {
+    const equipment::Levelness level = usual.sample(of.of_part("floor"));
+    of_draw.scene.slope = level.slope;
+    of_draw.scene.cross_slope = level.cross_slope;
+    add_assumptions(of_draw.assumptions, level.assumptions);
+  });
+}
+
+void read_floor(Table& root, JobReading& job) {
+  auto table = root.table("floor");
+  const bool stated = table && (table->has("slope") || table->has("cross_slope"));
+  if (!stated) use_levelness(job);
+  if (!table) return;
+  equipment::Quantities in(*table);
+  if (stated) {
+    job.set(scene(&Scene::slope), in.number("slope", Range::within(-1, 1), 0.0));
+    job.set(scene(&Scene::cross_slope), in.number("cross_slope", Range::within(-1, 1), 0.0));
+  }
+  job.set(scene(&Scene::gravity),
+          in.number("gravity_m_per_s2", Range::not_negative(), Scene().gravity));
+  if (auto covering = load_named(*table, "covering", equipment::DataKind::kFloor,
+                                 equipment::load_floor_covering))
+    job.add([covering = *std::move(covering)](JobParts& of_draw, equipment::Sampler& of) {
+      of_draw.covering = covering.sample(of.of_part("floor"));
+    });
+}
+
+/// On the rotation of the building's floors.
+void read_rotation_factor(Table& excitation, JobReading& job) {
+  auto building = excitation.table("building");
+  if (!building) return;
+  job.set(&JobParts::rotation_factor,
+          equipment::Quantities(*building).number("rotation_factor", Range::not_negative(), 1.0));
+  const std::optional<RecordRequest>& record = job.stated().record;
+  if (record && record->building && !rotates(record->building->building, record->building->floor))
+    note_without_effect(*building, {"rotation_factor"},
+                        "on a floor that does not rotate: the building has no floor_rotation", job);
+}
+
+std::optional<Draw> read_draw(Table& root) {
+  constexpr int kMax = std::numeric_limits<int>::max();
+  auto table = root.table("uncertainty");
+  if (!table) return {};
+  const int seed = table->integer("seed", 0, kMax, 1);
+  return Draw(static_cast<std::uint64_t>(seed),
+              static_cast<std::uint64_t>(table->integer("draw", 0, kMax)));
+}
+
+/// Keys at the top of a file that belong into one of its tables.
+void note_misplaced(config::Document& document) {
+  constexpr std::pair<const char*, const char*> kPlaces[] = {
+      {"record", "excitation"},      {"building", "excitation"}, {"force", "excitation"},
+      {"drop_weight", "excitation"}, {"covering", "floor"},      {"slope", "floor"},
+      {"equipment", "item"},         {"brakes", "item"},         {"casters", "item"},
+      {"position_m", "item"},        {"duration_s", "settings"}, {"time_step_s", "settings"}};
+  for (const auto& [key, table] : kPlaces)
+    if (const auto found = document.take(key))
+      document.note(found->key_place,
+                    fmt::format("{0}: unknown key; did you mean '{1}.{0}'?", key, table));
+}
+
+JobReading read(config::Document& document) {
+  equipment::refuse_other_kind(document, "gurney-job/1");
+  note_misplaced(document);
+  std::vector<std::string> notes = rename_old_keys(document);
+  Table root = document.root();
+  root.choice("schema", {"gurney-job/1"});
+  document.tree().asked.insert("study");  // is read by StudyJob
+  JobParts fixed;
+  fixed.file = document.path();
+  fixed.text = document.text();
+  fixed.title = root.text("title", "");
+  fixed.warnings = std::move(notes);
+  JobReading job(std::move(fixed));
+
+  read_floor(root, job);
+  equipment::RoomNames names;
+  read_job_room(root, names, job);
+  std::vector<Table> items = read_items(root, names.shapes, job);
+  read_tethers(root, job);
+  if (auto table = root.table("excitation")) {
+    job.add([record = read_record_request(*table)](JobParts& of_draw, equipment::Sampler&) {
+      of_draw.record = record;
+    });
+    read_rotation_factor(*table, job);
+  }
+  read_acting_at_top(root, job);
+  read_settings(root, job);
+  read_output(root, job);
+  note_wheels_roll(root, items, job);
+  furnish(root, items, job);
+  if (document.clean()) {
+    std::vector<config::Spot> positions;
+    for (const Table& item : items) positions.push_back(item.spot("position_m"));
+    job.add(document, [positions](JobParts& of_draw, equipment::Sampler& of) {
+      if (of.clean()) check_overlaps(positions, of_draw.scene, of);
+      if (of.clean())
+        for (std::string& warning : warnings_of_zones(of_draw.scene))
+          of_draw.warnings.push_back(std::move(warning));
+    });
+  }
+  return job;
+}
+
+void note_lines(config::Document& document, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) document.note(Error(line));
+}
+
+}  // namespace
+
+bool draws_anything(const Job& job) {
+  return std::ranges::any_of(job.assumptions, [](const equipment::Assumption& each) {
+    return !each.distribution.empty();
+  });
+}
+
+Job read_job(const std::string& path) {
+  config::Document document(path);
+  return read_job(document);
+}
+
+Job read_job(config::Document& document) {
+  Table root = document.root();
+  const JobReading reading = read(document);
+  const std::optional<Draw> draw = read_draw(root);
+  Job job = reading.stated();
+  note_lines(document, job.without_effect);
+  if (document.clean() && draw) {
+    try {
+      job = sample(reading, draw);
+      if (!draws_anything(job))
+        root.note("uncertainty", ": has no effect: no parameter of the job has a distribution");
+    } catch (const Error& error) {
+      document.note(error);
+    }
+  }
+  document.finish();
+  job.draw = draw;
+  return job;
+}
+
+JobModel::JobModel(config::Document& document)
+    : reading_(std::make_shared<const JobReading>(read(document))) {
+  document.finish();
+}
+
+const Job& JobModel::stated() const { return reading_->stated(); }
+
+Job sample(const JobModel& model, const std::optional<Draw>& draw, std::size_t replica) {
+  Job job = sample(*model.reading_, draw);
+  job.draw = draw;
+  job.scene = replica_of(std::move(job.scene), replica);
+  return job;
+}
+
+}  // namespace gurney::study

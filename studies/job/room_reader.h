@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/config/table.h"
+#include "studies/job/job_parts.h"
+
+namespace gurney::study {
+
+/// The table [room] of a job: a room file, and what the job itself puts there. Errors are noted
+/// in the document.
+void read_job_room(config::Table& root, equipment::RoomNames& names, JobReading& job);
+
+/// Puts the room into the job's scene, gives the materials that nobody stated, and the constants of
+/// each pair that may touch, with what they rest on. A pair without constants is noted.
+/// @param items  as Scene::items; none: there is an error in them
+void furnish(config::Table& root, std::vector<config::Table>& items, JobReading& job);
+
+}  // namespace gurney::study

@@ -1,0 +1,199 @@
+#include "studies/plan/study_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "engine/base/diagnostics.h"
+#include "engine/base/error.h"
+#include "engine/config/overlay.h"
+#include "engine/config/table.h"
+#include "studies/job/old_names.h"
+#include "studies/limit_states/places.h"
+#include "studies/plan/study_reader.h"
+
+namespace gurney::study {
+namespace {
+
+using config::Document;
+using config::FileSnapshot;
+using config::Node;
+
+/// Level of each factor, for every combination; the last factor changes fastest.
+std::vector<std::vector<std::size_t>> all_combinations(const Study& study) {
+  std::vector<std::vector<std::size_t>> all{{}};
+  for (const Factor& factor : study.factors) {
+    std::vector<std::vector<std::size_t>> more;
+    for (const std::vector<std::size_t>& base : all)
+      for (std::size_t level = 0; level < std::max<std::size_t>(1, factor.levels.size()); ++level) {
+        more.push_back(base);
+        more.back().push_back(level);
+      }
+    all = std::move(more);
+  }
+  return all;
+}
+
+/// @param document  takes the errors
+std::vector<Configuration> combined(const Node& job, const Study& study, Document& document) {
+  std::vector<Configuration> all;
+  for (const std::vector<std::size_t>& levels :
+       study.combinations.empty() ? all_combinations(study) : study.combinations) {
+    Configuration next{{}, job};
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      const Factor& factor = study.factors[i];
+      if (factor.levels.empty()) continue;  // an error that is noted
+      const FactorLevel& level = factor.levels[levels[i]];
+      next.levels.push_back(level.name);
+      config::overlay(next.tree, level.patch, "study.factor." + factor.name, document);
+    }
+    all.push_back(std::move(next));
+  }
+  return all;
+}
+
+/// What a study varies by itself must not be stated for one run.
+/// @throws Error with each that is
+void refuse_contradictions(const Document& document, const Job& job, const Study& study) {
+  if (job.settings.peak_error > 0) {
+    const Node* const settings = document.tree().find("settings");
+    const Node* const stated = settings ? settings->find("peak_error") : nullptr;
+    throw Error(document.where(stated ? stated->place : document.tree().place) +
+                ": settings.peak_error: is for single runs; in a study, study.step_check compares "
+                "runs with half the time step");
+  }
+  if (!job.record) {
+    if (study.intensity.kind != IntensityPlan::Kind::kScales || study.angles.size() > 1)
+      throw Error(document.where(document.tree().place) +
+                  ": a study of intensities or angles needs [excitation.record]");
+    return;
+  }
+  const RecordRequest& record = *job.record;
+  Diagnostics errors;
+  const auto refuse = [&](bool wrong, const std::string& message) {
+    if (wrong) errors.add(record.where + ": " + message);
+  };
+  refuse(record.scale_to && study.intensity.kind != IntensityPlan::Kind::kScales,
+         "scale_to must not go with study.intensity, which scales the records");
+  refuse(record.angle != 0 && study.angles.size() > 1,
+         "angle_deg must not go with study.angles_deg");
+  refuse(study.synthetic_records > 0 &&
+             (!record.synthetic || !record.synthetic->values.contains("seed")),
+         "study.synthetic_records needs a synthetic motion that has a seed");
+  refuse(study.synthetic_records > 0 && record.synthetic &&
+             record.synthetic->values.contains("seed") && record.synthetic->values.at("seed") != 1,
+         "study.synthetic_records gives the seeds 1, 2, ...; leave the seed out");
+  errors.raise();
+}
+
+/// Inputs that change nothing in a configuration; they are errors where none needs them.
+class InputsWithoutEffect {
+ public:
+  void meet(const std::vector<std::string>& of_configuration) {
+    for (const std::string& each : std::set(of_configuration.begin(), of_configuration.end()))
+      ++count_[each];
+  }
+  std::vector<std::string> everywhere(std::size_t configurations) const {
+    std::vector<std::string> lines;
+    for (const auto& [line, count] : count_)
+      if (count == configurations) lines.push_back(line);
+    return lines;
+  }
+
+ private:
+  std::map<std::string, std::size_t> count_;
+};
+
+template <class Work>
+void collect(Diagnostics& errors, Work work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    errors.add_new(error.what());
+  }
+}
+
+}  // namespace
+
+void StudyJob::check_limit_states(const Node& study, const Job& job) const {
+  const Node* const stated = study.find("limit_state");
+  if (stated == nullptr) return;
+  const Places places = places_of(job.scene);
+  for (std::size_t i = 0; i < study_.limit_states.size(); ++i) {
+    try {
+      check_names(study_.limit_states[i], places, "the job");
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: study.limit_state[{}]: {}",
+                              document_->where(stated->elements.at(i).place), i, error.what()));
+    }
+  }
+}
+
+StudyJob::StudyJob(const std::string& path)
+    : StudyJob(std::make_unique<FileSnapshot>(), std::make_unique<Document>(path)) {}
+
+StudyJob::StudyJob(const std::string& text, const std::string& path)
+    : StudyJob(std::make_unique<FileSnapshot>(), std::make_unique<Document>(text, path)) {}
+
+StudyJob::StudyJob(std::unique_ptr<FileSnapshot> files, std::unique_ptr<Document> document)
+    : files_(std::move(files)), document_(std::move(document)) {
+  notes_ = rename_old_keys(*document_);
+  Diagnostics errors;  // of all configurations, each line once
+  auto taken = document_->take("study");
+  require(taken.has_value(), file() + ": the job has no table [study]");
+  Node whole;
+  whole.elements.push_back(*taken);
+  Document reading(whole, *document_);
+  bool clean = false;
+  collect(errors, [&] {
+    config::Table root = reading.root();
+    if (auto table = root.table("study"))
+      study_ = read_study(*table, *reading.tree().find("study"));
+    if (const auto uncertainty = document_->take("uncertainty"))
+      reading.note(uncertainty->key_place,
+                   "uncertainty: must not go with [study], which has draws and a seed of its own");
+    configurations_ = combined(document_->tree(), study_, reading);
+    clean = reading.clean();
+    reading.finish();
+  });
+  InputsWithoutEffect without_effect;
+  for (std::size_t i = 0; i < configurations_.size(); ++i)
+    collect(errors, [&] {
+      const FileSnapshot::Scope scope(*files_);
+      Document tree(configurations_[i].tree, *document_);
+      const Job& each = models_.emplace_back(tree).stated();
+      without_effect.meet(each.without_effect);
+      if (!clean) return;
+      refuse_contradictions(*document_, each, study_);
+      check_limit_states(*taken, each);
+    });
+  for (const std::string& line : without_effect.everywhere(configurations_.size()))
+    errors.add_new(line);
+  errors.raise();
+  if (study_.draws > 0 && !draws_anything())
+    throw Error(document_->where(taken->find("draws")->place) +
+                ": study.draws: has no effect: no parameter of the job has a distribution");
+}
+
+bool StudyJob::draws_anything() const {
+  try {
+    for (std::size_t i = 0; i < configurations_.size(); ++i)
+      if (study::draws_anything(job(i, Draw(study_.seed, 0)))) return true;
+    return false;
+  } catch (const Error&) {  // the job without a draw is right, so this draw changed it
+    return true;
+  }
+}
+
+Job StudyJob::job(std::size_t configuration, const std::optional<Draw>& draw,
+                  std::size_t replica) const {
+  return sample(models_.at(configuration), draw, replica);
+}
+
+bool has_study(const std::string& path) { return Document(path).tree().find("study") != nullptr; }
+
+}  // namespace gurney::study

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/config/document.h"
+#include "engine/config/file_snapshot.h"
+#include "studies/job/job.h"
+#include "studies/plan/study.h"
+
+namespace gurney::study {
+
+/// One combination of levels, one of each factor.
+struct Configuration {
+  std::vector<std::string> levels;  ///< names, in the order of the factors
+  config::Node tree;                ///< the job with their patches
+};
+
+/// A job file with a table [study], and the jobs that it stands for. Each is read once, from files
+/// of which each is opened once: an edit while the study runs changes nothing.
+class StudyJob {
+ public:
+  /// @throws Error with every error: of the study, and of the job in any configuration.
+  explicit StudyJob(const std::string& path);
+
+  /// The same from text, such as that kept in a results file.
+  /// @param path  for messages and relative names
+  StudyJob(const std::string& text, const std::string& path);
+
+  const Study& study() const { return study_; }
+  const std::vector<Configuration>& configurations() const { return configurations_; }
+  const std::string& text() const { return document_->text(); }
+  const std::string& file() const { return document_->path(); }
+
+  /// On keys of earlier versions, which are still read.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+  /// The job file and those it names, as they were read. What else belongs to the study is to be
+  /// read in their scope.
+  config::FileSnapshot& files() const { return *files_; }
+
+  /// The job of a configuration. May be called from several threads at once.
+  /// @param draw  none: every parameter has its value
+  /// @param replica  under a change that nobody can measure: number of replica_of(); 0: without
+  /// @throws Error where this draw makes a bad job, such as items that overlap.
+  Job job(std::size_t configuration, const std::optional<Draw>& draw,
+          std::size_t replica = 0) const;
+
+ private:
+  StudyJob(std::unique_ptr<config::FileSnapshot> files, std::unique_ptr<config::Document> document);
+
+  bool draws_anything() const;
+  void check_limit_states(const config::Node& study, const Job& job) const;
+
+  std::unique_ptr<config::FileSnapshot> files_;
+  std::unique_ptr<config::Document> document_;
+  std::vector<std::string> notes_;
+  Study study_;
+  std::vector<Configuration> configurations_;
+  std::vector<JobModel> models_;  ///< as configurations_
+};
+
+/// Whether a job file has a table [study].
+/// @throws Error if it is missing or is not TOML.
+bool has_study(const std::string& path);
+
+}  // namespace gurney::study

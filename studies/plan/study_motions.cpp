@@ -1,0 +1,259 @@
+#include "studies/plan/study_motions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <new>
+#include <utility>
+
+#include "engine/base/error.h"
+#include "engine/base/parallel.h"
+#include "groundmotions/assembly/plausibility.h"
+#include "groundmotions/suites/suite.h"
+#include "studies/job/scale_reader.h"
+
+namespace gurney::study {
+namespace {
+
+/// The floor motions that are kept, in bytes: ten levels of a record of 300 s with 200 samples a
+/// second, five times over.
+constexpr std::size_t kKeptFloors = 128 << 20;
+
+/// A tree as text: two trees that are read alike have the same.
+void write(const config::Node& node, std::string& text) {
+  if (node.elements.empty()) text += describe(node);
+  for (const config::Node& each : node.elements) {
+    text += each.key + '{';
+    write(each, text);
+    text += '}';
+  }
+}
+
+std::string excitation_text(const config::Node& job) {
+  std::string text;
+  if (const config::Node* excitation = job.find("excitation")) write(*excitation, text);
+  return text;
+}
+
+std::string text_of(const std::exception_ptr& problem) {
+  if (!problem) return "";
+  try {
+    std::rethrow_exception(problem);
+  } catch (const std::bad_alloc&) {
+    return "not enough memory for the records";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+groundmotions::Suite suite_of(const RecordRequest& request) {
+  if (request.suite.empty()) return {};
+  groundmotions::Suite suite = groundmotions::read_suite(request.suite, request.options);
+  std::string refused;
+  for (const groundmotions::Refusal& each : suite.refused)
+    refused += fmt::format("{}{}: {}", refused.empty() ? "" : "\n", request.where,
+                           groundmotions::text_of(each));
+  require(refused.empty(), refused);
+  require(!suite.records.empty(), request.where + ": the suite has no records");
+  return suite;
+}
+
+/// SHA-256 and name of each file of a record, one a line.
+std::string files_of(const groundmotions::Record& record) {
+  std::string text;
+  for (const auto& component : record.components) {
+    if (!component || component->sha256.empty()) continue;
+    const std::string line = fmt::format(
+        "{} {}", component->sha256, std::filesystem::path(component->file).filename().string());
+    if (text.find(line) == std::string::npos) text += (text.empty() ? "" : "\n") + line;
+  }
+  return text;
+}
+
+double or_none(const std::function<double()>& value) {
+  try {
+    return value();
+  } catch (const Error&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+}  // namespace
+
+MotionSet::MotionSet(const Job& job, const Study& study, FloorRecords& floors, std::size_t index)
+    : request_(job.record),
+      intensity_(study.intensity),
+      kept_(study.measures),
+      floors_(floors),
+      index_(index) {
+  if (!request_) {
+    names_ = {""};
+  } else if (study.synthetic_records > 0) {
+    for (int seed = 1; seed <= study.synthetic_records; ++seed)
+      names_.push_back(fmt::format("{} {}", request_->synthetic->kind->name, seed));
+  } else {
+    groundmotions::Suite suite = suite_of(*request_);
+    suite_ = std::move(suite.records);
+    notes_ = std::move(suite.notes);
+    std::ranges::move(suite.warnings, std::back_inserter(notes_));
+    for (const groundmotions::SuiteRecord& record : suite_) names_.push_back(record.name);
+    if (suite_.empty()) names_ = {study::ground_record(*request_).name};
+  }
+  slots_ = std::make_unique<Slot[]>(names_.size());
+}
+
+groundmotions::SourceFacts MotionSet::source_of(const groundmotions::Record& record,
+                                                std::size_t index) const {
+  std::vector<groundmotions::NamedFacts> sources;
+  if (!suite_.empty()) sources.push_back(suite_[index].facts);
+  for (const auto& component : record.components)
+    if (component) sources.push_back(component->header);
+  return groundmotions::source_facts(sources);
+}
+
+const GroundMotion& MotionSet::ground(std::size_t record) const {
+  Slot& slot = slots_[record];
+  std::call_once(slot.once, [&] {
+    const auto motion = is_synthetic()
+                            ? ground_record(record)
+                            : std::make_shared<const groundmotions::Record>(read(record));
+    slot.motion = facts_of(record, *motion);
+    if (!is_synthetic()) slot.record = motion;
+  });
+  return slot.motion;
+}
+
+FloorRecords::Shared MotionSet::ground_record(std::size_t record) const {
+  constexpr double kGround = 0;  // no floor has it as scale
+  if (is_synthetic()) return floors_.of({index_, record, kGround}, [&] { return read(record); });
+  ground(record);
+  return slots_[record].record;
+}
+
+groundmotions::Record MotionSet::read(std::size_t record) const {
+  if (!request_) return {};
+  RecordRequest request = *request_;
+  double scale = request.scale;
+  request.suite.clear();
+  if (!suite_.empty()) {
+    request.files = suite_[record].files;
+    request.options = suite_[record].options;
+    scale *= suite_[record].scale;
+  } else if (names_.size() > 1) {
+    request.synthetic->values["seed"] = static_cast<double>(record + 1);
+  }
+  groundmotions::Record motion = study::ground_record(request);
+  motion.name = names_[record];
+  if (request.scale_to) motion = scaled_to(motion, *request.scale_to);
+  if (scale != 1) motion = groundmotions::scaled(std::move(motion), scale);
+  return motion;
+}
+
+GroundMotion MotionSet::facts_of(std::size_t record, const groundmotions::Record& motion) const {
+  GroundMotion facts;
+  if (!request_) {
+    facts.measures.assign(kept_.size(), std::numeric_limits<double>::quiet_NaN());
+    return facts;
+  }
+  facts.files = files_of(motion);
+  facts.processing = motion.processing;
+  facts.duration = motion.time_step() * static_cast<double>(motion.samples());
+  facts.source = source_of(motion, record);
+  facts.record_warnings = facts.warnings = motion.warnings;
+  if (record == 0) facts.warnings.insert(facts.warnings.end(), notes_.begin(), notes_.end());
+  const std::vector<std::string> findings = implausible(motion);
+  require(!request_->refuse_implausible || findings.empty(),
+          fmt::format("{}: record '{}' is not plausible, and plausibility = \"refuse\":\n{}",
+                      request_->where, names_[record], fmt::join(findings, "\n")));
+  facts.warnings.insert(facts.warnings.end(), findings.begin(), findings.end());
+  for (const KeptMeasure& kept : kept_)
+    facts.measures.push_back(
+        or_none([&] { return value_of(kept.measure, kept.combination, motion); }));
+  if (!scaled_by_measure()) return facts;
+  try {
+    facts.intensity = value_of(intensity_.measure, intensity_.combination, motion);
+  } catch (const Error& error) {
+    throw Error(request_->where + ": " + error.what());
+  }
+  require(facts.intensity > 0,
+          fmt::format("{}: record '{}' cannot be scaled: its {} is {:g}", request_->where,
+                      names_[record], name_of(intensity_.measure), facts.intensity));
+  return facts;
+}
+
+double MotionSet::scale_for(std::size_t record, double value) const {
+  return std::pow(value / ground(record).intensity,
+                  1 / groundmotions::scaling_power(intensity_.measure));
+}
+
+FloorRecords::Shared MotionSet::floor_record(std::size_t record, double scale) const {
+  const auto make = [&] {
+    const FloorRecords::Shared ground = ground_record(record);
+    return floor_record_of(
+        scale == 1 ? *ground : groundmotions::scaled(*ground, scale, intensity_.vertical),
+        *request_);
+  };
+  if (request_->building) return floors_.of({index_, record, scale}, make);
+  return std::make_shared<const groundmotions::Record>(make());
+}
+
+FloorMotion MotionSet::floor(std::size_t record, double scale, double angle,
+                             std::vector<std::string>& warnings) const {
+  if (!request_) return {};
+  const FloorRecords::Shared floor = floor_record(record, scale);
+  const std::vector<std::string>& of_ground = ground(record).record_warnings;
+  for (const std::string& warning : floor->warnings)
+    if (std::ranges::find(of_ground, warning) == of_ground.end()) warnings.push_back(warning);
+  return in_floor_axes(*floor, *request_, request_->angle + angle);
+}
+
+std::optional<Motion> MotionSet::motion(std::size_t record, double scale, double angle) const {
+  if (!request_) return {};
+  return as_motion(*floor_record(record, scale), *request_, request_->angle + angle);
+}
+
+StudyMotions::StudyMotions(const StudyJob& job)
+    : floors_(std::make_unique<FloorRecords>(kKeptFloors)) {
+  const config::FileSnapshot::Scope scope(job.files());
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < job.configurations().size(); ++i) {
+    const std::string text = excitation_text(job.configurations()[i].tree);
+    std::size_t found = 0;
+    while (found < texts.size() && texts[found] != text) ++found;
+    if (found == texts.size()) {
+      texts.push_back(text);
+      sets_.push_back(
+          std::make_unique<MotionSet>(job.job(i, {}), job.study(), *floors_, sets_.size()));
+    }
+    of_configuration_.push_back(found);
+  }
+}
+
+void StudyMotions::read_all(int threads) const {
+  std::vector<std::pair<const MotionSet*, std::size_t>> all;
+  for (const auto& set : sets_)
+    for (std::size_t i = 0; i < set->size(); ++i) all.emplace_back(set.get(), i);
+  std::vector<std::exception_ptr> problems(all.size());
+  parallel_for(all.size(), threads, [&](std::size_t i) {
+    try {
+      all[i].first->ground(all[i].second);
+    } catch (...) {  // without memory, not even its text can be kept
+      problems[i] = std::current_exception();
+    }
+  });
+  std::string text;
+  for (const std::exception_ptr& problem : problems) {
+    const std::string each = text_of(problem);
+    if (!each.empty() && text.find(each) == std::string::npos)
+      text += (text.empty() ? "" : "\n") + each;
+  }
+  require(text.empty(), text);
+}
+
+}  // namespace gurney::study

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "studies/run/part_folder.h"
+#include "studies/run/run_task.h"
+#include "studies/run/shard.h"
+
+namespace gurney::study {
+
+/// What is known of a batch on its way.
+struct BatchProgress : RunCounts {          // of the tasks that are done
+  std::size_t tasks = 0, done = 0;          ///< those of earlier attempts included
+  std::size_t tasks_now = 0, runs_now = 0;  ///< of this attempt
+  double seconds = 0;                       ///< of this attempt
+};
+
+/// Runs every task of a shard that the folder lacks, and puts it there. A run that crashed the
+/// program twice (crash_log.h) fails without being tried again.
+/// @param crashes   of this folder
+/// @param shard     the whole of a study with stages, each of which needs all tasks of those before
+/// @param threads   >= 1
+/// @param go_on     false: runs in flight are dropped, what is finished goes to the folder
+/// @param progress  called about twice a second, from one thread at a time
+/// @throws Error where the folder cannot take the parts; finished tasks before that stay in it
+BatchProgress run_batch(const Batch& batch, PartFolder& folder, const CrashLog& crashes,
+                        const Shard& shard, int threads, const std::function<bool()>& go_on,
+                        const std::function<void(const BatchProgress&)>& progress);
+
+}  // namespace gurney::study

@@ -1,0 +1,101 @@
+#include "studies/run/shard_status.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "engine/base/error.h"
+#include "engine/base/files.h"
+#include "studies/run/folder_lock.h"
+#include "studies/run/identity_file.h"
+#include "studies/run/part_file.h"
+#include "studies/run/shard_folders.h"
+#include "studies/run/study_identity.h"
+
+namespace gurney::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What was done since a start, and how long it took. Dates of files would not do: clocks are set.
+struct Attempt {
+  std::size_t runs = 0, tasks = 0;
+  double seconds = 0;
+
+  void add(const TaskResult& result) {
+    runs += result.runs.size();
+    ++tasks;
+    seconds = std::max(seconds, result.cost.ended);
+  }
+};
+
+void add_to_record(RecordTime& record, const TaskResult& result) {
+  record.runs += result.runs.size();
+  record.seconds += result.cost.cpu_seconds;
+}
+
+/// @param identity  of the study whose shards are counted
+ShardStatus status_of(const fs::path& folder, const Shard& shard, const std::string& identity) {
+  const std::size_t tasks = tasks_in(identity);
+  const PartFormat format(identity, tasks);
+  ShardStatus status{.shard = shard, .tasks = shard.tasks_of(tasks), .started = true};
+  status.process = working_process(folder);
+  status.other_study = IdentityFile(folder).identity() != identity;
+  if (status.other_study) return status;
+  std::set<std::size_t> done;
+  std::map<std::uint64_t, Attempt> attempts;
+  for (const std::uint32_t part : part_numbers(folder)) {
+    const fs::path path = part_path(folder, part);
+    const std::string bytes = file_bytes(path);
+    const PartContent content = format.decode(bytes);
+    status.damaged += !content.damage.empty();
+    for (const PartEntry& entry : content.entries) {
+      status.foreign += !shard.has(entry.task);
+      if (!shard.has(entry.task)) continue;
+      if (!done.insert(entry.task).second) continue;
+      const TaskResult result =
+          task_from_bytes(std::string_view(bytes).substr(entry.offset, entry.size));
+      status.counts.add(result);
+      add_to_record(status.records[result.cost.record], result);
+      attempts[result.cost.attempt].add(result);
+    }
+  }
+  status.done = done.size();
+  if (attempts.empty()) return status;
+  const Attempt& last = attempts.rbegin()->second;
+  if (!(last.seconds > 0)) return status;
+  status.runs_per_second = static_cast<double>(last.runs) / last.seconds;
+  status.seconds_per_task = last.seconds / static_cast<double>(last.tasks);
+  return status;
+}
+
+/// The study that most shards are of; of equally many the first.
+std::string identity_of_most(const std::vector<std::pair<Shard, fs::path>>& shards) {
+  std::vector<std::string> identities;
+  for (const auto& [shard, path] : shards) identities.push_back(IdentityFile(path).identity());
+  return *std::ranges::max_element(identities, {}, [&](const std::string& identity) {
+    return std::ranges::count(identities, identity);
+  });
+}
+
+}  // namespace
+
+std::vector<ShardStatus> shard_status(const fs::path& folder) {
+  if (is_there(folder / "study")) return {status_of(folder, {}, IdentityFile(folder).identity())};
+  const auto found = shards_in(folder);
+  const std::string identity = identity_of_most(found);
+  std::vector<ShardStatus> all;
+  for (const auto& [shard, path] : found) all.push_back(status_of(path, shard, identity));
+  if (found.front().first.count != found.back().first.count) return all;
+  const std::size_t count = found.front().first.count;
+  const std::size_t tasks = tasks_in(identity);
+  for (std::size_t number = 1; number <= count; ++number) {
+    const Shard shard{number, count};
+    if (std::ranges::find(all, shard, &ShardStatus::shard) == all.end())
+      all.push_back({.shard = shard, .tasks = shard.tasks_of(tasks)});
+  }
+  std::ranges::sort(all, {}, [](const ShardStatus& each) { return each.shard.number; });
+  return all;
+}
+
+}  // namespace gurney::study

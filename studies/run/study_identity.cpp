@@ -1,0 +1,135 @@
+#include "studies/run/study_identity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <sstream>
+
+#include "engine/base/hash/sha256.h"
+#include "engine/config/document.h"
+#include "studies/build_info/build_info.h"
+#include "studies/plan/data_files.h"
+#include "studies/plan/flat_tree.h"
+
+namespace gurney::study {
+namespace {
+
+using Entries = std::map<std::string, std::string>;
+
+constexpr const char* kJob = "job_sha256";
+constexpr std::size_t kMaxShown = 3;
+
+std::string input_lines(const Batch& batch) {
+  std::string lines;
+  for (std::size_t set = 0; set < batch.motions.sets(); ++set)
+    for (std::size_t i = 0; i < batch.motions.set(set).size(); ++i)
+      lines += record_line(std::to_string(set), batch.motions.set(set).name(i),
+                           batch.motions.set(set).ground(i).files);
+  for (const auto& [name, hash] : data_files(batch.job)) lines += data_file_line(name, hash);
+  return lines;
+}
+
+/// Without the job's text. Records of one name are numbered.
+Entries entries_of(const std::string& identity) {
+  Entries entries;
+  std::istringstream stream(identity);
+  for (std::string line; std::getline(stream, line) && !line.empty();) {
+    const auto cut = std::min(line.find(" = "), line.size());
+    const std::string name = line.substr(0, cut);
+    std::string key = name;
+    for (int number = 2; entries.contains(key); ++number)
+      key = fmt::format("{} ({})", name, number);
+    entries[key] = cut < line.size() ? line.substr(cut + 3) : "";
+  }
+  return entries;
+}
+
+std::string value_in(const Entries& entries, const std::string& key) {
+  const auto found = entries.find(key);
+  return found == entries.end() ? "nothing" : "'" + found->second + "'";
+}
+
+std::string differences(const Entries& theirs, const Entries& ours) {
+  Entries all = theirs;
+  all.insert(ours.begin(), ours.end());
+  std::string text;
+  std::size_t count = 0;
+  for (const auto& [key, ignored] : all) {
+    const std::string there = value_in(theirs, key), here = value_in(ours, key);
+    if (there == here || ++count > kMaxShown) continue;
+    text += fmt::format("{}{}: there {}, here {}", count > 1 ? "; " : "", key, there, here);
+  }
+  return text + (count > kMaxShown ? fmt::format("; and {} more", count - kMaxShown) : "");
+}
+
+Entries keys_of_job(const std::string& text) {
+  Entries entries;
+  flatten(config::Document(text, "the job").tree(), "", entries);
+  return entries;
+}
+
+}  // namespace
+
+std::string job_text_in(const std::string& identity) {
+  const auto end = identity.find("\n\n");
+  return end == std::string::npos ? std::string() : identity.substr(end + 2);
+}
+
+std::string record_line(const std::string& set, const std::string& name, const std::string& files) {
+  std::string on_one_line = files;
+  std::ranges::replace(on_one_line, '\n', ',');
+  return fmt::format("record {}{} = {}\n", name, set == "0" ? "" : " of set " + set, on_one_line);
+}
+
+std::string data_file_line(const std::string& name, const std::string& sha256) {
+  return fmt::format("{} = {}\n", name, sha256);
+}
+
+std::string inputs_from(const std::string& lines, const std::string& job_text) {
+  return fmt::format("{} = {}\n{}\n{}", kJob, sha256(job_text), lines, job_text);
+}
+
+std::string inputs_of(const Batch& batch) {
+  return inputs_from(input_lines(batch), batch.job.text());
+}
+
+std::string identity_of(const Batch& batch) {
+  const build_info::BuildInfo build = build_info::build_info();
+  return inputs_from(
+      fmt::format("{}analysis_cases = {}\nprogram = {} {}\ncpu_class = {}\n", input_lines(batch),
+                  batch.plan.tasks(), build.program_version, build.git_commit, build.cpu_class),
+      batch.job.text());
+}
+
+std::size_t tasks_in(const std::string& identity) {
+  const Entries entries = entries_of(identity);
+  const auto found = entries.find("analysis_cases");
+  const std::string text = found == entries.end() ? "" : found->second;
+  std::size_t tasks = 0;
+  const auto end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, tasks);
+  require(!text.empty() && read.ec == std::errc() && read.ptr == end,
+          "the file 'study' states no number of analysis cases");
+  return tasks;
+}
+
+std::string job_difference(const std::string& theirs, const std::string& ours) {
+  return differences(keys_of_job(theirs), keys_of_job(ours));
+}
+
+std::string difference(const std::string& theirs, const std::string& ours) {
+  Entries there = entries_of(theirs), here = entries_of(ours);
+  const std::string job_there = job_text_in(theirs), job_here = job_text_in(ours);
+  if (!job_there.empty() && !job_here.empty() && there[kJob] != here[kJob]) {
+    const std::string keys = job_difference(job_there, job_here);
+    if (!keys.empty()) return keys + " (in the job)";
+    return fmt::format("the comments or the layout of the job ({})",
+                       differences({{kJob, there[kJob]}}, {{kJob, here[kJob]}}));
+  }
+  const std::string found = differences(there, here);
+  return found.empty() && theirs != ours ? "the order of the records or data files" : found;
+}
+
+}  // namespace gurney::study

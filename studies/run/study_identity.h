@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "studies/run/run_task.h"
+
+namespace gurney::study {
+
+/// What decides a study's numbers, as text: lines `key = value` for the job, each record and each
+/// data file, an empty line, and the job itself.
+std::string inputs_of(const Batch& batch);
+
+/// The same with the program that makes the runs: what must be equal for runs to belong together.
+std::string identity_of(const Batch& batch);
+
+/// The number of analysis cases in identity_of().
+/// @throws Error where it has none
+std::size_t tasks_in(const std::string& identity);
+
+/// From the parts of inputs_of(), such as those that results keep.
+/// @param lines  `key = value`
+std::string inputs_from(const std::string& lines, const std::string& job_text);
+
+std::string record_line(const std::string& set, const std::string& name, const std::string& files);
+std::string data_file_line(const std::string& name, const std::string& sha256);
+
+/// The job's text in it.
+std::string job_text_in(const std::string& identity);
+
+/// How two identities differ: `item.toml: there '1', here '2'`, of a job by the keys that differ;
+/// empty only where they are equal.
+std::string difference(const std::string& theirs, const std::string& ours);
+
+/// The same of two jobs; empty: they differ in nothing that is read.
+std::string job_difference(const std::string& theirs, const std::string& ours);
+
+}  // namespace gurney::study

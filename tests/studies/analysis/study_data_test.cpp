@@ -1,0 +1,78 @@
+#include "studies/analysis/study_data.h"
+
+#include <gmock/gmock.h>
+
+#include "engine/base/units.h"
+#include "tests/studies/analysis/small_study.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/temp_folder.h"
+
+namespace gurney::study {
+namespace {
+
+using testing::ElementsAre;
+
+class StudyDataTest : public testing::Test {
+ protected:
+  StudyData data(const std::vector<SmallRun>& runs) {
+    write_small_study(folder_.file("s.h5"), runs);
+    return StudyData(folder_.file("s.h5"));
+  }
+  TempFolder folder_;
+};
+
+TEST_F(StudyDataTest, FailedRunsAreCountedApart) {
+  const StudyData study = data({{0, 1, 0.2}, {0, 2, 0.2, false, true}, {1, 1, 0.05}});
+  EXPECT_THAT(study.runs_of(0), ElementsAre(0, 2));
+  EXPECT_EQ(study.failed(0), 1);
+}
+
+TEST_F(StudyDataTest, UntrustedRunsAreFailedOnes) {
+  SmallRun untrusted{0, 2, 17.0};
+  untrusted.untrusted = true;
+  const StudyData study = data({{0, 1, 0.2}, untrusted, {1, 1, 0.05}});
+  EXPECT_THAT(study.runs_of(0), ElementsAre(0, 2));
+  EXPECT_EQ(study.failed(0), 1);
+}
+
+TEST_F(StudyDataTest, ObservationsAreTheRunsOfTheItemsAsked) {
+  const StudyData study = data({{0, 1, 0.2}, {0, 2, 0.11, true}, {1, 1, 0.05}});
+  const RunMeasure own = study.measure("");
+  EXPECT_EQ(own.name, "PGA h1");
+  const auto moved = study.observations(0, 0, own);
+  ASSERT_EQ(moved.size(), 3);
+  EXPECT_TRUE(moved[0].exceeded);
+  EXPECT_FALSE(moved[2].exceeded);
+  EXPECT_EQ(moved[2].group, 1);
+  EXPECT_EQ(moved[1].im, 2);
+  // The fall at 0 s counts: -1, not 0, is "never". Combined: both of its parts.
+  EXPECT_THAT(study.exceedances(1, {0, 1, 2}), ElementsAre(false, true, false));
+  EXPECT_THAT(study.exceedances(2, {0, 1, 2}), ElementsAre(false, true, false));
+}
+
+TEST_F(StudyDataTest, CloudsCensorWhatFellAndWhatStood) {
+  const StudyData study = data({{0, 1, 0.2}, {1, 2, 0.04, true}, {2, 1, 0.0}});
+  const auto points = study.cloud(0, 0, study.measure(""), 1e-4);
+  ASSERT_EQ(points.size(), 3);
+  EXPECT_EQ(points[0].known, statistics::CloudPoint::Known::kExactly);
+  EXPECT_EQ(points[0].edp, 0.2);
+  EXPECT_EQ(points[1].known, statistics::CloudPoint::Known::kAtLeast);
+  EXPECT_EQ(points[1].edp, 0.1);  // the limit: it fell before it had gone so far
+  EXPECT_EQ(points[2].known, statistics::CloudPoint::Known::kAtMost);
+  EXPECT_ERROR(study.cloud(1, 0, study.measure(""), 1e-4), "a cloud needs a demand above a limit");
+}
+
+TEST_F(StudyDataTest, NamesTheNearestMeasure) {
+  const StudyData study = data({{0, 1, 0.2}});
+  EXPECT_ERROR(study.measure("PGA h2"), "no intensity measure 'PGA h2'; did you mean 'PGA h1'?");
+}
+
+TEST_F(StudyDataTest, RefusesFilesOfSingleRuns) {
+  Hdf5Writer file(folder_.file("one.h5"));
+  file.set_attribute("/", "filetype", std::string("gurney-results"));
+  file.finish();
+  EXPECT_ERROR(StudyData(folder_.file("one.h5")), "is not a results file of a study");
+}
+
+}  // namespace
+}  // namespace gurney::study

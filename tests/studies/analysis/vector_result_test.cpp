@@ -1,0 +1,99 @@
+#include "studies/analysis/vector_result.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "engine/base/random/normal_draw.h"
+#include "studies/figures/vector_figure.h"
+#include "studies/report/vector_report.h"
+#include "tests/studies/analysis/made_study.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/temp_folder.h"
+
+namespace gurney::study {
+namespace {
+
+using testing::HasSubstr;
+
+/// 300 runs of 30 records at two levels; `moved` follows the level and, by `power`, the floor's
+/// velocity.
+std::vector<MadeRun> runs(double power) {
+  std::vector<MadeRun> all;
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    const auto normal = [&](std::uint64_t stream) {
+      return normal_quantile(uniform_draw(7, stream, i));
+    };
+    MadeRun run{.record = i % 30, .level = 1.0 + static_cast<double>(i % 2)};
+    run.pfv = std::exp(0.5 * normal(1));
+    run.displacement = 0.07 * run.level * std::pow(run.pfv, power) * std::exp(0.3 * normal(2));
+    all.push_back(run);
+  }
+  return all;
+}
+
+class VectorResultTest : public testing::Test {
+ protected:
+  StudyData data(const std::vector<MadeRun>& all) {
+    std::vector<std::string> records;
+    for (int i = 0; i < 30; ++i) records.push_back("r" + std::to_string(i));
+    const MadeStudy study{.job = made_job(), .records = records, .files = {}, .runs = all};
+    const std::string path = folder_.file(std::to_string(++files_) + ".h5");
+    study.write(path);
+    return StudyData(path);
+  }
+  TempFolder folder_;
+  int files_ = 0;
+};
+
+TEST_F(VectorResultTest, TwoMeasuresThatBothTellMakeOne) {
+  const StudyData study = data(runs(1));
+  const VectorResult found = vector_of(study, 0, 0, {"PGA h1", "pfv"});
+  ASSERT_EQ(found.fit.status, statistics::VectorStatus::kFitted);
+  EXPECT_EQ(found.fit.runs, 300);
+  EXPECT_EQ(found.fit.groups, 30);
+  // ln displacement = ln level + ln pfv + 0.3 z: slopes 1 / 0.3, within 4 standard errors.
+  for (const Eigen::Index i : {0, 1})
+    EXPECT_NEAR(found.fit.plane[i], 1 / 0.3, 4 * std::sqrt(found.fit.cluster_covariance(i, i)));
+  EXPECT_GT(found.alone[0].curve->beta, 1.3 * found.fit.beta());
+  EXPECT_GT(found.fit.log_likelihood, found.alone[0].log_likelihood + 20);
+  const std::string text = report::vector_report(study, {found});
+  EXPECT_THAT(text, HasSubstr("a = PGA h1 [g], b = pfv [m/s]"));
+  EXPECT_THAT(text, HasSubstr("moved: each adds information to the other; together they are one "
+                              "measure (PGA h1)^"));
+  EXPECT_THAT(report::vector_json({found}), HasSubstr("\"share\""));
+  const std::string figure = figures::vector_figure(study, {found});
+  EXPECT_THAT(figure, HasSubstr("pfv (m/s)"));
+  EXPECT_EQ(figure.find("nan"), std::string::npos);
+}
+
+TEST_F(VectorResultTest, AMeasureThatAddsNothingIsNamed) {
+  const StudyData study = data(runs(0));
+  const VectorResult found = vector_of(study, 0, 0, {"pfv", "PGA h1"});
+  EXPECT_GT(found.fit.p_of(0), 0.001) << "once in 1000";
+  EXPECT_LT(found.fit.p_of(1), 1e-6);
+  EXPECT_THAT(report::vector_report(study, {found}),
+              HasSubstr("pfv adds nothing beyond chance to PGA h1"));
+}
+
+TEST_F(VectorResultTest, SaysWhatIsMissing) {
+  std::vector<MadeRun> all = runs(1);
+  all[3].pfv = std::nan("");
+  all[4].failed = true;
+  const StudyData study = data(all);
+  const VectorResult found = vector_of(study, 0, 0, {"PGA h1", "pfv"});
+  EXPECT_EQ(found.fit.runs, 298);
+  EXPECT_THAT(report::vector_report(study, {found}),
+              HasSubstr("; 1 runs lack a measure; 1 runs failed"));
+  const VectorResult fell = vector_of(study, 1, 0, {"PGA h1", "pfv"});
+  EXPECT_THAT(report::vector_report(study, {fell}), HasSubstr("no run exceeds"));
+  EXPECT_THAT(report::vector_json({fell}), HasSubstr("\"plane\": null"));
+  EXPECT_THAT(figures::vector_figure(study, {fell}), HasSubstr("no fit"));
+  EXPECT_ERROR(vector_of(study, 0, 0, {"PGA h1", "pfw"}),
+               "no intensity measure 'pfw'; did you mean 'pfa'?");
+  EXPECT_ERROR(vector_of(study, 0, 0, {"", "PGA h1"}),
+               "the second measure must not be the first, PGA h1");
+}
+
+}  // namespace
+}  // namespace gurney::study
