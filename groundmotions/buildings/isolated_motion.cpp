@@ -19,19 +19,30 @@ double load(const Isolation& isolation, double vertical) {
 
 }  // namespace
 
+IsolatedMotion::ModeState::ModeState(const Mode& mode, double effective_mass, double time_step)
+    : mass(effective_mass),
+      step(time_step),
+      viscosity(2 * mode.damping * mode.omega),
+      stiffness(mode.omega * mode.omega),
+      share(1 / (1 + step / 2 * (viscosity + step / 2 * stiffness))),
+      shape(mode.effective_shape),
+      rotation(mode.effective_rotation) {
+  if (rotation.size() == 0) rotation = Eigen::VectorXd::Zero(shape.size());
+}
+
 IsolatedMotion::IsolatedMotion(const Isolation& isolation, const std::array<ModalAxis, 2>& axes,
                                double time_step)
     : isolation_(isolation), h_(time_step) {
   assert(time_step > 0 && isolation.base_mass_ratio > 0 && isolation.base_mass_ratio < 1);
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    free_mass_[axis] = 1;
+    double inertia = free_mass_[axis] = 1;
     for (const Mode& mode : axes[axis]) {
       const double mass = (1 - isolation.base_mass_ratio) * mode.effective_mass;
-      Eigen::VectorXd rotation = mode.effective_rotation;
-      if (rotation.size() == 0) rotation = Eigen::VectorXd::Zero(mode.effective_shape.size());
-      modes_[axis].push_back({mode.omega, mode.damping, mass, mode.effective_shape, rotation});
+      const ModeState& state = modes_[axis].emplace_back(mode, mass, h_);
       free_mass_[axis] -= mass;
+      inertia -= mass * state.share;
     }
+    inertia_[static_cast<Eigen::Index>(axis)] = inertia;
     assert(free_mass_[axis] > 0);
   }
 }
@@ -68,48 +79,36 @@ void IsolatedMotion::step(const Vector3& ground0, const Vector3& ground1) {
   const double uy = isolation_.yield_displacement;
 
   // Modes eliminated: A increment = b - n q mean(z), A diagonal.
-  Vector2 a, b, mass;
-  for (int axis = 0; axis < 2; ++axis) {
-    double inertia = 1, known = 0;
-    for (const ModeState& mode : modes_[static_cast<std::size_t>(axis)]) {
-      const double d = 1 + mode.damping * mode.omega * h_ + std::pow(mode.omega * h_ / 2, 2);
-      inertia -= mode.mass / d;
-      known += mode.mass / d * mode.omega *
-               (2 * mode.damping * mode.w + mode.omega * (mode.q + h_ / 2 * mode.w));
-    }
-    mass[axis] = inertia;
-    a[axis] = 2 * inertia / (h_ * h_) + isolation_.viscosity / h_ + stiffness / 2;
-    b[axis] = known - stiffness * u_[axis] - inertia * (ground[axis] - 2 * v_[axis] / h_);
-  }
+  const Vector2 a =
+      (2 / (h_ * h_) * inertia_.array() + isolation_.viscosity / h_ + stiffness / 2).matrix();
+  Vector2 b = -stiffness * u_ - inertia_.cwiseProduct(ground - 2 / h_ * v_);
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    for (const ModeState& mode : modes_[axis])
+      b[static_cast<Eigen::Index>(axis)] += mode.mass * mode.share * mode.pull();
 
+  // A fixed point of the push. The last increment is that of the last push, so the energies close
+  // whatever the tolerance.
   const double slope = n * isolation_.fast_strength / (2 * uy);
+  const Vector2 softness = (a.array() + slope).inverse().matrix();
   Vector2 increment = h_ * v_, push = Vector2::Zero();
   Sliding sliding{z_, z_};
   for (int i = 0; i < kMaxIterations; ++i) {
     sliding = slide(z_, increment / uy);
     push = n * isolation_.strength(increment.norm() / h_) * sliding.mean;
-    const Vector2 next = ((b - push + slope * increment).array() / (a.array() + slope)).matrix();
+    const Vector2 next = softness.cwiseProduct(b - push + slope * increment);
     const double change = (next - increment).norm();
     increment = next;
     if (change <= kTolerance * (increment.norm() + h_ * v_.norm())) break;
   }
-  sliding = slide(z_, increment / uy);
-  push = n * isolation_.strength(increment.norm() / h_) * sliding.mean;
 
-  const Vector2 mean_velocity = increment / h_;
-  const Vector2 acceleration = 2 * (mean_velocity - v_) / h_;
+  const Vector2 acceleration = 2 / h_ * (increment / h_ - v_);
   energy_.input -= ground.dot(increment);
   energy_.restoring += stiffness * (u_ + increment / 2).dot(increment);
   energy_.hysteresis += push.dot(increment);
   energy_.damping += isolation_.viscosity * increment.squaredNorm() / h_;
-  for (int axis = 0; axis < 2; ++axis) {
-    double moved = 0;
-    for (const ModeState& mode : modes_[static_cast<std::size_t>(axis)])
-      moved -= mode.mass * mode.q;
-    move_modes(axis, ground[axis] + acceleration[axis]);
-    for (const ModeState& mode : modes_[static_cast<std::size_t>(axis)])
-      moved += mode.mass * mode.q;
-    energy_.input -= ground[axis] * moved;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    energy_.input -= ground[i] * move_modes(axis, ground[i] + acceleration[i]);
   }
   u_ += increment;
   v_ += h_ * acceleration;
@@ -118,17 +117,16 @@ void IsolatedMotion::step(const Vector3& ground0, const Vector3& ground1) {
   lifted_ = lifted_ || !(n > 0);
 }
 
-void IsolatedMotion::move_modes(int axis, double base_acceleration) {
-  for (ModeState& mode : modes_[static_cast<std::size_t>(axis)]) {
-    const double d = 1 + mode.damping * mode.omega * h_ + std::pow(mode.omega * h_ / 2, 2);
-    const double known =
-        mode.omega * (2 * mode.damping * mode.w + mode.omega * (mode.q + h_ / 2 * mode.w));
-    const double mean_velocity = mode.w - h_ / 2 * (base_acceleration + known) / d;
+double IsolatedMotion::move_modes(std::size_t axis, double base_acceleration) {
+  double moved = 0;
+  for (ModeState& mode : modes_[axis]) {
+    const double mean_velocity = mode.w - h_ / 2 * (base_acceleration + mode.pull()) * mode.share;
     mode.q += h_ * mean_velocity;
     mode.w += 2 * (mean_velocity - mode.w);
-    energy_.damping +=
-        mode.mass * 2 * mode.damping * mode.omega * mean_velocity * mean_velocity * h_;
+    moved += mode.mass * h_ * mean_velocity;
+    energy_.damping += mode.mass * mode.viscosity * mean_velocity * mean_velocity * h_;
   }
+  return moved;
 }
 
 Vector2 IsolatedMotion::force() const {
@@ -184,7 +182,7 @@ IsolationEnergy IsolatedMotion::energy() const {
   for (int axis = 0; axis < 2; ++axis)
     for (const ModeState& mode : modes_[static_cast<std::size_t>(axis)]) {
       energy.kinetic += mode.mass * mode.w * (v_[axis] + mode.w / 2);
-      energy.strain += mode.mass * std::pow(mode.omega * mode.q, 2) / 2;
+      energy.strain += mode.mass * mode.stiffness * mode.q * mode.q / 2;
     }
   return energy;
 }

@@ -67,20 +67,30 @@ class IsolatedMotion {
   IsolationEnergy energy() const;
 
  private:
+  /// A mode with what the midpoint rule needs of it: with d = 1 + zeta omega h + (omega h / 2)^2 its
+  /// mean velocity in a step is w - (h / 2) (a_base + pull) / d.
   struct ModeState {
-    double omega, damping, mass;
-    Eigen::VectorXd shape, rotation;  ///< rotation: at every floor
-    double q = 0, w = 0;
+    ModeState(const Mode& mode, double effective_mass, double time_step);
 
-    double absolute_acceleration() const { return -(2 * damping * w + omega * q) * omega; }
+    double absolute_acceleration() const { return -(viscosity * w + stiffness * q); }
+    double pull() const { return (viscosity + step / 2 * stiffness) * w + stiffness * q; }
+
+    double mass, step;
+    double viscosity;                 ///< 2 zeta omega [1/s]
+    double stiffness;                 ///< omega^2 [1/s2]
+    double share;                     ///< 1 / d
+    Eigen::VectorXd shape, rotation;  ///< at every floor
+    double q = 0, w = 0;
   };
 
-  void move_modes(int axis, double base_acceleration);
+  /// @returns sum of m_i times the increments of q_i [m]
+  double move_modes(std::size_t axis, double base_acceleration);
 
   Isolation isolation_;
   double h_;
   std::array<std::vector<ModeState>, 2> modes_;
   std::array<double, 2> free_mass_;  ///< not in the modes: base floor and modes left out
+  Vector2 inertia_;                  ///< 1 - sum_i m_i / d_i: of the base, modes eliminated
   Vector2 u_ = Vector2::Zero(), v_ = Vector2::Zero(), z_ = Vector2::Zero();
   double load_ = 1;  ///< n at the end of the last step
   bool lifted_ = false;

@@ -10,6 +10,7 @@
 namespace gurney::groundmotions {
 
 double Isolation::strength(double speed) const {
+  if (fast_strength == slow_strength) return fast_strength;
   return fast_strength - (fast_strength - slow_strength) * std::exp(-strength_rate * speed);
 }
 
