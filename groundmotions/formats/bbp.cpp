@@ -9,7 +9,6 @@
 #include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/time_column.h"
-#include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {

@@ -8,7 +8,6 @@
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
-#include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {
@@ -22,9 +21,9 @@ bool starts_channel(std::string_view line) {
   return upper(line.substr(0, 20)).starts_with("* VOL");
 }
 
-class ChannelReader {
+class BhrcReader {
  public:
-  ChannelReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
+  BhrcReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
       : file_(file), options_(options), errors_(errors), fields_(file, errors) {}
 
   /// @param line  index from 0 of the channel's first line, of the line behind it afterwards
@@ -130,7 +129,7 @@ bool recognises_bhrc(const SourceFile& file) {
 /// @throws Error for other volumes, a wrong count, an unknown unit or text among the samples.
 std::vector<Component> read_bhrc(const SourceFile& file, const ReadOptions& options) {
   FileErrors errors(file);
-  ChannelReader reader(file, options, errors);
+  BhrcReader reader(file, options, errors);
   std::vector<Component> components;
   for (std::size_t line = 0; line < file.lines().size() && !errors.any();) {
     const auto text = trimmed(file.lines()[line]);

@@ -4,7 +4,6 @@
 #include <string_view>
 #include <vector>
 
-#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/source_file.h"
 
 namespace gurney::groundmotions {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "groundmotions/formats/plain_rows.h"
 #include "groundmotions/record/record.h"
 
 namespace gurney::groundmotions {
@@ -48,5 +50,21 @@ bool names_ordinate(const ColumnTitle& title, bool beside_time);
 /// the other way round; the sign is turned of a vertical that points down. To be called when the
 /// samples are there.
 void orient(const ColumnTitle& title, const std::optional<Direction>& stated, Component& component);
+
+/// The titles of a table as the last lines of its text give them: in one row, `Time[s] Accel[g]`,
+/// or with a row of units below or above them, `Time,Acc` and `[s],[g]` or `s,g`.
+struct TableTitles {
+  std::vector<ColumnTitle> titles;  ///< one for each column, or none
+  std::vector<std::size_t> lines;   ///< of the header (from 0) that they are made of
+  std::size_t line = 1;             ///< in the file, from 1, of the last of them
+  bool are_components = false;      ///< a line says so: `components: E N Z`
+
+  bool any() const { return !titles.empty(); }
+};
+
+/// @param count  columns of the table
+/// Sentences and statements of as many words (`Units: g`, `cm/s2; dt=0.01`) are no titles. Without
+/// titles a line such as `components: E N Z` names the columns but a first one of times.
+TableTitles table_titles(const PlainRows& rows, std::size_t count);
 
 }  // namespace gurney::groundmotions

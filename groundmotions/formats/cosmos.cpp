@@ -1,21 +1,296 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "engine/base/units.h"
 #include "groundmotions/formats/calendar.h"
-#include "groundmotions/formats/cosmos_channel.h"
-#include "groundmotions/formats/cosmos_codes.h"
+#include "groundmotions/formats/fortran_fields.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/readers.h"
+#include "groundmotions/formats/source_file.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/words.h"
+#include "groundmotions/record/acceleration_unit.h"
 
 namespace gurney::groundmotions {
 
 namespace {
+
+/// Codes of the COSMOS Strong Motion Data Format, version 1.20 (2001), tables 1, 2 and 8.
+
+inline constexpr int kCosmosCounts = 50;
+
+inline constexpr int kCosmosUp = 400, kCosmosDown = 401, kCosmosVertical = 402;
+
+struct Code {
+  int code;
+  const char* meaning;
+};
+
+constexpr std::array kQuantities = {
+    Code{1, "acceleration"},          Code{2, "velocity"},
+    Code{3, "absolute displacement"}, Code{4, "relative displacement"},
+    Code{10, "angular acceleration"}, Code{11, "angular velocity"},
+    Code{12, "angular displacement"}, Code{20, "absolute pressure"},
+    Code{21, "relative pressure"},    Code{30, "volumetric strain"},
+    Code{31, "linear strain"}};
+
+constexpr std::array kStructures = {Code{5, "the base of a building"},
+                                    Code{10, "a building"},
+                                    Code{11, "a bridge"},
+                                    Code{12, "a dam"},
+                                    Code{13, "a wharf"},
+                                    Code{14, "a tunnel"},
+                                    Code{15, "a lifeline structure"},
+                                    Code{20, "a structure"}};
+
+constexpr std::array kOrientations = {Code{kCosmosUp, "up"},
+                                      Code{kCosmosDown, "down"},
+                                      Code{kCosmosVertical, "vertical, its sense not stated"},
+                                      Code{500, "radial, inward"},
+                                      Code{501, "transverse, 90 degrees clockwise from radial"},
+                                      Code{600, "longitudinal, relative to the structure"},
+                                      Code{601, "tangential, relative to the structure"},
+                                      Code{700, "H1, azimuth unknown"},
+                                      Code{701, "H2, azimuth unknown"},
+                                      Code{2000, "other, described in the comments"}};
+
+struct UnitCode {
+  int code;
+  AccelerationUnit unit;
+};
+
+constexpr double kMetersPerInch = 0.0254;  // international inch, exact
+
+constexpr std::array kUnits = {UnitCode{2, {"g", kStandardGravity}},
+                               UnitCode{4, {"cm/s2", 0.01}},
+                               UnitCode{7, {"in/s2", kMetersPerInch}},
+                               UnitCode{10, {"cm/s2", 0.01}},
+                               UnitCode{11, {"mg", 1e-3 * kStandardGravity}},
+                               UnitCode{12, {"micro g", 1e-6 * kStandardGravity}}};
+
+template <std::size_t N>
+const char* meaning(const std::array<Code, N>& codes, int code) {
+  for (const Code& entry : codes)
+    if (entry.code == code) return entry.meaning;
+  return nullptr;
+}
+
+/// Table 1: what integer 2 of the header says was measured: "acceleration", "velocity", ...;
+/// nullptr for an unknown code.
+const char* cosmos_quantity(int code) { return meaning(kQuantities, code); }
+
+/// Table 6: the structure that integer 19 of the header says a station is in: "a bridge"; nullptr
+/// for the free field and unknown codes.
+const char* cosmos_structure(int code) { return meaning(kStructures, code); }
+
+/// Table 8: what a code above 360 says of a sensor's orientation: "up", "radial", ...; nullptr for
+/// an unknown code.
+const char* cosmos_orientation(int code) { return meaning(kOrientations, code); }
+
+/// Table 2: units of acceleration of integer 3 of the header; nothing for all others.
+std::optional<AccelerationUnit> cosmos_unit(int code) {
+  for (const UnitCode& entry : kUnits)
+    if (entry.code == code) return entry.unit;
+  return {};
+}
+
+/// The samples of a channel and the line that announces them: "7000 raw acceleration pts, approx
+/// 70 secs, units=cm/sec2(04),Format=(8f10.3)".
+struct CosmosSeries {
+  std::size_t line = 0;          ///< index from 0 of that line
+  std::string text;              ///< that line, in capitals
+  std::optional<int> unit_code;  ///< in its brackets
+  std::vector<double> values;
+};
+
+/// One channel of a COSMOS file as it stands there: text, integer and real header, comments,
+/// series.
+struct CosmosChannel {
+  std::size_t first_line = 0;     ///< index from 0
+  std::vector<std::string> text;  ///< in capitals
+  std::vector<double> integers, reals;
+  double unknown_integer = -999, unknown_real = -999;  ///< what stands for "unknown"
+  std::string
+      code;  ///< SEED code of the comment "<SCNL>STATION.CODE.NETWORK.LOCATION"; may be empty
+  std::vector<CosmosSeries> series;  ///< at least one
+
+  /// A number of the header, counted from 1 as the format's definition does; nothing if it is not
+  /// known.
+  std::optional<double> integer(std::size_t number) const;
+  std::optional<double> real(std::size_t number) const;
+};
+
+constexpr double kMaxNumbers = 1e8;
+
+/// The format behind "Format=" of a line in capitals.
+std::optional<FortranFormat> format_in(std::string_view text) {
+  const auto at = text.rfind("FORMAT");
+  if (at == kNone) return {};
+  const auto open = text.find('(', at);
+  if (open == kNone) return {};
+  return fortran_format(text.substr(open, text.find(')', open) - open + 1));
+}
+
+/// The code in "units=cm/sec2(04)", "units=g.     (02)" or "units= counts(50)".
+std::optional<int> unit_code_in(std::string_view text) {
+  const auto units = text.find("UNIT");
+  const auto open = units == kNone ? kNone : text.find('(', units);
+  if (open == kNone) return {};
+  const auto code = number(text.substr(open + 1, text.find(')', open) - open - 1));
+  return code && *code >= 0 && *code < 1000 ? std::optional(static_cast<int>(*code)) : std::nullopt;
+}
+
+/// Whether a line is the first of a COSMOS channel: "... (Format v01.20 with 13 text lines) ...".
+bool starts_cosmos_channel(std::string_view line) {
+  const std::string text = upper(line.substr(0, 200));
+  return text.find("(FORMAT V") != kNone && text.find("TEXT LINES)") != kNone;
+}
+
+class CosmosChannels {
+ public:
+  CosmosChannels(const SourceFile& file, FileErrors& errors)
+      : file_(file), errors_(errors), fields_(file, errors) {}
+
+  std::vector<CosmosChannel> read() {
+    std::vector<CosmosChannel> channels;
+    for (skip_ends(); !at_end() && !errors_.any(); skip_ends()) {
+      channels.emplace_back();
+      read_channel(channels.back());
+    }
+    return channels;
+  }
+
+ private:
+  bool at_end() const { return line_ >= file_.lines().size(); }
+  std::string text() const { return at_end() ? "" : upper(file_.lines()[line_].substr(0, 200)); }
+
+  void skip_ends() {
+    while (!at_end()) {
+      const std::string line = text();
+      const bool is_end = line.starts_with("END-OF-DATA") || line.starts_with("/&") ||
+                          line.find("END OF DATA") != kNone;
+      if (!is_end && !trimmed(line).empty()) return;
+      ++line_;
+    }
+  }
+
+  void error(const std::string& what) {
+    const std::string found = at_end() ? "the end of the file" : "'" + text().substr(0, 60) + "'";
+    errors_.add(std::min(line_ + 1, file_.lines().size()), 1, what + ", got " + found);
+  }
+
+  void read_channel(CosmosChannel& channel) {
+    channel.first_line = line_;
+    const std::string first = text();
+    const auto lines = number_after(first, " WITH");
+    if (!starts_cosmos_channel(first) || !lines || !(*lines >= 1 && *lines <= 100))
+      return error("a channel must begin with a line '(Format vNN.NN with NN text lines)'");
+    for (double i = 0; i < *lines && !at_end(); ++i, ++line_) channel.text.push_back(text());
+    read_unknowns(channel);
+    read_numbers("INTEGER", channel.integers);
+    read_numbers("REAL", channel.reals);
+    read_comments(channel);
+    if (!errors_.any()) read_all_series(channel);
+  }
+
+  /// The last line of text ends with "-999, -999.0", the values for what is not known.
+  static void read_unknowns(CosmosChannel& channel) {
+    if (channel.text.empty()) return;
+    const std::string& line = channel.text.back();
+    auto rest = trimmed(std::string_view(line).substr(line.rfind(':') + 1));
+    const auto integer = take_number(rest);
+    if (!integer) return;
+    rest = trimmed(rest.starts_with(',') ? rest.substr(1) : rest);
+    channel.unknown_integer = *integer;
+    channel.unknown_real = take_number(rest).value_or(channel.unknown_real);
+  }
+
+  std::optional<std::size_t> count_of(std::string_view line) {
+    line = trimmed(line);
+    const auto count = take_number(line);
+    if (!count || !(*count >= 0 && *count <= kMaxNumbers && *count == std::floor(*count)))
+      return {};
+    return static_cast<std::size_t>(*count);
+  }
+
+  void read_numbers(const std::string& kind, std::vector<double>& numbers) {
+    if (errors_.any()) return;
+    const std::string line = text();
+    const auto count = count_of(line);
+    const auto format = format_in(line);
+    if (!count || !format || line.find(kind) == kNone)
+      return error(fmt::format("expected 'NNN {}-header values follow on NN lines, Format=(...)'",
+                               kind == "REAL" ? "Real" : "Integer"));
+    ++line_;
+    numbers = fields_.read(line_, *count, *format, EmptyField::kZero, "numbers of the header");
+  }
+
+  void read_comments(CosmosChannel& channel) {
+    const std::string line = text();
+    if (errors_.any() || line.find("COMMENT") == kNone) return;
+    const auto count = count_of(line);
+    if (!count) return error("expected 'NN Comment line(s) follow'");
+    const std::size_t end = std::min(line_ + 1 + *count, file_.lines().size());
+    for (++line_; line_ < end; ++line_) {
+      const std::string comment = text();
+      const auto at = comment.find("<SCNL>");
+      if (at == kNone) continue;
+      const auto parts = words_of(std::string_view(comment).substr(at + 6), ". \t");
+      if (parts.size() > 1) channel.code = parts[1];
+    }
+  }
+
+  bool is_announcement(const std::string& line) {
+    return count_of(line) && (line.find("UNIT") != kNone || line.find("PTS") != kNone) &&
+           format_in(line);
+  }
+
+  void read_all_series(CosmosChannel& channel) {
+    if (!is_announcement(text()))
+      return error("expected 'NNNN acceleration pts, approx NN secs, units=...(NN),Format=(...)'");
+    while (!errors_.any() && is_announcement(text())) {
+      CosmosSeries series{.line = line_, .text = text(), .unit_code = {}, .values = {}};
+      series.unit_code = unit_code_in(series.text);
+      ++line_;
+      series.values = fields_.read(line_, *count_of(series.text), *format_in(series.text),
+                                   EmptyField::kError, "samples");
+      if (!errors_.any())
+        check_enough(static_cast<double>(series.values.size()), series.line + 1, errors_);
+      channel.series.push_back(std::move(series));
+    }
+  }
+
+  const SourceFile& file_;
+  FileErrors& errors_;
+  FieldReader fields_;
+  std::size_t line_ = 0;
+};
+
+std::optional<double> known(const std::vector<double>& values, std::size_t number, double unknown) {
+  if (number > values.size()) return {};
+  const double value = values[number - 1];
+  return std::isnan(value) || value == unknown ? std::nullopt : std::optional(value);
+}
+
+std::optional<double> CosmosChannel::integer(std::size_t number) const {
+  return known(integers, number, unknown_integer);
+}
+
+std::optional<double> CosmosChannel::real(std::size_t number) const {
+  return known(reals, number, unknown_real);
+}
+
+/// All channels of a file. Counts are checked against the numbers that are there.
+std::vector<CosmosChannel> cosmos_channels(const SourceFile& file, FileErrors& errors) {
+  return CosmosChannels(file, errors).read();
+}
 
 constexpr double kMillisecond = 1e-3;
 constexpr double kMicrovolt = 1e-6;
@@ -34,9 +309,9 @@ std::string quantity_of(const CosmosChannel& channel, const CosmosSeries& series
   return "something its header does not name";
 }
 
-class ChannelReader {
+class CosmosComponents {
  public:
-  ChannelReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
+  CosmosComponents(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
       : file_(file), options_(options), errors_(errors) {}
 
   Component component_of(const CosmosChannel& channel, const CosmosSeries& series) {
@@ -270,7 +545,7 @@ std::vector<Component> read_cosmos(const SourceFile& file, const ReadOptions& op
   errors.throw_if_any();
   std::vector<Component> components;
   std::string others;
-  ChannelReader reader(file, options, errors);
+  CosmosComponents reader(file, options, errors);
   for (const CosmosChannel& channel : channels) {
     for (const CosmosSeries& series : channel.series) {
       const std::string quantity = quantity_of(channel, series);

@@ -4,14 +4,12 @@
 #include <array>
 #include <optional>
 
-#include "groundmotions/formats/end_mark.h"
-#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/header_text.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/readers.h"
+#include "groundmotions/formats/source_file.h"
 #include "groundmotions/formats/stated.h"
-#include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "groundmotions/formats/calendar.h"
-#include "groundmotions/formats/column_table.h"
+#include "groundmotions/formats/fortran_fields.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
-#include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "groundmotions/formats/end_mark.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/readers.h"

@@ -3,55 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
-#include "groundmotions/formats/foreign_file.h"
+#include "engine/base/utf8.h"
 #include "groundmotions/formats/plain_rows.h"
-#include "groundmotions/formats/readable.h"
 #include "groundmotions/formats/readers.h"
 #include "groundmotions/record/acceleration_unit.h"
 #include "groundmotions/record/time_step_range.h"
 
 namespace gurney::groundmotions {
-
-const std::vector<Format>& formats() {
-  static const std::vector<Format> table = {
-      {.name = "SAC",
-       .recognises = recognises_sac,
-       .read = read_sac,
-       .is_binary = true,
-       .takes_counts = true},
-      {"USGS SMC", recognises_smc, read_smc},
-      {"GeoNet", recognises_geonet, read_geonet},
-      {"UNAM", recognises_unam, read_unam},
-      {"CWB", recognises_cwb, read_cwb},
-      {"NSMN", recognises_nsmn, read_nsmn},
-      {.name = "COSMOS",
-       .recognises = recognises_cosmos,
-       .read = read_cosmos,
-       .takes_counts = true},
-      {"USC volume", recognises_usc, read_usc},
-      {"CSMIP volume", recognises_csmip, read_csmip},
-      {"BHRC volume", recognises_bhrc, read_bhrc},
-      {"USC blocks", recognises_usc_blocks, read_usc_blocks},
-      {"K-NET", recognises_knet, read_knet},
-      {"CSMNC", recognises_csmnc, read_csmnc},
-      {"ESM", recognises_esm, read_esm},
-      {"SIMBAD", recognises_simbad, read_simbad},
-      {"PEER AT2", recognises_peer_at2, read_peer_at2},
-      {"BBP", recognises_bbp, read_bbp},
-      {"EMOD3D", recognises_emod3d, read_emod3d},
-      {"columns CSV", recognises_columns_csv, read_columns_csv},
-      {.name = "plain text",
-       .recognises = recognises_plain_text,
-       .read = read_plain_text,
-       .takes_counts = true,
-       .takes_columns = true},
-  };
-  return table;
-}
 
 namespace {
 
@@ -127,7 +90,102 @@ void make_readable(Component& component) {
   for (std::string& warning : component.warnings) warning = readable(warning);
 }
 
+using namespace std::string_view_literals;
+
+constexpr std::string_view kConvert =
+    "; save the acceleration as text, one column for each component";
+
+struct Mark {
+  std::string_view start;
+  std::string_view what;
+};
+
+constexpr Mark kMarks[] = {
+    {"PK\x03\x04"sv, "a zip archive; unpack it first"},
+    {"\x1f\x8b"sv, "a gzip archive; unpack it first"},
+    {"BZh"sv, "a bzip2 archive; unpack it first"},
+    {"\xfd\x37zXZ\0"sv, "an xz archive; unpack it first"},
+    {"7z\xbc\xaf\x27\x1c"sv, "a 7z archive; unpack it first"},
+    {"Rar!"sv, "a rar archive; unpack it first"},
+    {"\x89HDF\r\n\x1a\n"sv, "an HDF5 file, not a record"},
+    {"MATLAB 5.0 MAT-file"sv, "a MATLAB file, not a record"},
+    {"\x93NUMPY"sv, "a NumPy array, not a record"},
+    {"\x89PNG"sv, "a picture, not a record"},
+    {"\xff\xd8\xff"sv, "a picture, not a record"},
+    {"GIF8"sv, "a picture, not a record"},
+    {"%PDF"sv, "a PDF document, not a record"},
+    {"\xd0\xcf\x11\xe0"sv, "an old Excel or Word file, not a record"},
+    {"\xff\xfe"sv, "text in UTF-16, not in UTF-8; save it as plain text"},
+    {"\xfe\xff"sv, "text in UTF-16, not in UTF-8; save it as plain text"},
+    {"<!DOCTYPE html"sv, "a web page, not a record: the download may have failed"},
+    {"<html"sv, "a web page, not a record: the download may have failed"},
+};
+
+std::string xml_kind(std::string_view bytes) {
+  const auto head = bytes.substr(0, 4000);
+  if (head.find("FDSNStationXML") != head.npos)
+    return "a StationXML file: it describes a station and holds no motion";
+  if (head.find("quakeml") != head.npos)
+    return "a QuakeML file: it describes an earthquake and holds no motion";
+  return "an XML file, not a record";
+}
+
+/// The fixed header of miniSEED 2 (FDSN SEED manual 2.4, chapter 8): six digits of a sequence
+/// number, a quality letter, a blank; of miniSEED 3: "MS" and the number 3.
+bool is_miniseed(std::string_view bytes) {
+  if (bytes.starts_with("MS\x03")) return true;
+  return bytes.size() >= 48 &&
+         std::ranges::all_of(bytes.substr(0, 6),
+                             [](unsigned char c) { return std::isdigit(c) != 0; }) &&
+         "DRQM"sv.find(bytes[6]) != bytes.npos && (bytes[7] == ' ' || bytes[7] == '\0') &&
+         std::ranges::any_of(bytes.substr(8, 40), [](char c) { return c == '\0'; });
+}
+
+unsigned byte_at(std::string_view text, std::size_t i) {
+  return static_cast<unsigned char>(text[i]);
+}
+
+/// C0, DEL and C1 of Unicode.
+bool is_control(unsigned code) { return code < 0x20 || (code >= 0x7f && code < 0xa0); }
+
 }  // namespace
+
+const std::vector<Format>& formats() {
+  static const std::vector<Format> table = {
+      {.name = "SAC",
+       .recognises = recognises_sac,
+       .read = read_sac,
+       .is_binary = true,
+       .takes_counts = true},
+      {"USGS SMC", recognises_smc, read_smc},
+      {"GeoNet", recognises_geonet, read_geonet},
+      {"UNAM", recognises_unam, read_unam},
+      {"CWB", recognises_cwb, read_cwb},
+      {"NSMN", recognises_nsmn, read_nsmn},
+      {.name = "COSMOS",
+       .recognises = recognises_cosmos,
+       .read = read_cosmos,
+       .takes_counts = true},
+      {"USC volume", recognises_usc, read_usc},
+      {"CSMIP volume", recognises_csmip, read_csmip},
+      {"BHRC volume", recognises_bhrc, read_bhrc},
+      {"USC blocks", recognises_usc_blocks, read_usc_blocks},
+      {"K-NET", recognises_knet, read_knet},
+      {"CSMNC", recognises_csmnc, read_csmnc},
+      {"ESM", recognises_esm, read_esm},
+      {"SIMBAD", recognises_simbad, read_simbad},
+      {"PEER AT2", recognises_peer_at2, read_peer_at2},
+      {"BBP", recognises_bbp, read_bbp},
+      {"EMOD3D", recognises_emod3d, read_emod3d},
+      {"columns CSV", recognises_columns_csv, read_columns_csv},
+      {.name = "plain text",
+       .recognises = recognises_plain_text,
+       .read = read_plain_text,
+       .takes_counts = true,
+       .takes_columns = true},
+  };
+  return table;
+}
 
 std::vector<Component> read_components(const std::filesystem::path& path,
                                        const ReadOptions& options) {
@@ -162,6 +220,44 @@ std::vector<Component> read_components(const SourceFile& file, const ReadOptions
     check_amplitudes(component);
   }
   return components;
+}
+
+std::optional<std::string> foreign_file(std::string_view bytes) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  if (bytes.starts_with("PK\x03\x04") && bytes.find("[Content_Types].xml") != bytes.npos)
+    return "an Excel or Word file, not a record" + std::string(kConvert);
+  for (const Mark& mark : kMarks)
+    if (bytes.starts_with(mark.start)) {
+      const bool is_told =
+          mark.what.find(';') != mark.what.npos || mark.what.find(':') != bytes.npos;
+      return std::string(mark.what) + std::string(is_told ? "" : kConvert);
+    }
+  if (bytes.starts_with("<?xml")) return xml_kind(bytes);
+  if (is_miniseed(bytes))
+    return "a miniSEED file, not a record Gurney reads: its samples are counts; remove the "
+           "response "
+           "and save it as SAC or text (for example with ObsPy)";
+  return {};
+}
+
+std::string readable(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    const unsigned byte = byte_at(text, 0);
+    const unsigned code = length == 2 ? (byte & 0x1f) << 6 | (byte_at(text, 1) & 0x3f) : byte;
+    if (length <= 2 && is_control(code)) {
+      result += ' ';
+    } else if (length > 0) {
+      result += text.substr(0, length);
+    } else {  // Latin-1 has the first 256 codes of Unicode
+      result += static_cast<char>(0xc0 | byte >> 6);
+      result += static_cast<char>(0x80 | (byte & 0x3f));
+    }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return result;
 }
 
 }  // namespace gurney::groundmotions

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "groundmotions/formats/source_file.h"
@@ -47,5 +48,13 @@ const std::vector<Format>& formats();
 std::vector<Component> read_components(const std::filesystem::path& path,
                                        const ReadOptions& options = {});
 std::vector<Component> read_components(const SourceFile& file, const ReadOptions& options = {});
+
+/// Names a file that is known well but is no record (an archive, an HDF5 file, XML, a picture,
+/// ...), by its first bytes, and what to do about it; nothing for any other.
+std::optional<std::string> foreign_file(std::string_view bytes);
+
+/// `text` in UTF-8 on one line: bytes that are no UTF-8 are taken as Latin-1, as in station names
+/// of older files, and control characters become blanks.
+std::string readable(std::string_view text);
 
 }  // namespace gurney::groundmotions

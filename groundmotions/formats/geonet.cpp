@@ -10,7 +10,6 @@
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
-#include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {
@@ -22,9 +21,9 @@ constexpr std::size_t kCountLine = 9, kUnitLine = 10, kFilterLine = 11, kNameLin
                       kPeakLine = 13;  // of the text, from 0
 constexpr double kLargestCount = 1e8;
 
-class BlockReader {
+class GeonetReader {
  public:
-  BlockReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
+  GeonetReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
       : file_(file), options_(options), errors_(errors), fields_(file, errors) {}
 
   std::vector<Component> read() {
@@ -196,7 +195,7 @@ bool recognises_geonet(const SourceFile& file) {
 ///         are no numbers, and a file that ends early or late.
 std::vector<Component> read_geonet(const SourceFile& file, const ReadOptions& options) {
   FileErrors errors(file);
-  auto components = BlockReader(file, options, errors).read();
+  auto components = GeonetReader(file, options, errors).read();
   errors.throw_if_any();
   return components;
 }

@@ -11,7 +11,6 @@
 
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
-#include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {

@@ -6,8 +6,7 @@
 #include <string>
 
 #include "groundmotions/formats/calendar.h"
-#include "groundmotions/formats/column_table.h"
-#include "groundmotions/formats/end_mark.h"
+#include "groundmotions/formats/fortran_fields.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/readers.h"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string>
 
 #include "groundmotions/formats/words.h"
 
@@ -17,6 +18,13 @@ bool is_sign(char c) { return c == '+' || c == '-'; }
 bool is_bare_exponent(std::string_view text) {
   return text.size() >= 4 && is_sign(text[0]) && is_digit(text[1]) && is_digit(text[2]) &&
          is_digit(text[3]) && (text.size() == 4 || is_sign(text[4]));
+}
+
+bool is_end_mark(std::string_view line) {
+  return std::ranges::any_of(words_of(line, " \t\v\f\x1a,;*-=#%.!"), [](std::string_view word) {
+    const std::string text = lower(word);
+    return text == "end" || text == "eof" || text.starts_with("end_");
+  });
 }
 
 }  // namespace
@@ -113,6 +121,22 @@ void NumberReader::check_end() const {
               fmt::format("the file ends within a line and its last number {}: the file seems to "
                           "be cut",
                           is_short ? "is shorter than all others" : "ends left of its column"));
+}
+
+std::size_t data_end(const SourceFile& file, std::size_t first) {
+  std::size_t last = file.lines().size();
+  const auto skip_blanks = [&] {
+    while (last > first && is_blank(file.lines()[last - 1])) --last;
+  };
+  for (skip_blanks(); last > first && is_end_mark(file.lines()[last - 1]); skip_blanks()) --last;
+  return last;
+}
+
+void read_to_end(const SourceFile& file, std::size_t first, NumberReader& reader) {
+  const std::size_t end = data_end(file, first);
+  for (std::size_t i = first; i < end; ++i) reader.read_line(i);
+  const auto rest = file.lines().begin() + static_cast<std::ptrdiff_t>(end);
+  if (std::all_of(rest, file.lines().end(), is_blank)) reader.check_end();
 }
 
 }  // namespace gurney::groundmotions

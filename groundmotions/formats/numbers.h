@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "engine/base/number_text.h"
-#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/source_file.h"
 
 namespace gurney::groundmotions {
@@ -57,5 +56,12 @@ class NumberReader {
   bool is_flush_right_ = false;              ///< words of several lengths end in the same columns
   bool all_in_columns_ = true, last_in_columns_ = true;  ///< all lines but the last; the last
 };
+
+/// The line (from 0) behind the last one of data, from `first` on: blank lines and lines with the
+/// word `end` or `eof`, such as "*** End Data ***", may follow.
+std::size_t data_end(const SourceFile& file, std::size_t first);
+
+/// Reads all lines from `first` to data_end() and checks whether they were cut.
+void read_to_end(const SourceFile& file, std::size_t first, NumberReader& reader);
 
 }  // namespace gurney::groundmotions

@@ -5,16 +5,16 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "groundmotions/formats/end_mark.h"
-#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/header_text.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/plain_rows.h"
 #include "groundmotions/formats/readers.h"
+#include "groundmotions/formats/source_file.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/time_column.h"
 #include "groundmotions/formats/words.h"
+#include "groundmotions/formats/writers.h"
 #include "groundmotions/record/acceleration_unit.h"
 
 namespace gurney::groundmotions {
@@ -301,6 +301,18 @@ std::vector<Component> read_peer_at2(const SourceFile& file, const ReadOptions& 
   if (header.samples.line != kNone)
     component.header.emplace_back("samples", trimmed(file.lines()[header.samples.line]));
   return {component};
+}
+
+std::string at2_text(const Component& component, const std::string& title,
+                     const std::string& event) {
+  std::string text = fmt::format(
+      "{}\n{}, {}\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= {:6}, DT= {:.10g} SEC\n", title,
+      event, component.name, component.acceleration.size(), component.time_step);
+  for (Eigen::Index i = 0; i < component.acceleration.size(); ++i)
+    text += fmt::format("{:16.7E}{}", component.acceleration[i] / kStandardGravity,
+                        i % 5 == 4 ? "\n" : "");
+  if (text.back() != '\n') text += "\n";
+  return text;
 }
 
 }  // namespace gurney::groundmotions

@@ -7,10 +7,10 @@
 
 #include "engine/base/units.h"
 #include "groundmotions/formats/calendar.h"
-#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/readers.h"
+#include "groundmotions/formats/source_file.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/record/acceleration_unit.h"
 

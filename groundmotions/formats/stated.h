@@ -3,8 +3,8 @@
 #include <optional>
 #include <string_view>
 
-#include "groundmotions/formats/file_errors.h"
 #include "groundmotions/formats/format.h"
+#include "groundmotions/formats/source_file.h"
 #include "groundmotions/record/acceleration_unit.h"
 #include "groundmotions/record/time_step_range.h"
 

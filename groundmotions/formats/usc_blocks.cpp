@@ -8,7 +8,6 @@
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
-#include "groundmotions/formats/unit_text.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "groundmotions/record/acceleration_unit.h"
+
 /// Words and numbers within the lines of a header.
 namespace gurney::groundmotions {
 
@@ -36,5 +38,19 @@ std::optional<double> number_after(std::string_view line, std::string_view key);
 
 /// The text in the first () or [], blanks around it apart; empty if there is none.
 std::string_view in_brackets(std::string_view text);
+
+/// The unit of acceleration that a header line names somewhere, letter case apart: "UNITS: G)",
+/// "SEC AND G/10.", "in cm/sec2.". A tenth of g is "g/10".
+std::optional<AccelerationUnit> unit_in(std::string_view line);
+
+/// Seconds in a unit of time: s, sec, seconds, ms, msec, milliseconds, us, min, minutes; nothing
+/// for any other.
+std::optional<double> time_unit(std::string_view spelling);
+
+/// A factor right behind a unit: "x 10" of ") x 10", "/1000", "* 1e3"; empty if there is none.
+std::string_view factor_behind(std::string_view unit_end);
+
+/// "velocity" or "displacement" if that is what the unit measures, else nothing.
+std::optional<std::string_view> other_quantity(std::string_view unit);
 
 }  // namespace gurney::groundmotions

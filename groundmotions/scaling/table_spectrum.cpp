@@ -7,7 +7,7 @@
 #include "engine/base/csv_row.h"
 #include "engine/base/number_text.h"
 #include "engine/base/units.h"
-#include "groundmotions/formats/file_errors.h"
+#include "groundmotions/formats/source_file.h"
 #include "groundmotions/scaling/target_spectrum.h"
 
 namespace gurney::groundmotions {

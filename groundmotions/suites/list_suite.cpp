@@ -11,7 +11,7 @@
 #include "engine/base/files.h"
 #include "engine/base/number_text.h"
 #include "engine/config/nearest_name.h"
-#include "groundmotions/formats/file_errors.h"
+#include "groundmotions/formats/source_file.h"
 #include "groundmotions/record/acceleration_unit.h"
 #include "groundmotions/record/time_step_range.h"
 

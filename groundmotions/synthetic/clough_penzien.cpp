@@ -8,7 +8,7 @@
 
 #include "engine/base/random/normal_draw.h"
 #include "engine/base/units.h"
-#include "groundmotions/formats/columns_csv.h"
+#include "groundmotions/formats/writers.h"
 #include "groundmotions/measures/oscillator.h"
 #include "groundmotions/synthetic/end_state.h"
 

@@ -9,7 +9,7 @@
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "engine/config/document.h"
-#include "groundmotions/formats/at2_text.h"
+#include "groundmotions/formats/writers.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/inline_table.h"
 #include "studies/cli/new_folder.h"

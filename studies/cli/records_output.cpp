@@ -8,7 +8,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/printable.h"
-#include "groundmotions/formats/columns_csv.h"
+#include "groundmotions/formats/writers.h"
 #include "studies/cli/signals.h"
 #include "studies/results/output_files.h"
 

@@ -1,9 +1,8 @@
-#include "groundmotions/formats/at2_text.h"
-
 #include <gtest/gtest.h>
 
 #include "engine/base/units.h"
 #include "groundmotions/formats/readers.h"
+#include "groundmotions/formats/writers.h"
 
 namespace gurney::groundmotions {
 namespace {

@@ -1,9 +1,7 @@
-#include "groundmotions/formats/columns_csv_facts.h"
-
 #include <gmock/gmock.h>
 
 #include "engine/base/units.h"
-#include "groundmotions/formats/columns_csv.h"
+#include "groundmotions/formats/writers.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::groundmotions {

@@ -1,10 +1,9 @@
-#include "groundmotions/formats/columns_csv.h"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
 
 #include "engine/base/units.h"
+#include "groundmotions/formats/writers.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::groundmotions {

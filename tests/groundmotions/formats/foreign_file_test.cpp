@@ -1,5 +1,3 @@
-#include "groundmotions/formats/foreign_file.h"
-
 #include <gmock/gmock.h>
 
 #include "groundmotions/formats/format.h"

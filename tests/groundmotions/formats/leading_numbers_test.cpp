@@ -1,10 +1,9 @@
-#include "groundmotions/formats/leading_numbers.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
 
 #include "engine/base/units.h"
+#include "groundmotions/formats/plain_facts.h"
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 

@@ -1,8 +1,7 @@
-#include "groundmotions/formats/plain_cells.h"
-
 #include <gmock/gmock.h>
 
 #include "engine/base/units.h"
+#include "groundmotions/formats/plain_rows.h"
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 

@@ -1,7 +1,6 @@
-#include "groundmotions/formats/readable.h"
-
 #include <gtest/gtest.h>
 
+#include "groundmotions/formats/format.h"
 #include "tests/groundmotions/formats/text_file.h"
 
 namespace gurney::groundmotions {

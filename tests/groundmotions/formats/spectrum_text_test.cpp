@@ -1,7 +1,6 @@
-#include "groundmotions/formats/spectrum_text.h"
-
 #include <gmock/gmock.h>
 
+#include "groundmotions/formats/plain_facts.h"
 #include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 

@@ -1,9 +1,8 @@
-#include "groundmotions/formats/uneven_samples.h"
-
 #include <gmock/gmock.h>
 
 #include <limits>
 
+#include "groundmotions/formats/time_column.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::groundmotions {

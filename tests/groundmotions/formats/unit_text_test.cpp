@@ -1,8 +1,7 @@
-#include "groundmotions/formats/unit_text.h"
-
 #include <gtest/gtest.h>
 
 #include "engine/base/units.h"
+#include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {
 namespace {

@@ -9,13 +9,12 @@
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "groundmotions/formats/calendar.h"
-#include "groundmotions/formats/end_mark.h"
 #include "groundmotions/formats/fortran_fields.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/readers.h"
 #include "groundmotions/formats/stated.h"
-#include "groundmotions/formats/uneven_samples.h"
+#include "groundmotions/formats/time_column.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {
