@@ -43,13 +43,11 @@ bool of_boxes(const std::vector<RoomShape>& room) {
 }  // namespace
 
 Response simulate_on_stock_bullet(const Scene& scene, const FloorMotion& floor,
-                                  const SimulationSettings& settings) {
+                                  const SimulationSettings& settings, StockBullet choice) {
   validate(scene);
   validate(settings);
-  const bool paper =
-      settings.solver == Solver::kBulletPaper || settings.solver == Solver::kBulletPaperDantzig;
-  require((scene.room.empty() || (!paper && of_boxes(scene.room))) && scene.tethers.empty() &&
-              scene.zones.empty() && scene.items.size() == 1 &&
+  require((scene.room.empty() || (!choice.paper && of_boxes(scene.room))) &&
+              scene.tethers.empty() && scene.zones.empty() && scene.items.size() == 1 &&
               !scene.items[0].model.casters.empty(),
           "the stock Bullet baselines know one item on casters, no tethers and zones, and of rooms "
           "boxes only (the paper's model none); use solver = \"implicit\" for this job");
@@ -70,8 +68,8 @@ Response simulate_on_stock_bullet(const Scene& scene, const FloorMotion& floor,
   Recorder recorder(scene, assembly, 0, scene_state);
   RunClock clock(floor, mechanism.loads.breakpoints(), settings);
   const std::unique_ptr<StockModel> world =
-      paper ? make_paper_model(scene, mechanism, settings.solver == Solver::kBulletPaperDantzig)
-            : make_stock_multibody(scene, mechanism, settings.solver);
+      choice.paper ? make_paper_model(scene, mechanism, choice.direct)
+                   : make_stock_multibody(scene, mechanism, choice.direct);
   world->place(state);
   Response response;
   const EnergyAccount account;

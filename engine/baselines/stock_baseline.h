@@ -6,6 +6,12 @@
 
 namespace gurney::baselines {
 
+/// Which model and which of Bullet's solvers.
+struct StockBullet {
+  bool paper = false;   ///< paper_model.h; else stock_multibody.h
+  bool direct = false;  ///< Dantzig; else sequential impulse
+};
+
 /// The identical scene on stock Bullet, set up as well as it allows: what `solver = "bullet"`,
 /// `"bullet-dantzig"`, `"bullet-paper"` and `"bullet-paper-dantzig"` run, so that their error and
 /// cost are numbers.
@@ -22,6 +28,6 @@ namespace gurney::baselines {
 ///         floor that rotates, which it does not know; the paper's model for brakes, locks and any
 ///         room too.
 Response simulate_on_stock_bullet(const Scene& scene, const FloorMotion& floor,
-                                  const SimulationSettings& settings);
+                                  const SimulationSettings& settings, StockBullet choice);
 
 }  // namespace gurney::baselines

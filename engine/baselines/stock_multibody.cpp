@@ -24,12 +24,11 @@ constexpr double kLeastRebound = 0.01;    // as of our impacts (docs/theory/impa
 
 class StockMultibody : public StockModel {
  public:
-  StockMultibody(const Scene& scene, const Mechanism& mechanism, Solver solver)
+  StockMultibody(const Scene& scene, const Mechanism& mechanism, bool direct)
       : mechanism_(mechanism),
-        solver_(solver == Solver::kBulletDantzig
-                    ? std::unique_ptr<btMultiBodyConstraintSolver>(
-                          std::make_unique<btMultiBodyMLCPConstraintSolver>(&dantzig_))
-                    : std::make_unique<btMultiBodyConstraintSolver>()),
+        solver_(direct ? std::unique_ptr<btMultiBodyConstraintSolver>(
+                             std::make_unique<btMultiBodyMLCPConstraintSolver>(&dantzig_))
+                       : std::make_unique<btMultiBodyConstraintSolver>()),
         world_(&dispatcher_, &broadphase_, solver_.get(), &configuration_),
         floor_shape_(btVector3(0, 0, 1), 0),
         item_(scene.items[0].model, mechanism, world_) {
@@ -41,7 +40,7 @@ class StockMultibody : public StockModel {
     info.m_numIterations = 50;
     info.m_restitution = 0;
     info.m_linearSlop = 0;
-    if (solver == Solver::kBulletDantzig) info.m_globalCfm = 1e-9;
+    if (direct) info.m_globalCfm = 1e-9;
     for (std::size_t i = 0; i < mechanism.casters.size(); ++i) {
       const int link = static_cast<int>(2 * i);
       const Caster& c = scene.items[0].model.casters[i];
@@ -154,8 +153,8 @@ class StockMultibody : public StockModel {
 }  // namespace
 
 std::unique_ptr<StockModel> make_stock_multibody(const Scene& scene, const Mechanism& mechanism,
-                                                 Solver solver) {
-  return std::make_unique<StockMultibody>(scene, mechanism, solver);
+                                                 bool direct) {
+  return std::make_unique<StockMultibody>(scene, mechanism, direct);
 }
 
 }  // namespace gurney::baselines

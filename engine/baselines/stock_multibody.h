@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "engine/baselines/stock_model.h"
-#include "engine/scene/settings.h"
 
 namespace gurney::baselines {
 
@@ -12,6 +11,6 @@ namespace gurney::baselines {
 /// limit Cr N of the last step's normal force. `bullet`: sequential impulse, 50 iterations.
 /// `bullet-dantzig`: direct solve, m_globalCfm = 1e-9.
 std::unique_ptr<StockModel> make_stock_multibody(const Scene& scene, const Mechanism& mechanism,
-                                                 Solver solver);
+                                                 bool direct);
 
 }  // namespace gurney::baselines

@@ -17,7 +17,7 @@ struct Quality {
   long rejected_steps = 0;     ///< repeated shorter because of their error
   long newton_iterations = 0;
   long collision_passes = 0;  ///< of Bullet
-  long step_halvings = 0;     ///< of the time step, for settings.peak_error
+  long step_halvings = 0;     ///< of the time step, for RunOptions::peak_error
   double peak_change = 0;     ///< of judged demands by the last two of them, relative;
                               ///< infinite: of an outcome
 };

@@ -1,9 +1,12 @@
 #include "engine/run/refine.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "engine/base/error.h"
 #include "engine/response/settled.h"
 #include "engine/run/simulate.h"
 #include "engine/run/twin.h"
@@ -66,15 +69,15 @@ double demand_change(const Demands& run, const Demands& finer, const std::vector
   return largest;
 }
 
-SimulationSettings refined_settings(const SimulationSettings& settings, const Quality& quality) {
-  if (settings.peak_error == 0) return settings;
-  SimulationSettings result =
-      with_steps_times(std::pow(0.5, static_cast<double>(quality.step_halvings)), settings);
-  result.peak_error = 0;
-  return result;
+SimulationSettings refined_settings(SimulationSettings settings, const Quality& quality) {
+  lengthen_steps(std::pow(0.5, static_cast<double>(quality.step_halvings)), settings);
+  return settings;
 }
 
-Response refine(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings) {
+Response refine(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings,
+                double peak_error) {
+  require(peak_error > 0 && peak_error <= 0.1,
+          fmt::format("settings: peak_error = {}: must be in [0, 0.1]", peak_error));
   Quality quality;
   SimulationSettings step = refined_settings(settings, quality);
   Response run = simulate(scene, floor, step);
@@ -82,7 +85,7 @@ Response refine(const Scene& scene, const FloorMotion& floor, const SimulationSe
   if (!any_of(judged)) return run;
   // One small change may be a crossing of errors that are not.
   double before = std::numeric_limits<double>::infinity(), last = before;
-  while (std::max(before, last) > 0.5 * settings.peak_error &&
+  while (std::max(before, last) > 0.5 * peak_error &&
          quality.step_halvings < Quality::kLargestHalvings) {
     ++quality.step_halvings;
     step = refined_settings(settings, quality);

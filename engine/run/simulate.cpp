@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "engine/base/error.h"
 #include "engine/bullet/contact_search.h"
 #include "engine/record/impact_log.h"
 #include "engine/record/recorder.h"
@@ -62,9 +61,6 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
                   const SimulationSettings& settings) {
   validate(scene);
   validate(settings);
-  require(settings.solver == Solver::kImplicit,
-          "settings.solver names a baseline, which simulate() does not run");
-  require(settings.peak_error == 0, "settings.peak_error is for refine(), not simulate()");
   const Assembly assembly(scene);
   const std::size_t count = assembly.items.size();
   SceneState state = start_of(scene, assembly);

@@ -7,7 +7,7 @@
 namespace gurney {
 
 /// One integration by our solver, with the steps that the settings state: what run() (run.h) makes
-/// once or, for settings.peak_error, several times.
+/// once or, for RunOptions::peak_error, several times.
 ///
 /// @throws Error for a scene or settings outside their ranges. Physics or numerics gone
 ///         wrong is not an error but an Outcome.

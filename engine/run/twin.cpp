@@ -85,7 +85,8 @@ std::vector<Predictability> predictability(const Scene& scene, const FloorMotion
 
 void add_half_step(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings,
                    std::vector<Predictability>& of_items) {
-  SimulationSettings finer = with_steps_times(0.5, settings);
+  SimulationSettings finer = settings;
+  lengthen_steps(0.5, finer);
   finer.history_step = 0;
   const Response half = simulate(scene, floor, finer);
   if (is_failure(half.outcome)) return;

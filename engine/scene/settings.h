@@ -1,27 +1,13 @@
 #pragma once
 
-#include <string>
-
 namespace gurney {
 
-/// Who solves the contact problem of each step.
-enum class Solver {
-  kImplicit,  ///< ours: casters eliminated analytically, one 6x6 system (docs/theory/solver.md)
-  kBullet,    ///< stock Bullet: sequential impulse, 50 iterations; a baseline
-  kBulletDantzig,  ///< stock Bullet, well configured: direct (Dantzig) contact solver; a baseline
-  kBulletPaper,    ///< the model of Xu, Ma & Kurata 2022 on stock Bullet; a baseline
-  kBulletPaperDantzig,  ///< the same with the direct solver; a baseline
-};
-
-/// How a run is integrated. Defaults are written here and nowhere else.
+/// How one integration of a scene is made. Defaults are written here and nowhere else.
 struct SimulationSettings {
-  Solver solver = Solver::kImplicit;
   double time_step = 0.004;  ///< (0, 0.02] [s]; with a tolerance the longest step
   double tolerance = 0;      ///< > 0: as many steps as errors below this fraction of the motion
                              ///< need, [0, 0.1]; 0: fixed steps
-  double peak_error = 0;   ///< > 0: the time step is halved until the peaks are this accurate, [0,
-                           ///< 0.1] (refine.h); 0: as it is
-  double residual = 1e-9;  ///< momentum residual per step, as a fraction of M g dt, (0, 1e-3]
+  double residual = 1e-9;    ///< momentum residual per step, as a fraction of M g dt, (0, 1e-3]
   int max_newton_iterations = 40;  ///< per stage before the step is subdivided, 4..1000
   int max_subdivisions = 10;  ///< halvings of one step before the run counts as diverged, 0..20
   double settle_time = 60;    ///< longest time after the excitation until all rests, >= 0 [s]
@@ -36,9 +22,9 @@ struct SimulationSettings {
       true;  ///< skip Bullet's collision pass while nothing can be near
 };
 
-/// The settings with steps `factor` times as long: also of those that a tolerance chooses,
-/// since the error of a step grows with its cube.
-SimulationSettings with_steps_times(double factor, SimulationSettings settings);
+/// Makes steps `factor` times as long: also those that a tolerance chooses, since the error of a
+/// step grows with its cube.
+void lengthen_steps(double factor, SimulationSettings& settings);
 
 /// @throws Error naming every setting outside its range.
 void validate(const SimulationSettings& settings);

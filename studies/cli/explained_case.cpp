@@ -9,7 +9,7 @@ namespace gurney::cli {
 
 explanation::Explanation explained(const CaseAgain& again, const study::UnitSystem& units) {
   const study::RunFacts& facts = again.run.facts;
-  const SimulationSettings settings =
+  const auto settings =
       explanation::finely_stored(facts.settings, facts.floor, facts.scene.items.size());
   Response response = gurney::run(facts.scene, facts.floor, settings);
   const std::string differs = again.difference(response);

@@ -35,7 +35,7 @@ std::vector<Variant> variants_for(const SimulationSettings& settings) {
 RunCase varied(RunCase run, const Variant& variant) {
   switch (variant.varied) {
     case Varied::kTimeStep:
-      run.settings = with_steps_times(variant.factor, run.settings);
+      lengthen_steps(variant.factor, run.settings);
       break;
     case Varied::kSolverTolerance:
       run.settings.residual *= variant.factor;

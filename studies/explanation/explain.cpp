@@ -201,8 +201,7 @@ Finding finding_of(const Response& response, std::size_t item, double tilt_ratio
   return d.peak_displacement >= kVisible ? Finding::kMoved : Finding::kStill;
 }
 
-SimulationSettings finely_stored(SimulationSettings settings, const FloorMotion& floor,
-                                 std::size_t items) {
+RunOptions finely_stored(RunOptions settings, const FloorMotion& floor, std::size_t items) {
   constexpr double kMaxSamples = 40'000, kAfter = 10;  // [-], [s]
   const double length = settings.duration > 0 ? settings.duration : floor.duration() + kAfter;
   const double samples = static_cast<double>(items) * length / settings.time_step;

@@ -29,7 +29,6 @@ const Impact* hardest_impact(const Response& response, std::size_t item,
 /// Settings whose histories resolve single steps, as far as memory allows: no more than 40,000
 /// samples of all items together, unless more are asked for. The samples asked for are among them.
 /// The spacing has no influence on the results.
-SimulationSettings finely_stored(SimulationSettings settings, const FloorMotion& floor,
-                                 std::size_t items);
+RunOptions finely_stored(RunOptions settings, const FloorMotion& floor, std::size_t items);
 
 }  // namespace gurney::explanation

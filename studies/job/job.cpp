@@ -57,7 +57,7 @@ void note_wheels_roll(Table& root, std::vector<Table>& items, JobReading& job) {
 void read_settings(Table& root, JobReading& job) {
   auto found = root.table("settings");
   if (!found) return;
-  SimulationSettings settings;
+  RunOptions settings;
   Table& in = *found;
   static const std::vector<std::string> kSolvers = {"implicit", "bullet", "bullet-dantzig",
                                                     "bullet-paper", "bullet-paper-dantzig"};

@@ -8,8 +8,8 @@
 
 #include "engine/base/random/draw.h"
 #include "engine/config/document.h"
+#include "engine/run/run.h"
 #include "engine/scene/scene.h"
-#include "engine/scene/settings.h"
 #include "equipment/catalogue/assumption.h"
 #include "groundmotions/assembly/read_record.h"
 #include "groundmotions/buildings/building.h"
@@ -62,7 +62,7 @@ struct Job {
   std::string text;  ///< of the file, to be kept with the results
   std::string title;
   Scene scene;
-  SimulationSettings settings;
+  RunOptions settings;
   std::optional<RecordRequest> record;
   double rotation_factor = 1;  ///< on the rotation of the floor that the building gives
   std::optional<Draw> draw;    ///< of every uncertain number; none: as their values

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/run/run.h"
 #include "engine/scene/scene.h"
-#include "engine/scene/settings.h"
 #include "studies/results/study_reader.h"
 
 namespace gurney::page {
@@ -12,7 +12,7 @@ namespace gurney::page {
 /// What stood where in a job, read again with the catalogue of today.
 struct JobScene {
   Scene scene;
-  SimulationSettings settings;
+  RunOptions settings;
   std::vector<std::string> changed = {};  ///< data files that are not as the study read them
 };
 

@@ -14,7 +14,7 @@ namespace gurney::study {
 /// An assumption as results and summaries state it.
 AssumptionFacts facts_of(const equipment::Assumption& assumption);
 
-/// A job with its record read: simulate(facts.scene, facts.floor, facts.settings) runs it.
+/// A job with its record read: run(facts.scene, facts.floor, facts.settings) runs it.
 struct PreparedRun {
   RunFacts facts;
 };

@@ -7,8 +7,8 @@
 
 #include "engine/base/floor_motion.h"
 #include "engine/base/random/draw.h"
+#include "engine/run/run.h"
 #include "engine/scene/scene.h"
-#include "engine/scene/settings.h"
 
 namespace gurney::study {
 
@@ -58,7 +58,7 @@ struct RunFacts {
   std::string job_sha256;
   std::string title;
   Scene scene;
-  SimulationSettings settings;
+  RunOptions settings;
   std::optional<RecordFacts> record;  ///< none: the floor is at rest
   FloorMotion floor;
   std::optional<std::uint64_t> seed;  ///< none: nothing in the run is random

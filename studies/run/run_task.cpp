@@ -52,7 +52,7 @@ bool is_checked(const Study& study, std::size_t task, std::size_t run) {
 
 /// Demands at half the step go to `result`, or, where that run fails, a warning.
 void repeat_at_half_step(RunCase run, StudyRun& result) {
-  run.settings = with_steps_times(0.5, run.settings);
+  lengthen_steps(0.5, run.settings);
   run.settings.history_step = 0;
   Response response;
   try {

@@ -17,11 +17,11 @@ struct Batch {
   const Plan& plan;
 };
 
-/// What simulate() is given for one run.
+/// What run() is given for one run.
 struct RunCase {
   Scene scene;
   FloorMotion floor;
-  SimulationSettings settings;
+  RunOptions settings;
   std::vector<std::string> warnings;  ///< of the building under this motion
 };
 

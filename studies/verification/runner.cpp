@@ -1,13 +1,10 @@
 #include "studies/verification/runner.h"
 
-#include "engine/run/run.h"
-
 namespace gurney::verification {
 
 Response Runner::operator()(Findings& findings, const Scene& scene, const FloorMotion& floor,
-                            SimulationSettings settings) const {
-  settings.solver = solver_;
-  Response response = gurney::run(scene, floor, settings);
+                            const SimulationSettings& settings) const {
+  Response response = gurney::run(scene, floor, {settings, solver_});
   if (is_failure(response.outcome))
     findings.checks.push_back({"runs that failed", "", 1, 0, 0, response.cause});
   if (const auto steps = static_cast<double>(response.quality.unconverged_steps); steps > 0)

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "engine/response/response.h"
-#include "engine/scene/scene.h"
-#include "engine/scene/settings.h"
+#include "engine/run/run.h"
 #include "studies/verification/check.h"
 
 namespace gurney::verification {
@@ -12,10 +10,10 @@ class Runner {
  public:
   explicit Runner(Solver solver = Solver::kImplicit) : solver_(solver) {}
 
-  /// simulate() with this solver. A run that diverges, or steps of our solver that do not converge,
+  /// run() with this solver. A run that diverges, or steps of our solver that do not converge,
   /// are checks that fail.
   Response operator()(Findings& findings, const Scene& scene, const FloorMotion& floor,
-                      SimulationSettings settings) const;
+                      const SimulationSettings& settings) const;
 
   /// Stock Bullet knows no fixtures (engine/baselines/stock_baseline.h): a case leaves them out.
   bool stock() const { return solver_ != Solver::kImplicit; }

@@ -41,7 +41,7 @@ set(GURNEY_ROOMS
     groundmotions/measures groundmotions/processing groundmotions/assembly groundmotions/synthetic
     groundmotions/scaling groundmotions/suites groundmotions/buildings equipment/catalogue"
   "studies/units: engine/base engine/config"
-  "studies/results: engine/base engine/scene engine/response studies/build_info"
+  "studies/results: engine/base engine/scene engine/response engine/run studies/build_info"
   "studies/prepare: engine/base engine/scene groundmotions/record groundmotions/measures
     groundmotions/processing groundmotions/assembly groundmotions/buildings equipment/catalogue
     studies/job studies/results"
@@ -81,7 +81,7 @@ set(GURNEY_ROOMS
     equipment/catalogue studies/statistics studies/units studies/results studies/render
     studies/report studies/figures"
   "studies/picture: engine/base"
-  "studies/page: engine/base engine/config engine/scene equipment/catalogue studies/build_info
+  "studies/page: engine/base engine/config engine/scene engine/run equipment/catalogue studies/build_info
     studies/job studies/units studies/results studies/plan
     studies/analysis studies/findings studies/report studies/figures studies/explanation"
   "studies/playback: engine/base engine/response studies/results"

@@ -89,7 +89,7 @@ void print_ensemble_accuracy(int records, int headings) {
     double seconds = 0;
     long steps = 0;
     for (int i = 0; i < count; ++i) {
-      auto [response, wall] = timed(scene_of(i), floor_of(i), settings, 1);
+      auto [response, wall] = timed(scene_of(i), floor_of(i), {settings}, 1);
       seconds += wall;
       steps += response.quality.steps;
       pairs[static_cast<std::size_t>(i)].coarse = std::move(response);

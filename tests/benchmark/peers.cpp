@@ -46,7 +46,7 @@ void print_peers() {
   make_rigid(scene, 3e7, 1e7);
   const Scene ours = scene;
   make_rigid(scene, 3e8, 1e8);
-  SimulationSettings settings{.duration = kDuration, .history_step = kSampling};
+  RunOptions settings{{.duration = kDuration, .history_step = kSampling}};
 
   std::vector<Response> references;
   double peers_apart = 0;

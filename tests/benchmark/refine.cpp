@@ -18,9 +18,9 @@ struct Row {
 };
 
 void add_motion(const Scene& scene, const FloorMotion& floor, Row& row) {
-  const SimulationSettings settings{.peak_error = kPeakError};
+  const SimulationSettings settings;
   const double start = cpu_time();
-  const Response run = refine(scene, floor, settings);
+  const Response run = refine(scene, floor, settings, kPeakError);
   const double cpu = cpu_time() - start;
   const SimulationSettings last = refined_settings(settings, run.quality);
   const std::vector<Predictability> found = predictability(scene, floor, last, run);
@@ -44,7 +44,7 @@ void add_motion(const Scene& scene, const FloorMotion& floor, Row& row) {
 
 void print_refine(int motions) {
   fmt::print(
-      "\nsettings.peak_error = {:g}: of {} synthetic motions a regime the predictable runs, those "
+      "\npeak_error = {:g}: of {} synthetic motions a regime the predictable runs, those "
       "of them that\nsix halvings did not settle, those within {:g} % of {:g} ms, and the CPU "
       "time of a run\n",
       kPeakError, motions, 100 * kPeakError, 1e3 * kFinestStep);

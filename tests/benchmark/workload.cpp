@@ -74,8 +74,7 @@ double cpu_time() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-Timed timed(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings,
-            int repeats) {
+Timed timed(const Scene& scene, const FloorMotion& floor, const RunOptions& settings, int repeats) {
   Timed result{{}, 1e300};
   for (int i = 0; i < repeats; ++i) {
     const auto start = std::chrono::steady_clock::now();

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/run/run.h"
 #include "engine/run/simulate.h"
 
 /// What the benchmarks run: the shipped pulling-test trolley under synthetic three-component
@@ -35,7 +36,6 @@ struct Timed {
   Response response;
   double seconds;
 };
-Timed timed(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings,
-            int repeats);
+Timed timed(const Scene& scene, const FloorMotion& floor, const RunOptions& settings, int repeats);
 
 }  // namespace gurney::benchmark

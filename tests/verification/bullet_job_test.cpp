@@ -25,9 +25,8 @@ struct Job {
     floor = small::noise_record(seed, 7, kStandardGravity * Vector3(0.4, 0.3, 0.2));
   }
   Demands demands(Solver solver, double step) const {
-    auto settings = small::settings_for(step, 7, 100);
-    settings.solver = solver;
-    const Response response = gurney::run(scene, floor, settings);
+    const Response response =
+        gurney::run(scene, floor, {small::settings_for(step, 7, 100), solver});
     EXPECT_EQ(response.outcome, Outcome::kStopped) << response.cause;
     return response.items[0].demands;
   }

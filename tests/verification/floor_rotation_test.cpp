@@ -124,10 +124,9 @@ TEST(FloorRotation, OfZeroChangesNoBit) {
 
 TEST(FloorRotation, TheBaselinesRefuseIt) {
   const FloorMotion floor = still().with_rotation(rocking(0.01, 1, true));
-  SimulationSettings settings = scenes::run_for(1, 0.004);
-  settings.solver = Solver::kBullet;
+  const RunOptions options{scenes::run_for(1, 0.004), Solver::kBullet};
   EXPECT_EQ(
-      error_text([&] { gurney::run(standing_trolley(), floor, settings); }),
+      error_text([&] { gurney::run(standing_trolley(), floor, options); }),
       "the stock Bullet baselines know no rotation of the floor; use solver = \"implicit\" for "
       "this job");
 }

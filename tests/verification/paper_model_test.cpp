@@ -37,9 +37,7 @@ struct Pull {
   }
 
   Response run(Solver solver, double step) const {
-    SimulationSettings settings = run_for(stop + 1, step, step);
-    settings.solver = solver;
-    return gurney::run(scene, {}, settings);
+    return gurney::run(scene, {}, {run_for(stop + 1, step, step), solver});
   }
   static double at_release(const Response& response) {
     for (const Sample& s : response.items[0].history)

@@ -8,7 +8,7 @@ namespace {
 using peers::CrossCheck;
 using peers::Path;
 
-Path gurney_path(const Scene& scene, const CrossCheck& check, SimulationSettings settings) {
+Path gurney_path(const Scene& scene, const CrossCheck& check, RunOptions settings) {
   settings.duration = check.duration;
   settings.history_step = check.sampling;
   settings.follow_overturning = false;
@@ -23,7 +23,7 @@ Path gurney_path(const Scene& scene, const CrossCheck& check, SimulationSettings
 Engine ours(const char* setup, bool rigid, const std::vector<double>& steps) {
   const auto run = [rigid](const CrossCheck& check, double step) {
     return gurney_path(rigid ? with_rigid_treads(check.scene) : check.scene, check,
-                       {.time_step = step});
+                       {{.time_step = step}});
   };
   return {.name = "Gurney",
           .setup = setup,
@@ -37,14 +37,14 @@ Engine with_tolerance(const std::vector<double>& tolerances) {
   Engine engine = ours("real treads, tolerance", false, tolerances);
   engine.chooses_steps = true;
   engine.run = [](const CrossCheck& check, double tolerance) {
-    return gurney_path(check.scene, check, {.tolerance = tolerance});
+    return gurney_path(check.scene, check, {{.tolerance = tolerance}});
   };
   return engine;
 }
 
 Engine bullet(const char* setup, Solver solver, const std::vector<double>& steps) {
   const auto run = [solver](const CrossCheck& check, double step) {
-    return gurney_path(check.scene, check, {.solver = solver, .time_step = step});
+    return gurney_path(check.scene, check, {{.time_step = step}, solver});
   };
   return {.name = "Bullet",
           .setup = setup,

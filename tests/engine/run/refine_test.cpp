@@ -1,15 +1,17 @@
 #include "engine/run/refine.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "engine/base/error.h"
 #include "engine/response/settled.h"
+#include "engine/run/run.h"
 #include "engine/run/simulate.h"
 #include "studies/verification/scenes/small_scenes.h"
+#include "tests/support/error_text.h"
 
 namespace gurney {
 namespace {
@@ -21,9 +23,15 @@ Scene rolling() {
 }
 
 /// At 20 ms a motion of 1.5 Hz is coarse: peaks are off by percents.
-SimulationSettings coarse(double peak_error) {
-  SimulationSettings settings = small::settings_for(0.02, 8);
-  settings.peak_error = peak_error;
+Response refined(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings,
+                 double peak_error) {
+  return run(scene, floor, {settings, Solver::kImplicit, peak_error});
+}
+
+const SimulationSettings kCoarse = small::settings_for(0.02, 8);
+
+SimulationSettings with_steps_times(double factor, SimulationSettings settings) {
+  lengthen_steps(factor, settings);
   return settings;
 }
 
@@ -34,14 +42,13 @@ const FloorMotion& floor_motion() {
 
 TEST(Refine, HalvesTheStepUntilTheDemandsStay) {
   const Scene scene = rolling();
-  const Response run = refine(scene, floor_motion(), coarse(0.05));
+  const Response run = refined(scene, floor_motion(), kCoarse, 0.05);
   EXPECT_GE(run.quality.step_halvings, 2);
   EXPECT_LT(run.quality.step_halvings, Quality::kLargestHalvings);
   EXPECT_LE(run.quality.peak_change, 0.025);
   EXPECT_GT(run.quality.peak_change, 0);
 
-  const SimulationSettings last = refined_settings(coarse(0.05), run.quality);
-  EXPECT_EQ(last.peak_error, 0);
+  const SimulationSettings last = refined_settings(kCoarse, run.quality);
   EXPECT_EQ(last.time_step, 0.02 * std::pow(0.5, static_cast<double>(run.quality.step_halvings)));
   const Response same = simulate(scene, floor_motion(), last);
   EXPECT_EQ(run.items[0].demands.peak_displacement, same.items[0].demands.peak_displacement);
@@ -57,8 +64,8 @@ TEST(Refine, HalvesTheStepUntilTheDemandsStay) {
 
 TEST(Refine, TakesFewerStepsForALargerError) {
   const Scene scene = rolling();
-  EXPECT_LT(refine(scene, floor_motion(), coarse(0.1)).quality.steps,
-            refine(scene, floor_motion(), coarse(0.002)).quality.steps);
+  EXPECT_LT(refined(scene, floor_motion(), kCoarse, 0.1).quality.steps,
+            refined(scene, floor_motion(), kCoarse, 0.002).quality.steps);
 }
 
 TEST(Refine, LeavesChaoticMotionAtItsStep) {
@@ -67,11 +74,9 @@ TEST(Refine, LeavesChaoticMotionAtItsStep) {
   for (Caster& caster : model.casters) caster.brake_torque = 1e3;
   model.chassis_center_of_mass.z() = 1.2;
   const FloorMotion strong = small::noise_record(4, 20, {6, 4, 2});
-  SimulationSettings settings = small::settings_for(0.004, 24, 5);
-  settings.peak_error = 0.01;
-  const Response run = refine(scene, strong, settings);
+  const SimulationSettings settings = small::settings_for(0.004, 24, 5);
+  const Response run = refined(scene, strong, settings, 0.01);
   EXPECT_EQ(run.quality.step_halvings, 0);
-  settings.peak_error = 0;
   EXPECT_EQ(run.items[0].demands.peak_displacement,
             simulate(scene, strong, settings).items[0].demands.peak_displacement);
 }
@@ -93,8 +98,10 @@ TEST(DemandChange, IsTheLargestOfThoseJudged) {
   EXPECT_NEAR(demand_change(a, b), 0.2 / 4.2, 1e-15);
 }
 
-TEST(Simulate, DoesNotRefine) {
-  EXPECT_THROW(simulate(rolling(), floor_motion(), coarse(0.01)), Error);
+TEST(Refine, RefusesAnErrorOutsideItsRange) {
+  for (const double error : {0.2, -0.1, std::nan("")})
+    EXPECT_EQ(error_text([&] { refined(rolling(), floor_motion(), kCoarse, error); }),
+              fmt::format("settings: peak_error = {}: must be in [0, 0.1]", error));
 }
 
 }  // namespace

@@ -209,7 +209,7 @@ TEST(Explain, HasNothingToSayOfARunThatFailed) {
 }
 
 TEST(FinelyStored, KeepsStepsUntilThereAreTooMany) {
-  const SimulationSettings settings = blocks::run_for(100, 0.01, 1);
+  const RunOptions settings{blocks::run_for(100, 0.01, 1)};
   EXPECT_NEAR(finely_stored(settings, {}, 4).history_step, 0.01, 1e-12) << "40,000 samples";
   EXPECT_NEAR(finely_stored(settings, {}, 5).history_step, 0.02, 1e-12);
 }

@@ -238,7 +238,7 @@ TEST(Job, ReadsTheLoads) {
 
 TEST(Job, ReadsTheSettings) {
   const TempFolder folder;
-  const SimulationSettings settings = read_job(write_everything(folder)).settings;
+  const RunOptions settings = read_job(write_everything(folder)).settings;
   EXPECT_EQ(settings.solver, Solver::kImplicit);
   EXPECT_EQ(settings.time_step, 0.002);
   EXPECT_EQ(settings.tolerance, 0.02);
@@ -267,7 +267,7 @@ TEST(Job, ReadsTheSettings) {
 
 TEST(Job, DefaultsAreThoseOfTheEngine) {
   const Job job = job_of_text(kHead);
-  const SimulationSettings defaults;
+  const RunOptions defaults;
   EXPECT_EQ(job.settings.solver, defaults.solver);
   EXPECT_EQ(job.settings.time_step, defaults.time_step);
   EXPECT_EQ(job.settings.overturn_tilt, defaults.overturn_tilt);
