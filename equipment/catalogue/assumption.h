@@ -21,6 +21,9 @@ struct Assumption {
   std::string file;
   std::string distribution;  ///< that it was drawn from; empty: not drawn
   Draw::Streams streams{};   ///< random numbers that a drawn one rests on
+  bool in_use =
+      true;  ///< false: drawn, but nothing rests on it, such as the torque of a brake that
+             ///< is off in this draw
 };
 
 /// Appends what is not there yet (same file, key and value).

@@ -6,7 +6,7 @@
 #include "engine/config/table.h"
 #include "engine/scene/equipment_model.h"
 #include "equipment/catalogue/assumption.h"
-#include "equipment/catalogue/uncertain.h"
+#include "equipment/catalogue/uncertainty.h"
 
 namespace gurney::equipment {
 

@@ -15,9 +15,9 @@ std::string data_folder();
 /// @throws Error if the folder is missing.
 std::vector<std::string> catalogue_names(DataKind kind);
 
-/// The file of an item, a caster, a floor covering, a room, a tether or a building. A name that ends in `.toml`
-/// or has a slash is a path relative to the folder of `named_in`; any other is looked up in the
-/// catalogue.
+/// The file of an item, a caster, a floor covering, a room, a tether or a building. A name that
+/// ends in `.toml` or has a slash is a path relative to the folder of `named_in`; any other is
+/// looked up in the catalogue.
 /// @throws Error for an unknown name, with the nearest one and the list; the caller adds the place.
 std::string find_data(DataKind kind, const std::string& name, const std::string& named_in);
 

@@ -3,9 +3,40 @@
 #include <set>
 
 #include "equipment/catalogue/catalogue.h"
-#include "equipment/catalogue/contact_constants.h"
 
 namespace gurney::equipment {
+
+using config::Range;
+
+Uncertain<ContactConstants> read_contact_constants(Quantities in) {
+  ContactConstants fixed;
+  config::Table& table = in.table();
+  const bool compliant = table.has("damping_n_s_per_m"), rebounds = table.has("restitution");
+  if (compliant == rebounds)
+    table.note("restitution", ": must be given, or damping_n_s_per_m, not both");
+  if (compliant) fixed.kind = ContactConstants::Kind::kCompliant;
+  Uncertain<ContactConstants> constants(fixed);
+  constants.set(&ContactConstants::friction, in.number("friction", Range::not_negative()));
+  const std::optional<double> stiffness = compliant ? std::nullopt : std::optional(fixed.stiffness);
+  constants.set(&ContactConstants::stiffness,
+                in.number("stiffness_n_per_m", Range::positive(), stiffness));
+  if (compliant)
+    constants.set(&ContactConstants::damping,
+                  in.number("damping_n_s_per_m", Range::not_negative()));
+  if (rebounds)
+    constants.set(&ContactConstants::restitution, in.number("restitution", Range::within(0.01, 1)));
+  return constants;
+}
+
+Uncertain<ItemContact> read_item_contact(config::Table table) {
+  ItemContact fixed;
+  fixed.material = table.text("material");
+  if (fixed.material.empty()) table.note("material", " = \"\": must be the name of a material");
+  Uncertain<ItemContact> contact(fixed);
+  contact.set(&ItemContact::constants, read_contact_constants(Quantities(table)));
+  return contact;
+}
+
 namespace {
 
 using config::Table;
@@ -22,7 +53,7 @@ void read_materials(Table& table, MaterialContact& contact) {
   }
 }
 
-/// What an assumption is about: `equipment-concrete/contact.friction`, drawn or not.
+/// Names the subject of each assumption: `equipment-concrete/contact.friction`.
 void name_assumptions(const std::string& path, const std::string& part,
                       std::vector<Assumption>& assumptions) {
   for (Assumption& each : assumptions)

@@ -5,9 +5,25 @@
 
 #include "engine/config/table.h"
 #include "engine/scene/contact_pair.h"
-#include "equipment/catalogue/uncertain.h"
+#include "equipment/catalogue/quantity.h"
+#include "equipment/catalogue/uncertainty.h"
 
 namespace gurney::equipment {
+
+/// The keys of a contact's constants: friction, and restitution, with a numerical stiffness if
+/// wanted, or stiffness and damping of a compliant contact. Errors are noted in the document.
+Uncertain<ContactConstants> read_contact_constants(Quantities in);
+
+/// How the chassis of an item, or its feet, meet a hard smooth surface: the floor, a wall.
+struct ItemContact {
+  std::string material;  ///< see Scene::pairs; empty: the engine's constants
+  ContactConstants constants;
+  std::vector<Assumption> assumptions;
+};
+
+/// Reads a table [contact]: restitution, or damping for a compliant contact, not both. Errors are
+/// noted in the table's document; the result is for use only after its `finish`.
+Uncertain<ItemContact> read_item_contact(config::Table table);
 
 /// Contact constants of two materials with what they rest on (docs/formats/room_file.md).
 struct MaterialContact {
@@ -22,7 +38,7 @@ using ContactTable = Uncertain<std::vector<MaterialContact>>;
 /// Errors are noted in the document.
 ContactTable read_contacts(config::Table& parent);
 
-/// Those of equipment/contacts.toml.
+/// Contacts of equipment/contacts.toml.
 /// @throws Error with every error of the file.
 ContactTable usual_contacts();
 

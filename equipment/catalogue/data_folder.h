@@ -27,11 +27,11 @@ inline constexpr const char* kSourceFolderFile = "source_folder";
 /// @param program  path of the running program; empty: not known
 DataFolder find_data_folder(const char* stated, const std::filesystem::path& program);
 
-/// That of this program.
+/// Data folder of this program.
 DataFolder find_data_folder();
 
-/// For a library in a program of somebody else, before the first look: the place that counts as that
-/// of the program.
+/// For a library in a program of somebody else, before the first look: the place that counts as
+/// that of the program.
 void take_as_program(const std::filesystem::path& place);
 
 }  // namespace gurney::equipment

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "engine/config/table.h"
-#include "equipment/catalogue/uncertain.h"
+#include "equipment/catalogue/uncertainty.h"
 
 namespace gurney::equipment {
 
-/// What a floor covering does to the constants of a caster, which are those on smooth vinyl.
+/// Effect of a floor covering on the constants of a caster, which are those on smooth vinyl.
 struct FloorCovering {
   std::string name;
   double rolling_resistance_factor = 1;  ///< on Cr, >= 0
@@ -21,5 +21,15 @@ Uncertain<FloorCovering> read_floor(config::Table table);
 
 /// @throws Error with every error of the file.
 Uncertain<FloorCovering> load_floor_covering(const std::string& file);
+
+/// How far a floor is out of level: rise over run along x and y.
+struct Levelness {
+  double slope = 0, cross_slope = 0;
+  std::vector<Assumption> assumptions;
+};
+
+/// Levelness of equipment/levelness.toml.
+/// @throws Error with every error of the file.
+Uncertain<Levelness> usual_levelness();
 
 }  // namespace gurney::equipment

@@ -1,14 +1,201 @@
 #include "equipment/catalogue/item_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "engine/base/diagnostics.h"
+#include "engine/base/units.h"
 #include "engine/config/nearest_name.h"
 #include "engine/config/overlay.h"
 #include "engine/config/table.h"
+#include "equipment/catalogue/catalogue.h"
+#include "equipment/catalogue/quantity.h"
 
 namespace gurney::equipment {
+namespace {
+
+using config::Range;
+using config::Table;
+
+constexpr int kMaxPayloads = 100;
+
+void read_chassis(Quantities in, Uncertain<ItemDescription>& item) {
+  item.set(&ItemDescription::chassis_mass, in.number("mass_kg", Range::positive()));
+  item.set(&ItemDescription::chassis_center_of_mass,
+           in.vector_mm("center_of_mass_mm", Range::any()));
+  const bool box = in.table().has("inertia_box_mm");
+  if (box && in.table().has("inertia_kg_m2"))
+    in.table().note("inertia_box_mm", ": must not go with inertia_kg_m2; one of them states it");
+  if (!box && !in.table().has("inertia_kg_m2")) {
+    in.table().note("inertia_box_mm", ": missing; must be given, or inertia_kg_m2 in its place");
+    in.table().has("inertia_products_kg_m2");  // is known, though useless alone
+    return;
+  }
+  if (box) {
+    item.add([size = in.vector_mm("inertia_box_mm", Range::positive())](ItemDescription& of_draw,
+                                                                        Sampler& of) {
+      of_draw.chassis_inertia = solid_box_inertia(of_draw.chassis_mass, of(size));
+    });
+    return;
+  }
+  item.add([moments = in.vector("inertia_kg_m2", Range::positive(), Vector3::Ones()),
+            products = in.vector("inertia_products_kg_m2", Range::any(), Vector3::Zero())](
+               ItemDescription& of_draw, Sampler& of) {
+    Matrix3& inertia = of_draw.chassis_inertia;
+    inertia = of(moments).asDiagonal();
+    const Vector3 off_diagonal = of(products);
+    inertia(0, 1) = inertia(1, 0) = off_diagonal[0];
+    inertia(0, 2) = inertia(2, 0) = off_diagonal[1];
+    inertia(1, 2) = inertia(2, 1) = off_diagonal[2];
+  });
+}
+
+/// Casters named in one item. A file is read once, and its errors are noted once.
+class CasterTypes {
+ public:
+  /// Into the place's type. One from a file is a part of its own in a draw, with the place's name.
+  void read(Table& table, Uncertain<CasterPlace>& place) {
+    const bool inline_type = table.has("inline");
+    if (inline_type == table.has("type"))
+      table.note("type", ": must name a caster, or a table 'inline' must describe it, not both");
+    if (inline_type) {
+      if (auto described = table.table("inline"))
+        place.set(&CasterPlace::type, read_caster_type(*described));
+      return;
+    }
+    if (!table.has("type")) return;
+    const StatedText name = Quantities(table).text("type");
+    place.add(
+        [type = load(table, name.text), choice = name.choice](CasterPlace& of_draw, Sampler& of) {
+          of_draw.type = type->sample(of.of_part(of_draw.name));
+          if (!choice.reason.empty()) add_assumptions(of_draw.type.assumptions, {choice});
+        });
+  }
+
+ private:
+  using Type = std::shared_ptr<const Uncertain<CasterType>>;
+
+  Type load(Table& place, const std::string& name) {
+    static const Type kNone = std::make_shared<Uncertain<CasterType>>();
+    std::string file;
+    try {
+      file = find_data(DataKind::kCaster, name, place.document().path());
+    } catch (const Error& error) {
+      place.note("type", " = \"" + name + "\": " + error.what());
+      return kNone;
+    }
+    const auto known = types_.find(file);
+    if (known != types_.end()) return known->second;
+    Type type = kNone;
+    try {
+      type = std::make_shared<Uncertain<CasterType>>(load_caster_type(file));
+    } catch (const Error& error) {
+      place.document().note(error);
+    }
+    return types_[file] = type;
+  }
+
+  std::map<std::string, Type> types_;
+};
+
+Uncertain<CasterPlace> read_place(Table table, std::size_t index, CasterTypes& types) {
+  CasterPlace fixed;
+  fixed.name = table.text("name", fmt::format("caster {}", index + 1));
+  fixed.where = table.where("position_mm");
+  fixed.swivels = table.boolean("swivels", true);
+  Quantities in(table);
+  const StatedQuantity heading = in.angle_deg("heading_deg", Range::any(), 0.0);
+  fixed.stated_heading = heading.si(heading.value);
+  const QuantityList brake = in.flag("brake", false), lock = in.flag("swivel_lock", false);
+  fixed.brake_drawn = brake.quantities.front().uncertainty.has_value();
+  fixed.lock_drawn = lock.quantities.front().uncertainty.has_value();
+  Uncertain<CasterPlace> place(std::move(fixed));
+  types.read(table, place);
+  place.set(&CasterPlace::mount, in.vector_mm("position_mm", Range::any()));
+  place.set(&CasterPlace::heading, heading);
+  place.set(&CasterPlace::brake_on, brake);
+  place.set(&CasterPlace::swivel_locked, lock);
+  const CasterPlace& stated = place.stated();
+  if (!stated.swivels && (stated.swivel_locked || table.is_table("swivel_lock")))
+    table.note("swivel_lock", ": has no effect: the caster does not swivel (swivels = false)");
+  return place;
+}
+
+Uncertain<PayloadKind> read_payload(Table table) {
+  PayloadKind fixed;
+  fixed.name = table.text("name");
+  fixed.count = table.integer("count", 0, kMaxPayloads, 0);
+  Uncertain<PayloadKind> payload(std::move(fixed));
+  Quantities in(table);
+  payload.set(&PayloadKind::mass, in.number("mass_kg", Range::positive()));
+  payload.set(&PayloadKind::size, in.vector_mm("size_mm", Range::positive()));
+  payload.set(&PayloadKind::position, in.vector_mm("position_mm", Range::any()));
+  return payload;
+}
+
+/// Names must differ, so that jobs and results can distinguish the parts.
+template <typename Part>
+void check_names(const std::vector<Part>& parts, const std::string& key, Table& table) {
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (parts[i].name == parts[j].name)
+        table.note(key, fmt::format("[{}].name = \"{}\": must differ from the name of {}[{}]", i,
+                                    parts[i].name, key, j));
+}
+
+}  // namespace
+
+Uncertain<ItemDescription> read_item(Table table) {
+  ItemDescription fixed;
+  fixed.file = table.document().path();
+  fixed.name = table.text("name");
+  fixed.description = table.text("description", "");
+  auto chassis = table.table("chassis");
+  if (chassis) fixed.material = chassis->text("material", "");
+  if (!chassis && !table.has("chassis"))
+    table.note("chassis", ": missing; must be a table [" + table.name_of("chassis") + "]");
+  Uncertain<ItemDescription> item(std::move(fixed));
+  const ItemDescription& stated = item.stated();
+  if (chassis) read_chassis(Quantities(*chassis), item);
+
+  for (Table& box : table.tables("shape")) {
+    Quantities in(box);
+    Uncertain<Box> shape;
+    shape.set(&Box::center, in.vector_mm("center_mm", Range::any()));
+    shape.set(&Box::size, in.vector_mm("size_mm", Range::positive()));
+    item.append(&ItemDescription::shape, std::move(shape));
+  }
+  if (stated.shape.empty()) table.note("shape", ": must have at least one box [[shape]]");
+
+  CasterTypes types;
+  for (Table& place : table.tables("caster"))
+    item.append(&ItemDescription::casters, read_place(place, stated.casters.size(), types));
+  if (stated.casters.size() > EquipmentModel::kMaxCasters)
+    table.note("caster", fmt::format(": {} casters; must be 0 to {} tables [[caster]]",
+                                     stated.casters.size(), EquipmentModel::kMaxCasters));
+  if (auto contact = table.table("contact"))
+    item.set(&ItemDescription::contact, read_item_contact(*contact));
+  else if (!table.has("contact") && stated.casters.empty())
+    table.note("contact", ": missing; an item without casters needs a table [" +
+                              table.name_of("contact") + "], how it meets the floor");
+  for (Table& payload : table.tables("payload"))
+    item.append(&ItemDescription::payloads, read_payload(payload));
+  for (Table& point : table.tables("marked_point")) {
+    Uncertain<MarkedPoint> marked(MarkedPoint{point.text("name"), Vector3::Zero()});
+    marked.set(&MarkedPoint::position, Quantities(point).vector_mm("position_mm", Range::any()));
+    item.append(&ItemDescription::marked_points, std::move(marked));
+  }
+  check_names(stated.casters, "caster", table);
+  check_names(stated.payloads, "payload", table);
+  check_names(stated.marked_points, "marked_point", table);
+  return item;
+}
+
 namespace {
 
 using config::Document;

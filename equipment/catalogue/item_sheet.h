@@ -5,7 +5,7 @@
 
 #include "engine/scene/contact_pair.h"
 #include "engine/scene/equipment_model.h"
-#include "equipment/catalogue/stability.h"
+#include "equipment/catalogue/support.h"
 
 namespace gurney::equipment {
 
@@ -25,8 +25,8 @@ struct WheelAtRest {
   double sink = 0;                    ///< of the tread, N / k_n [m]
 };
 
-/// What follows of an item's constants alone. Limits: a rigid chassis on a level floor; the
-/// accelerations are those of a slowly growing horizontal push of the floor.
+/// Properties that follow from an item's constants alone. Limits: a rigid chassis on a level floor;
+/// the accelerations are those of a slowly growing horizontal push of the floor.
 struct ItemSheet {
   MassProperties whole;
   Vector3 principal_inertia = Vector3::Zero();  ///< about the centre of mass, growing [kg m2]

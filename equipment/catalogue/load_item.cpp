@@ -9,7 +9,7 @@
 
 #include "engine/base/diagnostics.h"
 #include "engine/base/units.h"
-#include "equipment/catalogue/stability.h"
+#include "equipment/catalogue/support.h"
 
 namespace gurney::equipment {
 namespace {
@@ -66,6 +66,16 @@ void check(const ItemDescription& item, const ItemOptions& options) {
   errors.raise();
 }
 
+/// Numbers of a brake or a lock. Where each draw decides whether it is on, the drawn ones are listed
+/// in every draw, so that all draws have the same numbers.
+void add_switched(std::vector<Assumption>& list, const std::vector<Assumption>& more, bool on,
+                  bool drawn) {
+  for (Assumption each : more) {
+    each.in_use = on;
+    if (on || (drawn && !each.distribution.empty())) add_assumptions(list, {each});
+  }
+}
+
 Caster make_caster(const CasterPlace& place, std::size_t i, const ItemOptions& options,
                    std::vector<Assumption>& assumptions) {
   const CasterType& type = type_at(place, options);
@@ -75,14 +85,14 @@ Caster make_caster(const CasterPlace& place, std::size_t i, const ItemOptions& o
   caster.mount = Vector3(place.mount.x(), place.mount.y(), caster.height);
   caster.heading = option_at(options.headings, i, place.heading);
   caster.swivels = place.swivels;
-  if (option_at(options.brakes, i, place.brake_on)) {
-    caster.brake_torque = type.brake_torque;
-    add_assumptions(assumptions, type.brake_assumptions);
-  }
-  if (option_at(options.swivel_locks, i, place.swivel_locked)) {
-    caster.swivel_lock_torque = type.swivel_lock_torque;
-    add_assumptions(assumptions, type.lock_assumptions);
-  }
+  const bool braked = option_at(options.brakes, i, place.brake_on);
+  if (braked) caster.brake_torque = type.brake_torque;
+  add_switched(assumptions, type.brake_assumptions, braked,
+               option_at(options.brakes_drawn, i, place.brake_drawn));
+  const bool locked = option_at(options.swivel_locks, i, place.swivel_locked);
+  if (locked) caster.swivel_lock_torque = type.swivel_lock_torque;
+  add_switched(assumptions, type.lock_assumptions, locked,
+               option_at(options.locks_drawn, i, place.lock_drawn));
   if (options.floor) {
     caster.tread.rolling_friction_length *= options.floor->rolling_resistance_factor;
     caster.tread.static_friction *= options.floor->friction_factor;

@@ -13,13 +13,15 @@
 
 namespace gurney::equipment {
 
-/// What a job may change of an item. Empty: as the item's file has it.
+/// Changes that a job may make to an item. Empty: as the item's file has it.
 struct ItemOptions {
   std::optional<CasterType> caster;     ///< at every place
   std::optional<FloorCovering> floor;   ///< none: the casters' constants as they are
   std::vector<double> headings;         ///< one for each caster [rad]
   std::vector<bool> brakes;             ///< one for each caster, true: on
   std::vector<bool> swivel_locks;       ///< one for each caster, true: locked
+  std::vector<bool> brakes_drawn;       ///< as brakes, true: each draw decides
+  std::vector<bool> locks_drawn;        ///< the same of swivel_locks
   std::map<std::string, int> payloads;  ///< how many of each kind the item knows
 };
 

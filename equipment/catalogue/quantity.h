@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/config/table.h"
-#include "equipment/catalogue/stated_quantity.h"
+#include "equipment/catalogue/uncertainty.h"
 
 namespace gurney::equipment {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "equipment/catalogue/uncertain.h"
+#include "equipment/catalogue/uncertainty.h"
 
 namespace gurney::equipment {
 

@@ -8,8 +8,8 @@
 #include "engine/base/diagnostics.h"
 #include "engine/base/error.h"
 #include "engine/response/response.h"
-#include "studies/analysis/file_values.h"
-#include "studies/limit_states/limit_state_expression.h"
+#include "studies/analysis/study_data.h"
+#include "studies/limit_states/limit_state_reader.h"
 
 namespace gurney::study {
 namespace {
@@ -50,7 +50,7 @@ class StoredPlaces {
   std::map<std::string, std::vector<std::string>> names_;
 };
 
-/// Of each configuration that has a run which did not fail.
+/// Places of each configuration that has a run which did not fail.
 std::vector<std::pair<std::string, Places>> places_by_configuration(const StudyReader& file) {
   const StoredPlaces stored(file);
   const std::vector<std::string> names = file.strings("configurations/name"),

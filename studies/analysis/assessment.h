@@ -10,7 +10,7 @@
 
 namespace gurney::study {
 
-/// What a finished study is assessed by instead of what its job states. Empty: as the job states.
+/// Criteria that replace those of a study's job. Empty: as the job states.
 struct AssessmentRequest {
   std::vector<std::string> limit_states = {};  ///< lines as of read_limit_state_expression()
   std::string limit_states_file = {};          ///< with performance levels; its states come first
@@ -21,7 +21,7 @@ struct AssessmentRequest {
   }
 };
 
-/// What a study is assessed by.
+/// Criteria by which a study is assessed.
 struct Assessment {
   std::vector<LimitState> limit_states;
   std::vector<std::size_t> performance;  ///< limit states, mildest first

@@ -22,7 +22,7 @@ struct ConfigurationView {
 /// @throws Error with the nearest name
 std::vector<std::size_t> named_configurations(const StudyData& data, const std::string& text);
 
-/// Those that several texts name; all of the file where there are none.
+/// Configurations that several texts name; all of the file where there are none.
 std::vector<std::size_t> wanted_configurations(const StudyData& data,
                                                const std::vector<std::string>& texts);
 

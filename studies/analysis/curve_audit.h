@@ -16,7 +16,7 @@ namespace gurney::study {
 /// Epidemiology 49(12), 1373-1379).
 inline constexpr std::size_t kFewOutcomes = 10;
 
-/// What a user of a fragility curve has to know of the runs behind it.
+/// Facts of the runs behind a fragility curve that its user has to know.
 struct CurveAudit {
   std::optional<double> theta;             ///< none: there is no curve
   double lowest = 0, highest = 0;          ///< im of the runs
@@ -42,7 +42,7 @@ bool has_few_records(const CurveAudit& audit);
 /// `fewer than 8 effective records (5 of 5): no usable interval`
 std::string few_records_text(const CurveAudit& audit);
 
-/// Of a curve that is fitted to the outcomes of runs.
+/// Audit of a curve that is fitted to the outcomes of runs.
 CurveAudit outcome_audit(const statistics::FragilityFit& fit,
                          const std::vector<statistics::Observation>& observations,
                          const ScaleFactors& factors);

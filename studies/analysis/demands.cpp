@@ -38,7 +38,7 @@ std::string units_in(std::span<const TableColumn<Row>> columns, const std::strin
 
 std::vector<NamedDemand> all_demands(const StudyData& data, std::size_t configuration) {
   std::vector<NamedDemand> all;
-  for (const auto& [item, none] : places_in(data, configuration, "items"))
+  for (const auto& [item, point] : places_in(data, configuration, "items"))
     for (const TableColumn<Demands>& column : demand_columns())
       if (data.file().has_column(std::string("items/") + column.name))
         all.push_back({item + ": " + column.name,

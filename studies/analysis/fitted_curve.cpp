@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/response/response.h"
-#include "studies/statistics/capacity_intervals.h"
+#include "studies/statistics/capacity.h"
 
 namespace gurney::study {
 namespace {

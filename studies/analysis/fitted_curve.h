@@ -17,7 +17,7 @@ namespace gurney::study {
 /// logarithms. An assumption; 0.01 to 0.0001 is as good.
 inline constexpr double kFloorOfLimit = 1e-3;
 
-/// What a curve is fitted to.
+/// Data that a curve is fitted to.
 enum class CurveMethod {
   kOwn,    ///< capacities after an IDA that the state ended, else outcomes
   kCloud,  ///< the demands, by regression on the intensities

@@ -4,14 +4,41 @@
 #include <string>
 #include <vector>
 
+#include "studies/analysis/curve_audit.h"
 #include "studies/analysis/fitted_curve.h"
-#include "studies/analysis/site_rate.h"
 #include "studies/analysis/study_data.h"
 #include "studies/statistics/bands.h"
+#include "studies/statistics/hazard.h"
 
 namespace gurney::study {
 
-/// What a fragility is asked of.
+/// A larger part of a rate from intensities that were not analysed is cautioned against.
+inline constexpr double kLargestShare = 0.1;
+
+/// Mean annual rate of a limit state at a site, and how far the runs support it. NaN where it would
+/// exceed that of motions above the lowest analysed intensity: a limit state that needs such a
+/// motion cannot, and that the others matter is the form of the curve alone.
+struct SiteRate : statistics::MeanRate {
+  statistics::Interval interval{0, 0};  ///< of the band's lines; an end above `of_lowest`: infinite
+  bool has_interval = false;
+  double lowest = 0, highest = 0;           ///< im of the runs
+  double share_below = 0, share_above = 0;  ///< of the rate, from motions beyond these
+  std::optional<double> of_lowest;          ///< the hazard's rate at `lowest`
+
+  /// The hazard curve is long enough, and the integral lies within the analysed intensities.
+  bool is_supported() const;
+};
+
+SiteRate site_rate(const statistics::LognormalCurve& curve, const statistics::FragilityBand& band,
+                   const CurveAudit& audit, const statistics::HazardCurve& hazard);
+
+/// `0.0012 times a year (0.0007 to 0.0021), 6 % in 50 years`
+std::string rate_text(const SiteRate& rate, std::size_t records);
+std::string rate_interval_text(const SiteRate& rate, std::size_t records);
+
+std::vector<std::string> cautions(const SiteRate& rate, const ReportUnit& unit);
+
+/// Subject of a fragility curve.
 struct FragilityRequest {
   std::size_t state = 0, configuration = 0;
   std::string measure = {};  ///< of StudyData::measures(); empty: the study's own
@@ -42,5 +69,19 @@ struct FragilityResult : FittedCurve {
 
 /// @throws Error for a measure that the file lacks
 FragilityResult fragility_of(const StudyData& data, const FragilityRequest& request);
+
+/// How likely each performance level is the worst that is reached, at some intensities.
+struct PerformanceTable {
+  std::string configuration;
+  std::vector<std::string> levels;                 ///< limit states, mildest first
+  std::vector<double> im;                          ///< SI
+  std::vector<statistics::LevelProbabilities> at;  ///< for each im
+};
+
+/// From the curves of the study's performance levels; where a level has no curve, from the
+/// isotonic fractions of its stripes. None without performance levels, and without stripes.
+/// @param results  of one configuration and one measure, of each level among them
+std::vector<PerformanceTable> performance_tables(const StudyData& data,
+                                                 const std::vector<FragilityResult>& results);
 
 }  // namespace gurney::study

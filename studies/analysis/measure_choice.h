@@ -31,8 +31,8 @@ struct MeasureChoice {
 };
 
 /// Rows are ranked by likelihood. Those that rest on fewer runs (the measure is unknown for some)
-/// stand behind, by efficiency. Properties of records are the factor on them (sufficiency against it
-/// says whether scaling biases the demand), and magnitude and distance where every run has them.
+/// stand behind, by efficiency. Properties of records are the factor on them (sufficiency against
+/// it says whether scaling biases the demand), and magnitude and distance where every run has them.
 /// @param state  one whose demand has a size, as StudyData::cloud()
 /// @throws Error as StudyData::cloud()
 MeasureChoice choose_measure(const ConfigurationView& side, std::size_t state, int resamples = 200,

@@ -11,7 +11,7 @@
 
 namespace gurney::study {
 
-/// What the files of a study and of one run have in common.
+/// Facts that files of a study and of one run have in common.
 struct FileOverview {
   struct Motion {
     std::string name;

@@ -5,8 +5,8 @@
 
 namespace gurney::study {
 
-/// Of an intensity: the chosen one, else that in which the study states its levels where it is their
-/// measure, else that of the job's units for all.
+/// Unit of an intensity: the chosen one, else that in which the study states its levels where it is
+/// their measure, else that of the job's units for all.
 ReportUnit report_unit(const StudyData& data, const RunMeasure& measure);
 
 }  // namespace gurney::study

@@ -30,10 +30,10 @@ class ScaleFactors {
   std::map<std::size_t, std::pair<double, double>> of_record_;  ///< lowest and highest
 };
 
-/// Of the runs of a configuration, those that failed left out.
+/// Factors of the runs of a configuration, without those that failed.
 ScaleFactors scale_factors(const StudyData& data, std::size_t configuration);
 
-/// Of all runs of a study. Configurations may have records of their own.
+/// Factors of all runs of a study. Configurations may have records of their own.
 ScaleFactors scale_factors(const StudyData& data);
 
 }  // namespace gurney::study

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "engine/response/settled.h"
-#include "studies/analysis/replica_cases.h"
+#include "studies/analysis/replica_spread.h"
 #include "studies/results/columns.h"
 #include "studies/results/names.h"
 #include "studies/statistics/quantiles.h"
@@ -149,7 +149,7 @@ class DemandTable {
   std::map<std::string, std::vector<double>> columns_;
 };
 
-/// What limit states ask of runs at one step.
+/// Values that limit states ask of runs at one step.
 class AtStep {
  public:
   AtStep(const StudyReader& file, const char* items, const char* points) : items_(file, items) {

@@ -15,7 +15,7 @@ struct StepChange {
   std::string point;         ///< the marked point whose demand it is; empty: of the item
   std::size_t compared = 0;  ///< items of runs that have the demand at both steps
 
-  /// Of the sizes of relative_change() (engine/response/settled.h).
+  /// Quantile of the sizes of relative_change() (engine/response/settled.h).
   double median = 0, largest = 0;
   double within_1_percent = 0, within_5_percent = 0;  ///< shares of those compared
   std::size_t largest_run = 0;
@@ -43,7 +43,7 @@ struct ChaoticStepCheck {
   std::vector<StepDistribution> states;   ///< of 1 where exceeded, else 0: a difference of P
 };
 
-/// What the runs that were repeated with half the time step show of the others.
+/// Evidence of the runs repeated with half the time step on the others.
 struct StepCheck {
   std::size_t runs = 0;                     ///< that were repeated
   std::size_t failed = 0;                   ///< whose repetition failed

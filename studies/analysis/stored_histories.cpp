@@ -13,7 +13,7 @@ namespace {
 
 const std::string kGroup = "/histories/";
 
-/// What indexes, names or codes other columns.
+/// Columns that index, name or code others.
 bool is_quantity(const Hdf5Dataset& dataset) {
   static const std::vector<std::string> others{"time",  "run",   "row",  "offset",
                                                "count", "start", "mode", "orientation"};

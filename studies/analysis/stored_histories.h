@@ -29,8 +29,8 @@ class StoredHistories {
   explicit StoredHistories(const std::string& path);
   ~StoredHistories();
 
-  /// Of what the file holds, in order: vectors ("displacement") and numbers ("tilt"). Empty: the
-  /// file holds no histories.
+  /// Names of what the file holds, in order: vectors ("displacement") and numbers ("tilt"). Empty:
+  /// the file holds no histories.
   std::vector<std::string> names() const;
   std::vector<std::size_t> runs() const;  ///< those with histories
 

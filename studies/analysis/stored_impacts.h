@@ -20,7 +20,7 @@ std::vector<StoredImpact> stored_impacts(const std::string& path);
 std::vector<StoredImpact> impacts_of_runs(const std::vector<StoredImpact>& impacts,
                                           const std::vector<std::size_t>& runs);
 
-/// What items hit, each once, in the order of the file.
+/// Names of the obstacles that were hit, each once, in the order of the file.
 std::vector<std::string> hit_by_items(const std::vector<StoredImpact>& impacts);
 
 }  // namespace gurney::study

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,8 +11,8 @@
 
 namespace gurney::study {
 
-/// What may make an output vary: a parameter that was drawn, several with the same values, or what
-/// the runs differ by otherwise.
+/// Input that may make an output vary: a parameter that was drawn, several with the same values, or
+/// what the runs differ by otherwise.
 struct SensitiveInput {
   std::vector<std::string> names;  ///< more than one: their values are equal in every run
   std::size_t set = 0;             ///< of inputs that go together: see StudySensitivity::correlated
@@ -36,7 +38,7 @@ struct StudySensitivity {
   std::size_t runs = 0, left_out = 0, draws = 0, overturned = 0;
   bool repeated_draws = false;  ///< several runs share a draw: intervals are too narrow
   double mean = 0, deviation = 0;
-  /// Of the indices; inputs that are correlated count once, by the largest.
+  /// Sum of the indices; inputs that are correlated count once, by the largest.
   double sum = 0;
   std::vector<SensitiveInput> inputs;  ///< largest index, or total index, first
   std::vector<std::string> constant;   ///< drawn, but the same in every run
@@ -69,5 +71,46 @@ inline constexpr std::size_t kFewestRuns = 20;
 ///   not vary
 StudySensitivity study_sensitivity(const ConfigurationView& side,
                                    const SensitivityRequest& request);
+
+/// The output whose variance is shared out, run by run.
+struct SensitivityOutput {
+  std::string name, units;
+  std::string level;      ///< empty: all levels together
+  std::string why_level;  ///< of a level that was not asked for
+  std::vector<std::size_t> runs;
+  std::vector<double> values;     ///< of these runs
+  std::size_t left_out = 0;       ///< runs without such a demand
+  std::size_t overturned = 0;     ///< of the runs
+  std::vector<std::size_t> draw;  ///< of the runs, as /runs has it
+};
+
+/// @throws Error for a level or a demand that the study does not have
+SensitivityOutput sensitivity_output(const ConfigurationView& side,
+                                     const SensitivityRequest& request);
+
+/// @throws Error where fewer than kFewestRuns are left, or all have the same output
+void require_variation(const SensitivityOutput& output, const std::string& file);
+
+/// The numbers of each draw of a configuration, by their names in the order of the file.
+struct DrawnNumbers {
+  std::vector<std::string> names;
+  std::map<std::string, std::map<std::size_t, double>> values;  ///< of a name and a draw
+
+  std::vector<double> column(const std::string& name, const std::vector<std::size_t>& draws) const;
+};
+
+DrawnNumbers drawn_numbers(const ConfigurationView& side);
+
+/// Inputs of a study's Saltelli design in their order, `variable mass_kg`, `group treads` or
+/// `record`; none: it has no such design.
+std::vector<std::string> design_inputs(const StudyData& data);
+
+/// First-order and total indices (sobol_indices) of the inputs of a Saltelli design.
+///
+/// The output's mean under each angle and level is taken off, so that the variance is that under
+/// one of them. A point counts if all its runs do.
+/// @throws Error as study_sensitivity() does, and where fewer than kFewestRuns points are whole
+StudySensitivity designed_sensitivity(const ConfigurationView& side,
+                                      const SensitivityRequest& request);
 
 }  // namespace gurney::study

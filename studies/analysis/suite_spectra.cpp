@@ -18,7 +18,7 @@ using groundmotions::Combination;
 using groundmotions::Direction;
 using groundmotions::Record;
 
-/// That of the study's measure where spectra and the records have it.
+/// Combination of the study's measure where spectra and the records have it.
 Combination combination_for(const Study& study, const Record& record) {
   const bool both = record[Direction::kH1] && record[Direction::kH2];
   if (!both) return record[Direction::kH1] ? Combination::kH1 : Combination::kH2;

@@ -8,7 +8,7 @@
 
 #include "engine/base/printable.h"
 #include "engine/base/units.h"
-#include "equipment/catalogue/file_kind.h"
+#include "equipment/catalogue/check_file.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/equipment_check.h"
 #include "studies/cli/job_argument.h"

@@ -3,7 +3,7 @@
 
 #include "engine/base/error.h"
 #include "equipment/catalogue/catalogue.h"
-#include "equipment/catalogue/implausible.h"
+#include "equipment/catalogue/check_file.h"
 #include "equipment/catalogue/load_item.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/equipment_check.h"

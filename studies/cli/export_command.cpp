@@ -18,12 +18,8 @@
 #include "studies/cli/new_folder.h"
 #include "studies/cli/standard_error.h"
 #include "studies/cli/units_option.h"
-#include "studies/exports/csv_tables.h"
+#include "studies/exports/export.h"
 #include "studies/exports/item_bodies.h"
-#include "studies/exports/nrml.h"
-#include "studies/exports/pelicun.h"
-#include "studies/exports/response_csv.h"
-#include "studies/exports/xdmf.h"
 #include "studies/playback/gltf.h"
 #include "studies/results/output_files.h"
 

@@ -16,7 +16,7 @@
 #include "studies/cli/scratch_folder.h"
 #include "studies/cli/units_option.h"
 #include "studies/report/overview_report.h"
-#include "studies/run/finished_cases.h"
+#include "studies/run/shard_status.h"
 
 namespace gurney::cli {
 namespace {

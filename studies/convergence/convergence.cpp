@@ -8,18 +8,133 @@
 
 #include "engine/base/error.h"
 #include "engine/base/parallel.h"
+#include "engine/base/unit_table.h"
 #include "engine/run/run.h"
 #include "studies/convergence/judge.h"
-#include "studies/limit_states/response_values.h"
+#include "studies/limit_states/limit_state.h"
+#include "studies/prepare/run_job.h"
 #include "studies/results/columns.h"
 #include "studies/results/names.h"
-#include "studies/statistics/median_interval.h"
 #include "studies/statistics/quantiles.h"
 
 namespace gurney::study {
 namespace {
 
-/// What is kept of one run.
+constexpr double kLongestStep = 0.02, kLoosestTolerance = 1e-3;
+
+void scale_treads(Scene& scene, double factor) {
+  for (PlacedItem& item : scene.items)
+    for (Caster& caster : item.model.casters) {
+      caster.tread.normal_stiffness *= factor;
+      caster.tread.tangential_stiffness *= factor;
+      caster.tread.normal_damping *= std::sqrt(factor);
+      caster.tread.tangential_damping *= std::sqrt(factor);
+    }
+}
+
+}  // namespace
+
+std::vector<Variant> variants_for(const SimulationSettings& settings) {
+  std::vector<Variant> variants{{Varied::kTimeStep, 1}};
+  for (const double factor : {2.0, 0.5, 0.25, 0.125})
+    if (factor * settings.time_step <= kLongestStep)
+      variants.push_back({Varied::kTimeStep, factor});
+  for (const double factor : {1e3, 1e-2})
+    if (factor * settings.residual <= kLoosestTolerance)
+      variants.push_back({Varied::kSolverTolerance, factor});
+  for (const double factor : {0.25, 0.5, 2.0, 4.0})
+    variants.push_back({Varied::kTreadStiffness, factor});
+  return variants;
+}
+
+RunCase varied(RunCase run, const Variant& variant) {
+  switch (variant.varied) {
+    case Varied::kTimeStep:
+      lengthen_steps(variant.factor, run.settings);
+      break;
+    case Varied::kSolverTolerance:
+      run.settings.residual *= variant.factor;
+      break;
+    case Varied::kTreadStiffness:
+      scale_treads(run.scene, variant.factor);
+      break;
+  }
+  return run;
+}
+
+namespace {
+
+constexpr std::size_t kStepsOfIda = 4;
+
+std::vector<double> intensities_of(const IntensityPlan& plan) {
+  if (plan.kind != IntensityPlan::Kind::kIda) return plan.levels;
+  std::vector<double> values{plan.first};
+  for (std::size_t step = 1; step < kStepsOfIda; ++step)
+    values.push_back(values.back() + static_cast<double>(step) * plan.increment);
+  return values;
+}
+
+std::string name_of_run(const Batch& batch, const Task& task, double value) {
+  const IntensityPlan& plan = batch.job.study().intensity;
+  const auto& levels = batch.job.configurations()[task.configuration].levels;
+  const std::string& record = batch.motions.set_of(task.configuration).name(task.record);
+  return fmt::format("{}{}{}, {:g} {}", fmt::join(levels, ", "), levels.empty() ? "" : ", ",
+                     record.empty() ? "the floor rests" : record, value / plan.unit_in_si,
+                     plan.kind == IntensityPlan::Kind::kScales ? "x" : plan.unit);
+}
+
+ConvergenceCases cases_of_study(const StudyJob& job, std::size_t most, int threads) {
+  const StudyMotions motions(job);
+  motions.read_all(threads);
+  const Plan plan(job, motions);
+  const Batch batch{job, motions, plan};
+  const Study& study = job.study();
+  const std::vector<double> values = intensities_of(study.intensity);
+  ConvergenceCases cases;
+  cases.of_runs = plan.runs();
+  cases.limit_states = study.limit_states;
+  const std::size_t all = plan.tasks_of_stage() * values.size(), count = std::min(most, all);
+  std::string last_problem;
+  for (std::size_t i = 0; i < count; ++i) {
+    // Units in equal distances; where there are fewer than runs, each has several levels.
+    const std::size_t task_index = i * plan.tasks_of_stage() / count;
+    const Task task = plan.task(task_index);
+    const double value = values[i % values.size()];
+    const MotionSet& set = motions.set_of(task.configuration);
+    const double scale = study.intensity.kind == IntensityPlan::Kind::kScales
+                             ? value
+                             : set.scale_for(task.record, value);
+    try {
+      cases.runs.push_back(
+          case_of(batch, task, job.job(task.configuration, plan.draw(task)), scale));
+      cases.names.push_back(name_of_run(batch, task, value));
+    } catch (const Error& error) {
+      last_problem = error.what();
+    }
+  }
+  require(!cases.runs.empty(), last_problem);
+  return cases;
+}
+
+}  // namespace
+
+ConvergenceCases convergence_cases(const std::string& job, std::size_t most, int threads) {
+  ConvergenceCases cases;
+  if (has_study(job)) {
+    cases = cases_of_study(StudyJob(job), most, threads);
+  } else {
+    PreparedRun run = prepare_run(job);
+    cases.runs.push_back({std::move(run.facts.scene), std::move(run.facts.floor),
+                          run.facts.settings, run.facts.warnings});
+    cases.names.push_back(run.facts.record ? run.facts.record->name : "the floor rests");
+  }
+  for (RunCase& run : cases.runs) run.settings.history_step = run.settings.peak_error = 0;
+  return cases;
+}
+
+namespace {
+
+/// Outcomes of one run that are kept.
 struct Outcomes {
   std::string failure;  ///< empty: there is none
   std::vector<Demands> items;
@@ -28,12 +143,9 @@ struct Outcomes {
 
 /// Change that nobody could measure, in the unit.
 double smallest_change(const std::string& units, double time_step) {
-  static const std::map<std::string, double> kSmallest = {{"m", 1e-4}, {"m/s", 1e-3}, {"rad", 1e-4},
-                                                          {"N", 0.1},  {"N s", 0.1},  {"1", 0}};
-  if (units == "s") return time_step;
-  const auto found = kSmallest.find(units);
-  require(found != kSmallest.end(), "convergence: no smallest change is stated for " + units);
-  return found->second;
+  const SiUnit* const unit = si_unit(units);
+  require(unit != nullptr, "convergence: no smallest change is stated for " + units);
+  return std::isnan(unit->smallest_change) ? time_step : unit->smallest_change;
 }
 
 Outcomes outcomes_of(const RunCase& run, const std::vector<LimitState>& states) {

@@ -3,10 +3,43 @@
 #include <string>
 #include <vector>
 
-#include "studies/convergence/convergence_cases.h"
-#include "studies/convergence/variant.h"
+#include "studies/limit_states/limit_state.h"
+#include "studies/run/run_task.h"
 
 namespace gurney::study {
+
+/// Setting that a convergence study varies.
+enum class Varied { kTimeStep, kSolverTolerance, kTreadStiffness };
+
+/// A factor on what the job states.
+struct Variant {
+  Varied varied = Varied::kTimeStep;
+  double factor = 1;
+};
+
+/// The job itself, first; then twice, a half, a quarter and an eighth of its time step (twice only
+/// within the engine's range); 1000 times and a hundredth of its solver tolerance; a quarter, a
+/// half, twice and four times its tread stiffness.
+std::vector<Variant> variants_for(const SimulationSettings& settings);
+
+/// The stiffness is that of treads, normal and tangential; their damping is proportional to its
+/// square root, so that the share of critical damping stays.
+RunCase varied(RunCase run, const Variant& variant);
+
+/// The runs of a job that stand for it: its only one, or a sample of a study's.
+struct ConvergenceCases {
+  std::vector<RunCase> runs;             ///< without histories
+  std::vector<std::string> names;        ///< of the runs: what each is
+  std::size_t of_runs = 1;               ///< that the job has; of an IDA: the most there can be
+  std::vector<LimitState> limit_states;  ///< of a study; else empty
+};
+
+/// A study's runs are taken at equal distances through its plan, each at the next of its levels, so
+/// that all configurations, records and levels have their share. Of an IDA they are its first
+/// steps.
+/// @param most  runs that are taken, >= 1
+/// @throws Error with every error of the job, and for a study of which no draw makes a job
+ConvergenceCases convergence_cases(const std::string& job, std::size_t most, int threads);
 
 /// How a number changes as the time step is halved.
 enum class StepVerdict {

@@ -17,7 +17,7 @@ std::map<double, double> along(const ConvergedNumber& number, const std::vector<
   return values;
 }
 
-/// Of factors from `low` to `high`.
+/// Largest change over factors from `low` to `high`.
 double largest_change(const std::map<double, double>& values, double low, double high,
                       double smallest) {
   double largest = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "studies/exports/export.h"
 
@@ -55,6 +56,134 @@ Matrix3 wheel_inertia(const Caster& caster) {
 
 std::string numbers_text(const Vector3& vector) {
   return fmt::format("{} {} {}", vector.x(), vector.y(), vector.z());
+}
+
+namespace {
+
+std::string mjcf_inertial(double mass, const Vector3& center, const Matrix3& inertia) {
+  return fmt::format("<inertial mass=\"{}\" pos=\"{}\" fullinertia=\"{} {} {} {} {} {}\"/>\n", mass,
+                     numbers_text(center), inertia(0, 0), inertia(1, 1), inertia(2, 2),
+                     inertia(0, 1), inertia(0, 2), inertia(1, 2));
+}
+
+std::string mjcf_joint(const std::string& name, const char* axis, const Hinge& hinge) {
+  if (!hinge.turns) return {};
+  return fmt::format(
+      "<joint name=\"{}\" type=\"hinge\" axis=\"{}\" frictionloss=\"{}\" damping=\"{}\"/>\n", name,
+      axis, hinge.dry, hinge.viscous);
+}
+
+/// The wheel's own friction counts (priority). MuJoCo's coefficients are sliding [-], twisting [m]
+/// and rolling [m]: mu; mu w / 4, the most that a patch of width w resists (docs/theory/tread.md);
+/// Cr.
+std::string wheel_geom(const CasterBodies& bodies) {
+  const Caster& c = bodies.caster;
+  const double mu = c.tread.kinetic_friction;
+  return fmt::format(
+      "<geom class=\"item\" type=\"cylinder\" fromto=\"0 {} 0 0 {} 0\" size=\"{}\" priority=\"1\" "
+      "condim=\"6\" friction=\"{} {} {}\"/>\n",
+      -c.wheel_width / 2, c.wheel_width / 2, c.wheel_radius, mu, mu * c.tread.patch_width / 4,
+      c.tread.rolling_friction_length);
+}
+
+std::string mjcf_caster(const CasterBodies& bodies) {
+  const Caster& c = bodies.caster;
+  return fmt::format("      <body name=\"{}\" pos=\"{}\" euler=\"0 0 {}\">\n        ", bodies.fork,
+                     numbers_text(c.mount), c.heading) +
+         mjcf_joint(bodies.fork + "_swivel", "0 0 1", bodies.swivel) + "        " +
+         mjcf_inertial(c.fork_mass, c.fork_center_of_mass, c.fork_inertia) +
+         fmt::format("        <body name=\"{}\" pos=\"{}\">\n          ", bodies.wheel,
+                     numbers_text({-c.trail, 0, c.wheel_radius - c.height})) +
+         mjcf_joint(bodies.wheel + "_axle", "0 1 0", bodies.axle) + "          " +
+         mjcf_inertial(c.wheel_mass, Vector3::Zero(), wheel_inertia(c)) + "          " +
+         wheel_geom(bodies) + "        </body>\n      </body>\n";
+}
+
+}  // namespace
+
+std::string mjcf_text(const ItemBodies& item) {
+  std::string text = fmt::format(
+      "<mujoco model=\"{}\">\n"
+      "  <compiler angle=\"radian\" inertiafromgeom=\"false\" boundmass=\"0\" boundinertia=\"0\" "
+      "balanceinertia=\"false\"/>\n"
+      "  <option cone=\"elliptic\"/>\n"
+      "  <default>\n    <default class=\"item\"><geom contype=\"0\" conaffinity=\"1\"/></default>\n"
+      "  </default>\n"
+      "  <worldbody>\n    <geom name=\"floor\" type=\"plane\" size=\"0 0 1\"/>\n"
+      "    <body name=\"chassis\">\n      <freejoint/>\n      {}",
+      item.name,
+      mjcf_inertial(item.chassis.mass, item.chassis.center_of_mass, item.chassis.inertia));
+  for (const Box& box : item.shape)
+    text += fmt::format("      <geom class=\"item\" type=\"box\" pos=\"{}\" size=\"{}\"/>\n",
+                        numbers_text(box.center), numbers_text(box.size / 2));
+  for (const MarkedPoint& point : item.points)
+    text += fmt::format("      <site name=\"{}\" pos=\"{}\"/>\n", point.name,
+                        numbers_text(point.position));
+  for (const CasterBodies& each : item.casters) text += mjcf_caster(each);
+  return text + "    </body>\n  </worldbody>\n</mujoco>\n";
+}
+
+namespace {
+
+std::string urdf_inertial(double mass, const Vector3& center, const Matrix3& inertia) {
+  return fmt::format(
+      "    <inertial>\n      <origin xyz=\"{}\" rpy=\"0 0 0\"/>\n      <mass value=\"{}\"/>\n"
+      "      <inertia ixx=\"{}\" ixy=\"{}\" ixz=\"{}\" iyy=\"{}\" iyz=\"{}\" izz=\"{}\"/>\n"
+      "    </inertial>\n",
+      numbers_text(center), mass, inertia(0, 0), inertia(0, 1), inertia(0, 2), inertia(1, 1),
+      inertia(1, 2), inertia(2, 2));
+}
+
+/// Shape that is seen, and that collides.
+std::string shape(const Vector3& center, const char* rpy, const std::string& geometry) {
+  std::string text;
+  for (const char* element : {"visual", "collision"})
+    text += fmt::format(
+        "    <{0}>\n      <origin xyz=\"{1}\" rpy=\"{2}\"/>\n      <geometry>{3}</geometry>\n"
+        "    </{0}>\n",
+        element, numbers_text(center), rpy, geometry);
+  return text;
+}
+
+std::string urdf_joint(const std::string& parent, const std::string& child, const Vector3& origin,
+                       double heading, const char* axis, const Hinge& hinge) {
+  const std::string moves = hinge.turns
+                                ? fmt::format(
+                                      "    <axis xyz=\"{}\"/>\n    <dynamics damping=\"{}\" "
+                                      "friction=\"{}\"/>\n",
+                                      axis, hinge.viscous, hinge.dry)
+                                : "";
+  return fmt::format(
+      "  <joint name=\"{1}_joint\" type=\"{2}\">\n    <parent link=\"{0}\"/>\n"
+      "    <child link=\"{1}\"/>\n    <origin xyz=\"{3}\" rpy=\"0 0 {4}\"/>\n{5}  </joint>\n",
+      parent, child, hinge.turns ? "continuous" : "fixed", numbers_text(origin), heading, moves);
+}
+
+std::string urdf_caster(const CasterBodies& bodies) {
+  const Caster& c = bodies.caster;
+  const std::string cylinder =
+      fmt::format("<cylinder radius=\"{}\" length=\"{}\"/>", c.wheel_radius, c.wheel_width);
+  return fmt::format("  <link name=\"{}\">\n", bodies.fork) +
+         urdf_inertial(c.fork_mass, c.fork_center_of_mass, c.fork_inertia) + "  </link>\n" +
+         urdf_joint("chassis", bodies.fork, c.mount, c.heading, "0 0 1", bodies.swivel) +
+         fmt::format("  <link name=\"{}\">\n", bodies.wheel) +
+         urdf_inertial(c.wheel_mass, Vector3::Zero(), wheel_inertia(c)) +
+         shape(Vector3::Zero(), "1.5707963267948966 0 0", cylinder) + "  </link>\n" +
+         urdf_joint(bodies.fork, bodies.wheel, {-c.trail, 0, c.wheel_radius - c.height}, 0, "0 1 0",
+                    bodies.axle);
+}
+
+}  // namespace
+
+std::string urdf_text(const ItemBodies& item) {
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n  <link name=\"chassis\">\n{}", item.name,
+      urdf_inertial(item.chassis.mass, item.chassis.center_of_mass, item.chassis.inertia));
+  for (const Box& box : item.shape)
+    text += shape(box.center, "0 0 0", fmt::format("<box size=\"{}\"/>", numbers_text(box.size)));
+  text += "  </link>\n";
+  for (const CasterBodies& each : item.casters) text += urdf_caster(each);
+  return text + "</robot>\n";
 }
 
 }  // namespace gurney::study

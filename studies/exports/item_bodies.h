@@ -29,11 +29,11 @@ struct ItemBodies {
   std::vector<MarkedPoint> points;
 };
 
-/// Names become identifiers that differ. A brake and a swivel lock are dry friction of their hinges; an
-/// infinite one holds the hinge.
+/// Names become identifiers that differ. A brake and a swivel lock are dry friction of their
+/// hinges; an infinite one holds the hinge.
 ItemBodies item_bodies(const EquipmentModel& item);
 
-/// Of the wheel about its centre, fork axes [kg m2].
+/// Inertia of the wheel about its centre, fork axes [kg m2].
 Matrix3 wheel_inertia(const Caster& caster);
 
 /// `1.5 0 -2`, digits that read back as the same numbers.
@@ -42,7 +42,7 @@ std::string numbers_text(const Vector3& vector);
 /// A model for MuJoCo (MJCF): the item on a plane, its boxes, sites at its marked points.
 std::string mjcf_text(const ItemBodies& item);
 
-/// The same for ROS and others (URDF): links and joints, without floor and points.
+/// Model for ROS and others (URDF): links and joints, without floor and points.
 std::string urdf_text(const ItemBodies& item);
 
 }  // namespace gurney::study

@@ -1,5 +1,3 @@
-#include "studies/exports/nrml.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,8 +5,8 @@
 #include <map>
 
 #include "engine/base/error.h"
-#include "studies/exports/outside_measure.h"
-#include "studies/exports/sequences.h"
+#include "studies/exports/chosen_curves.h"
+#include "studies/exports/export.h"
 
 namespace gurney::study {
 namespace {
@@ -16,7 +14,7 @@ namespace {
 /// OpenQuake looks at a continuous curve between minIML and maxIML only: all but this much of it
 /// must lie there.
 constexpr double kTail = 1e-4;
-/// Of a discrete function. A curve of beta 0.4 is then met within 0.0002 by straight lines.
+/// Points of a discrete function. A curve of beta 0.4 is then met within 0.0002 by straight lines.
 constexpr int kIntensities = 100;
 
 std::string state_name(const ChosenCurve& curve) {
@@ -78,8 +76,8 @@ std::string continuous(const CurveSequence& sequence, const OutsideMeasure& meas
   return text + "    </fragilityFunction>\n";
 }
 
-/// OpenQuake interpolates linearly, from 0 at noDamageLimit to the first probability and between them;
-/// without the limit what is below the first intensity has no probability at all.
+/// OpenQuake interpolates linearly, from 0 at noDamageLimit to the first probability and between
+/// them; without the limit what is below the first intensity has no probability at all.
 std::string discrete(const CurveSequence& sequence, const OutsideMeasure& measure,
                      const std::string& id) {
   const Span span = span_of(sequence, measure.unit_in_si);

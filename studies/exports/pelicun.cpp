@@ -1,13 +1,11 @@
-#include "studies/exports/pelicun.h"
-
 #include <fmt/format.h>
 
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/error.h"
-#include "studies/exports/outside_measure.h"
-#include "studies/exports/sequences.h"
+#include "studies/exports/chosen_curves.h"
+#include "studies/exports/export.h"
 
 namespace gurney::study {
 namespace {
@@ -50,7 +48,7 @@ Json limit_states(const CurveSequence& sequence) {
   return states;
 }
 
-/// What the curves are fitted to, each by its limit state where there are several.
+/// Data behind the curves, each by its limit state where there are several.
 std::string fitted_text(const CurveSequence& sequence, const ReportUnit& unit) {
   std::string text;
   for (const ChosenCurve& each : sequence.curves)

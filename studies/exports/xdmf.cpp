@@ -1,5 +1,3 @@
-#include "studies/exports/xdmf.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/vector.h"
+#include "studies/exports/export.h"
 #include "studies/results/hdf5_reader.h"
 #include "studies/results/hdf5_writer.h"
 

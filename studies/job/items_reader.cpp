@@ -3,15 +3,438 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
+#include <memory>
+#include <numbers>
 #include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "studies/job/excitation_reader.h"
-#include "studies/job/item_reader.h"
+#include "engine/base/units.h"
+#include "engine/config/nearest_name.h"
+#include "engine/config/table.h"
+#include "engine/scene/loads.h"
+#include "equipment/catalogue/load_item.h"
+#include "equipment/catalogue/quantity.h"
+#include "equipment/catalogue/uncertainty.h"
+#include "studies/job/job_parts.h"
 
 namespace gurney::study {
 namespace {
+
+/// Statements of a job without effect, apart from errors.
+struct Remarks {
+  std::vector<std::string> warnings;
+  /// Inputs that change nothing in this job, `file:line:column: ...` each. An error in a single
+  /// run, and in a study where none of its configurations needs the input.
+  std::vector<std::string> without_effect;
+};
+
+/// Which item, what is changed on it, where it stands.
+struct JobItem {
+  InitialMotion initial;  ///< position and yaw
+  equipment::ItemDescription description;
+  equipment::ItemOptions options;
+};
+
+using config::Range;
+using config::Table;
+
+constexpr double kSameHeading = 1e-9;  // [rad] rounding of degrees, twice
+
+template <typename Able>
+std::vector<bool> casters_that(const equipment::ItemDescription& item, Able able) {
+  std::vector<bool> result;
+  for (const equipment::CasterPlace& place : item.casters) result.push_back(able(place));
+  return result;
+}
+
+bool any(const std::vector<bool>& flags) {
+  return std::find(flags.begin(), flags.end(), true) != flags.end();
+}
+
+bool same_heading(double a, double b) {
+  return std::abs(std::remainder(a - b, 2 * std::numbers::pi)) <= kSameHeading;
+}
+
+void read_headings(equipment::Quantities& in, equipment::Uncertain<JobItem>& result,
+                   Remarks& remarks) {
+  constexpr const char* kKey = "headings_deg";
+  const equipment::ItemDescription& item = result.stated().description;
+  const std::vector<bool> swivels =
+      casters_that(item, [](const equipment::CasterPlace& place) { return place.swivels; });
+  const equipment::QuantityList headings = in.numbers(kKey, Range::any(), swivels);
+  if (headings.quantities.empty()) return;
+  const bool one_for_all = in.is_one_for_all(kKey);
+  for (std::size_t i = 0; i < swivels.size() && !one_for_all; ++i) {
+    const equipment::CasterPlace& place = item.casters[i];
+    if (swivels[i] ||
+        same_heading(headings.quantities[i].value * kRadiansPerDegree, place.stated_heading))
+      continue;
+    in.table().note_element(
+        kKey, i,
+        fmt::format(": caster '{}' of {} does not swivel: must be its heading there, {:g}",
+                    place.name, item.name, place.stated_heading / kRadiansPerDegree));
+  }
+  if (one_for_all && !any(swivels))
+    remarks.without_effect.push_back(fmt::format("{}: {}: has no effect: no caster of {} swivels",
+                                                 in.table().where(kKey), in.table().name_of(kKey),
+                                                 item.name));
+  result.add([headings, swivels](JobItem& of_draw, equipment::Sampler& of) {
+    of_draw.options.headings = of(headings);
+    for (std::size_t i = 0; i < swivels.size(); ++i) {
+      double& heading = of_draw.options.headings[i];
+      heading = swivels[i] ? heading * kRadiansPerDegree : of_draw.description.casters[i].heading;
+    }
+  });
+}
+
+/// A flag of a caster, and what a caster needs to have it.
+struct CasterFlag {
+  const char* key;
+  std::vector<bool> meant;  ///< by one flag for all
+  std::vector<bool> able;
+  const char* missing;  ///< `has no brake`
+};
+
+void check_flags(equipment::Quantities& in, const CasterFlag& flag, const std::vector<bool>& on,
+                 const equipment::ItemDescription& item, Remarks& remarks) {
+  Table& table = in.table();
+  if (!in.is_one_for_all(flag.key)) {
+    for (std::size_t i = 0; i < on.size(); ++i)
+      if (on[i] && !flag.able[i])
+        table.note_element(flag.key, i,
+                           fmt::format(": caster '{}' of {} {}: must be false",
+                                       item.casters[i].name, item.name, flag.missing));
+    return;
+  }
+  const bool drawn = table.is_table(flag.key) && table.table(flag.key)->has("distribution");
+  if (!any(on) && !drawn) return;
+  if (!any(flag.able))
+    table.note(flag.key,
+               fmt::format(": has no effect: every caster of {} {}", item.name, flag.missing));
+  else
+    for (std::size_t i = 0; i < on.size(); ++i)
+      if (flag.meant[i] && !flag.able[i])
+        remarks.warnings.push_back(fmt::format("{}: no effect on caster '{}', which {}",
+                                               table.name_of(flag.key), item.casters[i].name,
+                                               flag.missing));
+}
+
+/// Into `target`, false where the caster cannot have it, and into `drawn` whether draws decide.
+void read_flags(equipment::Quantities& in, const CasterFlag& flag,
+                std::vector<bool> equipment::ItemOptions::*target,
+                std::vector<bool> equipment::ItemOptions::*drawn,
+                equipment::Uncertain<JobItem>& result, Remarks& remarks) {
+  const equipment::QuantityList list = in.flags(flag.key, flag.able);
+  if (list.quantities.empty()) return;
+  std::vector<bool> on;
+  for (const equipment::StatedQuantity& each : list.quantities) on.push_back(each.value != 0);
+  check_flags(in, flag, on, result.stated().description, remarks);
+  result.add([list, target, drawn, able = flag.able](JobItem& of_draw, equipment::Sampler& of) {
+    const std::vector<double> values = of(list);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      (of_draw.options.*target).push_back(values[i] != 0 && able[i]);
+      (of_draw.options.*drawn).push_back(list.quantities[i].uncertainty && able[i]);
+    }
+  });
+}
+
+/// The keys headings_deg, brakes and swivel_locks of an item with casters.
+///
+/// One value or distribution for all is meant for the casters that can take it: a heading and a
+/// lock for those that swivel, a brake for those that have one. In an array each caster has its
+/// own value, and one that it cannot take is an error.
+/// @param item  its description is there; headings, brakes and locks are set here
+void read_caster_options(equipment::Quantities& in, equipment::Uncertain<JobItem>& result,
+                         Remarks& remarks) {
+  const equipment::ItemDescription& item = result.stated().description;
+  const std::vector<bool> all(item.casters.size(), true);
+  read_headings(in, result, remarks);
+  read_flags(in,
+             {"brakes", all,
+              casters_that(item, [](const auto& place) { return place.type.brake_torque > 0; }),
+              "has no brake (brake_torque_n_m of its caster)"},
+             &equipment::ItemOptions::brakes, &equipment::ItemOptions::brakes_drawn, result,
+             remarks);
+  read_flags(
+      in,
+      {"swivel_locks", casters_that(item, [](const auto& place) { return place.swivels; }),
+       casters_that(
+           item,
+           [](const auto& place) { return place.swivels && place.type.swivel_lock_torque > 0; }),
+       "does not swivel, or has no lock (swivel_lock_torque_n_m of its caster)"},
+      &equipment::ItemOptions::swivel_locks, &equipment::ItemOptions::locks_drawn, result, remarks);
+}
+
+using config::Range;
+using config::Table;
+
+constexpr int kMaxPayloads = 100;
+
+std::optional<equipment::Uncertain<equipment::ItemDescription>> read_description(Table& item) {
+  std::vector<std::string> variants = item.texts("variant", true);  // []: as it is
+  if (item.has("equipment") == item.has("inline")) {
+    item.note("equipment", ": must name an item, or [item.inline] must describe it, not both");
+    return {};
+  }
+  if (auto table = item.table("inline")) {
+    if (!variants.empty())
+      item.note("variant", ": only an item with a file of its own has variants");
+    return equipment::read_item(*table);
+  }
+  return load_named(item, "equipment", equipment::DataKind::kItem, [&](const std::string& file) {
+    const std::string unknown =
+        equipment::unknown_variant(variants, equipment::variant_names(file));
+    if (!unknown.empty()) {
+      item.note("variant", ": " + unknown);
+      variants.clear();
+    }
+    return equipment::load_item_description(file, variants);
+  });
+}
+
+/// The caster named in the job at every place; in a draw each place is a part of its own.
+void read_casters(Table& item, equipment::Uncertain<JobItem>& result) {
+  auto type =
+      load_named(item, "casters", equipment::DataKind::kCaster, equipment::load_caster_type);
+  if (!type) return;
+  result.add([type = *std::move(type)](JobItem& of_draw, equipment::Sampler& of) {
+    for (equipment::CasterPlace& place : of_draw.description.casters)
+      place.type = type.sample(of.of_part(place.name));
+  });
+}
+
+void note_keys_of_casters(Table& item, const equipment::ItemDescription& description) {
+  for (const char* key : {"casters", "headings_deg", "brakes", "swivel_locks"})
+    if (item.has(key)) {
+      item.note(key, ": " + description.name + " has no casters");
+      item.set_aside(key);
+    }
+}
+
+std::map<std::string, int> read_payloads(Table& item,
+                                         const equipment::ItemDescription& description) {
+  std::map<std::string, int> counts;
+  auto table = item.table("payloads");
+  if (!table) return counts;
+  std::vector<std::string> known;
+  for (const equipment::PayloadKind& kind : description.payloads) known.push_back(kind.name);
+  for (const std::string& name : table->keys()) {
+    counts[name] = table->integer(name, 0, kMaxPayloads);
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      table->note(
+          name, ": " + description.name + " has no such payload" + config::suggestion(name, known));
+  }
+  return counts;
+}
+
+/// A table [item] or [[item]] of a job. Errors are noted in the document; then the description
+/// and options are not for use.
+/// @param remarks  on options that reach no caster, or not all
+equipment::Uncertain<JobItem> read_job_item(Table& item, Remarks& remarks) {
+  equipment::Uncertain<JobItem> result;
+  equipment::Quantities in(item);
+  result.set([](JobItem& of_draw) -> Vector3& { return of_draw.initial.position; },
+             in.plane("position_m", Range::any()));
+  result.set([](JobItem& of_draw) -> double& { return of_draw.initial.yaw; },
+             in.angle_deg("yaw_deg", Range::any(), 0.0));
+  std::optional<equipment::Uncertain<equipment::ItemDescription>> found = read_description(item);
+  const bool described = found.has_value();
+  if (described) result.set(&JobItem::description, *std::move(found));
+  read_casters(item, result);
+  if (!described) {
+    for (const char* key : {"headings_deg", "brakes", "swivel_locks", "payloads"})
+      item.set_aside(key);
+    return result;
+  }
+  const equipment::ItemDescription& description = result.stated().description;
+  if (description.casters.empty())
+    note_keys_of_casters(item, description);
+  else
+    read_caster_options(in, result, remarks);
+  result.add([counts = read_payloads(item, description)](JobItem& of_draw, equipment::Sampler&) {
+    of_draw.options.payloads = counts;
+  });
+  return result;
+}
+
+/// Each reader notes errors in its table's document.
+
+using config::Range;
+using config::Table;
+
+/// Point and direction of a load.
+template <typename Load>
+void read_line(equipment::Quantities& in, equipment::Uncertain<Load>& load) {
+  load.set(&Load::point, in.vector("point_m", Range::any()));
+  load.set(&Load::direction, in.vector("direction", Range::any()));
+  load.add(in.table().document(),
+           [spot = in.table().spot("direction")](Load& of_draw, equipment::Sampler& of) {
+             Vector3& direction = of_draw.direction;
+             if (!(direction.norm() > 0)) {
+               of.error(spot, " = [0, 0, 0]: must have a length");
+               direction = Vector3::UnitX();
+             }
+             direction.normalize();
+           });
+}
+
+void read_constant_force(equipment::Quantities& in, const Range& allowed,
+                         equipment::Uncertain<PointForce>& load) {
+  const equipment::StatedQuantity force = in.number("force_n", allowed);
+  const equipment::StatedQuantity from = in.number("from_s", Range::not_negative(), 0.0);
+  const equipment::StatedQuantity until = in.number("until_s", Range::more_than(from.value));
+  load.add([force, from, until](PointForce& of_draw, equipment::Sampler& of) {
+    const double newton = of(force), begin = of(from);
+    of.check_drawn(until, Range::more_than(begin));
+    of_draw.force = {newton, newton};
+    of_draw.time = {begin, of(until)};
+  });
+  if (in.table().has("time_s"))
+    in.table().note("time_s", ": must go with an array force_n; a constant force has until_s");
+}
+
+void read_force_table(Table& table, const Range& allowed, equipment::Uncertain<PointForce>& load) {
+  const std::vector<double> force = table.numbers("force_n", allowed);
+  const std::vector<double> time = table.numbers("time_s", Range::any(), force.size());
+  if (force.size() < 2) table.note("force_n", ": must have 2 or more values");
+  for (std::size_t i = 1; i < time.size(); ++i)
+    if (!(time[i] > time[i - 1])) {
+      table.note("time_s", fmt::format("[{}] = {}: must be more than the time before it, {}", i,
+                                       time[i], time[i - 1]));
+      break;
+    }
+  for (const char* key : {"from_s", "until_s"})
+    if (table.has(key)) table.note(key, ": must go with a constant force_n, not with a table");
+  load.add([force, time](PointForce& of_draw, equipment::Sampler&) {
+    of_draw.force = force;
+    of_draw.time = time;
+  });
+}
+
+equipment::Uncertain<PointForce> read_force(Table table, std::size_t index) {
+  equipment::Quantities in(table);
+  PointForce fixed;
+  fixed.name = table.text("name", fmt::format("force {}", index + 1));
+  equipment::Uncertain<PointForce> load(std::move(fixed));
+  read_line(in, load);
+  const bool limited = table.has("speed_limit_m_per_s");
+  if (limited)
+    load.set(&PointForce::speed_limit, in.number("speed_limit_m_per_s", Range::positive()));
+  for (const char* key : {"time_s", "from_s", "until_s"}) table.has(key);
+  const Range allowed = limited ? Range::not_negative() : Range::any();
+  if (table.is_array("force_n"))
+    read_force_table(table, allowed, load);
+  else
+    read_constant_force(in, allowed, load);
+  return load;
+}
+
+equipment::Uncertain<DropWeight> read_drop_weight(equipment::Quantities in) {
+  const DropWeight usual;
+  equipment::Uncertain<DropWeight> load;
+  read_line(in, load);
+  load.set(&DropWeight::mass, in.number("mass_kg", Range::positive()));
+  load.set(&DropWeight::drop_height, in.number("drop_height_m", Range::positive()));
+  load.set(&DropWeight::pulley_inertia,
+           in.number("pulley_inertia_kg_m2", Range::not_negative(), usual.pulley_inertia));
+  load.set(&DropWeight::pulley_radius,
+           in.number("pulley_radius_m", Range::positive(), usual.pulley_radius));
+  load.set(
+      &DropWeight::potentiometer_tension,
+      in.number("potentiometer_tension_n", Range::not_negative(), usual.potentiometer_tension));
+  load.set(&DropWeight::cable_stiffness,
+           in.number("cable_stiffness_n_per_m", Range::positive(), usual.cable_stiffness));
+  load.set(&DropWeight::cable_damping,
+           in.number("cable_damping_n_s_per_m", Range::not_negative(), usual.cable_damping));
+  return load;
+}
+
+equipment::Uncertain<StringPotentiometer> read_string_potentiometer(equipment::Quantities in) {
+  equipment::Uncertain<StringPotentiometer> load;
+  read_line(in, load);
+  load.set(&StringPotentiometer::tension, in.number("tension_n", Range::not_negative()));
+  return load;
+}
+
+equipment::Uncertain<Blocks> read_blocks(equipment::Quantities in) {
+  const Blocks usual;
+  equipment::Uncertain<Blocks> load;
+  load.set(&Blocks::point, in.vector("point_m", Range::any()));
+  load.set(&Blocks::stiffness, in.number("stiffness_n_per_m", Range::positive(), usual.stiffness));
+  load.set(&Blocks::damping, in.number("damping_n_s_per_m", Range::not_negative(), usual.damping));
+  load.set(&Blocks::release_time, in.number("release_time_s", Range::positive()));
+  return load;
+}
+
+equipment::Uncertain<Guide> read_guide(Table& fixture, const std::string& key, bool translation) {
+  Guide fixed;
+  if (!fixture.is_table(key)) {
+    static const std::vector<std::string> kKinds = {"free", "held"};
+    fixed.kind = static_cast<Guide::Kind>(fixture.choice(key, kKinds, 0));
+    return equipment::Uncertain<Guide>(fixed);
+  }
+  Table table = *fixture.table(key);
+  const bool spring = translation && table.has("stiffness_n_per_m");
+  if (translation && spring == table.has("velocity_m_per_s"))
+    table.note("velocity_m_per_s", ": must be given, or stiffness_n_per_m, not both");
+  fixed.kind = spring ? Guide::Kind::kSpring : Guide::Kind::kVelocity;
+  equipment::Uncertain<Guide> guide(fixed);
+  equipment::Quantities in(table);
+  if (spring) {
+    guide.set(&Guide::stiffness, in.number("stiffness_n_per_m", Range::not_negative()));
+    guide.set(&Guide::damping, in.number("damping_n_s_per_m", Range::not_negative(), 0.0));
+  } else if (translation) {
+    guide.set(&Guide::velocity, in.number("velocity_m_per_s", Range::any(), 0.0));
+  } else {
+    guide.set(&Guide::velocity, in.angle_deg("velocity_deg_per_s", Range::any()));
+  }
+  return guide;
+}
+
+std::vector<Load>& loads_of_item(PlacedItem& item) { return item.loads; }
+
+/// A member of the initial motion.
+template <class Value>
+auto initial(Value InitialMotion::*member) {
+  return [member](PlacedItem& item) -> Value& { return item.initial.*member; };
+}
+
+/// The forces, drop weights, string potentiometers and blocks of a table [item] or [excitation],
+/// after those that the item has.
+void read_loads(Table& table, equipment::Uncertain<PlacedItem>& item) {
+  std::size_t forces = loads_of<PointForce>(item.stated().loads).size();
+  for (Table& force : table.tables("force"))
+    item.append(loads_of_item, read_force(force, forces++));
+  for (Table& weight : table.tables("drop_weight"))
+    item.append(loads_of_item, read_drop_weight(equipment::Quantities(weight)));
+  for (Table& string : table.tables("string_potentiometer"))
+    item.append(loads_of_item, read_string_potentiometer(equipment::Quantities(string)));
+  for (Table& blocks : table.tables("blocks"))
+    item.append(loads_of_item, read_blocks(equipment::Quantities(blocks)));
+}
+
+/// The tables `fixture` and `initial` of an item or a job.
+void read_fixture(Table& fixture, equipment::Uncertain<PlacedItem>& item) {
+  static constexpr std::array kDegreesOfFreedom = {"x", "y", "z", "roll", "pitch", "yaw"};
+  for (std::size_t i = 0; i < kDegreesOfFreedom.size(); ++i)
+    item.set([i](PlacedItem& of_draw) -> Guide& { return of_draw.fixture.guides[i]; },
+             read_guide(fixture, kDegreesOfFreedom[i], i < 3));
+}
+
+void read_initial(Table& table, equipment::Uncertain<PlacedItem>& item) {
+  equipment::Quantities in(table);
+  item.set(initial(&InitialMotion::velocity),
+           in.vector("velocity_m_per_s", Range::any(), Vector3::Zero()));
+  item.set(initial(&InitialMotion::yaw_rate),
+           in.angle_deg("yaw_rate_deg_per_s", Range::any(), 0.0));
+  item.add([roll = table.boolean("wheels_roll", InitialMotion().wheels_roll)](
+               PlacedItem& of_draw, equipment::Sampler&) { of_draw.initial.wheels_roll = roll; });
+}
 
 using config::Table;
 
@@ -55,7 +478,7 @@ std::vector<std::string> read_names(std::vector<Table>& items, equipment::Unique
   return result;
 }
 
-/// What acts on the item, and how it moves at the start.
+/// Reads the loads on the item, its fixture and its motion at the start.
 void read_acting(Table& item, equipment::Uncertain<PlacedItem>& acting) {
   read_loads(item, acting);
   if (auto fixture = item.table("fixture")) read_fixture(*fixture, acting);
@@ -76,7 +499,7 @@ void note_twice(Table& root, Table& item, const char* key) {
     root.note(key, fmt::format(": must not be given beside item.{}", key));
 }
 
-/// What a step needs of one item's table.
+/// Facts of one item's table that a step needs.
 struct ItemStep {
   std::size_t index = 0;
   bool several = false;

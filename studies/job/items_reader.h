@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/config/table.h"
-#include "equipment/catalogue/unique_names.h"
+#include "equipment/catalogue/room_description.h"
 #include "studies/job/job_parts.h"
 
 namespace gurney::study {
@@ -13,8 +13,9 @@ namespace gurney::study {
 std::vector<config::Table> read_items(config::Table& root, equipment::UniqueNames& names,
                                       JobReading& job);
 
-/// What acts on the only item of a job, where it stands at the top of the job: [[excitation.force]]
-/// and the other loads, [fixture], [initial]. In a job of several items each is an error.
+/// Loads, fixture and start of the only item of a job, where they stand at the top of the job:
+/// [[excitation.force]] and the other loads, [fixture], [initial]. In a job of several items each
+/// is an error.
 void read_acting_at_top(config::Table& root, JobReading& job);
 
 }  // namespace gurney::study

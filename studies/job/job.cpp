@@ -6,24 +6,57 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/base/units.h"
 #include "engine/config/table.h"
+#include "engine/run/overlaps.h"
 #include "engine/scene/perturbed.h"
-#include "equipment/catalogue/file_kind.h"
-#include "equipment/catalogue/levelness.h"
+#include "engine/scene/scene.h"
+#include "equipment/catalogue/check_file.h"
+#include "equipment/catalogue/floor_covering.h"
 #include "equipment/catalogue/quantity.h"
+#include "equipment/catalogue/uncertainty.h"
 #include "studies/job/items_reader.h"
-#include "studies/job/load_named.h"
+#include "studies/job/job_parts.h"
 #include "studies/job/old_names.h"
-#include "studies/job/overlap_check.h"
 #include "studies/job/record_reader.h"
 #include "studies/job/room_reader.h"
-#include "studies/job/tether_reader.h"
 
 namespace gurney::study {
 namespace {
+
+/// Notes each item that stands in another one or in the room.
+/// @param positions  where they are stated, as Scene::items
+void check_overlaps(const std::vector<config::Spot>& positions, const Scene& scene,
+                    equipment::Sampler& of) {
+  if (scene.items.size() == 1 && scene.room.empty()) return;
+  for (const Overlap& overlap : find_overlaps(scene)) {
+    const bool item = overlap.other_item >= 0;
+    // The later of two items: the first stands where it was put.
+    const std::size_t later = item ? static_cast<std::size_t>(overlap.other_item) : overlap.item;
+    const std::string& other = item ? scene.items[overlap.item].name
+                                    : scene.room[static_cast<std::size_t>(overlap.shape)].name;
+    of.error(positions[later],
+             fmt::format(": '{}' stands {:.0f} mm deep in '{}'", scene.items[later].name,
+                         overlap.depth * kMillimetersPerMeter, other));
+  }
+}
+
+/// A warning for each item that stands in a zone at the start: the zone then counts as entered in
+/// every run.
+std::vector<std::string> warnings_of_zones(const Scene& scene) {
+  std::vector<std::string> warnings;
+  for (const OccupiedZone& each : find_occupied_zones(scene)) {
+    const PlacedItem& item = scene.items[each.item];
+    warnings.push_back(fmt::format(
+        "zone '{}': '{}' stands in it at the start, so that every run counts as an entry",
+        scene.zones[each.zone].name, item.name.empty() ? item.model.name : item.name));
+  }
+  return warnings;
+}
 
 using config::Range;
 using config::Table;

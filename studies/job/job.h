@@ -74,7 +74,7 @@ struct Job {
 /// @throws Error with every error of the job, and of the data files it names.
 Job read_job(const std::string& path);
 
-/// The same from an open document, which it finishes.
+/// Reads the job from an open document, which it finishes.
 Job read_job(config::Document& document);
 
 struct JobParts;

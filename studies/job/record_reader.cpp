@@ -34,7 +34,7 @@ fs::path existing_path(Table& table, const std::string& key, const std::string& 
   return path;
 }
 
-/// The same for what cannot be a folder.
+/// Path of a file, which cannot be a folder.
 fs::path checked_path(Table& table, const std::string& key, const std::string& name) {
   fs::path path = existing_path(table, key, name);
   std::error_code ignored;

@@ -16,4 +16,8 @@ void read_job_room(config::Table& root, equipment::RoomNames& names, JobReading&
 /// @param items  as Scene::items; none: there is an error in them
 void furnish(config::Table& root, std::vector<config::Table>& items, JobReading& job);
 
+/// The tables [[tether]] of a job; the items must be placed and the room read, where a tether may
+/// end. Errors are noted in the document.
+void read_tethers(config::Table& root, JobReading& job);
+
 }  // namespace gurney::study

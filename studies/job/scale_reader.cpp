@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "engine/base/error.h"
-#include "engine/base/units.h"
+#include "engine/base/unit_table.h"
 
 namespace gurney::study {
 namespace {
@@ -14,36 +13,16 @@ namespace {
 using config::Range;
 using config::Table;
 
-struct Unit {
-  const char* name;
-  const char* si;  ///< unit of the measures it is for
-  double to_si;
-};
-constexpr std::array kUnits = {Unit{"g", "m/s2", kStandardGravity},
-                               Unit{"m/s2", "m/s2", 1},
-                               Unit{"cm/s2", "m/s2", 0.01},
-                               Unit{"m/s", "m/s", 1},
-                               Unit{"cm/s", "m/s", 0.01},
-                               Unit{"m", "m", 1},
-                               Unit{"cm", "m", 0.01}};
-
 void read_unit(Table& in, ScalingTarget& target) {
   const std::string si = groundmotions::si_unit_of(target.measure);
-  std::vector<std::string> allowed;
-  std::vector<double> factors;
-  for (const Unit& unit : kUnits)
-    if (si == unit.si) {
-      allowed.push_back(unit.name);
-      factors.push_back(unit.to_si);
-    }
-  if (allowed.empty()) {
+  const std::vector<std::string> allowed = units_in_files(si);
+  if (allowed.empty() || groundmotions::scaling_power(target.measure) == 0) {
     in.has("unit");
     in.note("measure", ": a record cannot be scaled to a measure in " + si);
     return;
   }
-  const std::size_t chosen = in.choice("unit", allowed);
-  target.unit = allowed[chosen];
-  target.unit_in_si = factors[chosen];
+  target.unit = allowed[in.choice("unit", allowed)];
+  target.unit_in_si = in_si(target.unit);
 }
 
 }  // namespace

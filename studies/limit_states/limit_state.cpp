@@ -2,12 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <stdexcept>
+
+#include "engine/base/error.h"
+#include "engine/config/nearest_name.h"
+#include "studies/results/columns.h"
+#include "studies/results/names.h"
 
 namespace gurney::study {
 namespace {
 
-/// Of a limit that is converted to SI: two roundings, of the factor and of the product, are 2^-52
-/// each; 4 times that for decimal fractions that are not exact.
+/// Rounding of a limit that is converted to SI: two roundings, of the factor and of the product,
+/// are 2^-52 each; 4 times that for decimal fractions that are not exact.
 constexpr double kRounding = 1e-15;
 
 }  // namespace
@@ -56,6 +63,95 @@ std::vector<LimitState> default_limit_states() {
           above("hit", "largest_approach_speed", 0.4, "largest_approach_speed > 0.4 m/s",
                 "assumption, 0.2 to 0.8 m/s: handling speeds of the threshold test of IEC 60601-1"),
           above("overturned", "time_of_overturning", -0.5, "overturned", "")};
+}
+
+namespace {
+
+template <class Named>
+std::vector<std::string> names_in(const std::vector<Named>& list) {
+  std::vector<std::string> names;
+  for (const Named& each : list) names.push_back(each.name);
+  return names;
+}
+
+void must_be(const std::string& kind, const std::string& name,
+             const std::vector<std::string>& names, const std::string& owner) {
+  require(std::ranges::find(names, name) != names.end(),
+          owner + " has no " + kind + " '" + name + "'" + config::suggestion(name, names));
+}
+
+}  // namespace
+
+Places places_of(const Scene& scene) {
+  Places places{item_names(scene), names_in(scene.zones), names_in(scene.tethers), {}};
+  for (std::size_t i = 0; i < scene.items.size(); ++i)
+    for (const std::string& name : point_names(scene.items[i].model))
+      places.points.emplace_back(places.items[i], name);
+  return places;
+}
+
+void check_names(const LimitState& state, const Places& places, const std::string& owner) {
+  const Quantity& quantity = state.quantity;
+  if (!state.is_simple()) return;
+  if (!quantity.item.empty()) must_be("item", quantity.item, places.items, owner);
+  if (quantity.of == Quantity::Of::kZone) must_be("zone", quantity.part, places.zones, owner);
+  if (quantity.of == Quantity::Of::kTether) must_be("tether", quantity.part, places.tethers, owner);
+  if (quantity.of != Quantity::Of::kPoint) return;
+  std::vector<std::string> points;
+  for (const auto& [item, point] : places.points)
+    if (quantity.item.empty() || quantity.item == item) points.push_back(point);
+  must_be("marked point", quantity.part, points, owner);
+}
+
+namespace {
+
+template <class Row>
+double value(std::span<const TableColumn<Row>> columns, const std::string& name, const Row& row) {
+  for (const TableColumn<Row>& column : columns)
+    if (name == column.name) return column.value(row);
+  throw std::logic_error("no column " + name);
+}
+
+void append_of_item(const Quantity& quantity, const EquipmentModel& model, const Demands& demands,
+                    std::vector<double>& values) {
+  if (quantity.of == Quantity::Of::kItem) {
+    values.push_back(value(demand_columns(), quantity.column, demands));
+    return;
+  }
+  const std::vector<std::string> points = point_names(model);
+  for (std::size_t i = 0; i < demands.points.size(); ++i)
+    if (points[i] == quantity.part)
+      values.push_back(value(point_demand_columns(), quantity.column, demands.points[i]));
+}
+
+template <class Outcome, class Named>
+void append_of_part(const Quantity& quantity, const std::vector<Named>& named,
+                    const std::vector<Outcome>& outcomes,
+                    std::span<const TableColumn<Outcome>> columns, std::vector<double>& values) {
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+    if (named[i].name == quantity.part)
+      values.push_back(value(columns, quantity.column, outcomes[i]));
+}
+
+}  // namespace
+
+Values values_of(const Scene& scene, const Response& response) {
+  return [&](const Quantity& quantity) {
+    std::vector<double> values;
+    if (quantity.of == Quantity::Of::kZone) {
+      append_of_part(quantity, scene.zones, response.zones, zone_columns(), values);
+      return values;
+    }
+    if (quantity.of == Quantity::Of::kTether) {
+      append_of_part(quantity, scene.tethers, response.tethers, tether_columns(), values);
+      return values;
+    }
+    const std::vector<std::string> names = item_names(scene);
+    for (std::size_t i = 0; i < response.items.size(); ++i)
+      if (quantity.item.empty() || quantity.item == names[i])
+        append_of_item(quantity, scene.items[i].model, response.items[i].demands, values);
+    return values;
+  };
 }
 
 }  // namespace gurney::study

@@ -2,7 +2,11 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "engine/response/response.h"
+#include "engine/scene/scene.h"
 
 namespace gurney::study {
 
@@ -20,8 +24,8 @@ struct Quantity {
 /// The values of a quantity in one run, one for each item it is asked of; NaN: there is none.
 using Values = std::function<std::vector<double>(const Quantity&)>;
 
-/// What must not happen. A simple one is exceeded when any value of its quantity, or `at_least` of
-/// them, pass the limit; others combine those before them.
+/// Outcome that must not happen. A simple one is exceeded when any value of its quantity, or
+/// `at_least` of them, pass the limit; others combine those before them.
 struct LimitState {
   enum class Kind { kAbove, kBelow, kAny, kAll };
   std::string name;
@@ -40,7 +44,7 @@ struct LimitState {
 /// @param index  of the state in `states`
 bool exceeded(const std::vector<LimitState>& states, std::size_t index, const Values& values);
 
-/// The same requirement, whatever the names.
+/// Whether two are the same requirement, whatever their names.
 bool same_state(const std::vector<LimitState>& a, std::size_t i, const std::vector<LimitState>& b,
                 std::size_t j);
 
@@ -49,5 +53,21 @@ bool same_state(const std::vector<LimitState>& a, std::size_t i, const std::vect
 /// tubes and cables), hit (approach speed above 0.4 m/s: an assumption, 0.2 to 0.8 m/s, the
 /// handling speed of IEC 60601-1) and overturned.
 std::vector<LimitState> default_limit_states();
+
+/// Names that limit states may use: the items of a run, their marked points, its zones and tethers.
+struct Places {
+  std::vector<std::string> items, zones, tethers;
+  std::vector<std::pair<std::string, std::string>> points;  ///< item and point
+};
+
+Places places_of(const Scene& scene);
+
+/// Complains of items, points, zones and tethers that are not there.
+/// @param owner  of the places, for messages: "the job"
+/// @throws Error with the nearest name
+void check_names(const LimitState& state, const Places& places, const std::string& owner);
+
+/// The values of a run that was just made.
+Values values_of(const Scene& scene, const Response& response);
 
 }  // namespace gurney::study

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "engine/config/table.h"
@@ -17,5 +18,16 @@ std::vector<std::size_t> read_performance(config::Table& in, const std::vector<L
 /// Index of the state with this name.
 /// @throws Error with the nearest name
 std::size_t index_of(const std::vector<LimitState>& states, const std::string& name);
+
+/// Reads a limit state from one line, as reports print it: `peak_displacement > 0.2 m`,
+/// `overturned`, `bed/screen: peak_absolute_acceleration > 1 g`, `doorway: least_free_width < 90
+/// cm`, `at least 3 items: peak_displacement > 1 m`. `NAME = ` before it gives it a name; without
+/// one the line is its name. The rules are those of a table [[limit_state]].
+/// @param places  that the line may name
+/// @throws Error that begins with --limit-state and the line
+LimitState read_limit_state_expression(const std::string& line, const Places& places);
+
+/// `--limit-state "peak_displacement > 0.2 m"`, for messages.
+std::string option_of(const std::string& line);
 
 }  // namespace gurney::study

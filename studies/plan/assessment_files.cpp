@@ -2,10 +2,10 @@
 
 #include "engine/config/document.h"
 #include "engine/config/table.h"
-#include "equipment/catalogue/file_kind.h"
+#include "equipment/catalogue/check_file.h"
 #include "studies/job/scale_reader.h"
 #include "studies/limit_states/limit_state_reader.h"
-#include "studies/plan/hazard_reader.h"
+#include "studies/plan/study.h"
 
 namespace gurney::study {
 namespace {

@@ -40,7 +40,7 @@ class Plan {
   std::size_t tasks_of_stage() const { return first_.back(); }
   Task task(std::size_t index) const;
 
-  /// Of all tasks: their number, or for an IDA the most that there can be.
+  /// Runs of all tasks: their number, or for an IDA the most that there can be.
   std::size_t runs() const;
 
   /// Runs of one task of the first stage, as runs().
@@ -49,7 +49,7 @@ class Plan {
   std::size_t draws(std::size_t configuration) const;
 
   /// Inputs of a Saltelli design in their order: `group treads`, `record`, `variable mass_kg`.
-  /// Of all configurations; none: the study has no such design.
+  /// Union over the configurations; none: the study has no such design.
   std::vector<std::string> inputs() const;
 
   /// Draw of a task: of its record, the same in all configurations and at all angles, so that these

@@ -7,6 +7,7 @@
 
 #include "engine/base/random/sampling.h"
 #include "engine/config/document.h"
+#include "engine/config/table.h"
 #include "studies/job/job.h"
 #include "studies/limit_states/limit_state.h"
 #include "studies/statistics/hazard.h"
@@ -19,8 +20,8 @@ struct FactorLevel {
   config::Node patch;  ///< a table
 };
 
-/// What is varied on purpose; each level is combined with each level of every other factor, unless
-/// the study lists its combinations.
+/// Factor that is varied on purpose; each level is combined with each level of every other factor,
+/// unless the study lists its combinations.
 struct Factor {
   std::string name;
   std::vector<FactorLevel> levels;
@@ -63,13 +64,13 @@ struct KeptMeasure {
 /// Which runs keep their histories.
 enum class Histories { kNone, kFailed, kOverturned, kAll };
 
-/// What a study's results keep besides runs, items and points.
+/// Tables that a study's results keep besides runs, items and points.
 struct OutputOptions {
   Histories histories = Histories::kNone;
   bool events = true, zones = true, tethers = true, wheels = false, energy = false;
 };
 
-/// What a job varies: its table [study] (docs/formats/study.md).
+/// Variations of a job: its table [study] (docs/formats/study.md).
 struct Study {
   std::vector<Factor> factors;
   /// Which combinations of levels are made: for each the level of each factor. Empty: all.
@@ -88,5 +89,14 @@ struct Study {
   OutputOptions keep;
   double step_check = 0;  ///< fraction of the runs that are repeated with half the time step
 };
+
+/// Reads the table [study.hazard]: rates at which the study's measure is exceeded at the site, as
+/// `im` and `rate_per_year` or as `k0` and `k`. Errors are noted in its document.
+std::optional<statistics::HazardCurve> read_hazard(config::Table& hazard,
+                                                   const IntensityPlan& intensity);
+
+/// Reads the table [study] of a job. Errors are noted in its document.
+/// @param node  the same table, from which the patches of factors are taken
+Study read_study(config::Table& study, const config::Node& node);
 
 }  // namespace gurney::study

@@ -13,10 +13,38 @@
 #include "engine/config/overlay.h"
 #include "engine/config/table.h"
 #include "studies/job/old_names.h"
-#include "studies/limit_states/places.h"
-#include "studies/plan/study_reader.h"
+#include "studies/limit_states/limit_state.h"
+#include "studies/plan/study.h"
 
 namespace gurney::study {
+namespace {
+
+using config::Node;
+
+bool is_array_of_tables(const Node& node) {
+  return node.kind == Node::Kind::kArray && !node.elements.empty() &&
+         std::ranges::all_of(node.elements,
+                             [](const Node& each) { return each.kind == Node::Kind::kTable; });
+}
+
+}  // namespace
+
+void flatten(const Node& node, const std::string& path,
+             std::map<std::string, std::string>& entries) {
+  if (node.kind == Node::Kind::kTable) {
+    for (const Node& each : node.elements)
+      flatten(each, path.empty() ? each.key : path + "." + each.key, entries);
+  } else if (is_array_of_tables(node)) {
+    for (std::size_t i = 0; i < node.elements.size(); ++i) {
+      const Node* name = node.elements[i].find("name");
+      flatten(node.elements[i],
+              fmt::format("{}[{}]", path, name ? name->text : std::to_string(i + 1)), entries);
+    }
+  } else {
+    entries[path] = config::describe(node);
+  }
+}
+
 namespace {
 
 using config::Document;
@@ -56,7 +84,7 @@ std::vector<Configuration> combined(const Node& job, const Study& study, Documen
   return all;
 }
 
-/// What a study varies by itself must not be stated for one run.
+/// Refuses keys of a single run that a study varies by itself.
 /// @throws Error with each that is
 void refuse_contradictions(const Document& document, const Job& job, const Study& study) {
   if (job.settings.peak_error > 0) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -7,10 +8,16 @@
 
 #include "engine/config/document.h"
 #include "engine/config/file_snapshot.h"
+#include "engine/config/node.h"
 #include "studies/job/job.h"
 #include "studies/plan/study.h"
 
 namespace gurney::study {
+
+/// Adds each value of a tree by its dotted key under `path`; tables of an array by their name, or
+/// else by their number from 1: `item[bed].mass_kg`.
+void flatten(const config::Node& node, const std::string& path,
+             std::map<std::string, std::string>& entries);
 
 /// One combination of levels, one of each factor.
 struct Configuration {
@@ -25,7 +32,7 @@ class StudyJob {
   /// @throws Error with every error: of the study, and of the job in any configuration.
   explicit StudyJob(const std::string& path);
 
-  /// The same from text, such as that kept in a results file.
+  /// Reads the job from text, such as that kept in a results file.
   /// @param path  for messages and relative names
   StudyJob(const std::string& text, const std::string& path);
 

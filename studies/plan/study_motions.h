@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <future>
+#include <list>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -7,13 +11,49 @@
 #include <vector>
 
 #include "engine/base/floor_motion.h"
+#include "groundmotions/record/record.h"
 #include "groundmotions/record/source_facts.h"
 #include "groundmotions/suites/suite.h"
-#include "studies/plan/floor_records.h"
 #include "studies/plan/study_job.h"
-#include "studies/prepare/motion.h"
+#include "studies/prepare/run_job.h"
 
 namespace gurney::study {
+
+/// Motions of a building's floor, and synthetic motions of the ground, each made once for all
+/// configurations and draws under it. Those asked for last are kept, up to a number of bytes, so
+/// that memory does not grow with the study.
+class FloorRecords {
+ public:
+  using Shared = std::shared_ptr<const groundmotions::Record>;
+
+  explicit FloorRecords(std::size_t bytes) : most_(bytes) {}
+
+  /// A ground motion times `scale`; `set` is of the building and its floor.
+  struct Key {
+    std::size_t set = 0, record = 0;
+    double scale = 1;
+    bool operator==(const Key&) const = default;
+  };
+
+  /// The motion of the floor, by `make` unless it is kept. May be called from several threads:
+  /// those that ask for the same motion wait for the one that makes it.
+  /// @throws what `make` throws
+  Shared of(const Key& key, const std::function<groundmotions::Record()>& make);
+
+ private:
+  struct Kept {
+    Key key;
+    std::shared_future<Shared> motion;
+    std::size_t bytes = 0;  ///< 0: it is being made
+  };
+
+  void count(const Key& key, const groundmotions::Record& record);
+  void forget(const Key& key);
+
+  std::mutex mutex_;
+  std::list<Kept> kept_;  ///< that asked for last is the first
+  std::size_t bytes_ = 0, most_;
+};
 
 /// Facts of a ground motion as read and processed, at scale 1, without its samples.
 struct GroundMotion {
@@ -41,24 +81,25 @@ class MotionSet {
   /// @throws Error as motion_of() does, and for an intensity that is zero
   const GroundMotion& ground(std::size_t record) const;
 
-  /// The motion itself; no components: the floor rests. Recorded motions stay in memory. Synthetic ones,
-  /// of which a study may have a million, are made again where they are not among those asked for last.
+  /// The motion itself; no components: the floor rests. Recorded motions stay in memory. Synthetic
+  /// ones, of which a study may have a million, are made again where they are not among those asked
+  /// for last.
   FloorRecords::Shared ground_record(std::size_t record) const;
 
   /// Factor on the ground motion that gives a value of the study's measure.
   double scale_for(std::size_t record, double value) const;
 
-  /// What stands on the floor feels of the record times `scale`, before it is turned: the motion of
+  /// Motion under the items from the record times `scale`, before it is turned: that of
   /// the building's floor, or of the ground where there is no building.
   FloorRecords::Shared floor_record(std::size_t record, double scale) const;
   bool has_building() const { return request_ && request_->building; }
 
-  /// What the floor does under the record times `scale`.
+  /// Motion of the floor under the record times `scale`.
   /// @param warnings  gets those of the building, such as of isolators beyond their capacity
   FloorMotion floor(std::size_t record, double scale, double angle,
                     std::vector<std::string>& warnings) const;
 
-  /// The same with what is to be reported of it; none where the floor rests.
+  /// Adds the facts that are reported of it; none where the floor rests.
   std::optional<Motion> motion(std::size_t record, double scale, double angle) const;
 
  private:

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "studies/analysis/input_differences.h"
 #include "studies/analysis/study_comparison.h"
 #include "studies/findings/findings.h"
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "studies/analysis/performance.h"
+#include "studies/analysis/fragility_result.h"
 #include "studies/render/render.h"
 #include "studies/report/formats.h"
 #include "studies/report/json_values.h"

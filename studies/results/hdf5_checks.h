@@ -6,7 +6,7 @@
 
 #include "studies/results/hdf5_handle.h"
 
-/// What a file of somebody else is asked before it is believed. For the files hdf5_*.cpp alone.
+/// Checks of a file of unknown origin before it is trusted. For the files hdf5_*.cpp alone.
 namespace gurney::hdf5 {
 
 /// @throws Error where the file has links that lead out of it or past its own tree

@@ -34,7 +34,8 @@ constexpr std::size_t kCopies = 3;  // of values: as they are, shuffled, compres
 }  // namespace
 
 void require_memory(std::size_t bytes) {
-  // The library itself took 11 MB at most while results were written, and 9 MB while they were read.
+  // The library itself took 11 MB at most while results were written, and 9 MB while they were
+  // read.
   constexpr std::size_t kLibrary = 16 << 20;
   gurney::require_memory(kLibrary + kCopies * bytes);
 }

@@ -37,8 +37,8 @@ class Handle {
   hid_t id_;
 };
 
-/// Before the first file: HDF5 prints nothing, leaves nothing to the end of the process and loads no
-/// code of others (a results file needs no filter that is not in the library).
+/// Before the first file: HDF5 prints nothing, leaves nothing to the end of the process and loads
+/// no code of others (a results file needs no filter that is not in the library).
 void prepare_library();
 
 /// To be called before HDF5 is: where an allocation fails, HDF5 1.10 follows null pointers, damages

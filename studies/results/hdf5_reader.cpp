@@ -127,7 +127,7 @@ std::string type_name(hid_t dataset) {
   }
 }
 
-/// Of a value in the file [bytes]
+/// Width of a value in the file [bytes]
 double width_of(hid_t dataset) {
   return static_cast<double>(H5Tget_size(Handle(H5Dget_type(dataset), "read a type")));
 }

@@ -8,7 +8,7 @@
 
 namespace gurney::study {
 
-/// What a file says of one of its datasets.
+/// Description of a dataset in its file.
 struct Hdf5Dataset {
   std::string path;
   std::string type;  ///< "float64", "int64", "uint8" or "string"
@@ -20,7 +20,8 @@ struct Hdf5Dataset {
 };
 
 /// An HDF5 file that may be damaged, or made to harm: it is read in a child process first; values
-/// stand in the file itself and are not more than its bytes; columns are as long as their tables; texts come without control characters.
+/// stand in the file itself and are not more than its bytes; columns are as long as their tables;
+/// texts come without control characters.
 class Hdf5Reader {
  public:
   /// @throws Error when `path` is not an HDF5 file, is damaged, or leads to other files.
@@ -49,7 +50,7 @@ class Hdf5Reader {
   const Hdf5Dataset& dataset(const std::string& path) const;
   void read_all() const;
 
-  /// What `read` returns; its errors with the file's name.
+  /// Calls `read`; its errors get the file's name.
   template <class Read>
   auto named(Read read) const {
     try {

@@ -9,7 +9,7 @@
 /// Every call is checked; an Error states the reason.
 namespace gurney::study {
 
-/// What a dataset is called and means. Its shape is given by dimension scales, named by path.
+/// Name and meaning of a dataset. Its shape is given by dimension scales, named by path.
 struct Hdf5Spec {
   std::string path;       ///< such as "/runs/end_time"
   std::string units;      ///< "1" for a pure number

@@ -15,7 +15,7 @@ inline constexpr int kResultsFormatVersion = 2;
 /// run gives the same bytes: no date, machine or folder is in them.
 std::string results_image(const RunFacts& facts, const Response& response);
 
-/// What file this is and which program made it, as attributes.
+/// Writes type of file and program as attributes.
 void add_program(Hdf5Writer& file, const std::string& filetype, int format_version);
 
 }  // namespace gurney::study

@@ -18,7 +18,7 @@ struct FileFacts {
   std::string sha256;
 };
 
-/// What a run states of its floor motion, in floor axes.
+/// Facts of a run's floor motion, in floor axes.
 struct RecordFacts {
   std::string name;
   std::vector<FileFacts> files;

@@ -27,7 +27,7 @@ class CrashLog {
   CrashLog(const CrashLog&) = delete;
   CrashLog& operator=(const CrashLog&) = delete;
 
-  /// Those that crashed a process twice.
+  /// Runs that crashed a process twice.
   const CrashedRuns& given_up() const { return given_up_; }
 
   /// Lines that are none of its own; they are ignored.

@@ -10,21 +10,6 @@ namespace {
 
 using FileKeys = std::set<std::pair<std::string, std::string>>;
 
-/// With the first draw that makes a job; none does, or nothing is drawn: with every number at its
-/// value.
-Job drawn_job(const Batch& batch, std::size_t configuration) {
-  if (batch.job.study().draws > 0)
-    for (std::size_t draw = 0; draw < batch.plan.draws(configuration); ++draw) {
-      try {
-        const Task task{.configuration = configuration, .draw = draw};
-        return batch.job.job(configuration, batch.plan.draw(task));
-      } catch (const Error&) {
-        continue;
-      }
-    }
-  return batch.job.job(configuration, {});
-}
-
 /// Numbers and choices that keep their values.
 FileKeys kept(const Job& job) {
   FileKeys keys;
@@ -35,10 +20,24 @@ FileKeys kept(const Job& job) {
 
 }  // namespace
 
+DrawnJob first_job(const Batch& batch, std::size_t configuration) {
+  const std::size_t draws =
+      batch.job.study().draws > 0 ? batch.plan.draws(configuration) : std::size_t{0};
+  for (std::size_t draw = 0; draw < draws; ++draw) {
+    const Task task{.configuration = configuration, .draw = draw};
+    try {
+      return {draw, batch.job.job(configuration, batch.plan.draw(task))};
+    } catch (const Error&) {  // its runs fail with this error
+      continue;
+    }
+  }
+  return {{}, batch.job.job(configuration, {})};
+}
+
 std::vector<StatedAssumption> stated_assumptions(const Batch& batch) {
   std::vector<StatedAssumption> all;
   for (std::size_t i = 0; i < batch.job.configurations().size(); ++i) {
-    const FileKeys undrawn = kept(drawn_job(batch, i));
+    const FileKeys undrawn = kept(first_job(batch, i).job);
     for (const equipment::Assumption& each : batch.job.job(i, {}).assumptions)
       if (!each.reason.empty()) all.push_back({i, each, !undrawn.contains({each.file, each.key})});
   }

@@ -8,7 +8,7 @@
 
 namespace gurney::study {
 
-/// What a study will need, from some of its runs.
+/// Needs of a study, from some of its runs.
 struct Estimate {
   std::size_t runs = 0;          ///< of an IDA: the most there can be
   std::size_t timed = 0;         ///< runs that were timed
@@ -23,10 +23,10 @@ struct Estimate {
   }
 };
 
-/// Makes up to eight runs, spread over the tasks and their intensities (of an IDA: up to three steps
-/// on), until they have taken two seconds, and keeps nothing of them. The first is made twice: what
-/// is read and allocated once is not timed. Time is that of the processor, so that what else runs on
-/// the machine is not in it.
+/// Makes up to eight runs, spread over the tasks and their intensities (of an IDA: up to three
+/// steps on), until they have taken two seconds, and keeps nothing of them. The first is made
+/// twice: what is read and allocated once is not timed. Time is that of the processor, so that what
+/// else runs on the machine is not in it.
 /// @throws Error for a draw that makes no job
 Estimate estimate(const Batch& batch);
 

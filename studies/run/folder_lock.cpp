@@ -40,7 +40,7 @@ void make(const fs::path& folder) {
                                "'; it is kept. Give another name with -o");
 }
 
-/// What the holder wrote of itself.
+/// Name that the holder wrote into the lock.
 std::string holder(int file) {
   std::array<char, 300> bytes{};
   const ssize_t size = ::pread(file, bytes.data(), bytes.size(), 0);

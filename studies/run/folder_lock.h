@@ -40,7 +40,8 @@ class FolderLock {
 /// The process that works in a folder, "process 12 on node3"; empty: none.
 std::string working_process(const std::filesystem::path& folder);
 
-/// Removes a folder that holds nothing but a lock which nobody has: its owner ended while removing it.
+/// Removes a folder that holds nothing but a lock which nobody has: its owner ended while removing
+/// it.
 void remove_abandoned(const std::filesystem::path& folder);
 
 /// Whether a name in the folder of parts is one that this program gives.

@@ -2,7 +2,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
-#include "studies/run/part_file.h"
+#include "studies/run/part_folder.h"
 
 namespace gurney::study {
 

@@ -2,14 +2,61 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "studies/run/folder_lock.h"
-#include "studies/run/part_file.h"
 #include "studies/run/shard.h"
 
 namespace gurney::study {
+
+/// Bytes of tasks, by their indices.
+using TaskBytes = std::map<std::size_t, std::string>;
+
+/// Where the bytes of a task are in a part file.
+struct PartEntry {
+  std::size_t task = 0;
+  std::uint64_t offset = 0, size = 0;
+};
+
+/// Content of a part file: whole tasks, each with a SHA-256 that binds it to its study and its
+/// number, and at the end the SHA-256 of all before.
+struct PartContent {
+  std::vector<PartEntry> entries;
+  std::string damage;    ///< why it cannot be used; empty: nothing
+  bool foreign = false;  ///< it is whole, and of another study
+};
+
+/// Encodes and decodes the part files of one study.
+/// @param identity  of the study (study_identity.h)
+/// @param tasks     their number
+class PartFormat {
+ public:
+  PartFormat(const std::string& identity, std::size_t tasks);
+
+  std::string encode(const TaskBytes& tasks, std::vector<PartEntry>& entries) const;
+  PartContent decode(std::string_view bytes) const;
+
+  /// The bytes of one task.
+  /// @throws Error unless they are those that were encoded
+  std::string read(const std::filesystem::path& file, const PartEntry& entry) const;
+
+ private:
+  std::string hash_of(std::size_t task, std::string_view bytes) const;
+
+  std::string identity_hash_;
+  std::size_t tasks_;
+};
+
+std::filesystem::path part_path(const std::filesystem::path& folder, std::uint32_t part);
+
+/// Numbers of the part files of a folder, increasing.
+std::vector<std::uint32_t> part_numbers(const std::filesystem::path& folder);
+
+/// The bytes of a file that this program wrote.
+std::string file_bytes(const std::filesystem::path& path);
 
 /// The finished tasks of a study that is not complete: a folder beside its results file.
 ///
@@ -70,7 +117,7 @@ class PartFolder {
   void take_over(std::uint32_t part);
   void place(std::uint32_t part, const PartEntry& entry);
 
-  /// Of as many tasks as there are shards, which follow each other, each shard has one.
+  /// Each shard has one of as many consecutive tasks as there are shards.
   std::size_t index_of(std::size_t task) const { return task / shard_.count; }
 
   FolderLock lock_;

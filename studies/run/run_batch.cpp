@@ -9,9 +9,38 @@
 #include <utility>
 
 #include "engine/base/parallel.h"
-#include "studies/run/stage_levels.h"
+#include "studies/plan/stages.h"
 
 namespace gurney::study {
+
+StageLevels::StageLevels(const Batch& batch)
+    : batch_(batch),
+      levels_(batch.job.configurations().size(), batch.job.study().intensity.levels),
+      stripes_(levels_.size()) {
+  for (std::size_t i = 0; i < levels_.size(); ++i)
+    for (const double level : levels_[i]) stripes_[i][level].im = level;
+}
+
+void StageLevels::advance(const std::function<TaskResult(std::size_t)>& read) {
+  const std::size_t tasks = batch_.plan.tasks_of_stage();
+  for (std::size_t index = stage_ * tasks; index < (stage_ + 1) * tasks; ++index) {
+    auto& stripes = stripes_[batch_.plan.task(index).configuration];
+    for (const StudyRun& run : read(index).runs) {
+      if (is_failure(run.response.outcome)) continue;
+      statistics::Stripe& stripe = stripes[run.intensity];
+      stripe.im = run.intensity;
+      stripe.runs += 1;
+      stripe.exceeded += run.until;
+    }
+  }
+  for (std::size_t i = 0; i < levels_.size(); ++i) {
+    std::vector<statistics::Stripe> made;
+    for (const auto& [im, stripe] : stripes_[i]) made.push_back(stripe);
+    levels_[i] = next_levels(made, batch_.job.study().intensity.unit_in_si);
+  }
+  ++stage_;
+}
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -111,14 +140,14 @@ std::vector<std::size_t> missing_tasks(const Batch& batch, std::size_t stage, co
   return missing;
 }
 
-/// Of this thread: a busy machine does not make a record look slow.
+/// CPU time of this thread: a busy machine does not make a record look slow.
 double cpu_seconds() {
   timespec time{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// What the threads of a batch share.
+/// State that the threads of a batch share.
 struct Work {
   const Batch& batch;
   PartFolder& folder;

@@ -2,14 +2,38 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
+#include <vector>
 
 #include "studies/run/part_folder.h"
 #include "studies/run/run_task.h"
 #include "studies/run/shard.h"
+#include "studies/statistics/fragility.h"
 
 namespace gurney::study {
 
-/// What is known of a batch on its way.
+/// The levels of each configuration in one stage after the other. They rest on the outcomes of all
+/// tasks of the stages before, in the order of the tasks, and on nothing else.
+class StageLevels {
+ public:
+  explicit StageLevels(const Batch& batch);
+
+  std::size_t stage() const { return stage_; }
+  const std::vector<double>& of(std::size_t configuration) const { return levels_[configuration]; }
+
+  /// The next stage; all tasks of this one are done.
+  /// @param read  gives a task's result
+  void advance(const std::function<TaskResult(std::size_t)>& read);
+
+ private:
+  const Batch& batch_;
+  std::size_t stage_ = 0;
+  std::vector<std::vector<double>> levels_;
+  std::vector<std::map<double, statistics::Stripe>>
+      stripes_;  ///< of each configuration, by intensity
+};
+
+/// Progress of a batch.
 struct BatchProgress : RunCounts {          // of the tasks that are done
   std::size_t tasks = 0, done = 0;          ///< those of earlier attempts included
   std::size_t tasks_now = 0, runs_now = 0;  ///< of this attempt

@@ -5,8 +5,8 @@
 #include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
 #include "engine/run/run.h"
-#include "studies/limit_states/response_values.h"
-#include "studies/plan/intensities.h"
+#include "studies/limit_states/limit_state.h"
+#include "studies/plan/stages.h"
 #include "studies/results/names.h"
 
 namespace gurney::study {

@@ -10,14 +10,14 @@
 
 namespace gurney::study {
 
-/// What the tasks of a study share; constant while they run.
+/// Inputs that the tasks of a study share; constant while they run.
 struct Batch {
   const StudyJob& job;
   const StudyMotions& motions;
   const Plan& plan;
 };
 
-/// What run() is given for one run.
+/// Input of run() (engine/run) for one run.
 struct RunCase {
   Scene scene;
   FloorMotion floor;

@@ -50,7 +50,7 @@ Shard from_array(const Environment& environment) {
   const std::size_t least = value_of(environment, "SLURM_ARRAY_TASK_MIN", 0);
   const std::size_t most = value_of(environment, "SLURM_ARRAY_TASK_MAX", 0);
   const std::size_t count = value_of(environment, "SLURM_ARRAY_TASK_COUNT", 0);
-  // Of --array=3,5 Slurm says two tasks from 3 to 5: which shards of how many, nobody knows.
+  // For --array=3,5 Slurm says two tasks from 3 to 5: the shards are not known.
   require(id >= least && most >= least && most - least + 1 == count,
           fmt::format("--shard auto: the array has {} tasks with indices from {} to {}, which are "
                       "not consecutive; give --shard \"$SLURM_ARRAY_TASK_ID/N\" with N shards",

@@ -8,7 +8,7 @@
 namespace gurney::study {
 
 /// One of the shares into which the analysis cases of a study are divided, for as many processes.
-/// Of `count` cases that follow each other each shard has one, and every next time another one, so
+/// Each shard has one of `count` cases that follow each other, and every next time another one, so
 /// that no shard has all cases of a long record or of one configuration.
 struct Shard {
   std::size_t number = 1;  ///< from 1
@@ -18,7 +18,7 @@ struct Shard {
   /// Number of its tasks among those of a study.
   std::size_t tasks_of(std::size_t tasks) const;
 
-  /// Of its folder: "3-of-8".
+  /// Name of its folder: "3-of-8".
   std::string folder() const;
 
   friend bool operator==(const Shard&, const Shard&) = default;

@@ -21,7 +21,7 @@ fs::path log_of(const fs::path& folder, const Shard& shard) {
   return folder / (shard.folder() + ".log");
 }
 
-/// What the shards of one count lack: a line for each.
+/// Lists what the shards of one count lack, one line each.
 std::string missing_by_shard(const std::vector<std::size_t>& missing, std::size_t tasks,
                              std::size_t count) {
   std::string text;

@@ -11,8 +11,8 @@
 
 namespace gurney::study {
 
-/// Of a study's results: `FILE.h5.shards`. It holds a folder of parts for each shard, `3-of-8`, its
-/// log, `3-of-8.log`, and the file `job` with the path of the job.
+/// Folder beside a study's results: `FILE.h5.shards`. It holds a folder of parts for each shard,
+/// `3-of-8`, its log, `3-of-8.log`, and the file `job` with the path of the job.
 std::filesystem::path shards_path(const std::filesystem::path& results);
 
 /// The folders of shards in a folder, by name.

@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "studies/run/part_folder.h"
 #include "studies/run/shard.h"
 #include "studies/run/task_result.h"
 
 namespace gurney::study {
 
-/// What the runs under one record took.
+/// CPU time of the runs under one record.
 struct RecordTime {
   std::size_t runs = 0;
   double seconds = 0;  ///< CPU time of all
@@ -18,7 +19,7 @@ struct RecordTime {
   double mean() const { return runs == 0 ? 0 : seconds / static_cast<double>(runs); }
 };
 
-/// What a shard has finished, read beside the process that works on it.
+/// Finished cases of a shard, read beside the process that works on it.
 struct ShardStatus {
   Shard shard = {};
   std::size_t tasks = 0, done = 0;  ///< analysis cases
@@ -33,9 +34,41 @@ struct ShardStatus {
   std::map<std::string, RecordTime> records = {};  ///< by name; empty: the floor is at rest
 };
 
-/// Of a folder FILE.h5.shards with those that have not started, or of one FILE.h5.parts as shard 1
-/// of 1. Reads the parts alone and changes nothing.
+/// Reads a folder FILE.h5.shards with those that have not started, or of one FILE.h5.parts as shard
+/// 1 of 1. Reads the parts alone and changes nothing.
 /// @throws Error for a folder that is neither
 std::vector<ShardStatus> shard_status(const std::filesystem::path& folder);
+
+/// The analysis cases that a study has finished so far, read beside the process that works on it:
+/// of a folder FILE.h5.parts, or of all shards of FILE.h5.shards. Changes nothing.
+class FinishedCases {
+ public:
+  /// @throws Error for a folder that is neither
+  explicit FinishedCases(const std::filesystem::path& folder);
+
+  const std::string& identity() const { return identity_; }
+  std::size_t tasks() const { return places_.size(); }
+  std::size_t finished() const { return finished_; }
+  std::size_t damaged() const { return damaged_; }  ///< part files that are left out
+  bool has(std::size_t task) const { return !places_[task].file.empty(); }
+  TaskResult read(std::size_t task) const;
+
+  /// Writes those cases as the results file of a study.
+  /// @param job  path of the job's file, for relative names
+  /// @throws Error where the job, its records or its data files are no longer those of the study,
+  ///         or the program is another
+  void write(const std::string& path, const std::string& job) const;
+
+ private:
+  struct Place {
+    std::filesystem::path file;  ///< empty: not finished
+    PartEntry entry;
+  };
+  void take(const std::filesystem::path& folder);
+
+  std::string identity_;
+  std::vector<Place> places_;  ///< by task
+  std::size_t finished_ = 0, damaged_ = 0;
+};
 
 }  // namespace gurney::study

@@ -3,42 +3,413 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
 
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
 #include "studies/plan/data_files.h"
 #include "studies/prepare/run_job.h"
+#include "studies/results/growing_table.h"
+#include "studies/results/names.h"
 #include "studies/results/results_file.h"
 #include "studies/results/study_reader.h"
 #include "studies/run/declared_ranges.h"
-#include "studies/run/run_tables.h"
+#include "studies/run/run_task.h"
 #include "studies/run/study_identity.h"
 
 namespace gurney::study {
 namespace {
 
-/// Rows of texts, all known before the first is written.
-struct TextTable {
-  struct TextColumn {
-    std::string name, meaning;
-    std::vector<std::string> values;
-  };
-  std::vector<TextColumn> columns;
-
-  void write(GrowingTable& table) const {
-    for (const TextColumn& column : columns) {
-      std::size_t width = 1;
-      for (const std::string& value : column.values) width = std::max(width, value.size());
-      table.add_text(column.name, column.meaning, width);
-    }
-    for (std::size_t row = 0; row < columns.front().values.size(); ++row) {
-      for (const TextColumn& column : columns) table.put(column.values[row]);
-      table.end_row();
-    }
-    table.finish();
-  }
+/// Names of the parts of a configuration's runs.
+struct ConfigurationNames {
+  std::vector<std::string> items, zones, tethers, shapes;
+  std::vector<std::vector<std::string>> wheels, points;  ///< of each item
+  std::vector<std::string> variables;                    ///< that are drawn
 };
+
+template <class Named>
+std::vector<std::string> names_in(const std::vector<Named>& list) {
+  std::vector<std::string> names;
+  for (const Named& each : list) names.push_back(each.name);
+  return names;
+}
+
+std::vector<ConfigurationNames> names_of(const Batch& batch) {
+  std::vector<ConfigurationNames> all;
+  for (std::size_t i = 0; i < batch.job.configurations().size(); ++i) {
+    const Scene scene = batch.job.job(i, {}).scene;
+    ConfigurationNames& names = all.emplace_back();
+    names.items = item_names(scene);
+    names.zones = names_in(scene.zones);
+    names.tethers = names_in(scene.tethers);
+    names.shapes = names_in(scene.room);
+    for (const PlacedItem& item : scene.items) {
+      names.wheels.push_back(caster_names(item.model));
+      names.points.push_back(point_names(item.model));
+    }
+    for (const equipment::Assumption& each : first_job(batch, i).job.assumptions)
+      if (!each.distribution.empty()) names.variables.push_back(each.key);
+  }
+  return all;
+}
+
+/// The longest of some names of all configurations, at least 1.
+template <class Names>
+std::size_t widest(const std::vector<ConfigurationNames>& all, Names ConfigurationNames::*member) {
+  std::size_t width = 1;
+  const auto widen = [&](const std::string& name) { width = std::max(width, name.size()); };
+  for (const ConfigurationNames& names : all)
+    for (const auto& each : names.*member)
+      if constexpr (std::is_same_v<Names, std::vector<std::string>>)
+        widen(each);
+      else
+        std::ranges::for_each(each, widen);
+  return width;
+}
+
+/// A row of /runs.
+struct RunRow {
+  long analysis_case, configuration, record, motion;
+  double angle;
+  long draw, replica;
+  const StudyRun& run;
+  const groundmotions::SourceFacts& source;
+};
+
+constexpr TableColumn<RunRow> kRunsColumns[] = {
+    {"analysis_case", "1", "index of the analysis case, whose runs follow each other",
+     &RunRow::analysis_case},
+    {"configuration", "1", "row of /configurations", &RunRow::configuration},
+    {"record", "1", "index of the record in its set", &RunRow::record},
+    {"motion", "1", "row of /motions", &RunRow::motion},
+    {"angle", "rad", "angle of the record's axes from the floor's", &RunRow::angle},
+    {"draw", "1", "which draw of the uncertain parameters; -1: all have their values",
+     &RunRow::draw},
+    {"replica", "1",
+     "which replica of its draw: the masses of all but 0 are times a factor within 1 +- 1e-6",
+     &RunRow::replica},
+    {"scale", "1", "factor on the ground motion", [](const RunRow& r) { return r.run.scale; }},
+    {"intensity", "1", "the study's intensity measure, in its SI unit; 0: none",
+     [](const RunRow& r) { return r.run.intensity; }},
+    {"pfa", "m/s2", "largest horizontal acceleration of the floor",
+     [](const RunRow& r) { return r.run.pfa; }},
+    {"pfv", "m/s", "largest horizontal velocity of the floor",
+     [](const RunRow& r) { return r.run.pfv; }},
+    {"magnitude", "1", "of the earthquake, as the source of the record states it; NaN: it does not",
+     [](const RunRow& r) { return r.source.magnitude; }},
+    {"distance", "m", "of the site, of the kind in /records; NaN: not stated",
+     [](const RunRow& r) { return r.source.distance; }},
+    {"vs30", "m/s", "mean shear-wave velocity of the uppermost 30 m; NaN: not stated",
+     [](const RunRow& r) { return r.source.vs30; }},
+    {"end_time", "s", "end of the run", [](const RunRow& r) { return r.run.response.end_time; }},
+    {"energy_closure", "1", "largest energy balance error over the energy in play",
+     [](const RunRow& r) { return r.run.response.quality.energy_closure; }},
+};
+
+struct MotionRow {
+  long set, record;
+  double scale;
+};
+
+constexpr TableColumn<MotionRow> kMotionsColumns[] = {
+    {"set", "1", "set of ground motions: configurations that shake alike share one",
+     &MotionRow::set},
+    {"record", "1", "index of the record in its set", &MotionRow::record},
+    {"scale", "1", "factor on the record", &MotionRow::scale},
+};
+
+struct DrawnRow {
+  long configuration, draw;
+  double value;
+};
+
+constexpr TableColumn<DrawnRow> kDrawnColumns[] = {
+    {"configuration", "1", "row of /configurations", &DrawnRow::configuration},
+    {"draw", "1", "which draw", &DrawnRow::draw},
+    {"value", "1", "its value, in the unit at the end of its name", &DrawnRow::value},
+};
+
+constexpr std::span<const TableColumn<RunRow>> kRuns = kRunsColumns;
+constexpr std::span<const TableColumn<MotionRow>> kMotions = kMotionsColumns;
+constexpr std::span<const TableColumn<DrawnRow>> kDrawn = kDrawnColumns;
+
+struct SampleVector {
+  const char *name, *units, *meaning;
+  Vector3 Sample::*value;
+};
+
+/// Columns of /histories before those of sample_columns(): x, y and z of each.
+constexpr SampleVector kSampleVectors[] = {
+    {"displacement", "m", "displacement relative to the floor since the start",
+     &Sample::displacement},
+    {"velocity", "m/s", "velocity relative to the floor", &Sample::velocity},
+    {"acceleration", "m/s2", "acceleration relative to the floor", &Sample::acceleration}};
+
+void add_axes(GrowingTable& table, const std::string& name, const std::string& units,
+              const std::string& meaning) {
+  for (const char* axis : {"x", "y", "z"})
+    table.add_number(name + "_" + axis, units, std::string(axis) + " of the " + meaning);
+}
+
+void put(GrowingTable& table, const Vector3& v) { table.put(v.x()).put(v.y()).put(v.z()); }
+
+/// A column of texts that says what a row is of.
+struct Label {
+  const char *name, *meaning;
+  std::size_t width;
+};
+
+std::string kept_name(const KeptMeasure& kept) {
+  return name_of(kept.measure) + " " + name_of(kept.combination);
+}
+
+constexpr std::size_t kLongestOutcome = 12, kLongestCause = 512;
+
+/// The tables of a study's file that have rows for each run: in each the run, labels, and the
+/// columns of one or several structs.
+class RunTables {
+ public:
+  RunTables(Hdf5Writer& file, const Batch& batch);
+
+  void add(const TaskResult& result);
+  void finish() {
+    for (auto& [name, table] : tables_) table->finish();
+  }
+
+ private:
+  using Labels = std::vector<std::string>;
+
+  void add_run(const TaskResult& result, const Task& task, const StudyRun& run);
+  void add_items(const StudyRun& run, const ConfigurationNames& names);
+  void add_events(const Response& response, const ConfigurationNames& names);
+  void add_histories(const Response& response, const ConfigurationNames& names);
+  long motion_of(const Task& task, double scale);
+
+  template <class... Row>
+  GrowingTable& define(const std::string& name, const std::vector<Label>& labels,
+                       std::span<const TableColumn<Row>>... columns) {
+    GrowingTable& made = *(tables_[name] = std::make_unique<GrowingTable>(file_, name));
+    if (name != "motions" && name != "drawn") made.add_whole("run", "index of the run");
+    for (const Label& label : labels) made.add_text(label.name, label.meaning, label.width);
+    (made.add(columns), ...);
+    return made;
+  }
+
+  /// Begins a row of a table; null: the study does not keep it.
+  GrowingTable* begin(const std::string& name, const Labels& labels) {
+    const auto found = tables_.find(name);
+    if (found == tables_.end()) return nullptr;
+    found->second->put(static_cast<double>(runs_));
+    for (const std::string& label : labels) found->second->put(label);
+    return found->second.get();
+  }
+
+  template <class Row>
+  void row(const std::string& name, const Labels& labels, std::span<const TableColumn<Row>> columns,
+           const Row& values) {
+    if (GrowingTable* const table = begin(name, labels)) table->put(columns, values).end_row();
+  }
+
+  Hdf5Writer& file_;
+  const Batch& batch_;
+  std::vector<ConfigurationNames> names_;
+  std::map<std::string, std::unique_ptr<GrowingTable>> tables_;
+  std::map<std::tuple<std::size_t, std::size_t, double>, long> motions_;
+  std::int64_t runs_ = 0;
+};
+
+RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
+    : file_(file), batch_(batch), names_(names_of(batch)) {
+  const Study& study = batch.job.study();
+  const OutputOptions& keep = study.keep;
+  const Label item{"item", "name of the item", widest(names_, &ConfigurationNames::items)};
+  const Label wheel{"wheel", "name of the caster", widest(names_, &ConfigurationNames::wheels)};
+  const Label point{"point", "name of the marked point",
+                    widest(names_, &ConfigurationNames::points)};
+  define("runs", {{"outcome", "how the run ended", kLongestOutcome}}, kRuns);
+  GrowingTable& motions = define("motions", {}, kMotions);
+  for (const KeptMeasure& kept : study.measures)
+    motions.add_number(kept_name(kept), groundmotions::si_unit_of(kept.measure),
+                       groundmotions::definition_of(kept.measure));
+  define("items", {item}, demand_columns());
+  define("points", {item, point}, point_demand_columns());
+  if (keep.wheels) define("wheels", {item, wheel}, wheel_demand_columns());
+  if (keep.energy) define("energy", {item}, energy_columns());
+  const std::size_t body = std::max(wheel.width, std::string_view("chassis").size());
+  if (keep.events)
+    define("events",
+           {item,
+            {"body", "its part: chassis, or the name of a caster", body},
+            {"other", "what it hit: floor, or the name of a shape of the room or of an item",
+             std::max({std::string_view("floor").size(), item.width,
+                       widest(names_, &ConfigurationNames::shapes)})},
+            {"other_body", "part of the other item; empty: it hit no item", body}},
+           impact_columns());
+  if (keep.zones)
+    define("zones", {{"zone", "name of the zone", widest(names_, &ConfigurationNames::zones)}},
+           zone_columns());
+  if (keep.tethers)
+    define("tethers",
+           {{"tether", "name of the tether", widest(names_, &ConfigurationNames::tethers)}},
+           tether_columns());
+  if (keep.histories != Histories::kNone) {
+    GrowingTable& histories = define("histories", {item});
+    histories.add_number("time", "s", "time");
+    for (const SampleVector& each : kSampleVectors)
+      add_axes(histories, each.name, each.units, each.meaning);
+    histories.add(sample_columns());
+    if (keep.energy) histories.add(energy_columns());
+    GrowingTable& point_histories = define("point_histories", {item, point});
+    point_histories.add_number("time", "s", "time");
+    add_axes(point_histories, "absolute_acceleration", "m/s2",
+             "absolute acceleration of the point, without gravity, as an accelerometer has it");
+  }
+  if (study.step_check > 0) {
+    define("half_step", {item}, demand_columns());
+    define("half_step_points", {item, point}, point_demand_columns());
+  }
+  if (study.draws > 0)
+    define("drawn",
+           {{"variable", "the parameter that was drawn",
+             widest(names_, &ConfigurationNames::variables)}},
+           kDrawn);
+  define("failures", {{"cause", "why the run failed", kLongestCause}});
+  define("warnings",
+         {{"warning",
+           "what the building under this motion, or the repetition with half the step, warned of",
+           kLongestCause}});
+}
+
+void RunTables::add(const TaskResult& result) {
+  const Task task = batch_.plan.task(result.task);
+  const auto draw = batch_.plan.draw(task);
+  if (draw && task.angle == 0 && task.replica == 0) {
+    const std::vector<std::string>& variables = names_[task.configuration].variables;
+    for (std::size_t i = 0; i < std::min(variables.size(), result.drawn.size()); ++i)
+      tables_.at("drawn")
+          ->put(variables[i])
+          .put(kDrawn, DrawnRow{static_cast<long>(task.configuration),
+                                static_cast<long>(draw->run()), result.drawn[i]})
+          .end_row();
+  }
+  for (const StudyRun& run : result.runs) add_run(result, task, run);
+}
+
+long RunTables::motion_of(const Task& task, double scale) {
+  const std::size_t set = batch_.motions.index_of(task.configuration);
+  GrowingTable& motions = *tables_.at("motions");
+  const auto [place, fresh] =
+      motions_.try_emplace({set, task.record, scale}, static_cast<long>(motions.rows()));
+  if (!fresh) return place->second;
+  motions.put(kMotions, MotionRow{static_cast<long>(set), static_cast<long>(task.record), scale});
+  const std::vector<KeptMeasure>& kept = batch_.job.study().measures;
+  const std::vector<double>& values = batch_.motions.set(set).ground(task.record).measures;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    motions.put(values[i] * std::pow(scale, groundmotions::scaling_power(kept[i].measure)));
+  motions.end_row();
+  return place->second;
+}
+
+void RunTables::add_run(const TaskResult& result, const Task& task, const StudyRun& run) {
+  const auto draw = batch_.plan.draw(task);
+  row("runs", {name_of(run.response.outcome)}, kRuns,
+      RunRow{static_cast<long>(result.task), static_cast<long>(task.configuration),
+             static_cast<long>(task.record), motion_of(task, run.scale),
+             batch_.job.study().angles[task.angle], draw ? static_cast<long>(draw->run()) : -1,
+             static_cast<long>(task.replica), run,
+             batch_.motions.set_of(task.configuration).ground(task.record).source});
+  for (const std::string& warning : run.warnings)
+    begin("warnings", {warning.substr(0, kLongestCause)})->end_row();
+  const ConfigurationNames& names = names_[task.configuration];
+  if (is_failure(run.response.outcome)) {
+    begin("failures", {run.response.cause.substr(0, kLongestCause)})->end_row();
+  } else {
+    add_items(run, names);
+    add_events(run.response, names);
+  }
+  add_histories(run.response, names);
+  ++runs_;
+}
+
+void RunTables::add_items(const StudyRun& run, const ConfigurationNames& names) {
+  const auto add_demands = [&](const std::string& items, const std::string& points, std::size_t i,
+                               const Demands& demands) {
+    row(items, {names.items[i]}, demand_columns(), demands);
+    for (std::size_t k = 0; k < demands.points.size(); ++k)
+      row(points, {names.items[i], names.points[i][k]}, point_demand_columns(), demands.points[k]);
+  };
+  for (std::size_t i = 0; i < run.response.items.size(); ++i) {
+    const ItemResponse& item = run.response.items[i];
+    add_demands("items", "points", i, item.demands);
+    row("energy", {names.items[i]}, energy_columns(), item.energy);
+    for (std::size_t k = 0; k < item.demands.wheels.size(); ++k)
+      row("wheels", {names.items[i], names.wheels[i][k]}, wheel_demand_columns(),
+          item.demands.wheels[k]);
+  }
+  for (std::size_t i = 0; i < run.at_half_step.size(); ++i)
+    add_demands("half_step", "half_step_points", i, run.at_half_step[i]);
+}
+
+void RunTables::add_events(const Response& response, const ConfigurationNames& names) {
+  for (const Impact& impact : response.impacts)
+    row("events", {names.items[impact.item], impact.body, impact.other, impact.other_body},
+        impact_columns(), impact);
+  for (std::size_t i = 0; i < response.zones.size(); ++i)
+    row("zones", {names.zones[i]}, zone_columns(), response.zones[i]);
+  for (std::size_t i = 0; i < response.tethers.size(); ++i)
+    row("tethers", {names.tethers[i]}, tether_columns(), response.tethers[i]);
+}
+
+void RunTables::add_histories(const Response& response, const ConfigurationNames& names) {
+  for (std::size_t i = 0; i < response.items.size(); ++i)
+    for (const Sample& sample : response.items[i].history) {
+      GrowingTable* const histories = begin("histories", {names.items.at(i)});
+      if (histories == nullptr) return;
+      histories->put(sample.time);
+      for (const SampleVector& each : kSampleVectors) put(*histories, sample.*each.value);
+      histories->put(sample_columns(), sample);
+      if (batch_.job.study().keep.energy) histories->put(energy_columns(), sample.energy);
+      histories->end_row();
+      for (std::size_t k = 0; k < sample.points.size(); ++k) {
+        GrowingTable& points =
+            *begin("point_histories", {names.items.at(i), names.points.at(i).at(k)});
+        put(points.put(sample.time), sample.points[k].absolute_acceleration);
+        points.end_row();
+      }
+    }
+}
+
+/// A column of a table of texts, which are all known before the first is written.
+template <class Row>
+struct TextColumn {
+  std::string name, meaning;
+  std::function<std::string(const Row&)> text;
+};
+
+template <class Row>
+void add_texts(Hdf5Writer& file, const std::string& name, const std::vector<Row>& rows,
+               const std::vector<TextColumn<Row>>& columns) {
+  GrowingTable table(file, name);
+  for (const TextColumn<Row>& column : columns) {
+    std::size_t width = 1;
+    for (const Row& row : rows) width = std::max(width, column.text(row).size());
+    table.add_text(column.name, column.meaning, width);
+  }
+  for (const Row& row : rows) {
+    for (const TextColumn<Row>& column : columns) table.put(column.text(row));
+    table.end_row();
+  }
+  table.finish();
+}
 
 void add_root(Hdf5Writer& file, const Batch& batch) {
   add_program(file, "gurney-study", kStudyFormatVersion);
@@ -58,84 +429,79 @@ void add_root(Hdf5Writer& file, const Batch& batch) {
 }
 
 void add_configurations(Hdf5Writer& file, const Batch& batch) {
+  std::vector<TextColumn<Configuration>> columns{
+      {"name", "levels of all factors",
+       [](const auto& each) { return fmt::format("{}", fmt::join(each.levels, ", ")); }}};
   const std::vector<Factor>& factors = batch.job.study().factors;
-  TextTable texts;
-  texts.columns.push_back({"name", "levels of all factors", {}});
-  for (const Factor& factor : factors)
-    texts.columns.push_back({factor.name, "level of this factor", {}});
-  for (const Configuration& each : batch.job.configurations()) {
-    texts.columns[0].values.push_back(fmt::format("{}", fmt::join(each.levels, ", ")));
-    for (std::size_t i = 0; i < factors.size(); ++i)
-      texts.columns[i + 1].values.push_back(each.levels[i]);
-  }
-  GrowingTable table(file, "configurations");
-  texts.write(table);
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    columns.push_back({factors[i].name, "level of this factor",
+                       [i](const Configuration& each) { return each.levels[i]; }});
+  add_texts(file, "configurations", batch.job.configurations(), columns);
 }
 
 void add_records(Hdf5Writer& file, const Batch& batch) {
-  std::vector<std::string> sets, names, files, processing, warnings, distances;
+  struct RecordRow {
+    std::size_t set;
+    std::string name;
+    const GroundMotion* motion;
+  };
+  std::vector<RecordRow> rows;
   for (std::size_t set = 0; set < batch.motions.sets(); ++set)
-    for (std::size_t i = 0; i < batch.motions.set(set).size(); ++i) {
-      const GroundMotion& motion = batch.motions.set(set).ground(i);
-      sets.push_back(std::to_string(set));
-      names.push_back(batch.motions.set(set).name(i));
-      files.push_back(motion.files);
-      processing.push_back(fmt::format("{}", fmt::join(motion.processing, "\n")));
-      warnings.push_back(fmt::format("{}", fmt::join(motion.warnings, "\n")));
-      distances.push_back(motion.source.distance_kind);
-    }
-  GrowingTable table(file, "records");
-  TextTable{{{"set", "set of ground motions", sets},
-             {"name", "name of the record; empty: the floor is at rest", names},
-             {"files", "SHA-256 and name of each of its files", files},
-             {"processing", "what was done to it, step by step", processing},
-             {"warnings", "what its reading warned of", warnings},
-             {"distance_kind",
-              "kind of runs/distance: Rrup, Rjb, epicentral, not stated; empty: none", distances}}}
-      .write(table);
+    for (std::size_t i = 0; i < batch.motions.set(set).size(); ++i)
+      rows.push_back({set, batch.motions.set(set).name(i), &batch.motions.set(set).ground(i)});
+  const auto lines = [](const std::vector<std::string>& list) {
+    return fmt::format("{}", fmt::join(list, "\n"));
+  };
+  add_texts<RecordRow>(
+      file, "records", rows,
+      {{"set", "set of ground motions", [](auto& r) { return std::to_string(r.set); }},
+       {"name", "name of the record; empty: the floor is at rest", &RecordRow::name},
+       {"files", "SHA-256 and name of each of its files", [](auto& r) { return r.motion->files; }},
+       {"processing", "what was done to it, step by step",
+        [&](auto& r) { return lines(r.motion->processing); }},
+       {"warnings", "what its reading warned of",
+        [&](auto& r) { return lines(r.motion->warnings); }},
+       {"distance_kind", "kind of runs/distance: Rrup, Rjb, epicentral, not stated; empty: none",
+        [](auto& r) { return r.motion->source.distance_kind; }}});
 }
 
 void add_data_files(Hdf5Writer& file, const Batch& batch) {
-  std::vector<std::string> names, hashes;
-  for (const auto& [name, hash] : data_files(batch.job)) {
-    names.push_back(name);
-    hashes.push_back(hash);
-  }
-  GrowingTable table(file, "data_files");
-  TextTable{{{"name", "of the catalogue, or relative to the job's folder", names},
-             {"sha256", "SHA-256 of the file", hashes}}}
-      .write(table);
+  using File = std::pair<std::string, std::string>;
+  const std::map<std::string, std::string> files = data_files(batch.job);
+  add_texts<File>(file, "data_files", {files.begin(), files.end()},
+                  {{"name", "of the catalogue, or relative to the job's folder", &File::first},
+                   {"sha256", "SHA-256 of the file", &File::second}});
 }
 
 /// Nothing unless the draws are those of a Saltelli design.
 void add_design(Hdf5Writer& file, const Batch& batch) {
   const std::vector<std::string> inputs = batch.plan.inputs();
-  if (inputs.empty()) return;
-  GrowingTable table(file, "design");
-  TextTable{{{"input", "input of the design, in the order of its matrices", inputs}}}.write(table);
+  if (!inputs.empty())
+    add_texts<std::string>(
+        file, "design", inputs,
+        {{"input", "input of the design, in the order of its matrices", std::identity()}});
 }
 
 void add_assumptions(Hdf5Writer& file, const Batch& batch) {
-  std::vector<std::string> configurations, keys, values, ranges, drawn, reasons, files;
-  for (const StatedAssumption& each : stated_assumptions(batch)) {
-    const AssumptionFacts facts = facts_of(each.assumption);
-    configurations.push_back(std::to_string(each.configuration));
-    keys.push_back(facts.key);
-    values.push_back(facts.value);
-    ranges.push_back(facts.range);
-    drawn.push_back(each.drawn ? "yes" : "no");
-    reasons.push_back(facts.reason);
-    files.push_back(facts.file);
-  }
-  GrowingTable table(file, "assumptions");
-  TextTable{{{"configuration", "row of /configurations", configurations},
-             {"key", "the number that has no source", keys},
-             {"value", "its value where it is not drawn", values},
-             {"range", "how far it may be off", ranges},
-             {"drawn", "yes: drawn by the study; no: always its value", drawn},
-             {"reason", "why this value", reasons},
-             {"file", "data file that states it", files}}}
-      .write(table);
+  struct AssumptionRow {
+    AssumptionFacts facts;
+    std::size_t configuration;
+    bool drawn;
+  };
+  std::vector<AssumptionRow> rows;
+  for (const StatedAssumption& each : stated_assumptions(batch))
+    rows.push_back({facts_of(each.assumption), each.configuration, each.drawn});
+  add_texts<AssumptionRow>(
+      file, "assumptions", rows,
+      {{"configuration", "row of /configurations",
+        [](auto& r) { return std::to_string(r.configuration); }},
+       {"key", "the number that has no source", [](auto& r) { return r.facts.key; }},
+       {"value", "its value where it is not drawn", [](auto& r) { return r.facts.value; }},
+       {"range", "how far it may be off", [](auto& r) { return r.facts.range; }},
+       {"drawn", "yes: drawn by the study; no: always its value",
+        [](auto& r) { return r.drawn ? "yes" : "no"; }},
+       {"reason", "why this value", [](auto& r) { return r.facts.reason; }},
+       {"file", "data file that states it", [](auto& r) { return r.facts.file; }}});
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "engine/config/document.h"
 #include "studies/build_info/build_info.h"
 #include "studies/plan/data_files.h"
-#include "studies/plan/flat_tree.h"
+#include "studies/plan/study_job.h"
 
 namespace gurney::study {
 namespace {

@@ -6,11 +6,11 @@
 
 namespace gurney::study {
 
-/// What decides a study's numbers, as text: lines `key = value` for the job, each record and each
-/// data file, an empty line, and the job itself.
+/// Inputs that decide a study's numbers, as text: lines `key = value` for the job, each record and
+/// each data file, an empty line, and the job itself.
 std::string inputs_of(const Batch& batch);
 
-/// The same with the program that makes the runs: what must be equal for runs to belong together.
+/// Inputs and the program that makes the runs: what must be equal for runs to belong together.
 std::string identity_of(const Batch& batch);
 
 /// The number of analysis cases in identity_of().
@@ -31,7 +31,7 @@ std::string job_text_in(const std::string& identity);
 /// empty only where they are equal.
 std::string difference(const std::string& theirs, const std::string& ours);
 
-/// The same of two jobs; empty: they differ in nothing that is read.
+/// Compares two jobs; empty: they differ in nothing that is read.
 std::string job_difference(const std::string& theirs, const std::string& ours);
 
 }  // namespace gurney::study

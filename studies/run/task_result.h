@@ -19,11 +19,11 @@ struct StudyRun {
   bool until = false;    ///< it exceeds IntensityPlan::until
   std::vector<std::string> warnings;  ///< of the building, and of a repeat that failed
   Response response;                  ///< histories only where the study keeps them
-  /// Of a run repeated at half the step; else empty: the demands of its items.
+  /// Demands of the items of a run repeated at half the step; else empty.
   std::vector<Demands> at_half_step;
 };
 
-/// What a task of run_batch() took. Parts alone have it: results must not depend on the machine.
+/// Cost of a task of run_batch(). Parts alone have it: results must not depend on the machine.
 struct TaskCost {
   std::string record;         ///< name of its ground motion
   double cpu_seconds = 0;     ///< of its thread

@@ -22,7 +22,7 @@ inline constexpr double kFewestGroups = 8;
 /// would rest on the form of the curve alone. The same for an end of beta and beta itself.
 inline constexpr double kFarthestEnd = 10;
 
-/// What a fragility curve may be, pointwise.
+/// Confidence band of a fragility curve, pointwise.
 struct FragilityBand {
   FragilityStatus status = FragilityStatus::kNoRuns;  ///< of the fit to all runs
 

@@ -3,11 +3,11 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "studies/statistics/newton.h"
+#include "studies/statistics/special.h"
 
 namespace gurney::statistics {
 
-/// What is known of a number y: low <= y <= high. Exact where low == high; low = -infinity or high
+/// Knowledge of a number y: low <= y <= high. Exact where low == high; low = -infinity or high
 /// = infinity where one side is open.
 struct CensoredValue {
   double low = 0, high = 0;

@@ -24,7 +24,7 @@ struct CloudPoint {
   std::size_t group = 0;  ///< number of the record
 };
 
-/// What is known of ln EDP of one run.
+/// Knowledge of ln EDP of one run.
 CensoredValue log_demand(const CloudPoint& point);
 
 enum class CloudStatus {

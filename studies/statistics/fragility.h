@@ -2,17 +2,63 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "studies/statistics/lognormal.h"
-#include "studies/statistics/newton.h"
-#include "studies/statistics/stripes.h"
+#include "studies/statistics/special.h"
 
 namespace gurney::statistics {
+
+/// One run seen at one limit: did it exceed at its intensity?
+struct Observation {
+  double im = 0;  ///< > 0, any unit
+  bool exceeded = false;
+  std::size_t group = 0;  ///< runs that share a record are not independent: its number
+  std::size_t analysis_case =
+      0;  ///< of a record: runs that differ in their intensity alone share it
+};
+
+/// Outcomes at one intensity.
+struct Stripe {
+  double im = 0;
+  double runs = 0, exceeded = 0;  ///< counts; double, for they are weights in sums
+
+  double fraction() const { return exceeded / runs; }
+};
+
+/// Observations counted by distinct intensity, for all and for each group.
+///
+/// A resample of groups is then a sum of counts, without a look at single runs.
+class StripeTable {
+ public:
+  /// The order of the observations changes nothing.
+  /// @throws Error unless every im is > 0 and finite.
+  explicit StripeTable(const std::vector<Observation>& observations);
+
+  const std::vector<Stripe>& stripes() const { return stripes_; }  ///< im increases
+  std::size_t groups() const { return of_group_.size(); }          ///< those that have a run
+
+  /// Whether a group has several runs at one intensity: such runs are not independent.
+  bool repeats_groups() const;
+
+  struct GroupCounts {
+    std::size_t stripe;
+    double runs, exceeded;
+  };
+  const std::vector<GroupCounts>& of_group(std::size_t group) const { return of_group_[group]; }
+
+  /// Stripes with each group counted `times[group]` times; stripes left without runs stay, empty.
+  std::vector<Stripe> resampled(const std::vector<int>& times) const;
+
+ private:
+  std::vector<Stripe> stripes_;
+  std::vector<std::vector<GroupCounts>> of_group_;
+};
 
 /// Why there is a curve or none.
 enum class FragilityStatus {
@@ -28,7 +74,7 @@ enum class FragilityStatus {
 /// `no run exceeds` and the like, for a reader.
 std::string text(FragilityStatus status);
 
-/// What is known of theta where there is no curve: it lies above `low`, if that is > 0, and below
+/// Bounds of theta where there is no curve: it lies above `low`, if that is > 0, and below
 /// `high`, if that is finite; both at one im: about there.
 struct MedianBounds {
   double low = 0, high = std::numeric_limits<double>::infinity();
@@ -36,7 +82,7 @@ struct MedianBounds {
   bool known() const { return low > 0 || std::isfinite(high); }
 };
 
-/// Those of a quasi-complete separation at `im`, where `fraction` exceeds: the likelihood is
+/// Bounds after a quasi-complete separation at `im`, where `fraction` exceeds: the likelihood is
 /// highest for a step there, so theta lies beyond it on the side of the rarer outcome, as far as
 /// the next intensity on that side (0 or infinity if there is none).
 MedianBounds median_bounds(double im, double fraction, double next_below, double next_above);
@@ -65,7 +111,7 @@ ProbitFit fit_probit(const std::vector<Stripe>& stripes);
 /// The ln likelihood of a line (slope, intercept) and its derivatives; concave.
 Quadratic<2> binomial_likelihood(const std::vector<Stripe>& stripes, const Eigen::Vector2d& line);
 
-/// The same for another likelihood of (slope, intercept) that is concave, such as the logistic one.
+/// Does so for another likelihood of (slope, intercept) that is concave, such as the logistic one.
 ProbitFit fit_line(const std::vector<Stripe>& stripes,
                    const std::function<Quadratic<2>(const Eigen::Vector2d&)>& likelihood);
 
@@ -113,5 +159,31 @@ FragilityFit fit_fragility(const StripeTable& table);
 
 /// Covariance of (ln theta, ln beta) from that of (slope, intercept), by the delta method.
 Eigen::Matrix2d covariance_of_curve(const Eigen::Vector2d& line, const Eigen::Matrix2d& covariance);
+
+/// How well the fitted curve describes the stripes.
+struct FitCheck {
+  double pearson = 0;   ///< sum (k - n p)^2 / (n p (1 - p))
+  double deviance = 0;  ///< likelihood ratio against a probability of its own for each stripe
+  int degrees = 0;      ///< stripes - 2
+  double p_pearson = 1, p_deviance = 1;  ///< of chi-squared; true where counts are large
+  double p_simulated = 1;  ///< of the deviance, from counts drawn with the fitted curve
+};
+
+/// Pearson's and the likelihood-ratio statistic (McCullagh & Nelder 1989, Generalized linear
+/// models, chapter 4), and the parametric bootstrap of the second (Davison & Hinkley 1997,
+/// section 4.2), p = (1 + number of resamples with at least the deviance) / (1 + resamples), for
+/// small counts. All suppose independent runs: where runs of one record are alike p is too small or
+/// too large. None unless the fit is kFitted on three stripes or more.
+std::optional<FitCheck> check_fit(const std::vector<Stripe>& stripes, int resamples = 999,
+                                  std::uint64_t seed = 1);
+
+/// The nondecreasing values nearest to `values` in weighted squares, by pooling adjacent violators
+/// (Ayer et al. 1955, Annals of Mathematical Statistics 26(4), 641-647).
+/// @throws Error unless there is a weight > 0 for each value.
+std::vector<double> isotonic(const std::vector<double>& values, const std::vector<double>& weights);
+
+/// The curve without a form: the most likely probability at each stripe that never falls with im.
+/// Stripes without runs are not allowed.
+std::vector<double> isotonic_curve(const std::vector<Stripe>& stripes);
 
 }  // namespace gurney::statistics

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "engine/base/error.h"
+#include "engine/base/random/normal_draw.h"
 #include "studies/statistics/special.h"
 
 namespace gurney::statistics {
@@ -122,5 +123,55 @@ MeanRate mean_rate(const std::function<double(double)>& probability, const Hazar
 }
 
 double probability_in(double years, double rate) { return -std::expm1(-rate * years); }
+
+namespace {
+
+double rate_of(const Eigen::Vector2d& line, const HazardCurve& hazard) {
+  if (line[0] > 0) {
+    const LognormalCurve curve{std::exp(-line[1] / line[0]), 1 / line[0]};
+    // A slope so small that theta or the rate overflows is one of 0.
+    const double rate = std::isnormal(curve.theta) ? mean_rate(curve, hazard).rate : kInfinity;
+    if (std::isfinite(rate)) return rate;
+  }
+  if (hazard.pieces().front().low == 0) return kInfinity;
+  return mean_rate([&](double im) { return normal_cdf(line[0] * std::log(im) + line[1]); }, hazard)
+      .rate;
+}
+
+}  // namespace
+
+Interval rate_interval(const std::vector<Eigen::Vector2d>& outline, const HazardCurve& hazard) {
+  if (outline.empty()) return {0, kInfinity};
+  Interval interval{kInfinity, 0};
+  for (const Eigen::Vector2d& line : outline) {
+    const double rate = rate_of(line, hazard);
+    interval = {std::min(interval.low, rate), std::max(interval.high, rate)};
+  }
+  return interval;
+}
+
+namespace {
+
+void require_probabilities(const std::vector<double>& probabilities) {
+  for (std::size_t i = 0; i < probabilities.size(); ++i)
+    require(probabilities[i] >= 0 && probabilities[i] <= 1,
+            fmt::format("probability[{}] = {:g} must be within [0, 1]", i, probabilities[i]));
+}
+
+}  // namespace
+
+LevelProbabilities level_probabilities(const std::vector<double>& exceedance) {
+  require_probabilities(exceedance);
+  LevelProbabilities result;
+  double better = 1;
+  for (const double probability : exceedance) {
+    result.crossed = result.crossed || probability > better;
+    const double here = std::min(better, probability);
+    result.of_level.push_back(better - here);
+    better = here;
+  }
+  result.of_level.push_back(better);
+  return result;
+}
 
 }  // namespace gurney::statistics

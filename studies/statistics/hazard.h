@@ -1,10 +1,12 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 #include <optional>
 #include <vector>
 
-#include "studies/statistics/lognormal.h"
+#include "studies/statistics/bands.h"
+#include "studies/statistics/special.h"
 
 namespace gurney::statistics {
 
@@ -60,5 +62,21 @@ MeanRate mean_rate(const std::function<double(double)>& probability, const Hazar
 
 /// Probability of one event or more in some years of a Poisson process, 1 - exp(-rate years).
 double probability_in(double years, double rate);
+
+/// Least and largest mean annual rate of the lines (slope, intercept) around the region of a band
+/// (FragilityBand::outline). The rate rises with the intercept everywhere, so its extremes are on
+/// the outline. Infinite where a line does not rise and the hazard has no lowest intensity.
+/// [0, infinity] without an outline.
+Interval rate_interval(const std::vector<Eigen::Vector2d>& outline, const HazardCurve& hazard);
+
+/// P(the level is the worst reached) from P(level or worse) of ordered levels at one im.
+struct LevelProbabilities {
+  std::vector<double> of_level;  ///< none first, then each level; sums to 1
+  bool crossed = false;  ///< a worse level was more likely than a better one and was cut to it
+};
+
+/// @param exceedance  P(level or worse), mildest level first
+/// @throws Error unless all are within [0, 1].
+LevelProbabilities level_probabilities(const std::vector<double>& exceedance);
 
 }  // namespace gurney::statistics

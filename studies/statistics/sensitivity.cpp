@@ -44,6 +44,20 @@ VarianceIndex with_interval(double estimate, const std::vector<double>& resample
                                         quantile_of(resampled, (1 + confidence) / 2) - bias});
 }
 
+/// An index of all rows, with the interval of those drawn with replacement; none where the rows have
+/// no estimate.
+template <class Estimate>
+std::optional<VarianceIndex> index_of(std::size_t rows, const SensitivityOptions& options,
+                                      Estimate estimate_of) {
+  const std::optional<double> estimate = estimate_of(all_rows(rows));
+  if (!estimate) return {};
+  std::vector<double> resampled;
+  for (int i = 0; i < options.resamples; ++i)
+    if (const auto drawn = estimate_of(drawn_rows(rows, options.seed, i)))
+      resampled.push_back(*drawn);
+  return with_interval(*estimate, resampled, options.confidence);
+}
+
 /// Kelley's epsilon squared of some rows; none if y does not vary there.
 std::optional<double> share_between(const std::vector<std::size_t>& classes, std::size_t most,
                                     const std::vector<double>& y, const Rows& rows) {
@@ -147,14 +161,9 @@ std::optional<VarianceIndex> first_order_index_of_classes(const std::vector<std:
   std::vector<std::size_t> numbered;
   for (const std::size_t c : classes) numbered.push_back(number[c]);
   if (y.empty() || y.size() < 2 * number.size()) return {};
-  const auto estimate = share_between(numbered, number.size(), y, all_rows(y.size()));
-  if (!estimate) return {};
-  std::vector<double> resampled;
-  for (int i = 0; i < options.resamples; ++i)
-    if (const auto share =
-            share_between(numbered, number.size(), y, drawn_rows(y.size(), options.seed, i)))
-      resampled.push_back(*share);
-  return with_interval(*estimate, resampled, options.confidence);
+  return index_of(y.size(), options, [&](const Rows& rows) {
+    return share_between(numbered, number.size(), y, rows);
+  });
 }
 
 std::vector<SobolIndices> sobol_indices(const std::vector<double>& a, const std::vector<double>& b,
@@ -182,6 +191,61 @@ std::vector<SobolIndices> sobol_indices(const std::vector<double>& a, const std:
                        with_interval(estimate.total, total, options.confidence)});
   }
   return indices;
+}
+
+namespace {
+
+struct Class {
+  double count = 0, mean = 0, squares = 0;  ///< squares: about the mean
+};
+
+std::vector<Class> classes_of(const std::vector<std::size_t>& classes,
+                              const std::vector<double>& y) {
+  std::map<std::size_t, Class> all;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    Class& of = all[classes[i]];
+    of.count += 1;
+    const double away = y[i] - of.mean;
+    of.mean += away / of.count;
+    of.squares += away * (y[i] - of.mean);
+  }
+  std::vector<Class> listed;
+  for (const auto& [number, of] : all) listed.push_back(of);
+  return listed;
+}
+
+std::optional<double> share_within(const std::vector<Class>& classes) {
+  double n = 0, sum = 0, count_squares = 0, within = 0, between = 0;
+  for (const Class& of : classes) {
+    n += of.count;
+    sum += of.count * of.mean;
+    count_squares += of.count * of.count;
+    within += of.squares;
+  }
+  const double m = static_cast<double>(classes.size());
+  if (m < 2 || !(n > m)) return {};
+  for (const Class& of : classes) between += of.count * std::pow(of.mean - sum / n, 2);
+  const double ms_within = within / (n - m), ms_between = between / (m - 1);
+  const double n0 = (n - count_squares / n) / (m - 1);
+  const double total = ms_within + (ms_between - ms_within) / n0;
+  if (!(total > 0)) return {};
+  return ms_within / total;
+}
+
+}  // namespace
+
+std::optional<VarianceIndex> share_within_classes(const std::vector<std::size_t>& classes,
+                                                  const std::vector<double>& y,
+                                                  const SensitivityOptions& options) {
+  require(
+      classes.size() == y.size(),
+      fmt::format("{} classes have {} outputs: must be one for each", classes.size(), y.size()));
+  const std::vector<Class> all = classes_of(classes, y);
+  return index_of(all.size(), options, [&](const Rows& rows) {
+    std::vector<Class> drawn;
+    for (const std::size_t i : rows) drawn.push_back(all[i]);
+    return share_within(drawn);
+  });
 }
 
 }  // namespace gurney::statistics

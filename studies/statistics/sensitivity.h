@@ -56,20 +56,18 @@ std::optional<VarianceIndex> first_order_index(const std::vector<double>& x,
                                                const std::vector<double>& y,
                                                const SensitivityOptions& options = {});
 
-/// The same for an input without an order, such as the record: a class for each number.
+/// First-order index of an input without an order, such as the record: a class for each number.
 std::optional<VarianceIndex> first_order_index_of_classes(const std::vector<std::size_t>& classes,
                                                           const std::vector<double>& y,
                                                           const SensitivityOptions& options = {});
 
 /// Share of the variance that is left where all inputs are given, E Var(y | class) / Var y, with
 /// Var y = E Var(y | class) + Var E(y | class), the law of total variance. By the analysis of
-/// variance of one random factor, unbiased for classes of any sizes n_i (Searle, Casella & McCulloch
-/// 1992, Variance components, section 3.6):
-/// E Var(y | class) = MS_within = SS_within / (n - m),
-/// Var E(y | class) = (MS_between - MS_within) / n_0, MS_between = SS_between / (m - 1),
-/// n_0 = (n - sum n_i^2 / n) / (m - 1).
-/// The interval is by bootstrap over classes. None for fewer than two classes, none with two
-/// values, and where y does not vary.
+/// variance of one random factor, unbiased for classes of any sizes n_i (Searle, Casella &
+/// McCulloch 1992, Variance components, section 3.6): E Var(y | class) = MS_within = SS_within / (n
+/// - m), Var E(y | class) = (MS_between - MS_within) / n_0, MS_between = SS_between / (m - 1), n_0
+/// = (n - sum n_i^2 / n) / (m - 1). The interval is by bootstrap over classes. None for fewer than
+/// two classes, none with two values, and where y does not vary.
 /// @throws Error unless there is a class for each y.
 std::optional<VarianceIndex> share_within_classes(const std::vector<std::size_t>& classes,
                                                   const std::vector<double>& y,

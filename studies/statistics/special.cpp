@@ -68,4 +68,18 @@ double beta_quantile(double probability, double a, double b) {
   return quantile(boost::math::beta_distribution<>(a, b), probability);
 }
 
+double LognormalCurve::probability(double im) const {
+  return im > 0 ? normal_cdf(std::log(im / theta) / beta) : 0;
+}
+
+double LognormalCurve::quantile(double probability) const {
+  return theta * std::exp(beta * normal_quantile(probability));
+}
+
+double LognormalCurve::mean() const { return theta * std::exp(beta * beta / 2); }
+
+double LognormalCurve::standard_deviation() const {
+  return mean() * std::sqrt(std::expm1(beta * beta));
+}
+
 }  // namespace gurney::statistics

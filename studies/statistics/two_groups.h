@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "studies/statistics/bands.h"
-#include "studies/statistics/stripes.h"
+#include "studies/statistics/fragility.h"
 
 namespace gurney::statistics {
 

@@ -9,7 +9,6 @@
 
 #include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
-#include "studies/statistics/newton.h"
 #include "studies/statistics/special.h"
 
 namespace gurney::statistics {

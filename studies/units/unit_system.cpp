@@ -7,54 +7,27 @@
 #include <iterator>
 
 #include "engine/base/error.h"
-#include "engine/base/units.h"
+#include "engine/base/unit_table.h"
 #include "engine/config/nearest_name.h"
 
 namespace gurney::study {
 namespace {
 
-// National Institute of Standards and Technology, Special Publication 811 (2008), appendix B.8:
-// exact by definition.
-constexpr double kInch = 0.0254, kPound = 0.45359237;
-constexpr double kPoundForce = kPound * kStandardGravity;
-
-struct Unit {
-  const char* name;
-  double in_si;
-};
-
-constexpr Unit kRadian{"rad", 1}, kDegree{"deg", kRadiansPerDegree};
-constexpr Unit kMeter{"m", 1}, kCentimeter{"cm", 0.01}, kMillimeter{"mm", 0.001},
-    kInches{"in", kInch};
-constexpr Unit kG{"g", kStandardGravity};
-constexpr Unit kNewton{"N", 1}, kJoule{"J", 1}, kKilogram{"kg", 1};
-
-/// The quantity of an SI unit and what is left of it: "rad/s" is "rad" and "/s".
-ReportUnit with_rest(const Unit& unit, const std::string& rest) {
-  return {unit.name + rest, unit.in_si};
+/// A unit of the table with what is left of an SI unit: "rad/s" is "rad" and "/s".
+ReportUnit with_rest(const char* unit, const std::string& rest) {
+  return {unit + rest, in_si(unit)};
 }
 
 }  // namespace
 
 struct UnitSystem::Row {
-  const char* name;
-  Unit length, acceleration, angle, force, energy, mass;
+  const char *name, *length, *acceleration, *angle, *force, *energy, *mass;
 };
-
 const UnitSystem::Row UnitSystem::kRows[] = {
-    {"si", kMeter, {"m/s2", 1}, kRadian, kNewton, kJoule, kKilogram},
-    {"m", kMeter, {"m/s2", 1}, kDegree, kNewton, kJoule, kKilogram},
-    {"cm", kCentimeter, {"cm/s2", 0.01}, kDegree, kNewton, kJoule, kKilogram},
-    {"g-m", kMeter, kG, kDegree, kNewton, kJoule, kKilogram},
-    {"g-cm", kCentimeter, kG, kDegree, kNewton, kJoule, kKilogram},
-    {"g-mm", kMillimeter, kG, kDegree, kNewton, kJoule, kKilogram},
-    {"g-in",
-     kInches,
-     kG,
-     kDegree,
-     {"lbf", kPoundForce},
-     {"lbf in", kPoundForce* kInch},
-     {"lb", kPound}}};
+    {"si", "m", "m/s2", "rad", "N", "J", "kg"},       {"m", "m", "m/s2", "deg", "N", "J", "kg"},
+    {"cm", "cm", "cm/s2", "deg", "N", "J", "kg"},     {"g-m", "m", "g", "deg", "N", "J", "kg"},
+    {"g-cm", "cm", "g", "deg", "N", "J", "kg"},       {"g-mm", "mm", "g", "deg", "N", "J", "kg"},
+    {"g-in", "in", "g", "deg", "lbf", "lbf in", "lb"}};
 
 UnitSystem::UnitSystem(const std::string& name) {
   row_ = std::ranges::find(kRows, name, [](const Row& row) { return row.name; });
@@ -74,15 +47,15 @@ UnitSystem UnitSystem::or_else(const char* name) const {
 }
 
 ReportUnit UnitSystem::of(const std::string& si) const {
-  const Unit acceleration = chosen() ? row_->acceleration : kG;
-  const Unit angle = chosen() ? row_->angle : kDegree;
+  const char* const acceleration = chosen() ? row_->acceleration : "g";
+  const char* const angle = chosen() ? row_->angle : "deg";
   if (si == "m/s2") return with_rest(acceleration, "");
   if (si == "rad" || si == "rad/s" || si == "rad/s2") return with_rest(angle, si.substr(3));
   if (!chosen()) return {si, 1};
   if (si == "m" || si == "m/s") return with_rest(row_->length, si.substr(1));
   if (si == "N" || si == "N s") return with_rest(row_->force, si.substr(1));
   if (si == "J" || si == "N m")
-    return row_->force.in_si == 1 ? ReportUnit{si, 1} : with_rest(row_->energy, "");
+    return in_si(row_->force) == 1 ? ReportUnit{si, 1} : with_rest(row_->energy, "");
   if (si == "kg") return with_rest(row_->mass, "");
   return {si, 1};
 }

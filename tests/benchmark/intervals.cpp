@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "studies/statistics/rate_interval.h"
+#include "studies/statistics/hazard.h"
 #include "tests/benchmark/sections.h"
 #include "tests/studies/statistics/synthetic.h"
 

@@ -1,4 +1,4 @@
-#include "studies/limit_states/limit_state_expression.h"
+#include "studies/limit_states/limit_state_reader.h"
 #include "studies/plan/assessment_files.h"
 #include "tests/fuzz/feed.h"
 

@@ -1,5 +1,5 @@
 #include "engine/base/hash/sha256.h"
-#include "studies/run/part_file.h"
+#include "studies/run/part_folder.h"
 #include "studies/run/study_identity.h"
 #include "studies/run/task_result.h"
 #include "tests/fuzz/feed.h"

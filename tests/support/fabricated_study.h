@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/statistics/lognormal.h"
+#include "studies/statistics/special.h"
 
 namespace gurney {
 

@@ -9,7 +9,7 @@
 #include "engine/run/simulate.h"
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/load_item.h"
-#include "equipment/catalogue/stability.h"
+#include "equipment/catalogue/support.h"
 #include "tests/support/standing.h"
 
 // What every shipped item must be: found by a hospital's word for it, stable as IEC 60601-1 asks,

@@ -5,7 +5,6 @@
 
 #include <string>
 
-#include "equipment/catalogue/implausible.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 

@@ -9,7 +9,7 @@
 #include "engine/config/document.h"
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/load_item.h"
-#include "equipment/catalogue/stability.h"
+#include "equipment/catalogue/support.h"
 
 // docs/equipment.md against the files: every row is made here from the catalogue, up to its words.
 namespace gurney::equipment {

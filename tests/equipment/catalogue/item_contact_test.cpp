@@ -1,9 +1,8 @@
-#include "equipment/catalogue/item_contact.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "equipment/catalogue/check_file.h"
+#include "equipment/catalogue/contact_table.h"
 #include "equipment/catalogue/load_item.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipment/catalogue/sampler.h"
+#include "equipment/catalogue/uncertainty.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::equipment {

@@ -1,5 +1,3 @@
-#include "equipment/catalogue/stability.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <numeric>
 
 #include "engine/base/units.h"
+#include "equipment/catalogue/support.h"
 
 namespace gurney::equipment {
 namespace {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <vector>
 
-#include "equipment/catalogue/stability.h"
+#include "equipment/catalogue/support.h"
 
 // Every item on casters over the thresholds of IEC 60601-1, and the table of docs/equipment.md.
 namespace gurney::equipment::threshold {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "equipment/catalogue/quantity.h"
-#include "equipment/catalogue/uncertain.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::equipment {

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include "studies/analysis/fragility_result.h"
-#include "studies/analysis/performance.h"
 #include "tests/studies/analysis/small_study.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"

@@ -1,8 +1,7 @@
-#include "studies/analysis/designed_sensitivity.h"
-
 #include <gmock/gmock.h>
 
 #include "engine/base/random/sampling.h"
+#include "studies/analysis/study_sensitivity.h"
 #include "studies/figures/sensitivity_figure.h"
 #include "studies/report/sensitivity_report.h"
 #include "tests/studies/analysis/made_study.h"

@@ -8,7 +8,6 @@
 
 #include "engine/base/random/normal_draw.h"
 #include "engine/base/units.h"
-#include "studies/analysis/performance.h"
 #include "studies/figures/fragility_figure.h"
 #include "studies/report/fragility_report.h"
 #include "tests/studies/analysis/small_study.h"

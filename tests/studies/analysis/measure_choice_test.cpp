@@ -66,6 +66,20 @@ TEST_F(MeasureChoiceTest, MeasuresInOneProportionAreEquallyGood) {
               HasSubstr("as good as pfa, pfv, to which it is proportional"));
 }
 
+/// A measure that one run lacks rests on fewer runs: its likelihood cannot be compared.
+TEST_F(MeasureChoiceTest, MeasuresThatSomeRunsLackRankBehind) {
+  std::vector<MadeRun> runs = ruled_by_pfv(20, 0.3);
+  runs.back().pfv = std::nan("");
+  const StudyData study = data(runs, 20);
+  const MeasureChoice choice = choose_measure({&study, 0}, 0);
+  ASSERT_EQ(choice.rows.size(), 3);
+  EXPECT_EQ(choice.rows[0].left_out, 0);
+  EXPECT_EQ(choice.rows[1].left_out, 0);
+  EXPECT_EQ(choice.rows[2].name, "pfv");
+  EXPECT_EQ(choice.rows[2].left_out, 1);
+  EXPECT_LT(choice.rows[2].efficiency, choice.rows[0].efficiency);
+}
+
 TEST_F(MeasureChoiceTest, NoiseSettlesNothing) {
   std::vector<MadeRun> runs = ruled_by_pfv(10, 3);
   const StudyData study = data(runs, 10);

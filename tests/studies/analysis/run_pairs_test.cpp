@@ -1,7 +1,6 @@
-#include "studies/analysis/run_pairs.h"
-
 #include <gmock/gmock.h>
 
+#include "studies/analysis/study_comparison.h"
 #include "tests/studies/analysis/made_study.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"

@@ -1,5 +1,3 @@
-#include "studies/analysis/site_rate.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>

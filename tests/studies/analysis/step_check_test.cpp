@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/base/random/normal_draw.h"
-#include "studies/analysis/replica_cases.h"
+#include "studies/analysis/replica_spread.h"
 #include "tests/studies/analysis/made_study.h"
 #include "tests/support/temp_folder.h"
 

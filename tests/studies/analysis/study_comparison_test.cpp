@@ -5,7 +5,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "studies/analysis/input_differences.h"
 #include "studies/figures/comparison_figure.h"
 #include "studies/report/comparison_report.h"
 #include "tests/studies/analysis/made_study.h"
@@ -135,7 +134,7 @@ TEST_F(StudyComparisonTest, AStudyIsTheSameAsItself) {
   const StudyComparison found = compare_studies({&study, 1}, {&study, 1});
   EXPECT_EQ(found.tests.all(), 0);
   for (const ComparedQuantity& each : found.quantities) EXPECT_EQ(each.difference, 0) << each.name;
-  EXPECT_TRUE(input_differences({&study, 1}, {&study, 1}).none());
+  EXPECT_TRUE(input_differences({&study, 1}, {&study, 1}).empty());
 }
 
 TEST_F(StudyComparisonTest, CurvesThatDifferAreFound) {

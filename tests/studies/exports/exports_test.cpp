@@ -6,10 +6,8 @@
 #include <sstream>
 
 #include "studies/analysis/overview.h"
-#include "studies/exports/nrml.h"
-#include "studies/exports/outside_measure.h"
-#include "studies/exports/pelicun.h"
-#include "studies/exports/response_csv.h"
+#include "studies/exports/chosen_curves.h"
+#include "studies/exports/export.h"
 #include "studies/statistics/capacity.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fabricated_study.h"

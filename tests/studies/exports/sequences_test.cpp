@@ -1,8 +1,8 @@
-#include "studies/exports/sequences.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
+
+#include "studies/exports/chosen_curves.h"
 
 namespace gurney::study {
 namespace {

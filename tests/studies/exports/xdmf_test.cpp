@@ -1,5 +1,3 @@
-#include "studies/exports/xdmf.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include "engine/base/units.h"
 #include "engine/base/vector.h"
 #include "engine/run/simulate.h"
+#include "studies/exports/export.h"
 #include "studies/prepare/run_job.h"
 #include "studies/results/hdf5_reader.h"
 #include "studies/results/results_file.h"

@@ -1,9 +1,11 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <thread>
 
 #include "engine/base/random/distribution.h"
@@ -101,10 +103,10 @@ TEST(JobDraw, ReachesTheItemItsCastersItsFloorAndItsPlace) {
     EXPECT_EQ(item.casters[i].tread.static_friction,
               drawn_value(job, "front left/tread.static_friction"));
   }
-  // mass, three of the centre of mass; y, yaw, slope; for each caster heading, brake and nine, and
-  // the torque of a brake that is on.
+  // mass, three of the centre of mass; y, yaw, slope; for each caster heading, brake, its torque, on
+  // or off, and nine.
   EXPECT_EQ(job.scene.cross_slope, 0);
-  EXPECT_EQ(drawn_in(job).size(), 4u + 3 + 4 * 11 + braked(job));
+  EXPECT_EQ(drawn_in(job).size(), 4u + 3 + 4 * 12);
 }
 
 TEST(JobDraw, AModelIsSampledWithoutItsFiles) {
@@ -157,6 +159,30 @@ TEST(JobDraw, BrakesOfAnItemAreAlikeAndNotTheSame) {
     EXPECT_EQ(caster.brake_torque, torque.quantile(Draw(1, 2).probability(
                                        caster.name + "/brake_torque_n_m", {"brake torque", 0.8})));
   EXPECT_NE(casters[0].brake_torque, casters[1].brake_torque);
+}
+
+// A study stores the numbers of a draw by their places in this list.
+TEST(JobDraw, HasTheSameNumbersInEveryDrawWhateverIsSwitchedOn) {
+  const auto draw = [](int number) {
+    return job_of(kUncertain + fmt::format("[uncertainty]\ndraw = {}\n", number));
+  };
+  const auto names = [](const Job& job) {
+    std::vector<std::string> all;
+    for (const equipment::Assumption& each : drawn_in(job)) all.push_back(each.key);
+    return all;
+  };
+  const std::vector<std::string> first = names(draw(0));
+  std::set<std::size_t> numbers_of_brakes;
+  for (int number = 0; number < 8; ++number) {
+    const Job job = draw(number);
+    EXPECT_EQ(names(job), first) << number;
+    numbers_of_brakes.insert(braked(job));
+    std::size_t in_use = 0;
+    for (const equipment::Assumption& each : drawn_in(job))
+      in_use += each.in_use && each.key.ends_with("/brake_torque_n_m");
+    EXPECT_EQ(in_use, braked(job)) << number;
+  }
+  EXPECT_GT(numbers_of_brakes.size(), 1u);
 }
 
 TEST(JobDraw, StreamsAreThoseOfWhatIsUsed) {

@@ -1,8 +1,7 @@
-#include "studies/limit_states/limit_state_expression.h"
-
 #include <gmock/gmock.h>
 
 #include "engine/base/units.h"
+#include "studies/limit_states/limit_state_reader.h"
 #include "studies/results/columns.h"
 #include "tests/support/error_text.h"
 #include "tests/support/expect_error.h"

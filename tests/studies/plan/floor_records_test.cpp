@@ -1,11 +1,10 @@
-#include "studies/plan/floor_records.h"
-
 #include <gmock/gmock.h>
 
 #include <atomic>
 #include <thread>
 
 #include "engine/base/error.h"
+#include "studies/plan/study_motions.h"
 
 namespace gurney::study {
 namespace {

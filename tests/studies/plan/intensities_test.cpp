@@ -1,9 +1,9 @@
-#include "studies/plan/intensities.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
+
+#include "studies/plan/stages.h"
 
 namespace gurney::study {
 namespace {

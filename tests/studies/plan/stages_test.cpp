@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/base/random/normal_draw.h"
-#include "studies/run/stage_levels.h"
+#include "studies/run/run_batch.h"
 #include "studies/statistics/fragility.h"
 #include "tests/studies/small_study.h"
 

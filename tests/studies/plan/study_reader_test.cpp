@@ -1,8 +1,7 @@
-#include "studies/plan/study_reader.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "studies/plan/study.h"
 #include "tests/studies/small_study.h"
 #include "tests/support/error_text.h"
 

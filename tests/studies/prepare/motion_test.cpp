@@ -1,5 +1,3 @@
-#include "studies/prepare/motion.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include "engine/config/table.h"
 #include "groundmotions/measures/combination.h"
 #include "studies/job/record_reader.h"
+#include "studies/prepare/run_job.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 

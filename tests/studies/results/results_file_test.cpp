@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "engine/base/hash/sha256.h"
-#include "studies/results/floor_histories.h"
 #include "studies/results/hdf5_reader.h"
+#include "studies/results/histories.h"
 #include "tests/support/fabricated_run.h"
 #include "tests/support/fabricated_ward.h"
 #include "tests/support/page_rows.h"

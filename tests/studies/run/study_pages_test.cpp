@@ -4,7 +4,7 @@
 #include <set>
 
 #include "engine/config/table.h"
-#include "studies/plan/study_reader.h"
+#include "studies/plan/study.h"
 #include "studies/run/study_file.h"
 #include "tests/studies/small_study.h"
 #include "tests/support/error_text.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "studies/statistics/hazard.h"
 #include "studies/statistics/quantiles.h"
-#include "studies/statistics/rate_interval.h"
 #include "studies/statistics/special.h"
 #include "tests/studies/statistics/synthetic.h"
 #include "tests/support/expect_error.h"

@@ -1,5 +1,3 @@
-#include "studies/statistics/capacity_intervals.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <limits>
 
 #include "engine/base/random/normal_draw.h"
+#include "studies/statistics/capacity.h"
 #include "studies/statistics/special.h"
 #include "tests/studies/statistics/synthetic.h"
 

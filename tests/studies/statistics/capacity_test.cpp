@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "studies/statistics/capacity_intervals.h"
 #include "tests/studies/statistics/synthetic.h"
 #include "tests/support/expect_error.h"
 

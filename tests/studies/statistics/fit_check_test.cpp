@@ -1,10 +1,9 @@
-#include "studies/statistics/fit_check.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "studies/statistics/fragility.h"
 #include "tests/studies/statistics/synthetic.h"
 #include "tests/support/expect_error.h"
 

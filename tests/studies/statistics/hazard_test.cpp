@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "studies/statistics/rate_interval.h"
 #include "tests/support/expect_error.h"
 
 namespace gurney::statistics {

@@ -1,8 +1,7 @@
-#include "studies/statistics/joint_failure.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "studies/statistics/hazard.h"
 #include "tests/support/expect_error.h"
 
 namespace gurney::statistics {

@@ -1,5 +1,3 @@
-#include "studies/statistics/lognormal.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

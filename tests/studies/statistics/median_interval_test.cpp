@@ -1,9 +1,9 @@
-#include "studies/statistics/median_interval.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <numeric>
+
+#include "studies/statistics/quantiles.h"
 
 namespace gurney::statistics {
 namespace {

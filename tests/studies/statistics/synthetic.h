@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "engine/base/random/normal_draw.h"
-#include "studies/statistics/lognormal.h"
-#include "studies/statistics/stripes.h"
+#include "studies/statistics/fragility.h"
+#include "studies/statistics/special.h"
 
 namespace gurney::statistics {
 

@@ -14,12 +14,9 @@ from gurney.units import _TO_SI  # noqa: E402
 CONSTANTS = {"kStandardGravity": 9.80665, "kRadiansPerDegree": math.pi / 180}
 ONLY_HERE = {"J": ("J", 1.0), "1": ("1", 1.0)}  # of results that no limit state is about
 
-program = {}
-for name in ("job/scale_reader.cpp", "limit_states/limit_state_reader.cpp"):
-    with open(os.path.join(support.SOURCE, "studies", name), encoding="utf-8") as file:
-        rows = re.findall(r'Unit\{"([^"]+)", "([^"]+)", ([\w.]+)\}', file.read())
-    assert len(rows) >= 7, (name, rows)
-    for unit, si, value in rows:
-        program[unit] = si, CONSTANTS[value] if value in CONSTANTS else float(value)
+with open(os.path.join(support.SOURCE, "engine", "base", "unit_table.cpp"), encoding="utf-8") as file:
+    rows = re.findall(r'\{"([^"]+)", "([^"]+)", ([\w.]+)\}', file.read().split("kUnits[]")[1].split("};")[0])
+program = {unit: (si, CONSTANTS[value] if value in CONSTANTS else float(value)) for unit, si, value in rows}
+assert len(program) >= 14, program
 assert {**program, **ONLY_HERE} == _TO_SI, (program, _TO_SI)
 print(f"{len(program)} units agree")

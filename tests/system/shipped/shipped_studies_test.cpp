@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "engine/base/input_file.h"
-#include "studies/limit_states/response_values.h"
+#include "studies/limit_states/limit_state.h"
 #include "studies/run/run_task.h"
 
 namespace gurney::study {
