@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "engine/base/printable.h"
@@ -12,6 +11,7 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/equipment_check.h"
 #include "studies/cli/job_argument.h"
+#include "studies/cli/print.h"
 #include "studies/cli/scale_warnings.h"
 #include "studies/cli/study_size.h"
 #include "studies/cli/study_warnings.h"
@@ -25,30 +25,26 @@
 namespace gurney::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct CheckOptions {
   std::string job;
   bool json = false;
   int threads = 0;
 };
 
-/// A line of the answer and the same as JSON.
-struct Answer {
-  std::string text;
-  Json json;
-
-  /// @param key  of JSON, with its unit; the line begins without the unit
-  void add(const std::string& key, const Json& value, const std::string& words) {
-    json[key] = value;
-    text += fmt::format("{:<14} {}\n", key.substr(0, key.find('_')), printable(words));
+/// What is known of a job: a value for programs, and words for people beside the key without its
+/// unit.
+class Answer {
+ public:
+  void add(const std::string& key, const findings::Value& value, const std::string& words) {
+    known.json(key, value).text(key.substr(0, key.find('_')), printable(words));
   }
+
+  findings::Section known;
 };
 
 void add_warnings(Answer& answer, const std::vector<std::string>& warnings) {
-  answer.json["warnings"] = warnings;
-  for (const std::string& warning : warnings)
-    answer.text += "warning: " + printable(warning) + '\n';
+  answer.known.list("warnings", "", warnings);
+  for (const std::string& warning : warnings) answer.known.say("warning: " + printable(warning));
 }
 
 void add_intensity(Answer& answer, const study::IntensityPlan& plan) {
@@ -59,8 +55,7 @@ void add_intensity(Answer& answer, const study::IntensityPlan& plan) {
     return;
   }
   const std::string measure = name_of(plan.measure) + " " + name_of(plan.combination);
-  answer.json["measure"] = measure;
-  answer.json["unit"] = plan.unit;
+  answer.known.json("measure", measure).json("unit", plan.unit);
   if (plan.kind == study::IntensityPlan::Kind::kStripes)
     answer.add("levels", levels,
                fmt::format("{}: {:g} {} of {}", levels.size(), fmt::join(levels, ", "), plan.unit,
@@ -92,8 +87,7 @@ void add_scale_factors(Answer& answer, const study::Batch& batch) {
           factors.add(number, stated ? level : motions.scale_for(i, level));
   }
   if (!factors.any()) return;
-  answer.add("scale_factors", report::scale_factors_json(factors),
-             "factors " + factors.text() + (ida ? " (first level of the IDA)" : ""));
+  answer.known.add(report::scale_factor_findings(factors, ida ? " (first level of the IDA)" : ""));
 }
 
 void add_plan(Answer& answer, const study::Batch& batch,
@@ -137,9 +131,8 @@ void add_plan(Answer& answer, const study::Batch& batch,
         fmt::format("{} of each draw, masses times a factor within 1 +- 1e-6", study.replicas));
   if (!inputs.empty()) answer.add("inputs", inputs, list_of(inputs));
   const study::UndrawnRanges undrawn = study::undrawn_ranges(batch);
-  answer.json["ranges_not_drawn"] = undrawn.lines();
   warnings.insert(warnings.end(), of_buildings.begin(), of_buildings.end());
-  answer.text += render::text(report::undrawn_findings(undrawn));
+  answer.known.add(report::undrawn_findings(undrawn));
   add_warnings(answer, warnings);
 }
 
@@ -195,7 +188,7 @@ int check_command(const CheckOptions& options) {
   const Answer answer = study::has_study(options.job)
                             ? check_study(study::StudyJob(options.job), threads)
                             : check_run(options.job);
-  fmt::print("{}", options.json ? answer.json.dump(2) + '\n' : answer.text);
+  print_findings(answer.known, options.json);
   return 0;
 }
 

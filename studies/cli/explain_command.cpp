@@ -11,11 +11,11 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/explained_case.h"
 #include "studies/cli/figure_output.h"
+#include "studies/cli/print.h"
 #include "studies/cli/standard_error.h"
 #include "studies/cli/units_option.h"
-#include "studies/explanation/figure.h"
-#include "studies/explanation/json.h"
-#include "studies/explanation/text.h"
+#include "studies/figures/explanation_figure.h"
+#include "studies/report/explanation_report.h"
 
 namespace gurney::cli {
 namespace {
@@ -65,7 +65,7 @@ int explain(const ExplainOptions& options) {
           "--replicas: are of the variants of --what-if, which is missing");
   options.figure.check(options.overwrite);
   const CaseAgain again = case_again(options.file, options.run, options.job);
-  const explanation::Explanation found = explained(again, options.units);
+  const explanation::Explanation found = explained(again, options.units).explanation;
   std::optional<explanation::WhatIf> what;
   if (options.what_if && !found.failed)
     what = explanation::what_if(
@@ -74,13 +74,8 @@ int explain(const ExplainOptions& options) {
                             : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
         VariantProgress());
   if (!options.figure.empty())
-    options.figure.write(explanation::figure(found), options.overwrite, options.json);
-  if (options.json) {
-    fmt::print("{}", explanation::json(found, what ? &*what : nullptr));
-  } else {
-    fmt::print("{}", explanation::text(found));
-    if (what) fmt::print("{}", explanation::text(*what, found));
-  }
+    options.figure.write(figures::explanation_figure(found), options.overwrite, options.json);
+  print_findings(report::explanation_findings(found, what ? &*what : nullptr), options.json);
   return found.failed ? 3 : 0;
 }
 

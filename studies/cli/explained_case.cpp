@@ -3,11 +3,11 @@
 #include "engine/base/error.h"
 #include "engine/run/run.h"
 #include "studies/explanation/explain.h"
-#include "studies/report/narrative.h"
+#include "studies/report/run_report.h"
 
 namespace gurney::cli {
 
-explanation::Explanation explained(const CaseAgain& again, const study::UnitSystem& units) {
+Explained explained(const CaseAgain& again, const study::UnitSystem& units) {
   const study::RunFacts& facts = again.run.facts;
   const auto settings =
       explanation::finely_stored(facts.settings, facts.floor, facts.scene.items.size());
@@ -16,9 +16,8 @@ explanation::Explanation explained(const CaseAgain& again, const study::UnitSyst
   require(differs.empty(), differs);
   add_predictability(facts.scene, facts.floor, settings, response);
   explanation::Explanation found = explanation::explain(facts, response);
-  found.narrative = report::narrative(facts, response, units);
   found.units = units;
-  return found;
+  return {std::move(found), report::narrative(facts, response, units)};
 }
 
 }  // namespace gurney::cli

@@ -2,11 +2,18 @@
 
 #include "studies/cli/case_again.h"
 #include "studies/explanation/facts.h"
+#include "studies/render/render.h"
 
 namespace gurney::cli {
 
+/// Why a run ended as it did, and what happened in it.
+struct Explained {
+  explanation::Explanation explanation;
+  findings::Section narrative;
+};
+
 /// Runs the case again, with histories of single steps, and explains it.
 /// @throws Error where its demands are not those of the file
-explanation::Explanation explained(const CaseAgain& again, const study::UnitSystem& units = {});
+Explained explained(const CaseAgain& again, const study::UnitSystem& units = {});
 
 }  // namespace gurney::cli

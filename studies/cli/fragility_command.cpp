@@ -10,6 +10,7 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
 #include "studies/cli/method_option.h"
+#include "studies/cli/print.h"
 #include "studies/cli/units_option.h"
 #include "studies/figures/fragility_figure.h"
 #include "studies/figures/vector_figure.h"
@@ -48,9 +49,9 @@ std::size_t configuration_index(const study::StudyData& data, const std::string&
 }
 
 /// Curves over one measure.
-std::string curves(const FragilityOptions& options, const study::StudyData& data,
-                   const std::vector<std::size_t>& states,
-                   const std::vector<std::size_t>& configurations) {
+findings::Section curves(const FragilityOptions& options, const study::StudyData& data,
+                         const std::vector<std::size_t>& states,
+                         const std::vector<std::size_t>& configurations) {
   std::vector<study::FragilityResult> results;
   for (const std::size_t state : states)
     for (const std::size_t configuration : configurations)
@@ -60,14 +61,13 @@ std::string curves(const FragilityOptions& options, const study::StudyData& data
                                                    .method = curve_method(options.method)}));
   if (!options.figure.empty())
     options.figure.write(figures::fragility_figure(data, results), options.overwrite, true);
-  return options.json ? report::fragility_json(results, options.units)
-                      : report::fragility_report(data, results);
+  return report::fragility_findings(data, results);
 }
 
 /// Surfaces over two.
-std::string surfaces(const FragilityOptions& options, const study::StudyData& data,
-                     const std::vector<std::size_t>& states,
-                     const std::vector<std::size_t>& configurations) {
+findings::Section surfaces(const FragilityOptions& options, const study::StudyData& data,
+                           const std::vector<std::size_t>& states,
+                           const std::vector<std::size_t>& configurations) {
   std::vector<study::VectorResult> results;
   for (const std::size_t state : states)
     for (const std::size_t configuration : configurations)
@@ -75,8 +75,7 @@ std::string surfaces(const FragilityOptions& options, const study::StudyData& da
           study::vector_of(data, state, configuration, {options.measure, options.second}));
   if (!options.figure.empty())
     options.figure.write(figures::vector_figure(data, results), options.overwrite, true);
-  return options.json ? report::vector_json(results, options.units)
-                      : report::vector_report(data, results);
+  return report::vector_findings(data, results);
 }
 
 int fragility(const FragilityOptions& options) {
@@ -89,7 +88,7 @@ int fragility(const FragilityOptions& options) {
       chosen(options.configurations, data.configurations().size(),
              [&](const std::string& name) { return configuration_index(data, name); });
   const auto make = options.second.empty() ? curves : surfaces;
-  fmt::print("{}", make(options, data, states, configurations));
+  print_findings(make(options, data, states, configurations), options.json);
   return 0;
 }
 

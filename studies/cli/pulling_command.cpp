@@ -10,6 +10,7 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
 #include "studies/cli/new_folder.h"
+#include "studies/cli/print.h"
 #include "studies/cli/signals.h"
 #include "studies/figures/pulling_figures.h"
 #include "studies/report/pulling_report.h"
@@ -76,8 +77,8 @@ int pulling(const PullingOptions& options) {
     }
     files.commit();
   }
-  fmt::print("{}",
-             options.json ? report::pulling_json(report) : report::pulling_text(report) + written);
+  print_findings(report::pulling_findings(report), options.json);
+  if (!options.json) fmt::print("{}", written);
   return 0;
 }
 

@@ -24,7 +24,9 @@ struct ReportOptions {
 void add_explanation(page::PageRequest& request) {
   try {
     if (is_study(request.file)) return;
-    request.explanation = explained(case_again(request.file, {}, request.job), request.units);
+    Explained found = explained(case_again(request.file, {}, request.job), request.units);
+    request.explanation = std::move(found.explanation);
+    request.narrative = std::move(found.narrative);
   } catch (const Error& error) {
     request.no_explanation = error.what();
   }

@@ -9,9 +9,10 @@
 #include "engine/base/shell_word.h"
 #include "engine/run/run.h"
 #include "studies/build_info/build_info.h"
+#include "studies/cli/print.h"
 #include "studies/cli/signals.h"
 #include "studies/figures/run_figure.h"
-#include "studies/report/summary.h"
+#include "studies/report/run_report.h"
 #include "studies/results/output_files.h"
 #include "studies/results/results_file.h"
 
@@ -37,11 +38,9 @@ std::string log_text(const std::string& job, const Response& response, double se
 
 void print(const RunOutput& output, const study::PreparedRun& run, const Response& response,
            double seconds) {
-  if (output.json) {
-    fmt::print("{}", report::summary_json(run.facts, response));
-    return;
-  }
-  fmt::print("{}\n", report::summary(run.facts, response, output.units));
+  print_findings(report::run_findings(run.facts, response, output.units), output.json);
+  if (output.json) return;
+  fmt::print("\n");
   if (seconds > 0) fmt::print("speed    {:.0f} x real time\n", response.end_time / seconds);
   fmt::print("results  {}\n", printable(output.results.string()));
   if (!output.no_figure) fmt::print("figure   {}\n", printable(output.figure().string()));

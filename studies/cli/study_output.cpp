@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cstdio>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
@@ -107,12 +106,12 @@ void print_study(const study::Batch& batch, const fs::path& results, const Study
   const study::UndrawnRanges undrawn = study::undrawn_ranges(batch);
   const auto& [counts, factors] = summary;
   if (json) {
-    nlohmann::ordered_json text{
-        {"results", results.string()},     {"runs", counts.runs},
-        {"overturned", counts.overturned}, {"failed", counts.failed},
-        {"untrusted", counts.untrusted},   {"ranges_not_drawn", undrawn.lines()}};
-    if (factors.any()) text["scale_factors"] = report::scale_factors_json(factors);
-    fmt::print("{}\n", text.dump(2));
+    findings::Section known;
+    known.json("results", results.string()).json("runs", counts.runs);
+    known.json("overturned", counts.overturned).json("failed", counts.failed);
+    known.json("untrusted", counts.untrusted).list("ranges_not_drawn", "", undrawn.lines());
+    if (factors.any()) known.add(report::scale_factor_findings(factors));
+    fmt::print("{}", render::json(known));
     return;
   }
   fmt::print("runs     {}, {} overturned, {}\n", counts.runs, counts.overturned,

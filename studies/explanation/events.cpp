@@ -7,8 +7,7 @@
 #include <tuple>
 
 #include "engine/base/units.h"
-#include "studies/explanation/caster_words.h"
-#include "studies/report/words.h"
+#include "studies/findings/findings.h"
 #include "studies/results/names.h"
 
 namespace gurney::explanation {
@@ -58,7 +57,7 @@ Lift lift_of(const EquipmentModel& item, std::span<const Sample> history, std::s
 std::string casters_text(const EquipmentModel& item, const std::vector<std::size_t>& casters) {
   std::vector<std::string> names;
   for (const std::size_t caster : casters) names.push_back(caster_words(item, caster));
-  return report::listed(names);
+  return findings::listed(names);
 }
 
 /// Samples until the item has overturned.
@@ -177,6 +176,25 @@ void add_places(const study::RunFacts& facts, const Response& response,
 }
 
 }  // namespace
+
+std::string place_of(const EquipmentModel& item, std::size_t caster) {
+  constexpr double kMiddle = 0.02;  // [m]
+  Vector3 middle = Vector3::Zero();
+  for (const Caster& each : item.casters)
+    middle += each.mount / static_cast<double>(item.casters.size());
+  const Vector3 from = item.casters.at(caster).mount - middle;
+  const std::string along = from.x() > kMiddle ? "front" : from.x() < -kMiddle ? "rear" : "";
+  const std::string across = from.y() > kMiddle ? "left" : from.y() < -kMiddle ? "right" : "";
+  if (along.empty() && across.empty()) return "middle";
+  return along + (along.empty() || across.empty() ? "" : " ") + across;
+}
+
+std::string caster_words(const EquipmentModel& item, std::size_t caster) {
+  const std::string& name = item.casters.at(caster).name;
+  const std::string place = place_of(item, caster);
+  if (name.empty()) return place + " caster";
+  return name.find(place) != std::string::npos ? name : name + " (" + place + ")";
+}
 
 std::vector<Lift> lifts_of(const EquipmentModel& item, std::span<const Sample> history) {
   std::vector<Lift> lifts;

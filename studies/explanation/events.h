@@ -8,7 +8,14 @@
 
 namespace gurney::explanation {
 
-inline constexpr double kVisible = 1e-3;  ///< displacement that counts as motion [m]
+/// Displacement that counts as motion [m].
+inline constexpr double kVisible = Predictability::kLeastDisplacement;
+
+/// "front left" by the mount against the middle of all mounts (x to the front, y to the left).
+std::string place_of(const EquipmentModel& item, std::size_t caster);
+
+/// The caster's name; with its place where the name does not state it.
+std::string caster_words(const EquipmentModel& item, std::size_t caster);
 
 /// A time from the first caster that leaves the floor until all are back, at samples of the
 /// histories. Casters may land and leave again in it: each has times of its own.

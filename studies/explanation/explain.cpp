@@ -5,11 +5,8 @@
 #include <limits>
 
 #include "engine/base/units.h"
-#include "studies/explanation/caster_words.h"
 #include "studies/explanation/events.h"
 #include "studies/explanation/margins.h"
-#include "studies/explanation/stages.h"
-#include "studies/report/fall.h"
 #include "studies/results/names.h"
 
 namespace gurney::explanation {
@@ -28,8 +25,8 @@ ItemFacts item_facts(const study::RunFacts& facts, const Response& response, std
                    .time_of_peak_displacement = d.time_of_peak_displacement,
                    .residual_displacement = d.residual_displacement,
                    .peak_velocity = d.peak_velocity,
-                   .tilt = tilt_margin(model, item.history, until_fall(item)),
-                   .grip = grip_margin(facts, index, item.history, until_fall(item)),
+                   .tilt = tilt_margin(model, item.history, until_overturned(item)),
+                   .grip = grip_margin(facts, index, item.history, until_overturned(item)),
                    .first_lifted = {},
                    .first_skidded = {}};
   result.finding = finding_of(response, index, result.tilt.ratio());
@@ -137,14 +134,14 @@ void find_worst(const Response& response, Explanation& result) {
 void find_pulse(const study::RunFacts& facts, const Response& response, Explanation& result) {
   if (result.direction.isZero()) return;
   if (result.item().finding != Finding::kOverturned) {
-    result.pulse = report::driving_half_cycle(facts.floor, -result.direction, result.swing_start,
-                                              result.worst_time);
+    result.pulse =
+        driving_half_cycle(facts.floor, -result.direction, result.swing_start, result.worst_time);
     return;
   }
-  for (const report::Fall& fall : report::falls(facts, response)) {
-    if (fall.item != result.subject) continue;
-    result.swing_start = fall.start;
-    result.pulse = fall.half_cycle;
+  for (const Overturning& each : overturnings_of(facts, response)) {
+    if (each.item != result.subject) continue;
+    result.swing_start = each.start;
+    result.pulse = each.half_cycle;
   }
 }
 
@@ -152,7 +149,7 @@ Tracks tracks_of(const study::RunFacts& facts, const ItemResponse& item, const E
   Tracks tracks;
   const EquipmentModel& model = facts.scene.items.at(of.subject).model;
   const Vector2 along = of.direction.isZero() ? Vector2::UnitX() : of.direction;
-  const double until = until_fall(item);
+  const double until = until_overturned(item);
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (const Sample& sample : item.history) {
     const Grip grip = sample.time > until ? Grip{kNone, kNone} : grip_of(facts, of.subject, sample);
@@ -175,9 +172,71 @@ double resolution_of(const std::vector<Sample>& history) {
   return largest;
 }
 
+Stage stage_at(const std::string& name, double time, const std::vector<Sample>& history) {
+  constexpr double kSame = 1e-9;  // [s]
+  const auto after = std::ranges::upper_bound(history, time + kSame, {}, &Sample::time);
+  const Sample& sample = after == history.begin() ? history.front() : *std::prev(after);
+  const EnergyAccount& e = sample.energy;
+  return {.name = name,
+          .time = time,
+          .kinetic = e.kinetic,
+          .potential = e.gravitational,
+          .elastic = e.elastic + e.weight_energy,
+          .floor_work = e.work_of_floor,
+          .other_work = e.work() - e.work_of_floor,
+          .friction = e.sliding_loss + e.relaxation_loss + e.tread_loss,
+          .rolling = e.rolling_loss + e.axle_loss + e.swivel_loss,
+          .impacts = e.contact_loss,
+          .other_loss = e.damper_loss + e.numerical_loss};
+}
+
+const char* stage_name(EventKind kind) {
+  switch (kind) {
+    case EventKind::kMoved:
+      return "slides or rolls";
+    case EventKind::kGripExceeded:
+      return "brakes skid";
+    case EventKind::kLiftOff:
+      return "casters lift";
+    case EventKind::kTipped:
+      return "tips";
+    case EventKind::kImpact:
+      return "first impact";
+    case EventKind::kPeakDisplacement:
+      return "farthest";
+    case EventKind::kPeakTilt:
+      return "largest tilt";
+    case EventKind::kOverturned:
+      return "overturned";
+    default:
+      return nullptr;
+  }
+}
+
+/// The energy balance of the explained item at the start, at the first of each kind of event up to
+/// the worst, at the worst and at the end; of the sample at or before each.
+std::vector<Stage> stages_of(const Explanation& of, const ItemResponse& item) {
+  const std::vector<Sample>& history = item.history;
+  if (history.empty()) return {};
+  std::vector<Stage> stages{stage_at("start", history.front().time, history)};
+  for (const Event& event : of.events) {
+    const char* const name = stage_name(event.kind);
+    if (name == nullptr || event.item != of.item().name) continue;
+    if (std::ranges::find(stages, name, &Stage::name) != stages.end()) continue;
+    stages.push_back(stage_at(name, event.time, history));
+  }
+  if (of.hit && of.hit->time > stages.back().time)
+    stages.push_back(stage_at("hardest impact", of.hit->time, history));
+  std::ranges::stable_sort(stages, {}, &Stage::time);
+  stages.push_back(stage_at("end", of.end_time, history));
+  const double at_rest = stages.front().elastic;
+  for (Stage& stage : stages) stage.elastic -= at_rest;
+  return stages;
+}
+
 }  // namespace
 
-double until_fall(const ItemResponse& item) {
+double until_overturned(const ItemResponse& item) {
   const double fall = item.demands.time_of_overturning;
   return fall >= 0 ? fall : std::numeric_limits<double>::infinity();
 }
@@ -220,7 +279,6 @@ Explanation explain(const study::RunFacts& facts, const Response& response) {
                      .record = facts.record ? facts.record->name : "",
                      .outcome = name_of(response.outcome),
                      .cause = response.cause,
-                     .narrative = {},
                      .failed = is_failure(response.outcome),
                      .end_time = response.end_time,
                      .items = {},

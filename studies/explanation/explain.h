@@ -14,7 +14,7 @@ inline constexpr double kHit = 0.05;
 inline constexpr double kRocks = 0.5;
 
 /// When the item had overturned; infinite: it did not [s].
-double until_fall(const ItemResponse& item);
+double until_overturned(const ItemResponse& item);
 
 /// @param response  of the scene, with histories
 Explanation explain(const study::RunFacts& facts, const Response& response);

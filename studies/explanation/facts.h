@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/response/response.h"
-#include "studies/report/half_cycle.h"
+#include "studies/explanation/overturning.h"
 #include "studies/units/unit_system.h"
 
 /// Why a run ended as it did: facts in time order, margins, energies (docs/explain.md).
@@ -116,18 +116,17 @@ struct Tracks {
 /// Everything that text, JSON and figure state.
 struct Explanation {
   std::string title, record, outcome, cause;  ///< record empty: the floor is at rest
-  std::string narrative;  ///< of the run, as gurney run prints it; empty: nobody asked for it
-  bool failed = false;    ///< the run did: nothing else is there but the cause
+  bool failed = false;                        ///< the run did: nothing else is there but the cause
   double end_time = 0;
   double resolution = 0;  ///< step of the histories [s]
   std::vector<ItemFacts> items;
   std::size_t subject = 0;    ///< the item that is explained
   std::optional<Impact> hit;  ///< the hardest of the subject, before it overturned; none: no hit
   double worst_time = 0;      ///< of the finding [s]
-  Vector2 direction = Vector2::Zero();     ///< of the motion that led to it, floor axes; zero: none
-  double swing_start = 0;                  ///< of that motion [s]
-  std::vector<Event> events;               ///< by time
-  std::optional<report::HalfCycle> pulse;  ///< the floor's, against `direction`
+  Vector2 direction = Vector2::Zero();  ///< of the motion that led to it, floor axes; zero: none
+  double swing_start = 0;               ///< of that motion [s]
+  std::vector<Event> events;            ///< by time
+  std::optional<HalfCycle> pulse;       ///< the floor's, against `direction`
   std::vector<Stage> stages;
   Tracks tracks;
   std::optional<Predictability> predictability;  ///< of the subject

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "engine/base/units.h"
+#include "studies/explanation/footprint.h"
 #include "studies/figures/scene_figure.h"
-#include "studies/report/footprint.h"
 #include "studies/results/names.h"
 
 namespace gurney::figures {
@@ -51,7 +51,7 @@ bool is_overhead(const RoomShape& shape) {
 }
 
 /// Above the middle of a polygon, at its edge.
-Vector2 top_of(const report::Polygon& polygon) {
+Vector2 top_of(const explanation::Polygon& polygon) {
   Vector2 middle = Vector2::Zero();
   double top = -1e9;
   for (const Vector2& p : polygon) {
@@ -72,7 +72,7 @@ class Plan {
   void line(const Vector2& a, const Vector2& b, const Pen& pen) {
     svg_.line(px(a).first, px(a).second, px(b).first, px(b).second, pen);
   }
-  void area(const report::Polygon& polygon, const Pen& pen, double fill_opacity) {
+  void area(const explanation::Polygon& polygon, const Pen& pen, double fill_opacity) {
     Svg::Points points;
     for (const Vector2& p : polygon) points.push_back(px(p));
     if (!pen.fill.empty())
@@ -114,12 +114,12 @@ void draw_room(Plan& plan, const Scene& scene, const Response& response) {
   for (std::size_t i = 0; i < scene.zones.size(); ++i) {
     const bool taken = i < response.zones.size() && response.zones[i].occupied_at_end;
     const std::string color = taken ? "#e69f00" : "#56b4e9";
-    plan.area(report::footprint(scene.zones[i]), {.stroke = color, .dash = "6 3", .fill = color},
-              taken ? 0.3 : 0.15);
+    plan.area(explanation::footprint(scene.zones[i]),
+              {.stroke = color, .dash = "6 3", .fill = color}, taken ? 0.3 : 0.15);
   }
   for (const RoomShape& shape : scene.room) {
     const bool low = top_of(shape) <= kLow, overhead = is_overhead(shape);
-    plan.area(report::footprint(shape),
+    plan.area(explanation::footprint(shape),
               {.stroke = "#888888",
                .width = 0.8,
                .dash = overhead ? "2 3" : "",
@@ -139,8 +139,8 @@ void draw_tethers(Plan& plan, const Scene& scene, const Response& response) {
         .stroke = broke ? kImpactColor : "#117733", .width = 1.2, .dash = broke ? "2 3" : ""};
     const Vector2 anchor = tether.anchor.head<2>();
     plan.line(anchor,
-              at(scene.items[tether.item], broke ? history.front() : report::last_finite(history),
-                 tether.point),
+              at(scene.items[tether.item],
+                 broke ? history.front() : explanation::last_finite(history), tether.point),
               pen);
     plan.dot(anchor, 3, {.stroke = pen.stroke, .width = 1.2, .fill = "#ffffff"});
   }
@@ -152,14 +152,14 @@ void mark_front(Plan& plan, const PlacedItem& item, const Sample& sample,
   const Vector2 origin = at(item, sample, Vector3::Zero());
   const Vector2 ahead = (at(item, sample, Vector3::UnitX()) - origin).normalized();
   double reach = 0;
-  for (const report::Polygon& part : report::footprint(item, sample))
+  for (const explanation::Polygon& part : explanation::footprint(item, sample))
     for (const Vector2& p : part) reach = std::max(reach, (p - origin).dot(ahead));
   plan.arrow(origin + reach * ahead, ahead, color);
 }
 
 void draw_item(Plan& plan, const PlacedItem& item, const Sample& sample, const Pen& outline,
                double fill_opacity) {
-  for (const report::Polygon& part : report::footprint(item, sample))
+  for (const explanation::Polygon& part : explanation::footprint(item, sample))
     plan.area(part, outline, fill_opacity);
   if (!(sample.tilt < kStanding)) return;
   const std::string& color = outline.stroke;
@@ -185,7 +185,7 @@ Curve path_of(const PlacedItem& item, const std::vector<Sample>& history, const 
 /// Middle of the boxes of an item.
 Vector2 middle_of(const PlacedItem& item, const Sample& sample) {
   Vector2 low = Vector2::Constant(1e9), high = -low;
-  for (const report::Polygon& part : report::footprint(item, sample))
+  for (const explanation::Polygon& part : explanation::footprint(item, sample))
     for (const Vector2& p : part) {
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
@@ -204,7 +204,7 @@ void draw_legend(Svg& svg, Plan& plan, const Frame& frame, const Scene& scene,
     const Demands& d = response.items[i].demands;
     const std::string number = std::to_string(i + 1);
     const Vector2 middle =
-        middle_of(scene.items[i], report::last_finite(response.items[i].history));
+        middle_of(scene.items[i], explanation::last_finite(response.items[i].history));
     const Pen badge{.stroke = palette(i), .width = 1.2, .fill = "#ffffff"};
     const TextStyle style{.size = 10, .anchor = Anchor::kMiddle, .bold = true};
     plan.dot(middle, 8, badge);
@@ -260,19 +260,20 @@ Panel fitted_panel(const Scene& scene, const Response& response) {
               .equal_scales = true};
   panel.x_range = {first.x(), first.x()};
   panel.y_range = {first.y(), first.y()};
-  const auto include_all = [&](const report::Polygon& polygon) {
+  const auto include_all = [&](const explanation::Polygon& polygon) {
     for (const Vector2& p : polygon) include(panel, p);
   };
-  for (const RoomShape& shape : scene.room) include_all(report::footprint(shape));
-  for (const Zone& zone : scene.zones) include_all(report::footprint(zone));
+  for (const RoomShape& shape : scene.room) include_all(explanation::footprint(shape));
+  for (const Zone& zone : scene.zones) include_all(explanation::footprint(zone));
   for (const Tether& tether : scene.tethers) include(panel, tether.anchor.head<2>());
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
     const PlacedItem& item = scene.items[i];
     const std::vector<Sample>& history = response.items.at(i).history;
     for (const Sample& sample : history)
       if (sample.displacement.allFinite()) include(panel, at(item, sample, Vector3::Zero()));
-    for (const Sample* sample : {&history.front(), &report::last_finite(history)}) {
-      for (const report::Polygon& part : report::footprint(item, *sample)) include_all(part);
+    for (const Sample* sample : {&history.front(), &explanation::last_finite(history)}) {
+      for (const explanation::Polygon& part : explanation::footprint(item, *sample))
+        include_all(part);
       for (std::size_t w = 0; w < item.model.casters.size(); ++w) {
         const WheelPlan wheel = wheel_plan(item, w, *sample);
         include(panel, wheel.back);
@@ -320,7 +321,7 @@ void draw_plan(Svg& svg, const Frame& frame, const Scene& scene, const Response&
   for (std::size_t i = 0; i < count; ++i) {
     const PlacedItem& item = scene.items[i];
     const Sample &start = response.items[i].history.front(),
-                 &end = report::last_finite(response.items[i].history);
+                 &end = explanation::last_finite(response.items[i].history);
     const bool fell = response.items[i].demands.time_of_overturning >= 0;
     draw_item(plan, item, end,
               {.stroke = palette(i), .width = fell ? 2.4 : 1.2, .fill = palette(i)},
@@ -334,7 +335,7 @@ void draw_plan(Svg& svg, const Frame& frame, const Scene& scene, const Response&
   draw_tethers(plan, scene, response);
   for (const Impact& impact : response.impacts) plan.cross(impact.point.head<2>());
   for (const Zone& zone : scene.zones)
-    plan.text(top_of(report::footprint(zone)), 11, zone.name,
+    plan.text(top_of(explanation::footprint(zone)), 11, zone.name,
               {.size = 9, .anchor = Anchor::kMiddle, .color = "#225577"});
   draw_scale_bar(svg, frame, in_unit, unit);
   svg.end_clip();

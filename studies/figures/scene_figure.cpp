@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studies/explanation/footprint.h"
 #include "studies/figures/labels.h"
-#include "studies/report/footprint.h"
 #include "studies/results/names.h"
 
 namespace gurney::figures {
@@ -25,7 +25,7 @@ Curve line(const std::vector<Vector2>& points, const std::string& label, const P
   return curve;
 }
 
-Curve outline(report::Polygon polygon, const std::string& label, const Pen& pen) {
+Curve outline(explanation::Polygon polygon, const std::string& label, const Pen& pen) {
   if (!polygon.empty()) polygon.push_back(polygon.front());
   return line(polygon, label, pen);
 }
@@ -41,7 +41,7 @@ void add_item(Panel& panel, const PlacedItem& item, std::string name, const std:
   double front = 0;
   for (const Box& box : item.model.shape)
     front = std::max(front, box.center.x() + box.size.x() / 2);
-  for (const report::Polygon& part : report::footprint(item, at_start(item))) {
+  for (const explanation::Polygon& part : explanation::footprint(item, at_start(item))) {
     panel.curves.push_back(outline(part, name, {.stroke = color, .width = 1.3}));
     name.clear();
   }
@@ -97,10 +97,10 @@ Panel scene_panel(const Scene& scene) {
               .legend_columns = 4};
   for (const RoomShape& shape : scene.room)
     panel.curves.push_back(
-        outline(report::footprint(shape), "", {.stroke = "#888888", .width = 1.2}));
+        outline(explanation::footprint(shape), "", {.stroke = "#888888", .width = 1.2}));
   std::string label = "zone";
   for (const Zone& zone : scene.zones) {
-    panel.curves.push_back(outline(report::footprint(zone), label,
+    panel.curves.push_back(outline(explanation::footprint(zone), label,
                                    {.stroke = "#56B4E9", .width = 1.2, .dash = "6 3"}));
     label.clear();
   }

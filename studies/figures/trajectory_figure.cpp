@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "engine/base/error.h"
+#include "studies/explanation/footprint.h"
 #include "studies/figures/scene_figure.h"
-#include "studies/report/footprint.h"
 #include "studies/results/hdf5_reader.h"
 
 namespace gurney::figures {
@@ -14,7 +14,7 @@ namespace {
 
 const std::string kWall = "#888888", kStart = "#777777", kImpact = "#c00000";
 
-Curve closed(const report::Polygon& polygon, const std::string& label, const Pen& pen) {
+Curve closed(const explanation::Polygon& polygon, const std::string& label, const Pen& pen) {
   Curve curve{label, {}, {}, pen};
   for (std::size_t i = 0; i <= polygon.size() && !polygon.empty(); ++i) {
     curve.x.push_back(polygon[i % polygon.size()].x());
@@ -87,7 +87,7 @@ void add_room(Panel& panel, const RunPlan& plan) {
     std::vector<Vector2> points;
     for (const Vector3& point : plan.points_of(shape)) points.push_back(point.head<2>());
     panel.curves.push_back(
-        closed(report::convex_hull(points), "", {.stroke = kWall, .width = 0.8}));
+        closed(explanation::convex_hull(points), "", {.stroke = kWall, .width = 0.8}));
   }
 }
 
@@ -103,7 +103,7 @@ void add_item(Panel& panel, const RunPlan& plan, std::size_t item, std::size_t s
       front = std::max(front, point.x());
       points.push_back(plan.placed(item, sample, point).head<2>());
     }
-    panel.curves.push_back(closed(report::convex_hull(points), once, pen));
+    panel.curves.push_back(closed(explanation::convex_hull(points), once, pen));
     once.clear();
   }
   const Vector3 middle = plan.placed(item, sample, Vector3::Zero());

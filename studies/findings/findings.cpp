@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gurney::findings {
@@ -69,10 +70,25 @@ Section& Section::add(Section section) {
   return *this;
 }
 
+namespace {
+
+std::string four_digits(double value) {
+  if (value == 0) return "0";
+  const double size = std::abs(value);
+  if (!(size >= 1e-4 && size < 1e6)) return fmt::format("{:.2e}", value);
+  return fmt::format("{:.{}f}", value,
+                     std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 6));
+}
+
+}  // namespace
+
 std::string written(const Value& value, const Format& format) {
   const auto number = [&](double of) {
+    of /= format.in_si;
     const std::string text =
-        fmt::format(fmt::runtime("{:" + format.digits + "}"), of / format.in_si);
+        format.before + (format.digits.empty()
+                             ? four_digits(of)
+                             : fmt::format(fmt::runtime("{:" + format.digits + "}"), of));
     // A number shown as zero has no sign.
     return text.find_first_not_of("-0.") == std::string::npos && text.front() == '-'
                ? text.substr(1)
@@ -106,6 +122,25 @@ std::vector<Table> groups_of(const Table& table) {
     groups.back().add({row.begin() + 1, row.end()});
   }
   return groups;
+}
+
+std::string listed(const Texts& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
+}
+
+Texts lines_of(const Section& section) {
+  Texts lines;
+  for (const Part& part : section.parts) {
+    if (const auto* sentence = std::get_if<Sentence>(&part)) lines.push_back(sentence->text);
+    const auto* list = std::get_if<List>(&part);
+    if (list == nullptr) continue;
+    lines.push_back(list->title);
+    for (const std::string& each : list->lines) lines.push_back("  " + each);
+  }
+  return lines;
 }
 
 std::string heading(const Column& column) {

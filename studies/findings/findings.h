@@ -56,11 +56,13 @@ struct Value : ValueTypes {
 
 /// How a number is written. Programs get it with all digits.
 struct Format {
+  /// Of fmt. Empty: four significant ones, with an exponent only below 1e-4 and from 1e6 on.
   std::string digits = ".4g";
   std::string unit = {};       ///< that people read; empty: of none
   double in_si = 1;            ///< size of that unit
   double json_unit = 1;        ///< in which JSON has it, in SI
   std::string between = ", ";  ///< the numbers of a list: " to " for an interval
+  std::string before = {};     ///< a mark of this number
 };
 
 /// @param key    in JSON; empty: for people alone
@@ -72,7 +74,7 @@ struct Fact {
   std::string note = {};  ///< after the value
 };
 
-/// A key `a.b` is `b` of an object `a`.
+/// A key `a.b` is `b` of an object `a`, which is null where all members of it are missing.
 struct Column {
   std::string key, label;
   Format format = {};
@@ -112,6 +114,7 @@ struct List {
   std::string key, title;
   Texts lines;
   std::size_t most = kAll;  ///< lines that a terminal shows, but one text at least
+  bool broken = false;      ///< sentences, which a terminal breaks at its width
 };
 
 /// A sentence built from facts, for people.
@@ -155,6 +158,12 @@ std::string written(const Value& value, const Format& format);
 
 /// Text of a value with its unit: "0.41 m".
 std::string with_unit(const Value& value, const Format& format);
+
+/// "a, b and c"
+std::string listed(const Texts& names);
+
+/// Its sentences and lists as lines of text; a line of a list begins with two blanks.
+Texts lines_of(const Section& section);
 
 /// "load [N]"
 std::string heading(const Column& column);

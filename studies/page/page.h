@@ -5,6 +5,7 @@
 
 #include "studies/analysis/assessment.h"
 #include "studies/explanation/facts.h"
+#include "studies/findings/findings.h"
 #include "studies/units/unit_system.h"
 
 namespace gurney::page {
@@ -16,6 +17,7 @@ struct PageRequest {
   study::UnitSystem units{};
   std::string job{};  ///< where the job's file is, for names relative to it; empty: beside the file
   std::optional<explanation::Explanation> explanation{};  ///< of one run
+  findings::Section narrative{};                          ///< of one run; empty: not explained
   std::string no_explanation{};                           ///< why there is none
 };
 

@@ -5,18 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 #include "engine/base/error.h"
-#include "studies/explanation/figure.h"
-#include "studies/explanation/text.h"
+#include "studies/explanation/words.h"
+#include "studies/figures/explanation_figure.h"
 #include "studies/figures/history_figure.h"
 #include "studies/figures/labels.h"
 #include "studies/figures/spectra_figure.h"
 #include "studies/figures/trajectory_figure.h"
 #include "studies/page/drawing.h"
 #include "studies/page/file_table.h"
+#include "studies/page/findings_html.h"
 #include "studies/page/study_page.h"
+#include "studies/report/explanation_report.h"
 #include "studies/results/columns.h"
 #include "studies/results/names.h"
 
@@ -47,6 +48,7 @@ struct RunFile {
 
 /// The verdict on each item whose numbers are those of one run among many, before all numbers.
 std::vector<std::string> cautions_of(const RunFile& run) {
+  using Verdict = Predictability::Verdict;
   std::vector<std::string> all;
   const auto datasets = run.file.datasets();
   if (std::ranges::find(datasets, "/predictability/item", &study::Hdf5Dataset::path) ==
@@ -55,44 +57,22 @@ std::vector<std::string> cautions_of(const RunFile& run) {
   const auto items = run.file.strings("/predictability/item"),
              verdicts = run.file.strings("/predictability/verdict");
   const auto peaks = run.file.numbers("/predictability/time_of_peaks"),
-             growth = run.file.numbers("/predictability/amplification_at_peaks");
+             growth = run.file.numbers("/predictability/amplification_at_peaks"),
+             horizons = run.file.numbers("/predictability/horizon");
   for (std::size_t i = 0; i < items.size() && i < verdicts.size(); ++i)
-    if (verdicts[i] == name_of(Predictability::Verdict::kChaotic))
-      all.push_back(fmt::format(
-          "{}: CHAOTIC. A change of mass by one part in a billion leads to another motion before "
-          "its peaks at {:.2f} s: these demands are those of one run among many.",
-          items[i], peaks.at(i)));
-    else if (verdicts[i] == name_of(Predictability::Verdict::kSensitive))
-      all.push_back(fmt::format(
-          "{}: SENSITIVE. A change of mass by one part in a billion grows {:.2g}-fold until its "
-          "peaks at {:.2f} s: an error of 0.1 % of an input may change these demands by their own "
-          "size.",
-          items[i], growth.at(i), peaks.at(i)));
+    for (const Verdict verdict : {Verdict::kChaotic, Verdict::kSensitive})
+      if (verdicts[i] == name_of(verdict)) {
+        Predictability found;
+        found.verdict = verdict;
+        found.time_of_peaks = peaks.at(i);
+        found.amplification_at_peaks = growth.at(i);
+        found.horizon = horizons.at(i);
+        all.push_back(items[i] + ": " + explanation::sentence(found) + ".");
+      }
   if (run.overview.outcome == name_of(Outcome::kStillMoving))
     all.push_back("Something still moved at the end: residual values are not final.");
   all.insert(all.end(), run.overview.file.warnings.begin(), run.overview.file.warnings.end());
   return all;
-}
-
-/// The narrative of gurney run: a line that starts with blanks belongs to the heading before it.
-Html narrative_of(const std::string& narrative) {
-  Html content;
-  std::vector<std::string> below;
-  std::istringstream lines(narrative);
-  const auto end_list = [&] {
-    content += list(below);
-    below.clear();
-  };
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with(' ')) {
-      below.push_back(line.substr(line.find_first_not_of(' ')));
-      continue;
-    }
-    end_list();
-    content += paragraph(line);
-  }
-  end_list();
-  return content;
 }
 
 std::vector<std::string> names_of_demands() {
@@ -102,7 +82,7 @@ std::vector<std::string> names_of_demands() {
   return names;
 }
 
-Section summary(const RunFile& run, const std::optional<explanation::Explanation>& explained) {
+Section summary(const RunFile& run, const findings::Section& narrative) {
   const study::RunOverview& overview = run.overview;
   std::vector<std::pair<std::string, std::string>> named{
       {"Outcome", fmt::format("{} at {:.4g} s{}{}", overview.outcome, overview.end_time,
@@ -114,7 +94,7 @@ Section summary(const RunFile& run, const std::optional<explanation::Explanation
   if (const std::vector<std::string> all = cautions_of(run); !all.empty())
     cautions = element("div", element("h3", "Cautions") + list(all), {{"class", "cautions"}});
   return {"summary", "At a glance",
-          cautions + narrative_of(explained ? explained->narrative : "") + facts(named) +
+          cautions + html(narrative) + facts(named) +
               html(turned_table_of_group(run.file, "items", "Demands of the items", "item",
                                          run.units, names_of_demands()))};
 }
@@ -177,22 +157,11 @@ Section explanation_section(const PageRequest& request) {
     return {"explanation", "What happened and why",
             paragraph("Not explained: " + request.no_explanation)};
   const explanation::Explanation& of = *request.explanation;
-  Html content = paragraph(explanation::headline(of));
-  for (const explanation::TextPart& part : explanation::parts_of(of)) {
-    if (!part.heading.empty()) content += element("h3", part.heading);
-    std::string table;
-    std::vector<std::string> lines;
-    for (const auto& [label, words] : part.lines) {
-      lines.push_back(label + words);
-      table += words + "\n";
-    }
-    content += part.table          ? element("pre", table)
-               : lines.size() == 1 ? paragraph(lines.front())
-                                   : list(lines);
-  }
+  Html content = html(report::explanation_findings(of));
   if (!of.failed)
-    content += html(Drawing{"explanation", explanation::figure(of), explanation::headline(of),
-                            "Floor acceleration, distance, tilt, forces and energies around it."});
+    content +=
+        html(Drawing{"explanation", figures::explanation_figure(of), explanation::headline(of),
+                     "Floor acceleration, distance, tilt, forces and energies around it."});
   return {"explanation", "What happened and why", content};
 }
 
@@ -267,7 +236,7 @@ Document run_document(const PageRequest& request) {
   return {file.title.empty() ? file.job_name : file.title,
           fmt::format("One run of {}: {} at {:.4g} s", counted(run.overview.items.size(), "item"),
                       run.overview.outcome, run.overview.end_time),
-          {summary(run, request.explanation), design(run), record(run), paths(run),
+          {summary(run, request.narrative), design(run), record(run), paths(run),
            explanation_section(request), histories(run), tables(run), methods(run),
            assumptions_section(file, {}),
            provenance_section(file, run.file.text_attribute("job_text"), {})},

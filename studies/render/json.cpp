@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -42,6 +43,17 @@ void put(Json& object, const std::string& key, Json value) {
     object[key.substr(0, dot)][key.substr(dot + 1)] = std::move(value);
 }
 
+/// An object of dotted keys without any value becomes null.
+void drop_empty(Json& row, const std::vector<Column>& columns) {
+  for (const Column& column : columns) {
+    const std::size_t dot = column.key.find('.');
+    if (dot == std::string::npos) continue;
+    Json& inner = row[column.key.substr(0, dot)];
+    if (std::ranges::all_of(inner, [](const Json& each) { return each.is_null(); }))
+      inner = nullptr;
+  }
+}
+
 Json table_json(const Table& table, bool by_name) {
   Json all = by_name ? Json::object() : Json::array();
   for (const auto& row : table.rows) {
@@ -50,6 +62,7 @@ Json table_json(const Table& table, bool by_name) {
       if (!table.columns[i].key.empty())
         put(object, table.columns[i].key,
             value_json(row.at(i).value, row[i].format_in(table.columns[i])));
+    drop_empty(object, table.columns);
     if (by_name)
       all[std::get<std::string>(row.front().value)] = std::move(object);
     else
@@ -92,12 +105,17 @@ void fill(Json& object, const Section& section) {
   }
 }
 
+/// Names in files may have bytes that are not UTF-8.
+std::string dumped(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace
 
 std::string json(const Section& section) {
   Json object = Json::object();
   fill(object, section);
-  return object.dump(2) + "\n";
+  return dumped(object);
 }
 
 std::string json(const std::vector<Section>& sections) {
@@ -107,7 +125,7 @@ std::string json(const std::vector<Section>& sections) {
     fill(object, each);
     all.push_back(std::move(object));
   }
-  return all.dump(2) + "\n";
+  return dumped(all);
 }
 
 }  // namespace gurney::render

@@ -31,32 +31,48 @@ std::string more(std::size_t count, const std::string& indent) {
   return count == 0 ? "" : fmt::format("{}and {} more; --json lists all\n", indent, count);
 }
 
-std::string table_text(const Table& table, const std::string& indent) {
-  struct Cells {
-    Texts cells;
-    std::size_t width;
-    bool right;
-  };
-  const std::size_t rows = std::min(table.most, table.rows.size());
+/// A column of texts, its heading first.
+struct Cells {
+  Texts cells;
+  bool right = true;
+
+  std::size_t width() const { return width_of(*std::ranges::max_element(cells, {}, width_of)); }
+};
+
+/// @param units_below  in a line of their own
+std::vector<Cells> cells_of(const Table& table, std::size_t rows, bool units_below) {
   std::vector<Cells> columns;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    if (table.columns[i].label.empty()) continue;
-    Cells of{{heading(table.columns[i])}, 0, true};
+    const Column& column = table.columns[i];
+    if (column.label.empty()) continue;
+    const std::string& unit = column.format.unit;
+    Cells of{{units_below ? column.label : heading(column)}};
+    if (units_below) of.cells.push_back(unit.empty() ? "" : "[" + unit + "]");
     for (std::size_t row = 0; row < rows; ++row) {
       const Cell& cell = table.rows[row].at(i);
-      of.cells.push_back(written(cell.value, cell.format_in(table.columns[i])));
+      of.cells.push_back(written(cell.value, cell.format_in(column)));
       of.right &= !std::holds_alternative<std::string>(cell.value);
     }
-    for (const std::string& each : of.cells) of.width = std::max(of.width, width_of(each));
     columns.push_back(std::move(of));
   }
+  return columns;
+}
+
+std::string table_text(const Table& table, const std::string& indent) {
+  const std::size_t rows = std::min(table.most, table.rows.size());
+  std::vector<Cells> columns = cells_of(table, rows, false);
   if (columns.empty()) return {};
   if (rows == 0) return indent + wrapped(table.title + ": --json", indent.size(), 0) + "\n";
+  std::size_t width = indent.size();
+  for (const Cells& of : columns) width += of.width() + 2;
+  if (width > render::columns() + 2 &&
+      std::ranges::any_of(table.columns, [](const Column& of) { return !of.format.unit.empty(); }))
+    columns = cells_of(table, rows, true);
   std::string all = table.title.empty() ? "" : indent + table.title + "\n";
-  for (std::size_t row = 0; row <= rows; ++row) {
-    std::string line;
+  for (std::size_t row = 0; row < columns.front().cells.size(); ++row) {
+    std::string line = indent;
     for (const Cells& of : columns)
-      line += (line.empty() ? indent : "  ") + padded(of.cells[row], of.width, of.right);
+      line += (&of == &columns.front() ? "" : "  ") + padded(of.cells[row], of.width(), of.right);
     all += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
   return all + more(table.rows.size() - rows, indent);
@@ -69,6 +85,16 @@ std::string list_text(const List& list, const std::string& indent) {
     std::string text = "  " + list.lines[shown];
     lines += 1 + static_cast<std::size_t>(std::ranges::count(text, '\n'));
     if (shown > 0 && lines > list.most) break;
+    if (list.broken && indent.size() + width_of(text) > columns()) {
+      // Words behind a time stay behind it.
+      const std::size_t first = text.find_first_not_of(' '), gap = text.find("  ", first);
+      const std::size_t start = gap == std::string::npos ? first : gap + 2;
+      const std::size_t column = indent.size() + start;
+      all += indent + text.substr(0, start) +
+             wrapped(text.substr(start), gap == std::string::npos ? column + 2 : column, column) +
+             "\n";
+      continue;
+    }
     for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; ++at)
       text.insert(at + 1, indent + "    ");
     all += indent + text + "\n";
@@ -121,8 +147,15 @@ std::size_t label_width(const Shown& parts, std::size_t first) {
   return width;
 }
 
-/// Facts that follow each other stand below each other; an empty line goes around every other
-/// block but sentences.
+/// A text of several lines, or that fits, stays as it is.
+std::string fitted(const std::string& text, std::size_t column) {
+  return column + width_of(text) <= columns() || text.find('\n') != std::string::npos
+             ? text
+             : wrapped(text, column, column);
+}
+
+/// Facts that follow each other stand below each other, as do sentences; an empty line goes around
+/// every other block.
 std::string parts_text(const Shown& parts, const std::string& indent) {
   std::string all;
   std::size_t width = 0;
@@ -131,11 +164,14 @@ std::string parts_text(const Shown& parts, const std::string& indent) {
     const auto* fact = std::get_if<Fact>(parts[i]);
     const auto* sentence = std::get_if<Sentence>(parts[i]);
     const bool is_line = fact != nullptr || sentence != nullptr;
-    if (i > 0 && (after_block || !is_line)) all += "\n";
+    const bool begins_sentences =
+        sentence != nullptr && i > 0 && std::holds_alternative<Fact>(*parts[i - 1]);
+    if (i > 0 && (after_block || !is_line || begins_sentences)) all += "\n";
     after_block = !is_line;
     width = fact == nullptr ? 0 : width == 0 ? label_width(parts, i) : width;
     if (fact != nullptr)
-      all += indent + padded(fact->label, width, false) + "  " + value_text(*fact) + "\n";
+      all += indent + padded(fact->label, width, false) + "  " +
+             fitted(value_text(*fact), indent.size() + width + 2) + "\n";
     if (sentence != nullptr)
       all += indent + wrapped(sentence->text, indent.size(), indent.size()) + "\n";
     if (const auto* table = std::get_if<Table>(parts[i])) {

@@ -6,19 +6,14 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "studies/analysis/fragility_result.h"
-#include "studies/render/render.h"
 #include "studies/report/formats.h"
-#include "studies/report/json_values.h"
 #include "studies/report/scale_factors.h"
 
 namespace gurney::report {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string exceed_text(const study::FragilityResult& result) {
   const study::CurveAudit& audit = result.audit;
@@ -50,23 +45,24 @@ findings::Texts definitions(const std::vector<study::FragilityResult>& results) 
   return lines;
 }
 
-/// An end that the runs do not bound is null.
-Json interval_json(const statistics::Interval& interval, double unit = 1) {
-  return Json::array(
-      {interval.low > 0 ? Json(interval.low / unit) : Json(), json_number(interval.high / unit)});
+using findings::Numbers;
+using findings::Section;
+using findings::Value;
+
+/// An end that the runs do not bound is not a number.
+Value interval_of(const statistics::Interval& interval, double unit = 1) {
+  return Numbers{interval.low > 0 ? interval.low / unit : std::nan(""), interval.high / unit};
 }
 
-Json rate_json(const study::SiteRate& rate, const study::ReportUnit& unit) {
-  Json json{{"per_year", json_number(rate.rate)},
-            {"in_50_years", json_number(statistics::probability_in(50, rate.rate))},
-            {"interval_per_year", rate.has_interval ? interval_json(rate.interval) : Json()},
-            {"share_below_lowest_im", rate.share_below},
-            {"share_above_highest_im", rate.share_above},
-            {"at_most_more", rate.most_above},
-            {"complete", rate.is_supported()},
-            {"cautions", study::cautions(rate, unit)}};
-  if (rate.of_lowest) json["hazard_rate_at_lowest_im"] = *rate.of_lowest;
-  return json;
+void add_rate(const study::SiteRate& rate, const study::ReportUnit& unit, Section& all) {
+  Section of("rate");
+  of.json("per_year", rate.rate).json("in_50_years", statistics::probability_in(50, rate.rate));
+  of.json("interval_per_year", rate.has_interval ? interval_of(rate.interval) : Value());
+  of.json("share_below_lowest_im", rate.share_below);
+  of.json("share_above_highest_im", rate.share_above).json("at_most_more", rate.most_above);
+  of.json("complete", rate.is_supported()).list("cautions", "", study::cautions(rate, unit));
+  if (rate.of_lowest) of.json("hazard_rate_at_lowest_im", *rate.of_lowest);
+  all.add(std::move(of));
 }
 
 std::string status_text(const study::FragilityResult& result) {
@@ -84,104 +80,112 @@ const char* method_name(const study::FragilityResult& result) {
   return result.by_cloud() ? "cloud" : result.capacities ? "capacities" : "stripes";
 }
 
-Json curve_json(const std::optional<statistics::LognormalCurve>& curve, double unit) {
-  if (!curve) return nullptr;
-  return {{"theta", curve->theta / unit}, {"beta", curve->beta}};
+/// null where there is none.
+void add_curve(const std::optional<statistics::LognormalCurve>& curve, double unit, Section& all) {
+  if (curve)
+    all.add(
+        std::move(Section("curve").json("theta", curve->theta / unit).json("beta", curve->beta)));
+  else
+    all.json("curve", {});
 }
 
-Json audit_json(const study::CurveAudit& audit, double unit) {
-  Json json{{"counted", audit.counted},
-            {"outcomes", audit.outcomes},
-            {"exceeded", audit.exceeded},
-            {"lowest_im", audit.lowest / unit},
-            {"highest_im", audit.highest / unit},
-            {"extrapolated", !audit.theta                   ? Json()
-                             : *audit.theta > audit.highest ? Json("above")
-                             : *audit.theta < audit.lowest  ? Json("below")
-                                                            : Json()}};
-  if (audit.factors.any()) json["scale_factors"] = scale_factors_json(audit.factors);
-  return json;
+void add_audit(const study::CurveAudit& audit, double unit, Section& all) {
+  Section of("audit");
+  of.json("counted", audit.counted).json("outcomes", audit.outcomes);
+  of.json("exceeded", audit.exceeded).json("lowest_im", audit.lowest / unit);
+  of.json("highest_im", audit.highest / unit);
+  of.json("extrapolated", !audit.theta                   ? Value()
+                          : *audit.theta > audit.highest ? Value("above")
+                          : *audit.theta < audit.lowest  ? Value("below")
+                                                         : Value());
+  if (audit.factors.any()) of.add(scale_factor_findings(audit.factors));
+  all.add(std::move(of));
 }
 
-Json capacities_json(const study::FragilityResult& result, double unit) {
-  Json of_records = Json::array();
+void add_capacities(const study::FragilityResult& result, double unit, Section& all) {
+  Section of("capacities");
+  of.json("records", result.records).json("analysis_cases", result.brackets.size());
+  of.json("censored", result.capacities->censored);
+  of.json("resurrections", result.capacities->resurrections);
+  findings::Table brackets{
+      "brackets", "", {{"record", ""}, {"above", ""}, {"at_most", ""}, {"resurrections", ""}}};
   for (const statistics::Capacity& each : result.brackets)
-    of_records.push_back({{"record", each.group},
-                          {"above", each.low / unit},
-                          {"at_most", json_number(each.high / unit)},
-                          {"resurrections", each.resurrections}});
-  return {{"records", result.records},
-          {"analysis_cases", result.brackets.size()},
-          {"censored", result.capacities->censored},
-          {"resurrections", result.capacities->resurrections},
-          {"brackets", of_records}};
+    brackets.add({each.group, each.low / unit, each.high / unit, each.resurrections});
+  all.add(std::move(of.add(std::move(brackets))));
 }
 
 constexpr const char* kSigmaConvention =
     "the maximum likelihood estimate times sqrt(n / (n - 2)), n all runs";
 
 /// ln demand = a + b ln im, where both change their unit.
-Json cloud_json(const study::FragilityResult& result, double unit,
-                const study::ReportUnit& demand) {
+void add_cloud(const study::FragilityResult& result, double unit, const study::ReportUnit& demand,
+               Section& all) {
   const statistics::CloudFit& fit = *result.cloud;
-  return {{"status", text(fit.status)},
-          {"demand_units", demand.name},
-          {"a", json_number(fit.a + fit.b * std::log(unit) - std::log(demand.in_si))},
-          {"b", json_number(fit.b)},
-          {"sigma", json_number(fit.sigma)},
-          {"sigma_is", kSigmaConvention},
-          {"r_squared", json_number(fit.r_squared)},
-          {"curve", curve_json(result.cloud_curve, unit)}};
+  Section of("cloud");
+  of.json("status", text(fit.status)).json("demand_units", demand.name);
+  of.json("a", fit.a + fit.b * std::log(unit) - std::log(demand.in_si)).json("b", fit.b);
+  of.json("sigma", fit.sigma).json("sigma_is", kSigmaConvention);
+  add_curve(result.cloud_curve, unit, of.json("r_squared", fit.r_squared));
+  all.add(std::move(of));
 }
 
-Json json_of(const study::FragilityResult& result, const study::UnitSystem& units) {
+/// Whether there is a curve, and where it lies.
+void add_fit(const study::FragilityResult& result, const study::ReportUnit& unit, Section& all) {
+  add_curve(result.curve(), unit.in_si, all);
+  if (!result.curve()) {
+    all.json("reason", study::no_curve_text(result, unit));
+    if (!result.by_cloud()) {
+      const auto median = result.median();
+      all.json("median_between", Numbers{median.low / unit.in_si, median.high / unit.in_si});
+    }
+    return;
+  }
+  const bool few = result.band.too_few;
+  all.json("effective_records", result.band.effective);
+  all.json("theta_interval", few ? Value() : interval_of(result.band.theta, unit.in_si));
+  all.json("beta_interval", few ? Value() : interval_of(result.band.beta));
+  if (few) all.json("no_interval", study::few_records_text(result.audit));
+  const Eigen::Matrix2d c = covariance_of(result);
+  all.json("covariance_of_ln_theta_ln_beta",
+           std::vector<Numbers>{{c(0, 0), c(0, 1)}, {c(1, 0), c(1, 1)}});
+}
+
+/// What programs read of a curve.
+Section json_of(const study::FragilityResult& result, const study::UnitSystem& units) {
   const study::ReportUnit unit = units.of(result.measure.units);
   const double in_si = unit.in_si;
-  Json json{{"configuration", result.configuration},
-            {"limit_state", result.state},
-            {"says", result.words},
-            {"measure", result.measure.name},
-            {"units", unit.name},
-            {"runs", result.runs},
-            {"exceeded", result.exceeded},
-            {"records", result.records},
-            {"failed", result.failed},
-            {"method", method_name(result)},
-            {"status", status_text(result)},
-            {"curve", curve_json(result.curve(), in_si)}};
-  if (result.curve()) {
-    const bool few = result.band.too_few;
-    json["effective_records"] = result.band.effective;
-    json["theta_interval"] = few ? Json() : interval_json(result.band.theta, in_si);
-    json["beta_interval"] = few ? Json() : interval_json(result.band.beta);
-    if (few) json["no_interval"] = study::few_records_text(result.audit);
-    const Eigen::Matrix2d c = covariance_of(result);
-    json["covariance_of_ln_theta_ln_beta"] = {{c(0, 0), c(0, 1)}, {c(1, 0), c(1, 1)}};
-  } else {
-    json["reason"] = study::no_curve_text(result, unit);
-    if (!result.by_cloud()) json["median_between"] = json_interval(result.median(), in_si);
-  }
-  json["cautions"] = study::cautions(result.audit, unit);
-  json["audit"] = audit_json(result.audit, in_si);
+  Section all("fragilities[]");
+  all.json("configuration", result.configuration).json("limit_state", result.state);
+  all.json("says", result.words).json("measure", result.measure.name).json("units", unit.name);
+  all.json("runs", result.runs).json("exceeded", result.exceeded);
+  all.json("records", result.records).json("failed", result.failed);
+  all.json("method", method_name(result)).json("status", status_text(result));
+  add_fit(result, unit, all);
+  all.list("cautions", "", study::cautions(result.audit, unit));
+  add_audit(result.audit, in_si, all);
   if (result.profile)
-    json["profile"] = {{"theta", json_interval(result.profile->theta, in_si)},
-                       {"beta", json_interval(result.profile->beta)}};
-  if (result.p_of_fit) json["p_of_fit"] = json_number(*result.p_of_fit);
+    all.add(std::move(Section("profile")
+                          .json("theta", Numbers{result.profile->theta.low / in_si,
+                                                 result.profile->theta.high / in_si})
+                          .json("beta", ends(result.profile->beta))));
+  if (result.p_of_fit) all.json("p_of_fit", *result.p_of_fit);
   if (!result.fit_is_judged)
-    json["fit_not_judged"] = "several runs of a record at one intensity are not independent";
+    all.json("fit_not_judged", "several runs of a record at one intensity are not independent");
+  findings::Table stripes{
+      "stripes", "", {{"im", ""}, {"runs", ""}, {"exceeded", ""}, {"isotonic", ""}}};
   for (std::size_t i = 0; i < result.stripes.size(); ++i)
-    json["stripes"].push_back({{"im", result.stripes[i].im / in_si},
-                               {"runs", result.stripes[i].runs},
-                               {"exceeded", result.stripes[i].exceeded},
-                               {"isotonic", result.isotonic[i]}});
-  if (result.band.of_curve.empty()) json["band"] = nullptr;
+    stripes.add({result.stripes[i].im / in_si, result.stripes[i].runs, result.stripes[i].exceeded,
+                 result.isotonic[i]});
+  if (!stripes.rows.empty()) all.add(std::move(stripes));
+  std::vector<Numbers> band;
   for (std::size_t i = 0; i < result.band.of_curve.size(); ++i)
-    json["band"].push_back(
+    band.push_back(
         {result.im[i] / in_si, result.band.of_curve[i].low, result.band.of_curve[i].high});
-  if (result.by_capacities()) json["capacities"] = capacities_json(result, in_si);
-  if (result.cloud) json["cloud"] = cloud_json(result, in_si, units.of(result.demand_units));
-  if (result.rate) json["rate"] = rate_json(*result.rate, unit);
-  return json;
+  all.json("band", band.empty() ? Value() : Value(band));
+  if (result.by_capacities()) add_capacities(result, in_si, all);
+  if (result.cloud) add_cloud(result, in_si, units.of(result.demand_units), all);
+  if (result.rate) add_rate(*result.rate, unit, all);
+  return all;
 }
 
 }  // namespace
@@ -329,26 +333,21 @@ std::vector<findings::Table> worst_level_tables(
   return tables;
 }
 
-std::string fragility_report(const study::StudyData& data,
-                             const std::vector<study::FragilityResult>& results) {
-  if (results.empty()) return "";
+Section fragility_findings(const study::StudyData& data,
+                           const std::vector<study::FragilityResult>& results) {
+  Section all;
+  if (results.empty()) return std::move(all.list("fragilities", "", {}));
   const study::ReportUnit unit = study::report_unit(data, results.front().measure);
-  findings::Section all;
   all.say(fmt::format("P(limit state | {} [{}]) = Phi(ln(im / theta) / beta){}",
                       results.front().measure.name, unit.name,
                       results.front().by_cloud() ? ", by regression of demands (cloud)" : ""));
   all.add(fragility_table(results, unit, false));
   all.list("", "notes", notes_on_curves(results, unit));
   for (findings::Table& each : worst_level_tables(data, results)) all.add(std::move(each));
-  return render::text(all.list("", "limit states", definitions(results)));
-}
-
-std::string fragility_json(const std::vector<study::FragilityResult>& results,
-                           const study::UnitSystem& units) {
-  Json all = Json::array();
+  all.list("", "limit states", definitions(results));
   for (const study::FragilityResult& each : results)
-    all.push_back(json_of(each, units.or_else("si")));
-  return Json{{"fragilities", all}}.dump(2) + "\n";
+    all.add(json_of(each, data.units().or_else("si")));
+  return all;
 }
 
 }  // namespace gurney::report

@@ -18,12 +18,9 @@ std::vector<findings::Table> worst_level_tables(const study::StudyData& data,
                                                 const std::vector<study::FragilityResult>& results);
 
 /// A table with a row for each configuration and limit state, and below it what to know of them.
-std::string fragility_report(const study::StudyData& data,
-                             const std::vector<study::FragilityResult>& results);
-
-/// The same for machines, in SI unless units are chosen; no curve: null.
-std::string fragility_json(const std::vector<study::FragilityResult>& results,
-                           const study::UnitSystem& units = {});
+/// JSON is in SI unless units are chosen; no curve: null.
+findings::Section fragility_findings(const study::StudyData& data,
+                                     const std::vector<study::FragilityResult>& results);
 
 /// What a reader should know before using a row, with its cautions.
 std::vector<std::string> fragility_notes(const study::FragilityResult& result,

@@ -7,6 +7,7 @@
 
 #include "studies/calibration/pulling/measured_trial.h"
 #include "studies/calibration/pulling/method_check.h"
+#include "studies/findings/findings.h"
 
 /// The pulling tests of a study as the figures of Xu, Ma & Kurata 2022 (docs/pulling_tests.md).
 namespace gurney::report {
@@ -23,7 +24,6 @@ struct PullingReport {
 std::string noise_words(const PullingReport& report);
 
 /// Bias of the method, fitted Cr / R, error against the closed form.
-std::string pulling_text(const PullingReport& report);
-std::string pulling_json(const PullingReport& report);  ///< SI units
+findings::Section pulling_findings(const PullingReport& report);
 
 }  // namespace gurney::report

@@ -1,23 +1,19 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "studies/analysis/scale_factors.h"
-#include "studies/render/render.h"
+#include "studies/findings/findings.h"
 
 namespace gurney::report {
 
-inline findings::Section scale_factor_findings(const study::ScaleFactors& factors) {
+/// @param note  for people, after the factors
+inline findings::Section scale_factor_findings(const study::ScaleFactors& factors,
+                                               const std::string& note = {}) {
   findings::Section all{"scale_factors"};
   all.json("lowest", factors.lowest()).json("highest", factors.highest());
   all.json("records", factors.records());
   all.json("limits", findings::Numbers{study::kSmallestFactor, study::kLargestFactor});
   all.json("records_above", factors.above()).json("records_below", factors.below());
-  return all.text("scaling", "factors " + factors.text());
-}
-
-inline nlohmann::ordered_json scale_factors_json(const study::ScaleFactors& factors) {
-  return nlohmann::ordered_json::parse(render::json(scale_factor_findings(factors)));
+  return all.text("scaling", "factors " + factors.text() + note);
 }
 
 }  // namespace gurney::report

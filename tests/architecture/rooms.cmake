@@ -68,18 +68,18 @@ set(GURNEY_ROOMS
     studies/plan studies/exports studies/calibration/trials"
   "studies/findings:"
   "studies/render: studies/findings"
+  "studies/explanation: engine/base engine/scene engine/response engine/run equipment/catalogue
+    studies/statistics studies/units studies/results studies/findings"
   "studies/report: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/assembly groundmotions/buildings equipment/catalogue
     studies/build_info studies/verification studies/units studies/results studies/analysis
     studies/convergence studies/calibration/trials studies/calibration/fit studies/calibration/pulling
-    studies/findings studies/render"
+    studies/findings studies/render studies/explanation"
   "studies/figures: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/scaling equipment/catalogue studies/statistics
     studies/verification studies/units studies/results studies/analysis
-    studies/convergence studies/calibration/trials studies/calibration/fit studies/report"
-  "studies/explanation: engine/base engine/scene engine/response engine/run
-    equipment/catalogue studies/statistics studies/units studies/results studies/render
-    studies/report studies/figures"
+    studies/convergence studies/calibration/trials studies/calibration/fit studies/explanation
+    studies/report"
   "studies/picture: engine/base"
   "studies/page: engine/base engine/config engine/scene engine/run equipment/catalogue studies/build_info
     studies/job studies/units studies/results studies/plan
@@ -109,7 +109,7 @@ set(GURNEY_LIBRARIES
   "openssl/: engine/base"
   "boost/: engine/base groundmotions/synthetic studies/statistics"
   "hdf5|H5: studies/results/hdf5_"
-  "nlohmann/: engine/config studies/exports studies/render studies/report studies/explanation
+  "nlohmann/: engine/config studies/exports studies/render studies/report
     studies/page studies/playback studies/cli"
   "cairo|librsvg/: studies/picture/rendering"
   "CLI/: studies/cli"

@@ -9,6 +9,7 @@
 #include "engine/base/random/normal_draw.h"
 #include "engine/base/units.h"
 #include "studies/figures/fragility_figure.h"
+#include "studies/render/render.h"
 #include "studies/report/fragility_report.h"
 #include "tests/studies/analysis/small_study.h"
 #include "tests/support/temp_folder.h"
@@ -119,8 +120,10 @@ TEST_F(FragilityResultTest, AnIdaGivesCapacities) {
   ASSERT_TRUE(result.p_of_fit);
   EXPECT_GT(*result.p_of_fit, 0.05);
   const StudyData study(folder_.file("s.h5"));
-  EXPECT_THAT(report::fragility_report(study, {result}), testing::HasSubstr("101 of 101 records"));
-  const auto json = nlohmann::json::parse(report::fragility_json({result}))["fragilities"][0];
+  EXPECT_THAT(render::text(report::fragility_findings(study, {result})),
+              testing::HasSubstr("101 of 101 records"));
+  const auto json = nlohmann::json::parse(
+      render::json(report::fragility_findings(study, {result})))["fragilities"][0];
   EXPECT_EQ(json["capacities"]["records"], 101);
   EXPECT_EQ(json["capacities"]["brackets"].size(), 101);
   EXPECT_DOUBLE_EQ(json["theta_interval"][0], result.band.theta.low);
@@ -142,7 +145,8 @@ TEST_F(FragilityResultTest, AnIdaOfOverturningIsCautionedAgainst) {
     runs.push_back({record, 1.05 * capacity, 0.05, true});
   }
   const StudyData study = data(runs, job);
-  const std::string report = report::fragility_report(study, {fragility_of(study, {1, 0, ""})});
+  const std::string report =
+      render::text(report::fragility_findings(study, {fragility_of(study, {1, 0, ""})}));
   EXPECT_THAT(report, testing::HasSubstr("12 runs of the IDA overturned; rocking is chaotic"));
   EXPECT_THAT(report, testing::HasSubstr("12 of 12 records"));
 }
@@ -155,11 +159,12 @@ TEST_F(FragilityResultTest, AQuasiCompleteSeparationHasNoMedian) {
   }
   const StudyData study = data(runs);
   const FragilityResult result = fragility_of(study, {});
-  const std::string report = report::fragility_report(study, {result});
+  const std::string report = render::text(report::fragility_findings(study, {result}));
   EXPECT_THAT(report, testing::HasSubstr("quasi-complete separation"));
   EXPECT_THAT(report, testing::HasSubstr("median above about 1.2 g"));
   EXPECT_THAT(report, testing::Not(testing::HasSubstr("theta at")));
-  const auto json = nlohmann::json::parse(report::fragility_json({result}))["fragilities"][0];
+  const auto json = nlohmann::json::parse(
+      render::json(report::fragility_findings(study, {result})))["fragilities"][0];
   EXPECT_TRUE(json["curve"].is_null());
   EXPECT_THAT(json["reason"].get<std::string>(),
               testing::HasSubstr("median above about 11.8 m/s2"));
@@ -179,13 +184,14 @@ TEST_F(FragilityResultTest, CautionsAgainstWhatTheRunsDoNotCarry) {
   const StudyData study = data(runs);
   const FragilityResult result = fragility_of(study, {});
   ASSERT_TRUE(result.curve());
-  const std::string report = report::fragility_report(study, {result});
+  const std::string report = render::text(report::fragility_findings(study, {result}));
   EXPECT_THAT(report, testing::HasSubstr("is extrapolated beyond the highest intensity of the "
                                          "runs, 0.4 g"));
   EXPECT_THAT(report, testing::HasSubstr("only 4 of 60 runs exceed; fewer than 10"));
   EXPECT_THAT(report, testing::HasSubstr("scale factors 0.1 to 60.6; 1 of 20 records above 5, 19 "
                                          "below 0.2"));
-  const auto json = nlohmann::json::parse(report::fragility_json({result}))["fragilities"][0];
+  const auto json = nlohmann::json::parse(
+      render::json(report::fragility_findings(study, {result})))["fragilities"][0];
   EXPECT_EQ(json["cautions"].size(), 3);
   EXPECT_EQ(json["audit"]["extrapolated"], "above");
   EXPECT_EQ(json["audit"]["scale_factors"]["records_above"], 1);
@@ -210,7 +216,8 @@ TEST_F(FragilityResultTest, ACloudHasIntervalsAndRatesOfItsOwn) {
     EXPECT_TRUE(result.band.of_curve[i].contains(result.curve()->probability(result.im[i])));
   ASSERT_TRUE(result.rate && result.rate->has_interval);
   EXPECT_TRUE(result.rate->interval.contains(result.rate->rate));
-  const auto json = nlohmann::json::parse(report::fragility_json({result}))["fragilities"][0];
+  const auto json = nlohmann::json::parse(
+      render::json(report::fragility_findings(study, {result})))["fragilities"][0];
   EXPECT_EQ(json["method"], "cloud");
   EXPECT_DOUBLE_EQ(json["theta_interval"][0], result.band.theta.low);
   EXPECT_EQ(json["band"].size(), result.im.size());
@@ -226,7 +233,7 @@ TEST_F(FragilityResultTest, CautionsAgainstScaleFactorsOnce) {
   first.audit.factors.add(0, 7);
   second.configuration = "braked";
   second.audit.factors.add(0, 9);
-  const std::string report = report::fragility_report(study, {first, second});
+  const std::string report = render::text(report::fragility_findings(study, {first, second}));
   const std::string note =
       "all curves: caution: scale factors 1 to 9; up to 1 of 20 records above 5\n";
   EXPECT_THAT(report, testing::HasSubstr(note));
@@ -239,10 +246,11 @@ TEST_F(FragilityResultTest, SaysWhyThereIsNoCurve) {
                                              fragility_of(study, {1, 0, ""})};
   EXPECT_EQ(results[0].fit.status, statistics::FragilityStatus::kSeparated);
   EXPECT_FALSE(results[0].curve());
-  const std::string report = report::fragility_report(study, results);
+  const std::string report = render::text(report::fragility_findings(study, results));
   EXPECT_THAT(report, testing::HasSubstr("median between 0.102 and 0.204 g"));
   EXPECT_THAT(report, testing::HasSubstr("no run exceeds"));
-  EXPECT_THAT(report::fragility_json(results), testing::HasSubstr("\"curve\": null"));
+  EXPECT_THAT(render::json(report::fragility_findings(study, results)),
+              testing::HasSubstr("\"curve\": null"));
   EXPECT_THAT(figures::fragility_figure(study, results), testing::HasSubstr("all (no curve)"));
 }
 

@@ -5,6 +5,7 @@
 
 #include "engine/base/units.h"
 #include "studies/analysis/fragility_result.h"
+#include "studies/render/render.h"
 #include "studies/report/fragility_report.h"
 #include "tests/studies/analysis/small_study.h"
 #include "tests/studies/statistics/synthetic.h"
@@ -83,9 +84,10 @@ TEST(SiteRate, OfFewOutcomesIsNoAstronomicalNumber) {
   write_small_study(folder.file("s.h5"), runs);
   const StudyData data(folder.file("s.h5"));
   const FragilityResult result = fragility_of(data, {});
-  const std::string text = report::fragility_report(data, {result});
+  const std::string text = render::text(report::fragility_findings(data, {result}));
   EXPECT_THAT(text, Not(testing::ContainsRegex("e\\+[0-9]"))) << text;
-  const auto json = nlohmann::json::parse(report::fragility_json({result}))["fragilities"][0];
+  const auto json = nlohmann::json::parse(
+      render::json(report::fragility_findings(data, {result})))["fragilities"][0];
   EXPECT_THAT(text, HasSubstr("hardly or not"));
   EXPECT_FALSE(json.contains("rate"));
   EXPECT_TRUE(json["curve"].is_null());
@@ -101,10 +103,10 @@ TEST(SiteRate, ThatIsNotStatedIsNull) {
   write_small_study(folder.file("s.h5"), runs);
   const StudyData data(folder.file("s.h5"));
   const FragilityResult result = fragility_of(data, {});
-  EXPECT_THAT(report::fragility_report(data, {result}),
+  EXPECT_THAT(render::text(report::fragility_findings(data, {result})),
               AllOf(HasSubstr("no annual rate"), HasSubstr("do not support a rate")));
-  const auto rate =
-      nlohmann::json::parse(report::fragility_json({result}))["fragilities"][0]["rate"];
+  const auto rate = nlohmann::json::parse(
+      render::json(report::fragility_findings(data, {result})))["fragilities"][0]["rate"];
   EXPECT_TRUE(rate["per_year"].is_null());
   EXPECT_TRUE(rate["in_50_years"].is_null());
   EXPECT_EQ(rate["complete"], false);

@@ -6,6 +6,7 @@
 
 #include "engine/base/random/normal_draw.h"
 #include "studies/figures/vector_figure.h"
+#include "studies/render/render.h"
 #include "studies/report/vector_report.h"
 #include "tests/studies/analysis/made_study.h"
 #include "tests/support/expect_error.h"
@@ -13,6 +14,14 @@
 
 namespace gurney::study {
 namespace {
+
+/// The text in one line, wherever lines were broken.
+std::string words_of(const findings::Section& section) {
+  std::istringstream text(render::text(section));
+  std::string line;
+  for (std::string word; text >> word;) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
 
 using testing::HasSubstr;
 
@@ -57,11 +66,11 @@ TEST_F(VectorResultTest, TwoMeasuresThatBothTellMakeOne) {
     EXPECT_NEAR(found.fit.plane[i], 1 / 0.3, 4 * std::sqrt(found.fit.cluster_covariance(i, i)));
   EXPECT_GT(found.alone[0].curve->beta, 1.3 * found.fit.beta());
   EXPECT_GT(found.fit.log_likelihood, found.alone[0].log_likelihood + 20);
-  const std::string text = report::vector_report(study, {found});
+  const std::string text = words_of(report::vector_findings(study, {found}));
   EXPECT_THAT(text, HasSubstr("a = PGA h1 [g], b = pfv [m/s]"));
   EXPECT_THAT(text, HasSubstr("moved: each adds information to the other; together they are one "
                               "measure (PGA h1)^"));
-  EXPECT_THAT(report::vector_json({found}), HasSubstr("\"share\""));
+  EXPECT_THAT(render::json(report::vector_findings(study, {found})), HasSubstr("\"share\""));
   const std::string figure = figures::vector_figure(study, {found});
   EXPECT_THAT(figure, HasSubstr("pfv (m/s)"));
   EXPECT_EQ(figure.find("nan"), std::string::npos);
@@ -72,7 +81,7 @@ TEST_F(VectorResultTest, AMeasureThatAddsNothingIsNamed) {
   const VectorResult found = vector_of(study, 0, 0, {"pfv", "PGA h1"});
   EXPECT_GT(found.fit.p_of(0), 0.001) << "once in 1000";
   EXPECT_LT(found.fit.p_of(1), 1e-6);
-  EXPECT_THAT(report::vector_report(study, {found}),
+  EXPECT_THAT(words_of(report::vector_findings(study, {found})),
               HasSubstr("pfv adds nothing beyond chance to PGA h1"));
 }
 
@@ -83,11 +92,11 @@ TEST_F(VectorResultTest, SaysWhatIsMissing) {
   const StudyData study = data(all);
   const VectorResult found = vector_of(study, 0, 0, {"PGA h1", "pfv"});
   EXPECT_EQ(found.fit.runs, 298);
-  EXPECT_THAT(report::vector_report(study, {found}),
+  EXPECT_THAT(words_of(report::vector_findings(study, {found})),
               HasSubstr("; 1 runs lack a measure; 1 runs failed"));
   const VectorResult fell = vector_of(study, 1, 0, {"PGA h1", "pfv"});
-  EXPECT_THAT(report::vector_report(study, {fell}), HasSubstr("no run exceeds"));
-  EXPECT_THAT(report::vector_json({fell}), HasSubstr("\"plane\": null"));
+  EXPECT_THAT(words_of(report::vector_findings(study, {fell})), HasSubstr("no run exceeds"));
+  EXPECT_THAT(render::json(report::vector_findings(study, {fell})), HasSubstr("\"plane\": null"));
   EXPECT_THAT(figures::vector_figure(study, {fell}), HasSubstr("no fit"));
   EXPECT_ERROR(vector_of(study, 0, 0, {"PGA h1", "pfw"}),
                "no intensity measure 'pfw'; did you mean 'pfa'?");

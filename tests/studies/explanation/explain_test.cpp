@@ -8,14 +8,14 @@
 
 #include "engine/base/units.h"
 #include "engine/run/simulate.h"
-#include "studies/explanation/caster_words.h"
 #include "studies/explanation/events.h"
-#include "studies/explanation/figure.h"
-#include "studies/explanation/json.h"
 #include "studies/explanation/margins.h"
-#include "studies/explanation/text.h"
-#include "studies/report/fall.h"
-#include "studies/report/narrative.h"
+#include "studies/explanation/overturning.h"
+#include "studies/explanation/words.h"
+#include "studies/figures/explanation_figure.h"
+#include "studies/render/render.h"
+#include "studies/report/explanation_report.h"
+#include "studies/report/run_report.h"
 #include "studies/verification/scenes/blocks.h"
 
 namespace gurney::explanation {
@@ -65,7 +65,7 @@ Explanation explained(const study::RunFacts& facts) {
 
 /// The text in one line, wherever lines were broken.
 std::string one_line(const Explanation& of) {
-  std::istringstream all(text(of));
+  std::istringstream all(render::text(report::explanation_findings(of)));
   std::string line;
   for (std::string word; all >> word;) line += (line.empty() ? "" : " ") + word;
   return line;
@@ -120,7 +120,7 @@ TEST(Explain, NamesTheHalfCycleThatTheReportOfTheRunNames) {
   const Response of_run = simulate(facts.scene, facts.floor, facts.settings);
   const Response again =
       simulate(facts.scene, facts.floor, finely_stored(facts.settings, facts.floor, 1));
-  const auto fall = report::falls(facts, of_run), fall_again = report::falls(facts, again);
+  const auto fall = overturnings_of(facts, of_run), fall_again = overturnings_of(facts, again);
   ASSERT_EQ(fall.size(), 1u);
   ASSERT_GT(again.items[0].history.size(), 4 * of_run.items[0].history.size());
   ASSERT_LT(fall[0].start, fall[0].time);
@@ -129,9 +129,12 @@ TEST(Explain, NamesTheHalfCycleThatTheReportOfTheRunNames) {
   ASSERT_TRUE(fall[0].half_cycle && found.pulse);
   EXPECT_EQ(found.pulse->start, fall[0].half_cycle->start);
   EXPECT_EQ(found.pulse->end, fall[0].half_cycle->end);
-  const std::string words = report::sentence(*fall[0].half_cycle, {});
+  const std::string words = sentence(*fall[0].half_cycle, {});
   EXPECT_NE(one_line(found).find(words), std::string::npos) << one_line(found);
-  EXPECT_NE(report::narrative_of_falls(facts, of_run, {}).find(words), std::string::npos);
+  bool has_words = false;
+  for (const std::string& line : findings::lines_of(report::narrative(facts, of_run)))
+    has_words |= line.find(words) != std::string::npos;
+  EXPECT_TRUE(has_words);
 }
 
 TEST(Explain, BalancesTheEnergyOfEachStage) {
@@ -176,7 +179,8 @@ TEST(Explain, FindsAHitAtItsTime) {
   EXPECT_FALSE(found.pulse);
   EXPECT_NE(headline(found).find("hit wall with 1.00 m/s at 0.50 s"), std::string::npos)
       << headline(found);
-  const std::string svg = figure(found), data = json(found, nullptr);
+  const std::string svg = figures::explanation_figure(found),
+                    data = render::json(report::explanation_findings(found));
   EXPECT_NE(svg.find("hits wall with 1.00 m/s"), std::string::npos);
   EXPECT_NE(data.find("\"kind\": \"impact\""), std::string::npos);
 }
@@ -204,8 +208,9 @@ TEST(Explain, HasNothingToSayOfARunThatFailed) {
   const Explanation found = explain(shaken_block(6), response);
   EXPECT_TRUE(found.failed);
   EXPECT_NE(one_line(found).find("no solution"), std::string::npos);
-  EXPECT_NE(json(found, nullptr).find("\"finding\": null"), std::string::npos);
-  EXPECT_NE(figure(found).find("no solution"), std::string::npos);
+  EXPECT_NE(render::json(report::explanation_findings(found)).find("\"finding\": null"),
+            std::string::npos);
+  EXPECT_NE(figures::explanation_figure(found).find("no solution"), std::string::npos);
 }
 
 TEST(FinelyStored, KeepsStepsUntilThereAreTooMany) {
@@ -293,7 +298,7 @@ TEST(Words, OfALiftAreThoseOfItsCasters) {
   const Uplift hops{4, 3, 0, 0.3, "front right"}, flight{4, 4, 0.04, 0.3, "front right"},
       one{1, 1, 0.25, 0.25, "front left"};
   const auto words = [](double until, const std::string& part, const Uplift& uplift) {
-    return words_of({1, EventKind::kLiftOff, "cart", part, until, true, uplift}, false, {});
+    return sentence(Event{1, EventKind::kLiftOff, "cart", part, until, true, uplift}, {});
   };
   EXPECT_EQ(words(1.8, "a, b, c and d", hops),
             "one or more casters off the floor until 1.800 s, up to 3 at once; a single caster for "

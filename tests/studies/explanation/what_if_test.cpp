@@ -6,8 +6,8 @@
 
 #include "engine/run/simulate.h"
 #include "studies/explanation/explain.h"
-#include "studies/explanation/json.h"
-#include "studies/explanation/variants.h"
+#include "studies/render/render.h"
+#include "studies/report/explanation_report.h"
 #include "studies/verification/scenes/blocks.h"
 
 namespace gurney::explanation {
@@ -63,7 +63,8 @@ TEST(WhatIf, HasTheSameBitsWithAnyNumberOfThreads) {
   const study::RunFacts facts = gliding_block();
   const Explanation of = explained(facts);
   const WhatIf one = what_if(facts, of, 3, 1), three = what_if(facts, of, 3, 3);
-  EXPECT_EQ(json(of, &one), json(of, &three));
+  EXPECT_EQ(render::json(report::explanation_findings(of, &one)),
+            render::json(report::explanation_findings(of, &three)));
   EXPECT_EQ(one.as_it_was.runs, 3u);
   EXPECT_EQ(one.as_it_was.happened, 3u);
   const std::string words = conclusion(one, of);

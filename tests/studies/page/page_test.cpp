@@ -150,13 +150,15 @@ TEST(Page, OfOneRunBeginsWithItsVerdictAndNarrative) {
   folder.write("r.h5", study::results_image(fabricated_facts(), response));
   explanation::Explanation explained;
   explained.failed = true;  // nothing but the narrative
-  explained.narrative = "It moved <far>.\nImpacts: 1\n  wall";
-  const std::string page = results_page({.file = folder.file("r.h5"), .explanation = explained});
+  findings::Section narrative;
+  narrative.say("It moved <far>.").list("", "Impacts: 1", {"wall"});
+  const std::string page =
+      results_page({.file = folder.file("r.h5"), .explanation = explained, .narrative = narrative});
   EXPECT_EQ(unbalanced(page), "");
   const std::string summary = between(page, "<section id=\"summary\"", "</section>");
   const auto at = [&](const std::string& text) { return summary.find(text); };
   ASSERT_NE(at("class=\"cautions\""), summary.npos);
-  EXPECT_LT(at("CHAOTIC. A change of mass by one part in a billion"), at("It moved &lt;far&gt;."));
+  EXPECT_LT(at("CHAOTIC: a change of mass by one part in a billion"), at("It moved &lt;far&gt;."));
   EXPECT_LT(at("It moved &lt;far&gt;."), at("<table"));
   EXPECT_THAT(summary, HasSubstr("<li>wall</li>"));
   // The order of gurney run, without what the item does not have.

@@ -84,6 +84,7 @@ TEST(Render, ShowsPartsInTheirOrder) {
             "peak speed  -5.40 km/h, before the wall\n"
             "braked      yes\n"
             "variants    a, b\n"
+            "\n"
             "A sentence.\n"
             "\n"
             "first\n"

@@ -1,14 +1,18 @@
-#include "studies/report/narrative.h"
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "engine/response/settled.h"
+#include "studies/report/run_report.h"
 #include "tests/support/fabricated_run.h"
 #include "tests/support/fabricated_ward.h"
 
 namespace gurney::report {
 namespace {
+
+/// The narrative as lines of text.
+std::string text_of(const study::RunFacts& facts, const Response& response) {
+  return fmt::format("{}", fmt::join(findings::lines_of(narrative(facts, response)), "\n"));
+}
 
 using testing::HasSubstr;
 using testing::Not;
@@ -17,32 +21,32 @@ using testing::StartsWith;
 TEST(Story, ReportsEachOutcomeOfASingleItem) {
   const study::RunFacts facts = fabricated_facts();
   Response response = fabricated_response();
-  EXPECT_THAT(narrative(facts, response),
+  EXPECT_THAT(text_of(facts, response),
               HasSubstr("The item moved at most 125 mm from its start (at 0.50 s)"));
-  EXPECT_THAT(narrative(facts, response),
+  EXPECT_THAT(text_of(facts, response),
               HasSubstr("It was at rest at 24.00 s, 625 mm from its start"));
   response.outcome = Outcome::kStillMoving;
-  EXPECT_THAT(narrative(facts, response),
+  EXPECT_THAT(text_of(facts, response),
               HasSubstr("STILL MOVED when the settling time was over at 24.00 s"));
   response.outcome = Outcome::kOverturned;
   response.items[0].demands.time_of_overturning = 7.5;
-  EXPECT_THAT(narrative(facts, response), HasSubstr("It overturned and lay at 24.00 s"));
-  EXPECT_THAT(narrative(facts, response), HasSubstr("\nTrolley OVERTURNED at 7.50 s."));
+  EXPECT_THAT(text_of(facts, response), HasSubstr("It overturned and lay at 24.00 s"));
+  EXPECT_THAT(text_of(facts, response), HasSubstr("\nTrolley OVERTURNED at 7.50 s."));
   response.outcome = Outcome::kDiverged;
   response.cause = "no solution";
-  EXPECT_EQ(narrative(facts, response),
+  EXPECT_EQ(text_of(facts, response),
             "The run DIVERGED at 24 s: no solution. Its results must not be used.");
   response.outcome = Outcome::kUntrusted;
   response.cause = "energy from nowhere";
-  EXPECT_EQ(narrative(facts, response),
+  EXPECT_EQ(text_of(facts, response),
             "The run is UNTRUSTED; it ended at 24 s: energy from nowhere. Its results must not be "
             "used.");
   response = {};
   response.items.resize(1);
   response.items[0].demands.wheels.resize(4);
   response.outcome = Outcome::kRested;
-  EXPECT_THAT(narrative(facts, response),
-              StartsWith("The item did not move. Every wheel stayed on the floor."));
+  EXPECT_THAT(text_of(facts, response),
+              StartsWith("The item moved less than 1 mm. Every wheel stayed on the floor."));
 }
 
 TEST(Story, SaysWhatHalfTheTimeStepChanges) {
@@ -53,13 +57,13 @@ TEST(Story, SaysWhatHalfTheTimeStepChanges) {
   p.half_step = p.twin = item.demands;
   p.half_step->peak_displacement = 0.98 * item.demands.peak_displacement;
   p.half_step->peak_tilt = 1.003 * item.demands.peak_tilt;
-  const std::string text = narrative(fabricated_facts(), response);
+  const std::string text = text_of(fabricated_facts(), response);
   EXPECT_THAT(text, HasSubstr("\nTime step: half of it changes the peak displacement by -2 %, "
                               "the peak tilt by +0.3 %."));
   item.demands.peak_tilt = p.half_step->peak_tilt = 1e-3;  // less than 0.1 degrees: at rest
-  EXPECT_THAT(narrative(fabricated_facts(), response), HasSubstr("peak displacement by -2 %."));
+  EXPECT_THAT(text_of(fabricated_facts(), response), HasSubstr("peak displacement by -2 %."));
   p.verdict = Predictability::Verdict::kChaotic;  // its difference is not the step's
-  EXPECT_THAT(narrative(fabricated_facts(), response), Not(HasSubstr("Time step")));
+  EXPECT_THAT(text_of(fabricated_facts(), response), Not(HasSubstr("Time step")));
 }
 
 /// The run of one item without events, its repetitions equal.
@@ -76,7 +80,7 @@ Response repeated() {
 TEST(Story, SaysOfEachDemandWhetherItIsSettled) {
   Response response = repeated();
   const std::size_t all = numbers_of(response.items[0].demands).size();
-  EXPECT_THAT(narrative(fabricated_facts(), response),
+  EXPECT_THAT(text_of(fabricated_facts(), response),
               HasSubstr(fmt::format("\nSettled, of {0} demands: {0} within 1 %.", all)));
   Predictability& p = *response.items[0].predictability;
   p.half_step->peak_yaw *= 0.4;
@@ -85,7 +89,7 @@ TEST(Story, SaysOfEachDemandWhetherItIsSettled) {
   p.half_step->wheels[1].liftoffs += 1;
   p.half_step->time_of_overturning = 3;
   p.twin->path_length *= 1 + 1e-5;
-  const std::string text = narrative(fabricated_facts(), response);
+  const std::string text = text_of(fabricated_facts(), response);
   // 4 times 1 % is within 5 %; five others are not settled.
   EXPECT_THAT(text, HasSubstr(fmt::format("{} within 1 % and 1 within 5 %; NOT SETTLED: path "
                                           "length (by the change of mass), peak yaw (-60 %), "
@@ -100,7 +104,7 @@ TEST(Story, SaysWhySmallChangesDoNotSettle) {
   Predictability& p = *item.predictability;
   Demands& half = *p.half_step;
   item.demands.impacts = half.impacts = p.twin->impacts = 7;
-  EXPECT_THAT(narrative(fabricated_facts(), response),
+  EXPECT_THAT(text_of(fabricated_facts(), response),
               HasSubstr("NOT SETTLED: impacts (as many at half the step)."));
   for (double* each : {&half.peak_yaw, &half.residual_yaw, &half.path_length, &half.lifted_time,
                        &half.peak_velocity, &half.residual_displacement})
@@ -109,7 +113,7 @@ TEST(Story, SaysWhySmallChangesDoNotSettle) {
     wheel = {2 * wheel.peak_normal_force, 2 * wheel.peak_tangential_force,
              2 * wheel.lifted_time,       wheel.liftoffs,
              2 * wheel.skid_distance,     wheel.liftoff_before_overturning};
-  EXPECT_THAT(narrative(fabricated_facts(), response),
+  EXPECT_THAT(text_of(fabricated_facts(), response),
               HasSubstr("peak displacement (others change by more)"));
 }
 
@@ -122,20 +126,20 @@ TEST(Story, NamesTheItemThatTheTimeStepChangesMost) {
     half.peak_displacement = peak * (i == 2 ? 0.9 : 1.05);
     response.items[i].predictability.emplace().half_step = half;
   }
-  EXPECT_THAT(narrative(fabricated_ward(), response),
+  EXPECT_THAT(text_of(fabricated_ward(), response),
               HasSubstr("Time step: half of it changes peak displacements by at most 10 % ("));
 }
 
 TEST(Story, ReportsHowFarEachItemMoved) {
-  const std::string text = narrative(fabricated_ward(), fabricated_ward_response());
+  const std::string text = text_of(fabricated_ward(), fabricated_ward_response());
   EXPECT_THAT(text, StartsWith("1 of 10 items overturned; the run ended at 15.00 s.\n"));
-  EXPECT_THAT(text, HasSubstr("\n  did not move: bookcase\n"));
+  EXPECT_THAT(text, HasSubstr("\n  moved less than 1 mm: bookcase\n"));
   EXPECT_THAT(text, HasSubstr("\n  infusion pump moved at most "));
   EXPECT_THAT(text, HasSubstr("; 4 of 4 wheels off the floor at once, 11 s in all\n"));
 }
 
 TEST(Story, SumsUpTheHitsOfAPairFastestFirst) {
-  const std::string text = narrative(fabricated_ward(), fabricated_ward_response());
+  const std::string text = text_of(fabricated_ward(), fabricated_ward_response());
   EXPECT_THAT(
       text,
       HasSubstr(
@@ -157,56 +161,72 @@ TEST(Story, IsNotFloodedByImpacts) {
     response.impacts.push_back(impact);
   }
   // 24 pairs; the twelve fastest are the four of the ward and eight of the new ones.
-  EXPECT_THAT(narrative(fabricated_ward(), response),
+  EXPECT_THAT(text_of(fabricated_ward(), response),
               HasSubstr("  and 12 more pairs, with 0.092 m/s at most\n"));
 }
 
 TEST(Story, SaysWhatFellAndWhy) {
   // Half a sine of 2 m/s2 over 1 s: 4 / pi = 1.27 m/s.
   EXPECT_THAT(
-      narrative(fabricated_ward(), fabricated_ward_response()),
+      text_of(fabricated_ward(), fabricated_ward_response()),
       HasSubstr(
           "\ninfusion pump OVERTURNED at 4.50 s, falling towards -y (-90 deg from the x axis). "
           "Wheels that had left the floor by then and not come back: front left (4.08 s), rear "
           "left (4.10 s) and front right (4.40 s). A half cycle of the floor's motion "
           "towards +y (90 deg from the x axis) drove it, opposite to the motion of the item, from "
           "3.50 s to 4.50 s: 1.00 s long, up to 2 m/s2 (0.20 g, at 4.00 s) and 1.27 m/s; it "
-          "changed the floor's velocity by 1.27 m/s.\n"));
+          "changed the floor's velocity by 1.27 m/s."));
 }
 
 TEST(Story, NamesNoHalfCycleOfAFloorAtRest) {
   study::RunFacts facts = fabricated_ward();
   facts.floor = {};
-  EXPECT_THAT(narrative(facts, fabricated_ward_response()), Not(HasSubstr("half cycle")));
+  EXPECT_THAT(text_of(facts, fabricated_ward_response()), Not(HasSubstr("half cycle")));
 }
 
 TEST(Story, SaysWhichZonesAreBlocked) {
   Response response = fabricated_ward_response();
   EXPECT_THAT(
-      narrative(fabricated_ward(), response),
+      text_of(fabricated_ward(), response),
       HasSubstr("\ndoorway is NARROWED at the end by infusion pump: a free width of 0.35 m is left "
                 "of 1.10 m.\n"
                 "egress lane is free at the end; it was occupied for 0.75 s from 1.50 s on, with a "
                 "free width of 0.50 m left of 0.90 m at least.\n"));
   response.zones[1].time_of_entry = 0;
-  EXPECT_THAT(narrative(fabricated_ward(), response),
+  EXPECT_THAT(text_of(fabricated_ward(), response),
               HasSubstr("it was occupied for 0.75 s from the start on, with"));
   response.zones[0].free_width_at_end = 0;
   response.zones[1] = {};
   EXPECT_THAT(
-      narrative(fabricated_ward(), response),
+      text_of(fabricated_ward(), response),
       HasSubstr("\ndoorway is BLOCKED at the end by infusion pump: no free width is left of 1.10 "
                 "m.\negress lane stayed free.\n"));
 }
 
 TEST(Story, SaysWhatBecameOfTethers) {
   EXPECT_THAT(
-      narrative(fabricated_ward(), fabricated_ward_response()),
+      text_of(fabricated_ward(), fabricated_ward_response()),
       testing::EndsWith("\npower cord of ventilator got taut at 3.25 s and BROKE at 3.50 s "
                         "(largest tension 300 N).\n"
                         "gas hose of anaesthesia workstation got taut at 5.75 s and held (largest "
                         "tension 120 N).\n"
                         "network cable of monitor stayed slack."));
+}
+
+TEST(Story, SaysWhetherHalvingTheTimeStepSettledTheDemands) {
+  const auto text = [](long halvings, double change) {
+    Response response = fabricated_response();
+    response.quality.step_halvings = halvings;
+    response.quality.peak_change = change;
+    return text_of(fabricated_facts(), response);
+  };
+  EXPECT_THAT(text(0, 0), Not(HasSubstr("Time step")));
+  EXPECT_THAT(text(3, 0.0037),
+              HasSubstr("\nTime step: halved 3 times; the last two changed no judged demand by "
+                        "more than 0.37 %."));
+  EXPECT_THAT(text(6, std::numeric_limits<double>::infinity()),
+              HasSubstr("\nTime step: halved 6 times, no shorter is tried; the last two changed "
+                        "an outcome."));
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ processing = [
   { step = "window", from_s = 95, to_s = 115, taper_s = 1 },
 ]
 TOML
-  expect 0 "most wheels lifted                         4" "$gurney" run waiau.toml -o out/waiau.h5 --no-figure
+  expect 0 "most wheels lifted         4" "$gurney" run waiau.toml -o out/waiau.h5 --no-figure
 fi
 
 [ "$failures" -eq 0 ] && echo "all commands did as they should"

@@ -2,11 +2,12 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "engine/base/floor_motion.h"
-#include "studies/units/unit_system.h"
+#include "engine/response/response.h"
+#include "studies/results/run_facts.h"
 
-namespace gurney::report {
+namespace gurney::explanation {
 
 /// Part of a floor's motion during which its velocity along a direction rises.
 struct HalfCycle {
@@ -30,7 +31,24 @@ inline constexpr double kLookBack = 1;
 std::optional<HalfCycle> driving_half_cycle(const FloorMotion& floor, const Vector2& direction,
                                             double from, double to);
 
-/// The sentence on it, of an item that moved against its direction.
-std::string sentence(const HalfCycle& of, const study::UnitSystem& units);
+/// How an item overturned.
+struct Overturning {
+  struct Liftoff {
+    std::string wheel;
+    double time = 0;  ///< [s]
+  };
 
-}  // namespace gurney::report
+  std::size_t item = 0;
+  double time = 0;                ///< of overturning [s]
+  double direction = 0;           ///< from the floor's x axis, -pi to pi [rad]
+  std::vector<Liftoff> liftoffs;  ///< of the wheels in the air at `time`, by time
+  /// The first of these. Without one, the last sample of the histories that the settings ask for,
+  /// whatever their spacing is, with a tilt below 1 degree; else `time` [s].
+  double start = 0;
+  std::optional<HalfCycle> half_cycle;  ///< that drove it from `start` to `time`
+};
+
+/// In order of the items. Nothing of runs that diverged.
+std::vector<Overturning> overturnings_of(const study::RunFacts& facts, const Response& response);
+
+}  // namespace gurney::explanation

@@ -5,7 +5,7 @@
 #include "engine/response/response.h"
 #include "engine/scene/scene.h"
 
-namespace gurney::report {
+namespace gurney::explanation {
 
 using Polygon = std::vector<Vector2>;  ///< convex, anticlockwise
 
@@ -27,4 +27,4 @@ bool overlap(const Polygon& a, const Polygon& b);
 /// `history` must not be empty.
 const Sample& last_finite(const std::vector<Sample>& history);
 
-}  // namespace gurney::report
+}  // namespace gurney::explanation

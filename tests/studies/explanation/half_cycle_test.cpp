@@ -1,11 +1,11 @@
-#include "studies/report/half_cycle.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-namespace gurney::report {
+#include "studies/explanation/overturning.h"
+
+namespace gurney::explanation {
 namespace {
 
 constexpr double kPi = std::numbers::pi, kStep = 0.005;
@@ -82,4 +82,4 @@ TEST(HalfCycle, IsOneHalfOfAWaveThatGoesOn) {
 }
 
 }  // namespace
-}  // namespace gurney::report
+}  // namespace gurney::explanation

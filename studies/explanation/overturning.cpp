@@ -1,16 +1,12 @@
-#include "studies/report/half_cycle.h"
-
-#include <fmt/format.h>
+#include "studies/explanation/overturning.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "engine/base/units.h"
-#include "studies/report/half_cycle_json.h"
-#include "studies/report/words.h"
 
-namespace gurney::report {
+namespace gurney::explanation {
 namespace {
 
 constexpr double kBefore = 2;       // [s]
@@ -100,6 +96,33 @@ std::optional<HalfCycle> largest(const FloorMotion& floor, const Vector2& direct
   return result;
 }
 
+/// Whether histories that the settings ask for have a sample at `time`.
+bool asked_for(double time, const SimulationSettings& settings) {
+  constexpr double kSame = 1e-6;  // of a spacing
+  const double spacing =
+      settings.time_step *
+      static_cast<double>(std::max(1L, std::lround(settings.history_step / settings.time_step)));
+  return settings.history_step > 0 && std::abs(std::remainder(time / spacing, 1)) < kSame;
+}
+
+double began_to_tip(const ItemResponse& item, double time, const SimulationSettings& settings) {
+  constexpr double kStands = 1 * kRadiansPerDegree;
+  double stood = time;
+  for (const Sample& sample : item.history)
+    if (sample.time < time && sample.tilt < kStands && asked_for(sample.time, settings))
+      stood = sample.time;
+  return stood;
+}
+
+std::vector<Overturning::Liftoff> liftoffs_of(const Demands& demands, const EquipmentModel& item) {
+  std::vector<Overturning::Liftoff> result;
+  for (std::size_t w = 0; w < demands.wheels.size(); ++w)
+    if (demands.wheels[w].liftoff_before_overturning >= 0)
+      result.push_back({item.casters.at(w).name, demands.wheels[w].liftoff_before_overturning});
+  std::ranges::stable_sort(result, {}, &Overturning::Liftoff::time);
+  return result;
+}
+
 }  // namespace
 
 std::optional<HalfCycle> driving_half_cycle(const FloorMotion& floor, const Vector2& direction,
@@ -110,30 +133,28 @@ std::optional<HalfCycle> driving_half_cycle(const FloorMotion& floor, const Vect
   return largest(floor, direction, from - kLookBack, to);
 }
 
-std::string sentence(const HalfCycle& of, const study::UnitSystem& units) {
-  const double peak = of.peak_acceleration;
-  const std::string up_to =
-      units.chosen() ? units.text(peak, "m/s2") + " ("
-                     : fmt::format("{:.3g} m/s2 ({:.2f} g, ", peak, peak / kStandardGravity);
-  return fmt::format(
-      "A half cycle of the floor's motion {} drove it, opposite to the motion of the item, from "
-      "{:.2f} s to {:.2f} s: {:.2f} s long, up to {}at {:.2f} s) and {}; it changed the floor's "
-      "velocity by {}.",
-      towards(std::atan2(of.direction.y(), of.direction.x()), units), of.start, of.end,
-      of.end - of.start, up_to, of.time_of_peak, units.text(of.peak_velocity, "m/s"),
-      units.text(of.velocity_change, "m/s"));
+std::vector<Overturning> overturnings_of(const study::RunFacts& facts, const Response& response) {
+  std::vector<Overturning> result;
+  if (is_failure(response.outcome)) return result;
+  for (std::size_t i = 0; i < response.items.size(); ++i) {
+    const Demands& d = response.items[i].demands;
+    if (d.time_of_overturning < 0) continue;
+    Overturning found{i,
+                      d.time_of_overturning,
+                      d.direction_of_overturning,
+                      liftoffs_of(d, facts.scene.items.at(i).model),
+                      0,
+                      {}};
+    found.start = found.liftoffs.empty()
+                      ? began_to_tip(response.items[i], found.time, facts.settings)
+                      : found.liftoffs.front().time;
+    if (std::isfinite(found.direction))
+      found.half_cycle = driving_half_cycle(
+          facts.floor, -Vector2(std::cos(found.direction), std::sin(found.direction)), found.start,
+          found.time);
+    result.push_back(found);
+  }
+  return result;
 }
 
-nlohmann::ordered_json half_cycle_json(const std::optional<HalfCycle>& of) {
-  if (!of) return nullptr;
-  return {{"direction_rad", std::atan2(of->direction.y(), of->direction.x())},
-          {"start_s", of->start},
-          {"end_s", of->end},
-          {"duration_s", of->end - of->start},
-          {"peak_acceleration_m_per_s2", of->peak_acceleration},
-          {"time_of_peak_s", of->time_of_peak},
-          {"peak_velocity_m_per_s", of->peak_velocity},
-          {"velocity_change_m_per_s", of->velocity_change}};
-}
-
-}  // namespace gurney::report
+}  // namespace gurney::explanation

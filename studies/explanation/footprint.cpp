@@ -1,10 +1,10 @@
-#include "studies/report/footprint.h"
+#include "studies/explanation/footprint.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace gurney::report {
+namespace gurney::explanation {
 namespace {
 
 double turn(const Vector2& a, const Vector2& b, const Vector2& c) {
@@ -112,4 +112,4 @@ const Sample& last_finite(const std::vector<Sample>& history) {
   return found == history.rend() ? history.front() : *found;
 }
 
-}  // namespace gurney::report
+}  // namespace gurney::explanation

@@ -1,23 +1,21 @@
-#include "studies/explanation/figure.h"
+#include "studies/figures/explanation_figure.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "studies/explanation/text.h"
+#include "studies/explanation/words.h"
 #include "studies/figures/labels.h"
 #include "studies/figures/panel.h"
-#include "studies/report/words.h"
 
-namespace gurney::explanation {
+namespace gurney::figures {
 namespace {
 
-using figures::Curve;
-using figures::Frame;
-using figures::Panel;
-using figures::Range;
-using figures::Svg;
+using explanation::Event;
+using explanation::EventKind;
+using explanation::Explanation;
+using explanation::Finding;
 
 constexpr double kWidth = 760, kLeft = 66, kRight = 18, kTop = 80, kPanel = 118, kRow = 172,
                  kLine = 16;
@@ -35,7 +33,7 @@ Range window_of(const Explanation& of) {
 template <class Get>
 Curve curve(const Explanation& of, const Range& window, const std::string& label, std::size_t color,
             Get get) {
-  Curve result{label, {}, {}, {.stroke = figures::palette(color), .width = 1.3}};
+  Curve result{label, {}, {}, {.stroke = palette(color), .width = 1.3}};
   for (std::size_t i = 0; i < of.tracks.time.size(); ++i) {
     const double time = of.tracks.time[i];
     if (time < window.low || time > window.high) continue;
@@ -62,17 +60,17 @@ std::string floor_title(const Explanation& of) {
   return "Floor acceleration " +
          (of.direction.isZero()
               ? "towards +x"
-              : report::towards(std::atan2(of.direction.y(), of.direction.x()), of.units));
+              : explanation::towards(std::atan2(of.direction.y(), of.direction.x()), of.units));
 }
 
 Panel floor_panel(const Explanation& of, const Range& window) {
   const study::ReportUnit unit = unit_of(of, "m/s2");
-  Panel panel = time_panel("", figures::with_unit("Acceleration", unit), window);
+  Panel panel = time_panel("", with_unit("Acceleration", unit), window);
   panel.legend_columns = 0;
   panel.curves.push_back(
       curve(of, window, "", 0, [&](std::size_t i) { return of.tracks.floor[i] / unit.in_si; }));
   if (!of.pulse) return panel;
-  figures::Area pulse{{}, {}, {}, figures::palette(1), 0.35};
+  Area pulse{{}, {}, {}, palette(1), 0.35};
   const Curve& all = panel.curves[0];
   for (std::size_t i = 0; i < all.x.size(); ++i) {
     if (all.x[i] < of.pulse->start || all.x[i] > of.pulse->end) continue;
@@ -87,7 +85,7 @@ Panel floor_panel(const Explanation& of, const Range& window) {
 Panel displacement_panel(const Explanation& of, const Range& window) {
   const study::ReportUnit unit = unit_of(of, "m");
   Panel panel = time_panel("Distance of " + of.item().name + " from its start",
-                           figures::with_unit("Distance", unit), window);
+                           with_unit("Distance", unit), window);
   panel.legend_columns = 0;
   panel.curves.push_back(curve(
       of, window, "", 0, [&](std::size_t i) { return of.tracks.displacement[i] / unit.in_si; }));
@@ -96,7 +94,7 @@ Panel displacement_panel(const Explanation& of, const Range& window) {
 
 Panel tilt_panel(const Explanation& of, const Range& window) {
   const study::ReportUnit unit = unit_of(of, "rad");
-  Panel panel = time_panel("Tilt against critical tilt", figures::with_unit("Tilt", unit), window);
+  Panel panel = time_panel("Tilt against critical tilt", with_unit("Tilt", unit), window);
   panel.curves.push_back(
       curve(of, window, "tilt", 0, [&](std::size_t i) { return of.tracks.tilt[i] / unit.in_si; }));
   panel.curves.push_back(curve(of, window, "critical, where it leans to", 1,
@@ -115,8 +113,7 @@ Panel tilt_panel(const Explanation& of, const Range& window) {
 /// Impacts of wheels on the floor give grip for moments; the demand sets the scale.
 Panel grip_panel(const Explanation& of, const Range& window) {
   const study::ReportUnit unit = unit_of(of, "N");
-  Panel panel =
-      time_panel("Force that holds it against grip", figures::with_unit("Force", unit), window);
+  Panel panel = time_panel("Force that holds it against grip", with_unit("Force", unit), window);
   panel.curves.push_back(curve(of, window, "force needed", 0,
                                [&](std::size_t i) { return of.tracks.demand[i] / unit.in_si; }));
   panel.curves.push_back(
@@ -131,7 +128,7 @@ Panel grip_panel(const Explanation& of, const Range& window) {
 
 Panel energy_panel(const Explanation& of, const Range& window) {
   const study::ReportUnit unit = unit_of(of, "J");
-  Panel panel = time_panel("Energy since the start", figures::with_unit("Energy", unit), window);
+  Panel panel = time_panel("Energy since the start", with_unit("Energy", unit), window);
   const auto add = [&](const char* label, auto get) {
     panel.curves.push_back(curve(of, window, label, panel.curves.size(), [&](std::size_t i) {
       return get(of.tracks.energy[i]) / unit.in_si;
@@ -161,7 +158,7 @@ std::vector<Event> shown_events(const Explanation& of, const Range& window) {
 }
 
 /// Lines through a panel, with numbers above the first; numbers that would touch move up.
-void draw_events(Svg& svg, const Frame& frame, const figures::Scaling& scaling,
+void draw_events(Svg& svg, const Frame& frame, const Scaling& scaling,
                  const std::vector<Event>& events, bool numbers) {
   double last = -100;
   for (std::size_t i = 0; i < events.size(); ++i) {
@@ -171,7 +168,7 @@ void draw_events(Svg& svg, const Frame& frame, const figures::Scaling& scaling,
     if (!numbers) continue;
     last = std::max(x, last + 13);
     svg.text(last, frame.y - 4, fmt::format("{}", i + 1),
-             {.size = 10, .anchor = figures::Anchor::kMiddle, .bold = true});
+             {.size = 10, .anchor = Anchor::kMiddle, .bold = true});
   }
 }
 
@@ -179,21 +176,20 @@ void draw_list(Svg& svg, double top, const std::vector<Event>& events,
                const study::UnitSystem& units) {
   for (std::size_t i = 0; i < events.size(); ++i) {
     const double y = top + kLine * static_cast<double>(i);
-    const std::string words = words_of(events[i], false, units);  // the first clause is drawn
-    svg.text(kLeft, y, fmt::format("{}", i + 1), {.anchor = figures::Anchor::kEnd, .bold = true});
-    svg.text(kLeft + 54, y, fmt::format("{:.2f} s", events[i].time),
-             {.anchor = figures::Anchor::kEnd});
+    const std::string words = explanation::sentence(events[i], units);  // the first clause is drawn
+    svg.text(kLeft, y, fmt::format("{}", i + 1), {.anchor = Anchor::kEnd, .bold = true});
+    svg.text(kLeft + 54, y, fmt::format("{:.2f} s", events[i].time), {.anchor = Anchor::kEnd});
     svg.text(kLeft + 66, y,
-             figures::fitted(words.substr(0, words.find(';')), 11, kWidth - kLeft - 66 - kRight));
+             fitted(words.substr(0, words.find(';')), 11, kWidth - kLeft - 66 - kRight));
   }
 }
 
 }  // namespace
 
-std::string figure(const Explanation& of) {
+std::string explanation_figure(const Explanation& of) {
   if (of.failed || of.tracks.time.empty()) {
     Svg svg(kWidth, 80);
-    svg.text(kRight, 40, figures::fitted(headline(of), 11, kWidth - 2 * kRight));
+    svg.text(kRight, 40, fitted(explanation::headline(of), 11, kWidth - 2 * kRight));
     return svg.str();
   }
   const Range window = window_of(of);
@@ -211,11 +207,11 @@ std::string figure(const Explanation& of) {
   panels.front().title.clear();
   const double list = kTop + 14 + kRow * static_cast<double>(panels.size()) + 4;
   Svg svg(kWidth, list + kLine * static_cast<double>(events.size()) + 4);
-  svg.text(kRight, 26, figures::fitted(headline(of), 15, kWidth - 2 * kRight),
+  svg.text(kRight, 26, fitted(explanation::headline(of), 15, kWidth - 2 * kRight),
            {.size = 14, .bold = true});
   svg.text(kRight, 44,
-           figures::fitted(of.title + (of.record.empty() ? "" : "   \u00b7   " + of.record), 11,
-                           kWidth - 2 * kRight),
+           fitted(of.title + (of.record.empty() ? "" : "   \u00b7   " + of.record), 11,
+                  kWidth - 2 * kRight),
            {.size = 11, .color = "#555555"});
   svg.text(kLeft, kTop - 6, first_title, {.size = 12, .bold = true});
   for (std::size_t i = 0; i < panels.size(); ++i) {
@@ -227,4 +223,4 @@ std::string figure(const Explanation& of) {
   return svg.str();
 }
 
-}  // namespace gurney::explanation
+}  // namespace gurney::figures

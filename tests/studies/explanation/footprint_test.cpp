@@ -1,10 +1,10 @@
-#include "studies/report/footprint.h"
+#include "studies/explanation/footprint.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-namespace gurney::report {
+namespace gurney::explanation {
 namespace {
 
 /// Extent of a polygon along x and y.
@@ -58,4 +58,4 @@ TEST(Overlap, IsOfAreasNotOfEdges) {
 }
 
 }  // namespace
-}  // namespace gurney::report
+}  // namespace gurney::explanation

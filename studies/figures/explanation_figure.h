@@ -4,10 +4,10 @@
 
 #include "studies/explanation/facts.h"
 
-namespace gurney::explanation {
+namespace gurney::figures {
 
 /// One figure of the time around the event, as SVG: the floor with its pulse, displacement, tilt
 /// against critical, force against grip, energies; numbered events, listed below.
-std::string figure(const Explanation& of);
+std::string explanation_figure(const explanation::Explanation& of);
 
-}  // namespace gurney::explanation
+}  // namespace gurney::figures

@@ -1,4 +1,4 @@
-#include "studies/report/fall.h"
+#include "studies/explanation/overturning.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "tests/support/fabricated_ward.h"
 
-namespace gurney::report {
+namespace gurney::explanation {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -15,7 +15,7 @@ constexpr double kPi = std::numbers::pi;
 TEST(Falls, LookAgainstTheFall) {
   const study::RunFacts facts = fabricated_ward();
   Response response = fabricated_ward_response();
-  const auto all = falls(facts, response);
+  const auto all = overturnings_of(facts, response);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].item, 3u);
   ASSERT_EQ(all[0].liftoffs.size(), 3u);
@@ -26,13 +26,14 @@ TEST(Falls, LookAgainstTheFall) {
   Response block = response;
   for (WheelDemands& wheel : block.items[3].demands.wheels) wheel.liftoff_before_overturning = -1;
   block.items[3].demands.time_of_overturning = 5.75;  // later than 1 s after the floor's pulse
-  ASSERT_TRUE(falls(facts, block)[0].half_cycle);
-  EXPECT_NEAR(falls(facts, block)[0].half_cycle->velocity_change, 4 / kPi, 1e-3);
+  ASSERT_TRUE(overturnings_of(facts, block)[0].half_cycle);
+  EXPECT_NEAR(overturnings_of(facts, block)[0].half_cycle->velocity_change, 4 / kPi, 1e-3);
   response.items[3].demands.direction_of_overturning *= -1;
-  EXPECT_FALSE(falls(facts, response)[0].half_cycle) << "the floor never moves towards -y";
+  EXPECT_FALSE(overturnings_of(facts, response)[0].half_cycle)
+      << "the floor never moves towards -y";
   response.outcome = Outcome::kDiverged;
-  EXPECT_TRUE(falls(facts, response).empty());
+  EXPECT_TRUE(overturnings_of(facts, response).empty());
 }
 
 }  // namespace
-}  // namespace gurney::report
+}  // namespace gurney::explanation
