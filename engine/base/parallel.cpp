@@ -1,7 +1,9 @@
 #include "engine/base/parallel.h"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
+#include <thread>
 
 namespace gurney {
 
@@ -18,6 +20,10 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
     }
   }
   if (problem) std::rethrow_exception(problem);
+}
+
+int threads_or_all(int asked) {
+  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 }  // namespace gurney

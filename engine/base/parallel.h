@@ -10,4 +10,7 @@ namespace gurney {
 /// leaves a region of OpenMP ends the process.)
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 
+/// @returns `asked`, or one for each core where it is not > 0
+int threads_or_all(int asked = 0);
+
 }  // namespace gurney

@@ -42,10 +42,19 @@ struct RunOptions : SimulationSettings {
 ///         Physics or numerics gone wrong is no error but an Outcome (Response::outcome).
 Response run(const Scene& scene, const FloorMotion& floor, const RunOptions& options);
 
-/// Adds to the response of such a run what a twin with slightly other masses and a run with half its
-/// time step show of each item (ItemResponse::predictability); nothing where a baseline made it or
-/// where it failed. It costs two runs.
-void add_predictability(const Scene& scene, const FloorMotion& floor, const RunOptions& options,
-                        Response& response);
+/// The response of a run with its ItemResponse::predictability.
+struct JudgedRun {
+  Response response;
+  double seconds = 0;  ///< time that the run took, without those that judge it [s]
+};
+
+/// Runs a scene as run() does, and beside it a twin with slightly other masses and a run with half
+/// the time step, which show how predictable each item is and which of its demands are settled
+/// (ItemResponse::predictability). Together they take four times the CPU time of the run, and half
+/// of that time on two threads. Nothing is judged where a baseline made the run or where it failed.
+/// @param threads  > 0, the same bits for any number
+/// @throws Error as run()
+JudgedRun run_judged(const Scene& scene, const FloorMotion& floor, const RunOptions& options,
+                     int threads);
 
 }  // namespace gurney

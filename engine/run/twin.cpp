@@ -78,17 +78,25 @@ std::vector<Predictability> predictability(const Scene& scene, const FloorMotion
     settings.history_step = SimulationSettings().history_step;
     return predictability(scene, floor, settings, simulate(scene, floor, settings));
   }
-  const Response twin = simulate(perturbed(scene, 1), floor, settings);
+  const Response twin = twin_run(scene, floor, settings);
   if (is_failure(twin.outcome)) return {};
   return compare_twin(run, twin);
 }
 
-void add_half_step(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings,
-                   std::vector<Predictability>& of_items) {
+Response twin_run(const Scene& scene, const FloorMotion& floor,
+                  const SimulationSettings& settings) {
+  return simulate(perturbed(scene, 1), floor, settings);
+}
+
+Response half_step_run(const Scene& scene, const FloorMotion& floor,
+                       const SimulationSettings& settings) {
   SimulationSettings finer = settings;
   lengthen_steps(0.5, finer);
   finer.history_step = 0;
-  const Response half = simulate(scene, floor, finer);
+  return simulate(scene, floor, finer);
+}
+
+void add_half_step(const Response& half, std::vector<Predictability>& of_items) {
   if (is_failure(half.outcome)) return;
   for (std::size_t i = 0; i < of_items.size(); ++i) of_items[i].half_step = half.items[i].demands;
 }

@@ -20,9 +20,13 @@ std::vector<Predictability> compare_twin(const Response& run, const Response& tw
 std::vector<Predictability> predictability(const Scene& scene, const FloorMotion& floor,
                                            SimulationSettings settings, const Response& run);
 
-/// Runs the run again with half its time step, for the demands of each item at half step.
+/// The run again with masses changed by kPerturbation, and with half its time step and no history.
 /// @throws Error as simulate()
-void add_half_step(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings,
-                   std::vector<Predictability>& of_items);
+Response twin_run(const Scene& scene, const FloorMotion& floor, const SimulationSettings& settings);
+Response half_step_run(const Scene& scene, const FloorMotion& floor,
+                       const SimulationSettings& settings);
+
+/// Takes the demands of each item at half step; nothing of a run that failed.
+void add_half_step(const Response& half, std::vector<Predictability>& of_items);
 
 }  // namespace gurney

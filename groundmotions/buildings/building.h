@@ -6,6 +6,7 @@
 
 #include "groundmotions/buildings/isolation.h"
 #include "groundmotions/buildings/modal_building.h"
+#include "groundmotions/buildings/yielding_motion.h"
 #include "groundmotions/record/record.h"
 
 namespace gurney::groundmotions {
@@ -18,6 +19,9 @@ struct Building {
   std::array<ModalAxis, 3> axes;       ///< indexed by Direction; without modes: rigid
   std::optional<Isolation> isolation;  ///< below floor 0; empty: floor 0 is the ground
   std::optional<double> height;        ///< of the roof above the base, where stated [m]
+  /// Storeys that yield instead of the horizontal modes, which are then those of the elastic building;
+  /// without isolation and floor rotation, of stated height.
+  std::optional<YieldingStoreys> yielding = {};
 
   const ModalAxis& operator[](Direction direction) const {
     return axes[static_cast<std::size_t>(direction)];

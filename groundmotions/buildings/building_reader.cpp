@@ -84,8 +84,34 @@ class Damper {
   std::optional<std::pair<std::size_t, std::size_t>> rayleigh_;
 };
 
+/// The storeys of a shear building that yields; they keep the damping of its elastic modes.
+/// @param axes    of the building, all modes
+/// @param height  is set
+YieldingStoreys read_yield(Table in, const Eigen::VectorXd& mass,
+                           const std::array<Eigen::VectorXd, 2>& stiffness,
+                           const std::array<ModalAxis, 2>& axes, std::optional<double>& height) {
+  YieldingStoreys storeys{mass, stiffness, {}, {}, 0};
+  const auto count = static_cast<std::size_t>(mass.size());
+  const Range ratio = Range::within(0, 1).open_below();
+  height = in.number("height_m", Range::positive());
+  storeys.yield_drift =
+      *height / static_cast<double>(count) *
+      (in.is_array("drift_ratio")
+           ? vector(in.numbers("drift_ratio", ratio, count))
+           : Eigen::VectorXd::Constant(mass.size(), in.number("drift_ratio", ratio)));
+  storeys.hardening = in.number("hardening_ratio", Range::within(0, 0.99));
+  for (std::size_t i = 0; i < 2; ++i) {
+    storeys.damping[i].resize(mass.size());
+    for (std::size_t k = 0; k < axes[i].size(); ++k)
+      storeys.damping[i][static_cast<Eigen::Index>(k)] = axes[i][k].damping;
+  }
+  return storeys;
+}
+
 /// Storey by storey, from stiffnesses or from a period and a taper.
-std::array<ModalAxis, 2> read_shear(Table& table, int storeys) {
+/// @param building  its height and its storeys that yield are set where the table has them
+std::array<ModalAxis, 2> read_shear(Table& table, Building& building) {
+  const int storeys = building.storeys;
   const auto count = static_cast<std::size_t>(storeys);
   const Damper damper(table, storeys);
   const std::vector<double> mass =
@@ -110,8 +136,18 @@ std::array<ModalAxis, 2> read_shear(Table& table, int storeys) {
   if (table.document().errors() > before || vector(mass).minCoeff() <= 0) return axes;
   for (std::size_t i = 0; i < 2; ++i) {
     axes[i] = modes_of(vector(mass), shear_stiffness(stiffness[i]));
-    if (period) scale_to_period(axes[i], (*period)[i]);
-    if (!damper.apply(table, axes[i])) break;
+    if (period) {
+      stiffness[i] *= std::pow(2 * pi / (*period)[i] / axes[i].front().omega, 2);
+      scale_to_period(axes[i], (*period)[i]);
+    }
+    if (!damper.apply(table, axes[i])) return axes;
+  }
+  if (auto yield = table.table("yield")) {
+    exclude(table, "modes", "yield; storeys that yield have no modes");
+    exclude(table, "isolation", "yield: what stands on isolators is elastic");
+    exclude(table, "floor_rotation", "yield: floors of storeys in shear stay level");
+    if (axes[1].size() == count)
+      building.yielding = read_yield(*yield, vector(mass), stiffness, axes, building.height);
   }
   return axes;
 }
@@ -226,7 +262,7 @@ Building read_building(Table& table, const std::string& name) {
       building.axes[static_cast<std::size_t>(direction)] =
           read_modes(table, name_of(direction), building.storeys);
   } else {
-    const auto axes = kind == 0 ? read_shear(table, building.storeys)
+    const auto axes = kind == 0 ? read_shear(table, building)
                                 : read_generic(table, building.storeys, building.height);
     building.axes = {axes[0], axes[1], {}};
     if (auto vertical = table.table("vertical"))

@@ -19,6 +19,7 @@ constexpr double kVisibleDrift = 0.01;  ///< after the ground's end; an assumpti
 constexpr double kShareOfPeak = 0.1;    ///< and of the peak displacement; an assumption
 constexpr const char* kBaselineStep = "\"baseline kind=end_at_rest\"";
 constexpr double kElasticDrift = 0.01;     ///< storey drift ratio; an assumption
+constexpr double kSteadyDrift = 0.04;      ///< of storeys that yield; an assumption
 constexpr double kLargestRotation = 0.05;  ///< sin and cos are 1 and 0 within 0.13 % [rad]
 
 /// A finding, and with the words of what follows from it a warning where it is too large.
@@ -63,12 +64,27 @@ void report_storey_drift(double largest, const Building& building, BuildingRespo
   if (!building.height) return;
   const double ratio = largest / (*building.height / building.storeys);
   response.storey_drift_ratio = ratio;
-  report_finding(fmt::format("peak storey drift ratio {:.2g} %", 100 * ratio),
-                 ratio > kElasticDrift,
-                 fmt::format("the model is elastic; above {:g} % a building yields, and its floors "
-                             "accelerate less",
-                             100 * kElasticDrift),
-                 response);
+  if (!response.storeys)
+    return report_finding(
+        fmt::format("peak storey drift ratio {:.2g} %", 100 * ratio), ratio > kElasticDrift,
+        fmt::format("the model is elastic; above {:g} % a building yields, and its floors "
+                    "accelerate less",
+                    100 * kElasticDrift),
+        response);
+  const StoreyResponse& storeys = *response.storeys;
+  Eigen::Index storey = 0;
+  const double ductility = storeys.ductility.maxCoeff(&storey);
+  response.residual_drift_ratio =
+      storeys.residual_drift.maxCoeff() / (*building.height / building.storeys);
+  report_finding(
+      fmt::format(
+          "peak storey drift ratio {:.2g} %, residual {:.2g} %, ductility {:.2g} in storey {}",
+          100 * ratio, 100 * *response.residual_drift_ratio, ductility, storey + 1),
+      ratio > kSteadyDrift,
+      fmt::format("the storeys of the model keep strength and stiffness; above {:g} % those of a "
+                  "building lose them",
+                  100 * kSteadyDrift),
+      response);
 }
 
 void report_drift(const Record& ground, double tail, Record& floor) {

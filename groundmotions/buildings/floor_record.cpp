@@ -166,49 +166,125 @@ IsolatedHistory run_isolated(const Ground& ground, const Building& building, int
   return result;
 }
 
-/// Largest difference of two horizontal motions over the peaks of the second.
-double change(const IsolatedHistory& coarse, const IsolatedHistory& fine) {
-  const std::size_t samples = std::min(coarse.history.floor.size(), fine.history.floor.size());
-  double acceleration = 0, peak = 0, displacement = 0;
+struct YieldingHistory {
+  History history;
+  StoreyResponse storeys;
+};
+
+YieldingHistory run_yielding(const Ground& ground, const Building& building, int floor,
+                             double time_step, double window, int substeps) {
+  const YieldingStoreys& storeys = *building.yielding;
+  YieldingMotion motion(storeys, time_step / substeps);
+  ModalResponse vertical(building[Direction::kVertical], floor, time_step);
+  YieldingHistory result;
+  StoreyResponse& found = result.storeys;
+  found.ductility = Eigen::VectorXd::Zero(building.storeys);
+  double largest_input = 0, largest_closure = 0;
+  const auto step = [&](const Vector3& ground0, const Vector3& ground1) {
+    const Vector2 slope = (ground1 - ground0).head<2>() / substeps;
+    for (int i = 0; i < substeps; ++i)
+      motion.step(ground0.head<2>() + i * slope, ground0.head<2>() + (i + 1) * slope);
+    const Eigen::VectorXd drift = motion.drift().colwise().norm().transpose();
+    found.ductility = found.ductility.cwiseMax(drift.cwiseQuotient(storeys.yield_drift));
+    largest_input = std::max(largest_input, std::abs(motion.energy().input));
+    largest_closure = std::max(largest_closure, std::abs(motion.energy().closure()));
+    const Vector2 level = floor > 0 ? motion.floor_acceleration(floor) : Vector2(ground1.head<2>());
+    return FloorSample{
+        .acceleration = {level.x(), level.y(), vertical.step(ground0.z(), ground1.z())},
+        .drift = drift.maxCoeff()};
+  };
+  const FloorSample first{Vector3(0, 0, vertical.at_rest(ground.at(0).z()))};
+  result.history = run(ground, time_step, window, first, step);
+  found.residual_drift = motion.drift().colwise().norm().transpose();
+  found.energy = motion.energy();
+  found.energy_error = largest_input > 0 ? largest_closure / largest_input : 0;
+  found.time_step = time_step / substeps;
+  return result;
+}
+
+/// Largest differences of two horizontal accelerations and of two storey drifts, each over the peak of
+/// the second.
+struct Change {
+  double acceleration, drift;
+};
+
+Change change_between(const History& coarse, const History& fine) {
+  const std::size_t samples = std::min(coarse.floor.size(), fine.floor.size());
+  double acceleration = 0, peak_acceleration = 0, drift = 0, peak_drift = 0;
   for (std::size_t i = 0; i < samples; ++i) {
-    const auto column = static_cast<Eigen::Index>(i);
-    const Vector2 a = coarse.history.floor[i].acceleration.head<2>();
-    const Vector2 b = fine.history.floor[i].acceleration.head<2>();
-    acceleration = std::max(acceleration, (a - b).norm());
-    peak = std::max(peak, b.norm());
-    displacement = std::max(displacement, (coarse.isolators.displacement.col(column) -
-                                           fine.isolators.displacement.col(column))
-                                              .norm());
+    const FloorSample &a = coarse.floor[i], &b = fine.floor[i];
+    acceleration = std::max(acceleration, (a.acceleration - b.acceleration).head<2>().norm());
+    peak_acceleration = std::max(peak_acceleration, b.acceleration.head<2>().norm());
+    drift = std::max(drift, std::abs(a.drift - b.drift));
+    peak_drift = std::max(peak_drift, b.drift);
   }
-  const double a = peak > 0 ? acceleration / peak : 0;
+  const auto over = [](double difference, double peak) { return peak > 0 ? difference / peak : 0; };
+  return {over(acceleration, peak_acceleration), over(drift, peak_drift)};
+}
+
+double change(const IsolatedHistory& coarse, const IsolatedHistory& fine) {
+  const Eigen::Index samples =
+      std::min(coarse.isolators.displacement.cols(), fine.isolators.displacement.cols());
+  const double displacement = (coarse.isolators.displacement.leftCols(samples) -
+                               fine.isolators.displacement.leftCols(samples))
+                                  .colwise()
+                                  .norm()
+                                  .maxCoeff();
   const double u = fine.isolators.peak > 0 ? displacement / fine.isolators.peak : 0;
-  return std::max(a, u);
+  return std::max(change_between(coarse.history, fine.history).acceleration, u);
+}
+
+double change(const YieldingHistory& coarse, const YieldingHistory& fine) {
+  const Change found = change_between(coarse.history, fine.history);
+  return std::max(found.acceleration, found.drift);
+}
+
+/// Halves the step of a solve until that changes the motion by no more than kAccuracy.
+/// @param largest  step to begin with [s]
+/// @param what     needs so short steps, in an error
+/// @param solve    the motion solved with so many steps between two samples
+/// @param quality  of a motion: where its `change` stands
+template <class Solve, class Quality>
+auto halved(const Ground& ground, const Building& building, double time_step, double largest,
+            const char* what, const Solve& solve, Quality quality) {
+  const double first = std::max(1.0, std::ceil(time_step / largest));
+  const auto steps = static_cast<double>(ground.steps());
+  require(first * steps <= kMaxSteps,
+          fmt::format("building '{}': its {} and shortest period need time steps of {:.2g} s, "
+                      "{:.2g} of them for this record; must be at most {:g}",
+                      building.name, what, time_step / first, first * steps, kMaxSteps));
+  int substeps = static_cast<int>(first);
+  auto coarse = solve(substeps);
+  for (int halving = 0;; ++halving) {
+    substeps *= 2;
+    auto fine = solve(substeps);
+    (fine.*quality).change = change(coarse, fine);
+    const double next = 2.0 * substeps * static_cast<double>(fine.history.floor.size());
+    if ((fine.*quality).change <= kAccuracy || halving + 1 == kMaxHalvings || next > kMaxSteps)
+      return fine;
+    coarse = std::move(fine);
+  }
 }
 
 IsolatedHistory solve_isolated(const Ground& ground, const Building& building, int floor,
                                double time_step, double window) {
-  const double largest = IsolatedMotion::largest_step(*building.isolation, horizontal(building));
-  const double first = std::max(1.0, std::ceil(time_step / largest));
-  const auto steps = static_cast<double>(ground.steps());
-  require(
-      first * steps <= kMaxSteps,
-      fmt::format("building '{}': its isolators and shortest period need time steps of {:.2g} s, "
-                  "{:.2g} of them for this record; must be at most {:g}",
-                  building.name, time_step / first, first * steps, kMaxSteps));
-  int substeps = static_cast<int>(first);
-  const auto solve = [&] {
-    return run_isolated(ground, building, floor, time_step, window, substeps);
-  };
-  IsolatedHistory coarse = solve();
-  for (int halving = 0;; ++halving) {
-    substeps *= 2;
-    IsolatedHistory fine = solve();
-    fine.isolators.change = change(coarse, fine);
-    const double next = 2.0 * substeps * static_cast<double>(fine.history.floor.size());
-    if (fine.isolators.change <= kAccuracy || halving + 1 == kMaxHalvings || next > kMaxSteps)
-      return fine;
-    coarse = std::move(fine);
-  }
+  return halved(
+      ground, building, time_step,
+      IsolatedMotion::largest_step(*building.isolation, horizontal(building)), "isolators",
+      [&](int substeps) {
+        return run_isolated(ground, building, floor, time_step, window, substeps);
+      },
+      &IsolatedHistory::isolators);
+}
+
+YieldingHistory solve_yielding(const Ground& ground, const Building& building, int floor,
+                               double time_step, double window) {
+  return halved(
+      ground, building, time_step, time_step, "storeys",
+      [&](int substeps) {
+        return run_yielding(ground, building, floor, time_step, window, substeps);
+      },
+      &YieldingHistory::storeys);
 }
 
 History solve_fixed(const Ground& ground, const Building& building, int floor, double time_step,
@@ -261,9 +337,35 @@ std::string description(const Building& building, int floor) {
       "floor {} of building '{}' ({} storeys, {}; first periods of the building above: h1 {}, h2 "
       "{}, vertical {})",
       floor, building.name, building.storeys,
-      building.isolation ? building.isolation->name + " isolation" : "fixed base",
+      building.isolation  ? building.isolation->name + " isolation"
+      : building.yielding ? "fixed base, storeys yield"
+                          : "fixed base",
       period_text(building[Direction::kH1]), period_text(building[Direction::kH2]),
       period_text(building[Direction::kVertical]));
+}
+
+/// Warnings where a motion of so many solves is not accurate.
+/// @param what  moved, in a warning
+void report_accuracy(const char* what, double energy_error, double change, double time_step,
+                     Record& floor) {
+  if (!(energy_error <= kEnergyAccuracy))
+    floor.warnings.push_back(fmt::format("{}: the energies miss {:.2g} of the input; wanted: {:g}",
+                                         what, energy_error, kEnergyAccuracy));
+  if (!(change <= kAccuracy))
+    floor.warnings.push_back(
+        fmt::format("{}: the motion still changes by {:.2g} of its peak between steps of "
+                    "{:.3g} s and twice that; wanted: {:g}",
+                    what, change, time_step, kAccuracy));
+}
+
+void report_storeys(const StoreyResponse& storeys, Record& floor) {
+  floor.processing.push_back(
+      fmt::format("storeys yield: ductility {:.3g}, residual drift {:.3g} m, solved with steps of "
+                  "{:.3g} s; the "
+                  "last halving changed the motion by {:.2g} of its peak; energy closes to {:.1g}",
+                  storeys.ductility.maxCoeff(), storeys.residual_drift.maxCoeff(),
+                  storeys.time_step, storeys.change, storeys.energy_error));
+  report_accuracy("storeys", storeys.energy_error, storeys.change, storeys.time_step, floor);
 }
 
 void report_isolators(const IsolatedHistory& history, const Isolation& isolation, Record& floor) {
@@ -281,15 +383,8 @@ void report_isolators(const IsolatedHistory& history, const Isolation& isolation
   if (history.lifted)
     floor.warnings.push_back(
         "isolators: the vertical motion takes all load off (below -1 g); uplift is not modelled");
-  if (!(isolators.energy_error <= kEnergyAccuracy))
-    floor.warnings.push_back(
-        fmt::format("isolators: the energies miss {:.2g} of the input; wanted: {:g}",
-                    isolators.energy_error, kEnergyAccuracy));
-  if (!(isolators.change <= kAccuracy))
-    floor.warnings.push_back(
-        fmt::format("isolators: the motion still changes by {:.2g} of its peak between steps of "
-                    "{:.3g} s and twice that; wanted: {:g}",
-                    isolators.change, isolators.time_step, kAccuracy));
+  report_accuracy("isolators", isolators.energy_error, isolators.change, isolators.time_step,
+                  floor);
 }
 
 }  // namespace
@@ -327,6 +422,11 @@ BuildingResponse building_response(const Record& ground, const Building& buildin
     report_isolators(isolated, *building.isolation, record);
     response.isolators = std::move(isolated.isolators);
     history = std::move(isolated.history);
+  } else if (building.yielding) {
+    YieldingHistory yielding = solve_yielding(motion, building, floor, time_step, window);
+    report_storeys(yielding.storeys, record);
+    response.storeys = std::move(yielding.storeys);
+    history = std::move(yielding.history);
   } else {
     history = solve_fixed(motion, building, floor, time_step, window);
   }

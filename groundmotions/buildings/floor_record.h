@@ -22,13 +22,27 @@ struct IsolatorResponse {
                       ///< their peaks [-]
 };
 
+/// What storeys that yield did; one number for each, from the ground up.
+struct StoreyResponse {
+  Eigen::VectorXd ductility;       ///< largest |d| / d_y at the samples [-]
+  Eigen::VectorXd residual_drift;  ///< |d| at the end [m]
+  StoreyEnergy energy;             ///< at the end
+  double energy_error = 0;         ///< largest |closure| over the largest input [-]
+  double time_step = 0;            ///< that the storeys were solved with [s]
+  double change = 0;               ///< of floor acceleration and largest storey drift at the last
+                                   ///< halving of it, over their peaks [-]
+};
+
 struct BuildingResponse {
   Record floor;
   std::optional<IsolatorResponse> isolators;  ///< if the building has any
+  std::optional<StoreyResponse> storeys;      ///< if they yield
   /// Largest difference of the displacements of two floors over the height of a storey; empty: no
   /// height is stated.
   std::optional<double> storey_drift_ratio;
-  /// What the building did to its floors, in a line each: amplified vertical motion, drift.
+  /// The same of the drift that is left when the building rests; empty unless its storeys yield.
+  std::optional<double> residual_drift_ratio;
+  /// What the building did to its floors, in a line each: amplified vertical motion, drift, ductility.
   std::vector<std::string> findings;
 };
 
@@ -43,11 +57,12 @@ struct BuildingResponse {
 ///
 /// Isolated buildings are solved with ever finer steps, until halving the step changes neither the
 /// floor's horizontal acceleration nor the isolators' displacement by more than 0.03 % of their
-/// peaks.
+/// peaks. Buildings whose storeys yield are solved likewise, for acceleration and storey drift.
 ///
 /// Warnings go to the floor's record: vertical acceleration above 1 g, a storey drift ratio above
-/// 1 %, beyond which a building would yield, displacement capacity exceeded, isolators unloaded, motion
-/// cut after 120 s, accuracy not reached, energies that do not add up.
+/// 1 % of an elastic building, beyond which it would yield, or above 4 % of one that yields, where
+/// strength and stiffness degrade, displacement capacity exceeded, isolators unloaded, motion cut
+/// after 120 s, accuracy not reached, energies that do not add up.
 ///
 /// @param floor  0 to building.storeys
 /// @throws Error for another floor and for a ground without components

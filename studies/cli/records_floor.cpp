@@ -77,6 +77,11 @@ nlohmann::ordered_json facts_json(const groundmotions::Building& building, int f
     facts["isolators"] = {{"peak_m", response.isolators->peak},
                           {"residual_m", response.isolators->residual.norm()}};
   if (response.storey_drift_ratio) facts["peak_storey_drift_ratio"] = *response.storey_drift_ratio;
+  if (response.storeys) {
+    const auto numbers = [](const Eigen::VectorXd& v) { return std::vector(v.begin(), v.end()); };
+    facts["storeys"] = {{"ductility", numbers(response.storeys->ductility)},
+                        {"residual_drift_m", numbers(response.storeys->residual_drift)}};
+  }
   facts["processing"] = response.floor.processing;
   facts["warnings"] = response.floor.warnings;
   return facts;

@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "engine/base/parallel.h"
 #include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
 #include "engine/run/run.h"
@@ -20,7 +21,6 @@ namespace gurney::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 /// What differs between two equal runs stands here and not in the results file.
 std::string log_text(const std::string& job, const Response& response, double seconds) {
@@ -73,10 +73,8 @@ void check_output(const RunOutput& output) {
 }
 
 Response run_and_write(const study::PreparedRun& run, const RunOutput& output) {
-  const auto start = Clock::now();
-  Response response = gurney::run(run.facts.scene, run.facts.floor, run.facts.settings);
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  add_predictability(run.facts.scene, run.facts.floor, run.facts.settings, response);
+  auto [response, seconds] =
+      run_judged(run.facts.scene, run.facts.floor, run.facts.settings, threads_or_all());
   {
     const SignalsHeld until_written;
     study::OutputFiles files(output.overwrite);
@@ -88,7 +86,7 @@ Response run_and_write(const study::PreparedRun& run, const RunOutput& output) {
     files.commit();
   }
   if (!output.quiet) print(output, run, response, seconds);
-  return response;
+  return std::move(response);
 }
 
 }  // namespace gurney::cli

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/run/refine.h"
+#include "engine/run/run.h"
 #include "engine/run/simulate.h"
 #include "engine/run/twin.h"
 #include "studies/verification/scenes/small_scenes.h"
@@ -139,13 +141,58 @@ TEST(HalfStep, HasTheDemandsOfTheFinerRun) {
   finer.time_step = 0.004;
   finer.tolerance = 0.1 / 8;  // of second order: errors of a step go with its cube
   std::vector<Predictability> found(1);
-  add_half_step(scene, floor, settings, found);
+  add_half_step(half_step_run(scene, floor, settings), found);
   const Demands expected = simulate(scene, floor, finer).items[0].demands;
   EXPECT_GT(expected.peak_tilt, Predictability::kLeastTilt);
   ASSERT_TRUE(found[0].half_step);
   EXPECT_EQ(found[0].half_step->peak_displacement, expected.peak_displacement);
   EXPECT_EQ(found[0].half_step->peak_tilt, expected.peak_tilt);
   EXPECT_EQ(found[0].half_step->wheels[2].skid_distance, expected.wheels[2].skid_distance);
+}
+
+/// Twin and half step of each way to choose the step, made one after the other.
+Predictability judged_in_turn(const Scene& scene, const FloorMotion& floor,
+                              const RunOptions& options, const Response& run) {
+  const SimulationSettings settings = refined_settings(options, run.quality);
+  std::vector<Predictability> found = predictability(scene, floor, settings, run);
+  add_half_step(half_step_run(scene, floor, settings), found);
+  return found.at(0);
+}
+
+TEST(RunJudged, HasTheBitsOfItsPartsForAnyNumberOfThreads) {
+  const Scene scene = braked_and_tall();
+  const FloorMotion floor = small::noise_record(3, 2, {5, 4, 2});
+  RunOptions fixed, tolerance, refined, bare;
+  tolerance.tolerance = 0.1;
+  refined.peak_error = 0.05;
+  bare.history_step = 0;
+  for (const RunOptions& options : {fixed, tolerance, refined, bare}) {
+    const Response run = gurney::run(scene, floor, options);
+    const Predictability expected = judged_in_turn(scene, floor, options, run);
+    for (int threads : {1, 2, 3}) {
+      const Response judged = run_judged(scene, floor, options, threads).response;
+      EXPECT_EQ(judged.items[0].demands.peak_tilt, run.items[0].demands.peak_tilt);
+      EXPECT_EQ(judged.items[0].history.size(), run.items[0].history.size());
+      ASSERT_TRUE(judged.items[0].predictability);
+      const Predictability& found = *judged.items[0].predictability;
+      EXPECT_EQ(found.amplification, expected.amplification);
+      EXPECT_EQ(found.twin->peak_tilt, expected.twin->peak_tilt);
+      EXPECT_EQ(found.half_step->peak_tilt, expected.half_step->peak_tilt);
+      EXPECT_NE(found.half_step->peak_tilt, run.items[0].demands.peak_tilt);
+    }
+  }
+}
+
+TEST(RunJudged, JudgesNoBaselineAndNoRunThatFailed) {
+  const FloorMotion floor = small::noise_record(3, 1, {2, 2, 1});
+  RunOptions baseline;
+  baseline.solver = Solver::kBullet;
+  EXPECT_FALSE(run_judged(braked_and_tall(), floor, baseline, 2).response.items[0].predictability);
+  // No step of this length resolves this floor.
+  const Eigen::Matrix3Xd violent = Eigen::Matrix3Xd::Constant(3, 40, 1e200);
+  const Response failed = run_judged(braked_and_tall(), {0.01, violent}, {}, 2).response;
+  ASSERT_TRUE(is_failure(failed.outcome));
+  EXPECT_FALSE(failed.items[0].predictability);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "groundmotions/buildings/shear_building.h"
 #include "tests/support/error_text.h"
 #include "tests/support/key_table.h"
 
@@ -210,6 +211,41 @@ TEST(BuildingReader, UnknownKeysAreErrors) {
   EXPECT_THAT(errors(kShear + "dampin_ratio = 3\n"), HasSubstr("did you mean 'damping_ratio'?"));
 }
 
+TEST(BuildingReader, ReadsStoreysThatYield) {
+  const Building building = read(kShear +
+                                 "[yield]\nheight_m = 12\ndrift_ratio = [0.01, 0.008, 0.005]\n"
+                                 "hardening_ratio = 0.05\n");
+  ASSERT_TRUE(building.yielding);
+  EXPECT_EQ(building.height, 12);
+  const YieldingStoreys& storeys = *building.yielding;
+  EXPECT_TRUE(storeys.yield_drift.isApprox(Eigen::Vector3d(0.04, 0.032, 0.02), 1e-15));
+  EXPECT_EQ(storeys.hardening, 0.05);
+  EXPECT_EQ(storeys.damping[1], Eigen::Vector3d::Constant(0.05));
+  // Its elastic stiffness has the stated periods.
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_NEAR(modes_of(storeys.mass, shear_stiffness(storeys.stiffness[i])).front().omega,
+                building.axes[i].front().omega, 1e-10);
+}
+
+TEST(BuildingReader, RefusesYieldThatMeansNothing) {
+  const std::string yield = "[yield]\nheight_m = 12\nhardening_ratio = 0.05\n";
+  EXPECT_EQ(errors(kShear + yield + "drift_ratio = 1.5\n"),
+            "b.toml:8:15: yield.drift_ratio = 1.5: must be a finite number > 0, at most 1");
+  EXPECT_THAT(errors(kShear + yield), HasSubstr("yield.drift_ratio: missing"));
+  EXPECT_THAT(errors(kShear + yield + "drift_ratio = [0.01, 0.01]\n"), HasSubstr("drift_ratio"));
+  const std::string right = yield + "drift_ratio = 0.01\n";
+  EXPECT_THAT(errors(kShear + "modes = 2\n" + right),
+              HasSubstr("modes: must not be given with yield"));
+  EXPECT_THAT(errors(kShear + right + "[floor_rotation]\nheight_m = 12\nbending_share = 1\n"),
+              HasSubstr("floor_rotation: must not be given with yield"));
+  EXPECT_THAT(errors(kShear + right +
+                     "[isolation]\nkind = 'linear'\nperiod_s = 2\n"
+                     "damping_ratio = 0.1\nbase_mass_ratio = 0.2\n"),
+              HasSubstr("isolation: must not be given with yield"));
+  EXPECT_THAT(errors("kind = 'generic'\nstoreys = 3\nperiod_s = 1\ndamping_ratio = 0\n" + right),
+              HasSubstr("yield"));
+}
+
 /// Keys asked for by a building with everything in it; the last part of each.
 std::set<std::string> asked(const std::string& text) {
   config::Document document(text, "b.toml");
@@ -234,8 +270,9 @@ TEST(BuildingReader, EveryKeyIsDocumented) {
   shear.merge(
       asked("kind = 'shear'\nstorey_stiffness_h1_n_per_m = [1]\n"
             "[isolation]\nkind = 'lead_rubber'\n"));
-  EXPECT_EQ(shear,
-            documented({"All buildings", "Shear", "Floor rotation", "Vertical", "Isolation"}));
+  shear.merge(asked(kShear + "[yield]\ndrift_ratio = 0.01\n"));
+  EXPECT_EQ(shear, documented({"All buildings", "Shear", "Yield", "Floor rotation", "Vertical",
+                               "Isolation"}));
   std::set<std::string> generic = asked("kind = 'generic'\nframe = 'other'\n" + isolation);
   generic.merge(asked("kind = 'generic'\n[isolation]\nkind = 'lead_rubber'\n"));
   EXPECT_EQ(generic,

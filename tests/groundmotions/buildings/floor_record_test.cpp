@@ -155,6 +155,69 @@ TEST(FloorRecord, AnIsolatedBuildingDriftsLess) {
   EXPECT_LT(ratio(above), 0.8 * ratio(fixed));
 }
 
+/// The building of two_storeys() with storeys that yield at this drift.
+Building yielding(double drift) {
+  Building building = two_storeys();
+  building.height = 6;
+  YieldingStoreys storeys;
+  storeys.mass = Eigen::Vector2d::Ones();
+  const double omega = modes_of(storeys.mass, shear_stiffness(storeys.mass)).front().omega;
+  storeys.stiffness.fill(Eigen::Vector2d::Constant(std::pow(4 * pi / omega, 2)));
+  storeys.damping.fill(Eigen::Vector2d::Constant(0.05));
+  storeys.yield_drift = Eigen::Vector2d::Constant(drift);
+  storeys.hardening = 0.05;
+  building.yielding = storeys;
+  return building;
+}
+
+// Both are within 0.1 % of the peak: the modes are exact for a ground that is linear between samples,
+// and halving the step of the storeys changes their motion by no more.
+TEST(FloorRecord, StoreysThatDoNotYieldAreModes) {
+  Building modal = two_storeys();
+  modal.height = 6;
+  const BuildingResponse elastic = building_response(ground(), modal, 2),
+                         storeys = building_response(ground(), yielding(1), 2);
+  for (const Direction direction : kDirections) {
+    const Eigen::VectorXd &a = samples(elastic.floor, direction),
+                          &b = samples(storeys.floor, direction);
+    const Eigen::Index n = std::min(a.size(), b.size());
+    EXPECT_LT((a.head(n) - b.head(n)).cwiseAbs().maxCoeff(), 2e-3 * a.cwiseAbs().maxCoeff());
+  }
+  ASSERT_TRUE(storeys.storeys);
+  EXPECT_LT(storeys.storeys->ductility.maxCoeff(), 0.1);
+  EXPECT_LT(*storeys.residual_drift_ratio, 1e-3 * *storeys.storey_drift_ratio);
+}
+
+// The roof takes no more than the upper storey's shear over its mass, 1 kg, and its damping force.
+TEST(FloorRecord, YieldLimitsTheFloorsAcceleration) {
+  Record strong = ground();
+  for (auto& component : strong.components)
+    if (component) component->acceleration *= 2;
+  const Building building = yielding(0.01);
+  const YieldingStoreys& storeys = *building.yielding;
+  const BuildingResponse found = building_response(strong, building, 2);
+  ASSERT_TRUE(found.storeys);
+  const double ductility = found.storeys->ductility[1];
+  EXPECT_GT(found.storeys->ductility[0], 2);
+  const double shear =
+      storeys.stiffness[0][1] * 0.01 * (storeys.hardening * ductility + 1 - storeys.hardening);
+  const Eigen::VectorXd &h1 = samples(found.floor, Direction::kH1),
+                        &h2 = samples(found.floor, Direction::kH2);
+  const double peak = (h1.cwiseAbs2() + h2.cwiseAbs2()).cwiseSqrt().maxCoeff();
+  EXPECT_LT(peak, 1.25 * shear) << "damping of 5 % takes a tenth of the elastic force, or less";
+  const Building modal = two_storeys();
+  const double elastic =
+      samples(floor_record(strong, modal, 2), Direction::kH1).cwiseAbs().maxCoeff();
+  EXPECT_LT(h1.cwiseAbs().maxCoeff(), 0.7 * elastic);
+  EXPECT_LT(found.storeys->energy_error, 1e-9);
+  EXPECT_LE(found.storeys->change, 1e-3);
+  EXPECT_THAT(found.findings.back(), HasSubstr("ductility"));
+  EXPECT_THAT(found.floor.processing[0], HasSubstr("storeys yield"));
+  ASSERT_TRUE(found.storey_drift_ratio);
+  const bool large = *found.storey_drift_ratio > 0.04;
+  EXPECT_EQ(found.floor.warnings.size(), large ? 1U : 0U);
+}
+
 // Each axis alone by ModalResponse, at the finer samples the vertical mode of 0.1 s asks for:
 // 0.1 / 20 = 0.005 s is the ground's own step.
 TEST(FloorRecord, EachAxisIsItsModalResponse) {
