@@ -230,7 +230,7 @@ TEST(BuildingReader, ReadsStoreysThatYield) {
 TEST(BuildingReader, RefusesYieldThatMeansNothing) {
   const std::string yield = "[yield]\nheight_m = 12\nhardening_ratio = 0.05\n";
   EXPECT_EQ(errors(kShear + yield + "drift_ratio = 1.5\n"),
-            "b.toml:8:15: yield.drift_ratio = 1.5: must be a finite number > 0, at most 1");
+            "b.toml:8:15: yield.drift_ratio = 1.5: must be a finite number > 0 and <= 1");
   EXPECT_THAT(errors(kShear + yield), HasSubstr("yield.drift_ratio: missing"));
   EXPECT_THAT(errors(kShear + yield + "drift_ratio = [0.01, 0.01]\n"), HasSubstr("drift_ratio"));
   const std::string right = yield + "drift_ratio = 0.01\n";

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -214,8 +215,11 @@ TEST(FloorRecord, YieldLimitsTheFloorsAcceleration) {
   EXPECT_THAT(found.findings.back(), HasSubstr("ductility"));
   EXPECT_THAT(found.floor.processing[0], HasSubstr("storeys yield"));
   ASSERT_TRUE(found.storey_drift_ratio);
-  const bool large = *found.storey_drift_ratio > 0.04;
-  EXPECT_EQ(found.floor.warnings.size(), large ? 1U : 0U);
+  EXPECT_EQ(std::ranges::count_if(found.floor.warnings,
+                                  [](const std::string& warning) {
+                                    return warning.find("lose them") != std::string::npos;
+                                  }),
+            *found.storey_drift_ratio > 0.04 ? 1 : 0);
 }
 
 // Each axis alone by ModalResponse, at the finer samples the vertical mode of 0.1 s asks for:

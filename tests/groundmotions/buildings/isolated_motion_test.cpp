@@ -208,7 +208,8 @@ std::vector<Isolation> kinds() {
           pendulum};
 }
 
-// The account closes to the tolerance of the solve and rounding over 4000 steps, at any step.
+// Each step leaves 1e-10 of its displacement unsolved. The work of its forces over that adds up to 1e-10 of
+// all work done, back and forth some ten times the input in 8 s.
 TEST(IsolatedMotion, EnergyCloses) {
   for (const Isolation& isolation : kinds())
     for (const double h : {0.01, 2e-3}) {
@@ -217,7 +218,7 @@ TEST(IsolatedMotion, EnergyCloses) {
       const IsolationEnergy energy = motion.energy();
       EXPECT_GT(energy.input, 0.01);
       EXPECT_GT(energy.damping, 0);
-      EXPECT_LT(std::abs(energy.closure()), 1e-10 * energy.input) << isolation.name;
+      EXPECT_LT(std::abs(energy.closure()), 1e-9 * energy.input) << isolation.name;
     }
 }
 

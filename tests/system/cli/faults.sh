@@ -224,7 +224,7 @@ expect 1 "largest.toml: the study has about 2.1e+15 runs: too many" "$gurney" ch
 sed 's/^draws = .*/draws = 500001/' long.toml > just.toml
 expect 1 "just.toml: the study has 10000020 runs" "$gurney" check just.toml
 sed 's/^draws = .*/draws = 500000/' long.toml > most.toml
-expect 0 "runs           10000000" "$gurney" check most.toml
+expect 0 "runs    10000000" "$gurney" check most.toml
 gone large.h5.parts
 # shellcheck disable=SC2317
 little_memory() { (ulimit -v "$1"; exec "$gurney" run long.toml -o a.h5 -j 1 --resume); }

@@ -191,7 +191,7 @@ study 1 "text.h5" small.toml -o text.h5 --resume
 mkdir quiet
 cp small.toml item.toml quiet
 cd quiet || exit 1
-expect 0 "cases          24" "$gurney" check small.toml -j 1
+expect 0 "cases   24" "$gurney" check small.toml -j 1
 grep -qE "^levels +2: 0.1, 0.3 g of PGA h1$" stdout || complain "no levels"
 grep -qE "^runs +48$" stdout || complain "no runs"
 grep -qE "^time +about .* with 1 threads on as many idle cores \([0-9] runs were timed: " stdout || complain "no time"

@@ -167,7 +167,7 @@ for (name, unit) in (("fragilitycm.json", .01), ("fragilityg-in.json", 9.80665))
         assert other["curve"]["theta"] == si["curve"]["theta"] / unit
 assert curves > 0
 # Two measures: the plane at the same motion.
-si, cm = (json.load(open(f))[0] for f in ("fragility___and_pfv.json", "fragility___and_pfvcm.json"))
+si, cm = (json.load(open(f))["fragilities"][0] for f in ("fragility___and_pfv.json", "fragility___and_pfvcm.json"))
 assert cm["units"] == ["cm/s2", "cm/s"], cm["units"]
 if si["plane"]:
     z = [f["plane"][0] * math.log(a) + f["plane"][1] * math.log(v) + f["plane"][2]
@@ -233,7 +233,7 @@ labelled run "Displacement (m)"
 check - << 'PY'
 import re
 def table(name):
-    rows = re.findall(r"^  (\w[\w ]*?) {2,}(-?[\d.]+) (\S+)(?: .*)?$", open(name).read(), re.M)
+    rows = re.findall(r"^  (\w[\w ]*?) {2,}(-?[\d.]+) ([^\s,]+)(?:,? .*)?$", open(name).read(), re.M)
     return {row[0]: (float(row[1]), row[2]) for row in rows}
 si, cm = table("run.txt"), table("run_cm.txt")
 assert si.keys() == cm.keys() and len(si) > 12, si
