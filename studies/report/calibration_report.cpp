@@ -37,7 +37,7 @@ Table constants_table(const calibration::Calibration& c) {
                 "confidence interval by Student's t"},
                {"scatter_of_logarithm",
                 "scatter",
-                {".2g", "%", 0.01},
+                {".1f", "%", 0.01},
                 "standard deviation of the logarithm between trials"},
                {"", "trials"},
                {"prediction_95", "95 % of one more trial", interval_format(kFour)},
@@ -64,17 +64,17 @@ Table trials_table(const calibration::Calibration& c) {
                {"floor", "floor"},
                {"against", "against"},
                {"mass_kg", "mass", {".5g", "kg"}},
-               {"excluded", "excluded"},
+               {"sha256", "SHA-256"},
                {"file", "file"},
                {"line", ""},
-               {"sha256", "SHA-256"}}};
+               {"excluded", "excluded"}}};
   for (const calibration::ReadTrial& t : c.trials)
     table.add({t.name, name_in(calibration::names_of_kinds(), t.kind),
                name_in(calibration::names_of_uses(), t.setup.use),
                name_in(calibration::names_of_origins(), t.setup.origin), t.setup.caster,
                t.setup.floor, t.setup.against, t.setup.mass > 0 ? Value(t.setup.mass) : Value(),
-               t.excluded.empty() ? Value() : Value(t.excluded), t.file,
-               t.line == 0 ? Value() : Value(t.line), t.sha256});
+               t.sha256, t.file, t.line == 0 ? Value() : Value(t.line),
+               t.excluded.empty() ? Value() : Value(t.excluded)});
   table.most = 0;
   return table;
 }
@@ -188,7 +188,7 @@ Table validation_table(const calibration::Calibration& c) {
 }
 
 Table excluded_table(const calibration::Calibration& c) {
-  Table table{"left_out", "Excluded", {{"file", "file"}, {"line", "line"}, {"reason", "reason"}}};
+  Table table{"left_out", "", {{"file", ""}, {"line", ""}, {"reason", ""}}};
   for (const calibration::TrialFault& f : c.left_out) table.add({f.file, f.line, f.reason});
   return table;
 }
@@ -222,6 +222,29 @@ void add_residuals(const Table& constants, Table& values) {
       row.back() =
           std::log(ratio) / std::hypot(number_in(constants, i, "scatter_of_logarithm"), error);
     }
+}
+
+Texts excluded_of(const Section& all) {
+  const Table& table = *find<Table>(all, "left_out");
+  Texts lines;
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    lines.push_back(calibration::TrialFault{
+        text_in(table, i, "file"),
+        static_cast<int>(std::get<std::int64_t>(value_in(table, i, "line"))),
+        text_in(table, i, "reason")}
+                        .text());
+  return lines;
+}
+
+/// "5 of 6 within their 95 % interval"; empty without predictions.
+std::string success_of(const Section& all) {
+  const Table& table = *find<Table>(all, "validation");
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    inside += std::get<bool>(value_in(table, i, "inside"));
+  return table.rows.empty()
+             ? ""
+             : fmt::format("{} of {} within their 95 % interval.", inside, table.rows.size());
 }
 
 Texts cautions_of(const Section& all) {
@@ -308,11 +331,15 @@ Section calibration_findings(Section all) {
     tests.rows[row].back() = result_of(tests, row);
   add_residuals(constants, find<Table>(all, "values"));
   List cautions{"", kCautions, cautions_of(all), kAll, true};
+  const Texts excluded = excluded_of(all);
+  const std::string success = success_of(all);
   const bool tested = !tests.rows.empty(), crosswise = !find<Table>(all, "crosswise").rows.empty();
   for (Part& part : all.parts) {
     auto* const section = std::get_if<Section>(&part);
     if (section == nullptr) continue;
     if (section->title == "At a glance") section->parts.insert(section->parts.end() - 1, cautions);
+    if (section->title == "What was measured") section->list("", "Excluded", excluded);
+    if (section->title == "Validation") section->say(success);
     if (section->title != "Diagnostics") continue;
     section->say(tested ? "A large p is no proof: look at the interval." : "");
     section->say(crosswise ? "Of a crosswise pull only the sum of scrub and swivel friction is "

@@ -194,10 +194,11 @@ Section forms(const Cases& cases) {
 }
 
 Section numbers(const Cases& cases) {
-  const Section example = case_section({});
+  const Section example = example_of_verification_facts();
   Table checks = empty_checks("Every check of every case"),
-        parameters = of_cases("Parameters, and the ranges in which the closed forms hold",
-                              find<Table>(example, "parameters{}")->columns),
+        parameters =
+            of_cases("Parameters, and the ranges in which the closed forms hold",
+                     find<Table>(*find<Section>(example, "cases[]"), "parameters{}")->columns),
         others = of_cases("Errors of other solvers on the same cases",
                           {{"", "solver"},
                            {"", "quantity"},
