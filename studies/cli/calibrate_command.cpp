@@ -12,6 +12,7 @@
 #include "studies/cli/new_folder.h"
 #include "studies/cli/signals.h"
 #include "studies/figures/calibration_figure.h"
+#include "studies/render/render.h"
 #include "studies/report/calibration_report.h"
 #include "studies/results/output_files.h"
 
@@ -26,26 +27,27 @@ struct CalibrateOptions {
 
 /// All of them or none.
 void write_all(const CalibrateOptions& options, const calibration::Calibration& calibration,
-               const std::vector<calibration::CasterFile>& casters, const std::string& json) {
+               const std::vector<calibration::CasterFile>& casters, const std::string& text,
+               const std::string& json) {
   std::error_code failed;
   std::filesystem::create_directories(options.folder, failed);
   require(!failed, options.folder + ": " + failed.message());
   const std::filesystem::path folder = options.folder;
   std::vector<std::pair<std::string, std::string>> all = {
-      {(folder / "calibration.txt").string(), report::calibration_text(calibration)},
+      {(folder / "calibration.txt").string(), text},
       {(folder / "calibration.json").string(), json},
       {(folder / ("calibration" + options.figures.suffix())).string(),
        options.figures.bytes(figures::calibration_figure(calibration))}};
   for (const calibration::CasterFile& caster : casters)
     all.emplace_back((folder / caster.name).string(), caster.text);
   study::OutputFiles files(options.overwrite);
-  for (const auto& [path, text] : all) files.check(path);
+  for (const auto& [path, bytes] : all) files.check(path);
   const SignalsHeld until_written;
-  for (const auto& [path, text] : all) files.stage(path, text);
+  for (const auto& [path, bytes] : all) files.stage(path, bytes);
   files.commit();
   if (options.json) return;
   fmt::print("\n");
-  for (const auto& [path, text] : all) fmt::print("{}\n", printable(path));
+  for (const auto& [path, bytes] : all) fmt::print("{}\n", printable(path));
 }
 
 /// Before the work: what is certain to be refused after it.
@@ -72,12 +74,13 @@ int run_calibrate(const CalibrateOptions& options) {
   require(options.folder.empty() || without.empty(),
           fmt::format("{}\nno file is written to {}; without -o the constants are printed",
                       fmt::join(without, "\n"), options.folder));
-  const std::string json = report::calibration_json(calibration, casters, without);
-  fmt::print("{}", options.json ? json : report::calibration_text(calibration));
-  if (!options.json && !without.empty()) fmt::print("\nNo caster file for\n");
-  for (const std::string& each : without)
-    fmt::print(options.json ? stderr : stdout, "  {}\n", each);
-  if (!options.folder.empty()) write_all(options, calibration, casters, json);
+  const findings::Section facts = report::calibration_facts(calibration, casters, without);
+  const std::string json = render::json(facts),
+                    text = render::text(report::calibration_findings(facts));
+  fmt::print("{}", options.json ? json : text);
+  if (options.json)
+    for (const std::string& each : without) fmt::print(stderr, "  {}\n", each);
+  if (!options.folder.empty()) write_all(options, calibration, casters, text, json);
   return 0;
 }
 

@@ -10,6 +10,7 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
 #include "studies/figures/verification_figure.h"
+#include "studies/render/render.h"
 #include "studies/report/verification_report.h"
 #include "studies/results/output_files.h"
 #include "studies/verification/cases.h"
@@ -84,7 +85,7 @@ int verify(VerifyOptions options, bool drawn) {
     std::fflush(text ? stdout : stderr);
   });
   if (!options.figures.empty()) write_figures(options, runs);
-  if (options.json) fmt::print("{}", report::verification_json(runs));
+  if (options.json) fmt::print("{}", render::json(report::verification_facts(runs)));
   if (options.markdown) fmt::print("{}", report::verification_markdown(runs));
   if (text) fmt::print("{}", report::verification_summary(runs));
   return std::ranges::all_of(runs, [](const CaseRun& each) { return each.findings.passed(); })

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gurney::findings {
 
@@ -103,13 +104,36 @@ std::string written(const Value& value, const Format& format) {
   Texts all;
   if (const auto* of = std::get_if<Counts>(&value))
     for (const std::int64_t each : *of) all.push_back(std::to_string(each));
-  if (const auto* of = std::get_if<Numbers>(&value))
+  if (const auto* of = std::get_if<Numbers>(&value)) {
+    if (format.between == kTo && of->size() == 2 && !std::isfinite(of->back()))
+      return of->front() > 0 && std::isfinite(of->front()) ? number(of->front()) + " or more"
+                                                           : "none";
     for (const double each : *of) all.push_back(number(each));
+  }
   return fmt::format("{}", fmt::join(all, format.between));
 }
 
 std::string with_unit(const Value& value, const Format& format) {
   return written(value, format) + (format.unit.empty() ? "" : " " + format.unit);
+}
+
+const Value& value_in(const Table& table, std::size_t row, std::string_view key) {
+  const auto column = std::ranges::find(table.columns, key, &Column::key);
+  return table.rows.at(row).at(static_cast<std::size_t>(column - table.columns.begin())).value;
+}
+
+double number_in(const Table& table, std::size_t row, std::string_view key) {
+  const Value& value = value_in(table, row, key);
+  return value.is_missing() ? std::numeric_limits<double>::quiet_NaN() : std::get<double>(value);
+}
+
+const std::string& text_in(const Table& table, std::size_t row, std::string_view key) {
+  return std::get<std::string>(value_in(table, row, key));
+}
+
+std::string text_of(const Section& section, std::string_view key) {
+  const Fact* const fact = find<Fact>(section, key);
+  return fact == nullptr || fact->value.is_missing() ? "" : written(fact->value, fact->format);
 }
 
 std::vector<Table> groups_of(const Table& table) {

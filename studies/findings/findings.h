@@ -5,6 +5,7 @@
 #include <optional>
 #include <ranges>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -54,6 +55,9 @@ struct Value : ValueTypes {
   bool is_missing() const;  ///< nothing, NaN or infinite, or an empty text
 };
 
+/// Between the ends of an interval; one without an upper end is "1.2 or more", or "none".
+inline constexpr const char* kTo = " to ";
+
 /// How a number is written. Programs get it with all digits.
 struct Format {
   /// Of fmt. Empty: four significant ones, with an exponent only below 1e-4 and from 1e6 on.
@@ -61,7 +65,7 @@ struct Format {
   std::string unit = {};       ///< that people read; empty: of none
   double in_si = 1;            ///< size of that unit
   double json_unit = 1;        ///< in which JSON has it, in SI
-  std::string between = ", ";  ///< the numbers of a list: " to " for an interval
+  std::string between = ", ";  ///< the numbers of a list
   std::string before = {};     ///< a mark of this number
 };
 
@@ -80,6 +84,9 @@ struct Column {
   Format format = {};
   std::string meaning = {};  ///< shown where a page is pointed at
 };
+
+/// The key of an example's table that stands for tables of any key.
+inline constexpr const char* kAnyKey = "*";
 
 inline constexpr std::size_t kAll = static_cast<std::size_t>(-1);
 
@@ -109,6 +116,11 @@ struct Table {
 /// The tables that people read: itself, or its groups without their column.
 std::vector<Table> groups_of(const Table& table);
 
+/// The value of a row in the column of a key; one of another kind is an error of the program.
+const Value& value_in(const Table& table, std::size_t row, std::string_view key);
+double number_in(const Table& table, std::size_t row, std::string_view key);  ///< NaN: missing
+const std::string& text_in(const Table& table, std::size_t row, std::string_view key);
+
 /// Texts of one or more lines below a title, which is left out with them.
 struct List {
   std::string key, title;
@@ -116,6 +128,9 @@ struct List {
   std::size_t most = kAll;  ///< lines that a terminal shows, but one text at least
   bool broken = false;      ///< sentences, which a terminal breaks at its width
 };
+
+/// Title of a list of what a reader has to know before any number is used.
+inline constexpr const char* kCautions = "Cautions";
 
 /// A sentence built from facts, for people.
 struct Sentence {
@@ -152,6 +167,25 @@ struct Section {
 struct Part : std::variant<Fact, Table, List, Sentence, Section> {
   using std::variant<Fact, Table, List, Sentence, Section>::variant;
 };
+
+/// The fact, table, list or section with a key; a section without a key has its parts in the one
+/// around. None: null.
+template <class Kind>
+const Kind* find(const Section& section, std::string_view key) {
+  for (const Part& part : section.parts) {
+    if (const auto* found = std::get_if<Kind>(&part); found && found->key == key) return found;
+    if (const auto* inner = std::get_if<Section>(&part); inner && inner->key.empty())
+      if (const Kind* const found = find<Kind>(*inner, key)) return found;
+  }
+  return nullptr;
+}
+template <class Kind>
+Kind& find(Section& section, std::string_view key) {
+  return const_cast<Kind&>(*find<Kind>(std::as_const(section), key));
+}
+
+/// The text of a fact; empty without it.
+std::string text_of(const Section& section, std::string_view key);
 
 /// Text of a value for people, without its unit: "0.41", "yes", "a, b"; "-" for a missing one.
 std::string written(const Value& value, const Format& format);

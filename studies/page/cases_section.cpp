@@ -6,27 +6,19 @@
 
 #include "engine/base/shell_word.h"
 #include "studies/page/case_columns.h"
+#include "studies/page/findings_html.h"
 #include "studies/page/study_page.h"
-#include "studies/page/table.h"
 
 namespace gurney::page {
 namespace {
 
 constexpr std::size_t kExtreme = 20;
 
-std::vector<Cell> row_of(const std::vector<CaseColumn>& columns, std::size_t run) {
-  std::vector<Cell> row;
-  for (const CaseColumn& column : columns) {
-    const double value = column.values[run];
-    if (!column.texts.empty())
-      row.emplace_back(std::isnan(value) ? "\u2013"
-                                         : column.texts[static_cast<std::size_t>(value)]);
-    else if (column.whole)
-      row.emplace_back(fmt::format("{:.0f}", value)), row.back().number = value;
-    else
-      row.emplace_back(value, column.unit, 4);
-  }
-  return row;
+findings::Value value_of(const CaseColumn& column, std::size_t run) {
+  const double value = column.values[run];
+  if (std::isnan(value)) return {};
+  if (!column.texts.empty()) return column.texts[static_cast<std::size_t>(value)];
+  return column.whole ? findings::Value(static_cast<std::int64_t>(value)) : findings::Value(value);
 }
 
 /// The runs with the largest peak displacements, for print and for those without JavaScript.
@@ -40,10 +32,14 @@ Html extreme_cases(const std::vector<CaseColumn>& columns, const CaseColumn& dem
         return std::pair(-demand.values[a], a) < std::pair(-demand.values[b], b);
       });
   runs.resize(count);
-  Table table{fmt::format("The {} with the largest peak displacements", counted(count, "run")), {}};
-  for (const CaseColumn& column : columns)
-    table.columns.push_back({column.title, column.texts.empty()});
-  for (const std::size_t run : runs) table.rows.push_back(row_of(columns, run));
+  findings::Table table{
+      "", fmt::format("The {} with the largest peak displacements", counted(count, "run")), {}};
+  table.rows.resize(count);
+  for (const CaseColumn& column : columns) {
+    table.columns.push_back({"", column.title, {".4g", "", column.unit.in_si}});
+    for (std::size_t row = 0; row < count; ++row)
+      table.rows[row].emplace_back(value_of(column, runs[row]));
+  }
   return html(table);
 }
 

@@ -7,25 +7,26 @@
 namespace gurney::page {
 namespace {
 
+using findings::Cell;
+using findings::Table;
+using findings::Value;
+
 struct GroupColumn {
   std::string name;
-  Column head;
-  std::vector<Cell> cells;
+  findings::Column head;
+  std::vector<Value> values;
+  bool text = false;
 };
 
 /// Values that mean "none": of times -1, of numbers NaN.
-Cell cell_of(const study::Hdf5Dataset& dataset, double value, const study::UnitSystem& units) {
-  if (dataset.units == "s" && value == -1) return {"\u2013"};
-  if (dataset.type == "int64") {
-    Cell cell(std::to_string(static_cast<long>(value)));
-    cell.number = value;
-    return cell;
-  }
-  return Cell(value, units.of(dataset.units), 4);
+Value value_of(const study::Hdf5Dataset& dataset, double value) {
+  if (dataset.units == "s" && value == -1) return {};
+  return dataset.type == "int64" ? Value(static_cast<std::int64_t>(value)) : Value(value);
 }
 
 std::vector<GroupColumn> columns_of(const study::Hdf5Reader& file, const std::string& group,
-                                    const study::UnitSystem& units) {
+                                    const study::UnitSystem& units,
+                                    const std::vector<std::string>& first) {
   std::vector<GroupColumn> columns;
   const std::string before = "/" + group + "/";
   for (const study::Hdf5Dataset& dataset : file.datasets()) {
@@ -33,25 +34,25 @@ std::vector<GroupColumn> columns_of(const study::Hdf5Reader& file, const std::st
     const std::string name = dataset.path.substr(before.size());
     if (name == "row" || name == "run") continue;
     const bool text = dataset.type == "string";
+    const study::ReportUnit unit = units.of(text ? "1" : dataset.units);
     GroupColumn column{name,
-                       {text ? figures::label_of(name)
-                             : figures::with_unit(figures::label_of(name), units.of(dataset.units)),
-                        !text, dataset.long_name},
-                       {}};
+                       {"",
+                        figures::with_unit(figures::label_of(name), unit),
+                        {".4g", "", unit.in_si},
+                        dataset.long_name},
+                       {},
+                       text};
     if (text)
-      for (const std::string& each : file.strings(dataset.path)) column.cells.emplace_back(each);
+      for (const std::string& each : file.strings(dataset.path)) column.values.emplace_back(each);
     else
       for (const double each : file.numbers(dataset.path))
-        column.cells.push_back(cell_of(dataset, each, units));
+        column.values.push_back(value_of(dataset, each));
     columns.push_back(std::move(column));
   }
-  return columns;
-}
-
-void put_first(std::vector<GroupColumn>& columns, const std::vector<std::string>& first) {
   std::ranges::stable_sort(columns, {}, [&](const GroupColumn& column) {
     return std::ranges::find(first, column.name) - first.begin();
   });
+  return columns;
 }
 
 }  // namespace
@@ -59,39 +60,37 @@ void put_first(std::vector<GroupColumn>& columns, const std::vector<std::string>
 Table table_of_group(const study::Hdf5Reader& file, const std::string& group,
                      const std::string& caption, const std::vector<std::string>& first,
                      const study::UnitSystem& units) {
-  std::vector<GroupColumn> columns = columns_of(file, group, units);
-  put_first(columns, first);
-  Table table{caption, {}};
-  for (const GroupColumn& column : columns) table.columns.push_back(column.head);
-  std::size_t rows = columns.empty() ? 0 : columns.front().cells.size();
-  for (const GroupColumn& column : columns) rows = std::min(rows, column.cells.size());
-  for (std::size_t row = 0; row < rows; ++row) {
-    table.rows.emplace_back();
-    for (const GroupColumn& column : columns) table.rows.back().push_back(column.cells[row]);
+  const std::vector<GroupColumn> columns = columns_of(file, group, units, first);
+  Table table{"", caption, {}};
+  for (const GroupColumn& column : columns) {
+    table.columns.push_back(column.head);
+    table.rows.resize(column.values.size());
+    for (std::size_t row = 0; row < column.values.size(); ++row)
+      table.rows[row].emplace_back(column.values[row]);
   }
+  // Columns as long as the shortest.
+  std::erase_if(table.rows, [&](const auto& row) { return row.size() != columns.size(); });
   return table;
 }
 
 Table turned_table_of_group(const study::Hdf5Reader& file, const std::string& group,
                             const std::string& caption, const std::string& name,
                             const study::UnitSystem& units, const std::vector<std::string>& first) {
-  std::vector<GroupColumn> columns = columns_of(file, group, units);
-  put_first(columns, first);
-  Table table{caption, {{"Quantity"}}};
+  const std::vector<GroupColumn> columns = columns_of(file, group, units, first);
+  Table table{"", caption, {{"", "Quantity"}}};
   for (const GroupColumn& column : columns)
     if (column.name == name)
-      for (const Cell& cell : column.cells) table.columns.push_back({cell.text, true});
-  if (name.empty()) table.columns.push_back({"Value", true});
-  table.columns.push_back({"Meaning"});
+      for (const Value& each : column.values) table.columns.push_back({"", written(each, {})});
+  if (name.empty()) table.columns.push_back({"", "Value"});
+  table.columns.push_back({"", "Meaning"});
   for (const GroupColumn& column : columns) {
-    if (!column.head.numbers || column.cells.size() + 2 != table.columns.size()) continue;
-    if (std::ranges::none_of(column.cells,
-                             [](const Cell& cell) { return cell.number.has_value(); }))
+    if (column.text || column.values.size() + 2 != table.columns.size() ||
+        std::ranges::all_of(column.values, &Value::is_missing))
       continue;
-    std::vector<Cell> row{column.head.title};
-    row.insert(row.end(), column.cells.begin(), column.cells.end());
+    std::vector<Cell> row{column.head.label};
+    for (const Value& each : column.values) row.emplace_back(each, column.head.format);
     row.emplace_back(column.head.meaning);
-    table.rows.push_back(std::move(row));
+    table.add(std::move(row));
   }
   return table;
 }

@@ -68,4 +68,8 @@ Html folded(std::string_view summary, const Html& content) {
   return element("details", element("summary", summary) + content);
 }
 
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 }  // namespace gurney::page

@@ -37,6 +37,9 @@ Html list(const std::vector<std::string>& texts);
 /// A line for each name with its value.
 Html facts(const std::vector<std::pair<std::string, std::string>>& named);
 
+/// "1 run", "3 runs".
+std::string counted(std::size_t count, const std::string& what);
+
 /// Content that is folded away below a line of text.
 Html folded(std::string_view summary, const Html& content);
 

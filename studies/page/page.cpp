@@ -5,7 +5,8 @@
 #include "engine/base/error.h"
 #include "studies/analysis/demands.h"
 #include "studies/build_info/build_info.h"
-#include "studies/page/json_pages.h"
+#include "studies/page/findings_html.h"
+#include "studies/page/json_findings.h"
 #include "studies/page/run_page.h"
 #include "studies/page/study_page.h"
 
@@ -34,11 +35,11 @@ Document document_of(const StudyPage& page) {
                              study_failures, study_time_step, study_records, study_methods})
     document.sections.push_back(section(page));
   document.sections.push_back(assumptions_section(overview.file, overview.undrawn));
-  Table data_files{"Data files, as they were read", {{"File"}, {"SHA-256"}}};
+  findings::Table data_files{"", "Data files, as they were read", {{"", "file"}, {"", "SHA-256"}}};
   const study::StudyReader& file = page.data.file();
   if (file.has("data_files")) {
     const auto names = file.strings("data_files/name"), hashes = file.strings("data_files/sha256");
-    for (std::size_t i = 0; i < names.size(); ++i) data_files.rows.push_back({names[i], hashes[i]});
+    for (std::size_t i = 0; i < names.size(); ++i) data_files.add({names[i], hashes[i]});
   }
   document.sections.push_back(provenance_section(overview.file, file.job_text(), html(data_files)));
   return document;
@@ -63,10 +64,6 @@ std::vector<report::SensitivityReport> sensitivities_of(const study::StudyData& 
 }
 
 }  // namespace
-
-std::string counted(std::size_t count, const std::string& what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 StudyPage::StudyPage(const PageRequest& request)
     : path(request.file),

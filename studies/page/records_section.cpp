@@ -9,8 +9,8 @@
 #include "studies/analysis/suite_spectra.h"
 #include "studies/figures/spectra_figure.h"
 #include "studies/page/drawing.h"
+#include "studies/page/findings_html.h"
 #include "studies/page/study_page.h"
-#include "studies/page/table.h"
 
 namespace gurney::page {
 namespace {
@@ -24,13 +24,12 @@ struct Span {
   }
 };
 
-Cell cell_of(const Span& span, const study::ReportUnit& unit) {
-  if (span.low > span.high) return {"\u2013"};
-  const std::string low = fmt::format("{:.3g}", span.low / unit.in_si),
-                    high = fmt::format("{:.3g}", span.high / unit.in_si);
-  Cell cell(low == high ? low : low + " to " + high);
-  cell.number = span.high;
-  return cell;
+findings::Cell cell_of(const Span& span, const findings::Format& format) {
+  if (span.low > span.high) return findings::Value();
+  if (written(span.low, format) == written(span.high, format)) return span.high;
+  findings::Format ends = format;
+  ends.between = findings::kTo;
+  return {findings::Numbers{span.low, span.high}, ends};
 }
 
 /// A record as its name and its files: sets of ground motions may share it.
@@ -58,7 +57,7 @@ std::string short_hashes(const std::vector<std::string>& files) {
     names.push_back(space == std::string::npos
                         ? each
                         : each.substr(space + 1) + " (" +
-                              each.substr(0, std::min<std::size_t>(space, 8)) + ")");
+                              each.substr(0, std::min<std::size_t>(space, 12)) + ")");
   }
   return names.empty() ? "synthetic" : fmt::format("{}", fmt::join(names, ", "));
 }
@@ -100,25 +99,25 @@ Section study_records(const StudyPage& page) {
     of[0].add(scales[run]);
     for (std::size_t i = 0; i < measures.size(); ++i) of[i + 1].add(measures[i].values[run]);
   }
-  Table table{"Records, and the range of their factors and intensity measures over the runs",
-              {{"Record"}, {"Runs\u2019 factor", true}}};
+  findings::Table table{
+      "",
+      "Records, and the range of their factors and intensity measures over the runs",
+      {{"", "record"}, {"", "runs\u2019 factor", {".3g"}}}};
   for (const study::RunMeasure& each : measures) {
     const study::ReportUnit unit = study::report_unit(page.data, each);
     table.columns.push_back(
-        {each.name + (unit.name.empty() || unit.name == "1" ? "" : " (" + unit.name + ")"), true});
+        {"", each.name, {".3g", unit.name == "1" ? "" : unit.name, unit.in_si}});
   }
-  table.columns.push_back({"Files (start of SHA-256)"});
+  table.columns.push_back({"", "files (start of SHA-256)"});
   std::vector<std::string> warnings;
   for (const auto& motion : page.overview.file.motions) {
     const auto of = spans.find({motion.name, fmt::format("{}", fmt::join(motion.files, "\n"))});
-    std::vector<Cell> row{motion.name};
-    for (std::size_t i = 0; i <= measures.size(); ++i) {
-      const study::ReportUnit unit =
-          i == 0 ? study::ReportUnit{"1", 1} : study::report_unit(page.data, measures[i - 1]);
-      row.push_back(of == spans.end() ? Cell("\u2013") : cell_of(of->second[i], unit));
-    }
-    row.push_back(short_hashes(motion.files));
-    table.rows.push_back(std::move(row));
+    std::vector<findings::Cell> row{motion.name};
+    for (std::size_t i = 0; i <= measures.size(); ++i)
+      row.push_back(of == spans.end() ? findings::Cell(findings::Value())
+                                      : cell_of(of->second[i], table.columns[i + 1].format));
+    row.emplace_back(short_hashes(motion.files));
+    table.add(std::move(row));
     for (const std::string& each : motion.warnings) warnings.push_back(motion.name + ": " + each);
   }
   Html content = html(table) + spectra_of(page);

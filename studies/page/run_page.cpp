@@ -18,6 +18,7 @@
 #include "studies/page/findings_html.h"
 #include "studies/page/study_page.h"
 #include "studies/report/explanation_report.h"
+#include "studies/report/overview_report.h"
 #include "studies/results/columns.h"
 #include "studies/results/names.h"
 
@@ -83,18 +84,9 @@ std::vector<std::string> names_of_demands() {
 }
 
 Section summary(const RunFile& run, const findings::Section& narrative) {
-  const study::RunOverview& overview = run.overview;
-  std::vector<std::pair<std::string, std::string>> named{
-      {"Outcome", fmt::format("{} at {:.4g} s{}{}", overview.outcome, overview.end_time,
-                              overview.cause.empty() ? "" : ": ", overview.cause)}};
-  if (!std::isnan(overview.file.energy_closure))
-    named.emplace_back("Energy balance", fmt::format("closes within {:.2g} of the energy in play",
-                                                     overview.file.energy_closure));
-  Html cautions;
-  if (const std::vector<std::string> all = cautions_of(run); !all.empty())
-    cautions = element("div", element("h3", "Cautions") + list(all), {{"class", "cautions"}});
   return {"summary", "At a glance",
-          cautions + html(narrative) + facts(named) +
+          caution_box(cautions_of(run)) + html(narrative) +
+              html(report::outcome_findings(run.overview)) +
               html(turned_table_of_group(run.file, "items", "Demands of the items", "item",
                                          run.units, names_of_demands()))};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "engine/base/shell_word.h"
 #include "studies/figures/fragility_figure.h"
@@ -24,14 +25,21 @@ Html table_of(const StudyPage& page) {
   return html(table);
 }
 
-Html figure_of(const StudyPage& page) {
+}  // namespace
+
+Html figure_of_curves(const StudyPage& page) {
   std::vector<study::FragilityResult> drawn;
   std::vector<std::string> configurations;
+  std::set<std::string> with_curve;
+  for (const study::FragilityResult& each : page.fragilities)
+    if (each.curve()) with_curve.insert(each.state);
   for (const study::FragilityResult& each : page.fragilities) {
+    if (!with_curve.contains(each.state)) continue;
     if (std::ranges::find(configurations, each.configuration) == configurations.end())
       configurations.push_back(each.configuration);
     if (configurations.size() <= kMaxConfigurations) drawn.push_back(each);
   }
+  if (drawn.empty()) return {};
   Html figure = html(Drawing{
       "fragility", figures::fragility_figure(page.data, drawn, {.most_marks = kMaxMarks}),
       "Fragility curves with 95 % confidence bands, where there are enough records; a panel "
@@ -44,6 +52,8 @@ Html figure_of(const StudyPage& page) {
         kMaxConfigurations, configurations.size(), shell_word(page.path)));
   return figure;
 }
+
+namespace {
 
 Html notes_of(const StudyPage& page) {
   if (page.fragilities.empty()) return {};
@@ -67,7 +77,7 @@ Section study_fragility(const StudyPage& page) {
   if (page.fragilities.empty()) return {"fragility", "Fragility", {}};
   return {"fragility", "Fragility",
           paragraph("P(limit state | im) = \u03a6(ln(im / \u03b8) / \u03b2)") + table_of(page) +
-              figure_of(page) + notes_of(page) + performance_of(page)};
+              notes_of(page) + performance_of(page)};
 }
 
 Section study_sensitivity(const StudyPage& page) {

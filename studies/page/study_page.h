@@ -57,8 +57,8 @@ struct Methods {
 };
 Methods methods_of(const StudyPage& page);
 
-/// "1 run", "3 runs".
-std::string counted(std::size_t count, const std::string& what);
+/// Curves of the limit states that have one.
+Html figure_of_curves(const StudyPage& page);
 
 /// The scene from above, unless it is one item on a bare floor, and a drawing of each kind of item.
 Html scene_drawings(const JobScene& scene, const std::string& title,

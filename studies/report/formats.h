@@ -25,7 +25,7 @@ findings::Value ends(const Ends& of) {
 
 /// "95 % interval" of a column of ends().
 inline findings::Format interval_format(findings::Format of) {
-  of.between = " to ";
+  of.between = findings::kTo;
   of.unit.clear();
   return of;
 }

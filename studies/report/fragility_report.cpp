@@ -98,7 +98,7 @@ void add_audit(const study::CurveAudit& audit, double unit, Section& all) {
                           : *audit.theta > audit.highest ? Value("above")
                           : *audit.theta < audit.lowest  ? Value("below")
                                                          : Value());
-  if (audit.factors.any()) of.add(scale_factor_findings(audit.factors));
+  if (audit.factors.any()) of.add(scale_factor_findings(audit.factors, "", false));
   all.add(std::move(of));
 }
 

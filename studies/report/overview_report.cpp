@@ -38,11 +38,9 @@ Section records(const study::FileOverview& file) {
   return all.add(std::move(lines));
 }
 
-Section state_of(const study::FileOverview& file, const std::string& worst) {
-  Section all;
+void add_energy(const study::FileOverview& file, const std::string& worst, Section& all) {
   all.fact("energy_closure", "energy closes within", file.energy_closure, {".2g"},
            "a fraction of the energy in play" + worst);
-  return all.list("warnings", "warnings", file.warnings);
 }
 
 Section distributions(const char* key, const char* name, bool ratios,
@@ -233,6 +231,23 @@ findings::Section step_check_findings(const study::StepCheck& of) {
             of.unjudged);
 }
 
+findings::Section energy_findings(const study::StudyOverview& overview) {
+  Section all;
+  all.json("energy_closure_run", overview.energy_closure_run);
+  add_energy(overview.file, fmt::format(" (worst: run {})", overview.energy_closure_run), all);
+  return all;
+}
+
+findings::Section outcome_findings(const study::RunOverview& overview) {
+  Section all;
+  all.json("outcome", overview.outcome).json("cause", overview.cause);
+  all.json("end_time", overview.end_time);
+  all.text("outcome", fmt::format("{} at {:.4g} s{}{}", overview.outcome, overview.end_time,
+                                  overview.cause.empty() ? "" : ": ", overview.cause));
+  add_energy(overview.file, "", all);
+  return all;
+}
+
 findings::Section overview_findings(const study::StudyOverview& overview) {
   Section all{"", overview.file.title};
   all.json("filetype", "gurney-study").json("title", overview.file.title);
@@ -247,8 +262,7 @@ findings::Section overview_findings(const study::StudyOverview& overview) {
   if (overview.warned > 0)
     all.text("warnings", fmt::format("in {} runs the building warned (/warnings), such as: {}",
                                      overview.warned, overview.first_warning));
-  all.json("energy_closure_run", overview.energy_closure_run);
-  all.add(state_of(overview.file, fmt::format(" (worst: run {})", overview.energy_closure_run)));
+  all.add(energy_findings(overview)).list("warnings", "warnings", overview.file.warnings);
   all.add(assumption_findings(overview.file)).add(undrawn_findings(overview.undrawn));
   all.add(records(overview.file));
   all.add(share_findings(overview)).add(failure_findings(overview));
@@ -261,11 +275,8 @@ findings::Section overview_findings(const study::RunOverview& overview,
   Section all{"", overview.file.title};
   all.json("filetype", "gurney-results").json("title", overview.file.title);
   all.add(provenance_findings(overview.file, "one run"));
-  all.json("outcome", overview.outcome).json("cause", overview.cause);
-  all.json("end_time", overview.end_time);
-  all.text("outcome", fmt::format("{} at {:.4g} s{}{}", overview.outcome, overview.end_time,
-                                  overview.cause.empty() ? "" : ": ", overview.cause));
-  all.add(state_of(overview.file, "")).add(assumption_findings(overview.file));
+  all.add(outcome_findings(overview)).list("warnings", "warnings", overview.file.warnings);
+  all.add(assumption_findings(overview.file));
   all.add(records(overview.file));
   Table items{"items",
               "largest and last displacement and largest speed against the floor",

@@ -11,6 +11,8 @@ findings::Section overview_findings(const study::RunOverview& overview,
                                     const study::UnitSystem& units = {});
 
 // Parts of it.
+findings::Section energy_findings(const study::StudyOverview& overview);
+findings::Section outcome_findings(const study::RunOverview& overview);
 findings::Section design_findings(const study::StudyOverview& overview);
 findings::Section provenance_findings(const study::FileOverview& file,
                                       const std::string& what = "");

@@ -2,18 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-
-#include "studies/build_info/build_info.h"
-
 namespace gurney::report {
 namespace {
 
 using verification::CaseRun;
 using verification::Check;
-using verification::Findings;
-using Json = nlohmann::ordered_json;
 
 std::string values_text(const CaseRun& run) {
   std::string text;
@@ -49,24 +42,10 @@ std::string stock_text(const CaseRun& run) {
   return text;
 }
 
-Json check_json(const Check& c) {
-  return {{"quantity", c.quantity}, {"unit", c.unit},
-          {"computed", c.computed}, {"reference", c.reference},
-          {"error", c.error()},     {"tolerance", c.tolerance},
-          {"passed", c.passed()},   {"derivation", c.derivation},
-          {"where", c.where}};
-}
-
-Json checks_json(const Findings& findings) {
-  Json checks = Json::array();
-  for (const Check& c : findings.checks) checks.push_back(check_json(c));
-  return checks;
-}
-
 }  // namespace
 
 std::string verification_text(const CaseRun& run, bool in_full) {
-  const Findings& f = run.findings;
+  const verification::Findings& f = run.findings;
   std::string text =
       f.checks.empty()
           ? fmt::format("FAIL {:<36} checks nothing\n", run.name())
@@ -96,44 +75,6 @@ std::string verification_summary(const std::vector<CaseRun>& runs) {
                        checks, seconds);
   return fmt::format("{} of {} cases failed: {}\n", failed.size(), runs.size(),
                      fmt::join(failed, ", "));
-}
-
-std::string verification_json(const std::vector<CaseRun>& runs) {
-  Json cases = Json::array();
-  bool passed = true;
-  for (const CaseRun& run : runs) {
-    const verification::Statement& statement = run.family->statement;
-    Json parameters = Json::object();
-    for (std::size_t i = 0; i < run.set.values.size(); ++i) {
-      const verification::Parameter& p = run.family->parameters[i];
-      parameters[p.name] = {
-          {"value", run.set.values[i]}, {"unit", p.unit}, {"lowest", p.low}, {"highest", p.high}};
-    }
-    Json stock = Json::object();
-    for (const verification::StockRun& each : run.stock)
-      stock[each.solver] = checks_json(each.findings);
-    passed &= run.findings.passed();
-    cases.push_back({{"name", run.name()},
-                     {"group", statement.group},
-                     {"title", statement.title},
-                     {"equation", statement.equation},
-                     {"source", statement.source},
-                     {"parameters", parameters},
-                     {"passed", run.findings.passed()},
-                     {"checks", checks_json(run.findings)},
-                     {"stock_bullet", stock},
-                     {"seconds", run.seconds}});
-  }
-  const build_info::BuildInfo build = build_info::build_info();
-  return Json{{"schema", "gurney-verification/1"},
-              {"program_version", build.program_version},
-              {"git_commit", build.git_commit},
-              {"compiler", build.compiler},
-              {"cpu_class", build.cpu_class},
-              {"passed", passed},
-              {"cases", cases}}
-             .dump(2) +
-         '\n';
 }
 
 }  // namespace gurney::report

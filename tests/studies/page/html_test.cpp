@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "studies/page/drawing.h"
-#include "studies/page/table.h"
+#include "studies/page/findings_html.h"
 #include "tests/studies/page/balanced.h"
 
 namespace gurney::page {
@@ -36,19 +36,20 @@ TEST(Html, CheckOfTagsFindsErrors) {
 }
 
 TEST(PageTable, KeepsTheNumberOfTheFileBesideTheText) {
-  const Table table{"<caption>", {{"A"}, {"B", true}}, {{"<b>", Cell(0.1 + 0.2, {"m", 1})}}};
+  const findings::Table table{
+      "", "<caption>", {{"", "A"}, {"", "B", {".3g", "m"}}}, {{"<b>", 0.1 + 0.2}}};
   const std::string code = html(table).code;
   EXPECT_THAT(code, HasSubstr("data-value=\"0.30000000000000004\">0.3</td>"));
   EXPECT_THAT(code, HasSubstr("<caption>&lt;caption&gt;</caption>"));
   EXPECT_THAT(code, HasSubstr("scope=\"row\" class=\"short\">&lt;b&gt;</th>"));
   EXPECT_EQ(unbalanced(code), "");
-  EXPECT_EQ(html(Table{"no rows", {{"A"}}}).code, "");
+  EXPECT_EQ(html(findings::Table{"", "no rows", {{"", "A"}}}).code, "");
 }
 
 TEST(PageTable, ShowsADashForNoNumber) {
-  const Cell cell(std::nan(""), {"m", 1});
-  EXPECT_EQ(cell.text, "\u2013");
-  EXPECT_FALSE(cell.number);
+  const std::string code = html(findings::Table{"", "", {{"", "A"}}, {{std::nan("")}}}).code;
+  EXPECT_THAT(code, HasSubstr(">\u2013</th>"));
+  EXPECT_THAT(code, Not(HasSubstr("data-value")));
 }
 
 TEST(PageDrawing, HasIdsOfItsOwnAndLeavesTextsAlone) {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "studies/figures/verification_figure.h"
+#include "studies/render/render.h"
 #include "studies/verification/cases.h"
 #include "tests/support/verification_page.h"
 
@@ -74,7 +75,7 @@ TEST(VerificationReport, NumbersThatAreNoneFail) {
 
 TEST(VerificationReport, JsonHasEveryCheck) {
   const Family family = falling();
-  const auto json = nlohmann::json::parse(verification_json({run_of(family, 5.1)}));
+  const auto json = nlohmann::json::parse(render::json(verification_facts({run_of(family, 5.1)})));
   EXPECT_EQ(json["passed"], false);
   const auto& each = json["cases"][0];
   EXPECT_EQ(each["name"], "fall/one_second");

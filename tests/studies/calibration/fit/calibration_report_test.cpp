@@ -11,6 +11,7 @@
 #include "equipment/catalogue/check_file.h"
 #include "studies/calibration/fit/caster_file.h"
 #include "studies/figures/calibration_figure.h"
+#include "studies/render/render.h"
 #include "tests/studies/calibration/trials/made_trial.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
@@ -18,6 +19,7 @@
 namespace gurney::calibration {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -93,14 +95,14 @@ TEST(Calibration, SeesDependences) {
 
 TEST(Calibration, ReportsAllInTextAndJson) {
   const Calibration c = calibrate(programme(), "made");
-  const std::string text = report::calibration_text(c);
-  EXPECT_THAT(text, HasSubstr("made: 30 trials, 1 excluded\nSIMULATED: 30 of the trials"));
-  EXPECT_THAT(text, HasSubstr("excluded: made.csv: (M + J)(a_2 + a_3) is "));
+  const std::string text = render::text(report::calibration_findings(report::calibration_facts(c)));
+  EXPECT_THAT(text, HasSubstr("SIMULATED: 30 of 30 trials are not measured"));
+  EXPECT_THAT(text, HasSubstr("Excluded\n    made.csv: (M + J)(a_2 + a_3) is "));
   EXPECT_THAT(text, HasSubstr("Cr/R of R100 on mystique"));
   EXPECT_THAT(text, HasSubstr("diameter"));
-  EXPECT_THAT(text, HasSubstr("R100_forest_4: Cr/R of R100 on forest measured 0.0"));
+  EXPECT_THAT(text, ContainsRegex("R100_forest_4 +Cr/R of R100 on forest +0\\.0"));
   EXPECT_THAT(text, HasSubstr(" of 6 within their 95 % interval"));
-  const auto json = nlohmann::json::parse(report::calibration_json(c));
+  const auto json = nlohmann::json::parse(render::json(report::calibration_facts(c)));
   EXPECT_EQ(json["constants"].size(), 6u);
   EXPECT_EQ(json["constants"][0]["name"], "rolling_resistance");
   EXPECT_EQ(json["constants"][0]["interval_95"].size(), 2u);
@@ -166,9 +168,9 @@ TEST(Calibration, NamesOutliersAndKeepsThem) {
     if (trial.name == "R125_forest_1") trial.setup.string_tension = 8;  // it was 1 N
   const Calibration c = calibrate(set, "made");
   EXPECT_EQ(constant(c, "Cr/R of R125 on forest").trials.size(), 4u);
-  const std::string text = report::calibration_text(c);
+  const std::string text = render::text(report::calibration_findings(report::calibration_facts(c)));
   EXPECT_THAT(text, HasSubstr("Outliers (kept"));
-  EXPECT_THAT(text, HasSubstr("  R125_forest_1: Cr/R of R125 on forest 0.01"));
+  EXPECT_THAT(text, ContainsRegex("R125_forest_1 +Cr/R of R125 on forest +0\\.01"));
 }
 
 TEST(Calibration, TakesTablesOfAverages) {

@@ -4,11 +4,13 @@
 
 #include <cmath>
 
+#include "studies/render/render.h"
 #include "studies/report/calibration_report.h"
 
 namespace gurney::calibration {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -43,15 +45,19 @@ TEST(Constants, TakeBoundsOnlyWhereThereIsNothingElse) {
   EXPECT_THAT(unpredicted, ElementsAre("e: only a bound of mu_s"));
 }
 
+std::string text_of(const Calibration& c) {
+  return render::text(report::calibration_findings(report::calibration_facts(c)));
+}
+
 TEST(Constants, TellThatAValueIsABound) {
   Calibration c;
   c.constants = constants_of({friction("a", 0.56, true), friction("b", 0.58, true)});
-  EXPECT_THAT(report::calibration_text(c), HasSubstr(" or more "));
-  EXPECT_THAT(report::calibration_text(c),
-              HasSubstr("mu_s is a lower bound: with all wheels locked"));
-  EXPECT_THAT(report::calibration_json(c), HasSubstr("\"lower_bound\": true"));
+  EXPECT_THAT(text_of(c), HasSubstr(" or more"));
+  EXPECT_THAT(text_of(c),
+              AllOf(HasSubstr("mu_s of"), HasSubstr(" is a lower bound: with all wheels locked")));
+  EXPECT_THAT(render::json(report::calibration_facts(c)), HasSubstr("\"lower_bound\": true"));
   c.constants = constants_of({friction("a", 0.56, false), friction("b", 0.58, false)});
-  EXPECT_THAT(report::calibration_text(c), Not(HasSubstr("bound")));
+  EXPECT_THAT(text_of(c), Not(HasSubstr("lower bound")));
 }
 
 }  // namespace
