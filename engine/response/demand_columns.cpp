@@ -45,6 +45,13 @@ constexpr TableColumn<Demands> kDemands[] = {
     {"largest_impulse", "N s", "largest impulse of its impacts", &Demands::largest_impulse},
     {"peak_impact_force", "N", "largest force of its impacts with a stated stiffness; NaN: none",
      &Demands::peak_impact_force, kNaN},
+    {"peak_slide", "m",
+     "largest distance along the surface above the floor that the item stands on, until it falls; "
+     "NaN: it stands on the floor",
+     &Demands::peak_slide, kNaN},
+    {"time_of_fall", "s",
+     "time at which its centre of mass is below that surface; -1: it did not fall",
+     &Demands::time_of_fall, -1},
 };
 
 constexpr TableColumn<WheelDemands> kWheelDemands[] = {

@@ -59,6 +59,10 @@ struct Demands {
   double largest_impulse = 0;         ///< [N s]
   double peak_impact_force =
       std::numeric_limits<double>::quiet_NaN();  ///< of compliant impacts; NaN: none [N]
+  /// Largest distance along the surface above the floor that the item stands on, from its place on it
+  /// [m], until it falls; NaN: it stands on the floor.
+  double peak_slide = std::numeric_limits<double>::quiet_NaN();
+  double time_of_fall = -1;  ///< centre of mass below that surface; < 0: it did not fall [s]
   std::vector<WheelDemands> wheels;              ///< one for each caster
   std::vector<PointDemands> points;              ///< one for each marked point
 };

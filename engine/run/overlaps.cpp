@@ -5,6 +5,7 @@
 #include "engine/bullet/contact_search.h"
 #include "engine/record/zone_log.h"
 #include "engine/solver/assembly.h"
+#include "engine/solver/equilibrium.h"
 
 namespace gurney {
 namespace {
@@ -18,7 +19,7 @@ std::vector<Overlap> find_overlaps(const Scene& scene) {
   const Assembly assembly(scene);
   SceneState state;
   for (std::size_t i = 0; i < scene.items.size(); ++i)
-    state.items.push_back(assembly.items[i].placed(scene.items[i].initial));
+    state.items.push_back(placed_above(assembly, scene, i));
   std::vector<Overlap> overlaps;
   const auto note = [&](const BodyContact& contact, double depth) {
     const Overlap here{contact.side.item,
@@ -46,6 +47,7 @@ std::vector<OccupiedZone> find_occupied_zones(const Scene& scene) {
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
     Scene alone = scene;
     alone.items = {scene.items[i]};
+    alone.items[0].on.reset();
     alone.tethers.clear();
     validate(alone);
     const Assembly assembly(alone);

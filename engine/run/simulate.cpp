@@ -8,6 +8,7 @@
 #include "engine/record/impact_log.h"
 #include "engine/record/recorder.h"
 #include "engine/record/run_clock.h"
+#include "engine/record/support_log.h"
 #include "engine/record/tether_log.h"
 #include "engine/record/zone_log.h"
 #include "engine/solver/assembly.h"
@@ -73,6 +74,7 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
   ImpactLog impacts(scene, assembly);
   TetherLog tethers(assembly, scene.tethers.size());
   ZoneLog zones(scene, assembly);
+  SupportLog supports(scene, assembly, state);
   RunClock clock(floor, assembly.breakpoints(), settings);
   const Stepper::Observer observer = [&](const Stepper::Step& step) {
     impacts.observe(step);
@@ -114,6 +116,7 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
     time = clock.target();
     if (clock.at_breakpoint()) stepper.change_loads(state);
     zones.observe(time, clock.target() - began, state);
+    supports.observe(time, state);
     if (clock.sample_due()) sampled_at = sample();
     if (clock.check_due()) check();
     for (std::size_t i = 0; i < count; ++i) motions[i] = recorders[i].motion();
@@ -147,6 +150,7 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
   response.zones = zones.outcomes();
   for (std::size_t i = 0; i < count; ++i)
     recorders[i].finish(state, stepper.accounts()[i], clock.overturned_at(i), response);
+  supports.finish(response.items);
   return response;
 }
 

@@ -65,6 +65,17 @@ void check(const Fixture& fixture, Problems& problems) {
   }
 }
 
+void check(const Support& on, const Scene& scene, std::size_t item, Problems& problems) {
+  const bool of_item = on.kind == Support::Kind::kItem;
+  problems.check(on.index < (of_item ? item : scene.room.size()), "on.index",
+                 static_cast<double>(on.index),
+                 of_item ? "of an item before it" : "of a shape of the room");
+  problems.positive("on.height", on.height);
+  problems.check(scene.items[item].model.casters.empty(), "casters",
+                 static_cast<double>(scene.items[item].model.casters.size()),
+                 "0 on an item or a shape of the room");
+}
+
 std::string name_of(const std::string& material) {
   return material.empty() ? "(none)" : "'" + material + "'";
 }
@@ -82,6 +93,13 @@ ContactConstants contact_constants(const Scene& scene, const std::string& item,
   return {};
 }
 
+const std::string& material_below(const Scene& scene, std::size_t item) {
+  const std::optional<Support>& on = scene.items[item].on;
+  if (!on) return scene.floor_material;
+  return on->kind == Support::Kind::kItem ? scene.items[on->index].model.material
+                                          : scene.room[on->index].material;
+}
+
 Scene scene_of(EquipmentModel model) {
   Scene scene;
   scene.items.push_back({{}, std::move(model)});
@@ -95,7 +113,9 @@ void validate(const Scene& scene) {
   problems.not_negative("gravity", scene.gravity);
   problems.check(std::abs(scene.slope) <= 1, "slope", scene.slope, "in -1..1");
   problems.check(std::abs(scene.cross_slope) <= 1, "cross_slope", scene.cross_slope, "in -1..1");
-  for (const PlacedItem& item : scene.items) {
+  for (std::size_t i = 0; i < scene.items.size(); ++i) {
+    const PlacedItem& item = scene.items[i];
+    if (item.on) check(*item.on, scene, i, problems);
     const InitialMotion& initial = item.initial;
     problems.finite("initial.position", initial.position);
     problems.finite("initial.velocity", initial.velocity);

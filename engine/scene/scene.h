@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/base/floor_motion.h"
@@ -10,6 +11,15 @@
 
 namespace gurney {
 
+/// A level surface above the floor on which an item without casters stands.
+struct Support {
+  enum class Kind { kItem, kShape };
+
+  Kind kind = Kind::kItem;
+  std::size_t index = 0;  ///< in Scene::items, before the item that stands on it, or Scene::room
+  double height = 0;      ///< of the surface above the floor at the start, > 0 [m]
+};
+
 /// One item of the scene, how it stands there and what acts on it besides the floor.
 struct PlacedItem {
   std::string name;  ///< in events: unique in a scene of several, not "floor" or of a room shape
@@ -17,6 +27,7 @@ struct PlacedItem {
   InitialMotion initial = {};
   std::vector<Load> loads = {};
   Fixture fixture = {};
+  std::optional<Support> on = {};  ///< empty: it stands on the floor
 };
 
 /// A flat floor, the room and the items that stand in it.
@@ -31,6 +42,9 @@ struct Scene {
   std::vector<Tether> tethers;
   std::vector<MaterialPair> pairs;  ///< of the items' materials with all they may touch
 };
+
+/// The material of what an item stands on.
+const std::string& material_below(const Scene& scene, std::size_t item);
 
 /// A scene of one item on a bare floor.
 Scene scene_of(EquipmentModel model);

@@ -242,6 +242,7 @@ equipment::Uncertain<JobItem> read_job_item(Table& item, Remarks& remarks) {
              in.plane("position_m", Range::any()));
   result.set([](JobItem& of_draw) -> double& { return of_draw.initial.yaw; },
              in.angle_deg("yaw_deg", Range::any(), 0.0));
+  item.has("on");  // is read when all items and the room are placed
   std::optional<equipment::Uncertain<equipment::ItemDescription>> found = read_description(item);
   const bool described = found.has_value();
   if (described) result.set(&JobItem::description, *std::move(found));

@@ -24,6 +24,7 @@
 #include "studies/job/old_names.h"
 #include "studies/job/record_reader.h"
 #include "studies/job/room_reader.h"
+#include "studies/job/supports_reader.h"
 
 namespace gurney::study {
 namespace {
@@ -257,6 +258,7 @@ JobReading read(config::Document& document) {
   read_output(root, job);
   note_wheels_roll(root, items, job);
   furnish(root, items, job);
+  read_supports(items, job);
   if (document.clean()) {
     std::vector<config::Spot> positions;
     for (const Table& item : items) positions.push_back(item.spot("position_m"));

@@ -209,6 +209,9 @@ TEST(Demands, AreThoseOfTheActOfTheirItem) {
       {"largest_approach_speed", {kHit, 0, 2, 2, 2}},
       {"largest_impulse", {kHit, 0, 3, 3, 3}},
       {"peak_impact_force", {kHit, kNone, 40, 40, 40}},
+      // Those of what stands above the floor are in supported_items_test.cpp.
+      {"peak_slide", {kMove, kNone, kNone, kNone, kNone}},
+      {"time_of_fall", {kMove, -1, -1, -1, -1}},
   };
   expect_demands(demand_columns(), rows);
 }

@@ -51,7 +51,9 @@ TEST(CatalogueItems, HasWhatHospitalsAskFor) {
                              "overbed_table",
                              "bookcase",
                              "filing_cabinet",
-                             "storage_shelving"})
+                             "storage_shelving",
+                             "portable_monitor",
+                             "infusion_pump"})
     EXPECT_TRUE(std::count(names.begin(), names.end(), wanted)) << wanted;
   EXPECT_GE(catalogue_names(DataKind::kCaster).size(), 8u);
   EXPECT_GE(catalogue_names(DataKind::kFloor).size(), 6u);
