@@ -35,7 +35,7 @@ TEST(Supports, PlaceAnItemInTheAxesOfWhatItStandsOn) {
 TEST(Supports, PutAnItemOnFurnitureAndAnotherOnThat) {
   const Job job = job_of_text(
       "schema = \"gurney-job/1\"\n[[room.box]]\nname = \"table\"\nsize_m = [1, 1, 0.7]\n"
-      "position_m = [3, 0]\nmaterial = \"wood\"\n" +
+      "center_m = [3, 0, 0.35]\nmaterial = \"wood\"\n" +
       kMonitor + "on = \"table\"\nposition_m = [3.2, 0]\n" +
       "[[item]]\nname = \"pump\"\nequipment = \"infusion_pump\"\non = \"monitor\"\n");
   const PlacedItem &monitor = job.scene.items[0], &pump = job.scene.items[1];
