@@ -44,7 +44,18 @@ std::string motion(const Demands& d, const UnitSystem& units) {
   return text;
 }
 
+/// How an item left its place on what it stands on above the floor; empty where it did not.
+std::string sliding(const Demands& d, const UnitSystem& units) {
+  std::string text;
+  if (d.peak_slide >= kVisible)
+    text = "slid at most " + length(d.peak_slide, units) + " where it stood";
+  if (d.time_of_fall >= 0)
+    text += fmt::format("{}FELL at {:.2f} s", text.empty() ? "" : " and ", d.time_of_fall);
+  return text;
+}
+
 std::string lifting(const Demands& d, const UnitSystem& units) {
+  if (const std::string slid = sliding(d, units); !slid.empty()) return "It " + slid + ". ";
   if (d.wheels.empty())
     return fmt::format("It tilted by up to {}. ", explanation::angle(d.peak_tilt, units));
   if (d.most_wheels_lifted == 0) return "Every wheel stayed on the floor. ";
@@ -100,6 +111,7 @@ Texts motions(const Response& response, const Texts& names, const UnitSystem& un
     if (d.most_wheels_lifted > 0)
       lines.back() += fmt::format("; {} of {} wheels off the floor at once, {:.3g} s in all",
                                   d.most_wheels_lifted, d.wheels.size(), d.lifted_time);
+    if (const std::string slid = sliding(d, units); !slid.empty()) lines.back() += "; " + slid;
   }
   if (!still.empty()) lines.push_back("moved less than 1 mm: " + listed(still));
   return lines;

@@ -49,6 +49,17 @@ TEST(Story, ReportsEachOutcomeOfASingleItem) {
               StartsWith("The item moved less than 1 mm. Every wheel stayed on the floor."));
 }
 
+TEST(Story, SaysHowAnItemLeftWhatItStoodOn) {
+  Response response = fabricated_response();
+  Demands& d = response.items[0].demands;
+  d.peak_slide = 0.12;
+  EXPECT_THAT(text_of(fabricated_facts(), response),
+              HasSubstr("It slid at most 120 mm where it stood. "));
+  d.time_of_fall = 5.3;
+  EXPECT_THAT(text_of(fabricated_facts(), response),
+              HasSubstr("It slid at most 120 mm where it stood and FELL at 5.30 s. "));
+}
+
 TEST(Story, SaysWhatHalfTheTimeStepChanges) {
   Response response = fabricated_response();
   ItemResponse& item = response.items[0];
