@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studies/figures/load_figure.h"
+#include "studies/figures/pulling_figures.h"
 #include "studies/page/calibration_facts.h"
 #include "studies/page/drawing.h"
 #include "studies/page/json_pages.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "studies/figures/tolerance_figure.h"
+#include "studies/figures/verification_figures.h"
 #include "studies/page/drawing.h"
 #include "studies/page/json_pages.h"
 #include "studies/page/study_page.h"

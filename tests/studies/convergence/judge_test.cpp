@@ -69,7 +69,7 @@ TEST_F(JudgeTest, WhatCannotBeMeasuredIsNoChange) {
 }
 
 TEST(VariantTest, StaysWithinTheEnginesRange) {
-  SimulationSettings settings;
+  RunOptions settings;
   settings.time_step = 0.02;
   settings.residual = 1e-4;
   for (const Variant& each : variants_for(settings)) {

@@ -37,7 +37,7 @@ study::RunFacts facts_of(const Scene& scene, const FloorMotion& floor) {
   facts.title = "a block";
   facts.scene = scene;
   facts.floor = floor;
-  facts.settings = blocks::run_for(3, kStep, kStep);
+  facts.settings = RunOptions{blocks::run_for(3, kStep, kStep)};
   if (!floor.at_rest()) facts.record = study::RecordFacts{};
   if (facts.record) facts.record->name = "half sine";
   return facts;

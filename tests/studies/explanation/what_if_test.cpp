@@ -21,7 +21,7 @@ study::RunFacts gliding_block() {
   facts.scene = blocks::block(100, {0.6, 0.6, 0.3}, ice);
   blocks::add_wall(facts.scene, 0.8, ice);
   facts.scene.items[0].initial.velocity = {1, 0, 0};
-  facts.settings = blocks::run_for(3, 0.004, 0.004);
+  facts.settings = RunOptions{blocks::run_for(3, 0.004, 0.004)};
   return facts;
 }
 
