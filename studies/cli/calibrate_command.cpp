@@ -11,7 +11,7 @@
 #include "studies/cli/figure_output.h"
 #include "studies/cli/new_folder.h"
 #include "studies/cli/signals.h"
-#include "studies/figures/calibration_figure.h"
+#include "studies/figures/pulling_figures.h"
 #include "studies/render/render.h"
 #include "studies/report/calibration_report.h"
 #include "studies/results/output_files.h"

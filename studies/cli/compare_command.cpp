@@ -11,7 +11,7 @@
 #include "studies/cli/figure_output.h"
 #include "studies/cli/print.h"
 #include "studies/cli/units_option.h"
-#include "studies/figures/comparison_figure.h"
+#include "studies/figures/fragility_figures.h"
 #include "studies/report/comparison_report.h"
 
 namespace gurney::cli {

@@ -8,7 +8,7 @@
 #include "studies/cli/job_argument.h"
 #include "studies/cli/print.h"
 #include "studies/cli/units_option.h"
-#include "studies/figures/convergence_figure.h"
+#include "studies/figures/verification_figures.h"
 #include "studies/report/convergence_report.h"
 
 namespace gurney::cli {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/figures/plot_page.h"
+#include "studies/figures/chart.h"
 
 namespace gurney::cli {
 

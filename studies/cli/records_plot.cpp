@@ -11,7 +11,7 @@
 #include "studies/cli/new_folder.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/records_output.h"
-#include "studies/figures/record_figure.h"
+#include "studies/figures/record_figures.h"
 
 namespace gurney::cli {
 namespace {

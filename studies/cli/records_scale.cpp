@@ -22,7 +22,7 @@
 #include "studies/cli/records_output.h"
 #include "studies/cli/signals.h"
 #include "studies/cli/standard_error.h"
-#include "studies/figures/suite_figure.h"
+#include "studies/figures/record_figures.h"
 #include "studies/results/output_files.h"
 
 namespace gurney::cli {

@@ -9,7 +9,7 @@
 #include "studies/cli/figure_output.h"
 #include "studies/cli/print.h"
 #include "studies/cli/units_option.h"
-#include "studies/figures/sensitivity_figure.h"
+#include "studies/figures/sensitivity_figures.h"
 #include "studies/report/sensitivity_report.h"
 
 namespace gurney::cli {

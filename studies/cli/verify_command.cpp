@@ -9,7 +9,7 @@
 
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
-#include "studies/figures/verification_figure.h"
+#include "studies/figures/verification_figures.h"
 #include "studies/render/render.h"
 #include "studies/report/verification_report.h"
 #include "studies/results/output_files.h"

@@ -84,11 +84,12 @@ std::string cloud_figure(const PlotPage& page, const std::string& title,
     }
     panels.push_back({.panel = panel, .aspect = 0.65});
   }
-  return plot_figure(page, title,
-                     "line: censored regression of ln demand on ln intensity, in the units of the "
-                     "axes; area: one standard deviation \u03c3; crosses: runs that overturned (at "
-                     "least this demand) or stayed below 1/10000 of the largest (at most)",
-                     panels);
+  return Chart{title,
+               "line: censored regression of ln demand on ln intensity, in the units of the "
+               "axes; area: one standard deviation \u03c3; crosses: runs that overturned (at "
+               "least this demand) or stayed below 1/10000 of the largest (at most)",
+               panels}
+      .svg(page);
 }
 
 }  // namespace gurney::figures

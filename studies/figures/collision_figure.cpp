@@ -87,7 +87,7 @@ std::string collision_figure(const PlotPage& page, const std::string& title,
   const SpeedClasses classes(fastest / page.units.of("m/s").in_si);
   std::vector<PlotPanel> panels;
   for (const CollisionMap& map : maps) panels.push_back(panel_of(map, classes, page.units));
-  return plot_figure(page, title, note, panels);
+  return Chart{title, note, panels}.svg(page);
 }
 
 }  // namespace gurney::figures

@@ -5,7 +5,7 @@
 
 #include "engine/scene/scene.h"
 #include "studies/analysis/stored_impacts.h"
-#include "studies/figures/plot_page.h"
+#include "studies/figures/chart.h"
 
 namespace gurney::figures {
 

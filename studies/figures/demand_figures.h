@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "studies/analysis/demand_runs.h"
-#include "studies/figures/plot_page.h"
+#include "studies/figures/chart.h"
 
 namespace gurney::figures {
 

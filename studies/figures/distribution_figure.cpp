@@ -41,8 +41,9 @@ Panel panel_of(const study::DemandRuns& runs, const study::DemandRuns::Configura
               .x_range = {0, right},
               .y_range = {0, 1.02}};
   std::vector<std::string> levels;
-  std::vector<double> intensities;
-  for (const study::DemandRun& run : of.runs)
+  std::vector<study::DemandRun> by_intensity = of.runs;  // the legend and the colours follow it
+  std::ranges::stable_sort(by_intensity, {}, &study::DemandRun::im);
+  for (const study::DemandRun& run : by_intensity)
     if (std::ranges::find(levels, run.level) == levels.end()) levels.push_back(run.level);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     std::vector<double> demands;
@@ -54,7 +55,7 @@ Panel panel_of(const study::DemandRuns& runs, const study::DemandRuns::Configura
     }
     const std::string name = levels[i] == "all" ? "all intensities" : levels[i];
     Curve curve = steps_of(name, demands, count, right);
-    curve.pen = {.stroke = palette(i), .width = 1.5, .dash = i >= 7 ? "5 3" : ""};
+    curve.pen = {.stroke = ramp(i, levels.size()), .width = 1.5};
     panel.curves.push_back(std::move(curve));
   }
   return panel;
@@ -69,10 +70,11 @@ std::string distribution_figure(const PlotPage& page, const std::string& title,
     for (const auto& configuration : runs.configurations)
       panels.push_back(
           {.panel = panel_of(runs, configuration, right_of(runs, all)), .aspect = 0.5});
-  return plot_figure(page, title,
-                     "empirical distribution of the runs of each level; runs in which the item "
-                     "overturned count as above every demand",
-                     panels);
+  return Chart{title,
+               "empirical distribution of the runs of each level; runs in which the item "
+               "overturned count as above every demand",
+               panels}
+      .svg(page);
 }
 
 }  // namespace gurney::figures

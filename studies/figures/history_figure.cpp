@@ -35,7 +35,7 @@ std::string history_figure(const PlotPage& page, const std::string& title, const
                            const std::vector<study::StoredHistory>& histories) {
   std::vector<PlotPanel> panels;
   for (const study::StoredHistory& each : histories) panels.push_back(panel_of(each, page.units));
-  return plot_figure(page, title, note, panels);
+  return Chart{title, note, panels}.svg(page);
 }
 
 }  // namespace gurney::figures

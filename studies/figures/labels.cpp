@@ -1,7 +1,11 @@
 #include "studies/figures/labels.h"
 
+#include <fmt/format.h>
+
 #include <cctype>
 #include <map>
+
+#include "equipment/catalogue/uncertainty.h"
 
 namespace gurney::figures {
 namespace {
@@ -48,6 +52,24 @@ std::string label_of(const std::string& column) {
   if (label.ends_with(" x") || label.ends_with(" y") || label.ends_with(" z"))
     label.insert(label.size() - 2, ",");
   return label;
+}
+
+std::string input_label(const std::vector<std::string>& names) {
+  const std::string& name = names.front();
+  const std::size_t slash = name.rfind('/');
+  std::string key = slash == std::string::npos ? name : name.substr(slash + 1);
+  const std::string unit = equipment::unit_of_key(key);
+  std::string ending = "_";
+  for (const char c : unit)
+    ending += c == ' '   ? "_"
+              : c == '/' ? "_per_"
+                         : std::string(1, static_cast<char>(std::tolower(c)));
+  if (const auto at = key.rfind(ending); unit != "1" && at != std::string::npos)
+    key.erase(at, ending.size());
+  for (char& c : key)
+    if (c == '_' || c == '.') c = ' ';
+  if (slash != std::string::npos) key.insert(0, name.substr(0, slash) + ": ");
+  return names.size() == 1 ? key : fmt::format("{} and {} equal to it", key, names.size() - 1);
 }
 
 std::string unit_label(const study::ReportUnit& unit) {

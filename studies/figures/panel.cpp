@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-
-#include "studies/figures/panel_parts.h"
 
 namespace gurney::figures {
 namespace {
@@ -15,23 +14,18 @@ constexpr double kTick = 4;
 const Pen kAxis{.stroke = "#444444", .width = 0.8};
 const Pen kGrid{.stroke = "#e6e6e6", .width = 0.7};
 
-void widen(Range& range, const std::vector<double>& values) {
-  for (const double value : values)
-    if (std::isfinite(value)) {
-      range.low = std::min(range.low, value);
-      range.high = std::max(range.high, value);
-    }
-}
-
 /// Of all that is drawn along an axis.
 Range range_of(const Panel& panel, bool along_x) {
   Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const Curve& curve : panel.curves) widen(range, along_x ? curve.x : curve.y);
-  for (const Marks& marks : panel.marks) widen(range, along_x ? marks.x : marks.y);
+  const auto widen = [&](const std::vector<double>& values) { range = widened(range, values); };
+  for (const Curve& curve : panel.curves) widen(along_x ? curve.x : curve.y);
+  for (const Marks& marks : panel.marks) widen(along_x ? marks.x : marks.y);
   for (const Area& area : panel.areas) {
-    widen(range, along_x ? area.x : area.low);
-    if (!along_x) widen(range, area.high);
+    widen(along_x ? area.x : area.low);
+    if (!along_x) widen(area.high);
   }
+  for (const Bar& bar : panel.bars)
+    if (along_x) widen({bar.x.low, bar.x.high});
   return range.low <= range.high ? range : Range{0, 1};
 }
 
@@ -145,7 +139,7 @@ void draw_x_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling
 void draw_y_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& scaling,
                  const Range& range) {
   constexpr double kSize = 10, kLabelSize = 11;
-  const double apart = panel.equal_scales ? 70 : 26;  // equal scales: ticks as on the other axis
+  const double apart = panel.equal_scales ? 70 : 32;  // equal scales: ticks as on the other axis
   const int wanted = std::max(2, static_cast<int>(frame.height / apart));
   std::vector<double> at = panel.log_y ? decade_ticks(range) : ticks(range, wanted);
   for (int more = 1; at.size() < 2 && !panel.log_y && more < 4; ++more)
@@ -173,11 +167,68 @@ void draw_y_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling
            {.size = kLabelSize, .anchor = Anchor::kMiddle, .upwards = true});
 }
 
+/// Names beside the axes, and lines between the rows.
+void draw_rows(Svg& svg, const Frame& frame, const Panel& panel) {
+  constexpr double kSize = 10, kLine = 11;
+  const double high = frame.height / static_cast<double>(panel.rows.size());
+  for (std::size_t i = 0; i < panel.rows.size(); ++i) {
+    const double top = frame.y + static_cast<double>(i) * high;
+    if (i > 0)
+      svg.line(frame.x, top, frame.x + frame.width, top, {.stroke = "#cccccc", .width = 0.6});
+    const std::vector<std::string> lines = lines_of(panel.rows[i], kSize, frame.x - 12);
+    const auto fit = std::max(1.0, std::floor(high / kLine));
+    const auto count = std::min(lines.size(), static_cast<std::size_t>(fit));
+    double y = top + high / 2 + 3.5 - kLine * 0.5 * (static_cast<double>(count) - 1);
+    for (std::size_t line = 0; line < count; ++line, y += kLine)
+      svg.text(frame.x - 7, y,
+               lines[line] + (line + 1 == count && count < lines.size() ? "\u2026" : ""),
+               {.size = kSize, .anchor = Anchor::kEnd});
+  }
+}
+
+void draw_bars(Svg& svg, const Panel& panel, const Scaling& scaling) {
+  for (const Bar& bar : panel.bars) {
+    const double from = scaling.x(std::min(bar.x.low, bar.x.high));
+    const double to = scaling.x(std::max(bar.x.low, bar.x.high));
+    const double top = scaling.y(bar.middle - bar.half);
+    if (std::isfinite(to - from))
+      svg.rectangle(from, top, to - from, scaling.y(bar.middle + bar.half) - top, bar.pen);
+  }
+}
+
+void draw_spans(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& scaling) {
+  for (const Span& span : panel.spans)
+    if (const double from = scaling.x(span.x.low), to = scaling.x(span.x.high); to - from >= 1)
+      svg.rectangle(from, frame.y, to - from, frame.height,
+                    {.stroke = "", .fill = span.fill, .opacity = 0.55});
+}
+
+/// Names that would touch move to the right.
+void draw_guides(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& scaling) {
+  double last = -1e9;
+  for (const Guide& guide : panel.guides) {
+    const double x = scaling.x(guide.at);
+    svg.line(x, frame.y, x, frame.y + frame.height,
+             {.stroke = "#888888", .width = 0.8, .dash = "4 3"});
+    if (guide.label.empty()) continue;
+    last = std::max(x, last + 13);
+    svg.text(last, frame.y - 4, guide.label, {.size = 10, .anchor = Anchor::kMiddle, .bold = true});
+  }
+  for (const Span& span : panel.spans)
+    if (const double from = scaling.x(span.x.low), to = scaling.x(span.x.high);
+        to - from > text_width(span.label, 11) + 4)
+      svg.text((from + to) / 2, frame.y + 13, span.label,
+               {.size = 11, .anchor = Anchor::kMiddle, .bold = true, .color = "#666666"});
+}
+
 void draw_axes(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& scaling,
                const Range& x, const Range& y) {
   draw_x_axis(svg, frame, panel, scaling, x);
-  if (panel.y_axis) draw_y_axis(svg, frame, panel, scaling, y);
-  if (panel.zero_line && y.low < 0 && y.high > 0)
+  if (panel.rows.empty())
+    draw_y_axis(svg, frame, panel, scaling, y);
+  else
+    draw_rows(svg, frame, panel);
+  if (panel.rows.empty() && panel.zero_line && y.low < 0 && y.high > 0)
     svg.line(frame.x, scaling.y(0), frame.x + frame.width, scaling.y(0),
              {.stroke = "#999999", .width = 0.8});
 }
@@ -207,6 +258,8 @@ void take_log10(std::vector<double>& values) {
 }
 
 Panel in_decades(Panel panel) {
+  for (Guide& guide : panel.guides)
+    if (panel.log_x) guide.at = std::log10(guide.at);
   for (Curve& curve : panel.curves) {
     if (panel.log_x) take_log10(curve.x);
     if (panel.log_y) take_log10(curve.y);
@@ -233,6 +286,12 @@ void draw_area(Svg& svg, const Area& area, const Scaling& scaling) {
 }
 
 }  // namespace
+
+Range widened(Range range, const std::vector<double>& values) {
+  for (const double value : values)
+    if (std::isfinite(value)) range = {std::min(range.low, value), std::max(range.high, value)};
+  return range;
+}
 
 std::vector<double> ticks(const Range& range, int wanted) {
   const double rough = range.span() / std::max(1, wanted);
@@ -265,14 +324,20 @@ Scaling draw(Svg& svg, const Frame& frame, const Panel& given) {
   const Panel panel = in_decades(given);
   Range x = panel.x_range, y = panel.y_range;
   if (!(x.span() > 0))
-    x = panel.marks.empty() ? range_of(panel, true) : padded(range_of(panel, true));
-  if (!(y.span() > 0)) y = padded(range_of(panel, false));
+    x = panel.marks.empty() && panel.bars.empty() ? range_of(panel, true)
+                                                  : padded(range_of(panel, true));
+  if (!panel.rows.empty())
+    y = {static_cast<double>(panel.rows.size()), 0};
+  else if (!(y.span() > 0))
+    y = padded(range_of(panel, false));
   if (!(x.span() > 0)) x = padded(x);
   if (panel.equal_scales) equalise(frame, x, y);
   const Scaling scaling(frame, x, y);
+  draw_spans(svg, frame, panel, scaling);
   draw_axes(svg, frame, panel, scaling, x, y);
   svg.begin_clip(frame.x, frame.y, frame.width, frame.height);
   for (const Area& area : panel.areas) draw_area(svg, area, scaling);
+  draw_bars(svg, panel, scaling);
   for (const Curve& curve : panel.curves)
     for (const Svg::Points& piece : pieces(curve, scaling)) svg.polyline(piece, curve.pen);
   svg.end_clip();
@@ -281,6 +346,7 @@ Scaling draw(Svg& svg, const Frame& frame, const Panel& given) {
     for (std::size_t i = 0; i < marks.x.size(); ++i)
       if (std::isfinite(marks.x[i]) && std::isfinite(marks.y[i]))
         draw_marker(svg, scaling.x(marks.x[i]), scaling.y(marks.y[i]), marks);
+  draw_guides(svg, frame, panel, scaling);
   draw_head(svg, frame, panel);
   return scaling;
 }
@@ -317,6 +383,31 @@ void draw_lanes(Svg& svg, const Frame& frame, const Panel& panel) {
   svg.text(frame.x - 40, frame.y + frame.height / 2,
            fitted(panel.y_label, 11, std::max(frame.height + 40, 80.0)),
            {.anchor = Anchor::kMiddle, .upwards = true});
+}
+
+Pen pen(std::size_t color, double width, const std::string& dash) {
+  return {.stroke = palette(color), .width = width, .dash = dash};
+}
+
+std::string ramp(std::size_t index, std::size_t count) {
+  // Viridis at eighths of its length, without its last: that yellow is hardly seen on paper.
+  constexpr std::array<std::array<double, 3>, 8> kColors = {{{68, 1, 84},
+                                                             {71, 44, 122},
+                                                             {59, 81, 139},
+                                                             {44, 113, 142},
+                                                             {33, 144, 141},
+                                                             {39, 173, 129},
+                                                             {92, 200, 99},
+                                                             {170, 220, 50}}};
+  const double place =
+      count < 2 ? 0 : 7.0 * static_cast<double>(index) / static_cast<double>(count - 1);
+  const auto below = std::min<std::size_t>(6, static_cast<std::size_t>(place));
+  const double part = place - static_cast<double>(below);
+  std::array<int, 3> rgb{};
+  for (std::size_t i = 0; i < 3; ++i)
+    rgb[i] = static_cast<int>(
+        std::lround(kColors[below][i] + part * (kColors[below + 1][i] - kColors[below][i])));
+  return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
 }
 
 std::string palette(std::size_t index) {

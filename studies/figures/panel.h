@@ -22,6 +22,12 @@ std::vector<double> ticks(const Range& range, int wanted);
 /// digit.
 std::vector<double> decade_ticks(const Range& log_range);
 
+/// The smallest range of all numbers among `values`, and of `range`.
+Range widened(Range range, const std::vector<double>& values);
+
+/// Words in lines that are no wider than `width` [px].
+std::vector<std::string> lines_of(const std::string& text, double size, double width);
+
 /// About how wide a text of this size is [px].
 double text_width(const std::string& text, double size);
 
@@ -47,11 +53,52 @@ struct Marks {
   double radius = 3;  ///< [px]
 };
 
+/// A line in a colour of palette().
+Pen pen(std::size_t color, double width = 1.3, const std::string& dash = "");
+
+/// Values over x, in a unit.
+template <class X, class Y>
+Curve curve_of(const std::string& label, const X& x, const Y& y, const Pen& pen, double unit = 1) {
+  Curve curve{label, {x.begin(), x.end()}, {y.begin(), y.end()}, pen};
+  for (double& value : curve.y) value /= unit;
+  return curve;
+}
+
+/// `get(row)` over `at(row)`.
+template <class Rows, class At, class Get>
+Curve curve_over(const std::string& label, const Rows& rows, const Pen& pen, At at, Get get) {
+  Curve curve{label, {}, {}, pen};
+  for (const auto& row : rows) {
+    curve.x.push_back(at(row));
+    curve.y.push_back(get(row));
+  }
+  return curve;
+}
+
 /// Between two curves over the same `x`.
 struct Area {
   std::vector<double> x, low, high;
   std::string color;
   double opacity = 0.15;
+};
+
+/// A horizontal bar of a panel of rows.
+struct Bar {
+  double middle = 0, half = 0.25;  ///< its place and half its height [rows from the top]
+  Range x;
+  Pen pen;
+};
+
+/// What lasts from one value of x to another, over the whole height, with its name at the top.
+struct Span {
+  Range x;
+  std::string label, fill;
+};
+
+/// A dashed line at a value of x, over the whole height, with its name above the axes.
+struct Guide {
+  double at = 0;
+  std::string label = {};
 };
 
 /// Axes with curves.
@@ -69,9 +116,14 @@ struct Panel {
   bool lanes = false;                ///< for draw_lanes(): each curve on axes of its own
   bool own_ranges = false;           ///< of lanes: each its own; else all the same
   bool x_labels = true;              ///< numbers at the ticks
-  bool y_axis = true;                ///< ticks and name of the vertical axis
   std::vector<Marks> marks = {};
   std::vector<Area> areas = {};  ///< below the curves
+  /// Names beside the axes from above, in place of ticks and name of the vertical axis; y counts
+  /// rows from the top.
+  std::vector<std::string> rows = {};
+  std::vector<Bar> bars = {};    ///< below the curves
+  std::vector<Span> spans = {};  ///< below all
+  std::vector<Guide> guides = {};
 };
 
 /// Where in the picture a panel stands: the rectangle of its axes, without labels [px].
@@ -98,8 +150,19 @@ class Scaling {
   Range x_, y_;
 };
 
+/// How far title and legend begin left of axes with names of rows beside them [px].
+/// @param left  of the axes
+double overhang(const Panel& panel, double left);
+
 /// Height of title and legend above axes of this width [px].
 double head_height(const Panel& panel, double width);
+
+/// The legend of a panel at the right end above its axes, and its title, at their left end or,
+/// where that is too narrow for both, above the legend.
+void draw_head(Svg& svg, const Frame& frame, const Panel& panel);
+
+/// `x` and `y` in px.
+void draw_marker(Svg& svg, double x, double y, const Marks& marks);
 
 /// Draws the panel and returns the scaling of its axes, for what else belongs into it; with log_x
 /// it takes log10 of x, with log_y of y.
@@ -110,6 +173,10 @@ void draw_lanes(Svg& svg, const Frame& frame, const Panel& panel);
 
 /// Colour-blind safe colours (Okabe & Ito 2008), repeated after the seventh.
 std::string palette(std::size_t index);
+
+/// Colours of ordered curves, from dark blue to yellow (viridis of matplotlib); their order is seen
+/// in grey and by the colour-blind, too.
+std::string ramp(std::size_t index, std::size_t count);
 
 /// As many shapes, so that they can be distinguished in grey.
 Marker marker(std::size_t index);

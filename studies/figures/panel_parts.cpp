@@ -1,8 +1,9 @@
-#include "studies/figures/panel_parts.h"
-
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string_view>
+
+#include "studies/figures/panel.h"
 
 namespace gurney::figures {
 namespace {
@@ -59,6 +60,13 @@ Legend legend_of(const Panel& panel, double width) {
   }
 }
 
+/// Height of the names of guides above the axes.
+double guide_height(const Panel& panel) {
+  const bool named =
+      std::ranges::any_of(panel.guides, [](const Guide& guide) { return !guide.label.empty(); });
+  return named ? 13 : 0;
+}
+
 /// Whether title and last row of the legend do not fit beside each other.
 bool stacked(const Panel& panel, const Legend& legend, double width) {
   return !panel.title.empty() && !legend.entries.empty() &&
@@ -75,14 +83,24 @@ void draw_key(Svg& svg, double x, double y, const Entry& entry) {
 
 }  // namespace
 
+double overhang(const Panel& panel, double left) {
+  const bool named =
+      std::ranges::any_of(panel.rows, [](const std::string& name) { return !name.empty(); });
+  return named ? left - 16 : 0;
+}
+
 double head_height(const Panel& panel, double width) {
   const Legend legend = legend_of(panel, width);
   const double rows = kRow * static_cast<double>(legend.rows());
   const double title = panel.title.empty() ? 0 : kTitleSize + 4;
-  return 8 + (stacked(panel, legend, width) ? rows + title : std::max(rows, title));
+  return 8 + guide_height(panel) +
+         (stacked(panel, legend, width) ? rows + title : std::max(rows, title));
 }
 
-void draw_head(Svg& svg, const Frame& frame, const Panel& panel) {
+void draw_head(Svg& svg, const Frame& axes, const Panel& panel) {
+  const double lift = guide_height(panel);
+  const double out = overhang(panel, axes.x);
+  const Frame frame{axes.x - out, axes.y - lift, axes.width + out, axes.height + lift};
   const Legend legend = legend_of(panel, frame.width);
   const auto rows = legend.rows();
   for (std::size_t i = 0; i < legend.entries.size(); ++i) {
@@ -152,6 +170,19 @@ std::string fitted(const std::string& text, double size, double width) {
     at = next;
   }
   return result + "\u2026";
+}
+
+std::vector<std::string> lines_of(const std::string& text, double size, double width) {
+  std::vector<std::string> lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const bool fits = !lines.empty() && text_width(lines.back() + " " + word, size) <= width;
+    if (fits)
+      lines.back() += " " + word;
+    else
+      lines.push_back(fitted(word, size, width));
+  }
+  return lines;
 }
 
 Marker marker(std::size_t index) {

@@ -287,19 +287,16 @@ Panel fitted_panel(const Scene& scene, const Response& response) {
   return panel;
 }
 
+/// A single item ends in the first colour and has its path in the second.
+std::string path_color(bool alone, std::size_t item) { return palette(alone ? 1 : item); }
+
 }  // namespace
 
-double plan_aspect(const Scene& scene, const Response& response) {
-  const Panel panel = fitted_panel(scene, response);
-  return panel.y_range.span() / panel.x_range.span();
-}
+double plan_aspect(const Panel& plan) { return plan.y_range.span() / plan.x_range.span(); }
 
-void draw_plan(Svg& svg, const Frame& frame, const Scene& scene, const Response& response,
-               const study::UnitSystem& units) {
+Panel plan_panel(const Scene& scene, const Response& response, const study::UnitSystem& units) {
   const std::size_t count = scene.items.size();
   const bool alone = count == 1;
-  // A single item ends in the first colour and has its path in the second.
-  const auto path_color = [&](std::size_t i) { return palette(alone ? 1 : i); };
   Panel panel = fitted_panel(scene, response);
   if (alone) {
     panel.legend_columns = 3;
@@ -308,10 +305,17 @@ void draw_plan(Svg& svg, const Frame& frame, const Scene& scene, const Response&
   }
   for (std::size_t i = 0; i < count; ++i)
     panel.curves.push_back(path_of(scene.items[i], response.items[i].history,
-                                   {.stroke = path_color(i), .width = alone ? 1.4 : 0.8}));
+                                   {.stroke = path_color(alone, i), .width = alone ? 1.4 : 0.8}));
   set_unit(panel, units);
+  return panel;
+}
+
+void draw_plan(Svg& svg, const Frame& frame, const Scaling& in_unit, const Scene& scene,
+               const Response& response, const study::UnitSystem& units) {
+  const std::size_t count = scene.items.size();
+  const bool alone = count == 1;
   const study::ReportUnit unit = units.of("m");
-  const Scaling in_unit = draw(svg, frame, panel), scaling = in_unit.of_si(unit.in_si);
+  const Scaling scaling = in_unit.of_si(unit.in_si);
   Plan plan(svg, scaling);
   svg.begin_clip(frame.x, frame.y, frame.width, frame.height);
   draw_room(plan, scene, response);
@@ -330,7 +334,7 @@ void draw_plan(Svg& svg, const Frame& frame, const Scene& scene, const Response&
                      : 0.2);
     plan.dot(at(item, start, Vector3::Zero()), 3.5,
              {.stroke = kStartColor, .width = 1.5, .fill = "#ffffff"});
-    plan.dot(at(item, end, Vector3::Zero()), 3.5, {.stroke = "", .fill = path_color(i)});
+    plan.dot(at(item, end, Vector3::Zero()), 3.5, {.stroke = "", .fill = path_color(alone, i)});
   }
   draw_tethers(plan, scene, response);
   for (const Impact& impact : response.impacts) plan.cross(impact.point.head<2>());

@@ -7,15 +7,19 @@
 
 namespace gurney::figures {
 
-/// Draws the scene from above: room shapes (low ones, such as thresholds, lighter), zones (those
-/// that are occupied at the end darker), tethers, each item's boxes at the start (outline) and at
-/// the end (filled, also where it lies), the path of its origin, its front and casters while it
-/// stands, the points of impact and a scale bar. Several items carry their numbers and are named at
-/// the right of the frame. Every item must have a history.
-void draw_plan(Svg& svg, const Frame& frame, const Scene& scene, const Response& response,
-               const study::UnitSystem& units = {});
+/// Axes of the scene from above, with all that moves on them, and the paths of the items.
+Panel plan_panel(const Scene& scene, const Response& response, const study::UnitSystem& units = {});
 
-/// Height over width of what draw_plan shows.
-double plan_aspect(const Scene& scene, const Response& response);
+/// Draws the scene on these axes: room shapes (low ones, such as thresholds, lighter), zones (those
+/// that are occupied at the end darker), tethers, each item's boxes at the start (outline) and at
+/// the end (filled, also where it lies), its front and casters while it stands, the points of
+/// impact and a scale bar. Several items carry their numbers and are named at the right of the
+/// frame. Every item must have a history.
+/// @param in_unit  as draw() returns it
+void draw_plan(Svg& svg, const Frame& frame, const Scaling& in_unit, const Scene& scene,
+               const Response& response, const study::UnitSystem& units = {});
+
+/// Height over width of the axes.
+double plan_aspect(const Panel& plan);
 
 }  // namespace gurney::figures

@@ -122,10 +122,11 @@ Panel scene_panel(const Scene& scene) {
 std::string scene_figure(const PlotPage& page, const std::string& title, const Scene& scene) {
   Panel panel = scene_panel(scene);
   set_unit(panel, page.units);
-  return plot_figure(page, title,
-                     "seen from above, before the motion; grey: room; dots: fronts of the items; "
-                     "thick lines: wheels",
-                     {{.panel = panel, .aspect = aspect_of_plan(panel)}});
+  return Chart{title,
+               "seen from above, before the motion; grey: room; dots: fronts of the items; "
+               "thick lines: wheels",
+               {{.panel = panel, .aspect = aspect_of_plan(panel)}}}
+      .svg(page);
 }
 
 }  // namespace gurney::figures

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "engine/scene/scene.h"
-#include "studies/figures/plot_page.h"
+#include "studies/figures/chart.h"
 
 namespace gurney::figures {
 

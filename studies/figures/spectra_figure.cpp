@@ -133,10 +133,11 @@ std::string spectra_figure(const PlotPage& page, const std::string& title,
       if (has(suite, view))
         panels.push_back(panel_of(suite, view, suites.size() > 1, page.units.of("m/s2")));
   }
-  return plot_figure(page, title,
-                     fmt::format("pseudo-acceleration, 5 % damping; {} record{}", records,
-                                 records == 1 ? "" : "s"),
-                     panels);
+  return Chart{title,
+               fmt::format("pseudo-acceleration, 5 % damping; {} record{}", records,
+                           records == 1 ? "" : "s"),
+               panels}
+      .svg(page);
 }
 
 std::string floor_spectra_figure(const PlotPage& page, const std::string& title,
@@ -159,8 +160,9 @@ std::string floor_spectra_figure(const PlotPage& page, const std::string& title,
     for (const double value : values) curve.y.push_back(value / unit.in_si);
     panel.curves.push_back(std::move(curve));
   }
-  return plot_figure(page, title, "pseudo-acceleration, 5 % damping; floor axes",
-                     {{.panel = panel, .aspect = 0.55}});
+  return Chart{
+      title, "pseudo-acceleration, 5 % damping; floor axes", {{.panel = panel, .aspect = 0.55}}}
+      .svg(page);
 }
 
 }  // namespace gurney::figures

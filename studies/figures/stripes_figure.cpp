@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "studies/analysis/ida_curves.h"
@@ -26,19 +28,22 @@ void add(Panel& panel, const study::DemandRuns& runs, const study::DemandRuns::C
   Curve median{
       of.name.empty() ? "median" : of.name + ", median", {}, {}, {.stroke = color, .width = 1.8}};
   median.key = marker(index);
-  Curve low{"", {}, {}, {.stroke = color, .width = 1, .dash = "2 3"}}, high = low;
+  Area band{.x = {}, .low = {}, .high = {}, .color = color};
   for (auto& [im, values] : stripes) {
     std::ranges::sort(values);
     const auto at = [&sorted = values](double fraction) {
       const auto count = static_cast<double>(sorted.size());
       return sorted[static_cast<std::size_t>(std::min(count - 1, fraction * count))];
     };
-    for (const auto& [curve, fraction] : {std::pair{&median, 0.5}, {&low, 0.16}, {&high, 0.84}}) {
-      curve->x.push_back(im + offset);
-      curve->y.push_back(at(fraction));
-    }
+    median.x.push_back(im + offset);
+    median.y.push_back(at(0.5));
+    if (std::isinf(at(0.16))) continue;
+    band.x.push_back(im + offset);
+    band.low.push_back(at(0.16));
+    band.high.push_back(std::min(at(0.84), 2 * ceiling));  // beyond the axes where they overturned
   }
-  panel.curves.insert(panel.curves.end(), {median, low, high});
+  panel.curves.push_back(std::move(median));
+  panel.areas.push_back(std::move(band));
   panel.marks.push_back(std::move(stood));
   if (fell.x.empty()) return;
   fell.label = of.name.empty() ? "overturned" : of.name + ", overturned";
@@ -66,10 +71,11 @@ std::string stripes_figure(const PlotPage& page, const std::string& title,
     }
     panels.push_back({.panel = panel, .aspect = 0.6});
   }
-  return plot_figure(page, title,
-                     "line: median of the runs of an intensity; dotted: 16 and 84 % fractiles; "
-                     "crosses at the top: runs in which the item overturned",
-                     panels);
+  return Chart{title,
+               "line: median of the runs of an intensity; area: 16 to 84 % fractiles; "
+               "crosses at the top: runs in which the item overturned",
+               panels}
+      .svg(page);
 }
 
 }  // namespace gurney::figures

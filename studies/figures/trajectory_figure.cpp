@@ -205,7 +205,7 @@ std::string trajectory_figure(const PlotPage& page, const std::string& path) {
                   runs.size())
             : "line: path of the item's origin; outlines at the start and at the end, the dot at "
               "the front";
-  return plot_figure(page, histories.title(), note, {{.panel = panel, .aspect = aspect_of(panel)}});
+  return Chart{histories.title(), note, {{.panel = panel, .aspect = aspect_of(panel)}}}.svg(page);
 }
 
 }  // namespace gurney::figures

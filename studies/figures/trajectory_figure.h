@@ -3,7 +3,7 @@
 #include <string>
 
 #include "studies/analysis/stored_histories.h"
-#include "studies/figures/plot_page.h"
+#include "studies/figures/chart.h"
 
 namespace gurney::figures {
 

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "studies/figures/load_figure.h"
+#include "studies/figures/pulling_figures.h"
 #include "studies/page/drawing.h"
 #include "studies/page/findings_html.h"
 #include "studies/page/json_findings.h"

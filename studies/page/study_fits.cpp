@@ -5,9 +5,9 @@
 #include <set>
 
 #include "engine/base/shell_word.h"
-#include "studies/figures/fragility_figure.h"
+#include "studies/figures/fragility_figures.h"
 #include "studies/figures/labels.h"
-#include "studies/figures/sensitivity_figure.h"
+#include "studies/figures/sensitivity_figures.h"
 #include "studies/page/drawing.h"
 #include "studies/page/findings_html.h"
 #include "studies/page/study_page.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "studies/figures/tolerance_figure.h"
+#include "studies/figures/verification_figures.h"
 #include "studies/page/drawing.h"
 #include "studies/page/findings_html.h"
 #include "studies/page/json_findings.h"

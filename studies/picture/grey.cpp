@@ -12,7 +12,7 @@ struct CurveColor {
   const char *color, *grey, *dash;
 };
 
-// The palette of studies/report/panel.cpp.
+// The palette of studies/figures/panel.cpp.
 constexpr std::array kCurveColors = {
     CurveColor{"#0072B2", "#000000", ""},        CurveColor{"#D55E00", "#000000", "6 3"},
     CurveColor{"#009E73", "#808080", ""},        CurveColor{"#CC79A7", "#808080", "6 3"},

@@ -2,7 +2,7 @@
 
 #include "engine/base/random/sampling.h"
 #include "studies/analysis/study_sensitivity.h"
-#include "studies/figures/sensitivity_figure.h"
+#include "studies/figures/sensitivity_figures.h"
 #include "studies/report/sensitivity_report.h"
 #include "tests/studies/analysis/made_study.h"
 #include "tests/support/expect_error.h"

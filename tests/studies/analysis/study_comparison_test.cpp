@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "studies/figures/comparison_figure.h"
+#include "studies/figures/fragility_figures.h"
 #include "studies/report/comparison_report.h"
 #include "tests/studies/analysis/made_study.h"
 #include "tests/support/error_text.h"
@@ -234,7 +234,7 @@ TEST_F(StudyComparisonTest, TheReportSaysWhatWasLeftOutAndWhatItMeans) {
   EXPECT_EQ(json["shares"][0]["name"], "moved");
   EXPECT_EQ(json["shares"][0]["difference"], -1);
   EXPECT_TRUE(json["shares"][1]["interval"].is_array());
-  EXPECT_THAT(figures::comparison_figure(report), HasSubstr("free   against   locked"));
+  EXPECT_THAT(figures::comparison_figure(report), HasSubstr("free against locked"));
 }
 
 TEST_F(StudyComparisonTest, TooFewGroupsAreWarnedOf) {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "engine/base/random/normal_draw.h"
-#include "studies/figures/sensitivity_figure.h"
+#include "studies/figures/sensitivity_figures.h"
 #include "studies/report/sensitivity_report.h"
 #include "tests/studies/analysis/made_study.h"
 #include "tests/support/expect_error.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/base/random/normal_draw.h"
-#include "studies/figures/vector_figure.h"
+#include "studies/figures/fragility_figures.h"
 #include "studies/render/render.h"
 #include "studies/report/vector_report.h"
 #include "tests/studies/analysis/made_study.h"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/run/simulate.h"
-#include "studies/figures/convergence_figure.h"
+#include "studies/figures/verification_figures.h"
 #include "studies/report/convergence_report.h"
 #include "tests/studies/small_study.h"
 #include "tests/support/one_line.h"

@@ -1,7 +1,10 @@
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 
+#include "studies/figures/chart.h"
 #include "studies/figures/demand_figures.h"
 #include "studies/figures/history_figure.h"
 #include "studies/figures/labels.h"
@@ -61,6 +64,57 @@ TEST(Labels, AreTheFieldsWords) {
     EXPECT_THAT(label_of(column.name), Not(HasSubstr("_"))) << column.name;
 }
 
+TEST(Labels, OfInputsHaveNeitherKeysNorUnits) {
+  EXPECT_EQ(input_label({"front left/tread.normal_damping_n_s_per_m", "b", "c", "d"}),
+            "front left: tread normal damping and 3 equal to it");
+  EXPECT_EQ(input_label({"chassis.center_of_mass_m.x"}), "chassis center of mass x");
+  EXPECT_EQ(input_label({"yaw_deg"}), "yaw");
+  EXPECT_EQ(input_label({"record"}), "record");
+}
+
+/// The ramp grows lighter: its order is seen in grey.
+TEST(Colors, OfOrderedCurvesGrowLighter) {
+  double before = -1;
+  for (std::size_t i = 0; i < 12; ++i) {
+    const std::string color = ramp(i, 12);
+    const auto part = [&](std::size_t at) { return std::stoi(color.substr(at, 2), nullptr, 16); };
+    const double luma = 0.2126 * part(1) + 0.7152 * part(3) + 0.0722 * part(5);  // ITU-R BT.709
+    EXPECT_GT(luma, before) << color;
+    before = luma;
+  }
+}
+
+/// Four panels in two columns, the first over two rows, the last across.
+TEST(Chart, PlacesPanelsInAGrid) {
+  const auto panel = [](const char* title) {
+    return Panel{
+        .title = title, .x_label = "", .y_label = "", .curves = {{"", {0, 1}, {0, 1}, {}}}};
+  };
+  Chart chart{.title = "title", .note = "", .columns = 2, .footnotes = {"below"}};
+  chart.panels = of_height({panel("tall"), panel("b"), panel("c"), panel("wide")}, 100);
+  chart.panels[0].down = 2;
+  chart.panels[3].across = 2;
+  const std::string svg = chart.svg({.width = 1000});
+  expect_drawn(svg);
+  std::vector<std::array<double, 4>> frames;
+  const std::string clip = "\"><rect x=\"";
+  for (auto at = svg.find(clip); at != std::string::npos; at = svg.find(clip, at + 1)) {
+    std::array<double, 4> f{};
+    std::sscanf(svg.c_str() + at + 2, "<rect x=\"%lf\" y=\"%lf\" width=\"%lf\" height=\"%lf\"",
+                &f[0], &f[1], &f[2], &f[3]);
+    frames.push_back(f);
+  }
+  ASSERT_EQ(frames.size(), 4u);
+  EXPECT_EQ(frames[0][1], frames[1][1]);
+  EXPECT_NEAR(frames[0][1] + frames[0][3], frames[2][1] + frames[2][3], 0.011)
+      << "to the second row";
+  EXPECT_EQ(frames[1][0], frames[2][0]);
+  EXPECT_EQ(frames[3][0], frames[0][0]);
+  EXPECT_GT(frames[3][1], frames[2][1] + frames[2][3]);
+  EXPECT_NEAR(frames[3][0] + frames[3][2], frames[1][0] + frames[1][2], 0.011);
+  EXPECT_LT(svg.find(">wide<"), svg.find(">below<"));
+}
+
 TEST(PlotFigures, IdaHasCurvesFractilesAndOverturnings) {
   const std::string svg = ida_figure({}, "title", {demands()});
   expect_drawn(svg);
@@ -79,6 +133,7 @@ TEST(PlotFigures, StripesMarkWhatOverturned) {
   EXPECT_THAT(svg, HasSubstr("on, overturned"));
   EXPECT_THAT(svg, Not(HasSubstr("off, overturned")));
   EXPECT_EQ(count(svg, "<circle"), 15u + 1) << "runs of the first configuration, and its key";
+  EXPECT_EQ(count(svg, "<polygon"), 2u) << "areas between fractiles";
 }
 
 TEST(PlotFigures, CloudStatesItsRegression) {
@@ -95,6 +150,9 @@ TEST(PlotFigures, DistributionsHaveACurveForEachLevel) {
   expect_drawn(svg);
   for (const char* level : {">1 g<", ">2 g<", ">4 g<"}) EXPECT_EQ(count(svg, level), 2u) << level;
   EXPECT_THAT(svg, HasSubstr("Fraction of runs"));
+  // Curve and key of the lowest, the middle and the highest level in each panel.
+  for (std::size_t level = 0; level < 3; ++level)
+    EXPECT_EQ(count(svg, "stroke=\"" + ramp(level, 3) + '"'), 2u * 2) << level;
 }
 
 /// The wide demands of one item set the axis of the other, too.

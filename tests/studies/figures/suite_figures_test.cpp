@@ -4,8 +4,8 @@
 
 #include "engine/base/units.h"
 #include "studies/figures/collision_figure.h"
+#include "studies/figures/sensitivity_figures.h"
 #include "studies/figures/spectra_figure.h"
-#include "studies/figures/tornado_figure.h"
 #include "studies/results/names.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fabricated_ward.h"

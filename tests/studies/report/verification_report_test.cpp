@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "studies/figures/verification_figure.h"
+#include "studies/figures/verification_figures.h"
 #include "studies/render/render.h"
 #include "studies/verification/cases.h"
 #include "tests/support/verification_page.h"

@@ -10,7 +10,7 @@
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/check_file.h"
 #include "studies/calibration/fit/caster_file.h"
-#include "studies/figures/calibration_figure.h"
+#include "studies/figures/pulling_figures.h"
 #include "studies/render/render.h"
 #include "tests/studies/calibration/trials/made_trial.h"
 #include "tests/support/error_text.h"

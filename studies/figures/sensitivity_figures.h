@@ -3,10 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "studies/figures/plot_page.h"
+#include "studies/figures/chart.h"
 #include "studies/report/sensitivity_report.h"
 
 namespace gurney::figures {
+
+/// Indices with their intervals, and beside them the tornado.
+std::string sensitivity_figure(const report::SensitivityReport& report);
 
 /// A tornado for each report: means of the output over the runs in which an input is low, and over
 /// those in which it is high; the longest bars above.

@@ -1,0 +1,264 @@
+#include "studies/figures/fragility_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/random/normal_draw.h"
+#include "studies/analysis/report_unit.h"
+#include "studies/figures/labels.h"
+
+namespace gurney::figures {
+namespace {
+
+Panel panel_of(const std::string& title, const study::RunMeasure& measure,
+               const study::ReportUnit& unit) {
+  return {.title = title,
+          .x_label = with_unit(label_of(measure.name), unit),
+          .y_label = "Probability of exceedance",
+          .zero_line = false,
+          .log_x = true,
+          .legend_columns = 3,
+          .y_range = {0, 1}};
+}
+
+void add_band(Panel& panel, const std::vector<double>& im, const statistics::FragilityBand& band,
+              double unit, std::size_t color) {
+  Area area{.x = {}, .low = {}, .high = {}, .color = palette(color)};
+  for (std::size_t i = 0; i < im.size(); ++i) {
+    area.x.push_back(im[i] / unit);
+    area.low.push_back(band.of_curve[i].low);
+    area.high.push_back(band.of_curve[i].high);
+  }
+  panel.areas.push_back(std::move(area));
+}
+
+void add_curve(Panel& panel, const std::string& label, const std::vector<double>& im,
+               const std::optional<statistics::LognormalCurve>& of, double unit,
+               std::size_t color) {
+  panel.curves.push_back(curve_over(
+      label, im, pen(color, 1.8), [&](double each) { return each / unit; },
+      [&](double each) { return of ? of->probability(each) : std::nan(""); }));
+}
+
+/// The fraction that exceeded at each im with so many runs.
+void add_fractions(Panel& panel, const std::vector<statistics::Stripe>& stripes, double fewest,
+                   double unit, std::size_t color) {
+  Marks marks{"", {}, {}, pen(color), marker(color), 3.5};
+  for (const statistics::Stripe& stripe : stripes) {
+    if (stripe.runs <= 0 || stripe.runs < fewest) continue;
+    marks.x.push_back(stripe.im / unit);
+    marks.y.push_back(stripe.fraction());
+  }
+  panel.marks.push_back(std::move(marks));
+}
+
+/// Of a figure of one study: marks of fewer runs would be 0 or 1 by chance.
+double fewest_of(const std::vector<statistics::Stripe>& stripes) {
+  constexpr double kFewest = 3;
+  double most = 0;
+  for (const statistics::Stripe& stripe : stripes) most = std::max(most, stripe.runs);
+  return std::min(kFewest, most);
+}
+
+/// Where a bracket stands in the empirical distribution: in its middle, in ln im.
+double place_of(const statistics::Capacity& capacity) {
+  return capacity.low > 0 ? std::sqrt(capacity.low * capacity.high) : capacity.high;
+}
+
+/// Steps of the empirical distribution; records that never exceed count, but have no step.
+Curve capacities_of(const study::FragilityResult& result, double unit, std::size_t color) {
+  std::vector<std::pair<double, double>> places;  // and their weights
+  double n = 0;
+  for (const statistics::Capacity& each : result.brackets) {
+    if (std::isfinite(each.high)) places.emplace_back(place_of(each), each.weight);
+    n += each.weight;
+  }
+  std::ranges::sort(places);
+  Curve steps{"", {}, {}, pen(color, 1)};
+  const auto add = [&](double im, double count) {
+    steps.x.push_back(im / unit);
+    steps.y.push_back(count / n);
+  };
+  add(result.im.front(), 0);
+  double below = 0;
+  for (const auto& [place, weight] : places) {
+    add(place, below);
+    below += weight;
+    add(place, below);
+  }
+  add(result.im.back(), below);
+  return steps;
+}
+
+std::string label_of_curve(const study::FragilityResult& result) {
+  const std::string name = result.configuration.empty() ? "all runs" : result.configuration;
+  if (!result.curve()) return name + " (no curve)";
+  if (!result.band.too_few) return name;
+  return fmt::format("{} (no band: {} records)", name, result.records);
+}
+
+Panel state_panel(const std::vector<const study::FragilityResult*>& results,
+                  const study::ReportUnit& unit) {
+  const study::FragilityResult& first = *results.front();
+  Panel panel =
+      panel_of(first.state == first.words ? first.state : first.state + ": " + first.words,
+               first.measure, unit);
+  Range im{first.im.front(), first.im.back()};
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const study::FragilityResult& result = *results[i];
+    im = widened(im, result.im);
+    add_curve(panel, label_of_curve(result), result.im, result.curve(), unit.in_si, i);
+    if (!result.by_capacities()) panel.curves.back().key = marker(i);
+    if (result.curve() && !result.band.too_few)
+      add_band(panel, result.im, result.band, unit.in_si, i);
+    if (!result.by_capacities())
+      add_fractions(panel, result.stripes, fewest_of(result.stripes), unit.in_si, i);
+  }
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (results[i]->by_capacities())
+      panel.curves.push_back(capacities_of(*results[i], unit.in_si, i));
+  panel.x_range = {std::log10(im.low / unit.in_si), std::log10(im.high / unit.in_si)};
+  return panel;
+}
+
+/// Curve, band and fractions of one side of a comparison.
+void add_side(Panel& panel, const std::string& name, std::size_t side,
+              const std::vector<statistics::Observation>& seen, const statistics::FragilityFit& fit,
+              const Range& extent, double confidence, double unit) {
+  constexpr int kPoints = 60;
+  std::vector<double> im;
+  for (int i = 0; i < kPoints; ++i)
+    im.push_back(extent.low * std::pow(extent.high / extent.low, i / (kPoints - 1.0)));
+  const statistics::StripeTable table(seen);
+  const statistics::FragilityBand band = statistics::fragility_band(table, im, confidence);
+  add_curve(panel, name, im, fit.curve, unit, side);
+  panel.curves.back().key = marker(side);
+  if (fit.curve && !band.too_few) add_band(panel, im, band, unit, side);
+  add_fractions(panel, table.stripes(), 2, unit, side);
+}
+
+/// Runs in the plane of two measures, both in logarithms.
+Panel plane_panel(const study::VectorResult& result, const study::ReportUnit& x_unit,
+                  const study::ReportUnit& y_unit) {
+  Panel panel{.title = result.configuration.empty() ? result.state
+                                                    : result.state + ", " + result.configuration,
+              .x_label = with_unit(result.measures[0].name, x_unit),
+              .y_label = with_unit(result.measures[1].name, y_unit),
+              .zero_line = false,
+              .log_x = true,
+              .legend_columns = 2,
+              .log_y = true};
+  panel.marks = {{"run that does not exceed", {}, {}, pen(0, 1.2), Marker::kCircle, 4},
+                 {"run that exceeds",
+                  {},
+                  {},
+                  {.stroke = palette(1), .width = 1.2, .fill = palette(1)},
+                  Marker::kCircle,
+                  2}};  // one is seen within the other
+  Range x{INFINITY, -INFINITY}, y = x;
+  for (const statistics::VectorObservation& each : result.runs) {
+    Marks& marks = panel.marks[each.exceeded ? 1 : 0];
+    marks.x.push_back(each.first / x_unit.in_si);
+    marks.y.push_back(each.second / y_unit.in_si);
+    x = widened(x, {std::log10(marks.x.back())});
+    y = widened(y, {std::log10(marks.y.back())});
+  }
+  for (Range* range : {&x, &y}) {
+    const double air = 0.05 * range->span() + 0.02;
+    *range = {range->low - air, range->high + air};
+  }
+  panel.x_range = x;
+  panel.y_range = y;
+  const Pen line{.stroke = "#222222", .width = 2}, dashes{.stroke = "#222222", .dash = "5 3"};
+  if (result.fit.status != statistics::VectorStatus::kFitted) {
+    panel.curves = {{"no fit", {}, {}, {.stroke = ""}}};
+    return panel;
+  }
+  // plane[0] ln x + plane[1] ln y + plane[2] = the normal quantile of P, x and y in SI.
+  const Eigen::Vector3d& plane = result.fit.plane;
+  const auto add = [&](Curve& curve, double probability) {
+    const double level = (normal_quantile(probability) - plane[2] -
+                          plane[0] * std::log(x_unit.in_si) - plane[1] * std::log(y_unit.in_si)) /
+                         std::log(10.0);
+    for (const double end : {0.0, 1.0, std::nan("")}) {
+      const bool steep = std::abs(plane[0]) > std::abs(plane[1]);
+      const Range& along = steep ? y : x;
+      const double at = along.low + end * along.span();
+      const double other =
+          steep ? (level - plane[1] * at) / plane[0] : (level - plane[0] * at) / plane[1];
+      curve.x.push_back(std::pow(10, steep ? other : at));
+      curve.y.push_back(std::pow(10, steep ? at : other));
+    }
+  };
+  panel.curves = {{"50 % of the fit", {}, {}, line}, {"16 and 84 %", {}, {}, dashes}};
+  add(panel.curves[0], 0.5);
+  for (const double p : {0.16, 0.84}) add(panel.curves[1], p);
+  return panel;
+}
+
+}  // namespace
+
+std::string fragility_figure(const study::StudyData& data,
+                             const std::vector<study::FragilityResult>& results,
+                             const PlotPage& page) {
+  const bool ida = std::ranges::any_of(
+      results, [](const study::FragilityResult& each) { return each.by_capacities(); });
+  Chart chart{
+      data.file().text_attribute("title"),
+      ida ? "line: fitted curve; area: 95 % confidence band; steps: empirical distribution of the "
+            "records' capacities; marks: fractions of 3 or more runs"
+          : "line: fitted curve; area: 95 % confidence band over records; marks: fractions of "
+            "runs"};
+  std::vector<std::string> states;
+  for (const study::FragilityResult& each : results) {
+    if (std::ranges::find(states, each.state) != states.end()) continue;
+    states.push_back(each.state);
+    std::vector<const study::FragilityResult*> of_state;
+    for (const study::FragilityResult& other : results)
+      if (other.state == each.state) of_state.push_back(&other);
+    chart.panels.push_back(
+        {.panel = state_panel(of_state, study::report_unit(data, each.measure)), .aspect = 0.44});
+  }
+  return chart.svg(page);
+}
+
+std::string comparison_figure(const report::ComparisonReport& report) {
+  const study::ReportUnit unit =
+      study::report_unit(*report.a.data, {report.found.measure, report.found.units, {}});
+  Chart chart{
+      report.name_a + " against " + report.name_b,
+      fmt::format("line: fitted curve; area: {:g} % confidence band; marks: fractions of runs",
+                  100 * report.confidence)};
+  for (const study::ComparedCurves& each : report.found.curves) {
+    if (each.a.exceeded + each.b.exceeded == 0) continue;
+    Panel panel = panel_of(each.name, {report.found.measure, report.found.units, {}}, unit);
+    Range extent{each.of_a.front().im, each.of_a.front().im};
+    for (const auto* observations : {&each.of_a, &each.of_b})
+      for (const statistics::Observation& seen : *observations)
+        extent = widened(extent, {seen.im / 1.2, seen.im * 1.2});
+    panel.x_range = {std::log10(extent.low / unit.in_si), std::log10(extent.high / unit.in_si)};
+    add_side(panel, report.name_a, 0, each.of_a, each.a, extent, report.confidence, unit.in_si);
+    add_side(panel, report.name_b, 1, each.of_b, each.b, extent, report.confidence, unit.in_si);
+    chart.panels.push_back({.panel = std::move(panel), .height = 220});
+  }
+  if (chart.panels.empty())
+    chart.note = "no limit state is exceeded at several levels of a measure in common";
+  chart.columns = std::clamp<std::size_t>(chart.panels.size(), 1, 2);
+  return chart.svg({.width = 480 * static_cast<double>(chart.columns)});
+}
+
+std::string vector_figure(const study::StudyData& data,
+                          const std::vector<study::VectorResult>& results) {
+  Chart chart{data.file().text_attribute("title")};
+  for (const study::VectorResult& each : results)
+    if (!each.runs.empty())
+      chart.panels.push_back({.panel = plane_panel(each, study::report_unit(data, each.measures[0]),
+                                                   study::report_unit(data, each.measures[1])),
+                              .height = 330});
+  chart.columns = std::clamp<std::size_t>(chart.panels.size(), 1, 3);
+  return chart.svg({.width = 430 * static_cast<double>(chart.columns)});
+}
+
+}  // namespace gurney::figures
