@@ -13,7 +13,7 @@
 #include "studies/render/render.h"
 #include "studies/report/verification_report.h"
 #include "studies/results/output_files.h"
-#include "studies/verification/cases.h"
+#include "studies/verification/family.h"
 #include "studies/verification/verify.h"
 
 namespace gurney::cli {

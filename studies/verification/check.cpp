@@ -47,4 +47,14 @@ void Track::report(Findings& findings) const {
   findings.series.push_back(series_);
 }
 
+Response Runner::operator()(const Scene& scene, const FloorMotion& floor,
+                            const SimulationSettings& settings) {
+  Response response = gurney::run(scene, floor, {settings, solver_});
+  if (is_failure(response.outcome)) check("runs that failed", "", 1, exactly(0, response.cause));
+  if (const auto steps = response.quality.unconverged_steps; steps > 0)
+    check("steps that did not converge", "", steps,
+          exactly(0, "every step must reach its residual"));
+  return response;
+}
+
 }  // namespace gurney::verification

@@ -2,7 +2,18 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "engine/base/units.h"
+#include "engine/run/run.h"
+
+namespace gurney {
+
+/// Gravity of every case that does not state its own [m/s2].
+inline constexpr double kG = kStandardGravity;
+
+}  // namespace gurney
 
 /// What the engine computes, held against what is known otherwise (docs/verification.md). How to add a
 /// closed form: docs/contributing.md. The tests run the same list (tests/verification/cases_test.cpp).
@@ -50,6 +61,50 @@ class Track {
   Check worst_;
   double worst_at_ = 0;
   Series series_;
+};
+
+/// The reference of a check and its tolerance, with how this follows from the parameters.
+struct Expected {
+  double reference, tolerance;
+  std::string derivation;
+};
+inline Expected near_to(double reference, double tolerance, std::string derivation) {
+  return {reference, tolerance, std::move(derivation)};
+}
+inline Expected exactly(double reference, std::string derivation) {
+  return {reference, 0, std::move(derivation)};
+}
+
+/// Runs the scenes of a case with one solver and keeps what is found.
+class Runner {
+ public:
+  explicit Runner(Solver solver = Solver::kImplicit) : solver_(solver) {}
+
+  /// run() with this solver. A run that diverges, or steps of our solver that do not converge,
+  /// are checks that fail.
+  Response operator()(const Scene& scene, const FloorMotion& floor,
+                      const SimulationSettings& settings);
+
+  /// Compares a number: `runner.check("distance", "m", way, near_to(2, 0.1, "a dt^2"))`.
+  template <class Number>
+  void check(const std::string& quantity, const std::string& unit, Number computed,
+             const Expected& expected) {
+    findings.checks.push_back({quantity, unit, static_cast<double>(computed), expected.reference,
+                               expected.tolerance, expected.derivation});
+  }
+
+  template <class... Tracks>
+  void report(const Tracks&... tracks) {
+    (tracks.report(findings), ...);
+  }
+
+  /// Stock Bullet knows no fixtures (engine/baselines/stock_baseline.h): a case leaves them out.
+  bool stock() const { return solver_ != Solver::kImplicit; }
+
+  Findings findings;
+
+ private:
+  Solver solver_;
 };
 
 /// The level at which a test begins to hold: bisection between `low`, where it must not hold, and

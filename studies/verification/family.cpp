@@ -9,6 +9,21 @@
 
 namespace gurney::verification {
 
+std::vector<Case> combinations(const std::vector<std::vector<Case>>& lists) {
+  std::vector<Case> all{{}};
+  for (const std::vector<Case>& list : lists) {
+    std::vector<Case> longer;
+    for (const Case& begun : all)
+      for (const Case& next : list) {
+        longer.push_back({begun.name + next.name, begun.values});
+        longer.back().values.insert(longer.back().values.end(), next.values.begin(),
+                                    next.values.end());
+      }
+    all = std::move(longer);
+  }
+  return all;
+}
+
 Case draw_case(const Family& family, std::uint64_t seed) {
   constexpr int kAttempts = 1000;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {

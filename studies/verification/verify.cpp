@@ -36,7 +36,9 @@ std::vector<std::string> known_names(const std::vector<CaseRun>& all) {
 
 Findings findings_of(const CaseRun& chosen, Solver solver) {
   try {
-    return chosen.family->run(chosen.set.values, Runner(solver));
+    Runner runner(solver);
+    chosen.family->run(chosen.set.values, runner);
+    return std::move(runner.findings);
   } catch (const std::exception& error) {
     return {{{"runs that could not be made", "", 1, 0, 0, error.what()}}, {}};
   }

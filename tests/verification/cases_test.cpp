@@ -1,4 +1,4 @@
-#include "studies/verification/cases.h"
+#include "studies/verification/family.h"
 
 #include <gtest/gtest.h>
 

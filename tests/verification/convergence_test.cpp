@@ -7,7 +7,7 @@
 #include "engine/run/simulate.h"
 #include "studies/verification/scenes/small_scenes.h"
 
-// The observed order is in studies/verification/cases/order.cpp.
+// The observed order is in studies/verification/cases/method.cpp.
 namespace gurney {
 namespace {
 

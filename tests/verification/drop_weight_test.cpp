@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/run/simulate.h"
-#include "studies/verification/cases/drop_weight_rig.h"
+#include "studies/verification/cases/drop_weight.h"
 
 // What the closed forms of studies/verification/cases/drop_weight.cpp do not say.
 namespace gurney {

@@ -9,7 +9,7 @@
 #include "engine/run/simulate.h"
 #include "studies/verification/scenes/scenes.h"
 
-// The thresholds of such a cart are in studies/verification/cases/half_locked.cpp.
+// The thresholds of such a cart are in studies/verification/cases/friction_limits.cpp.
 namespace gurney {
 namespace {
 

@@ -7,7 +7,7 @@
 #include "engine/run/simulate.h"
 #include "studies/verification/scenes/small_scenes.h"
 
-// The linear model of small vibrations is in studies/verification/cases/heave_pitch.cpp.
+// The linear model of small vibrations is in studies/verification/cases/standing.cpp.
 namespace gurney {
 namespace {
 

@@ -8,7 +8,7 @@
 #include "studies/verification/scenes/small_scenes.h"
 #include "tests/support/error_text.h"
 
-// The stiffness solution of wheel loads is in studies/verification/cases/static_loads.cpp.
+// The stiffness solution of wheel loads is in studies/verification/cases/standing.cpp.
 namespace gurney {
 namespace {
 

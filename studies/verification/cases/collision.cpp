@@ -3,8 +3,8 @@
 
 #include "engine/base/units.h"
 #include "engine/contact/impact_law.h"
-#include "studies/verification/cases.h"
 #include "studies/verification/cases/sliding_block.h"
+#include "studies/verification/family.h"
 #include "studies/verification/scenes/blocks.h"
 #include "studies/verification/scenes/planar_impact.h"
 
@@ -62,12 +62,10 @@ struct Collision {
   }
 };
 
-Findings collide(const Collision& c, const Runner& runner) {
-  Findings findings;
+void collide(const Collision& c, Runner& runner) {
   const double v = c.speed, M = c.first, m = c.second, e = c.restitution;
   const PlanarImpact exact = c.exact();
   const Response response = runner(
-      findings,
       two_blocks(M, m, v, c.aside, {.stiffness = c.stiffness, .restitution = e, .friction = 0}), {},
       blocks::run_for(1.2 * kGap / v + exact.duration, kStep, kStep));
   const double a = speed_at_end(response, 0), b = speed_at_end(response, 1);
@@ -84,47 +82,45 @@ Findings collide(const Collision& c, const Runner& runner) {
   };
   const char* const terms =
       "gamma^2 phi^2 of the speed, phi the phase of a step: where they touch and part inside "
-      "steps; "
-      "twice what it changes, integrated, that points and normal of the contact stay those of the "
-      "touch, of velocity or yaw rate times half the width";
+      "steps; twice what it changes, integrated, that points and normal of the contact stay those "
+      "of the touch, of velocity or yaw rate times half the width";
   const Vector2 &after_first = exact.after[1].velocity, &after_second = exact.after[0].velocity;
-  auto& checks = findings.checks;
-  checks.push_back({"momentum of the second block", "N s", m * b, m * after_second.x(),
-                    share * v * effective + m * stays(0),
-                    std::string("the reduced mass times ") + terms});
-  checks.push_back({"momentum of both", "N s", M * a + m * b, M * v,
-                    1e-9 * (M + m) * kStandardGravity * (1.2 * kGap / v + exact.duration),
-                    "residual of the solve, 1e-9 (M + m) g t"});
-  checks.push_back({"speed of parting", "m/s", b - a, after_second.x() - after_first.x(),
-                    share * v + stays(0) + stays(1), terms});
+  runner.check("momentum of the second block", "N s", m * b,
+               near_to(m * after_second.x(), share * v * effective + m * stays(0),
+                       std::string("the reduced mass times ") + terms));
+  runner.check("momentum of both", "N s", M * a + m * b,
+               near_to(M * v, 1e-9 * (M + m) * kStandardGravity * (1.2 * kGap / v + exact.duration),
+                       "residual of the solve, 1e-9 (M + m) g t"));
+  runner.check("speed of parting", "m/s", b - a,
+               near_to(after_second.x() - after_first.x(), share * v + stays(0) + stays(1), terms));
   for (const std::size_t i : {0, 1})
-    checks.push_back({i == 0 ? "yaw rate of the first block times half the width"
-                             : "yaw rate of the second block times half the width",
-                      "m/s", yaw_rate_at_end(response, i) * 0.5 * kSecond.y(),
-                      exact.after[1 - i].yaw_rate * 0.5 * kSecond.y(), share * v + stays(1 - i),
-                      terms});
-  checks.push_back({"energy balance error", "", response.quality.energy_closure, 0, steps.closure(),
-                    "(1 - 2 gamma)^2 phi^2: what a spring that touches or parts inside a step "
-                    "costs the balance"});
+    runner.check(
+        i == 0 ? "yaw rate of the first block times half the width"
+               : "yaw rate of the second block times half the width",
+        "m/s", yaw_rate_at_end(response, i) * 0.5 * kSecond.y(),
+        near_to(exact.after[1 - i].yaw_rate * 0.5 * kSecond.y(), share * v + stays(1 - i), terms));
+  runner.check("energy balance error", "", response.quality.energy_closure,
+               near_to(0, steps.closure(),
+                       "(1 - 2 gamma)^2 phi^2: what a spring that touches or parts inside a step "
+                       "costs the balance"));
   if (c.aside == 0)
-    checks.push_back({"impulse", "N s", m * b, (1 + e) * v * effective, share * v * effective,
-                      std::string("the reduced mass times ") + terms});
+    runner.check("impulse", "N s", m * b,
+                 near_to((1 + e) * v * effective, share * v * effective,
+                         std::string("the reduced mass times ") + terms));
   if (response.impacts.empty()) {
-    checks.push_back({"impacts", "", 0, 1, 0, "they meet"});
-    return findings;
+    runner.check("impacts", "", 0, exactly(1, "they meet"));
   }
   const Impact& impact = response.impacts[0];
   const double turn =
       (std::abs(exact.after[0].yaw_rate) + std::abs(exact.after[1].yaw_rate)) * exact.duration;
-  checks.push_back({"impulse stated of the impact", "N s", impact.impulse, m * b,
-                    (1e-6 + turn * turn) * m * b,
-                    "1e-6 of it, the second block has no other, and the square of the yaws in "
-                    "contact, the cosine of its direction"});
-  checks.push_back({"approach speed of the impact", "m/s", impact.approach_speed, v, 1e-6 * v,
-                    "what 1000 steps may leave, 1e-9 g dt each"});
-  checks.push_back(
-      {"normal of the impact", "", impact.normal.x(), -1, 1e-9, "they meet unturned: rounding"});
-  return findings;
+  runner.check("impulse stated of the impact", "N s", impact.impulse,
+               near_to(m * b, (1e-6 + turn * turn) * m * b,
+                       "1e-6 of it, the second block has no other, and the square of the yaws in "
+                       "contact, the cosine of its direction"));
+  runner.check("approach speed of the impact", "m/s", impact.approach_speed,
+               near_to(v, 1e-6 * v, "what 1000 steps may leave, 1e-9 g dt each"));
+  runner.check("normal of the impact", "", impact.normal.x(),
+               near_to(-1, 1e-9, "they meet unturned: rounding"));
 }
 
 bool parts(const Collision& c) {
@@ -140,8 +136,7 @@ struct Row {
 };
 
 /// At rest each pair of faces, four corners of stiffness k, is pressed together by F / (4 k).
-Findings press(const Row& c, const Runner& runner) {
-  Findings findings;
+void press(const Row& c, Runner& runner) {
   constexpr double kSlit = 1e-3, kTime = 3;
   Scene scene = two_blocks(c.first, c.second, 0, 0,
                            {.stiffness = c.stiffness, .restitution = 0.3, .friction = 0});
@@ -150,27 +145,24 @@ Findings press(const Row& c, const Runner& runner) {
                    {.stiffness = c.stiffness, .friction = 0});
   scene.items[0].loads = {
       PointForce{"push", {0, 0, 0.5 * kFirst.z()}, {1, 0, 0}, {0, 10}, {c.push, c.push}}};
-  const Response response = runner(findings, scene, {}, blocks::run_for(kTime, kStep, 0.1));
+  const Response response = runner(scene, {}, blocks::run_for(kTime, kStep, 0.1));
   const double pressed = c.push / (4 * c.stiffness);
   const Sample &first = response.items[0].history.back(),
                &second = response.items[1].history.back();
   const char* const residual = "what an oscillation below the resolved 0.01 m/s leaves: 0.2 %";
-  auto& checks = findings.checks;
-  checks.push_back({"displacement of the second block", "m", second.displacement.x(),
-                    kSlit + pressed, 0.002 * pressed, residual});
-  checks.push_back({"displacement of the first block", "m", first.displacement.x(),
-                    2 * kSlit + 2 * pressed, 0.004 * pressed, residual});
-  checks.push_back({"speed at the end", "m/s", first.velocity.norm(), 0, 1e-6, "at rest"});
-  checks.push_back({"steps that were divided", "",
-                    static_cast<double>(response.quality.subdivided_steps), 0, 0,
-                    "Newton's method knows how the items push each other"});
-  checks.push_back({"iterations in a step", "",
-                    static_cast<double>(response.quality.newton_iterations) /
-                        static_cast<double>(response.quality.steps),
-                    0, 2,
-                    "two stages of one iteration each when nothing changes, none where it rests, "
-                    "which it does for most of the time"});
-  return findings;
+  runner.check("displacement of the second block", "m", second.displacement.x(),
+               near_to(kSlit + pressed, 0.002 * pressed, residual));
+  runner.check("displacement of the first block", "m", first.displacement.x(),
+               near_to(2 * kSlit + 2 * pressed, 0.004 * pressed, residual));
+  runner.check("speed at the end", "m/s", first.velocity.norm(), near_to(0, 1e-6, "at rest"));
+  runner.check("steps that were divided", "", response.quality.subdivided_steps,
+               exactly(0, "Newton's method knows how the items push each other"));
+  runner.check("iterations in a step", "",
+               static_cast<double>(response.quality.newton_iterations) /
+                   static_cast<double>(response.quality.steps),
+               near_to(0, 2,
+                       "two stages of one iteration each when nothing changes, none where it "
+                       "rests, which it does for most of the time"));
 }
 
 }  // namespace
@@ -180,22 +172,14 @@ Family collision() {
       {"collision", "impacts", "A block slides into another one, in the middle or aside of it",
        "J = (1 + e) v / (1/M + 1/m) in the middle; aside, f = k d (1 + X d'/v) at the corners",
        "Newton's laws, of motion and of restitution; Hunt & Crossley 1975"},
-      {{{"restitution", "", 0.1, 1}, &Collision::restitution},
-       {{"second", "kg", 10, 300}, &Collision::second},
-       {{"speed", "m/s", 0.2, 2}, &Collision::speed},
-       {{"first", "kg", 20, 300}, &Collision::first},
-       {{"aside", "m", -0.045, 0.045}, &Collision::aside},
-       {{"stiffness", "N/m", 1e6, 1e8}, &Collision::stiffness}},
-      {{"light_soft", {0.2, 20}},
-       {"light", {0.7, 20}},
-       {"light_elastic", {1, 20}},
-       {"equal_soft", {0.2, 80}},
-       {"equal", {0.7, 80}},
-       {"equal_elastic", {1, 80}},
-       {"heavy_soft", {0.2, 200}},
-       {"heavy", {0.7, 200}},
-       {"heavy_elastic", {1, 200}},
-       {"aside", {0.5, 20, 0.8, 80, 0.04}}},
+      fields(FIELD(Collision, restitution, "", 0.1, 1), FIELD(Collision, second, "kg", 10, 300),
+             FIELD(Collision, speed, "m/s", 0.2, 2), FIELD(Collision, first, "kg", 20, 300),
+             FIELD(Collision, aside, "m", -0.045, 0.045),
+             FIELD(Collision, stiffness, "N/m", 1e6, 1e8)),
+      cases(at("light_soft", 0.2, 20), at("light", 0.7, 20), at("light_elastic", 1, 20),
+            at("equal_soft", 0.2, 80), at("equal", 0.7, 80), at("equal_elastic", 1, 80),
+            at("heavy_soft", 0.2, 200), at("heavy", 0.7, 200), at("heavy_elastic", 1, 200),
+            at("aside", 0.5, 20, 0.8, 80, 0.04)),
       collide, parts);
 }
 
@@ -203,11 +187,9 @@ Family pressed_row() {
   return make_family<Row>(
       {"pressed_row", "impacts", "A push presses two blocks in a row against a wall",
        "each pair of faces deflects by F / (4 k)", "statics of springs"},
-      {{{"push", "N", 50, 500}, &Row::push},
-       {{"stiffness", "N/m", 2e5, 5e6}, &Row::stiffness},
-       {{"first", "kg", 20, 200}, &Row::first},
-       {{"second", "kg", 20, 200}, &Row::second}},
-      {{"plain", {200, 1e6}}}, press);
+      fields(FIELD(Row, push, "N", 50, 500), FIELD(Row, stiffness, "N/m", 2e5, 5e6),
+             FIELD(Row, first, "kg", 20, 200), FIELD(Row, second, "kg", 20, 200)),
+      cases(at("plain", 200, 1e6)), press);
 }
 
 }  // namespace gurney::verification

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/contact/impact_law.h"
-#include "studies/verification/cases.h"
 #include "studies/verification/cases/sliding_block.h"
+#include "studies/verification/family.h"
 #include "studies/verification/scenes/blocks.h"
 #include "studies/verification/scenes/planar_impact.h"
 
@@ -75,22 +75,22 @@ struct Blow {
 
 /// The formula is the limit of the integration: with a contact that is a million times stiffer it
 /// turns and slides a thousandth as far.
-void limit(const Blow& blow, Findings& findings) {
+void limit(const Blow& blow, Runner& runner) {
   const Motion formula = blow.after(), near = blow.integrated(kStiffness),
                limit = blow.integrated(1e6 * kStiffness);
   const double apart = (near.velocity - formula.velocity).norm();
-  findings.checks.push_back({"velocity of the formula and of stiff springs", "m/s",
-                             (limit.velocity - formula.velocity).norm(), 0,
-                             2e-3 * apart + 1e-5 * blow.speed,
-                             "twice a thousandth of what it differs by from springs of 1e9 N/m, "
-                             "as the time of contact; 1e-5 of the speed for the integration"});
+  runner.check("velocity of the formula and of stiff springs", "m/s",
+               (limit.velocity - formula.velocity).norm(),
+               near_to(0, 2e-3 * apart + 1e-5 * blow.speed,
+                       "twice a thousandth of what it differs by from springs of 1e9 N/m, as the "
+                       "time of contact; 1e-5 of the speed for the integration"));
 }
 
-void compare(const Blow& blow, const Scene& scene, const Runner& runner, Findings& findings) {
+void compare(const Blow& blow, const Scene& scene, Runner& runner) {
   const ImpactSteps steps = blow.steps();
-  const Response response = slide(findings, runner, scene, 1.1 * kWayToImpact, steps);
+  const Response response = slide(runner, scene, 1.1 * kWayToImpact, steps);
   const Motion exact = blow.integrated(kStiffness);
-  limit(blow, findings);
+  limit(blow, runner);
   // The engine keeps point and normal for a step of 4 ms: those of the touch, and again others from
   // the next step on, each time for less than the whole impact.
   const Motion kept = blow.integrated(kStiffness, PlanarImpact::Contact::kStays);
@@ -107,11 +107,10 @@ void compare(const Blow& blow, const Scene& scene, const Runner& runner, Finding
       "the contact stay those of the touch, of the yaw rate also m r / I times that; rounding, "
       "1e-9 of the speed";
   const Vector3& v = response.items[0].history.back().velocity;
-  auto& checks = findings.checks;
-  checks.push_back({"velocity x after it", "m/s", v.x(), exact.velocity.x(), speed, terms});
-  checks.push_back({"velocity y after it", "m/s", v.y(), exact.velocity.y(), speed, terms});
-  checks.push_back(
-      {"yaw rate after it", "rad/s", yaw_rate_at_end(response), exact.yaw_rate, yaw_rate, terms});
+  runner.check("velocity x after it", "m/s", v.x(), near_to(exact.velocity.x(), speed, terms));
+  runner.check("velocity y after it", "m/s", v.y(), near_to(exact.velocity.y(), speed, terms));
+  runner.check("yaw rate after it", "rad/s", yaw_rate_at_end(response),
+               near_to(exact.yaw_rate, yaw_rate, terms));
 }
 
 /// Whether the front corners of the block are behind the plane x = 0 that it met with `point` when
@@ -139,15 +138,13 @@ struct Edge {
   }
 };
 
-Findings meet_wall(const Edge& c, const Runner& runner) {
-  Findings findings;
+void meet_wall(const Edge& c, Runner& runner) {
   const Blow blow = c.blow();
   Scene scene = blow.block.scene({c.speed, 0, 0});
   scene.items[0].initial.yaw = c.yaw;
   blocks::add_wall(scene, blow.point.x() + kWayToImpact,
                    {.stiffness = kStiffness, .restitution = c.restitution, .friction = 0});
-  compare(blow, scene, runner, findings);
-  return findings;
+  compare(blow, scene, runner);
 }
 
 bool edge_leaves(const Edge& c) { return leaves(c.blow(), c.yaw); }
@@ -184,15 +181,13 @@ RoomShape obstacle(double kind, double aside) {
   return shape;
 }
 
-Findings meet_obstacle(const Obstacle& c, const Runner& runner) {
-  Findings findings;
+void meet_obstacle(const Obstacle& c, Runner& runner) {
   const Blow blow = c.blow();
   Scene scene = blow.block.scene({c.speed, 0, 0});
   scene.room = {obstacle(c.kind, c.aside)};
   scene.pairs.push_back(
       {"steel", "plaster", {.stiffness = kStiffness, .restitution = c.restitution, .friction = 0}});
-  compare(blow, scene, runner, findings);
-  return findings;
+  compare(blow, scene, runner);
 }
 
 bool obstacle_leaves(const Obstacle& c) { return c.restitution * c.speed > 0.02; }
@@ -208,8 +203,7 @@ struct Side {
   }
 };
 
-Findings meet_column(const Side& c, const Runner& runner) {
-  Findings findings;
+void meet_column(const Side& c, Runner& runner) {
   const Blow blow = c.blow();
   Scene scene = blow.block.scene({c.speed, 0, 0});
   scene.items[0].initial.yaw = c.yaw;
@@ -221,8 +215,7 @@ Findings meet_column(const Side& c, const Runner& runner) {
                  RoomColumn{kColumn, 3}}};
   scene.pairs.push_back(
       {"steel", "plaster", {.stiffness = kStiffness, .restitution = c.restitution, .friction = 0}});
-  compare(blow, scene, runner, findings);
-  return findings;
+  compare(blow, scene, runner);
 }
 
 /// The edge meets it, not a face: the faces at the edge look away from the normal.
@@ -233,37 +226,8 @@ bool edge_meets(const Side& c) {
          leaves(blow, c.yaw);
 }
 
-using Named = std::pair<const char*, double>;
-constexpr Named kSpeeds[] = {{"_slow", 0.2}, {"", 0.8}, {"_fast", 2}};
-constexpr Named kRestitutions[] = {{"_soft", 0.2}, {"", 0.5}, {"_lively", 0.9}};
-
-std::vector<std::pair<std::string, Edge>> edges() {
-  std::vector<std::pair<std::string, Edge>> all;
-  for (const auto& [name, yaw] : {Named("slight", 0.2), {"turned", 0.4}, {"far", 0.9}})
-    for (const auto& [kind, e] : kRestitutions)
-      for (const auto& [pace, speed] : kSpeeds)
-        all.push_back({std::string(name) + kind + pace, {yaw, e, speed}});
-  return all;
-}
-
-std::vector<std::pair<std::string, Obstacle>> obstacles() {
-  std::vector<std::pair<std::string, Obstacle>> all;
-  for (const auto& [name, shape] : {Named("column", 0), {"wedge", 1}, {"box", 2}})
-    for (const auto& [place, aside] : {Named("", 0), {"_left", 0.1}, {"_right", -0.15}})
-      for (const auto& [kind, e] : kRestitutions)
-        for (const auto& [pace, speed] : kSpeeds)
-          all.push_back({std::string(name) + place + kind + pace, {shape, aside, e, speed}});
-  return all;
-}
-
-std::vector<std::pair<std::string, Side>> sides() {
-  std::vector<std::pair<std::string, Side>> all;
-  for (const auto& [place, aside] : {Named("middle", 0), {"left", 0.05}, {"right", -0.08}})
-    for (const auto& [kind, e] : kRestitutions)
-      for (const auto& [pace, speed] : kSpeeds)
-        all.push_back({std::string(place) + kind + pace, {aside, 0.7, e, speed}});
-  return all;
-}
+const auto kSpeeds = cases(at("_slow", 0.2), at("", 0.8), at("_fast", 2));
+const auto kRestitutions = cases(at("_soft", 0.2), at("", 0.5), at("_lively", 0.9));
 
 constexpr const char* kSource = "angular momentum; Newton's law of restitution at the point";
 
@@ -273,11 +237,11 @@ Family edge_impact() {
   return make_family<Edge>(
       {"edge_impact", "impacts", "A block meets a wall with a vertical edge",
        "J = (1 + e) v / (1/m + a^2/I), v' = v - J/m, yaw rate = J a / I", kSource},
-      {{{"yaw", "rad", 0.1, 1.4}, &Edge::yaw},
-       {{"restitution", "", 0.1, 1}, &Edge::restitution},
-       {{"speed", "m/s", 0.2, 2.5}, &Edge::speed},
-       {{"mass", "kg", 20, 300}, &Edge::mass}},
-      edges(), meet_wall, edge_leaves);
+      fields(FIELD(Edge, yaw, "rad", 0.1, 1.4), FIELD(Edge, restitution, "", 0.1, 1),
+             FIELD(Edge, speed, "m/s", 0.2, 2.5), FIELD(Edge, mass, "kg", 20, 300)),
+      combinations(
+          {cases(at("slight", 0.2), at("turned", 0.4), at("far", 0.9)), kRestitutions, kSpeeds}),
+      meet_wall, edge_leaves);
 }
 
 Family obstacle_impact() {
@@ -285,24 +249,25 @@ Family obstacle_impact() {
       {"obstacle_impact", "impacts",
        "A block meets a column (0), a wedge (1) or the edge of a box (2) with its front",
        "J = (1 + e) v / (1/m + y^2/I), v' = v - J/m, yaw rate = J y / I", kSource},
-      {{{"kind", "", 0, 2, true}, &Obstacle::kind},
-       {{"aside", "m", -0.18, 0.18}, &Obstacle::aside},
-       {{"restitution", "", 0.1, 1}, &Obstacle::restitution},
-       {{"speed", "m/s", 0.2, 2.5}, &Obstacle::speed},
-       {{"mass", "kg", 20, 300}, &Obstacle::mass}},
-      obstacles(), meet_obstacle, obstacle_leaves);
+      fields(FIELD(Obstacle, kind, "", 0, 2, true), FIELD(Obstacle, aside, "m", -0.18, 0.18),
+             FIELD(Obstacle, restitution, "", 0.1, 1), FIELD(Obstacle, speed, "m/s", 0.2, 2.5),
+             FIELD(Obstacle, mass, "kg", 20, 300)),
+      combinations({cases(at("column", 0), at("wedge", 1), at("box", 2)),
+                    cases(at("", 0), at("_left", 0.1), at("_right", -0.15)), kRestitutions,
+                    kSpeeds}),
+      meet_obstacle, obstacle_leaves);
 }
 
 Family column_side() {
   return make_family<Side>(
       {"column_side", "impacts", "A vertical edge of a block meets a column beside its axis",
        "J = -(1 + e) v n_x / (1/m + a^2/I), v' = v + J/m n, yaw rate = J a / I", kSource},
-      {{{"aside", "m", -0.1, 0.1}, &Side::aside},
-       {{"yaw", "rad", 0.2, 1.3}, &Side::yaw},
-       {{"restitution", "", 0.1, 1}, &Side::restitution},
-       {{"speed", "m/s", 0.2, 2.5}, &Side::speed},
-       {{"mass", "kg", 20, 300}, &Side::mass}},
-      sides(), meet_column, edge_meets);
+      fields(FIELD(Side, aside, "m", -0.1, 0.1), FIELD(Side, yaw, "rad", 0.2, 1.3),
+             FIELD(Side, restitution, "", 0.1, 1), FIELD(Side, speed, "m/s", 0.2, 2.5),
+             FIELD(Side, mass, "kg", 20, 300)),
+      combinations({cases(at("middle", 0, 0.7), at("left", 0.05, 0.7), at("right", -0.08, 0.7)),
+                    kRestitutions, kSpeeds}),
+      meet_column, edge_meets);
 }
 
 }  // namespace gurney::verification

@@ -3,9 +3,8 @@
 
 #include "engine/solver/quadrature.h"
 #include "engine/solver/tread_crossing.h"
-#include "studies/verification/cases.h"
 #include "studies/verification/cases/sliding_block.h"
-#include "studies/verification/gravity.h"
+#include "studies/verification/family.h"
 #include "studies/verification/scenes/blocks.h"
 #include "studies/verification/scenes/small_scenes.h"
 
@@ -49,7 +48,7 @@ double misbooked(double speed) {
   return 4 * kStiff / 2 * std::pow(TreadCrossings::kNearEnd * speed * kStep, 2);
 }
 
-void close(const EquipmentModel& item, const Response& response, double speed, Findings& findings) {
+void close(const EquipmentModel& item, const Response& response, double speed, Runner& runner) {
   const double mass = whole_item(item).mass;
   Track closure("energy balance error", "J",
                 "residual of the solve, 1e-9 M g dt of momentum in each step, at the speed of the "
@@ -59,11 +58,10 @@ void close(const EquipmentModel& item, const Response& response, double speed, F
   for (const Sample& at : history)
     closure.add(at.time, at.energy.closure(response.items[0].stored_energy_at_start), 0,
                 1e-9 * mass * kG * history.back().time * speed + 2 * misbooked(speed));
-  closure.report(findings);
+  runner.report(closure);
 }
 
-Findings fly(const Drop& drop, const Runner& runner) {
-  Findings findings;
+void fly(const Drop& drop, Runner& runner) {
   const double a = drop.acceleration, T = kSample * std::round(drop.time / kSample);
   const Scene scene =  // it does not pitch
       scene_of(small::trolley({0, 0, 180, 180}, small::bare_tread(kStiff, kStiff)));
@@ -75,7 +73,7 @@ Findings fly(const Drop& drop, const Runner& runner) {
   const double omega = std::sqrt(4 * kStiff / whole_item(scene.items[0].model).mass);
   const Flight flight({a, T}, omega);
   const Response response =
-      runner(findings, scene, floor, blocks::run_for(flight.landing + 0.02, kStep, kStep));
+      runner(scene, floor, blocks::run_for(flight.landing + 0.02, kStep, kStep));
   double take_off = -1, landing = -1, approach = 0;
   for (const Sample& s : response.items[0].history) {
     const bool up = s.wheels[0].mode == WheelMode::kLifted;
@@ -90,24 +88,23 @@ Findings fly(const Drop& drop, const Runner& runner) {
                         phase * flight.thrown;
   const double late = method * flight.landing / flight.speed;
   const double down = (a + 1) * kG;
-  auto& checks = findings.checks;
-  checks.push_back({"time at which it takes off", "s", take_off, flight.unload, kStep,
-                    "the step of 0.1 ms at whose end it is in the air"});
-  checks.push_back(
-      {"time at which it lands", "s", landing, flight.landing, kStep + late,
-       "the step of 0.1 ms at whose end it has landed; what the method misses of the "
-       "throw, (0.0404 pi/2 + gamma^2/2) (w dt)^2 of its speed, over that of landing"});
-  checks.push_back({"speed of the landing", "m/s", approach, flight.speed,
-                    down * (kStep + late) + method,
-                    "(a + 1) g dt, it is that of the last step in the air; and that of the throw"});
-  checks.push_back({"wheels lifted", "",
-                    static_cast<double>(response.items[0].demands.most_wheels_lifted), 4, 0,
-                    "it flies"});
-  close(scene.items[0].model, response, flight.speed, findings);
-  checks.push_back({"energy balance error over the energy", "", response.quality.energy_closure, 0,
-                    2 * std::pow(TreadCrossings::kNearEnd * omega * kStep, 2) + 1e-9,
-                    "2 (0.02 omega dt)^2: the line above over M v^2 / 2; 1e-9 for the solve"});
-  return findings;
+  runner.check("time at which it takes off", "s", take_off,
+               near_to(flight.unload, kStep, "the step of 0.1 ms at whose end it is in the air"));
+  runner.check(
+      "time at which it lands", "s", landing,
+      near_to(flight.landing, kStep + late,
+              "the step of 0.1 ms at whose end it has landed; what the method misses of the throw, "
+              "(0.0404 pi/2 + gamma^2/2) (w dt)^2 of its speed, over that of landing"));
+  runner.check(
+      "speed of the landing", "m/s", approach,
+      near_to(flight.speed, down * (kStep + late) + method,
+              "(a + 1) g dt, it is that of the last step in the air; and that of the throw"));
+  runner.check("wheels lifted", "", response.items[0].demands.most_wheels_lifted,
+               exactly(4, "it flies"));
+  close(scene.items[0].model, response, flight.speed, runner);
+  runner.check("energy balance error over the energy", "", response.quality.energy_closure,
+               near_to(0, 2 * std::pow(TreadCrossings::kNearEnd * omega * kStep, 2) + 1e-9,
+                       "2 (0.02 omega dt)^2: the line above over M v^2 / 2; 1e-9 for the solve"));
 }
 
 // --- elastic treads without friction give a wheel that meets a wall its speed back
@@ -116,8 +113,7 @@ struct Wall {
   double speed, swivels;  // [m/s], 0 or 1
 };
 
-Findings bounce(const Wall& c, const Runner& runner) {
-  Findings findings;
+void bounce(const Wall& c, Runner& runner) {
   Scene scene = scene_of({});
   Tread tread = small::bare_tread(3e5, 1e5);
   tread.static_friction = tread.kinetic_friction = 0;
@@ -130,19 +126,16 @@ Findings bounce(const Wall& c, const Runner& runner) {
   scene.items[0].initial.velocity = {c.speed, 0, 0};
   scene.room = {{"wall", "", {0.65, 0, 0.5}, Quaternion::Identity(), RoomBox{{0.2, 4, 1}}}};
   for (int dof : {2, 3, 4}) scene.items[0].fixture.guides[dof] = {Guide::Kind::kHeld, 0, 0, 0};
-  const Response response =
-      runner(findings, scene, {}, blocks::run_for(0.4 / c.speed, 0.004, 0.004));
+  const Response response = runner(scene, {}, blocks::run_for(0.4 / c.speed, 0.004, 0.004));
   const ImpactSteps steps(1, 1, 1, 1);  // no point has a larger effective mass than the trolley
-  auto& checks = findings.checks;
-  checks.push_back({"speed back", "m/s", -response.items[0].history.back().velocity.x(), c.speed,
-                    2 * steps.speed_error() * c.speed,
-                    "gamma^2 phi^2 of the speed for each of two treads, phi = pi/32 the phase of a "
-                    "step: where they touch and part inside steps"});
-  checks.push_back({"energy balance error", "", response.quality.energy_closure, 0,
-                    4 * steps.speed_error(), "twice that of the speed"});
-  checks.push_back({"wheels that hit the wall", "", static_cast<double>(response.impacts.size()), 2,
-                    0, "both front wheels, once"});
-  return findings;
+  runner.check("speed back", "m/s", -response.items[0].history.back().velocity.x(),
+               near_to(c.speed, 2 * steps.speed_error() * c.speed,
+                       "gamma^2 phi^2 of the speed for each of two treads, phi = pi/32 the phase "
+                       "of a step: where they touch and part inside steps"));
+  runner.check("energy balance error", "", response.quality.energy_closure,
+               near_to(0, 4 * steps.speed_error(), "twice that of the speed"));
+  runner.check("wheels that hit the wall", "", response.impacts.size(),
+               exactly(2, "both front wheels, once"));
 }
 
 }  // namespace
@@ -153,22 +146,17 @@ Family flight() {
        "z'' = (a - 1) g, then -(a + 1) g, from the speed with which the treads throw it, g/w "
        "sqrt(a^2 - (a - 1)^2) at cos(w t) = (a - 1)/a",
        "free fall"},
-      {{{"acceleration", "g", 1.15, 1.9}, &Drop::acceleration},
-       {{"time", "s", 0.06, 0.35}, &Drop::time}},
-      {{"plain", {1.5, 0.1}}, {"long", {1.2, 0.3}}, {"strong", {1.8, 0.08}}}, fly);
+      fields(FIELD(Drop, acceleration, "g", 1.15, 1.9), FIELD(Drop, time, "s", 0.06, 0.35)),
+      cases(at("plain", 1.5, 0.1), at("long", 1.2, 0.3), at("strong", 1.8, 0.08)), fly);
 }
 
 Family wheel_at_wall() {
   return make_family<Wall>(
       {"wheel_at_wall", "impacts", "Elastic wheels without friction meet a wall", "v' = -v",
        "energy"},
-      {{{"speed", "m/s", 0.2, 2.5}, &Wall::speed}, {{"swivels", "", 0, 1, true}, &Wall::swivels}},
-      {{"slow", {0.3, 0}},
-       {"plain", {1, 0}},
-       {"fast", {2, 0}},
-       {"slow_swivels", {0.3, 1}},
-       {"plain_swivels", {1, 1}},
-       {"fast_swivels", {2, 1}}},
+      fields(FIELD(Wall, speed, "m/s", 0.2, 2.5), FIELD(Wall, swivels, "", 0, 1, true)),
+      cases(at("slow", 0.3, 0), at("plain", 1, 0), at("fast", 2, 0), at("slow_swivels", 0.3, 1),
+            at("plain_swivels", 1, 1), at("fast_swivels", 2, 1)),
       bounce);
 }
 

@@ -4,7 +4,6 @@
 
 #include "studies/verification/cases/slider.h"
 #include "studies/verification/family.h"
-#include "studies/verification/gravity.h"
 #include "studies/verification/scenes/scenes.h"
 #include "studies/verification/scenes/wind_up.h"
 
@@ -57,17 +56,16 @@ Scene on_level_floor(const Tilted& c) {
   return scene;
 }
 
-Findings tilted(const Tilted& c, const Runner& runner) {
+void tilted(const Tilted& c, Runner& runner) {
   constexpr double kDuration = 4, kStep = 0.004;
-  Findings findings;
   const Scene level = on_level_floor(c);
   Scene sloping = level;
   sloping.slope = -std::tan(c.angle);
   const FloorMotion rotated = rotating_floor(
       1, kDuration, [&](double) { return c.angle; }, [](double) { return 0.0; });
   const SimulationSettings settings = run_for(kDuration, kStep, 0.02);
-  const Response rolls = runner(findings, level, rotated, settings);
-  const Response on_slope = runner(findings, sloping, {}, settings);
+  const Response rolls = runner(level, rotated, settings);
+  const Response on_slope = runner(sloping, {}, settings);
 
   const EquipmentModel& item = level.items[0].model;
   const double mass = total_mass(item), inertia = mass + wheel_inertia_mass(item);
@@ -88,9 +86,7 @@ Findings tilted(const Tilted& c, const Runner& runner) {
     displacement.add(t, x, a * t * t / 2, (wind_up + 1e-9 * kG * t) * t);
     slope.add(t, x - there[i].displacement.x(), 0, (square / 2 + 2e-9 * kG) * t * t);
   }
-  displacement.report(findings);
-  slope.report(findings);
-  return findings;
+  runner.report(displacement, slope);
 }
 
 // ---------------------------------------------------------------- sliding and rolling
@@ -115,9 +111,8 @@ double peak_to_peak(double friction, double amplitude, double w) {
   return 2 * amplitude / (w * w) * std::sqrt(1 - std::pow(kPi * friction * kG / amplitude / 2, 2));
 }
 
-Findings rocked(const Rocked& c, const Runner& runner) {
+void rocked(const Rocked& c, Runner& runner) {
   constexpr double kStep = 2e-4, kSampling = 1e-3;  // [s]
-  Findings findings;
   const sliding::Slider slider = sliding::make_slider(c.rolls != 0, c.friction);
   const double w = 2 * kPi * c.frequency, a = amplitude(c, slider), cycles = 3 / c.frequency;
   // Steady motion starts where the triangular velocity of friction meets that of the floor.
@@ -125,7 +120,7 @@ Findings rocked(const Rocked& c, const Runner& runner) {
   const double start = -(a / w - c.friction * kG / w * (kPi / 2 - std::acos(eta)));
   const Response response =
       sliding::shake(slider, harmonic_floor(kSampling, cycles, c.angle, w),
-                     run_for(cycles, kStep, kSampling), slider.scale * start, runner, findings);
+                     run_for(cycles, kStep, kSampling), slider.scale * start, runner);
   double low = INFINITY, high = -INFINITY;
   for (const Sample& s : response.items[0].history) {
     if (s.time < cycles - 1.5 / c.frequency) continue;
@@ -137,23 +132,23 @@ Findings rocked(const Rocked& c, const Runner& runner) {
   const double pressed = exact - slider.scale * peak_to_peak(c.friction * (1 + lever), a, w);
   const double reversal = 2 * c.friction * kG * kStep;
   const double sampling = (a + c.friction * kG) * kSampling * kSampling / 4;
-  findings.checks.push_back(
-      {"steady displacement, peak to peak", "m", high - low, exact,
-       (reversal + slider.wind_up) / (2 * c.frequency) + sampling + pressed +
-           std::pow(w * kSampling, 2) * exact,
-       "2 mu g dt at a reversal and mu g sqrt(M/k) of winding up, for half a cycle; extremes "
-       "between samples, (A + mu g) dt_s^2 / 4; friction times 1 + theta'' x / g, by the formula; "
-       "the sampled sine, (w dt_s)^2"});
+  runner.check("steady displacement, peak to peak", "m", high - low,
+               near_to(exact,
+                       (reversal + slider.wind_up) / (2 * c.frequency) + sampling + pressed +
+                           std::pow(w * kSampling, 2) * exact,
+                       "2 mu g dt at a reversal and mu g sqrt(M/k) of winding up, for half a "
+                       "cycle; extremes between samples, (A + mu g) dt_s^2 / 4; friction times 1 + "
+                       "theta'' x / g, by the formula; the sampled sine, (w dt_s)^2"));
 
   Rocked gentle = c;
   gentle.angle *= 0.95 * c.friction * kG / a;
   const Response still = sliding::shake(slider, harmonic_floor(kSampling, cycles, gentle.angle, w),
-                                        run_for(cycles, 0.002), 0, runner, findings);
+                                        run_for(cycles, 0.002), 0, runner);
   const double sway = 0.95 * c.friction * kG * total_mass(slider.item) / slider.stiffness;
-  findings.checks.push_back({"peak displacement at 0.95 of the threshold", "m",
-                             still.items[0].demands.peak_displacement, 0, 2 * sway + 1e-10,
-                             "sway of the treads, M a / k, at most twice; 1e-10 m for rounding"});
-  return findings;
+  runner.check("peak displacement at 0.95 of the threshold", "m",
+               still.items[0].demands.peak_displacement,
+               near_to(0, 2 * sway + 1e-10,
+                       "sway of the treads, M a / k, at most twice; 1e-10 m for rounding"));
 }
 
 /// Slides all the time, pi mu g / (2 A) < 1, with a margin.
@@ -168,9 +163,8 @@ struct Stood {
   double height = 0.618, mass = 96.5;
 };
 
-Findings stood(const Stood& c, const Runner& runner) {
+void stood(const Stood& c, Runner& runner) {
   constexpr double kStep = 0.002;
-  Findings findings;
   ItemOptions options;
   options.total_mass = c.mass;
   options.chassis_center.z() = c.height;
@@ -183,7 +177,7 @@ Findings stood(const Stood& c, const Runner& runner) {
   const Vector3 center = whole.center_of_mass;
   const double w = 2 * kPi * c.frequency, cycles = 2 / c.frequency;
   const FloorMotion floor = harmonic_floor(kStep, cycles, c.angle, w);
-  const Response response = runner(findings, scene, floor, run_for(cycles, kStep, kStep));
+  const Response response = runner(scene, floor, run_for(cycles, kStep, kStep));
 
   const Caster& caster = item.casters[0];
   const double front = options.half_wheelbase - caster.trail - center.x();
@@ -196,10 +190,9 @@ Findings stood(const Stood& c, const Runner& runner) {
   Track load("load of the front wheels", "N",
              "the load's rise from rest vibrates on stiff treads, w / w_pitch of its amplitude M_0 "
              "/ l, twice; the chassis leans by M g / (4 k_n l) of M g; 1e-9 M g of the solve");
-  Track carried(
-      "absolute acceleration of the centre of mass along x", "m/s2",
-      "the same vibration at the height h, w / w_pitch, and that of the treads along x, w / "
-      "w_sway of (g + w^2 h) theta_0, twice; 1e-6 g of the solve");
+  Track carried("absolute acceleration of the centre of mass along x", "m/s2",
+                "the same vibration at the height h, w / w_pitch, and that of the treads along x, "
+                "w / w_sway of (g + w^2 h) theta_0, twice; 1e-6 g of the solve");
   const double amplitude = moment / (front - rear);
   const double push = (kG + w * w * center.z()) * c.angle;
   for (const Sample& s : response.items[0].history) {
@@ -213,9 +206,7 @@ Findings stood(const Stood& c, const Runner& runner) {
     carried.add(s.time, s.points[0].absolute_acceleration.x(), twice * center.z(),
                 2 * w * (1 / pitch + 1 / sway) * push + 1e-6 * kG);
   }
-  load.report(findings);
-  carried.report(findings);
-  return findings;
+  runner.report(load, carried);
 }
 
 }  // namespace
@@ -225,13 +216,10 @@ Family tilted_floor() {
       {"tilted_floor", "rotation", "A trolley rolls on a floor that stays rotated",
        "a = M g theta (1 - Cr/R / theta) / (M + J); as on a slope of theta",
        "Newton's law; rolling resistance as dry friction"},
-      {{{"angle", "rad", 0.002, 0.05}, &Tilted::angle},
-       {{"share", "Cr/R over it", 0, 0.8}, &Tilted::share},
-       {{"mass", "kg", 40, 250}, &Tilted::mass}},
-      {{"free", {0.005, 0}},
-       {"gentle", {0.002, 0.5}},
-       {"plain", {0.005, 0.5}},
-       {"steep", {0.05, 0.3}}},
+      fields(FIELD(Tilted, angle, "rad", 0.002, 0.05), FIELD(Tilted, share, "Cr/R over it", 0, 0.8),
+             FIELD(Tilted, mass, "kg", 40, 250)),
+      cases(at("free", 0.005, 0), at("gentle", 0.002, 0.5), at("plain", 0.005, 0.5),
+            at("steep", 0.05, 0.3)),
       tilted);
 }
 
@@ -239,19 +227,14 @@ Family rocking_floor() {
   return make_family<Rocked>(
       {"rocking_floor", "rotation", "Sliding and rolling on a floor that rocks harmonically",
        "(2 A/w^2) sqrt(1 - (pi mu g / (2 A))^2), A = theta_0 (g + w^2 h), so 2 theta_0 (g / w^2 + "
-       "h) "
-       "without friction; a cart with mu = Cr/R: h + J R / M, times M / (M + J)",
+       "h) without friction; a cart with mu = Cr/R: h + J R / M, times M / (M + J)",
        "Newton's law in the frame of the floor; then harmonic_slip"},
-      {{{"rolls", "0 block, 1 cart", 0, 1, true}, &Rocked::rolls},
-       {{"friction", "mu or Cr/R", 0.0002, 0.01}, &Rocked::friction},
-       {{"angle", "rad", 0.002, 0.02}, &Rocked::angle},
-       {{"frequency", "Hz", 0.3, 2}, &Rocked::frequency}},
-      {{"block", {0, 0.003, 0.005, 0.5}},
-       {"block_1_Hz", {0, 0.005, 0.005, 1}},
-       {"cart", {1, 0.003, 0.005, 0.5}},
-       {"cart_free", {1, 0.0002, 0.005, 0.5}},
-       {"cart_1_Hz", {1, 0.005, 0.005, 1}},
-       {"cart_strong", {1, 0.01, 0.02, 1}}},
+      fields(FIELD(Rocked, rolls, "0 block, 1 cart", 0, 1, true),
+             FIELD(Rocked, friction, "mu or Cr/R", 0.0002, 0.01),
+             FIELD(Rocked, angle, "rad", 0.002, 0.02), FIELD(Rocked, frequency, "Hz", 0.3, 2)),
+      cases(at("block", 0, 0.003, 0.005, 0.5), at("block_1_Hz", 0, 0.005, 0.005, 1),
+            at("cart", 1, 0.003, 0.005, 0.5), at("cart_free", 1, 0.0002, 0.005, 0.5),
+            at("cart_1_Hz", 1, 0.005, 0.005, 1), at("cart_strong", 1, 0.01, 0.02, 1)),
       rocked, slides);
 }
 
@@ -260,14 +243,10 @@ Family rocking_floor_loads() {
       {"rocking_floor_loads", "rotation", "Wheel loads of an item that a rocking floor carries",
        "N_front l = M g theta h - (I + M h^2) theta'' - x_rear M (g - theta'' x_G); a = theta'' h",
        "Newton's and Euler's laws in the frame of the floor"},
-      {{{"angle", "rad", 0.002, 0.02}, &Stood::angle},
-       {{"frequency", "Hz", 0.3, 3}, &Stood::frequency},
-       {{"height", "m", 0.4, 0.9}, &Stood::height},
-       {{"mass", "kg", 40, 250}, &Stood::mass}},
-      {{"slow", {0.005, 0.5}},
-       {"plain", {0.005, 1}},
-       {"fast", {0.005, 3}},
-       {"high", {0.01, 1, 0.9}}},
+      fields(FIELD(Stood, angle, "rad", 0.002, 0.02), FIELD(Stood, frequency, "Hz", 0.3, 3),
+             FIELD(Stood, height, "m", 0.4, 0.9), FIELD(Stood, mass, "kg", 40, 250)),
+      cases(at("slow", 0.005, 0.5), at("plain", 0.005, 1), at("fast", 0.005, 3),
+            at("high", 0.01, 1, 0.9)),
       stood);
 }
 

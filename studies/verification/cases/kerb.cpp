@@ -1,7 +1,6 @@
 #include <cmath>
 
-#include "studies/verification/cases.h"
-#include "studies/verification/gravity.h"
+#include "studies/verification/family.h"
 #include "studies/verification/scenes/blocks.h"
 #include "studies/verification/scenes/small_scenes.h"
 
@@ -40,13 +39,12 @@ void add_kerb(Scene& scene, double face, double height) {
 }
 
 /// Whether it falls over the kerb: what lands again may fall over its back.
-bool falls(Scene scene, double speed, double step, const Runner& runner, Findings& findings,
-           double& closure) {
+bool falls(Scene scene, double speed, double step, Runner& runner, double& closure) {
   constexpr double kDuration = 3;
   scene.items[0].initial.velocity = {speed, 0, 0};
   SimulationSettings settings = blocks::run_for(kDuration, step, kDuration);
   settings.follow_overturning = false;
-  const Response response = runner(findings, scene, {}, settings);
+  const Response response = runner(scene, {}, settings);
   const Quaternion& end = response.items[0].history.back().orientation;
   const bool fallen = response.outcome == Outcome::kOverturned && (end * Vector3::UnitZ()).x() > 0;
   // What stays up lands again, on treads too stiff for these steps: not asked.
@@ -55,17 +53,16 @@ bool falls(Scene scene, double speed, double step, const Runner& runner, Finding
 }
 
 void trip(const Scene& scene, double speed, double share, const char* terms, double step,
-          const Runner& runner, Findings& findings) {
+          Runner& runner) {
   const double bracket = share / 4;
   double closure = 0;
-  const double found =
-      locate((1 - 2 * share) * speed, (1 + 2 * share) * speed, bracket * speed,
-             [&](double v) { return falls(scene, v, step, runner, findings, closure); });
-  findings.checks.push_back(
-      {"speed from which it overturns", "m/s", found, speed, (share + bracket / 2) * speed, terms});
-  findings.checks.push_back(
-      {"energy balance error of what overturns", "", closure, 0, 0.01,
-       "1 %: 32 steps or more in the impact lose (pi/32)^2 of what it takes"});
+  const double found = locate((1 - 2 * share) * speed, (1 + 2 * share) * speed, bracket * speed,
+                              [&](double v) { return falls(scene, v, step, runner, closure); });
+  runner.check("speed from which it overturns", "m/s", found,
+               near_to(speed, (share + bracket / 2) * speed, terms));
+  runner.check(
+      "energy balance error of what overturns", "", closure,
+      near_to(0, 0.01, "1 %: 32 steps or more in the impact lose (pi/32)^2 of what it takes"));
 }
 
 // --- a cart whose front wheels meet a kerb higher than their axle
@@ -118,16 +115,13 @@ CartAtKerb cart_at(const Cart& c) {
   return result;
 }
 
-Findings stop_cart(const Cart& c, const Runner& runner) {
-  Findings findings;
+void stop_cart(const Cart& c, Runner& runner) {
   const CartAtKerb result = cart_at(c);
-  trip(
-      result.scene, result.speed, result.share,
-      "of it: the axle deflects by V sqrt(M / 2 k) forward and, as it swings, down, twice that "
-      "over h; friction at the kerb lifts wheels while it stops their spin, I / R^2 of two over M; "
-      "an eighth of these for the last bracket",
-      0.0005, runner, findings);
-  return findings;
+  trip(result.scene, result.speed, result.share,
+       "of it: the axle deflects by V sqrt(M / 2 k) forward and, as it swings, down, twice that "
+       "over h; friction at the kerb lifts wheels while it stops their spin, I / R^2 of two over "
+       "M; an eighth of these for the last bracket",
+       0.0005, runner);
 }
 
 /// The centre stays well behind the axle.
@@ -167,14 +161,12 @@ SliderAtKerb slider_at(const Slider& c) {
   return result;
 }
 
-Findings stop_slider(const Slider& c, const Runner& runner) {
-  Findings findings;
+void stop_slider(const Slider& c, Runner& runner) {
   const SliderAtKerb result = slider_at(c);
   trip(result.scene, result.speed, result.share,
        "of it: the kerb holds the edge between the floor and its top, V there and here; it gives "
        "way by V sqrt(M / k), over h; an eighth of these for the last bracket",
-       0.001, runner, findings);
-  return findings;
+       0.001, runner);
 }
 
 bool can_tip(const Slider& c) {
@@ -189,18 +181,14 @@ Family cart_at_kerb() {
        "The front wheels of a cart meet a kerb that is higher than their axle",
        "overturns from V = (1/h) sqrt(2 g (R - h) I_O / M) on, h and R from the front axle",
        "Mallet 1862, The Great Neapolitan Earthquake of 1857, part I; angular momentum"},
-      {{{"mass", "kg", 30, 200}, &Cart::mass},
-       {{"height", "m", 0.4, 1.2}, &Cart::height},
-       {{"ahead", "m", -0.1, 0.1}, &Cart::ahead},
-       {{"gyration", "m", 0.2, 0.5}, &Cart::gyration},
-       {{"half_wheelbase", "m", 0.25, 0.5}, &Cart::half_wheelbase},
-       {{"half_track", "m", 0.15, 0.3}, &Cart::half_track},
-       {{"friction", "", 0, 0.7}, &Cart::friction}},
-      {{"plain", {94.5, 0.618}},
-       {"high", {60, 0.9, 0, 0.25, 0.3}},
-       {"ahead", {150, 0.8, 0.1, 0.4, 0.35, 0.25}},
-       {"behind", {40, 1.1, -0.08, 0.5, 0.25, 0.25}},
-       {"rough", {94.5, 0.618, 0, 0.3, 0.4, 0.2, 0.6}}},
+      fields(FIELD(Cart, mass, "kg", 30, 200), FIELD(Cart, height, "m", 0.4, 1.2),
+             FIELD(Cart, ahead, "m", -0.1, 0.1), FIELD(Cart, gyration, "m", 0.2, 0.5),
+             FIELD(Cart, half_wheelbase, "m", 0.25, 0.5), FIELD(Cart, half_track, "m", 0.15, 0.3),
+             FIELD(Cart, friction, "", 0, 0.7)),
+      cases(at("plain", 94.5, 0.618), at("high", 60, 0.9, 0, 0.25, 0.3),
+            at("ahead", 150, 0.8, 0.1, 0.4, 0.35, 0.25),
+            at("behind", 40, 1.1, -0.08, 0.5, 0.25, 0.25),
+            at("rough", 94.5, 0.618, 0, 0.3, 0.4, 0.2, 0.6)),
       stop_cart, can_trip);
 }
 
@@ -209,18 +197,13 @@ Family slider_at_kerb() {
       {"slider_at_kerb", "blocks", "A block slides without friction against a low kerb",
        "overturns from V = (1/h) sqrt(2 g (R - h) I_O / M) on, h and R from the front edge",
        "Mallet 1862, The Great Neapolitan Earthquake of 1857, part I; angular momentum"},
-      {{{"mass", "kg", 30, 300}, &Slider::mass},
-       {{"width", "m", 0.25, 0.7}, &Slider::width},
-       {{"height", "m", 0.8, 1.8}, &Slider::height},
-       {{"aside", "m", -0.12, 0.12}, &Slider::aside},
-       {{"center", "of the height", 0.35, 0.65}, &Slider::center},
-       {{"inertia", "of a box", 0.7, 1.4}, &Slider::inertia},
-       {{"kerb", "m", 0.001, 0.01}, &Slider::kerb}},
-      {{"plain", {100, 0.5, 1.0}},
-       {"high_kerb", {100, 0.5, 1.0, 0, 0.5, 1, 0.01}},
-       {"heavy", {250, 0.55, 1.5}},
-       {"ahead", {60, 0.43, 1.3, 0.06, 0.5 / 1.3, 0.8}},
-       {"behind", {120, 0.6, 1.25, -0.1, 0.64, 1.3}}},
+      fields(FIELD(Slider, mass, "kg", 30, 300), FIELD(Slider, width, "m", 0.25, 0.7),
+             FIELD(Slider, height, "m", 0.8, 1.8), FIELD(Slider, aside, "m", -0.12, 0.12),
+             FIELD(Slider, center, "of the height", 0.35, 0.65),
+             FIELD(Slider, inertia, "of a box", 0.7, 1.4), FIELD(Slider, kerb, "m", 0.001, 0.01)),
+      cases(at("plain", 100, 0.5, 1.0), at("high_kerb", 100, 0.5, 1.0, 0, 0.5, 1, 0.01),
+            at("heavy", 250, 0.55, 1.5), at("ahead", 60, 0.43, 1.3, 0.06, 0.5 / 1.3, 0.8),
+            at("behind", 120, 0.6, 1.25, -0.1, 0.64, 1.3)),
       stop_slider, can_tip);
 }
 

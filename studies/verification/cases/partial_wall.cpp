@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "studies/verification/cases.h"
 #include "studies/verification/cases/sliding_block.h"
+#include "studies/verification/family.h"
 #include "studies/verification/scenes/blocks.h"
 #include "studies/verification/scenes/face_contact.h"
 
@@ -41,14 +41,14 @@ ImpactSteps steps_of(const SlidingBlock& block, const std::vector<double>& acros
 /// Until it has parted, `contact` after the touch.
 Response meet(const SlidingBlock& block, const Vector3& position, double roll, double speed,
               const ContactConstants& constants, double contact, const ImpactSteps& steps,
-              const Runner& runner, Findings& findings) {
+              Runner& runner) {
   Scene scene = block.scene({speed, 0, 0});
   for (int dof : {1, 2, 3, 4}) scene.items[0].fixture.guides[dof].kind = Guide::Kind::kHeld;
   blocks::add_wall(scene, 0, constants);
   RoomShape& wall = scene.room.back();
   wall.position = position + Vector3(0.5 * kSize.x() + 0.1 + kWayToImpact, 0, 0);
   wall.rotation = Quaternion(Eigen::AngleAxisd(roll, Vector3::UnitX()));
-  return slide(findings, runner, scene, 1.1 * kWayToImpact + 1.1 * contact * speed, steps);
+  return slide(runner, scene, 1.1 * kWayToImpact + 1.1 * contact * speed, steps);
 }
 
 ContactConstants spring(double stiffness) {
@@ -58,8 +58,8 @@ ContactConstants spring(double stiffness) {
 constexpr const char* kMethod =
     "gamma^2 phi^2 of the speed, phi the phase of a step: the points touch and part inside steps; "
     "twice what it changes that points where the wall ends stay on the block, integrated, of "
-    "velocity or yaw rate times half the width; the square of "
-    "the yaw in contact times length over width, the change of the levers";
+    "velocity or yaw rate times half the width; the square of the yaw in contact times length over "
+    "width, the change of the levers";
 
 /// What the reference is, and what the engine's contact is if the impact lies in a step of 4 ms, in
 /// which points stay where they are on the block. In the next step they stay again elsewhere.
@@ -68,7 +68,7 @@ struct Springs {
 };
 
 void compare(const std::string& law, const Springs& springs, double speed, const ImpactSteps& steps,
-             const Response& response, Findings& findings) {
+             const Response& response, Runner& runner) {
   const FaceContact &exact = springs.exact, &kept = springs.kept;
   const double arm = 0.5 * kSize.y();
   // Levers are held to first order of the yaw.
@@ -78,18 +78,17 @@ void compare(const std::string& law, const Springs& springs, double speed, const
                                              arm * std::abs(kept.yaw_rate[0] - exact.yaw_rate[0]));
   const double peak =
       method + 2 * std::abs(kept.peak_force / exact.peak_force - 1) + std::pow(steps.phase, 2) / 8;
-  auto& checks = findings.checks;
-  checks.push_back({"velocity after it, " + law, "m/s",
-                    response.items[0].history.back().velocity.x(), exact.speed[0] * speed,
-                    share * speed, kMethod});
-  checks.push_back({"yaw rate after it times half the width, " + law, "m/s",
-                    yaw_rate_at_end(response) * arm, exact.yaw_rate[0] * speed * arm, share * speed,
-                    kMethod});
+  runner.check("velocity after it, " + law, "m/s", response.items[0].history.back().velocity.x(),
+               near_to(exact.speed[0] * speed, share * speed, kMethod));
+  runner.check("yaw rate after it times half the width, " + law, "m/s",
+               yaw_rate_at_end(response) * arm,
+               near_to(exact.yaw_rate[0] * speed * arm, share * speed, kMethod));
   if (response.impacts.empty() || std::isnan(response.impacts[0].peak_force)) return;
-  checks.push_back(
-      {"peak force", "N", response.impacts[0].peak_force, exact.peak_force * speed,
-       peak * exact.peak_force * speed,
-       std::string("of it: phi^2 / 8, a stage ends up to half a step off the peak; ") + kMethod});
+  runner.check(
+      "peak force", "N", response.impacts[0].peak_force,
+      near_to(exact.peak_force * speed, peak * exact.peak_force * speed,
+              std::string("of it: phi^2 / 8, a stage ends up to half a step off the peak; ") +
+                  kMethod));
 }
 
 // --- the wall begins at y = start
@@ -104,13 +103,11 @@ struct Strip {
   }
 };
 
-Findings meet_strip(const Strip& c, const Runner& runner) {
-  Findings findings;
+void meet_strip(const Strip& c, Runner& runner) {
   const FaceContact exact = c.exact();
   const Response response = meet(c.block(), {0, c.start + 1.5, 1.5}, 0, c.speed,
-                                 spring(c.stiffness), exact.contact, c.steps(), runner, findings);
-  compare("springs", {exact, c.exact(true)}, c.speed, c.steps(), response, findings);
-  return findings;
+                                 spring(c.stiffness), exact.contact, c.steps(), runner);
+  compare("springs", {exact, c.exact(true)}, c.speed, c.steps(), response, runner);
 }
 
 bool strip_parts(const Strip& c) {
@@ -139,22 +136,20 @@ struct Corner {
   }
 };
 
-Findings meet_corner(const Corner& c, const Runner& runner) {
-  Findings findings;
+void meet_corner(const Corner& c, Runner& runner) {
   const double roll = std::numbers::pi / 4;
   const Vector3 center =
       Vector3(0, c.cut - 0.5 * kSize.y(), 0) + 1.5 * Vector3(0, 1, 1).normalized();
   const auto met = [&](const std::string& law, const Springs& springs,
                        const ContactConstants& constants) {
-    compare(law, springs, c.speed, c.steps(),
-            meet(c.block(), center, roll, c.speed, constants, springs.exact.contact, c.steps(),
-                 runner, findings),
-            findings);
+    compare(
+        law, springs, c.speed, c.steps(),
+        meet(c.block(), center, roll, c.speed, constants, springs.exact.contact, c.steps(), runner),
+        runner);
   };
   met("springs", c.springs(), spring(c.stiffness));
   met("restitution", c.restituted(),
       {.stiffness = c.stiffness, .restitution = c.restitution, .friction = 0});
-  return findings;
 }
 
 bool corner_parts(const Corner& c) {
@@ -172,14 +167,10 @@ Family partial_wall() {
       {"partial_wall", "impacts", "A wall covers one side of the block's front, which turns",
        "m x'' = -sum f, I yaw'' = sum y f, f = k max(0, x - y yaw), at the corners in common",
        kSource},
-      {{{"start", "m", -0.15, 0.15}, &Strip::start},
-       {{"stiffness", "N/m", 1e6, 1e8}, &Strip::stiffness},
-       {{"speed", "m/s", 0.2, 2}, &Strip::speed},
-       {{"mass", "kg", 20, 300}, &Strip::mass}},
-      {{"slow", {0.05, 1e8, 0.2}},
-       {"plain", {0.05, 1e8, 0.8}},
-       {"fast", {0.05, 1e8, 2}},
-       {"parts_by_turning", {0.03734, 8.378e7, 1.2844, 134.12}}},
+      fields(FIELD(Strip, start, "m", -0.15, 0.15), FIELD(Strip, stiffness, "N/m", 1e6, 1e8),
+             FIELD(Strip, speed, "m/s", 0.2, 2), FIELD(Strip, mass, "kg", 20, 300)),
+      cases(at("slow", 0.05, 1e8, 0.2), at("plain", 0.05, 1e8, 0.8), at("fast", 0.05, 1e8, 2),
+            at("parts_by_turning", 0.03734, 8.378e7, 1.2844, 134.12)),
       meet_strip, strip_parts);
 }
 
@@ -187,15 +178,11 @@ Family cut_corner() {
   return make_family<Corner>(
       {"cut_corner", "impacts", "A wall leaves out one corner of the block's front",
        "as partial_wall, at five corners; with restitution f = k d (1 + X d'/v)", kSource},
-      {{{"cut", "m", 0.03, 0.35}, &Corner::cut},
-       {{"stiffness", "N/m", 1e6, 1e8}, &Corner::stiffness},
-       {{"speed", "m/s", 0.2, 2}, &Corner::speed},
-       {{"restitution", "", 0.1, 0.9}, &Corner::restitution},
-       {{"mass", "kg", 20, 300}, &Corner::mass}},
-      {{"slow", {0.1, 1e7, 0.2, 0.2}},
-       {"plain", {0.1, 1e7, 0.8, 0.7}},
-       {"fast", {0.1, 1e7, 2, 0.2}},
-       {"soft", {0.347, 1e6, 1.77, 0.777, 298}}},
+      fields(FIELD(Corner, cut, "m", 0.03, 0.35), FIELD(Corner, stiffness, "N/m", 1e6, 1e8),
+             FIELD(Corner, speed, "m/s", 0.2, 2), FIELD(Corner, restitution, "", 0.1, 0.9),
+             FIELD(Corner, mass, "kg", 20, 300)),
+      cases(at("slow", 0.1, 1e7, 0.2, 0.2), at("plain", 0.1, 1e7, 0.8, 0.7),
+            at("fast", 0.1, 1e7, 2, 0.2), at("soft", 0.347, 1e6, 1.77, 0.777, 298)),
       meet_corner, corner_parts);
 }
 

@@ -35,18 +35,17 @@ Scene SlidingBlock::scene(const Vector3& velocity) const {
   return scene;
 }
 
-Response slide(Findings& findings, const Runner& runner, const Scene& scene, double travel,
-               const ImpactSteps& steps, double rubbed) {
+Response slide(Runner& runner, const Scene& scene, double travel, const ImpactSteps& steps,
+               double rubbed) {
   constexpr double kStep = 0.004;
   const double speed = scene.items[0].initial.velocity.norm();
-  Response response = runner(findings, scene, {}, blocks::run_for(travel / speed, kStep, kStep));
-  findings.checks.push_back({"energy balance error", "", response.quality.energy_closure, 0,
-                             steps.closure() + rubbed * steps.phase / 2,
-                             "(1 - 2 gamma)^2 phi^2, phi the phase of a step: what a spring that "
-                             "touches or parts inside a step costs the balance; of the work of "
-                             "friction phi / 2, as it begins and ends inside a step"});
-  findings.checks.push_back(
-      {"impacts", "", static_cast<double>(response.impacts.size()), 1, 0, "it meets one thing"});
+  Response response = runner(scene, {}, blocks::run_for(travel / speed, kStep, kStep));
+  runner.check("energy balance error", "", response.quality.energy_closure,
+               near_to(0, steps.closure() + rubbed * steps.phase / 2,
+                       "(1 - 2 gamma)^2 phi^2, phi the phase of a step: what a spring that touches "
+                       "or parts inside a step costs the balance; of the work of friction phi / 2, "
+                       "as it begins and ends inside a step"));
+  runner.check("impacts", "", response.impacts.size(), exactly(1, "it meets one thing"));
   return response;
 }
 

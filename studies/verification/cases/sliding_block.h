@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "studies/verification/runner.h"
+#include "studies/verification/check.h"
 
 /// A block that slides without friction along +x into something, at the default step of 4 ms.
 namespace gurney::verification {
@@ -54,8 +54,8 @@ inline constexpr double kWayToImpact = 0.1;  ///< of the block before it touches
 /// Runs for the time that the block takes for `travel`. Adds the check of the energy balance and of
 /// the number of impacts, one.
 /// @param rubbed  share of the energy that friction takes in the impact
-Response slide(Findings& findings, const Runner& runner, const Scene& scene, double travel,
-               const ImpactSteps& steps, double rubbed = 0);
+Response slide(Runner& runner, const Scene& scene, double travel, const ImpactSteps& steps,
+               double rubbed = 0);
 
 /// At the end of the run, of a block upright [rad/s].
 double yaw_rate_at_end(const Response& response, std::size_t item = 0);

@@ -12,7 +12,7 @@
 
 #include "studies/figures/verification_figures.h"
 #include "studies/render/render.h"
-#include "studies/verification/cases.h"
+#include "studies/verification/family.h"
 #include "tests/support/verification_page.h"
 
 namespace gurney::report {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/scene/scene.h"
+#include "studies/verification/check.h"
 #include "studies/verification/scenes/scenes.h"
 
 /// The pulling rig of Xu, Ma & Kurata 2022: blocks hold the trolley (phase I), a weight m_d on a
