@@ -165,7 +165,7 @@ def item_page(catalogue, advice, item, sheet):
         f"# {sheet['name']}", "", *wrapped(sheet["description"] + "."), "",
         *wrapped(f"{sheet['mass_kg']:.0f} kg, {size} mm, base over height {sheet['base_over_height']:.2f}, tips from "
                  f"{sheet['tips_from_g']:.2f} g where its wheels cannot roll. Data: `equipment/items/{item}.toml`."), "",
-        advice.line(item), "([rule](methods.md#what-to-do)).", *wrapped(CAUTION), "",
+        *wrapped(f"{advice.line(item)} ([rule](methods.md#what-to-do)). {CAUTION}"), "",
         f"![Plan and sides](images/{item}.svg)", "",
         f"![Fragility on an upper floor of the flexible building](images/{item}_fragility.svg)", "",
         "## Fragility", "",
