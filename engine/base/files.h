@@ -4,8 +4,8 @@
 
 namespace gurney {
 
-/// What has this name, links followed. The functions of the standard library throw where no file can have
-/// it, as one of 300 characters; here nothing has it.
+/// Queries by name, links followed. The standard library throws for a name that no file can have, as one
+/// of 300 characters; here no file has it.
 inline bool is_file(const std::filesystem::path& path) {
   std::error_code impossible;
   return std::filesystem::is_regular_file(path, impossible);

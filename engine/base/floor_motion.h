@@ -27,11 +27,11 @@ class FloorMotion {
   /// @throws Error unless time_step > 0 and every value is finite.
   FloorMotion(double time_step, Eigen::Matrix3Xd acceleration, std::string name = {});
 
-  /// The same floor with a rotation, of as many samples.
+  /// Copy with a rotation of as many samples.
   /// @throws Error for another number of samples and for values that are not finite.
   FloorMotion with_rotation(const FloorRotation& rotation) const;
 
-  /// The same floor with its rotation times a factor.
+  /// Copy with the rotation times a factor.
   FloorMotion with_rotation_times(double factor) const;
 
   double time_step() const { return time_step_; }
@@ -47,7 +47,7 @@ class FloorMotion {
   /// Exact integral of the piecewise-linear acceleration from 0 to `time` [m/s].
   Vector3 velocity_at(double time) const;
 
-  /// The same of the angle [rad s] and of the angular acceleration [rad/s].
+  /// Integrals of the angle [rad s] and of the angular acceleration [rad/s].
   Vector3 integral_of_angle_at(double time) const;
   Vector3 angular_velocity_at(double time) const;
 

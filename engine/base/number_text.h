@@ -5,7 +5,7 @@
 
 namespace gurney {
 
-/// What may stand around a number; 0x1a is the end of text in DOS files.
+/// Blanks allowed around a number; 0x1a is the end of text in DOS files.
 inline constexpr std::string_view kNumberBlanks = " \t\v\f\x1a";
 
 /// The longest number at the start of `text`, which is shortened by it; nothing if there is none.

@@ -8,7 +8,7 @@
 /// may print. tests/system/python/unit_tables.py compares that of the Python package with it.
 namespace gurney {
 
-/// What is known of a quantity, by its SI unit.
+/// Properties of a quantity, by its SI unit.
 struct SiUnit {
   const char* name;
   const char* pelicun;     ///< what pelicun calls it; empty: it has no such unit

@@ -13,7 +13,7 @@
 namespace gurney::baselines {
 namespace {
 
-/// What the recorder reads of a step.
+/// Fills the outcome of a step that the recorder reads.
 void fill(double duration, const std::vector<double>& normal, const State& before,
           const State& after, ItemStage::Output& output) {
   output.acceleration.chassis = (after.velocity.chassis - before.velocity.chassis) / duration;

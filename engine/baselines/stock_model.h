@@ -23,7 +23,7 @@ class StockModel {
   virtual void step(double duration, const Vector3& gravity, const std::vector<Loads::Row>& rows,
                     const State& before, State& after) = 0;
 
-  /// Of the floor on each wheel in the last step, vertical [N].
+  /// Vertical force of the floor on each wheel in the last step [N].
   virtual const std::vector<double>& normal_forces() const = 0;
 };
 

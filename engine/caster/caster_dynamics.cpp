@@ -23,8 +23,9 @@ struct CrownPoint {
   double drop;  ///< of the tread's radius there [m]
 };
 
-/// With out(lean) = (w/2) (lean - begin) / (end - begin), a convex tread whose slope at that point
-/// is the lean has drop = integral of tan(lean) d out.
+/// Point of a crowned tread under a leaning wheel. With out(lean) = (w/2) (lean - begin) /
+/// (end - begin), a convex tread whose slope at that point is the lean has drop = integral of
+/// tan(lean) d out.
 CrownPoint crown_point(double lean, double half_width) {
   const double per_radian = half_width / (kCrownEnds - kCrownBegins);
   const double until = std::min(lean, kCrownEnds);

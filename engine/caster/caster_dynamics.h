@@ -59,7 +59,7 @@ class CasterDynamics {
   void evaluate(const Pose& pose, double swivel_angle, const Vector6& chassis_velocity,
                 const Eigen::Vector2d& joint_rates, const Vector3& gravity, Geometry& out) const;
 
-  /// What the floor sees of it: contact_geometry().
+  /// Geometry of the contact with the floor: contact_geometry().
   CasterGeometry<double> contact(const Pose& pose, double swivel_angle) const;
 
   /// A point of the fork (fork axes, relative to the mount), relative to O in floor axes.
@@ -81,15 +81,15 @@ class CasterDynamics {
   }
 
   static constexpr int kRimPoints = 12;
-  /// With these a wheel that lies meets what it lies on: at the edge of its tread, on its left or
-  /// right side. Fork axes, relative to the mount.
+  /// Contact points of a wheel that lies on its side: on the edge of its tread, left or right. Fork
+  /// axes, relative to the mount.
   std::array<Vector3, kRimPoints> rim(bool left) const;
 
   /// Where the crowned tread touches a plane that faces `direction` (unit, outwards, fork axes); of
   /// one that faces its side squarely, `found`. Fork axes, relative to the mount.
   Vector3 tread_point(const Vector3& direction, const Vector3& found) const;
 
-  /// The same in floor axes, relative to O; `found` in fork axes.
+  /// Point of the tread in floor axes, relative to O; `found` in fork axes.
   Vector3 tread_point(const Pose& pose, double swivel_angle, const Vector3& outwards,
                       const Vector3& found) const;
 
@@ -124,7 +124,7 @@ class CasterDynamics {
   Vector3 mount_;         // chassis axes, relative to O
   Vector3 wheel_center_;  // fork axes, relative to the mount
   Vector3 center_;        // of fork and wheel, fork axes, relative to the mount
-  // Of fork and wheel; the inertia is about center_, fork axes, with the wheel as not spinning.
+  // Constants of fork and wheel; the inertia is about center_, fork axes, with the wheel as not spinning.
   CasterConstants<double> constants_;
 };
 

@@ -4,7 +4,7 @@
 
 namespace gurney {
 
-/// Of one caster or of four.
+/// Energies of one caster or of four.
 template <class T>
 struct CasterEnergy {
   T kinetic{};        ///< [J]

@@ -133,6 +133,7 @@ template <class T>
   return fork;
 }
 
+/// Mass matrix and bias of a caster.
 /// With rho from the mount to the centre of mass C of the caster, r = O to C, and J its inertia
 /// about C, the momentum of the whole at (v, w, psi', theta') is
 ///

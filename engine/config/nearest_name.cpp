@@ -47,7 +47,7 @@ int largest_distance(const std::string& name) {
   return std::min(std::max(2, letters / 3), letters - 1);
 }
 
-/// The same word spelt otherwise, then one letter wrong, then a forgotten unit, then a typo:
+/// Order of preference: the word spelt otherwise, then one letter wrong, then a forgotten unit, then a typo:
 /// `swivel` is `swivels` and not the beginning of `swivel_lock`.
 const std::string* nearest(const std::string& name, const std::vector<std::string>& known) {
   constexpr std::size_t kLongest = 200;  // a file may have keys of megabytes

@@ -43,7 +43,7 @@ class Table {
 
   bool has(const std::string& key) { return find(key) != nullptr; }
 
-  /// What `key` means depends on something that is in error: none of its keys is called unknown.
+  /// Reports none of the keys of `key` as unknown: their meaning depends on something that is in error.
   void set_aside(const std::string& key);
 
   bool is_table(const std::string& key);
@@ -55,7 +55,7 @@ class Table {
   /// `message`, which begins with ": " or " = ".
   void note(const std::string& key, const std::string& message);
 
-  /// The same at number `index` of an array, or of the array `value` of a quantity: `key[2] = 90`
+  /// Error at number `index` of an array, or of the array `value` of a quantity: `key[2] = 90`
   /// and then `message`.
   void note_element(const std::string& key, std::size_t index, const std::string& message);
 

@@ -7,8 +7,8 @@
 
 namespace gurney::config {
 
-/// What numbers of one unit can be in any building on this planet, generously: beyond it a file is
-/// in error, and the arithmetic of a simulation would overflow.
+/// Generous limit of the numbers of one unit: beyond it a file is in error, and the arithmetic of a
+/// simulation would overflow.
 struct UnitLimit {
   const char* ending;  ///< of a key: "_kg"; a whole key where it has no unit: "friction"
   double smallest;     ///< of a number that must be above zero
@@ -21,7 +21,7 @@ std::span<const UnitLimit> unit_limits();
 /// part with a unit. Numbers without one have a limit too.
 const UnitLimit& unit_limit(const std::string& name);
 
-/// What `name` must be where `value`, which `range` contains, is beyond the limit of its unit; else
+/// Requirement on `name` where `value`, which `range` contains, is beyond the limit of its unit; else
 /// empty.
 std::string beyond_unit(const std::string& name, const Range& range, double value);
 

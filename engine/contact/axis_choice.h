@@ -6,7 +6,7 @@
 
 namespace gurney {
 
-/// Of the axes that may separate two convex bodies, the one along which they meet.
+/// Axis along which two convex bodies meet, among those that may separate them.
 ///
 /// Bodies that overlap, or that stay apart along some axis, meet along the one that separates them
 /// most, or on which they overlap least. Where several axes separate them and `motion` closes all -

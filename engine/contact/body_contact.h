@@ -16,7 +16,7 @@ struct BodyContact {
     /// Chassis: chassis axes, relative to its centre; wheel: fork axes, relative to the mount (the
     /// point does not turn with the axle).
     Vector3 local = Vector3::Zero();
-    /// Of a tread before a plane: against the plane's normal, unit, floor axes. The point is where
+    /// Direction of a tread before a plane: against the plane's normal, unit, floor axes. The point is where
     /// the tread is farthest this way, however the wheel turns, and `local` where that was when the
     /// contact was found. Zero: the point is `local`.
     Vector3 outwards = Vector3::Zero();
@@ -49,7 +49,7 @@ struct BodyContact {
   }
 };
 
-/// What such a contact remembers.
+/// State of such a contact.
 struct BodyContactState {
   BodyContact contact;
   Vector3 deflection = Vector3::Zero();  ///< tangential, floor axes [m]

@@ -71,7 +71,7 @@ struct Edge {
   Vector3 from, to;
 };
 
-/// Of the edges at the corner of `a` that is lowest along `normal`, the one most along the column.
+/// Edge of `a` most along the column, at the corner of `a` that is lowest along `normal`.
 Edge leading_edge(const ConvexShape& a, const Vector3& normal, const Cylinder& b) {
   const auto corner = [&](int i) { return a.corners[static_cast<std::size_t>(i)]; };
   int lowest = 0;

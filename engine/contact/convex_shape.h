@@ -27,7 +27,7 @@ struct ConvexShape {
   SurfacePiece facing(const Vector3& direction) const;
   /// The same, fixed to a body there.
   ConvexShape placed(const Quaternion& rotation, const Vector3& position) const;
-  /// The same into a shape that was placed before.
+  /// Places into a shape that was placed before.
   void place(const Quaternion& rotation, const Vector3& position, ConvexShape& result) const;
 };
 

@@ -7,7 +7,7 @@ namespace gurney {
 
 /// Force of the floor or a room shape on a body of the item (docs/theory/impact.md).
 ///
-/// With the compression d, its rate d' = -u_z and the approach speed v0 at the first touch:
+/// Law of an impact. With the compression d, its rate d' = -u_z and the approach speed v0 at the first touch:
 ///
 ///     N = k d (1 + g)  for d > 0, else 0,
 ///     restitution e:         g = max(x(e) d' / v0, -1),   (1 + e) x = ln((1 + x) / (1 - e x))

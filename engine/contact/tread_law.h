@@ -11,7 +11,7 @@ namespace gurney {
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 using Matrix5 = Eigen::Matrix<double, 5, 5>;
 
-/// What a tread remembers.
+/// State of a tread.
 struct TreadState {
   Vector3 deflection =
       Vector3::Zero();         ///< of the patch: x, y (floor axes) and (w/4) times spin [m]
@@ -27,7 +27,7 @@ struct TreadState {
 /// horizontal direction. Forces f = (F_x, F_y, N, T_spin / r_s, T_roll), so that f . u is the power
 /// given to the wheel.
 ///
-/// With the compression d and d' = -u_z:
+/// Law of a tread. With the compression d and d' = -u_z:
 ///
 ///     N  = k_n d + min(max(c_n d', -k_n d), k_n d)  for d > 0, else 0   (never pulls, continuous)
 ///     e' = (u_x, u_y, r_s w_spin) - (V / sigma) e - slip

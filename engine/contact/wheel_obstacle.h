@@ -23,8 +23,8 @@ class WheelObstacle {
   /// The point of the wheel that is lowest along a normal, in the same axes as the polyhedron.
   using Lowest = std::function<Vector3(const Vector3& normal)>;
 
-  /// Of `guess`, the normals of the faces and those between two faces at their edge, each less
-  /// than 30 degrees from `guess`, the one that leaves most. Of a corner it is `guess`.
+  /// Normal that leaves most, among `guess`, the normals of the faces and those between two faces at
+  /// their edge, each less than 30 degrees from `guess`. At a corner it is `guess`.
   Plane between(const Vector3& guess, const Lowest& lowest) const;
 
   /// Whether a point near the face with this normal is before or behind that face, and not beside

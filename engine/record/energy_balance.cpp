@@ -9,7 +9,7 @@
 namespace gurney {
 namespace {
 
-/// What can only grow. Sliding, relaxation and damping are parts of what one patch takes: a damped
+/// Energies that can only grow. Sliding, relaxation and damping are parts of what one patch takes: a damped
 /// deflection that rolls out of it gives to one part what it takes from another.
 std::array<double, 6> losses(const EnergyAccount& e) {
   return {e.rolling_loss, e.sliding_loss + e.relaxation_loss + e.tread_loss,

@@ -6,7 +6,7 @@
 
 namespace gurney {
 
-/// What the energy balance of one item misses, over the largest energy in play.
+/// Error of the energy balance of one item, over the largest energy in play.
 class EnergyBalance {
  public:
   /// Runs that miss more are untrusted. An energy that is off by 5 % moves a peak speed by 2.5 %

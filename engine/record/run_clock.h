@@ -29,7 +29,7 @@ class RunClock {
   bool check_due() const { return on_grid_ && grid_ % check_stride_ == 0; }
   bool keeps_history() const { return settings_.history_step > 0; }
 
-  /// Of one item: `speed` of its fastest part, `body_speed` without the joints of its casters, by
+  /// Motion of one item: `speed` of its fastest part, `body_speed` without the joints of its casters, by
   /// which an item that lies on the floor rests [m/s].
   struct ItemMotion {
     double speed = 0, body_speed = 0, tilt = 0;

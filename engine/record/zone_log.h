@@ -9,7 +9,7 @@
 
 namespace gurney {
 
-/// What stands in each zone of the room, and what free width it leaves.
+/// Items in each zone of the room, and the free width that they leave.
 class ZoneLog {
  public:
   ZoneLog(const Scene& scene, const Assembly& assembly);

@@ -24,7 +24,7 @@ struct PointDemands {
   double peak_displacement = 0;  ///< horizontal resultant relative to the floor [m]
   /// Resultant, at all times but impacts of the item whose law is restitution [m/s2].
   double peak_absolute_acceleration = 0;
-  /// Of these, during impacts with a stated stiffness, which it is as uncertain as; NaN: none
+  /// Peak during impacts with a stated stiffness, which it is as uncertain as; NaN: none
   /// [m/s2].
   double impact_acceleration = kNone;
   /// During impacts whose law is restitution; NaN: none. Restitution states no force: this number

@@ -11,11 +11,11 @@ struct EnergyAccount {
   double elastic = 0;        ///< stored in treads, stuck bearings, guides, blocks, cables
   double weight_energy = 0;  ///< kinetic and gravitational energy of drop weights and pulleys
 
-  /// Of the floor's inertia forces and of gravity that its rotation tilts.
+  /// Work of the floor's inertia forces and of gravity that its rotation tilts.
   double work_of_floor = 0;
   double work_of_forces = 0;    ///< of point forces and string potentiometers
   double work_of_fixtures = 0;  ///< of guides with prescribed motion and guides that hold
-  /// Of contacts between items, at the later item's side: what it gives, the earlier one takes.
+  /// Work of contacts between items, at the later item's side: what it gives, the earlier one takes.
   double work_of_neighbours = 0;
   double rolling_loss = 0;     ///< rolling resistance, W_R
   double sliding_loss = 0;     ///< sliding and scrub of the patch

@@ -24,7 +24,7 @@ struct Impact {
   double duration = 0;    ///< [s]
 };
 
-/// What happened in a zone of the room. An item is in it when the outline of its chassis' shape on
+/// Outcome in a zone of the room. An item is in it when the outline of its chassis' shape on
 /// the floor (the convex hull of each box, seen from above) reaches into it.
 struct ZoneOutcome {
   double time_of_entry = -1;  ///< first; < 0: nothing entered [s]

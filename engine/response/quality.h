@@ -2,7 +2,7 @@
 
 namespace gurney {
 
-/// What the numbers of a run are worth.
+/// Numerical quality of a run.
 struct Quality {
   static constexpr long kLargestHalvings = 6;
 

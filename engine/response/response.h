@@ -22,10 +22,10 @@ enum class Outcome { kRested, kStillMoving, kStopped, kOverturned, kDiverged, kU
 const char* name_of(Outcome outcome);
 /// Whether a run with this outcome has no demands: kDiverged and kUntrusted.
 bool is_failure(Outcome outcome);
-/// The same of an outcome by its name.
+/// Whether the outcome with this name is a failure.
 bool is_failure(std::string_view outcome);
 
-/// What a wheel does.
+/// Motion of a wheel on its contact.
 enum class WheelMode { kSticks, kRolls, kSkids, kBraked, kLifted };
 const char* name_of(WheelMode mode);
 
@@ -66,7 +66,7 @@ struct Sample {
   EnergyAccount energy;
 };
 
-/// What one item did.
+/// Response of one item.
 struct ItemResponse {
   Demands demands;
   EnergyAccount energy;  ///< at the end

@@ -16,7 +16,7 @@ enum class Solver {
   kBulletPaperDantzig,  ///< the same with the direct solver; a baseline
 };
 
-/// What run() is asked for: how each integration is made, by whom, and how accurately.
+/// Options of run(): how each integration is made, by whom, and how accurately.
 struct RunOptions : SimulationSettings {
   Solver solver = Solver::kImplicit;
   double peak_error = 0;  ///< > 0: the time step is halved until the peaks are this accurate, [0,

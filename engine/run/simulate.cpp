@@ -30,7 +30,7 @@ SceneState start_of(const Scene& scene, const Assembly& assembly) {
   return state;
 }
 
-/// That all items have reached, where one could not go on.
+/// Time that all items have reached, where one could not go on.
 double earliest_time(const SceneState& state) {
   return std::ranges::min(state.items, {}, &State::time).time;
 }

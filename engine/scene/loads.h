@@ -58,7 +58,7 @@ struct Blocks {
 
 using Load = std::variant<PointForce, StringPotentiometer, DropWeight, Blocks>;
 
-/// Those of one kind, in their order.
+/// Loads of one kind, in their order.
 template <class Kind>
 std::vector<Kind> loads_of(const std::vector<Load>& loads) {
   std::vector<Kind> result;
@@ -67,7 +67,7 @@ std::vector<Kind> loads_of(const std::vector<Load>& loads) {
   return result;
 }
 
-/// What a fixture does with one degree of freedom of the chassis (floor axes, at its centre of
+/// Constraint of a fixture on one degree of freedom of the chassis (floor axes, at its centre of
 /// mass).
 struct Guide {
   enum class Kind { kFree, kHeld, kVelocity, kSpring };

@@ -7,7 +7,7 @@
 
 #include "engine/base/vector.h"
 
-/// What stands still around the items, in floor axes.
+/// Walls and obstacles at rest around the items, in floor axes.
 namespace gurney {
 
 /// A box: wall, kerb, threshold, fixed furniture.

@@ -24,7 +24,7 @@ struct Assembly {
   double gap(const BodyContact& contact, const SceneState& state) const;
   /// Velocity of the first side relative to the other, floor axes [m/s].
   Vector3 velocity(const BodyContact& contact, const SceneState& state) const;
-  /// What a normal impulse at the contact feels of the chassis alone: less than all of it [kg].
+  /// Effective mass of the chassis alone for a normal impulse at the contact: less than all of it [kg].
   double effective_mass(const BodyContact& contact, const SceneState& state) const;
 
   /// Energy in the contacts whose first side is of this item [J].

@@ -9,7 +9,7 @@
 namespace gurney {
 
 /// Up to four casters of one item side by side in one implicit stage: what ItemStage needs of them.
-/// Of fewer than four the last one fills the lanes left, which are never read.
+/// Fewer than four casters are padded with the last one; padded lanes are never read.
 class CasterLanes {
  public:
   /// @param first  index of its first caster in Mechanism::casters

@@ -1,6 +1,6 @@
 #include "engine/solver/caster_lanes.h"
 
-// What a finished stage did to the casters.
+// Changes of the casters by a finished stage.
 namespace gurney {
 namespace {
 

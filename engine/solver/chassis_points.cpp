@@ -31,7 +31,7 @@ double face_gap(const ConvexShape& a, const ConvexShape& b) {
 
 }  // namespace
 
-/// That of the balls around both, or along the normals of a polyhedron's faces, or from a column's
+/// Gap of the balls around both, or along the normals of a polyhedron's faces, or from a column's
 /// axis: while it is above the margin, nothing is found. The least distance from a column's axis is
 /// that of a corner or across an edge, and both are axes of the search but for edges along the
 /// column within 1e-6.

@@ -44,7 +44,7 @@ class ChassisPoints {
     Clearance clearance;
     double arm = 0;  // of the turns of both [m]
   };
-  /// What is searched, and for what.
+  /// Objects and purpose of a search.
   struct Search {
     const SceneState& state;
     const Travels& travels;

@@ -7,7 +7,7 @@
 
 namespace gurney {
 
-/// What of an item may touch the flat floor besides a wheel on its tread: the corners of the
+/// Points of an item that may touch the flat floor besides a wheel on its tread: the corners of the
 /// chassis' boxes, and points on both rims of a wheel that lies on its side
 /// (CasterDynamics::lies), where the contact on one point of the tread has ended.
 ///

@@ -6,8 +6,8 @@
 
 namespace gurney {
 
-/// What the floor does to all that stands on it in one implicit stage, in the frame of the floor.
-/// With a its translation, theta its small rotation and r the place from the origin, a mass m feels
+/// Inertia forces of the floor in one implicit stage, in the frame of the floor. For a its translation,
+/// theta its small rotation and r the place from the origin, a mass m feels
 ///
 ///     m (g - a - theta x g - theta'' x r),
 ///
@@ -20,7 +20,7 @@ struct FloorStage {
   Vector3 angular_acceleration = Vector3::Zero();  ///< theta'' [rad/s2]
   bool rotates = false;
 
-  /// Of a point of the floor, in the inertial frame [m/s2].
+  /// Acceleration of a point of the floor, in the inertial frame [m/s2].
   Vector3 acceleration_at(const Vector3& place) const {
     return rotates ? translation + angular_acceleration.cross(place) : translation;
   }

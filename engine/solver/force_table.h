@@ -18,7 +18,7 @@ class ForceTable {
   const std::vector<double>& times() const { return time_; }
 
  private:
-  /// Of the line to point i >= 1 from the one before it.
+  /// Value of the line to point i >= 1 from the one before it.
   double on_line(std::size_t i, double time) const;
   double integral_on_line(std::size_t i, double end) const;
   /// The first point that is not before `time`.

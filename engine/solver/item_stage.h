@@ -29,7 +29,7 @@ class ItemStage {
     Loads::Stage loads;
   };
 
-  /// What the stage dissipated and how it ended, besides the new state and contacts.
+  /// Dissipation and end of the stage, besides the new state and contacts.
   struct Output {
     Velocity acceleration;    ///< (v - v_start) / tau
     EnergyAccount power;      ///< work and loss entries in W
@@ -85,7 +85,7 @@ class ItemStage {
 
  private:
   CasterLanes& lanes_of(int caster) { return casters_[static_cast<std::size_t>(caster) / kLanes]; }
-  /// Of the chassis and what it carries, linear and about its centre.
+  /// Momentum of the chassis and its load, linear and about its centre.
   Vector6 all_momentum(const Velocity& v) const;
 
   const Mechanism& mechanism_;

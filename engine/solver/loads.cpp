@@ -16,7 +16,7 @@ Vector6 row_of(const Pose& pose, const Vector3& point, const Vector3& direction)
 /// A force at its speed limit fades over this share of the limit.
 constexpr double kFading = 0.05;
 
-/// Of the force of a load's table, at the speed of its point along its direction.
+/// Share of the force of a load's table, at the speed of its point along its direction.
 struct Share {
   double value = 1;
   double slope = 0;  ///< -d value / d speed >= 0 [s/m]

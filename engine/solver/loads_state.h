@@ -6,7 +6,7 @@
 
 namespace gurney {
 
-/// What the loads of one item remember.
+/// State of the loads of one item.
 struct LoadsState {
   struct Weight {
     double fall = 0, speed = 0, stretch = 0;  ///< stretch of the cable [m]

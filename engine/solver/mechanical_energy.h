@@ -21,7 +21,7 @@ class MechanicalEnergies {
   MechanicalEnergy at(const State& state) const;
 
  private:
-  /// Of fewer than four the lanes left are zero.
+  /// Lanes beyond the last caster are zero.
   struct Casters {
     std::size_t first, count;
     CasterConstants<Lanes> body;

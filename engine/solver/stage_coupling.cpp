@@ -32,7 +32,7 @@ void solve_in_place(Eigen::Map<Eigen::MatrixXd> a, Eigen::Map<Eigen::VectorXd> x
 }  // namespace
 
 void StageSolver::coupled_steps(const Island& island, double tau, std::vector<Velocity>& v) {
-  // Those that may touch in this step and do not have equations of their own. A pair costs as much
+  // Pairs that may touch in this step and do not have equations of their own. A pair costs as much
   // either way.
   for (std::size_t i : island.items) group_of_[i] = island.items.size() > 2 ? i : island.items[0];
   for (const ContactWork& work : contacts_) {

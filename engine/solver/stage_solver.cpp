@@ -10,7 +10,7 @@ namespace gurney {
 namespace {
 
 /// A stage is solved again when a direction it was built on has turned by more than this [rad].
-/// What is left is second order in the step: the prediction misses by O(tau^2) where the motion is
+/// The remainder is second order in the step: the prediction misses by O(tau^2) where the motion is
 /// smooth.
 constexpr double kGeometryTolerance = 1e-3;
 constexpr int kMaxGeometryPasses = 6;

@@ -43,7 +43,7 @@ class StageSolver {
     Vector3 point = Vector3::Zero();  ///< on the item, floor axes [m]
   };
 
-  /// Of the island's items and contacts only; the rest is left as it was.
+  /// Results of the island's items and contacts only; the others are unchanged.
   struct Output {
     SceneState end;
     std::vector<ItemStage::Output> items;

@@ -23,7 +23,7 @@ struct Velocity {
   Velocity() { joints.fill(Eigen::Vector2d::Zero()); }
 };
 
-/// What one caster remembers.
+/// State of one caster.
 struct CasterState {
   double swivel_angle = 0;  ///< of the fork from the item's x axis [rad]
   double axle_angle = 0;    ///< [rad]

@@ -23,7 +23,7 @@ class StepControl {
   /// Errors of the steps of a motion to and fro add up like a random walk: those of the 1e4 steps
   /// of a run of 20 s by 100.
   static constexpr double kShareOfStep = 0.01;
-  /// Of settings.time_step: the shortest step.
+  /// Shortest step, as a share of settings.time_step.
   static constexpr double kShortest = 1.0 / 256;
 
   StepControl(const Assembly& assembly, const SimulationSettings& settings);
@@ -33,7 +33,7 @@ class StepControl {
   /// The longest next step of all items of the island; infinite while off [s].
   double longest(const Island& island) const;
 
-  /// What a tried step of an island came to.
+  /// Outcome of a tried step of an island.
   struct Trial {
     const Island& island;
     double duration;

@@ -19,7 +19,7 @@ namespace gurney {
 /// Advances the items of a scene in time with the two-stage method of quadrature.h: second order,
 /// L-stable. Items that may touch take their steps together, all others apart.
 ///
-/// With a tolerance it takes several steps of its own choice where one would be too inaccurate
+/// Given a tolerance it takes several steps of its own choice where one would be too inaccurate
 /// (StepControl); a rejected one changes nothing but the choice of the next.
 /// A step whose solve does not converge is halved, again and again down to `max_subdivisions`.
 /// Events that change the equations (a drop weight reaching its floor) are located inside the step
@@ -30,7 +30,7 @@ class Stepper {
  public:
   Stepper(const Assembly& assembly, const FloorMotion& floor, const SimulationSettings& settings);
 
-  /// What an accepted step did to the items and contacts of one island.
+  /// Effect of an accepted step on the items and contacts of one island.
   struct Step {
     const Island* island;
     double time, duration;  ///< at its start
@@ -57,7 +57,7 @@ class Stepper {
   /// Loads change at the state's time: blocks let go, and the last acceleration predicts nothing.
   void change_loads(SceneState& state);
 
-  /// As Scene::items.
+  /// Accounts in the order of Scene::items.
   const std::vector<EnergyAccount>& accounts() const { return accounts_; }
   const Quality& quality() const { return quality_; }
 

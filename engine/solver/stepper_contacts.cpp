@@ -56,7 +56,7 @@ double Stepper::longest_step(const Island& island, const SceneState& state, doub
     const double gap = -state.contacts[c].compression;
     return gap > 0 && gap > -2 * rates_[c - island.first_contact] * remaining;
   };
-  // Of each item, those that may push it side by side in this time; of an item alone, all.
+  // Contacts of each item that may push it side by side in this time; of an item alone, all.
   for (std::size_t i : island.items) contacts_of_[i] = 0;
   for (std::size_t c = island.first_contact; c < island.end_contact; ++c) {
     const BodyContact& contact = state.contacts[c].contact;

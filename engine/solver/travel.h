@@ -43,7 +43,7 @@ class Travels {
 /// after they have moved: their search for contacts can be left out.
 class Clearance {
  public:
-  /// Of gaps and sums of travel, in numbers of 64 bits; and of what gaps leave out (ChassisPoints).
+  /// Rounding of gaps and sums of travel in 64 bits, and the part that gaps omit (ChassisPoints).
   static constexpr double kRounding = 1e-5;  // [m]
 
   void measure(double gap, double travelled) { until_ = gap + travelled; }

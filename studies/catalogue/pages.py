@@ -1,10 +1,11 @@
 """Writes the pages of the fragility catalogue, docs/catalogue, from the tables of tables.py.
 
 usage: pages.py GURNEY RESULTS TABLES PAGES
+       pages.py --texts GURNEY TABLES PAGES
        pages.py --check GURNEY TABLES PAGES
 
-PAGES gets items.md (the overview), a page for each item, and their figures. --check writes nothing and ends with 1
-where the texts of the pages are not those of the tables.
+PAGES gets items.md (the overview), a page for each item, and their figures; with --texts no figures, which need the
+results of all runs. --check writes nothing and ends with 1 where the texts of the pages are not those of the tables.
 """
 
 import json
@@ -18,14 +19,14 @@ from catalogue import VARIANCE
 from tables import FURTHER, much_better
 
 WHERE = ("flexible building", "open")  # of the overview
-LIMITS = ["moved 0.1 m", "moved 0.3 m", "moved 1 m", "hit at 0.4 m/s", "hit at 0.8 m/s", "overturned"]
+MOVED = ["moved 0.1 m", "moved 0.3 m", "moved 1 m"]
+HIT = ["hit at 0.4 m/s", "hit at 0.8 m/s"]
 SETTINGS = ["off", "on", "locked"]
 SHOWN = 0.05  # of p, adjusted for the number of constants
 
 
-CAUTION = ("Computed under synthetic motions for a class of items, of which most parameters are assumed "
-           "([sources](../equipment.md#items)); not for a make, a site, or what is attached "
-           "([what it must not be used for](methods.md#what-it-must-not-be-used-for)).")
+CAUTION = ("Synthetic motions and a class of items with mostly assumed parameters ([sources](../equipment.md#items)): "
+           "[not for a make, a site or attachments](methods.md#what-it-must-not-be-used-for).")
 
 
 def wrapped(text, indent=""):
@@ -36,7 +37,7 @@ def cell(row):
     if row["theta"]:
         mark = "*" if row["cautions"] and ("only" in row["cautions"] or "extrapolated" in row["cautions"]) else ""
         return f"{float(row['theta']):.2f} ({float(row['beta']):.2f}){mark}"
-    return f"{row['exceed']} of {row['runs']}"
+    return f"{row['exceed']}/{row['runs']}"
 
 
 class Catalogue:
@@ -89,15 +90,25 @@ def best_and_second(row):
     return f"{row['best']}{mark} ({row['second']})" if row["second"] else row["best"] + mark
 
 
-def item_table(catalogue, item):
-    lines = ["| floor | place | brakes | " + " | ".join(LIMITS) + " | best measure (second) |",
-             "| --- " * (4 + len(LIMITS)) + "|"]
+def overturned_cell(rows):
+    """On an open floor an item hits only the floor, when it overturns: hits are stated where they differ from that."""
+    overturned = cell(rows["overturned"])
+    hits = [f"{limit}: {cell(rows[limit])}" for limit in HIT if cell(rows[limit]) != overturned]
+    return "; ".join([overturned] + hits)
+
+
+def item_table(catalogue, item, place):
+    limits = MOVED + (HIT if place == "bay" else []) + ["overturned"]
+    lines = ["| floor | brakes | " + " | ".join(limits) + " | best measure (second) |",
+             "| --- " * (3 + len(limits)) + "|"]
     for floor in catalogue.floors:
-        for place in ("open", "bay"):
-            for brakes in SETTINGS:
-                cells = [cell(catalogue.rows[(item, floor, place, brakes, limit)]) for limit in LIMITS]
-                cells.append(best_and_second(catalogue.measure_of[item, floor, place, brakes]))
-                lines.append(f"| {floor} | {place} | {brakes} | " + " | ".join(cells) + " |")
+        for brakes in SETTINGS:
+            rows = {limit: catalogue.rows[item, floor, place, brakes, limit] for limit in MOVED + HIT + ["overturned"]}
+            cells = [cell(rows[limit]) for limit in limits]
+            if place == "open":
+                cells[-1] = overturned_cell(rows)
+            cells.append(best_and_second(catalogue.measure_of[item, floor, place, brakes]))
+            lines.append(f"| {floor.removesuffix(' building')} | {brakes} | " + " | ".join(cells) + " |")
     return lines
 
 
@@ -154,23 +165,22 @@ def item_page(catalogue, advice, item, sheet):
         f"# {sheet['name']}", "", *wrapped(sheet["description"] + "."), "",
         *wrapped(f"{sheet['mass_kg']:.0f} kg, {size} mm, base over height {sheet['base_over_height']:.2f}, tips from "
                  f"{sheet['tips_from_g']:.2f} g where its wheels cannot roll. Data: `equipment/items/{item}.toml`."), "",
-        advice.line(item), "([rule](methods.md#what-to-do)).", *wrapped(CAUTION), "",
+        *wrapped(f"{advice.line(item)} ([rule](methods.md#what-to-do)). {CAUTION}"), "",
         f"![Plan and sides](images/{item}.svg)", "",
         f"![Fragility on an upper floor of the flexible building](images/{item}_fragility.svg)", "",
         "## Fragility", "",
-        "Median peak floor velocity [m/s] (standard deviation of its logarithm), or runs that exceed",
-        "([legend](methods.md#pages-of-the-items)).", "",
-        *item_table(catalogue, item), "",
-        "## Further limit states", "",
-        f"On an upper floor of the {WHERE[0]} ([what they bound](methods.md#further-limit-states)).", "",
+        "Median peak floor velocity [m/s] (logarithmic standard deviation) or runs that exceed",
+        "([legend](methods.md#pages-of-the-items)). Open floor:", "",
+        *item_table(catalogue, item, "open"), "",
+        "Bay:", "",
+        *item_table(catalogue, item, "bay"), "",
+        f"[Further limit states](methods.md#further-limit-states), {WHERE[0]}:", "",
         *further_table(catalogue, item), "",
-        "## What the scatter is due to", "",
-        f"Shares of the variance at a PGV of 0.8 m/s on an upper floor of the {WHERE[0]}",
-        "([method](methods.md#record-parameters-chaos)):", "",
+        "## Sources of scatter", "",
+        f"[Shares of the variance](methods.md#record-parameters-chaos) at a PGV of 0.8 m/s, {WHERE[0]}:", "",
         *variance_table(catalogue, item), "",
         *wrapped(constants_line(catalogue, item) + " [Method](methods.md#what-to-measure-first)."), "",
-        "## Intensity measure", "",
-        *wrapped("Best predictors of the peak displacement, with the number of configurations: "
+        *wrapped("Best predictors of the peak displacement (configurations): "
                  f"{best_measures(catalogue, item)}."), ""]
 
 
@@ -208,15 +218,16 @@ def stale(gurney, tables, folder):
 
 
 def main():
-    if sys.argv[1:2] == ["--check"] and len(sys.argv) == 5:
-        sys.exit("\n".join(stale(*sys.argv[2:])) or 0)
-    if len(sys.argv) != 5:
+    mode, arguments = (sys.argv[1], sys.argv[2:]) if sys.argv[1:2] in (["--check"], ["--texts"]) else ("", sys.argv[1:])
+    if len(arguments) != (3 if mode else 4):
         sys.exit(__doc__)
-    gurney, results, tables, pages = sys.argv[1:]
+    if mode == "--check":
+        sys.exit("\n".join(stale(*arguments)) or 0)
+    gurney, tables, pages = arguments[0], *arguments[-2:]
     os.makedirs(os.path.join(pages, "images"), exist_ok=True)
     for name, text in texts(gurney, tables).items():
-        if name != "items.md":
-            figures(gurney, name.removesuffix(".md"), results, os.path.join(pages, "images"))
+        if not mode and name != "items.md":
+            figures(gurney, name.removesuffix(".md"), arguments[1], os.path.join(pages, "images"))
         with open(os.path.join(pages, name), "w", encoding="utf-8") as file:
             file.write(text)
 

@@ -13,7 +13,7 @@ using verification::CaseRun;
 using verification::Check;
 using verification::StockRun;
 
-/// Of all cases of a family the check of each quantity that used most of its tolerance.
+/// The check of one quantity that used most of its tolerance, among all cases of a family.
 struct Row {
   std::string quantity;
   const CaseRun* run;
@@ -42,13 +42,20 @@ std::vector<const verification::Family*> families_of(const std::vector<CaseRun>&
   return families;
 }
 
-/// The number of a quantity on a stock solver.
+/// Error of a quantity on a stock solver.
 std::string stock_error(const StockRun& stock, const std::string& quantity) {
   const auto at = std::ranges::find(stock.findings.checks, quantity, &Check::quantity);
   return at == stock.findings.checks.end() ? "" : fmt::format("{:.1e}", at->error());
 }
 
 std::string code(const std::string& name) { return "`" + name + "`"; }
+
+std::string with_unit(const Check& check) {
+  return check.unit.empty() ? check.quantity : check.quantity + " [" + check.unit + "]";
+}
+
+/// A derivation that the row above has as well.
+const std::string kAsAbove = "as above";
 
 }  // namespace
 
@@ -65,8 +72,6 @@ std::string verification_markdown(const std::vector<CaseRun>& runs) {
                {{"", "closed form"},
                 {"", "quantity"},
                 {"", "worst case"},
-                {"", "unit"},
-                {"", "computed", {".5g"}},
                 {"", "reference", {".5g"}},
                 {"", "error", {".1e"}},
                 {"", "tolerance", {".1e"}},
@@ -75,7 +80,6 @@ std::string verification_markdown(const std::vector<CaseRun>& runs) {
               "",
               {{"", "case"},
                {"", "quantity"},
-               {"", "unit"},
                {"", "reference", {".5g"}},
                {"", "error of gurney", {".1e"}},
                {"", "of bullet"},
@@ -84,17 +88,20 @@ std::string verification_markdown(const std::vector<CaseRun>& runs) {
     const verification::Statement& s = family->statement;
     statements.add({code(s.name), s.title, s.equation, s.source,
                     std::ranges::count(runs, family, &CaseRun::family)});
-    for (const Row& row : rows_of(runs, family))
-      checks.add({code(s.name), row.quantity, row.run->set.name, row.check->unit,
-                  row.check->computed, row.check->reference, row.check->error(),
-                  row.check->tolerance, row.check->derivation});
+    std::string last;
+    for (const Row& row : rows_of(runs, family)) {
+      const Check& check = *row.check;
+      checks.add({code(s.name), with_unit(check), row.run->set.name, check.reference, check.error(),
+                  check.tolerance, check.derivation == last ? kAsAbove : check.derivation});
+      last = check.derivation;
+    }
   }
   for (const CaseRun& run : runs) {
     if (run.stock.size() != 2) continue;
     for (const Check& c : run.findings.checks) {
       const std::string bullet = stock_error(run.stock[0], c.quantity);
       if (!bullet.empty())
-        stock.add({code(run.name()), c.quantity, c.unit, c.reference, c.error(), bullet,
+        stock.add({code(run.name()), with_unit(c), c.reference, c.error(), bullet,
                    stock_error(run.stock[1], c.quantity)});
     }
   }
@@ -108,7 +115,8 @@ Written by `gurney verify --markdown`; [verification](verification.md) explains 
          R"(
 ## Worst case of each quantity
 
-For each quantity the case that uses most of its tolerance; `gurney verify --json` prints every case.
+For each quantity the case that uses most of its tolerance. The computed value is reference + error; `gurney verify
+--json` prints it for every case.
 
 )" + render::markdown(checks) +
          R"(

@@ -25,7 +25,9 @@ inline VerificationPage verification_page(std::istream& markdown) {
       else
         cells.back() += line[i];
     if (cells.size() == 5) page.statements.insert(cells);
-    if (cells.size() == 9) page.checks.push_back(cells);
+    if (cells.size() != 7) continue;
+    if (cells.back() == " as above ") cells.back() = page.checks.back().back();
+    page.checks.push_back(cells);
   }
   return page;
 }
@@ -40,10 +42,10 @@ inline VerificationPage shipped_verification_page() {
   return verification_page(file);
 }
 
-/// What does not depend on numbers: of each check the closed form, quantity, unit and derivation.
+/// The parts of each check that do not depend on numbers: closed form, quantity with unit, derivation.
 inline std::set<std::string> words_of_checks(const VerificationPage& page) {
   std::set<std::string> words;
-  for (const auto& cells : page.checks) words.insert(cells[0] + cells[1] + cells[3] + cells[8]);
+  for (const auto& cells : page.checks) words.insert(cells[0] + cells[1] + cells[6]);
   return words;
 }
 

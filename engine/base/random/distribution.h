@@ -13,7 +13,7 @@ class Distribution {
  public:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-  /// What is left of a distribution between its bounds must have at least this probability.
+  /// Least probability that a distribution must have between its bounds.
   static constexpr double kLeastKept = 1e-6;
 
   /// Truncated to [low, high].

@@ -41,15 +41,15 @@ class Draw {
   static Draw of_saltelli(std::uint64_t seed, std::uint64_t run, const SaltelliRow& row,
                           std::shared_ptr<const Streams> inputs);
 
-  /// The same draw for a part: names of variables begin with `part/`, groups keep theirs.
+  /// This draw for a part: names of variables begin with `part/`, groups keep theirs.
   Draw of_part(const std::string& part) const;
 
   std::string full_name(const std::string& variable) const;  ///< with the parts before it
 
   /// The probability, in (0, 1), at which the variable's quantile function is to be taken.
   ///
-  /// With u uniform, of a Latin hypercube, or of a Sobol sequence, it is
-  /// u itself where the variable is independent; else Phi(r z_group + sqrt(1 - r^2) z) with
+  /// It is u, uniform, of a Latin hypercube or of a Sobol sequence, where the variable is
+  /// independent; else Phi(r z_group + sqrt(1 - r^2) z) with
   /// z = Phi^-1(u), z_group alone where r is 1, r the correlation: a Gaussian copula
   /// (docs/theory/uncertainty.md). In a Latin hypercube the score is put into the cell of its rank
   /// among all draws: stratified_member().

@@ -11,7 +11,7 @@ namespace gurney {
 /// counter (index, 0, 0, 0): the middle of the cell given by the upper 53 bits of its first word.
 double uniform_draw(std::uint64_t seed, std::uint64_t stream, std::uint64_t index);
 
-/// The same made standard normal by normal_quantile().
+/// Standard normal draw: uniform_draw() through normal_quantile().
 double normal_draw(std::uint64_t seed, std::uint64_t stream, std::uint64_t index);
 
 /// Inverse of the standard normal distribution function, relative error about 1e-16 (algorithm

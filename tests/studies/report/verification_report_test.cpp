@@ -122,14 +122,11 @@ TEST(VerificationPage, HasNothingThatTheProgramDoesNotWrite) {
   EXPECT_THAT(missing, testing::IsEmpty()) << "write the tables anew: gurney verify --markdown";
 }
 
-// The numbers are those of another machine and must agree by themselves.
-TEST(VerificationPage, HasNumbersThatAgree) {
+// Numbers may come from another machine; each error must be within its tolerance, which has as few digits.
+TEST(VerificationPage, HasErrorsWithinTolerances) {
   for (const auto& cells : shipped_verification_page().checks) {
-    const double computed = std::stod(cells[4]), reference = std::stod(cells[5]);
-    const double error = std::stod(cells[6]);  // two digits; the others have five
-    EXPECT_LE(std::abs(error), 1.06 * std::stod(cells[7])) << cells[0] << cells[1];
-    EXPECT_NEAR(computed - reference, error, 1e-4 * std::abs(reference) + 0.06 * std::abs(error))
-        << cells[0] << cells[1];
+    EXPECT_LE(std::abs(std::stod(cells[4])), 1.06 * std::stod(cells[5])) << cells[0] << cells[1];
+    EXPECT_NO_THROW(std::stod(cells[3])) << cells[0] << cells[1];
   }
 }
 
