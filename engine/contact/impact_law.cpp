@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/contact/one_sided_spring.h"
+
 namespace gurney {
 namespace {
 
@@ -90,7 +92,8 @@ ImpactLaw::Result ImpactLaw::finish(const Stage& stage, const Vector3& u,
   result.compression = stage.compression - stage.tau * u.z();
   const Normal n = normal(stage, u.z());
   result.damping_power = -n.damping_force * u.z();
-  if (result.compression > 0) result.spring_rates = stiffness_ * u.z() * u.z();
+  result.spring_rates =
+      one_sided_rates(stiffness_, stage.compression, result.compression, stage.tau);
   // Between the end of the force and that of the overlap the deflection still relaxes.
   if (result.compression <= 0) {
     result.spring_rates += tangential_stiffness_ * (stage.deflection / stage.tau).squaredNorm();

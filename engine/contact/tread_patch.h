@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/contact/one_sided_spring.h"
 #include "engine/contact/tread_quantities.h"
 
 /// The equations of TreadLaw, for one tread or for four.
@@ -134,10 +135,10 @@ TreadOutcome<T> tread_outcome(const TreadConstants<T>& c, const TreadStage<T>& s
 
   const Vec3<T> patch_rate = (result.deflection - start) / stage.tau;
   const T roll_rate = (result.roll_deflection - stage.roll_deflection) / stage.tau;
-  const T normal_rate = select(result.compression > T{}, u.normal, T{});
-  result.spring_rates = c.normal_stiffness * normal_rate * normal_rate +
-                        c.tangential_stiffness * dot(patch_rate, patch_rate) +
-                        c.roll.stiffness * roll_rate * roll_rate;
+  result.spring_rates =
+      one_sided_rates(c.normal_stiffness, stage.compression, result.compression, stage.tau) +
+      c.tangential_stiffness * dot(patch_rate, patch_rate) +
+      c.roll.stiffness * roll_rate * roll_rate;
   return result;
 }
 

@@ -63,8 +63,8 @@ struct Demands {
   /// [m], until it falls; NaN: it stands on the floor.
   double peak_slide = std::numeric_limits<double>::quiet_NaN();
   double time_of_fall = -1;  ///< centre of mass below that surface; < 0: it did not fall [s]
-  std::vector<WheelDemands> wheels;              ///< one for each caster
-  std::vector<PointDemands> points;              ///< one for each marked point
+  std::vector<WheelDemands> wheels;  ///< one for each caster
+  std::vector<PointDemands> points;  ///< one for each marked point
 };
 
 }  // namespace gurney

@@ -23,8 +23,7 @@ bool lies_in(const Box& box, const Vector2& point) {
 std::optional<double> top_of(const EquipmentModel& model, const Vector2& point) {
   std::optional<double> top;
   for (const Box& box : model.shape)
-    if (lies_in(box, point))
-      top = std::max(top.value_or(0), box.center.z() + box.size.z() / 2);
+    if (lies_in(box, point)) top = std::max(top.value_or(0), box.center.z() + box.size.z() / 2);
   return top;
 }
 
@@ -100,8 +99,9 @@ void stand_on(Scene& scene, std::size_t index, const std::string& name, const co
     if (top && below.on) *top += below.on->height;
   }
   if (!top)
-    return of.error(spot, stated + fmt::format(": nothing of it lies below position_m = [{:g}, {:g}]",
-                                               place.x(), place.y()));
+    return of.error(spot,
+                    stated + fmt::format(": nothing of it lies below position_m = [{:g}, {:g}]",
+                                         place.x(), place.y()));
   on->height = *top;
   item.on = *on;
 }

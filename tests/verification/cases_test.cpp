@@ -1,11 +1,10 @@
-#include "studies/verification/family.h"
-
 #include <gtest/gtest.h>
 
 #include <ostream>
 #include <set>
 
 #include "studies/report/verification_report.h"
+#include "studies/verification/family.h"
 #include "studies/verification/verify.h"
 #include "tests/support/verification_page.h"
 

@@ -1,9 +1,10 @@
+#include "studies/verification/cases/drop_weight.h"
+
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "engine/run/simulate.h"
-#include "studies/verification/cases/drop_weight.h"
 
 // What the closed forms of studies/verification/cases/drop_weight.cpp do not say.
 namespace gurney {

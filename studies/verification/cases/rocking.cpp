@@ -315,6 +315,7 @@ void find_regions(const Sine& c, Runner& runner) {
     runner.check("overturns at 0.6 of it", "",
                  end(0.6 * regions.c) == RockingEnd::kStands ? 0. : 1.,
                  exactly(0, "no impact helps it to overturn"));
+    return;
   }
   const double inside = 0.5 * (regions.a + regions.b);
   const auto moved = [&](double boundary, double without) {
