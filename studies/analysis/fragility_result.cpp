@@ -182,6 +182,15 @@ FragilityResult fragility_of(const StudyData& data, const FragilityRequest& requ
   return result;
 }
 
+std::vector<FragilityResult> fragilities_of(const StudyData& data) {
+  std::vector<FragilityResult> all;
+  for (std::size_t i = 0; i < data.configurations().size(); ++i)
+    for (std::size_t state = 0; state < data.limit_states().size() && !data.runs_of(i).empty();
+         ++state)
+      all.push_back(fragility_of(data, {.state = state, .configuration = i}));
+  return all;
+}
+
 namespace {
 
 const FragilityResult* find(const std::vector<FragilityResult>& results, const std::string& state,

@@ -70,6 +70,9 @@ struct FragilityResult : FittedCurve {
 /// @throws Error for a measure that the file lacks
 FragilityResult fragility_of(const StudyData& data, const FragilityRequest& request);
 
+/// Over the study's own measure, of each configuration that has runs and each limit state.
+std::vector<FragilityResult> fragilities_of(const StudyData& data);
+
 /// How likely each performance level is the worst that is reached, at some intensities.
 struct PerformanceTable {
   std::string configuration;

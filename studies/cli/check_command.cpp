@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
-#include <thread>
 
+#include "engine/base/parallel.h"
 #include "engine/base/printable.h"
 #include "engine/base/units.h"
 #include "equipment/catalogue/check_file.h"
@@ -182,9 +181,7 @@ Answer check_run(const std::string& job) {
 int check_command(const CheckOptions& options) {
   require_job(options.job, "check");
   if (equipment::holds_equipment(options.job)) return check_equipment({options.job}, options.json);
-  const int threads = options.threads > 0
-                          ? options.threads
-                          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int threads = threads_or_all(options.threads);
   const Answer answer = study::has_study(options.job)
                             ? check_study(study::StudyJob(options.job), threads)
                             : check_run(options.job);

@@ -8,6 +8,7 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <new>
 #include <sstream>
@@ -28,6 +29,7 @@
 #include "studies/cli/signals.h"
 #include "studies/cli/standard_error.h"
 #include "studies/cli/units_option.h"
+#include "studies/render/emphasis.h"
 
 namespace gurney::cli {
 namespace {
@@ -90,6 +92,16 @@ void add_replay(CLI::App& app, std::function<int()>& action) {
   replay->callback([shared, &action] { action = [shared] { return replay_command(*shared); }; });
 }
 
+void add_colour(CLI::App& app) {
+  using enum render::Colour;
+  const std::map<std::string, render::Colour> known = {
+      {"auto", kAuto}, {"always", kAlways}, {"never", kNever}};
+  app.add_option_function<std::string>(
+         "--color", [known](const std::string& when) { render::set_colour(known.at(when)); },
+         "Bold titles: auto (on a terminal, unless NO_COLOR is set), always, never")
+      ->check(CLI::IsMember({"auto", "always", "never"}));
+}
+
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
@@ -105,13 +117,21 @@ CLI::App& command_at(CLI::App& app, const std::vector<std::string>& words) {
   return *at;
 }
 
+struct Group {
+  const char* name;
+  std::vector<AddCommand*> commands;
+};
+
 /// In the order of the help.
-constexpr AddCommand* kAddCommands[] = {
-    add_run,     add_check,     add_replay,    add_show,        add_plot,
-    add_play,    add_explain,   add_report,    add_fragility,   add_export,
-    add_compare, add_pulling,   add_measures,  add_sensitivity, add_converge,
-    add_records, add_equipment, add_calibrate, add_verify,      add_merge,
-    add_status,  add_submit,    add_new,       add_doctor,      add_completion};
+const Group kGroups[] = {
+    {"Simulate", {add_run, add_check, add_replay, add_new}},
+    {"Look at one run", {add_show, add_explain, add_play, add_plot}},
+    {"Analyse studies",
+     {add_report, add_fragility, add_compare, add_measures, add_sensitivity, add_export}},
+    {"Motions and equipment", {add_records, add_equipment}},
+    {"Verify and calibrate", {add_verify, add_converge, add_pulling, add_calibrate}},
+    {"Clusters", {add_submit, add_status, add_merge}},
+    {"Program", {add_doctor, add_completion}}};
 
 /// What is wrong with the command, before its options are looked at; empty if nothing is.
 std::string unknown_command(CLI::App& app, const std::vector<std::string>& words) {
@@ -216,13 +236,20 @@ int run_command_line(int argc, char** argv) {
   CLI::App app("What will hospital equipment on casters do when the floor shakes?", "gurney");
   app.set_version_flag("--version", version(), "Print versions of the program and its libraries");
   app.formatter(std::make_shared<HelpFormat>());
+  app.fallthrough();  // options of the program are known behind a command too
+  add_colour(app);
   app.require_subcommand(0, 1);  // what follows it is no command, as in: verify pulling
   app.footer(
       "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 a run failed or a check failed, "
       "130/143 interrupted.");
   std::function<int()> action;
-  for (AddCommand* const add : kAddCommands) add(app, action);
+  for (const Group& group : kGroups)
+    for (AddCommand* const add : group.commands) {
+      add(app, action);
+      app.get_subcommands(nullptr).back()->group(group.name);
+    }
   app.add_subcommand("help", "Print this help, or that of a command: help records scale")
+      ->group("Program")
       ->add_flag("--man")
       ->description("Print the manual page gurney(1)");
   describe_commands(app);

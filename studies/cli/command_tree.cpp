@@ -30,6 +30,7 @@ const std::map<std::string, std::string> kValues = {{"--output", "FILE"},
                                                     {"--periods", "LOW:HIGH"},
                                                     {"--shard", "I/N"},
                                                     {"--time", "TIME"},
+                                                    {"--color", "WHEN"},
                                                     {"--width", "WIDTH"},
                                                     {"--step", "STEP"},
                                                     {"--unit", "UNIT"},
@@ -106,7 +107,7 @@ void name_values(CLI::App& app) {
   for (CLI::Option* option : app.get_options())
     if (option->get_items_expected_max() > 0) option->type_name(value_name(path_of(app), *option));
   for (CLI::App* command : app.get_subcommands({})) {
-    command->group("Commands");
+    if (app.get_parent() != nullptr) command->group("Commands");
     name_values(*command);
   }
 }

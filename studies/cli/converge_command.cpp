@@ -1,8 +1,7 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
-#include <thread>
 
+#include "engine/base/parallel.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
 #include "studies/cli/job_argument.h"
@@ -25,9 +24,7 @@ struct ConvergeOptions {
 };
 
 int converge_command(const ConvergeOptions& options) {
-  const int threads = options.threads > 0
-                          ? options.threads
-                          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int threads = threads_or_all(options.threads);
   require_job(options.job, "converge");
   options.figure.check(options.overwrite);
   const study::Convergence found =

@@ -4,9 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
-#include <thread>
 
 #include "engine/base/error.h"
+#include "engine/base/parallel.h"
 #include "studies/cli/case_again.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/explained_case.h"
@@ -68,11 +68,8 @@ int explain(const ExplainOptions& options) {
   const explanation::Explanation found = explained(again, options.units).explanation;
   std::optional<explanation::WhatIf> what;
   if (options.what_if && !found.failed)
-    what = explanation::what_if(
-        again.run.facts, found, replicas_of(options, found),
-        options.threads > 0 ? options.threads
-                            : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
-        VariantProgress());
+    what = explanation::what_if(again.run.facts, found, replicas_of(options, found),
+                                threads_or_all(options.threads), VariantProgress());
   if (!options.figure.empty())
     options.figure.write(figures::explanation_figure(found), options.overwrite, options.json);
   print_findings(report::explanation_findings(found, what ? &*what : nullptr), options.json);

@@ -1,14 +1,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
+#include "engine/base/parallel.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/job_of_log.h"
 #include "studies/cli/standard_error.h"
@@ -64,7 +63,7 @@ int merge_command(const MergeOptions& options) {
   const study::StudyMotions motions(job);
   const study::Plan plan(job, motions);
   const study::Batch batch{job, motions, plan};
-  motions.read_all(std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+  motions.read_all(threads_or_all());
   for (const char* ending : {".h5", ".log"})
     study::refuse_input(fs::path(results).replace_extension(ending).string());
 

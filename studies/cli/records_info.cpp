@@ -54,7 +54,7 @@ int info(const InfoOptions& options) {
       options.source, nullptr,
       [&](const groundmotions::SuiteRecord& entry, const groundmotions::Record& record) {
         fmt::print("{}{}", first ? "" : "\n",
-                   printable(render::text(report::record_report(record, entry.facts, measures))));
+                   render::text(report::record_report(record, entry.facts, measures)));
         first = false;
       });
 }

@@ -2,15 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <new>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
+#include "engine/base/parallel.h"
 #include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
 #include "studies/cli/scale_warnings.h"
@@ -150,9 +149,7 @@ int run_study(const RunOptions& options) {
   const study::Shard shard = shard_of(options);
   const Paths paths = paths_for(options, shard);
   const study::StudyJob job(options.job);
-  const int threads = options.threads > 0
-                          ? options.threads
-                          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int threads = threads_or_all(options.threads);
   const study::StudyMotions motions(job);
   const study::Plan plan(job, motions);
   const study::Batch batch{job, motions, plan};

@@ -19,6 +19,7 @@
 #include "studies/report/failed_runs.h"
 #include "studies/report/overview_report.h"
 #include "studies/report/scale_factors.h"
+#include "studies/report/study_report.h"
 #include "studies/results/output_files.h"
 #include "studies/run/declared_ranges.h"
 
@@ -55,13 +56,20 @@ class FactorsOfTasks {
   study::ScaleFactors factors_;
 };
 
-constexpr std::size_t kMaxRunsReadBack = 5'000, kMaxRows = 20;
+constexpr std::size_t kMaxRunsReadBack = 5'000, kMaxRows = 20, kMaxCurves = 12;
 
 /// Shares of runs that exceed limit states, and the commands that answer more.
 void print_shares(const study::StudyOverview& overview) {
   findings::Table shares = report::share_findings(overview);
   shares.most = kMaxRows;
   fmt::print("\n{}\n", render::text(shares));
+  const std::size_t curves = overview.configurations.size() * overview.states.size();
+  if (!overview.measure.empty() && curves > 0 && curves <= kMaxCurves) {
+    const study::StudyData data(overview.file.path, {}, {}, overview.units);
+    findings::List answers = report::answers_of(overview, data, study::fragilities_of(data));
+    answers.broken = true;
+    fmt::print("{}\n", render::text(findings::Section{}.add(std::move(answers))));
+  }
   const std::string file = shell_word(overview.file.path);
   const std::string page =
       shell_word(fs::path(overview.file.path).replace_extension(".html").string());

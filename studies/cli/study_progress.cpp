@@ -37,7 +37,9 @@ void StudyProgress::operator()(const study::BatchProgress& now) {
                   100.0 * static_cast<double>(now.done) / static_cast<double>(now.tasks), now.runs,
                   static_cast<double>(now.runs_now) / seconds, now.overturned,
                   report::failed_runs(now.failed, now.untrusted),
-                  last ? std::string() : ", " + duration_text(to_go) + " to go");
+                  last ? std::string()
+                       : fmt::format(", {} elapsed, {} to go", duration_text(now.seconds),
+                                     duration_text(to_go)));
   if (terminal_ && !last) text.resize(std::min(text.size(), terminal_width() - 1));
   write_error((terminal_ ? "\r" : "") + text + (terminal_ && !last ? "\x1b[K" : "\n"));
 }

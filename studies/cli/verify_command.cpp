@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
+#include "engine/base/parallel.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/figure_output.h"
 #include "studies/figures/verification_figures.h"
@@ -75,9 +75,7 @@ int verify(VerifyOptions options, bool drawn) {
     const study::OutputFiles files(options.overwrite);
     for (const CaseRun& each : runs) files.check(figure_path(options, each));
   }
-  const int threads = options.threads > 0
-                          ? options.threads
-                          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int threads = threads_or_all(options.threads);
   const bool in_full = !options.selection.names.empty() && !drawn;
   const bool text = !options.json && !options.markdown;
   run_all(runs, !drawn, threads, [&](const CaseRun& each) {

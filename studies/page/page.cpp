@@ -69,12 +69,8 @@ StudyPage::StudyPage(const PageRequest& request)
     : path(request.file),
       job(request.job),
       overview(study::study_overview(path, request.assessed_by, request.units)),
-      data(path, request.assessed_by, {}, request.units) {
-  for (std::size_t i = 0; i < data.configurations().size(); ++i)
-    for (std::size_t state = 0; state < data.limit_states().size(); ++state)
-      if (!data.runs_of(i).empty())
-        fragilities.push_back(
-            study::fragility_of(data, {.state = state, .configuration = i, .measure = ""}));
+      data(path, request.assessed_by, {}, request.units),
+      fragilities(study::fragilities_of(data)) {
   if (overview.draws > 0) sensitivities = sensitivities_of(data);
   try {
     scene = scene_of_study(data.file(), request.job);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/base/printable.h"
+#include "studies/render/emphasis.h"
 #include "studies/render/render.h"
 #include "studies/render/wrapped.h"
 
@@ -24,7 +26,8 @@ std::string padded(const std::string& text, std::size_t width, bool right) {
 bool is_shown(const Fact& fact) { return !fact.label.empty() && !fact.value.is_missing(); }
 
 std::string value_text(const Fact& fact) {
-  return with_unit(fact.value, fact.format) + (fact.note.empty() ? "" : ", " + fact.note);
+  return printable(with_unit(fact.value, fact.format) +
+                   (fact.note.empty() ? "" : ", " + fact.note));
 }
 
 std::string more(std::size_t count, const std::string& indent) {
@@ -50,7 +53,7 @@ std::vector<Cells> cells_of(const Table& table, std::size_t rows, bool units_bel
     if (units_below) of.cells.push_back(unit.empty() ? "" : "[" + unit + "]");
     for (std::size_t row = 0; row < rows; ++row) {
       const Cell& cell = table.rows[row].at(i);
-      of.cells.push_back(written(cell.value, cell.format_in(column)));
+      of.cells.push_back(printable(written(cell.value, cell.format_in(column))));
       of.right &= !std::holds_alternative<std::string>(cell.value);
     }
     columns.push_back(std::move(of));
@@ -68,21 +71,23 @@ std::string table_text(const Table& table, const std::string& indent) {
   if (width > render::columns() + 2 &&
       std::ranges::any_of(table.columns, [](const Column& of) { return !of.format.unit.empty(); }))
     columns = cells_of(table, rows, true);
-  std::string all = table.title.empty() ? "" : indent + table.title + "\n";
+  std::string all = table.title.empty() ? "" : indent + bold(table.title) + "\n";
+  const std::size_t headings = columns.front().cells.size() - rows;
   for (std::size_t row = 0; row < columns.front().cells.size(); ++row) {
     std::string line = indent;
     for (const Cells& of : columns)
       line += (&of == &columns.front() ? "" : "  ") + padded(of.cells[row], of.width(), of.right);
-    all += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    line.erase(line.find_last_not_of(' ') + 1);
+    all += (row < headings ? bold(line) : line) + "\n";
   }
   return all + more(table.rows.size() - rows, indent);
 }
 
 std::string list_text(const List& list, const std::string& indent) {
-  std::string all = indent + list.title + "\n";
+  std::string all = indent + bold(list.title) + "\n";
   std::size_t shown = 0, lines = 0;
   for (; shown < list.lines.size(); ++shown) {
-    std::string text = "  " + list.lines[shown];
+    std::string text = "  " + printable(list.lines[shown]);
     lines += 1 + static_cast<std::size_t>(std::ranges::count(text, '\n'));
     if (shown > 0 && lines > list.most) break;
     if (list.broken && indent.size() + width_of(text) > columns()) {
@@ -173,7 +178,7 @@ std::string parts_text(const Shown& parts, const std::string& indent) {
       all += indent + padded(fact->label, width, false) + "  " +
              fitted(value_text(*fact), indent.size() + width + 2) + "\n";
     if (sentence != nullptr)
-      all += indent + wrapped(sentence->text, indent.size(), indent.size()) + "\n";
+      all += indent + wrapped(printable(sentence->text), indent.size(), indent.size()) + "\n";
     if (const auto* table = std::get_if<Table>(parts[i])) {
       const std::vector<Table> groups = groups_of(*table);
       for (const Table& group : groups)
@@ -181,8 +186,8 @@ std::string parts_text(const Shown& parts, const std::string& indent) {
     }
     if (const auto* list = std::get_if<List>(parts[i])) all += list_text(*list, indent);
     if (const auto* section = std::get_if<Section>(parts[i]))
-      all +=
-          indent + section->title + "\n" + parts_text(shown_parts(section->parts), indent + "  ");
+      all += indent + bold(section->title) + "\n" +
+             parts_text(shown_parts(section->parts), indent + "  ");
   }
   return all;
 }
@@ -190,7 +195,7 @@ std::string parts_text(const Shown& parts, const std::string& indent) {
 }  // namespace
 
 std::string text(const Section& section) {
-  return (section.title.empty() ? "" : section.title + "\n") +
+  return (section.title.empty() ? "" : bold(section.title) + "\n") +
          parts_text(shown_parts(section.parts), "");
 }
 

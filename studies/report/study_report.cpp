@@ -79,13 +79,18 @@ findings::Texts cautions_of(const study::StudyOverview& overview, const study::S
 
 }  // namespace
 
+findings::List answers_of(const study::StudyOverview& overview, const study::StudyData& data,
+                          const std::vector<study::FragilityResult>& fragilities) {
+  findings::List answers{"", "Intensity at which a limit state is exceeded"};
+  for (const study::FragilityResult& each : fragilities)
+    answers.lines.push_back(headline(overview, each, study::report_unit(data, each.measure)));
+  return answers;
+}
+
 findings::Section study_findings(const study::StudyOverview& overview, const study::StudyData& data,
                                  const std::vector<study::FragilityResult>& fragilities) {
-  findings::Texts answers;
-  for (const study::FragilityResult& each : fragilities)
-    answers.push_back(headline(overview, each, study::report_unit(data, each.measure)));
   findings::Section all;
-  all.list("", "Intensity at which a limit state is exceeded", std::move(answers));
+  all.add(answers_of(overview, data, fragilities));
   return std::move(all.list("", findings::kCautions, cautions_of(overview, data, fragilities)));
 }
 
