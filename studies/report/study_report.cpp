@@ -81,7 +81,7 @@ findings::Texts cautions_of(const study::StudyOverview& overview, const study::S
 
 findings::List answers_of(const study::StudyOverview& overview, const study::StudyData& data,
                           const std::vector<study::FragilityResult>& fragilities) {
-  findings::List answers{"", "Intensity at which a limit state is exceeded"};
+  findings::List answers{"", "Intensity at which a limit state is exceeded", {}};
   for (const study::FragilityResult& each : fragilities)
     answers.lines.push_back(headline(overview, each, study::report_unit(data, each.measure)));
   return answers;
