@@ -61,6 +61,7 @@ void add_run(CLI::App& app, std::function<int()>& action) {
       run->add_flag("--json", options.json, "Print the summary as JSON, in SI units");
   json->excludes(units);
   run->add_flag("-q,--quiet", options.quiet, "Print warnings and errors only")->excludes(json);
+  run->add_flag("--verbose", options.verbose, "Print what is zero too")->excludes(json);
   run->add_flag("--no-figure", options.no_figure, "Draw no figure");
   add_figure_format(*run, options.figures);
   run->add_flag("--resume", options.resume, "Continue an interrupted study");

@@ -50,7 +50,8 @@ int replay_command(const ReplayOptions& options) {
                          options.no_figure,
                          options.figures,
                          false,
-                         options.units};
+                         options.units,
+                         true};
   check_output(output);
   const Response response = run_and_write(study_case.prepared(), output);
   const std::string differs = study_case.difference(response);

@@ -29,8 +29,8 @@ RunOutput output_of(const RunOptions& options) {
     results = fs::path("out") / fs::path(options.job).stem().replace_extension(".h5");
   require(results.extension() == ".h5",
           options.output + ": the results file must end in .h5 (-o FILE.h5)");
-  return {results,           options.job,     options.overwrite, options.json,
-          options.no_figure, options.figures, options.quiet,     options.units};
+  return {results,         options.job,   options.overwrite, options.json,   options.no_figure,
+          options.figures, options.quiet, options.units,     options.verbose};
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ struct RunOptions {
   bool overwrite = false;
   bool json = false;
   bool quiet = false;  ///< print no summary and no progress
+  bool verbose = false;  ///< print what is zero too
   bool no_figure = false;
   NamedFigures figures;
   study::UnitSystem units;

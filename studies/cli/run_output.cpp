@@ -38,8 +38,11 @@ std::string log_text(const std::string& job, const Response& response, double se
 
 void print(const RunOutput& output, const study::PreparedRun& run, const Response& response,
            double seconds) {
-  print_findings(report::run_findings(run.facts, response, output.units), output.json);
+  findings::Section known = report::run_findings(run.facts, response, output.units);
+  const std::size_t hidden = output.json || output.verbose ? 0 : findings::hide_zeros(known);
+  print_findings(known, output.json);
   if (output.json) return;
+  if (hidden > 0) fmt::print("\n{} numbers are zero and not shown (--verbose)\n", hidden);
   fmt::print("\n");
   if (seconds > 0) fmt::print("speed    {:.0f} x real time\n", response.end_time / seconds);
   fmt::print("results  {}\n", printable(output.results.string()));

@@ -19,6 +19,7 @@ struct RunOutput {
   NamedFigures style = {};
   bool quiet = false;
   study::UnitSystem units = {};
+  bool verbose = false;  ///< print what is zero too
 
   std::filesystem::path figure() const;
   std::filesystem::path log() const;

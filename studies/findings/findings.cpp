@@ -71,6 +71,21 @@ Section& Section::add(Section section) {
   return *this;
 }
 
+std::size_t hide_zeros(Section& section) {
+  std::size_t hidden = 0;
+  for (Part& part : section.parts) {
+    if (auto* inner = std::get_if<Section>(&part)) hidden += hide_zeros(*inner);
+    auto* fact = std::get_if<Fact>(&part);
+    if (fact == nullptr || fact->label.empty()) continue;
+    const auto* count = std::get_if<std::int64_t>(&fact->value);
+    const auto* number = std::get_if<double>(&fact->value);
+    if ((count == nullptr || *count != 0) && (number == nullptr || *number != 0)) continue;
+    fact->label.clear();
+    ++hidden;
+  }
+  return hidden;
+}
+
 namespace {
 
 std::string four_digits(double value) {

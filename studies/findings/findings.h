@@ -168,6 +168,10 @@ struct Part : std::variant<Fact, Table, List, Sentence, Section> {
   using std::variant<Fact, Table, List, Sentence, Section>::variant;
 };
 
+/// Takes the labels of facts that are zero, so that programs alone have them.
+/// @returns how many they were
+std::size_t hide_zeros(Section& section);
+
 /// The fact, table, list or section with a key; a section without a key has its parts in the one
 /// around. None: null.
 template <class Kind>
