@@ -23,6 +23,8 @@ std::string padded(const std::string& text, std::size_t width, bool right) {
   return right ? blanks + text : text + blanks;
 }
 
+std::string title_text(const std::string& text) { return bold(printable(text)); }
+
 bool is_shown(const Fact& fact) { return !fact.label.empty() && !fact.value.is_missing(); }
 
 std::string value_text(const Fact& fact) {
@@ -49,7 +51,7 @@ std::vector<Cells> cells_of(const Table& table, std::size_t rows, bool units_bel
     const Column& column = table.columns[i];
     if (column.label.empty()) continue;
     const std::string& unit = column.format.unit;
-    Cells of{{units_below ? column.label : heading(column)}};
+    Cells of{{printable(units_below ? column.label : heading(column))}};
     if (units_below) of.cells.push_back(unit.empty() ? "" : "[" + unit + "]");
     for (std::size_t row = 0; row < rows; ++row) {
       const Cell& cell = table.rows[row].at(i);
@@ -65,13 +67,14 @@ std::string table_text(const Table& table, const std::string& indent) {
   const std::size_t rows = std::min(table.most, table.rows.size());
   std::vector<Cells> columns = cells_of(table, rows, false);
   if (columns.empty()) return {};
-  if (rows == 0) return indent + wrapped(table.title + ": --json", indent.size(), 0) + "\n";
+  if (rows == 0)
+    return indent + wrapped(printable(table.title) + ": --json", indent.size(), 0) + "\n";
   std::size_t width = indent.size();
   for (const Cells& of : columns) width += of.width() + 2;
   if (width > render::columns() + 2 &&
       std::ranges::any_of(table.columns, [](const Column& of) { return !of.format.unit.empty(); }))
     columns = cells_of(table, rows, true);
-  std::string all = table.title.empty() ? "" : indent + bold(table.title) + "\n";
+  std::string all = table.title.empty() ? "" : indent + title_text(table.title) + "\n";
   const std::size_t headings = columns.front().cells.size() - rows;
   for (std::size_t row = 0; row < columns.front().cells.size(); ++row) {
     std::string line = indent;
@@ -84,7 +87,7 @@ std::string table_text(const Table& table, const std::string& indent) {
 }
 
 std::string list_text(const List& list, const std::string& indent) {
-  std::string all = indent + bold(list.title) + "\n";
+  std::string all = indent + title_text(list.title) + "\n";
   std::size_t shown = 0, lines = 0;
   for (; shown < list.lines.size(); ++shown) {
     std::string text = "  " + printable(list.lines[shown]);
@@ -147,7 +150,7 @@ std::size_t label_width(const Shown& parts, std::size_t first) {
   for (std::size_t i = first; i < parts.size(); ++i) {
     const auto* fact = std::get_if<Fact>(parts[i]);
     if (fact == nullptr) break;
-    width = std::max(width, width_of(fact->label));
+    width = std::max(width, width_of(printable(fact->label)));
   }
   return width;
 }
@@ -175,7 +178,7 @@ std::string parts_text(const Shown& parts, const std::string& indent) {
     after_block = !is_line;
     width = fact == nullptr ? 0 : width == 0 ? label_width(parts, i) : width;
     if (fact != nullptr)
-      all += indent + padded(fact->label, width, false) + "  " +
+      all += indent + padded(printable(fact->label), width, false) + "  " +
              fitted(value_text(*fact), indent.size() + width + 2) + "\n";
     if (sentence != nullptr)
       all += indent + wrapped(printable(sentence->text), indent.size(), indent.size()) + "\n";
@@ -186,7 +189,7 @@ std::string parts_text(const Shown& parts, const std::string& indent) {
     }
     if (const auto* list = std::get_if<List>(parts[i])) all += list_text(*list, indent);
     if (const auto* section = std::get_if<Section>(parts[i]))
-      all += indent + bold(section->title) + "\n" +
+      all += indent + title_text(section->title) + "\n" +
              parts_text(shown_parts(section->parts), indent + "  ");
   }
   return all;
@@ -195,7 +198,7 @@ std::string parts_text(const Shown& parts, const std::string& indent) {
 }  // namespace
 
 std::string text(const Section& section) {
-  return (section.title.empty() ? "" : bold(section.title) + "\n") +
+  return (section.title.empty() ? "" : title_text(section.title) + "\n") +
          parts_text(shown_parts(section.parts), "");
 }
 

@@ -67,7 +67,7 @@ set(GURNEY_ROOMS
   "studies/calibration/pulling: engine/base engine/scene equipment/catalogue studies/results
     studies/plan studies/exports studies/calibration/trials"
   "studies/findings:"
-  "studies/render: studies/findings"
+  "studies/render: engine/base studies/findings"
   "studies/explanation: engine/base engine/scene engine/response engine/run equipment/catalogue
     studies/statistics studies/units studies/results studies/findings"
   "studies/report: engine/base engine/scene engine/response groundmotions/record

@@ -132,10 +132,10 @@ TEST(Outcome, FiniteHugeNumbersFailByName) {
   }
 }
 
-/// Treads so stiff that the item rattles within each step of 16 ms. Its balance is off by 0.25.
+/// Treads so stiff that the item rattles within each step of 8 ms. Its balance is off by 0.7.
 drawn::Run rattling() {
   drawn::Run run = drawn::run(1054);
-  run.settings.time_step = 0.016;
+  run.settings.time_step = 0.008;
   return run;
 }
 
@@ -153,7 +153,7 @@ TEST(Outcome, TheVerdictDoesNotDependOnTheHistory) {
   drawn::Run run = rattling();
   run.settings.history_step = 0;
   const Response without = simulate(run.scene, run.floor, run.settings);
-  run.settings.history_step = 0.016;
+  run.settings.history_step = 0.008;
   const Response with = simulate(run.scene, run.floor, run.settings);
   EXPECT_EQ(without.outcome, with.outcome);
   EXPECT_EQ(without.cause, with.cause);
