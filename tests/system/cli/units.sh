@@ -218,13 +218,13 @@ for command in fragility compare sensitivity; do
     $([ $command = sensitivity ] && echo --configuration false --all-levels)
 done
 labelled fragility "PGA h1 (cm/s²)"
-labelled compare "PGA h1 (cm/s2)"
+labelled compare "PGA h1 (cm/s²)"
 labelled sensitivity "Mean (cm)"
 
 # One run: the report and the figure, not the results file.
-expect 0 "peak displacement" "$gurney" run run.toml -o run.h5
+expect 0 "peak displacement" "$gurney" run run.toml -o run.h5 --verbose
 cp stdout run.txt
-expect 0 "PGA" "$gurney" run run.toml -o run_cm.h5 --units g-cm
+expect 0 "PGA" "$gurney" run run.toml -o run_cm.h5 --units g-cm --verbose
 cp stdout run_cm.txt
 same run.h5 run_cm.h5
 labelled run_cm "Displacement (cm)"
