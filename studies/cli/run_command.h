@@ -12,7 +12,7 @@ struct RunOptions {
   std::string output;  ///< path of the results file; empty: out/<name of the job>.h5
   bool overwrite = false;
   bool json = false;
-  bool quiet = false;  ///< print no summary and no progress
+  bool quiet = false;    ///< print no summary and no progress
   bool verbose = false;  ///< print what is zero too
   bool no_figure = false;
   NamedFigures figures;
