@@ -77,6 +77,8 @@ install(EXPORT gurney NAMESPACE gurney:: FILE gurneyTargets.cmake DESTINATION li
   COMPONENT development)
 
 include(CMakePackageConfigHelpers)
+# That of the build: the bits of inlined functions are its.
+string(REGEX MATCH "^[0-9]+[.][0-9]+" GURNEY_EIGEN_VERSION "${Eigen3_VERSION}")
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/gurneyConfig.cmake.in
   ${PROJECT_BINARY_DIR}/gurneyConfig.cmake INSTALL_DESTINATION lib/cmake/gurney)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/gurneyConfigVersion.cmake
@@ -84,5 +86,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/gurneyConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/gurneyConfig.cmake
   ${PROJECT_BINARY_DIR}/gurneyConfigVersion.cmake DESTINATION lib/cmake/gurney
   COMPONENT development)
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/bullet.cmake DESTINATION lib/cmake/gurney
+  RENAME gurneyBullet.cmake COMPONENT development)
 
 include(${CMAKE_CURRENT_LIST_DIR}/package.cmake)
