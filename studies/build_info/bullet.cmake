@@ -1,7 +1,7 @@
 # The double-precision Bullet as gurney::bullet, for the build of the project and, installed beside
 # gurneyConfig.cmake, for programs that embed the engine. Asks in this order, and takes the first that is
 # compiled with BT_USE_DOUBLE_PRECISION:
-#   pkg-config bullet-float64   Debian and Ubuntu
+#   pkg-config bullet-float64   Debian, Ubuntu, conda-forge
 #   pkg-config bullet           Arch (bullet-dp), a build of one's own
 #   find_package(Bullet)        a build of one's own without pkg-config
 # Sets GURNEY_BULLET_VERSION; where there is none, GURNEY_BULLET_PROBLEM says what to do.
@@ -30,11 +30,11 @@ endforeach()
 
 # Bullet's own package names folders and libraries relative to its root, and no targets.
 if(NOT TARGET gurney::bullet)
-  find_package(Bullet QUIET CONFIG)
+  find_package(Bullet QUIET CONFIG CONFIGS BulletConfig-float64.cmake BulletConfig.cmake)
   if(Bullet_FOUND AND "${BULLET_DEFINITIONS}" MATCHES "${gurney_bullet_double}")
     set(gurney_bullet_libraries "")
     foreach(gurney_name BulletDynamics BulletCollision LinearMath)
-      find_library(GURNEY_${gurney_name} ${gurney_name} NO_DEFAULT_PATH
+      find_library(GURNEY_${gurney_name} NAMES ${gurney_name}-float64 ${gurney_name} NO_DEFAULT_PATH
         PATHS ${BULLET_LIBRARY_DIRS} ${BULLET_ROOT_DIR}/${BULLET_LIBRARY_DIRS})
       mark_as_advanced(GURNEY_${gurney_name})
       list(APPEND gurney_bullet_libraries ${GURNEY_${gurney_name}})
