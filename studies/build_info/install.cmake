@@ -36,13 +36,25 @@ install(FILES ${PROJECT_BINARY_DIR}/manual/gurney DESTINATION share/bash-complet
 install(FILES ${PROJECT_BINARY_DIR}/manual/_gurney DESTINATION share/zsh/vendor-completions
   COMPONENT program)
 
-# The Python package, with gurney.simulate where it was built. Debian's Python looks into these folders.
-install(CODE [[
-  set(GURNEY_PYTHON_FOLDER lib/python3/dist-packages)
-  if(CMAKE_INSTALL_PREFIX STREQUAL "/usr/local")
-    set(GURNEY_PYTHON_FOLDER lib/python3.11/dist-packages)
-  endif()
-]] COMPONENT python)
+# The Python package, with gurney.simulate where it was built. Debian's Python looks into these folders;
+# another Python says where: python3 -c "import sysconfig; print(sysconfig.get_path('platlib'))".
+set(GURNEY_PYTHON_FOLDER "" CACHE STRING
+  "Folder of Python packages, absolute or below the prefix; empty: those of Debian 12")
+if(GURNEY_PYTHON_FOLDER)
+  install(CODE "set(GURNEY_PYTHON_FOLDER [[${GURNEY_PYTHON_FOLDER}]])" COMPONENT python)
+  install(CODE [[
+    if(IS_ABSOLUTE "${GURNEY_PYTHON_FOLDER}")
+      file(RELATIVE_PATH GURNEY_PYTHON_FOLDER "${CMAKE_INSTALL_PREFIX}" "${GURNEY_PYTHON_FOLDER}")
+    endif()
+  ]] COMPONENT python)
+else()
+  install(CODE [[
+    set(GURNEY_PYTHON_FOLDER lib/python3/dist-packages)
+    if(CMAKE_INSTALL_PREFIX STREQUAL "/usr/local")
+      set(GURNEY_PYTHON_FOLDER lib/python3.11/dist-packages)
+    endif()
+  ]] COMPONENT python)
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/studies/python/gurney DESTINATION "\${GURNEY_PYTHON_FOLDER}"
   COMPONENT python FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
 if(TARGET gurney_bindings)
@@ -77,6 +89,13 @@ install(EXPORT gurney NAMESPACE gurney:: FILE gurneyTargets.cmake DESTINATION li
   COMPONENT development)
 
 include(CMakePackageConfigHelpers)
+# That of the build: the bits of inlined functions are its.
+string(REGEX MATCH "^[0-9]+[.][0-9]+" GURNEY_EIGEN_VERSION "${Eigen3_VERSION}")
+set(GURNEY_FIND_TOMLPLUSPLUS
+  "pkg_check_modules(tomlplusplus REQUIRED QUIET IMPORTED_TARGET tomlplusplus)")
+if(NOT tomlplusplus_FOUND OR NOT TARGET PkgConfig::tomlplusplus)
+  set(GURNEY_FIND_TOMLPLUSPLUS "find_dependency(tomlplusplus)")
+endif()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/gurneyConfig.cmake.in
   ${PROJECT_BINARY_DIR}/gurneyConfig.cmake INSTALL_DESTINATION lib/cmake/gurney)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/gurneyConfigVersion.cmake
@@ -84,5 +103,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/gurneyConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/gurneyConfig.cmake
   ${PROJECT_BINARY_DIR}/gurneyConfigVersion.cmake DESTINATION lib/cmake/gurney
   COMPONENT development)
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/bullet.cmake DESTINATION lib/cmake/gurney
+  RENAME gurneyBullet.cmake COMPONENT development)
 
 include(${CMAKE_CURRENT_LIST_DIR}/package.cmake)

@@ -2,6 +2,7 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME gurney)
 set(CPACK_PACKAGE_VENDOR "the Gurney developers")
+# OWNER-CONTACT stands here once there is one.
 set(CPACK_PACKAGE_CONTACT "the Gurney developers <gurney@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "seismic response of hospital equipment on casters")
 set(CPACK_PACKAGE_DESCRIPTION "Gurney simulates items on casters, alone or in a furnished room, under \

@@ -62,6 +62,11 @@ done
 expect 0 "Build files" "$cmake" -S "$source/tests/system/install/embed" -B embed -DCMAKE_PREFIX_PATH="$prefix" \
   -DCMAKE_BUILD_TYPE=Release
 expect 0 "embed" "$cmake" --build embed
+mkdir single
+printf 'Name: bullet\nDescription: made up\nVersion: 1.25\nLibs:\nCflags:\n' > single/bullet.pc
+PKG_CONFIG_LIBDIR=$folder/single expect 1 "needs Bullet in double precision" "$cmake" \
+  -S "$source/tests/system/install/embed" -B refused -DCMAKE_PREFIX_PATH="$prefix" \
+  -DCMAKE_DISABLE_FIND_PACKAGE_Bullet=ON
 record="$prefix/share/gurney/groundmotions/records/synthetic_3c.csv"
 expect 0 "0.5 " embed/embed "$record"
 cp stdout embedded
