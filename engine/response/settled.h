@@ -48,7 +48,7 @@ struct SettledDemand {
   static constexpr double kMargin = 4;
   /// Change that a number is taken to have at least, over that which a quarter of the numbers of
   /// its item exceed: among large changes small ones are chance.
-  static constexpr double kShareOfOthers = 0.1;
+  static constexpr double kShareOfOthers = 0.25;
 
   DemandNumber number;
   double at_half_step = 0, of_twin = 0;  ///< [SI]; NaN: there is none
